@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/sim/base/types.h"
+
+namespace palpate {
+
+/// The tip of the instrument: a sphere, never a point.
+struct Tool {
+  double radius = 0.003;         ///< [m]
+  double stiffness = 3e7;        ///< [N/m³] k_A: pressure per depth of the contact law
+};
+
+/// Where the tool is (the paper's ideal tip, IUN) and what it is fastened to.
+struct ToolState {
+  /// A patch of tissue the tool pulls on: a bilateral spring until grasping arrives.
+  struct Hold {
+    int triangle = 0;
+    Vec3 weights = Vec3::Zero();  ///< barycentric
+    double stiffness = 0.0;       ///< [N/m]
+    Vec3 offset = Vec3::Zero();   ///< [m] tool minus patch point when it was attached
+  };
+
+  explicit ToolState(int capacity = 0) : holds(static_cast<std::size_t>(capacity)) {}
+
+  Vec3 position = Vec3::Zero();  ///< [m]
+  bool placed = false;           ///< false until the first sample has put it somewhere
+  std::vector<Hold> holds;       ///< capacity
+  int hold_count = 0;            ///< 0 when nothing is attached
+  bool touching = false;         ///< any contact in force in the last substep
+};
+
+}  // namespace palpate

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/SparseCore>
+
+#include "palpate/sim/dynamics/state.h"
+
+namespace palpate {
+
+enum class Projection {
+  none,               ///< the exact derivative
+  positive_semidefinite,  ///< SCIENCE 1.1 and 1.6: clamp tensions and the 3x3 length Hessians at 0
+};
+
+/// K = -df/dx at positions x [N/m], (3n, 3n), springs, bonds, angles and home; pressure and
+/// pushes are left out. Rows and columns of fixed particles are zero.
+Eigen::SparseMatrix<double> compute_stiffness(const TissueModel& model, std::span<const Vec3> x,
+                                              Projection projection);
+
+/// C = -df/dv at positions x [N·s/m], (3n, 3n), links and drag. Fixed as above.
+Eigen::SparseMatrix<double> compute_damping(const TissueModel& model, std::span<const Vec3> x);
+
+}  // namespace palpate

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "palpate/sim/base/types.h"
+
+namespace palpate {
+
+/// What a device says of the hand: six degrees of freedom in.
+struct HapticSample {
+  double time = 0.0;                                ///< [s] since the run began
+  Vec3 position = Vec3::Zero();                     ///< [m]
+  Quaternion orientation = Quaternion::Identity();  ///< unit
+  Vec3 velocity = Vec3::Zero();                     ///< [m/s]
+  std::uint8_t buttons = 0;                         ///< bit 0: attach while held
+  double grip = 0.0;                                ///< [rad]
+};
+
+inline constexpr std::uint8_t kAttachButton = 1;
+
+/// What the device shall make the hand feel: three degrees of freedom out.
+struct HapticCommand {
+  Vec3 force = Vec3::Zero();  ///< [N]
+};
+
+/// A haptic device, real or simulated: the one thing chosen at run time.
+/// read and write are called from the haptic thread: no exception, allocation, lock or log.
+class HapticDevice {
+ public:
+  virtual ~HapticDevice() = default;
+
+  /// The hand at `time` [s] since the run began; devices with a clock of their own may ignore it.
+  virtual HapticSample read(double time) noexcept = 0;
+  virtual void write(const HapticCommand& command) noexcept = 0;
+  virtual std::string name() const = 0;
+};
+
+}  // namespace palpate

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+
+#include "palpate/sim/base/latest.h"
+#include "palpate/sim/haptics/safe_device.h"
+#include "palpate/sim/haptics/tick.h"
+#include "palpate/sim/haptics/tick_log.h"
+
+namespace palpate {
+
+struct LoopOptions {
+  double duration = 0.0;      ///< [s] 0 runs until stop()
+  bool realtime = true;       ///< ask for SCHED_FIFO and locked memory
+  int cpu = -1;               ///< pin the thread to this core, -1 for none
+  double spin = 150e-6;       ///< [s] spun instead of slept before every tick
+  SafetyLimits safety;
+};
+
+/// What a reader outside the haptic thread sees: the newest world, at most once a millisecond.
+struct Snapshot {
+  long tick = 0;
+  double time = 0.0;             ///< [s]
+  Vec3Array position;            ///< [m]
+  HapticSample sample;
+  Vec3 tool_position = Vec3::Zero();
+  Vec3 force = Vec3::Zero();     ///< [N] on the hand
+  bool touching = false;
+  double cost = 0.0;             ///< [s] of the last tick
+  double lateness = 0.0;         ///< [s] of the last tick
+  int substeps = 0;
+  long missed_ticks = 0;
+};
+
+struct Percentiles {
+  double median = 0.0, p99 = 0.0, p99_9 = 0.0, max = 0.0;  ///< [s]
+};
+
+/// What a run of the loop cost.
+struct LoopReport {
+  long ticks = 0;
+  long missed_ticks = 0;      ///< skipped because an earlier tick was still at work
+  Percentiles lateness;       ///< start of a tick behind its due time
+  Percentiles cost;           ///< of the tick itself, device included
+  bool realtime = false;      ///< granted
+  std::string realtime_note;  ///< why not, in words
+  Alarm alarm;
+  DeviceFault fault = DeviceFault::none;
+  long record_gaps = 0;       ///< ticks the log had no room for
+};
+
+/// The live 1 kHz loop: a thread that waits, reads, ticks, writes. Sleeps to an absolute time and
+/// spins the rest; ticks that were missed are skipped and counted, never made up in a burst.
+class Loop {
+ public:
+  /// `scene` and `device` must outlive the loop; `log` may be null: whoever
+  /// drains it (session/record.h) may do so in any other single thread.
+  Loop(const Scene& scene, HapticDevice& device, const LoopOptions& options = {},
+       TickLog* log = nullptr);
+  ~Loop();  ///< stops and joins
+
+  void start();   ///< throws std::logic_error when already started
+  void stop();    ///< asks and waits; the device gets a zero force last
+  bool wait(double timeout);  ///< [s] true once the run has ended
+  bool running() const noexcept;
+
+  /// For one reader thread: true if something newer than last time was taken.
+  bool take_snapshot() noexcept;
+  const Snapshot& snapshot() const noexcept;
+
+  /// Costs so far; while running, of the ticks finished by now.
+  LoopReport report() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace palpate

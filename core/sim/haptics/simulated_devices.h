@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "palpate/sim/base/latest.h"
+#include "palpate/sim/haptics/device.h"
+
+namespace palpate {
+
+/// One moment of a script; between key frames the hand moves smoothly (minimum jerk), buttons
+/// hold from their frame on.
+struct KeyFrame {
+  double time = 0.0;  ///< [s], ascending
+  Vec3 position = Vec3::Zero();
+  std::uint8_t buttons = 0;
+};
+
+/// A hand that follows a script, the same in every run.
+class ScriptedDevice : public HapticDevice {
+ public:
+  /// Throws std::invalid_argument for no frames, times that do not ascend, or non-finite numbers.
+  explicit ScriptedDevice(std::vector<KeyFrame> frames);
+
+  HapticSample read(double time) noexcept override;
+  void write(const HapticCommand& command) noexcept override { last_command = command; }
+  std::string name() const override { return "script"; }
+  double duration() const noexcept { return frames_.back().time; }
+
+  HapticCommand last_command;
+
+ private:
+  std::vector<KeyFrame> frames_;
+};
+
+/// A hand that a window moves: set() from the GUI thread, read() from the haptic thread.
+class PointerDevice : public HapticDevice {
+ public:
+  void set(const HapticSample& sample);  ///< one calling thread; time is filled in by read()
+  HapticSample read(double time) noexcept override;
+  void write(const HapticCommand& command) noexcept override;
+  std::string name() const override { return "pointer"; }
+  /// The newest force, for the same thread as set().
+  HapticCommand take_command() noexcept;
+
+ private:
+  Latest<HapticSample> samples_;
+  Latest<HapticCommand> commands_;
+};
+
+/// A hand read back from a record, one sample per call, whatever the time; the last one stays.
+class ReplayDevice : public HapticDevice {
+ public:
+  /// Throws std::invalid_argument for no samples.
+  explicit ReplayDevice(std::vector<HapticSample> samples);
+
+  HapticSample read(double time) noexcept override;
+  void write(const HapticCommand& command) noexcept override { last_command = command; }
+  std::string name() const override { return "replay"; }
+  bool finished() const noexcept { return next_ >= samples_.size(); }
+
+  HapticCommand last_command;
+
+ private:
+  std::vector<HapticSample> samples_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace palpate

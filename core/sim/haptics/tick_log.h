@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "palpate/sim/haptics/device.h"
+
+namespace palpate {
+
+/// What was felt in one tick.
+struct Felt {
+  Eigen::Vector3f force = Eigen::Vector3f::Zero();     ///< [N] from tick(), before the safety wrapper
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< [m] the tool
+  std::uint8_t touched = 0;
+  std::uint16_t lateness_us = 0;                       ///< [us] saturates
+};
+
+enum class HappeningKind : std::int32_t {
+  missed_ticks = 1,  ///< index: how many were skipped before this tick
+  record_gap = 2,    ///< index: how many ticks the log had no room for
+  alarm = 3,         ///< index: AlarmKind
+  fault = 4,         ///< index: DeviceFault
+  attached = 5,
+  released = 6,
+};
+
+/// Something that happened at a tick.
+struct Happening {
+  std::int64_t tick = 0;
+  HappeningKind kind = HappeningKind::missed_ticks;
+  std::int32_t index = 0;
+  double value = 0.0;
+};
+
+/// The world's hash after a tick (compute_hash in tick.h).
+struct StateHash {
+  std::int64_t tick = 0;
+  std::array<std::uint64_t, 2> hash{};
+};
+
+/// Where the haptic thread leaves what it did: rings with room for 4 s, one writer and one
+/// reader, without lock or allocation. A full ring is a counted gap, never a blocked tick.
+class TickLog {
+ public:
+  struct Tick {
+    std::int64_t tick = 0;
+    HapticSample sample;
+    Felt felt;
+  };
+
+  explicit TickLog(int tick_capacity = 4000);
+
+  // haptic thread; false, and counted, when there is no room
+  bool push(const Tick& tick) noexcept;
+  bool push(const Happening& happening) noexcept;
+  bool push(const StateHash& hash) noexcept;
+
+  // reader thread; append what has arrived since the last call
+  void take(std::vector<Tick>& ticks, std::vector<Happening>& happenings,
+            std::vector<StateHash>& hashes);
+  long gap_count() const noexcept { return gaps_.load(std::memory_order_relaxed); }
+
+ private:
+  template <class T>
+  struct Ring {
+    explicit Ring(std::size_t capacity) : slots(capacity) {}
+    bool push(const T& value) noexcept;
+    void take(std::vector<T>& out);
+    std::vector<T> slots;
+    std::atomic<std::size_t> head{0}, tail{0};
+  };
+  Ring<Tick> ticks_;
+  Ring<Happening> happenings_;
+  Ring<StateHash> hashes_;
+  std::atomic<long> gaps_{0};
+};
+
+}  // namespace palpate

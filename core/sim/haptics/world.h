@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/sim/contact/aabb_tree.h"
+#include "palpate/sim/contact/find_candidates.h"
+#include "palpate/sim/dynamics/guard.h"
+#include "palpate/sim/dynamics/state.h"
+#include "palpate/sim/haptics/scene.h"
+
+namespace palpate {
+
+/// A running scene. Everything a tick needs is allocated here, once.
+struct World {
+  explicit World(const Scene& scene);
+
+  State tissue;
+  AabbTree tree;
+  Candidates candidates;
+  ToolState tool;
+  Load load;
+  Guard guard;
+  Alarm alarm;           ///< the first alarm; from then on the force is zero and the tissue stands still
+  long tick_count = 0;
+  int substeps = 0;      ///< of the last tick
+  bool attach_pressed = false;
+  std::vector<double> scratch;  ///< per particle
+};
+
+}  // namespace palpate

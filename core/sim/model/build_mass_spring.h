@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "palpate/sim/mesh/surface_mesh.h"
+#include "palpate/sim/model/material.h"
+#include "palpate/sim/model/tissue_model.h"
+
+namespace palpate {
+
+/// What a designer may choose about a surface model beside its material. Scales multiply the
+/// stiffness locally and are empty for 1 everywhere.
+struct SurfaceOptions {
+  std::optional<double> home_stiffness;  ///< [N/m³] pull home per area; none: the default below
+  std::vector<double> stiffness_scale;   ///< [-] per vertex, positive; a link takes the mean of its ends
+  std::vector<int> fixed;                ///< vertices held at rest
+  double pressure = 0.0;                 ///< [Pa]
+  double drag = 2.0;                     ///< [1/s]
+  DampingLaw damping_law = DampingLaw::axis;
+};
+
+/// [N/m³] home stiffness when none is given. 0 for a solid (no wall thickness). For hollow organs
+/// and sheets, which have no stiffness out of their plane, E h / d² with d a tenth of the bounding
+/// box's diagonal: a dent then fades over the length d.
+double default_home_stiffness(const SurfaceMesh& mesh, const Material& material);
+
+/// [kg] per vertex, lumped by area: density x volume for a closed solid, density x wall
+/// thickness x area for hollow organs and open surfaces.
+/// Throws std::invalid_argument for an open surface without a wall thickness.
+std::vector<double> compute_lumped_mass(const SurfaceMesh& mesh, const Material& material);
+
+/// The mass-spring model of a surface: one spring of `stiffness` [N/m] (Eq 1) along every edge.
+/// Damping of each spring is 2 zeta sqrt(k m_i m_j / (m_i + m_j)).
+/// Throws std::invalid_argument on an invalid mesh, material or option.
+TissueModel build_mass_spring(const SurfaceMesh& mesh, const Material& material, double stiffness,
+                              const SurfaceOptions& options = {});
+
+}  // namespace palpate

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/sim/base/types.h"
+
+namespace palpate {
+
+/// How the damping of a link acts on the relative velocity w of its ends (Eq 2 of the paper).
+enum class DampingLaw {
+  axis,       ///< -c (w·n) n: only along the link; rotation is free [Provot95]
+  isotropic,  ///< -c w: the paper's other reading; damps rigid rotation too
+};
+
+/// How an angle pushes back.
+enum class AngleLaw {
+  gradient,  ///< the negative gradient of Eq 9 and Eq 11
+  eq10,      ///< the paper's Eq 10: a pair force along the opposite edge; not conservative
+};
+
+/// Pairs of particles that resist a change of distance.
+///
+/// A spring of the mass-spring model and a bond of the molecular model obey the same law, so
+/// they share this table and one kernel; they differ only in how they are built.
+struct Links {
+  std::vector<std::array<int, 2>> ends;  ///< particle indices, ends[l][0] < ends[l][1]
+  std::vector<double> rest_length;       ///< [m]
+  std::vector<double> stiffness;         ///< [N/m]; a bond's may be negative
+  std::vector<double> damping;           ///< [N·s/m]
+};
+
+/// Triangles whose three corners resist a change of angle (molecular model, Eq 9 and Eq 11).
+///
+/// Row a is one triangle; column c belongs to its corner c, or to the side opposite corner c.
+struct Angles {
+  std::vector<Triangle> corners;                       ///< particle indices
+  std::vector<std::array<double, 3>> rest_cosine;      ///< [-] of the angle at the corner
+  std::vector<std::array<double, 3>> rest_length;      ///< [m] of the side opposite the corner
+  std::vector<std::array<double, 3>> bend_stiffness;   ///< [J] K_theta of the corner; [N] under AngleLaw::eq10
+  std::vector<std::array<double, 3>> stretch_coupling; ///< [N] K_btheta of the corner
+  std::vector<std::array<double, 3>> bond_share;       ///< [N/m] this triangle's part of the bond opposite the corner
+};
+
+/// An organ as built: everything about it that a simulation never changes.
+/// Made by a build_* function, checked once by validate(), then shared as const.
+struct TissueModel {
+  Vec3Array rest_position;          ///< [m]
+  std::vector<double> mass;         ///< [kg], positive
+  std::vector<int> fixed;           ///< particles held at rest, ascending
+  Links springs;                    ///< mass-spring model; may be empty
+  Links bonds;                      ///< molecular model; may be empty
+  Angles angles;                    ///< molecular model; may be empty
+  std::vector<double> home;         ///< [N/m] pull of every particle to its rest position; may be empty
+  double pressure = 0.0;            ///< [Pa] inside above outside
+  std::vector<Triangle> triangles;  ///< outer surface, counter-clockwise from outside
+  double drag = 0.0;                ///< [1/s], velocity lost to the surroundings
+  DampingLaw damping_law = DampingLaw::axis;
+  AngleLaw angle_law = AngleLaw::gradient;
+};
+
+inline int particle_count(const TissueModel& model) {
+  return static_cast<int>(model.rest_position.size());
+}
+
+/// [kg]
+double compute_total_mass(const TissueModel& model);
+
+/// Throws std::invalid_argument, naming table, row, what was found and what was expected.
+/// Includes definiteness: a triangle whose bond shares, angle and stretch-bend constants make
+/// its tangent at rest indefinite is refused (SCIENCE 1.5).
+void validate(const TissueModel& model);
+
+}  // namespace palpate

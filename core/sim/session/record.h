@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "palpate/sim/haptics/tick_log.h"
+
+namespace palpate {
+
+/// A whole run in memory: enough to run it again.
+struct Record {
+  std::string header;               ///< JSON: version, kernel, build, scene hash, device, columns, ...
+  std::vector<HapticSample> hand;   ///< per tick
+  std::vector<Felt> felt;           ///< per tick
+  std::vector<Happening> happenings;
+  std::vector<StateHash> hashes;    ///< at 1 Hz
+  bool complete = false;            ///< the file has its summary and the summary's SHA-256 holds
+};
+
+/// How a block's body is stored.
+enum class RecordCodec { none, deflate };
+
+/// Writes a `.prec` record while it is being made: an append-only file of blocks of 250 ticks,
+/// each with its own CRC, readable up to its last whole block at any moment (ASSESSMENT
+/// section 3; the layout is described in core/sim/session/RECORD.md).
+///
+/// The haptic thread pushes into log(); a writer thread of this class empties it into the file
+/// every 250 ms and syncs every second.
+class Recorder {
+ public:
+  /// `header_json` is one JSON object; the column table and the format version are added to it.
+  /// Throws FileError when the file cannot be written, std::invalid_argument for a bad header.
+  Recorder(const std::string& path, const std::string& header_json,
+           RecordCodec codec = RecordCodec::deflate);
+  ~Recorder();  ///< finishes if nobody did
+
+  TickLog& log() noexcept;
+
+  /// Writes what is left, then the summary with the SHA-256 of all before it; syncs.
+  /// Throws FileError.
+  void finish();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Writes a whole record at once, to a temporary name, synced, renamed. Throws FileError.
+void write_record(const std::string& path, const Record& record,
+                  RecordCodec codec = RecordCodec::deflate);
+
+/// Reads a record; an unfinished file ends at its last good block (complete = false).
+/// Throws FileError for anything else that is wrong, naming block and field.
+Record read_record(const std::string& path);
+
+}  // namespace palpate
