@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "palpate/sim/haptics/scene.h"
+
+namespace palpate::bench {
+
+/// What one piece of work costs, beside the same work done naively in the same process.
+struct BenchRow {
+  std::string work;  ///< "mss_step", "refit", "mms_tick", ...
+  int vertices = 0;
+  double median = 0.0;          ///< [s] CPU time of the calling thread
+  double p99 = 0.0;             ///< [s]
+  double naive_median = 0.0;    ///< [s] of the naive form
+  double ratio_to_naive = 0.0;  ///< [-] naive_median / median: above 1 is faster than naive
+  std::string physics;          ///< what is in it, in words
+};
+
+struct BenchOptions {
+  double budget = 0.4;  ///< [s] of CPU time per row, the naive form not counted
+  int least_runs = 30;
+};
+
+/// Times the steps, queries and ticks of two scenes on the same surface, one of the mass-spring
+/// and one of the molecular model. Ours and the naive form take turns, so a slow moment of the
+/// machine falls on both. The ends of both are compared before a ratio is stated: throws
+/// std::logic_error where they disagree, std::invalid_argument where the scenes do not fit.
+std::vector<BenchRow> run_bench(const Scene& mass_spring, const Scene& molecular,
+                                const BenchOptions& options = {});
+
+}  // namespace palpate::bench
