@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Live runs, their records, replays and pictures: what the verbs and the demo share."""
+
+from __future__ import annotations
+
+import json
+import os
+import platform
+from dataclasses import dataclass
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import palpate
+from palpate.press import Moments, Place, PressScript, measure_press, write_script
+from palpate.scene_file import hash_file, open_scene
+from palpate.verb import Refusal, Report
+
+KERNEL = "reference, double, symplectic Euler"
+GRACE = 20.0
+"""[s] A live run may take this much longer than its script before it is given up as stuck."""
+
+
+@dataclass(frozen=True)
+class Run:
+    """One live run of a script."""
+
+    record: palpate.Record
+    moments: Moments
+    report: Report
+
+
+def describe_build(scene_path: Path, record_path: Path, device: str) -> dict[str, str]:
+    """The header of a record: all that must match for a replay to give the same bits."""
+    return {
+        "palpate": version("palpate"),
+        "kernel": KERNEL,
+        "vector_target": platform.machine(),
+        "scene": os.path.relpath(scene_path.resolve(), record_path.resolve().parent),
+        "scene_sha256": hash_file(scene_path),
+        "device": device,
+    }
+
+
+def run_script(
+    scene: palpate.Scene, place: Place, script: PressScript, record_path: Path, scene_path: Path
+) -> Run:
+    """Runs a script through the live 1 kHz loop and its recorder; reads the record back.
+
+    Raises RuntimeError where the loop did not end, the tissue blew up or the device failed.
+    """
+    frames, moments = write_script(place, scene.tool.radius, script)
+    device = palpate.ScriptedDevice(frames)
+    header = describe_build(scene_path, record_path, device.name())
+    recorder = palpate.Recorder(str(record_path), json.dumps(header))
+    options = palpate.LoopOptions()
+    options.duration = moments.end
+    loop = palpate.Loop(scene, device, options, recorder.log())
+    loop.start()
+    ended = loop.wait(moments.end + GRACE)
+    loop.stop()
+    recorder.finish()
+    costs = loop.report()
+    if not ended:
+        raise RuntimeError(f"the loop did not end within {moments.end + GRACE:.0f} s")
+    if costs.alarm.kind != palpate.AlarmKind.none:
+        raise RuntimeError(
+            f"the tissue blew up at {costs.alarm.time:.3f} s ({costs.alarm.kind.name}: "
+            f"{costs.alarm.value:g}, limit {costs.alarm.limit:g})"
+        )
+    if costs.fault != palpate.DeviceFault.none:
+        raise RuntimeError(f"the device failed: {costs.fault.name}")
+    record = palpate.read_record(str(record_path))
+    report = {
+        "ticks": costs.ticks,
+        "tick_median_us": 1e6 * costs.cost.median,
+        "tick_p99_us": 1e6 * costs.cost.p99,
+        "lateness_p99_us": 1e6 * costs.lateness.p99,
+        "missed_ticks": costs.missed_ticks,
+        "realtime": "real-time priority" if costs.realtime else costs.realtime_note,
+        "substeps": scene.substeps,
+        **measure_press(record, place, scene.tool.radius, moments),
+    }
+    return Run(record, moments, report)
+
+
+def open_record(
+    path: Path, scene_path: Path | None = None
+) -> tuple[palpate.Record, Path, palpate.Scene]:
+    """A record and the compiled scene it was made with.
+
+    Raises FileError, Refusal (another scene than the record's) or OSError.
+    """
+    record = palpate.read_record(str(path))
+    header = json.loads(record.header)
+    for key in ("scene", "scene_sha256"):
+        if not isinstance(header.get(key), str):
+            raise Refusal(path, f"header.{key}", repr(header.get(key)), "text")
+    where = scene_path or path.parent / header["scene"]
+    found = hash_file(where)
+    if found != header["scene_sha256"]:
+        raise Refusal(where, "", f"SHA-256 {found[:12]}...",
+                      f"{header['scene_sha256'][:12]}..., the scene of {path.name}")
+    return record, where, open_scene(where)[1]
+
+
+def run_replay(path: Path, scene_path: Path | None = None) -> Report:
+    """Replays a record from a fresh world and compares force, tool and state bit by bit."""
+    record, where, scene = open_record(path, scene_path)
+    result = palpate.replay(scene, record)
+    return {
+        "record": str(path),
+        "scene": str(where),
+        "complete": record.complete,
+        "ticks": result.ticks,
+        "equal": result.equal,
+        "first_difference": result.first_difference if result.first_difference >= 0 else None,
+        "largest_force_difference_N": result.largest_force_difference,
+        "largest_position_difference_m": result.largest_position_difference,
+    }
+
+
+def pose_at(scene: palpate.Scene, record: palpate.Record, tick: int) -> palpate.World:
+    """The world after `tick` ticks of a record."""
+    world = palpate.World(scene)
+    hand = record.hand
+    for row in range(tick + 1):
+        palpate.tick(scene, sample_of(hand[row]), 1.0 / scene.rate, world)
+    return world
+
+
+def sample_of(row: Any) -> palpate.HapticSample:
+    sample = palpate.HapticSample()
+    for name in ("time", "position", "orientation", "velocity", "grip"):
+        setattr(sample, name, row[name])
+    sample.buttons = int(row["buttons"])
+    return sample
+
+
+def picture_of_rest(
+    out: Path, organ: palpate.SurfaceMesh | palpate.TissueModel, title: str, look: dict[str, Any]
+) -> None:
+    """Draws a surface as it is."""
+    from palpate.render import save_picture
+
+    x = organ.vertices if isinstance(organ, palpate.SurfaceMesh) else organ.rest_position
+    save_picture(out, np.asarray(x), np.asarray(organ.triangles), title=title, **look)
+
+
+def picture_of_record(
+    out: Path,
+    record_path: Path,
+    time: float | None,
+    look: dict[str, Any],
+    title: str | None = None,
+) -> float:
+    """Draws the organ of a record at a time [s], or where the force was greatest; returns when."""
+    from palpate.render import save_picture
+
+    record, where, scene = open_record(record_path)
+    times = np.asarray(record.hand["time"])
+    force = np.asarray(record.felt["force"], dtype=float)
+    if time is None:
+        tick = int(np.linalg.norm(force, axis=1).argmax())
+    else:
+        tick = int(np.searchsorted(times, time).clip(0, len(times) - 1))
+    world = pose_at(scene, record, tick)
+    moved = np.asarray(world.tissue.position) - np.asarray(scene.tissue.rest_position)
+    save_picture(
+        out,
+        np.asarray(world.tissue.position),
+        np.asarray(scene.tissue.triangles),
+        values=1e3 * np.linalg.norm(moved, axis=1),
+        legend="displacement [mm]",
+        tool=(np.asarray(world.tool.position), scene.tool.radius),
+        force=force[tick],
+        title=title or where.name.removesuffix(".json").removesuffix(".scene"),
+        **look,
+    )
+    return float(times[tick])
+
+
+def plot_runs(out: Path, runs: dict[str, Run], title: str) -> None:
+    """Force against time of one or several runs of the same script, as PNG."""
+    from palpate.render import save_force_plot
+
+    save_force_plot(out, {name: run.record for name, run in runs.items()}, title=title)

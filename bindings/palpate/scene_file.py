@@ -1,0 +1,250 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scene files: an organ's mesh, its constants, the tool and the hand, as readable JSON.
+
+A scene file names a mesh beside it and carries the mesh's SHA-256, so a record made with it can be
+replayed years later or refused, never replayed on something else. Every field is checked and an
+unknown one is refused: a parameter that has no effect is an error, not a habit.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+from dataclasses import asdict, dataclass, field, fields
+from pathlib import Path
+from typing import Any, get_type_hints
+
+import palpate
+from palpate.mesh_file import read_mesh_file
+from palpate.verb import Refusal
+from palpate.whole_file import write_whole
+
+FORMAT, VERSION = "palpate scene", 1
+KINDS = ("mass_spring", "molecular")
+
+
+@dataclass(frozen=True)
+class OrganPart:
+    """Which surface is simulated."""
+
+    name: str
+    mesh: str
+    """Path of an OBJ in metres, relative to the scene file."""
+    sha256: str
+
+
+@dataclass(frozen=True)
+class MaterialPart:
+    density: float = 1060.0
+    """[kg/m³]"""
+    young_modulus: float = 5e3
+    """[Pa]"""
+    poisson_ratio: float = 0.45
+    damping_ratio: float = 0.2
+    wall_thickness: float | None = None
+    """[m], None for a solid."""
+
+
+@dataclass(frozen=True)
+class ModelPart:
+    """Which law holds the organ together, with its constants."""
+
+    kind: str = "mass_spring"
+    stiffness: float = 50.0
+    """[N/m] of every spring, or of every bond inside the surface."""
+    bend_stiffness: float = 0.0
+    """[J] K_theta (molecular), [N] under eq10."""
+    stretch_coupling: float = 0.0
+    """[N] K_btheta (molecular)."""
+    angle_law: str = "gradient"
+    damping_law: str = "axis"
+    home_stiffness: float | None = None
+    """[N/m³] None: the builder's default."""
+    pressure: float = 0.0
+    """[Pa]"""
+    drag: float = 2.0
+    """[1/s]"""
+    fixed: tuple[int, ...] = ()
+    stiffness_scale: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True)
+class ToolPart:
+    radius: float = 3e-3
+    """[m]"""
+    stiffness: float = 3e7
+    """[N/m³] k_A of the contact law."""
+
+
+@dataclass(frozen=True)
+class HandPart:
+    coupling: float = 1000.0
+    """[N/m] K of Eq 12."""
+    force_max: float = 5.0
+    """[N]"""
+    hold_stiffness: float = 500.0
+    """[N/m] between tool and patch while attached."""
+    rate: float = 1000.0
+    """[Hz]"""
+    gravity: tuple[float, ...] = (0.0, 0.0, 0.0)
+    """[m/s²]"""
+
+
+@dataclass(frozen=True)
+class SceneFile:
+    """A whole scene as authored."""
+
+    organ: OrganPart
+    material: MaterialPart = field(default_factory=MaterialPart)
+    model: ModelPart = field(default_factory=ModelPart)
+    tool: ToolPart = field(default_factory=ToolPart)
+    hand: HandPart = field(default_factory=HandPart)
+
+
+PARTS = get_type_hints(SceneFile)
+
+
+def write_scene_file(path: Path, scene: SceneFile) -> None:
+    """Writes whole or not at all. Raises OSError."""
+    data = {"format": FORMAT, "version": VERSION, **asdict(scene)}
+    write_whole(path, (json.dumps(data, indent=2, allow_nan=False) + "\n").encode())
+
+
+def read_scene_file(path: Path) -> SceneFile:
+    """Reads and checks a scene file. Raises Refusal or OSError."""
+    try:
+        data = json.loads(path.read_bytes())
+    except (json.JSONDecodeError, UnicodeDecodeError) as problem:
+        raise Refusal(path, "", f"text that is not JSON ({problem})", "a scene file") from None
+    if not isinstance(data, dict) or data.get("format") != FORMAT:
+        raise Refusal(path, "format", repr(data.get("format")) if isinstance(data, dict) else "no "
+                      "object", f'"{FORMAT}"')
+    if data.get("version") != VERSION:
+        raise Refusal(path, "version", repr(data.get("version")), f"{VERSION}, the one this "
+                      "program knows")
+    unknown = set(data) - set(PARTS) - {"format", "version"}
+    if unknown:
+        raise Refusal(path, "", f"unknown part {sorted(unknown)[0]!r}", ", ".join(PARTS))
+    parts = {}
+    for name, kind in PARTS.items():
+        section = data.get(name, {})
+        if not isinstance(section, dict):
+            raise Refusal(path, name, json_kind(section), "an object")
+        parts[name] = read_part(path, name, kind, section)
+    return SceneFile(**parts)
+
+
+def read_part(path: Path, name: str, kind: type, section: dict[str, Any]) -> Any:
+    known = {f.name for f in fields(kind)}
+    unknown = set(section) - known
+    if unknown:
+        raise Refusal(path, f"{name}.{sorted(unknown)[0]}", "an unknown field",
+                      "one of " + ", ".join(sorted(known)))
+    hints = get_type_hints(kind)
+    values = {
+        key: read_value(path, f"{name}.{key}", hints[key], value) for key, value in section.items()
+    }
+    try:
+        return kind(**values)
+    except TypeError:
+        missing = sorted(known - set(section))
+        raise Refusal(path, name, "no " + ", ".join(missing), "every field of it") from None
+
+
+def read_value(path: Path, where: str, hint: Any, value: Any) -> Any:
+    """One field, checked against its annotation. Numbers must be finite."""
+
+    def is_number(item: Any) -> bool:
+        return isinstance(item, int | float) and not isinstance(item, bool) and math.isfinite(item)
+
+    if hint is str and isinstance(value, str):
+        return value
+    if hint is float and is_number(value):
+        return float(value)
+    if hint == float | None and (value is None or is_number(value)):
+        return None if value is None else float(value)
+    if hint == tuple[int, ...] and isinstance(value, list):
+        if all(isinstance(item, int) and not isinstance(item, bool) for item in value):
+            return tuple(value)
+    if hint == tuple[float, ...] and isinstance(value, list) and all(map(is_number, value)):
+        return tuple(float(item) for item in value)
+    expected = {
+        str: "text",
+        float: "a finite number",
+        tuple[int, ...]: "a list of whole numbers",
+        tuple[float, ...]: "a list of finite numbers",
+    }.get(hint, "a finite number or null")
+    raise Refusal(path, where, json_kind(value), expected)
+
+
+def json_kind(value: Any) -> str:
+    text = json.dumps(value)
+    return text if len(text) <= 40 else text[:37] + "..."
+
+
+def hash_file(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def build_tissue(scene: SceneFile, mesh: palpate.SurfaceMesh) -> palpate.TissueModel:
+    """The compiled model of a scene's organ. Raises ValueError naming what is wrong."""
+    model = scene.model
+    if model.kind not in KINDS:
+        raise ValueError(f"model.kind: got {model.kind!r}, expected one of {', '.join(KINDS)}")
+    material = palpate.Material()
+    for f in fields(scene.material):
+        setattr(material, f.name, getattr(scene.material, f.name))
+    options = palpate.SurfaceOptions()
+    options.home_stiffness = model.home_stiffness
+    options.stiffness_scale = list(model.stiffness_scale)
+    options.fixed = list(model.fixed)
+    options.pressure = model.pressure
+    options.drag = model.drag
+    options.damping_law = enumerator(palpate.DampingLaw, "model.damping_law", model.damping_law)
+    if model.kind == "mass_spring":
+        return palpate.build_mass_spring(mesh, material, model.stiffness, options)
+    constants = palpate.MolecularConstants()
+    constants.bond_stiffness = model.stiffness
+    constants.bend_stiffness = model.bend_stiffness
+    constants.stretch_coupling = model.stretch_coupling
+    constants.angle_law = enumerator(palpate.AngleLaw, "model.angle_law", model.angle_law)
+    return palpate.build_molecular(mesh, material, constants, options)
+
+
+def enumerator(kind: Any, where: str, name: str) -> Any:
+    if name not in kind.__members__:
+        raise ValueError(f"{where}: got {name!r}, expected one of {', '.join(kind.__members__)}")
+    return kind.__members__[name]
+
+
+def compile_scene(scene: SceneFile, mesh: palpate.SurfaceMesh) -> palpate.Scene:
+    """A scene that ticks. Raises ValueError naming what is wrong."""
+    if len(scene.hand.gravity) != 3:
+        raise ValueError(f"hand.gravity: got {len(scene.hand.gravity)} numbers, expected 3")
+    compiled = palpate.Scene()
+    compiled.tissue = build_tissue(scene, mesh)
+    tool = palpate.Tool()
+    tool.radius, tool.stiffness = scene.tool.radius, scene.tool.stiffness
+    compiled.tool = tool
+    coupling = palpate.Coupling()
+    coupling.stiffness, coupling.force_max = scene.hand.coupling, scene.hand.force_max
+    compiled.coupling = coupling
+    compiled.hold_stiffness = scene.hand.hold_stiffness
+    compiled.gravity = list(scene.hand.gravity)
+    compiled.rate = scene.hand.rate
+    return palpate.build_scene(compiled)
+
+
+def open_scene(path: Path) -> tuple[SceneFile, palpate.Scene]:
+    """Reads a scene file and its mesh and compiles them. Raises Refusal or OSError."""
+    scene = read_scene_file(path)
+    mesh_path = path.parent / scene.organ.mesh
+    if mesh_path.is_file() and hash_file(mesh_path) != scene.organ.sha256:
+        raise Refusal(path, "organ.sha256", f"{mesh_path.name} with another SHA-256",
+                      "the mesh the scene was made with")
+    mesh = read_mesh_file(mesh_path)
+    try:
+        return scene, compile_scene(scene, mesh)
+    except ValueError as problem:
+        raise Refusal(path, "", str(problem), "a scene that can be built") from None
