@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From foreign mesh files to clean surfaces (assimp, OpenMesh, CGAL behind plain types)."""
+
+from collections.abc import Sequence
+from os import PathLike
+from typing import Any
+
+from palpate import SurfaceMesh
+
+Path = str | PathLike[str]
+
+class ImportedPart:
+    """One named part of a scene, its node's transforms applied, in the file's units and axes."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def mesh(self) -> SurfaceMesh: ...
+
+class ImportedScene:
+    """What a mesh file holds, before anybody has decided what it means."""
+
+    @property
+    def file(self) -> str: ...
+    @property
+    def format(self) -> str: ...
+    @property
+    def parts(self) -> list[ImportedPart]: ...
+    @property
+    def unit(self) -> str | None:
+        """The unit the file or its format states."""
+    @property
+    def up(self) -> str | None:
+        """The up axis the file or its format states: x, y, z, -x, -y or -z."""
+    @property
+    def notes(self) -> list[str]:
+        """What was odd about the file but could be read all the same."""
+
+class JoinedSurface:
+    """Chosen parts welded into one surface in metres, right-handed, z up."""
+
+    @property
+    def mesh(self) -> SurfaceMesh: ...
+    @property
+    def parts(self) -> list[str]: ...
+    @property
+    def unit(self) -> str: ...
+    @property
+    def unit_guessed(self) -> bool: ...
+    @property
+    def unit_reason(self) -> str: ...
+    @property
+    def up(self) -> str: ...
+    @property
+    def up_guessed(self) -> bool: ...
+    @property
+    def up_reason(self) -> str: ...
+    @property
+    def welded_vertices(self) -> int: ...
+
+class MeshReport:
+    """What a surface is like; None where a number is not defined."""
+
+    @property
+    def vertices(self) -> int: ...
+    @property
+    def triangles(self) -> int: ...
+    @property
+    def shells(self) -> int: ...
+    @property
+    def border_loops(self) -> list[int]: ...
+    @property
+    def genus(self) -> int | None: ...
+    @property
+    def closed(self) -> bool: ...
+    @property
+    def outward(self) -> bool | None: ...
+    @property
+    def non_manifold_edges(self) -> int: ...
+    @property
+    def self_intersecting_faces(self) -> int | None: ...
+    @property
+    def smallest_angle_deg(self) -> float | None: ...
+    @property
+    def size_mm(self) -> list[float]: ...
+    @property
+    def volume_ml(self) -> float | None: ...
+    def as_dict(self) -> dict[str, Any]:
+        """The fields by name, ready for JSON."""
+
+class RepairedMesh:
+    """A surface without faults a triangle list can have, and what was done for that."""
+
+    @property
+    def mesh(self) -> SurfaceMesh: ...
+    @property
+    def duplicate_triangles(self) -> int: ...
+    @property
+    def degenerate_triangles(self) -> int: ...
+    @property
+    def unused_vertices(self) -> int: ...
+    @property
+    def split_vertices(self) -> int: ...
+    @property
+    def turned_triangles(self) -> int: ...
+
+class DecimatedMesh:
+    """A coarser surface, and how far it is from the one it was made of."""
+
+    @property
+    def mesh(self) -> SurfaceMesh: ...
+    @property
+    def smallest_angle_before_deg(self) -> float:
+        """Right after the edges were collapsed, before the triangles were improved."""
+    @property
+    def smallest_angle_deg(self) -> float: ...
+    @property
+    def mean_distance(self) -> float:
+        """[m] from the new surface to the source."""
+    @property
+    def max_distance(self) -> float:
+        """[m]"""
+    @property
+    def self_intersecting_faces(self) -> int | None: ...
+
+class ImportedMesh:
+    """An organ's surface as a model can use it, and how it came to be."""
+
+    @property
+    def mesh(self) -> SurfaceMesh: ...
+    @property
+    def joined(self) -> JoinedSurface: ...
+    @property
+    def repaired(self) -> RepairedMesh: ...
+    @property
+    def report(self) -> MeshReport:
+        """Of the repaired mesh."""
+
+def read_mesh(
+    path: Path,
+    *,
+    time_limit: float = ...,
+    memory_limit: int = ...,
+    reader: Path,
+) -> ImportedScene: ...
+def join_parts(
+    scene: ImportedScene,
+    *,
+    parts: Sequence[str] = ...,
+    unit: str | None = None,
+    up: str | None = None,
+) -> JoinedSurface: ...
+def inspect_mesh(mesh: SurfaceMesh) -> MeshReport: ...
+def repair_mesh(mesh: SurfaceMesh) -> RepairedMesh: ...
+def import_mesh(
+    path: Path,
+    *,
+    parts: Sequence[str] = ...,
+    unit: str | None = None,
+    up: str | None = None,
+    time_limit: float = ...,
+    memory_limit: int = ...,
+    reader: Path,
+) -> ImportedMesh: ...
+def decimate(mesh: SurfaceMesh, vertex_count: int) -> DecimatedMesh: ...
+def find_self_intersecting_faces(mesh: SurfaceMesh) -> list[int] | None: ...
+def write_mesh(path: Path, mesh: SurfaceMesh) -> None: ...

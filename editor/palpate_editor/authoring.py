@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From foreign mesh files to surfaces a tissue can be built on.
+
+    scene = read_mesh("spleen.glb")            # what the file holds, in its own units
+    joined = join_parts(scene)                 # one surface, welded, metres, z up
+    report = inspect_mesh(joined.mesh)         # what is good and bad about it
+    organ = import_mesh("spleen.glb")          # all of that, repaired, or refused with a sentence
+    small = decimate(organ.mesh, 600)          # exactly 600 vertices, well-shaped triangles
+    write_mesh("spleen.obj", small.mesh)
+
+A file that is refused raises `palpate.FileError` with file, where, found, expected; a wrong
+argument raises `ValueError`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from os import PathLike
+from pathlib import Path
+
+from palpate_editor import _authoring
+from palpate_editor._authoring import (
+    DecimatedMesh,
+    ImportedMesh,
+    ImportedPart,
+    ImportedScene,
+    JoinedSurface,
+    MeshReport,
+    RepairedMesh,
+    decimate,
+    find_self_intersecting_faces,
+    inspect_mesh,
+    join_parts,
+    repair_mesh,
+    write_mesh,
+)
+
+__all__ = [
+    "MEMORY_LIMIT",
+    "READER",
+    "TIME_LIMIT",
+    "DecimatedMesh",
+    "ImportedMesh",
+    "ImportedPart",
+    "ImportedScene",
+    "JoinedSurface",
+    "MeshReport",
+    "RepairedMesh",
+    "decimate",
+    "find_self_intersecting_faces",
+    "import_mesh",
+    "inspect_mesh",
+    "join_parts",
+    "read_mesh",
+    "repair_mesh",
+    "write_mesh",
+]
+
+READER = Path(_authoring.__file__).with_name("palpate-read-mesh")
+"""The program that reads foreign files, in a process of its own so that none can do harm."""
+
+TIME_LIMIT = 10.0
+"""[s] a file may take to read before its reader is stopped."""
+
+MEMORY_LIMIT = 1_500_000_000
+"""[bytes] the reader may use."""
+
+
+def read_mesh(
+    path: str | PathLike[str],
+    *,
+    time_limit: float = TIME_LIMIT,
+    memory_limit: int = MEMORY_LIMIT,
+    reader: str | PathLike[str] = READER,
+) -> ImportedScene:
+    """Reads a .obj, .stl, .ply, .glb, .gltf, .3ds, .fbx, .dae or .off file in a child process."""
+    return _authoring.read_mesh(
+        path, time_limit=time_limit, memory_limit=memory_limit, reader=reader
+    )
+
+
+def import_mesh(
+    path: str | PathLike[str],
+    *,
+    parts: Sequence[str] = (),
+    unit: str | None = None,
+    up: str | None = None,
+    time_limit: float = TIME_LIMIT,
+    memory_limit: int = MEMORY_LIMIT,
+    reader: str | PathLike[str] = READER,
+) -> ImportedMesh:
+    """Reads, joins, repairs, orients outward and checks: what a model can be built on.
+
+    Args:
+        path: The mesh file.
+        parts: Names of the scene's parts to use; all of them when empty.
+        unit: "m", "cm", "mm" or "in"; what the file states, else a guess by size, when None.
+        up: "x", "y", "z", "-x", "-y" or "-z"; what the file states, else "z", when None.
+        time_limit: [s] for the reader.
+        memory_limit: [bytes] for the reader.
+        reader: The reading program.
+    """
+    return _authoring.import_mesh(
+        path,
+        parts=parts,
+        unit=unit,
+        up=up,
+        time_limit=time_limit,
+        memory_limit=memory_limit,
+        reader=reader,
+    )
