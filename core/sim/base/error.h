@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace palpate {
 
@@ -10,13 +11,13 @@ namespace palpate {
 /// what() is the four joined into one sentence.
 class FileError : public std::runtime_error {
  public:
-  FileError(std::string file, std::string where, std::string found, std::string expected)
-      : std::runtime_error(file + (where.empty() ? "" : ": " + where) + ": found " + found +
-                           ", expected " + expected),
-        file(std::move(file)),
-        where(std::move(where)),
-        found(std::move(found)),
-        expected(std::move(expected)) {}
+  FileError(std::string in_file, std::string at, std::string got, std::string wanted)
+      : std::runtime_error(in_file + (at.empty() ? "" : ": " + at) + ": found " + got +
+                           ", expected " + wanted),
+        file(std::move(in_file)),
+        where(std::move(at)),
+        found(std::move(got)),
+        expected(std::move(wanted)) {}
 
   std::string file, where, found, expected;
 };
