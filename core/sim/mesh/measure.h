@@ -21,7 +21,7 @@ std::vector<double> compute_vertex_areas(const SurfaceMesh& mesh);
 Vec3Array compute_vertex_normals(std::span<const Vec3> vertices,
                                  std::span<const Triangle> triangles);
 
-/// Smallest corner angle of any triangle [rad].
+/// Smallest corner angle of any triangle [rad]; 0 where there is none.
 double compute_smallest_angle(const SurfaceMesh& mesh);
 
 /// Lower and upper corner of the axis-aligned box [m].
