@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What every Python test may ask for."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+CHECKOUT = Path(__file__).resolve().parents[1]
+
+# before anybody imports Qt: no test may need a display
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+
+def find_data() -> Path:
+    """The folder of shared data: PALPATE_DATA, or ../shared/data seen from the checkout."""
+    return Path(os.environ.get("PALPATE_DATA") or CHECKOUT.parent / "shared" / "data")
+
+
+@pytest.fixture(scope="session")
+def shared_data() -> Callable[[str], Path]:
+    """shared_data("organs/VH_F_Spleen.glb") is that file; the test is skipped where it is not."""
+
+    def find(path: str) -> Path:
+        found = find_data() / path
+        if not found.exists():
+            pytest.skip(f"shared data: no {path} in PALPATE_DATA (default ../shared/data)")
+        return found
+
+    return find
+
+
+@pytest.fixture(scope="session")
+def checkout() -> Path:
+    """The top folder of the source tree."""
+    return CHECKOUT
