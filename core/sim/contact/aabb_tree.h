@@ -15,7 +15,10 @@ namespace palpate {
 class AabbTree {
  public:
   static constexpr int kLeafSize = 4;
+  /// No leaf lies deeper, whatever the triangles: a query's stack of so many entries is enough.
+  static constexpr int kMaxDepth = 64;
 
+  /// Nodes stand depth first, children behind their parent.
   struct Node {
     Eigen::Vector3d low, high;
     int first = 0;  ///< leaf: first entry in order(); inner: index of the right child, the left is next
@@ -23,7 +26,8 @@ class AabbTree {
   };
 
   AabbTree() = default;
-  /// Throws std::invalid_argument for no triangles or an index out of range.
+  /// Throws std::invalid_argument for no triangles, an index out of range or a position that is
+  /// not finite.
   AabbTree(std::span<const Vec3> x, std::span<const Triangle> triangles);
 
   /// Follows the surface to positions x; the same particle count as at the start.
@@ -37,6 +41,7 @@ class AabbTree {
   std::vector<Node> nodes_;
   std::vector<int> order_;
   std::vector<Triangle> triangles_;
+  std::vector<Triangle> leaf_triangles_;  // triangles_ in the sequence of order_: refit reads on
 };
 
 }  // namespace palpate

@@ -20,13 +20,15 @@ struct Coupling {
 /// closest point to the tool's centre; contacts whose centre lies behind their triangle are
 /// dropped. Three Newton steps of a 3x3 system, each at most half the smallest distance to the
 /// surface. Returns the force on the hand, K (tool - hand), limited to force_max: f = -K x, Eq 12.
+/// state.residual is what the steps leave: the pushes on the tissue sum to -(force + residual).
+/// Where nothing touches the tool is at the hand and the force is exactly zero.
 Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
                   const Candidates& candidates, std::span<const Triangle> triangles,
                   std::span<const Vec3> x, ToolState& state, Load& load) noexcept;
 
 /// Fastens the tool to the patch it touches, shares weighted by contact force; `stiffness` [N/m]
 /// in all. Does nothing, and returns false, when it touches nothing. Offsets are chosen so that
-/// the holds exert no force at the moment of attaching.
+/// the holds exert no force at the moment of attaching. A tool that is attached stays as it is.
 bool attach_tool(const Load& contacts, std::span<const Triangle> triangles,
                  std::span<const Vec3> x, double stiffness, ToolState& state) noexcept;
 

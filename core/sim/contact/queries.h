@@ -23,11 +23,14 @@ struct SurfacePoint {
 SurfacePoint find_closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b,
                                       const Vec3& c) noexcept;
 
-/// The first triangle on the way from `from` to `to`, both sides counting; none if the way is clear.
+/// The first triangle on the way from `from` to `to`, both sides counting; none if the way is
+/// clear. No way slips between triangles that share an edge. A way within the plane of a triangle
+/// crosses its neighbours, not itself; a way of no length crosses nothing.
 std::optional<SurfacePoint> find_segment_hit(const AabbTree& tree, std::span<const Vec3> x,
                                              const Vec3& from, const Vec3& to) noexcept;
 
-/// The first triangle along a ray; `direction` of any length but zero, distances in metres.
+/// The first triangle along a ray, as for a way; `direction` of any length but zero, distances in
+/// metres.
 std::optional<SurfacePoint> find_ray_hit(const AabbTree& tree, std::span<const Vec3> x,
                                          const Vec3& origin, const Vec3& direction) noexcept;
 
@@ -36,13 +39,14 @@ std::optional<SurfacePoint> find_closest_point(
     const AabbTree& tree, std::span<const Vec3> x, const Vec3& p,
     double max_distance = std::numeric_limits<double>::infinity()) noexcept;
 
-/// Triangles with a point inside the ball; ascending. Returns how many there are; only as many
-/// as `out` holds are written.
+/// Triangles with a point inside the ball or on it; ascending. Returns how many there are; only
+/// as many as `out` holds are written, those with the lowest indices.
 int find_in_sphere(const AabbTree& tree, std::span<const Vec3> x, const Vec3& centre,
                    double radius, std::span<int> out) noexcept;
 
-/// Triangles whose boxes come within `radius` [m] of the segment: a superset of those that touch
-/// the capsule; ascending. Returns how many there are; only as many as `out` holds are written.
+/// Triangles whose boxes, grown by `radius` [m] on every side, meet the segment: a superset of
+/// those that touch the capsule; ascending. Returns how many there are; only as many as `out`
+/// holds are written, those with the lowest indices.
 int find_near_segment(const AabbTree& tree, std::span<const Vec3> x, const Vec3& from,
                       const Vec3& to, double radius, std::span<int> out) noexcept;
 

@@ -28,6 +28,7 @@ struct ToolState {
   std::vector<Hold> holds;       ///< capacity
   int hold_count = 0;            ///< 0 when nothing is attached
   bool touching = false;         ///< any contact in force in the last substep
+  Vec3 residual = Vec3::Zero();  ///< [N] left between hand and tissue after the last substep
 };
 
 }  // namespace palpate

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "palpate/sim/contact/balance_tool.h"
+#include "palpate/sim/contact/contact_law.h"
+
+namespace palpate {
+
+/// Hold i gets the share |f_i| / sum |f| of the stiffness: what is pressed hardest is held best.
+bool attach_tool(const Load& contacts, std::span<const Triangle> triangles,
+                 std::span<const Vec3> x, double stiffness, ToolState& state) noexcept {
+  if (state.hold_count > 0) return true;
+  const auto pushes = contacts.pushes().first(
+      std::min(contacts.pushes().size(), state.holds.size()));
+  double sum = 0.0;
+  for (const Push& push : pushes) sum += push.force.norm();
+  if (!(sum > 0.0)) return false;
+
+  for (const Push& push : pushes) {
+    const Vec3 point =
+        compute_point(triangles[static_cast<std::size_t>(push.triangle)], push.weights, x);
+    state.holds[static_cast<std::size_t>(state.hold_count++)] = {
+        push.triangle, push.weights, stiffness * (push.force.norm() / sum),
+        state.position - point};
+  }
+  return true;
+}
+
+void release_tool(ToolState& state) noexcept { state.hold_count = 0; }
+
+namespace {
+
+/// Spreads k w over the corners of a triangle and returns the largest sum / mass so far.
+double add_row_sums(const Triangle& t, const Vec3& weights, double stiffness,
+                    std::span<const double> mass, std::span<double> sums) noexcept {
+  double largest = 0.0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto i = static_cast<std::size_t>(t[c]);
+    sums[i] += stiffness * weights[static_cast<Eigen::Index>(c)];
+    largest = std::max(largest, sums[i] / mass[i]);
+  }
+  return largest;
+}
+
+}  // namespace
+
+/// By Gershgorin the eigenvalues of M⁻¹K are at most its largest row sum. A contact of slope k at
+/// the barycentric weights w adds k w_i w_j n n^T to the blocks (i, j), and the weights sum to 1:
+/// row i gains k w_i / m_i. That the tool itself gives way only lowers them.
+double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
+                               std::span<const Triangle> triangles, std::span<const Vec3> x,
+                               std::span<const double> mass, const ToolState& state,
+                               std::span<double> scratch) noexcept {
+  const std::span<const int> near(candidates.triangles.data(),
+                                  static_cast<std::size_t>(candidates.count));
+  const std::span<const ToolState::Hold> holds(state.holds.data(),
+                                               static_cast<std::size_t>(state.hold_count));
+  const auto triangle = [&](int t) noexcept -> const Triangle& {
+    return triangles[static_cast<std::size_t>(t)];
+  };
+  const auto corner = [&](const Triangle& t, std::size_t c) noexcept -> const Vec3& {
+    return x[static_cast<std::size_t>(t[c])];
+  };
+  for (const int t : near) {
+    for (const int i : triangle(t)) scratch[static_cast<std::size_t>(i)] = 0.0;
+  }
+  for (const ToolState::Hold& hold : holds) {
+    for (const int i : triangle(hold.triangle)) scratch[static_cast<std::size_t>(i)] = 0.0;
+  }
+  double largest = 0.0;
+  Contact contact;
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const Triangle& t = triangle(near[i]);
+    if (find_contact(tool, candidates.areas[i], state.position, corner(t, 0), corner(t, 1),
+                     corner(t, 2), contact)) {
+      largest = std::max(
+          largest, add_row_sums(t, contact.weights, contact.stiffness, mass, scratch));
+    }
+  }
+  for (const ToolState::Hold& hold : holds) {
+    largest = std::max(largest, add_row_sums(triangle(hold.triangle), hold.weights,
+                                             hold.stiffness, mass, scratch));
+  }
+  return largest;
+}
+
+}  // namespace palpate

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/contact/balance_tool.h"
+
+#include <algorithm>
+
+#include <Eigen/Cholesky>
+
+#include "palpate/sim/contact/contact_law.h"
+
+namespace palpate {
+namespace {
+
+constexpr int kNewtonSteps = 3;
+
+/// What the tissue does to the tool at one position.
+struct Touch {
+  Vec3 force = Vec3::Zero();       ///< [N] on the tool
+  Mat3 stiffness = Mat3::Zero();   ///< [N/m] of contacts along their directions, and of holds
+  double smallest_distance = 0.0;  ///< [m] from the tool's centre to the surface, at most its radius
+};
+
+/// All that balance_tool only reads.
+struct Surroundings {
+  const Tool& tool;
+  const Candidates& candidates;
+  std::span<const Triangle> triangles;
+  std::span<const Vec3> x;
+  std::span<const ToolState::Hold> holds;
+
+  const Triangle& triangle(int t) const noexcept { return triangles[static_cast<std::size_t>(t)]; }
+  const Vec3& corner(int t, std::size_t c) const noexcept {
+    return x[static_cast<std::size_t>(triangle(t)[c])];
+  }
+};
+
+Vec3 limit(const Vec3& v, double most) noexcept {
+  const double length = v.norm();
+  return length > most ? Vec3(v * (most / length)) : v;
+}
+
+/// Calls `take(triangle, contact)` for every contact in force with the centre at p.
+template <class Take>
+void for_each_contact(const Surroundings& around, const Vec3& p, Take take) noexcept {
+  Contact contact;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(around.candidates.count); ++i) {
+    const int t = around.candidates.triangles[i];
+    if (find_contact(around.tool, around.candidates.areas[i], p, around.corner(t, 0),
+                     around.corner(t, 1), around.corner(t, 2), contact)) {
+      take(t, contact);
+    }
+  }
+}
+
+/// [N] k (y + offset - p) on the tool, with y the patch's point.
+Vec3 compute_pull(const Surroundings& around, const ToolState::Hold& hold, const Vec3& p) noexcept {
+  const Vec3 y = compute_point(around.triangle(hold.triangle), hold.weights, around.x);
+  return hold.stiffness * (y + hold.offset - p);
+}
+
+Touch compute_touch(const Surroundings& around, const Vec3& p) noexcept {
+  Touch touch;
+  touch.smallest_distance = around.tool.radius;
+  for_each_contact(around, p, [&](int, const Contact& contact) noexcept {
+    const Vec3& n = contact.direction;
+    touch.force += contact.force * n;
+    touch.stiffness += contact.stiffness * (n * n.transpose());
+    touch.smallest_distance = std::min(touch.smallest_distance, contact.distance);
+  });
+  for (const ToolState::Hold& hold : around.holds) {
+    touch.force += compute_pull(around, hold, p);
+    touch.stiffness += hold.stiffness * Mat3::Identity();
+  }
+  return touch;
+}
+
+/// One Newton step of R(p) = pull of the hand + touch = 0. What touches nothing is where the hand
+/// is, to the bit, so that it feels exactly 0 N.
+Vec3 take_newton_step(const Surroundings& around, const Coupling& coupling, const Vec3& hand,
+                      const Vec3& p) noexcept {
+  const Touch touch = compute_touch(around, p);
+  // half the way to the surface at most: no step can end beyond it
+  const double most = 0.5 * touch.smallest_distance;
+  const Vec3 to_hand = hand - p;
+  if (touch.stiffness.isZero(0.0)) {
+    return to_hand.norm() <= most ? hand : Vec3(p + limit(to_hand, most));
+  }
+  const Vec3 residual = limit(coupling.stiffness * to_hand, coupling.force_max) + touch.force;
+  const Mat3 jacobian = coupling.stiffness * Mat3::Identity() + touch.stiffness;
+  return p + limit(jacobian.llt().solve(residual), most);
+}
+
+/// Writes what the tool at p does to the tissue; returns the sum of forces on the tool.
+Vec3 write_pushes(const Surroundings& around, const Vec3& p, bool& touching, Load& load) noexcept {
+  Vec3 sum = Vec3::Zero();
+  for_each_contact(around, p, [&](int t, const Contact& contact) noexcept {
+    const Vec3 force = contact.force * contact.direction;
+    if (load.add({t, contact.weights, -force})) sum += force;
+  });
+  touching = load.push_count > 0;
+  for (const ToolState::Hold& hold : around.holds) {
+    const Vec3 force = compute_pull(around, hold, p);
+    if (load.add({hold.triangle, hold.weights, -force})) sum += force;
+  }
+  return sum;
+}
+
+}  // namespace
+
+/// The tool has no mass, so the hand's spring and the pushes balance at its position p:
+///
+///     R(p) = clamp(K (h - p)) + sum f_t n_t + sum k_h (y_h + o_h - p) = 0
+///     J = K I + sum f_t' n n^T + sum k_h I,   dp = J^-1 R,   |dp| <= D_min / 2
+///
+/// (god-object [Zilles95] without constraint planes, TOOLS section 1). J leaves out how n turns,
+/// the only part that could make it indefinite: steps come out short, never wild, and what three
+/// of them leave over goes on in the next substep, from where the tool is then. Convergence is
+/// linear; a tool at rest reaches R = 0 to rounding.
+///
+/// The force on the hand is K (p - h) also while R is not yet zero, not the sum of the pushes:
+/// hand and tissue then act on the two ends of springs that store what they are given, and the
+/// difference R does the work R·dp = R·J^-1 R >= 0 on the tool, which is lost. A force read off
+/// the pushes instead would belong to no stored energy, and would jump whenever a triangle comes
+/// into contact. ToolState::residual is that difference.
+Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
+                  const Candidates& candidates, std::span<const Triangle> triangles,
+                  std::span<const Vec3> x, ToolState& state, Load& load) noexcept {
+  const Surroundings around{tool, candidates, triangles, x,
+                            {state.holds.data(), static_cast<std::size_t>(state.hold_count)}};
+  load.clear();
+  if (!state.placed) {
+    state.position = hand_position;
+    state.placed = true;
+  }
+  // nothing anywhere near the way: no need to go it in steps
+  if (candidates.count == 0 && state.hold_count == 0) state.position = hand_position;
+
+  for (int i = 0; i < kNewtonSteps; ++i) {
+    state.position = take_newton_step(around, coupling, hand_position, state.position);
+  }
+  const Vec3 touch = write_pushes(around, state.position, state.touching, load);
+  const Vec3 felt =
+      limit(coupling.stiffness * (state.position - hand_position), coupling.force_max);
+  state.residual = touch - felt;
+  return felt;
+}
+
+}  // namespace palpate

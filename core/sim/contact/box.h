@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+#include "palpate/sim/base/types.h"
+
+namespace palpate {
+
+/// An axis-aligned box; empty at first.
+struct Box {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
+
+  void add(const Vec3& p) noexcept {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  void add(const Box& box) noexcept {
+    low = low.cwiseMin(box.low);
+    high = high.cwiseMax(box.high);
+  }
+  /// [m²]
+  double half_area() const noexcept {
+    const Vec3 d = high - low;
+    return d.x() * d.y() + d.y() * d.z() + d.z() * d.x();
+  }
+};
+
+inline Box bound_triangle(const Vec3& a, const Vec3& b, const Vec3& c) noexcept {
+  return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+}
+
+inline Box bound_triangle(std::span<const Vec3> x, const Triangle& t) noexcept {
+  return bound_triangle(x[static_cast<std::size_t>(t[0])], x[static_cast<std::size_t>(t[1])],
+                        x[static_cast<std::size_t>(t[2])]);
+}
+
+/// [m²] d·d, summed in one fixed order: what makes the comparison below exact.
+inline double square(const Vec3& d) noexcept {
+  return (d.x() * d.x() + d.y() * d.y()) + d.z() * d.z();
+}
+
+/// [m²] Smallest squared distance from p to a box; 0 inside.
+///
+/// Rounding is monotone, so for every q inside the box square(p - q) is not less than this, and
+/// the box of a parent is never farther than that of a child: pruning by it is exact.
+inline double compute_squared_distance(const Vec3& p, const Vec3& low, const Vec3& high) noexcept {
+  return square((low - p).cwiseMax(p - high).cwiseMax(Vec3::Zero()));
+}
+
+/// A way from `from` along `direction`, at parameters t in [0, end], with boxes grown by `grow`
+/// [m] on every side.
+struct Way {
+  Vec3 from = Vec3::Zero();
+  Vec3 direction = Vec3::Zero();
+  double end = 1.0;
+  double grow = 0.0;
+  Vec3 inverse = direction.cwiseInverse();
+};
+
+/// The parameter at which a way enters a grown box, 0 when it starts inside; infinity where it
+/// misses. Monotone: it enters the box of a parent no later than that of a child.
+inline double enter_box(const Way& way, const Vec3& low, const Vec3& high) noexcept {
+  double in = 0.0, out = way.end;
+  for (int k = 0; k < 3; ++k) {
+    const double to_low = (low[k] - way.grow) - way.from[k];
+    const double to_high = (high[k] + way.grow) - way.from[k];
+    if (way.direction[k] == 0.0) {
+      if (!(to_low <= 0.0 && to_high >= 0.0)) return std::numeric_limits<double>::infinity();
+      continue;
+    }
+    // a direction so small that its inverse overflows gives 0 x infinity = NaN here, which
+    // std::min and std::max in this order pass over: the box is kept
+    const double t0 = to_low * way.inverse[k], t1 = to_high * way.inverse[k];
+    in = std::max(in, std::min(t0, t1));
+    out = std::min(out, std::max(t0, t1));
+  }
+  return in <= out ? in : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace palpate
