@@ -1,0 +1,217 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scene files: round trip, and refusal of everything that is not one."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import fields, replace
+
+import numpy as np
+import pytest
+from palpate.mesh_file import read_mesh_file
+from palpate.scene_file import (
+    HandPart,
+    MaterialPart,
+    ModelPart,
+    OrganPart,
+    SceneFile,
+    ToolPart,
+    compile_scene,
+    hash_file,
+    open_scene,
+    read_scene_file,
+    write_scene_file,
+)
+from palpate.verb import Refusal
+
+OCTAHEDRON = """v 0.03 0 0
+v -0.03 0 0
+v 0 0.03 0
+v 0 -0.03 0
+v 0 0 0.03
+v 0 0 -0.03
+f 1 3 5
+f 3 2 5
+f 2 4 5
+f 4 1 5
+f 3 1 6
+f 2 3 6
+f 4 2 6
+f 1 4 6
+"""
+
+
+@pytest.fixture
+def organ(tmp_path):
+    path = tmp_path / "organ.obj"
+    path.write_text(OCTAHEDRON)
+    return path
+
+
+def scene_of(organ) -> SceneFile:
+    return SceneFile(OrganPart("octahedron", organ.name, hash_file(organ)))
+
+
+def test_a_scene_file_comes_back_as_it_went(organ, tmp_path):
+    scene = replace(
+        scene_of(organ),
+        material=MaterialPart(density=1000.0, wall_thickness=0.002),
+        model=ModelPart(kind="molecular", stretch_coupling=-0.01, fixed=(0, 5)),
+        hand=HandPart(gravity=(0.0, 0.0, -9.81)),
+    )
+
+    write_scene_file(tmp_path / "a.json", scene)
+
+    assert read_scene_file(tmp_path / "a.json") == scene
+
+
+def test_an_opened_scene_ticks_with_its_own_constants(organ, tmp_path):
+    scene = replace(scene_of(organ), model=ModelPart(stiffness=70.0), tool=ToolPart(radius=0.002))
+    write_scene_file(tmp_path / "a.json", scene)
+
+    _, compiled = open_scene(tmp_path / "a.json")
+
+    assert np.all(np.asarray(compiled.tissue.springs.stiffness) == 70.0)
+    assert compiled.tool.radius == 0.002
+    assert compiled.substeps >= 1
+
+
+def change(data: dict, path: str, value: object) -> None:
+    *outer, last = path.split(".")
+    for key in outer:
+        data = data[key]
+    if value is DELETE:
+        del data[last]
+    else:
+        data[last] = value
+
+
+DELETE = object()
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "where"),
+    [
+        ("format", "other", "format"),
+        ("version", 2, "version"),
+        ("extra", {}, ""),
+        ("model.stifness", 3.0, "model.stifness"),
+        ("model.stiffness", "3", "model.stiffness"),
+        ("model.stiffness", True, "model.stiffness"),
+        ("model.fixed", [0.5], "model.fixed"),
+        ("tool", 3, "tool"),
+        ("organ.mesh", DELETE, "organ"),
+        ("hand.gravity", [0, 0, "down"], "hand.gravity"),
+    ],
+)
+def test_a_damaged_scene_file_is_refused_where_it_is_wrong(organ, tmp_path, path, value, where):
+    file = tmp_path / "a.json"
+    write_scene_file(file, scene_of(organ))
+    data = json.loads(file.read_text())
+    change(data, path, value)
+    file.write_text(json.dumps(data))
+
+    with pytest.raises(Refusal) as refusal:
+        read_scene_file(file)
+
+    assert refusal.value.where == where
+    assert refusal.value.file == str(file)
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", "null", '{"format": "palpate scene"', "\xff\xfe"])
+def test_text_that_is_no_scene_is_refused(tmp_path, text):
+    file = tmp_path / "a.json"
+    file.write_bytes(text.encode("latin-1"))
+
+    with pytest.raises(Refusal):
+        read_scene_file(file)
+
+
+def test_numbers_that_are_not_finite_are_refused(organ, tmp_path):
+    file = tmp_path / "a.json"
+    write_scene_file(file, scene_of(organ))
+    file.write_text(file.read_text().replace('"drag": 2.0', '"drag": NaN'))
+
+    with pytest.raises(Refusal) as refusal:
+        read_scene_file(file)
+
+    assert refusal.value.where == "model.drag"
+
+
+def test_a_scene_whose_mesh_has_changed_is_refused(organ, tmp_path):
+    write_scene_file(tmp_path / "a.json", scene_of(organ))
+    organ.write_text(OCTAHEDRON.replace("0.03 0 0", "0.031 0 0", 1))
+
+    with pytest.raises(Refusal) as refusal:
+        open_scene(tmp_path / "a.json")
+
+    assert refusal.value.where == "organ.sha256"
+
+
+def test_constants_no_tissue_can_have_are_refused_with_the_builders_sentence(organ, tmp_path):
+    write_scene_file(
+        tmp_path / "a.json", replace(scene_of(organ), model=ModelPart(stiffness=-1.0))
+    )
+
+    with pytest.raises(Refusal, match="stiffness"):
+        open_scene(tmp_path / "a.json")
+
+
+def every_number() -> list[tuple[str, str, float]]:
+    changed = {
+        "wall_thickness": 0.004, "home_stiffness": 2e5, "poisson_ratio": None,
+        "young_modulus": None,  # these two act on the default home springs of walls, or later
+    }
+    rows = []
+    for part, kind in (("material", MaterialPart), ("model", ModelPart), ("tool", ToolPart),
+                       ("hand", HandPart)):
+        for f in fields(kind):
+            value = getattr(kind(), f.name)
+            if isinstance(value, float) or f.name in changed:
+                new = changed.get(f.name, value * 1.5 if value else 0.01)
+                if new is not None:
+                    rows.append((part, f.name, new))
+    return rows
+
+
+@pytest.mark.parametrize(("part", "name", "value"), every_number())
+def test_every_number_of_a_scene_file_changes_what_is_compiled(organ, part, name, value):
+    mesh = read_mesh_file(organ)
+    base = replace(scene_of(organ), model=ModelPart(kind="molecular"))
+    changed = replace(base, **{part: replace(getattr(base, part), **{name: value})})
+
+    def values(scene: SceneFile) -> list:
+        s = compile_scene(scene, mesh)
+        t = s.tissue
+        return [
+            list(t.mass), list(t.bonds.stiffness), list(t.bonds.damping), list(t.home),
+            np.asarray(t.angles.bend_stiffness).tolist(),
+            np.asarray(t.angles.stretch_coupling).tolist(),
+            t.pressure, t.drag, s.tool.radius, s.tool.stiffness, s.coupling.stiffness,
+            s.coupling.force_max, s.hold_stiffness, s.rate,
+        ]
+
+    assert values(base) != values(changed)
+
+
+@pytest.mark.parametrize(
+    ("text", "where"),
+    [
+        ("v 0 0\n", "line 1"),
+        ("v 0 0 nan\n", "line 1"),
+        ("v 0 0 0\nvn 0 0 1\n", "line 2"),
+        ("v 0 0 0\nf 1 2 x\n", "line 2"),
+        ("v 0 0 0\nf 1 2 9\n", "faces"),
+        ("v 0 0 0\nf 0 1 1\n", "faces"),
+        ("v 0 0 0\n", ""),
+        ("", ""),
+    ],
+)
+def test_a_mesh_file_that_is_not_one_is_refused_where_it_is_wrong(tmp_path, text, where):
+    file = tmp_path / "a.obj"
+    file.write_text(text)
+
+    with pytest.raises(Refusal) as refusal:
+        read_mesh_file(file)
+
+    assert refusal.value.where == where

@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The main job from mesh file to felt force, on our own organ and on real ones."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from pathlib import Path
+
+import palpate
+import pytest
+from palpate.cli import main
+from palpate_editor.demo import CONSTANTS
+
+FIELDS = {
+    "tick_median_us", "tick_p99_us", "lateness_p99_us", "missed_ticks", "peak_force_N",
+    "pull_force_N", "patch_stiffness_N_per_m", "replay_equal",
+}
+
+
+def demo(out: Path, *words: str) -> dict:
+    assert main(["demo", "--out", str(out), *words]) == 0
+    return json.loads((out / "summary.json").read_text())
+
+
+@pytest.fixture(scope="session")
+def own(tmp_path_factory):
+    out = tmp_path_factory.mktemp("demo_own")
+    return out, demo(out)
+
+
+@pytest.fixture(scope="session")
+def spleen(tmp_path_factory, shared_data):
+    out = tmp_path_factory.mktemp("demo_spleen")
+    return out, demo(out, "--mesh", str(shared_data("organs/VH_F_Spleen.glb")))
+
+
+def check_summary(out: Path, summary: dict) -> None:
+    assert {"organ", "vertices", "triangles", "picture", "force_plot"} <= set(summary)
+    for key in ("picture", "force_plot"):
+        assert (out / summary[key]).read_bytes().startswith(b"\x89PNG")
+    for kind in ("mss", "mms"):
+        assert set(summary[kind]) >= FIELDS
+        assert summary[kind]["replay_equal"] is True
+        assert 0.1 <= summary[kind]["peak_force_N"] <= 3.0
+        assert 50.0 <= summary[kind]["patch_stiffness_N_per_m"] <= 400.0
+        assert summary[kind]["pull_force_N"] > 0.02
+        assert (out / summary[kind]["record"]).is_file()
+
+
+def test_the_demo_leaves_its_pictures_records_and_a_summary(own):
+    out, summary = own
+
+    check_summary(out, summary)
+    assert summary["vertices"] == 600
+    assert summary["triangles"] == 1196
+
+
+def test_the_demo_runs_the_whole_way_on_a_real_spleen(spleen):
+    out, summary = spleen
+
+    check_summary(out, summary)
+    assert (summary["vertices"], summary["triangles"]) == (600, 1196)
+    assert summary["border_loops"] == []
+
+
+def test_the_demo_keeps_the_hole_of_a_real_pancreas_and_says_so(tmp_path, shared_data, capsys):
+    source = shared_data("organs/VH_F_Pancreas.glb")
+
+    summary = demo(tmp_path / "glb", "--mesh", str(source))
+
+    check_summary(tmp_path / "glb", summary)
+    assert "1 hole(s) kept open" in capsys.readouterr().err
+    assert len(summary["border_loops"]) == 1
+
+
+def test_the_demo_takes_an_stl_exported_from_the_pancreas(tmp_path, shared_data):
+    source = shared_data("organs/VH_F_Pancreas.glb")
+    stl = tmp_path / "pancreas.stl"
+    assert main(["import", str(source), "-o", str(stl)]) == 0
+
+    summary = demo(tmp_path / "stl", "--mesh", str(stl), "--unit", "m", "--up", "z")
+
+    check_summary(tmp_path / "stl", summary)
+    assert summary["vertices"] == 600
+
+
+def test_two_organs_give_different_forces_pictures_and_files(own, spleen):
+    (own_out, one), (spleen_out, other) = own, spleen
+
+    for kind in ("mss", "mms"):
+        assert one[kind]["peak_force_N"] != other[kind]["peak_force_N"]
+    for name in ("picture.png", "force_plot.png", "organ.obj", "mss.prec", "mms.prec"):
+        digests = {
+            hashlib.sha256((out / name).read_bytes()).hexdigest() for out in (own_out, spleen_out)
+        }
+        assert len(digests) == 2, name
+
+
+def test_doubling_the_stiffness_raises_the_peak_force_by_at_least_40_percent(own, tmp_path):
+    lines = []
+    for line in CONSTANTS.read_text().splitlines():
+        key, _, rest = line.partition("=")
+        if key.strip() in ("stiffness", "home_stiffness", "bend_stiffness", "stretch_coupling"):
+            value, _, comment = rest.partition("#")
+            if float(value) < 1e7:  # not the contact law's k_A: the tool stays as it is
+                line = f"{key}= {2 * float(value)!r} # {comment}"
+        lines.append(line)
+    stiff = tmp_path / "stiff.toml"
+    stiff.write_text("\n".join(lines))
+
+    summary = demo(tmp_path / "stiff", "--constants", str(stiff))
+
+    for kind in ("mss", "mms"):
+        assert summary[kind]["peak_force_N"] >= 1.4 * own[1][kind]["peak_force_N"]
+
+
+def test_one_changed_sample_makes_the_replay_differ(own, tmp_path, capsys):
+    out, _ = own
+    record = palpate.read_record(str(out / "mss.prec"))
+    hand = record.hand.copy()
+    hand["position"][len(hand) // 3, 2] += 1e-9
+    record.hand = hand
+    for name in ("organ.obj", "mss.scene.json"):
+        (tmp_path / name).write_bytes((out / name).read_bytes())
+    palpate.write_record(str(tmp_path / "changed.prec"), record)
+
+    assert main(["replay", str(tmp_path / "changed.prec"), "--json"]) == 1
+
+    report = json.loads(capsys.readouterr().out)
+    assert report["equal"] is False
+    assert report["first_difference"] >= len(hand) // 3
+
+
+def test_a_record_of_another_scene_is_refused(own, tmp_path, capsys):
+    out, _ = own
+
+    code = main(["replay", str(out / "mss.prec"), "--scene", str(out / "mms.scene.json"), "--json"])
+
+    assert code == 1
+    assert "SHA-256" in json.loads(capsys.readouterr().out)["error"]["found"]
+
+
+def test_a_mesh_the_demo_cannot_take_is_refused_with_a_sentence(tmp_path, capsys):
+    empty = tmp_path / "empty.stl"
+    empty.write_bytes(b"")
+
+    assert main(["demo", "--mesh", str(empty), "--out", str(tmp_path / "out"), "--json"]) == 1
+
+    error = json.loads(capsys.readouterr().out)["error"]
+    assert error["file"].endswith("empty.stl")
+    assert not (tmp_path / "out" / "summary.json").exists()
+
+
+def test_constants_with_an_unknown_name_are_refused(tmp_path, capsys):
+    constants = tmp_path / "bad.toml"
+    constants.write_text(CONSTANTS.read_text().replace("depth", "dept", 1))
+
+    assert main(["demo", "--constants", str(constants), "--out", str(tmp_path / "o"),
+                 "--json"]) == 1
+
+    assert json.loads(capsys.readouterr().out)["error"]["where"] == "[script]"
