@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Who may import whom in Python: the arrows of core/README.md, and no others."""
+
+from __future__ import annotations
+
+import ast
+import sys
+import tomllib
+from dataclasses import dataclass
+
+import pytest
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
+from tree import files_under, read
+
+QT = ("PySide6", "shiboken6", "pyqtgraph")
+
+ARROWS = {
+    "bindings/palpate/render": ("palpate", "numpy", "moderngl"),
+    "bindings/palpate": ("palpate", "numpy", "scipy", "matplotlib"),
+    "editor/palpate_editor": ("palpate_editor", "palpate_meshes", "palpate", "numpy", *QT),
+    "meshes": ("palpate_meshes", "palpate_editor.authoring", "numpy", "scipy", "skimage"),
+}
+"""Folder -> what its modules may import beside the standard library; the longest match counts."""
+
+GUARDED = {("bindings/palpate/bench.py", "palpate_meshes.generate")}
+"""Imports that stand in a function and say what to install where they fail."""
+
+NAME_ON_INDEX = {"skimage": "scikit-image", "PySide6": "pyside6-essentials"}
+
+
+@dataclass(frozen=True)
+class Import:
+    """One imported module and where."""
+
+    file: str
+    line: int
+    module: str
+    in_function: bool
+
+
+def imports(name: str) -> list[Import]:
+    """Every import of a file, relative ones made absolute."""
+    found: list[Import] = []
+    package = module_of(name).split(".")
+
+    def visit(node: ast.AST, in_function: bool) -> None:
+        modules: list[str] = []
+        if isinstance(node, ast.Import):
+            modules = [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom):
+            start = ".".join(package[: len(package) - node.level]) if node.level else ""
+            modules = [".".join(part for part in (start, node.module) if part)]
+        found.extend(Import(name, node.lineno, module, in_function) for module in modules)
+        inside = in_function or isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
+        for child in ast.iter_child_nodes(node):
+            visit(child, inside)
+
+    visit(ast.parse(read(name)), False)
+    return found
+
+
+def module_of(name: str) -> str:
+    """The dotted module of a source file, with __init__ kept so that levels count alike."""
+    for folder, root in (("bindings/", ""), ("editor/", ""), ("meshes/", "palpate_meshes/")):
+        if name.startswith(folder):
+            name = root + name.removeprefix(folder)
+    return name.removesuffix(".py").replace("/", ".")
+
+
+def within(module: str, names: tuple[str, ...]) -> bool:
+    return any(module == name or module.startswith(name + ".") for name in names)
+
+
+def is_standard(module: str) -> bool:
+    return module.split(".")[0] in sys.stdlib_module_names
+
+
+def folder_of(name: str) -> str:
+    return max((folder for folder in ARROWS if name.startswith(folder + "/")), key=len)
+
+
+@pytest.mark.parametrize("folder", ARROWS)
+def test_a_package_imports_only_what_its_arrow_allows(folder):
+    files = [name for name in files_under(folder, ".py") if folder_of(name) == folder]
+    assert files
+
+    wrong = [
+        f"{i.file}:{i.line} imports {i.module}"
+        for name in files
+        for i in imports(name)
+        if not is_standard(i.module)
+        and not within(i.module, ARROWS[folder])
+        and not (i.in_function and (i.file, i.module) in GUARDED)
+    ]
+
+    assert wrong == []
+
+
+@pytest.mark.parametrize(
+    ("project", "folders"),
+    [("pyproject.toml", ("bindings/palpate",)),
+     ("editor/pyproject.toml", ("editor/palpate_editor", "meshes"))],
+    ids=["palpate", "palpate-editor"],
+)  # fmt: skip
+def test_a_distribution_declares_every_package_it_imports(project, folders):
+    declared = {
+        canonicalize_name(Requirement(text).name)
+        for text in tomllib.loads(read(project))["project"]["dependencies"]
+    }
+    ours = ("palpate", "palpate_editor", "palpate_meshes")
+
+    missing = {
+        f"{i.module} ({name})"
+        for folder in folders
+        for name in files_under(folder, ".py")
+        for i in imports(name)
+        if not is_standard(i.module) and not within(i.module, ours)
+        and canonicalize_name(NAME_ON_INDEX.get(i.module.split(".")[0], i.module.split(".")[0]))
+        not in declared
+    }  # fmt: skip
+
+    assert missing == set()

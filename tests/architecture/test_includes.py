@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Who may include whom in C++: the arrows of core/README.md, and no others."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from tree import files_under, read_code
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+STANDARD = re.compile(r"[a-z_0-9]+")
+"""A header of the C++ library has neither folder nor ending."""
+
+ROOMS = {
+    "base": ("base",),
+    "mesh": ("base", "mesh"),
+    "model": ("base", "mesh", "model"),
+    "dynamics": ("base", "mesh", "model", "dynamics"),
+    # the tool writes what it does to the tissue into a Load, and knows nothing else of dynamics
+    "contact": ("base", "mesh", "contact", "dynamics/load.h"),
+    "haptics": ("base", "mesh", "model", "dynamics", "contact", "haptics"),
+    "session": ("base", "mesh", "model", "dynamics", "contact", "haptics", "session"),
+}
+"""Room of core/sim -> what of core/sim it may include."""
+
+SYSTEM = {
+    "core/sim/haptics/": ("pthread.h", "sched.h", "time.h", "sys/mman.h", "sys/prctl.h", "cerrno"),
+    "core/sim/session/": ("zlib.h", "openssl/", "fcntl.h", "unistd.h", "sys/stat.h"),
+}
+"""Private parts of palpate::sim that may need more than Eigen and the C++ library."""
+
+FOREIGN = {
+    "assimp": "core/authoring/read_mesh_child/",
+    "OpenMesh": "core/authoring/",
+    "CGAL": "core/authoring/cgal/",
+    "boost": "core/authoring/cgal/",
+}
+"""Library -> the only folder whose sources may include it."""
+
+
+def includes(name: str) -> list[tuple[str, str]]:
+    """(bracket, path) of every include of a file."""
+    return INCLUDE.findall(read_code(name))
+
+
+def own(name: str) -> list[str]:
+    return [path for _, path in includes(name) if path.startswith("palpate/")]
+
+
+def foreign(name: str) -> list[str]:
+    return [path for bracket, path in includes(name) if bracket == "<"]
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_a_room_of_sim_includes_only_rooms_left_of_it(room):
+    allowed = tuple(f"palpate/sim/{part}" for part in ROOMS[room])
+    files = files_under(f"core/sim/{room}", ".h", ".cpp")
+    assert files
+
+    wrong = [(name, path) for name in files for path in own(name) if not path.startswith(allowed)]
+
+    assert wrong == []
+
+
+def test_every_folder_of_sim_is_a_room_with_arrows():
+    assert {name.split("/")[2] for name in files_under("core/sim", ".h", ".cpp")} == set(ROOMS)
+
+
+def test_headers_of_sim_include_eigen_and_the_standard_library_only():
+    headers = files_under("core/sim", ".h")
+    assert headers
+
+    wrong = [
+        (name, path)
+        for name in headers
+        for path in foreign(name)
+        if not path.startswith("Eigen/") and not STANDARD.fullmatch(path)
+    ]
+
+    assert wrong == []
+
+
+def test_sources_of_sim_include_system_headers_only_where_that_is_stated():
+    wrong = []
+    for name in files_under("core/sim", ".cpp"):
+        allowed = [path for folder, paths in SYSTEM.items() if name.startswith(folder)
+                   for path in paths]  # fmt: skip
+        wrong += [
+            (name, path)
+            for path in foreign(name)
+            if not path.startswith(("Eigen/", *allowed)) and not STANDARD.fullmatch(path)
+        ]
+
+    assert wrong == []
+
+
+def test_authoring_sees_only_base_mesh_and_model_of_sim():
+    allowed = ("palpate/authoring/", *(f"palpate/sim/{room}/" for room in ROOMS["model"]))
+    files = files_under("core/authoring", ".h", ".cpp")
+    assert files
+
+    wrong = [(name, path) for name in files for path in own(name) if not path.startswith(allowed)]
+
+    assert wrong == []
+
+
+def test_nothing_outside_authoring_includes_authoring():
+    files = files_under("core/sim", ".h", ".cpp") + files_under("bindings", ".h", ".cpp")
+
+    wrong = [name for name in files for path in own(name) if "authoring" in path]
+
+    assert wrong == []
+
+
+@pytest.mark.parametrize("library", FOREIGN)
+def test_a_library_of_authoring_is_included_in_its_folder_only(library):
+    everywhere = [*files_under("core", ".h", ".cpp"), *files_under("bindings", ".h", ".cpp"),
+                  *files_under("editor", ".h", ".cpp")]  # fmt: skip
+
+    wrong = [
+        name
+        for name in everywhere
+        for _, path in includes(name)
+        if path.startswith(library + "/") and not name.startswith(FOREIGN[library])
+    ]
+
+    assert wrong == []
+
+
+def test_no_header_of_authoring_mentions_a_type_of_a_library_behind_it():
+    word = re.compile(r"\b(assimp|Assimp|aiScene|aiMesh|aiNode|OpenMesh|CGAL|boost)\b")
+    headers = files_under("core/authoring", ".h")
+    assert headers
+
+    wrong = [name for name in headers if word.search(read_code(name))]
+
+    assert wrong == []

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What every source file owes: its licence, the names of the house, and no loose ends."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from tree import CHECKOUT, files_under, read, read_code, source_files
+
+SOURCES = (".cpp", ".h", ".c", ".py", ".pyi")
+SCRIPTS = ("run", ".ci/run")
+TEXTS = (*SOURCES, *SCRIPTS, ".txt", ".toml", ".json", ".md", ".in", ".lock")
+GPL_FOLDERS = ("core/authoring/", "editor/", "tests/core/authoring/", "tests/editor/")
+HERE = "tests/architecture/test_sources.py"
+"""This file, which names what must not be named."""
+
+
+def sources() -> list[str]:
+    return [name for name in source_files() if name.endswith(SOURCES) or name in SCRIPTS]
+
+
+def texts() -> list[str]:
+    return [name for name in source_files() if name.endswith(TEXTS) and name != HERE]
+
+
+def test_every_source_file_names_its_licence_on_top():
+    wrong = []
+    for name in sources():
+        licence = "GPL-3.0-or-later" if name.startswith(GPL_FOLDERS) else "BSD-3-Clause"
+        first_lines = read(name).splitlines()[:2]
+        if not any(line.endswith(f"SPDX-License-Identifier: {licence}") for line in first_lines):
+            wrong.append(f"{name}: expected {licence}")
+
+    assert wrong == []
+
+
+def test_no_file_names_a_place_of_one_machine():
+    pattern = re.compile(r"(?<![\w.$}])(?:/home/|/root/|/work/|/tmp/|[A-Z]:\\\\Users)")
+
+    wrong = [name for name in texts() if pattern.search(read(name))]
+
+    assert wrong == []
+
+
+def test_no_source_promises_work_for_later():
+    pattern = re.compile(r"\b(?:TODO|FIXME|XXX|NotImplementedError)\b")
+
+    wrong = [name for name in sources() if name != HERE and pattern.search(read(name))]
+
+    assert wrong == []
+
+
+def test_no_name_of_ours_begins_with_get():
+    pattern = re.compile(r"\b(?:def|[\w:>&*]+)\s+[&*]?get_\w+\s*\(")
+
+    wrong = [
+        name
+        for name in files_under("core", ".h") + [n for n in source_files() if n.endswith(".py")]
+        if pattern.search(read_code(name) if name.endswith(".h") else read(name))
+    ]
+
+    assert wrong == []
+
+
+@pytest.mark.parametrize("word", ["utils", "util", "helper", "helpers", "manager", "common"])
+def test_every_file_has_found_its_place(word):
+    wrong = [name for name in sources() if re.search(rf"(?:^|/){word}(?:/|\.)", name)]
+
+    assert wrong == []
+
+
+def test_nothing_is_compiled_with_arithmetic_that_is_not_written():
+    files = [name for name in source_files() if name.endswith("CMakeLists.txt")]
+    words = "\n".join(read(name) for name in [*files, "CMakePresets.json"])
+
+    assert "-ffast-math" not in words
+    assert "-ffp-contract=off" in words
+
+
+def test_every_link_in_the_tree_leads_somewhere():
+    links = [path for folder in ("editor",) for path in (CHECKOUT / folder).iterdir()
+             if path.is_symlink()]  # fmt: skip
+
+    assert {path.name for path in links} == {"LICENSE", "palpate_meshes"}
+    assert all(path.exists() for path in links)
