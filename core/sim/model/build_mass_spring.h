@@ -10,11 +10,12 @@
 namespace palpate {
 
 /// What a designer may choose about a surface model beside its material. Scales multiply the
-/// stiffness locally and are empty for 1 everywhere.
+/// stiffness locally, home springs included, and are empty for 1 everywhere.
 struct SurfaceOptions {
-  std::optional<double> home_stiffness;  ///< [N/m³] pull home per area; none: the default below
-  std::vector<double> stiffness_scale;   ///< [-] per vertex, positive; a link takes the mean of its ends
-  std::vector<int> fixed;                ///< vertices held at rest
+  std::optional<double> home_stiffness = {}; ///< [N/m³] pull home per area; none: the default below
+  /// [-] per vertex, positive; a link takes the mean of its ends, a triangle that of its corners
+  std::vector<double> stiffness_scale = {};
+  std::vector<int> fixed = {};              ///< vertices held at rest
   double pressure = 0.0;                 ///< [Pa]
   double drag = 2.0;                     ///< [1/s]
   DampingLaw damping_law = DampingLaw::axis;
@@ -29,6 +30,10 @@ double default_home_stiffness(const SurfaceMesh& mesh, const Material& material)
 /// thickness x area for hollow organs and open surfaces.
 /// Throws std::invalid_argument for an open surface without a wall thickness.
 std::vector<double> compute_lumped_mass(const SurfaceMesh& mesh, const Material& material);
+
+/// [N/m] of the springs that make a surface stretch like a membrane of the material and its wall
+/// thickness. Throws std::invalid_argument without one.
+double membrane_spring_stiffness(const Material& material);
 
 /// The mass-spring model of a surface: one spring of `stiffness` [N/m] (Eq 1) along every edge.
 /// Damping of each spring is 2 zeta sqrt(k m_i m_j / (m_i + m_j)).

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
 #include "palpate/sim/base/types.h"
 
 namespace palpate {
@@ -63,6 +65,9 @@ inline int particle_count(const TissueModel& model) {
 
 /// [kg]
 double compute_total_mass(const TissueModel& model);
+
+/// One line for people: how many particles and links of each kind, and the total mass [g].
+std::string describe(const TissueModel& model);
 
 /// Throws std::invalid_argument, naming table, row, what was found and what was expected.
 /// Includes definiteness: a triangle whose bond shares, angle and stretch-bend constants make

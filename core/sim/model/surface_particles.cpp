@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/model/surface_particles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/mesh/measure.h"
+
+namespace palpate {
+namespace {
+
+void check_options(const SurfaceOptions& options, int vertex_count) {
+  const std::vector<double>& scale = options.stiffness_scale;
+  if (!scale.empty() && static_cast<int>(scale.size()) != vertex_count) {
+    refuse("options: stiffness_scale", write_text(scale.size(), " rows"),
+           write_text("none, or one per vertex: ", vertex_count));
+  }
+  for (std::size_t i = 0; i < scale.size(); ++i) {
+    if (std::isfinite(scale[i]) && scale[i] > 0.0) continue;
+    refuse(write_text("options: stiffness_scale: row ", i), write_text(scale[i]),
+           "a positive number");
+  }
+  for (std::size_t i = 0; i < options.fixed.size(); ++i) {
+    if (options.fixed[i] >= 0 && options.fixed[i] < vertex_count) continue;
+    refuse(write_text("options: fixed: row ", i), write_text("vertex ", options.fixed[i]),
+           write_text("0 to ", vertex_count - 1));
+  }
+  const double home = options.home_stiffness.value_or(0.0);
+  if (!(std::isfinite(home) && home >= 0.0)) {
+    refuse("options: home_stiffness", write_text(home, " N/m³"), "0 or a positive number");
+  }
+  if (!std::isfinite(options.pressure)) {
+    refuse("options: pressure", write_text(options.pressure, " Pa"), "a finite number");
+  }
+  if (!(std::isfinite(options.drag) && options.drag >= 0.0)) {
+    refuse("options: drag", write_text(options.drag, " 1/s"), "0 or a positive number");
+  }
+}
+
+/// [N/m] per vertex: home stiffness x local scale x the area the vertex stands for; empty for 0.
+std::vector<double> compute_home(const SurfaceMesh& mesh, const Material& material,
+                                 const SurfaceOptions& options) {
+  const double per_area = options.home_stiffness.value_or(default_home_stiffness(mesh, material));
+  if (per_area == 0.0) return {};
+  std::vector<double> home = compute_vertex_areas(mesh);
+  for (int i = 0; i < static_cast<int>(home.size()); ++i) {
+    home[i] *= per_area * compute_local_scale(options.stiffness_scale, std::array{i});
+  }
+  return home;
+}
+
+}  // namespace
+
+double default_home_stiffness(const SurfaceMesh& mesh, const Material& material) {
+  if (!material.wall_thickness) return 0.0;
+  const double fading_length = 0.1 * compute_diagonal(mesh.vertices);
+  return material.young_modulus * *material.wall_thickness / (fading_length * fading_length);
+}
+
+std::vector<double> compute_lumped_mass(const SurfaceMesh& mesh, const Material& material) {
+  std::vector<double> mass = compute_vertex_areas(mesh);
+  double per_area = 0.0;
+  if (material.wall_thickness) {
+    per_area = material.density * *material.wall_thickness;
+  } else if (!is_closed(mesh.triangles)) {
+    refuse("material: wall_thickness", "none for an open surface",
+           "the thickness of the wall [m], since what is open encloses no volume");
+  } else {
+    const double volume = compute_volume(mesh);
+    if (!(volume > 0.0)) {
+      refuse("mesh: volume", write_text(volume, " m³"),
+             "a positive one: triangles counter-clockwise from outside");
+    }
+    per_area = material.density * volume / compute_area(mesh);
+  }
+  for (double& m : mass) m *= per_area;
+  return mass;
+}
+
+TissueModel build_surface_particles(const SurfaceMesh& mesh, const Material& material,
+                                    const SurfaceOptions& options) {
+  validate(mesh);
+  validate(material);
+  check_options(options, static_cast<int>(mesh.vertices.size()));
+
+  TissueModel model;
+  model.rest_position = mesh.vertices;
+  model.mass = compute_lumped_mass(mesh, material);
+  model.fixed = options.fixed;
+  std::sort(model.fixed.begin(), model.fixed.end());
+  model.fixed.erase(std::unique(model.fixed.begin(), model.fixed.end()), model.fixed.end());
+  model.home = compute_home(mesh, material, options);
+  model.pressure = options.pressure;
+  model.triangles = mesh.triangles;
+  model.drag = options.drag;
+  model.damping_law = options.damping_law;
+  return model;
+}
+
+/// One spring between two free masses swings with w² = k / m, m = m_i m_j / (m_i + m_j), so it is
+/// damped to the ratio zeta by c = 2 zeta sqrt(k m) (SCIENCE 1.2).
+Links build_edge_links(const TissueModel& model, std::span<const std::array<int, 2>> edges,
+                       std::vector<double> stiffness, double damping_ratio) {
+  Links links;
+  links.ends.assign(edges.begin(), edges.end());
+  links.stiffness = std::move(stiffness);
+  links.rest_length.reserve(edges.size());
+  links.damping.reserve(edges.size());
+  for (std::size_t l = 0; l < edges.size(); ++l) {
+    const int i = edges[l][0], j = edges[l][1];
+    links.rest_length.push_back((model.rest_position[j] - model.rest_position[i]).norm());
+    const double reduced = model.mass[i] * model.mass[j] / (model.mass[i] + model.mass[j]);
+    links.damping.push_back(2.0 * damping_ratio * std::sqrt(links.stiffness[l] * reduced));
+  }
+  return links;
+}
+
+}  // namespace palpate

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/sim/mesh/topology.h"
+#include "palpate/sim/model/build_mass_spring.h"
+
+namespace palpate {
+
+// What the surface models have in common: the particles, and the links along the edges.
+
+/// A model of the surface without links: particles, masses, what is held, home springs, pressure,
+/// drag. Throws std::invalid_argument on an invalid mesh, material or option.
+TissueModel build_surface_particles(const SurfaceMesh& mesh, const Material& material,
+                                    const SurfaceOptions& options);
+
+/// Links of `stiffness` [N/m] along `edges`, at rest where the model's particles are, each damped
+/// with `damping_ratio` [-] of what is critical for its two end masses.
+Links build_edge_links(const TissueModel& model, std::span<const std::array<int, 2>> edges,
+                       std::vector<double> stiffness, double damping_ratio);
+
+/// The mean of `scale` at the vertices of a link or triangle; 1 where `scale` is empty.
+template <std::size_t N>
+double compute_local_scale(const std::vector<double>& scale, const std::array<int, N>& vertices) {
+  if (scale.empty()) return 1.0;
+  double sum = 0.0;
+  for (const int vertex : vertices) sum += scale[vertex];
+  return sum / N;
+}
+
+}  // namespace palpate

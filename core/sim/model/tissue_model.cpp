@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/model/tissue_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/model/definiteness.h"
+
+namespace palpate {
+namespace {
+
+std::string name_row(const char* table, std::size_t row) {
+  return write_text("model: ", table, ": row ", row);
+}
+
+std::string name_row(const char* table, const char* column, std::size_t row) {
+  return write_text("model: ", table, ".", column, ": row ", row);
+}
+
+bool is_positive(double number) { return std::isfinite(number) && number > 0.0; }
+bool is_not_negative(double number) { return std::isfinite(number) && number >= 0.0; }
+
+void check_size(const std::string& table, std::size_t found, std::size_t expected) {
+  if (found == expected) return;
+  refuse("model: " + table, write_text(found, " rows"), write_text(expected));
+}
+
+void check_particles(const TissueModel& model) {
+  const std::size_t n = model.rest_position.size();
+  if (n == 0) refuse("model: rest_position", "no particles", "at least one");
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3& x = model.rest_position[i];
+    if (x.allFinite()) continue;
+    refuse(name_row("rest_position", i), write_text("(", x.x(), ", ", x.y(), ", ", x.z(), ") m"),
+           "finite numbers");
+  }
+  check_size("mass", model.mass.size(), n);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (is_positive(model.mass[i])) continue;
+    refuse(name_row("mass", i), write_text(model.mass[i], " kg"), "a positive number");
+  }
+  if (!model.home.empty()) check_size("home", model.home.size(), n);
+  for (std::size_t i = 0; i < model.home.size(); ++i) {
+    if (is_not_negative(model.home[i])) continue;
+    refuse(name_row("home", i), write_text(model.home[i], " N/m"), "0 or a positive number");
+  }
+}
+
+void check_fixed(const std::vector<int>& fixed, int n) {
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    if (fixed[i] < 0 || fixed[i] >= n) {
+      refuse(name_row("fixed", i), write_text("particle ", fixed[i]), write_text("0 to ", n - 1));
+    }
+    if (i > 0 && fixed[i] <= fixed[i - 1]) {
+      refuse(name_row("fixed", i), write_text(fixed[i], " after ", fixed[i - 1]),
+             "ascending particles");
+    }
+  }
+}
+
+void check_links(const Links& links, const char* table, int n, bool negative_stiffness) {
+  const std::size_t count = links.ends.size();
+  check_size(write_text(table, ".rest_length"), links.rest_length.size(), count);
+  check_size(write_text(table, ".stiffness"), links.stiffness.size(), count);
+  check_size(write_text(table, ".damping"), links.damping.size(), count);
+  for (std::size_t l = 0; l < count; ++l) {
+    const auto [i, j] = links.ends[l];
+    if (i < 0 || j <= i || j >= n) {
+      refuse(name_row(table, "ends", l), write_text(i, ", ", j),
+             write_text("two ascending particles, 0 to ", n - 1));
+    }
+    if (!is_positive(links.rest_length[l])) {
+      refuse(name_row(table, "rest_length", l), write_text(links.rest_length[l], " m"),
+             "a positive number");
+    }
+    const double k = links.stiffness[l];
+    if (negative_stiffness ? !std::isfinite(k) : !is_not_negative(k)) {
+      refuse(name_row(table, "stiffness", l), write_text(k, " N/m"),
+             negative_stiffness ? "a finite number" : "0 or a positive number");
+    }
+    if (!is_not_negative(links.damping[l])) {
+      refuse(name_row(table, "damping", l), write_text(links.damping[l], " N·s/m"),
+             "0 or a positive number");
+    }
+  }
+}
+
+void check_corners(const std::vector<Triangle>& triangles, const char* table, int n) {
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto [i, j, k] = triangles[t];
+    const bool in_range = std::min({i, j, k}) >= 0 && std::max({i, j, k}) < n;
+    if (in_range && i != j && j != k && k != i) continue;
+    refuse(name_row(table, t), write_text(i, ", ", j, ", ", k),
+           write_text("three different particles, 0 to ", n - 1));
+  }
+}
+
+void check_shape(const Angles& angles, std::size_t a) {
+  // the cosine of the law of cosines, less what rounding may have done to it
+  constexpr double kCosineError = 1e-6;
+  const auto& length = angles.rest_length[a];
+  for (int c = 0; c < 3; ++c) {
+    const double one = length[(c + 1) % 3], two = length[(c + 2) % 3];
+    if (!is_positive(length[c])) {
+      refuse(name_row("angles", "rest_length", a), write_text(length[c], " m"),
+             "a positive number");
+    }
+    const double found = angles.rest_cosine[a][c];
+    if (!(std::abs(found) < 1.0)) {
+      refuse(name_row("angles", "rest_cosine", a), write_text(found), "between -1 and 1");
+    }
+    const double expected = (one * one + two * two - length[c] * length[c]) / (2.0 * one * two);
+    if (std::abs(found - expected) > kCosineError) {
+      refuse(name_row("angles", "rest_cosine", a), write_text(found),
+             write_text(expected, ", which the rest lengths give"));
+    }
+  }
+}
+
+void check_angles(const Angles& angles, int n) {
+  const std::size_t count = angles.corners.size();
+  check_size("angles.rest_cosine", angles.rest_cosine.size(), count);
+  check_size("angles.rest_length", angles.rest_length.size(), count);
+  check_size("angles.bend_stiffness", angles.bend_stiffness.size(), count);
+  check_size("angles.stretch_coupling", angles.stretch_coupling.size(), count);
+  check_size("angles.bond_share", angles.bond_share.size(), count);
+  check_corners(angles.corners, "angles.corners", n);
+  const auto require_finite = [](const auto& column, const char* name, const char* unit) {
+    for (std::size_t a = 0; a < column.size(); ++a) {
+      for (const double number : column[a]) {
+        if (std::isfinite(number)) continue;
+        refuse(name_row("angles", name, a), write_text(number, unit), "a finite number");
+      }
+    }
+  };
+  require_finite(angles.bend_stiffness, "bend_stiffness", " J");
+  require_finite(angles.stretch_coupling, "stretch_coupling", " N");
+  require_finite(angles.bond_share, "bond_share", " N/m");
+  for (std::size_t a = 0; a < count; ++a) check_shape(angles, a);
+}
+
+/// A bond of the triangles is the sum of their shares, or the triangle test below would judge
+/// other bonds than those that pull. A bond outside of all triangles must hold by itself.
+void check_bond_shares(const Links& bonds, const Angles& angles) {
+  constexpr double kSumError = 1e-9;
+  struct Share {
+    double sum = 0.0, size = 0.0;
+    std::size_t row = 0;
+    bool bond_found = false;
+  };
+  std::map<std::array<int, 2>, Share> shares;
+  for (std::size_t a = 0; a < angles.corners.size(); ++a) {
+    for (int c = 0; c < 3; ++c) {
+      const int i = angles.corners[a][(c + 1) % 3], j = angles.corners[a][(c + 2) % 3];
+      Share& share = shares[{std::min(i, j), std::max(i, j)}];
+      share.sum += angles.bond_share[a][c];
+      share.size += std::abs(angles.bond_share[a][c]);
+      share.row = a;
+    }
+  }
+  for (std::size_t l = 0; l < bonds.ends.size(); ++l) {
+    const auto at = shares.find(bonds.ends[l]);
+    const double k = bonds.stiffness[l];
+    if (at == shares.end()) {
+      if (k >= 0.0) continue;
+      refuse(name_row("bonds", "stiffness", l), write_text(k, " N/m outside of every triangle"),
+             "0 or a positive number");
+    }
+    Share& share = at->second;
+    if (share.bond_found || std::abs(k - share.sum) > kSumError * share.size) {
+      refuse(name_row("bonds", "stiffness", l),
+             share.bond_found ? "a second bond along the same side" : write_text(k, " N/m"),
+             write_text(share.sum, " N/m, the sum of its triangles' shares, once"));
+    }
+    share.bond_found = true;
+  }
+  for (const auto& [ends, share] : shares) {
+    if (share.bond_found || share.size == 0.0) continue;
+    refuse(name_row("angles", "bond_share", share.row),
+           write_text("shares of a bond ", ends[0], ", ", ends[1]), "that bond in the table");
+  }
+}
+
+}  // namespace
+
+double compute_total_mass(const TissueModel& model) {
+  return std::accumulate(model.mass.begin(), model.mass.end(), 0.0);
+}
+
+std::string describe(const TissueModel& model) {
+  return write_text(particle_count(model), " particles, ", model.fixed.size(), " of them held; ",
+                    model.springs.ends.size(), " springs, ", model.bonds.ends.size(), " bonds, ",
+                    3 * model.angles.corners.size(), " angles, ",
+                    model.home.empty() ? "no home springs" : "home springs", "; total mass ",
+                    1e3 * compute_total_mass(model), " g");
+}
+
+void validate(const TissueModel& model) {
+  const int n = particle_count(model);
+  check_particles(model);
+  check_fixed(model.fixed, n);
+  check_links(model.springs, "springs", n, false);
+  check_links(model.bonds, "bonds", n, true);
+  check_angles(model.angles, n);
+  check_bond_shares(model.bonds, model.angles);
+  check_definiteness(model.angles, model.angle_law);
+  check_corners(model.triangles, "triangles", n);
+  if (!std::isfinite(model.pressure)) {
+    refuse("model: pressure", write_text(model.pressure, " Pa"), "a finite number");
+  }
+  if (!is_not_negative(model.drag)) {
+    refuse("model: drag", write_text(model.drag, " 1/s"), "0 or a positive number");
+  }
+}
+
+}  // namespace palpate
