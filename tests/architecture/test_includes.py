@@ -24,9 +24,10 @@ ROOMS = {
 }
 """Room of core/sim -> what of core/sim it may include."""
 
+POSIX = ("fcntl.h", "pthread.h", "sched.h", "sys/", "time.h", "unistd.h")
 SYSTEM = {
-    "core/sim/haptics/": ("pthread.h", "sched.h", "time.h", "sys/mman.h", "sys/prctl.h", "cerrno"),
-    "core/sim/session/": ("zlib.h", "openssl/", "fcntl.h", "unistd.h", "sys/stat.h"),
+    "core/sim/haptics/": POSIX,
+    "core/sim/session/": ("openssl/", "zlib.h", *POSIX),
 }
 """Private parts of palpate::sim that may need more than Eigen and the C++ library."""
 
@@ -84,8 +85,7 @@ def test_headers_of_sim_include_eigen_and_the_standard_library_only():
 def test_sources_of_sim_include_system_headers_only_where_that_is_stated():
     wrong = []
     for name in files_under("core/sim", ".cpp"):
-        allowed = [path for folder, paths in SYSTEM.items() if name.startswith(folder)
-                   for path in paths]  # fmt: skip
+        allowed = next((SYSTEM[folder] for folder in SYSTEM if name.startswith(folder)), ())
         wrong += [
             (name, path)
             for path in foreign(name)
