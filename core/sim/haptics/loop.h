@@ -20,7 +20,7 @@ struct LoopOptions {
   SafetyLimits safety;
 };
 
-/// What a reader outside the haptic thread sees: the newest world, at most once a millisecond.
+/// What a reader outside the haptic thread sees: the world as it was at most 8 ms ago.
 struct Snapshot {
   long tick = 0;
   double time = 0.0;             ///< [s]
@@ -35,6 +35,7 @@ struct Snapshot {
   long missed_ticks = 0;
 };
 
+/// Right within 0.4 %, the largest exactly.
 struct Percentiles {
   double median = 0.0, p99 = 0.0, p99_9 = 0.0, max = 0.0;  ///< [s]
 };
@@ -54,6 +55,9 @@ struct LoopReport {
 
 /// The live 1 kHz loop: a thread that waits, reads, ticks, writes. Sleeps to an absolute time and
 /// spins the rest; ticks that were missed are skipped and counted, never made up in a burst.
+///
+/// The device is asked where the hand is at the time the tick was due, so a script gives the same
+/// hand in every run in which no tick is missed.
 class Loop {
  public:
   /// `scene` and `device` must outlive the loop; `log` may be null: whoever
@@ -62,7 +66,7 @@ class Loop {
        TickLog* log = nullptr);
   ~Loop();  ///< stops and joins
 
-  void start();   ///< throws std::logic_error when already started
+  void start();   ///< throws std::logic_error the second time: a loop runs once
   void stop();    ///< asks and waits; the device gets a zero force last
   bool wait(double timeout);  ///< [s] true once the run has ended
   bool running() const noexcept;

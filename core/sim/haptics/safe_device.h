@@ -21,6 +21,7 @@ class SafeDevice : public HapticDevice {
   /// `device` must outlive this. Throws std::invalid_argument for limits that are not positive.
   explicit SafeDevice(HapticDevice& device, const SafetyLimits& limits = {});
 
+  /// Ramp and slew go by the `time` given here, whatever clock the device may have.
   HapticSample read(double time) noexcept override;
   void write(const HapticCommand& command) noexcept override;
   std::string name() const override { return device_.name(); }
@@ -36,8 +37,10 @@ class SafeDevice : public HapticDevice {
   SafetyLimits limits_;
   HapticSample last_sample_;
   HapticCommand sent_;
-  double first_time_ = -1.0, last_time_ = -1.0;
-  bool have_sample_ = false;
+  double now_ = 0.0;         ///< [s] of the last read
+  double first_time_ = 0.0;  ///< [s] of the first command
+  double last_time_ = 0.0;   ///< [s] of the last command
+  bool commanded_ = false;
   DeviceFault fault_ = DeviceFault::none;
   long limited_count_ = 0;
 };

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include "palpate/sim/haptics/device.h"
+#include "palpate/sim/haptics/tick_log.h"
 #include "palpate/sim/haptics/world.h"
 
 namespace palpate {
@@ -9,8 +13,15 @@ namespace palpate {
 /// One haptic tick of dt [s]: from where the hand is to the force it must feel, the mean over the
 /// substeps. The live loop, the replay of a record and the tests all call this function, so a
 /// recorded session gives back the very same forces. Does not allocate, lock, log or throw.
+///
+/// The tool appears at the hand with the first sample outside the tissue (place_tool.h). Pressing
+/// the attach button fastens it to what it touched last, letting go releases it. After an alarm
+/// the tissue stands still as it was before the tick that raised it.
 HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
                    World& world) noexcept;
+
+/// What a record keeps of a tick, lateness left at 0.
+Felt compute_felt(const HapticCommand& command, const World& world) noexcept;
 
 /// 128 bits over positions, velocities and the tool: equal worlds, equal hashes.
 std::array<std::uint64_t, 2> compute_hash(const World& world) noexcept;

@@ -14,7 +14,7 @@ namespace palpate {
 struct Felt {
   Eigen::Vector3f force = Eigen::Vector3f::Zero();     ///< [N] from tick(), before the safety wrapper
   Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< [m] the tool
-  std::uint8_t touched = 0;
+  std::uint8_t touched = 0;                            ///< bit 0: touching, bit 1: attached
   std::uint16_t lateness_us = 0;                       ///< [us] saturates
 };
 
@@ -53,7 +53,7 @@ class TickLog {
 
   explicit TickLog(int tick_capacity = 4000);
 
-  // haptic thread; false, and counted, when there is no room
+  // haptic thread; false, and counted, when there is no room (of anything)
   bool push(const Tick& tick) noexcept;
   bool push(const Happening& happening) noexcept;
   bool push(const StateHash& hash) noexcept;
@@ -70,7 +70,9 @@ class TickLog {
     bool push(const T& value) noexcept;
     void take(std::vector<T>& out);
     std::vector<T> slots;
-    std::atomic<std::size_t> head{0}, tail{0};
+    // apart, so that the two threads do not fight over one cache line
+    alignas(64) std::atomic<std::size_t> head{0};
+    alignas(64) std::atomic<std::size_t> tail{0};
   };
   Ring<Tick> ticks_;
   Ring<Happening> happenings_;

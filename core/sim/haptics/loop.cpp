@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/haptics/loop.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <limits>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "palpate/sim/haptics/durations.h"
+#include "palpate/sim/haptics/realtime.h"
+
+namespace palpate {
+namespace {
+
+constexpr double kSnapshotInterval = 8e-3;  // [s] twice as often as a screen wants one
+constexpr double kHashInterval = 1.0;       // [s]
+
+const LoopOptions& validated(const LoopOptions& options) {
+  const auto refuse = [](const char* field, double found, const char* expected) {
+    throw std::invalid_argument(std::string("loop: ") + field + ": got " + std::to_string(found) +
+                                ", expected " + expected);
+  };
+  if (!(options.duration >= 0.0) || !std::isfinite(options.duration)) {
+    refuse("duration [s]", options.duration, "0 or more");
+  }
+  if (!(options.spin >= 0.0 && options.spin <= 1.0)) {
+    refuse("spin [s]", options.spin, "0 to 1");
+  }
+  if (options.cpu < -1) refuse("cpu", options.cpu, "a core, or -1");
+  return options;
+}
+
+long ticks_in(double seconds, double rate) {
+  return std::max(1L, static_cast<long>(std::llround(std::min(seconds * rate, 9e15))));
+}
+
+double to_seconds(std::int64_t nanoseconds) noexcept { return 1e-9 * double(nanoseconds); }
+
+Snapshot rest_snapshot(const World& world) {
+  Snapshot snapshot;
+  snapshot.position = world.tissue.position;
+  snapshot.substeps = world.substeps;
+  return snapshot;
+}
+
+Percentiles percentiles_of(const Durations& durations) {
+  return {.median = 1e-9 * durations.percentile(0.5),
+          .p99 = 1e-9 * durations.percentile(0.99),
+          .p99_9 = 1e-9 * durations.percentile(0.999),
+          .max = to_seconds(durations.largest())};
+}
+
+}  // namespace
+
+struct Loop::Impl {
+  Impl(const Scene& scene_in, HapticDevice& device_in, const LoopOptions& options_in,
+       TickLog* log_in)
+      : scene(scene_in),
+        device(device_in),
+        options(validated(options_in)),
+        log(log_in),
+        dt(1.0 / scene.rate),
+        snapshot_ticks(ticks_in(kSnapshotInterval, scene.rate)),
+        hash_ticks(ticks_in(kHashInterval, scene.rate)),
+        world(scene),
+        safe(device, options.safety),
+        snapshots(rest_snapshot(world)) {}
+
+  void run() noexcept;
+  void run_ticks() noexcept;
+  void run_tick(std::int64_t index, long skipped) noexcept;
+  void keep(const HapticCommand& command) noexcept;
+  void notice_faults(long number) noexcept;
+  void publish() noexcept;
+  void tell(long number, HappeningKind kind, std::int32_t index, double value = 0.0) noexcept {
+    if (log) log->push(Happening{number, kind, index, value});
+  }
+  std::int64_t due_after_start(std::int64_t index) const noexcept {
+    return std::llround(double(index) * 1e9 * dt);
+  }
+
+  const Scene& scene;
+  HapticDevice& device;
+  const LoopOptions options;
+  TickLog* const log;
+  const double dt;  // [s]
+  const long snapshot_ticks, hash_ticks;
+
+  // the haptic thread's own while it runs
+  World world;
+  SafeDevice safe;
+  HapticSample sample;
+  std::int64_t lateness = 0, spent = 0;  // [ns] of the last tick
+  long lost_ticks = 0;  // had no room in the log, not yet told
+
+  // written by the haptic thread before `ready`, constant after it
+  Realtime realtime;
+  std::atomic<bool> ready{false};
+
+  // between the threads
+  Latest<Snapshot> snapshots;
+  Durations latenesses, costs;
+  std::atomic<long> ticks{0}, missed{0};
+  std::atomic<DeviceFault> fault{DeviceFault::none};
+  Alarm alarm;  // constant once has_alarm is set
+  std::atomic<bool> has_alarm{false};
+  std::atomic<bool> stopping{false}, running{false};
+  std::mutex ending;
+  std::condition_variable ended;
+  bool has_ended = false;
+
+  std::thread thread;
+};
+
+void Loop::Impl::run() noexcept {
+  realtime = enter_realtime(options.realtime, options.cpu);
+  running.store(true, std::memory_order_release);
+  ready.store(true, std::memory_order_release);
+  ready.notify_all();
+
+  run_ticks();
+  device.write(HapticCommand{});  // past the wrapper, whose slew limit would let the force linger
+  leave_realtime(realtime);
+
+  const std::lock_guard guard(ending);
+  running.store(false, std::memory_order_release);
+  has_ended = true;
+  ended.notify_all();
+}
+
+/// Tick k is due k periods after the start. A due time that passes while an earlier tick is still
+/// at work is skipped, so the thread never hurries after the clock and always comes to sleep.
+void Loop::Impl::run_ticks() noexcept {
+  const std::int64_t spin = std::llround(1e9 * options.spin);
+  const std::int64_t end = options.duration > 0.0 ? ticks_in(options.duration, scene.rate)
+                                                  : std::numeric_limits<std::int64_t>::max();
+  const std::int64_t start = read_clock() + due_after_start(1);
+  long skipped = 0;
+  for (std::int64_t index = 0; index < end;) {
+    const std::int64_t due = start + due_after_start(index);
+    wait_until(due, spin);
+    if (stopping.load(std::memory_order_acquire)) break;
+    lateness = std::max<std::int64_t>(0, read_clock() - due);
+    run_tick(index, skipped);
+
+    const std::int64_t now = read_clock();
+    for (skipped = 0, ++index; index < end && start + due_after_start(index) < now; ++index) {
+      ++skipped;
+    }
+    missed.fetch_add(skipped, std::memory_order_relaxed);
+  }
+  const long done = ticks.load(std::memory_order_relaxed);
+  if (skipped > 0) tell(done, HappeningKind::missed_ticks, static_cast<std::int32_t>(skipped));
+  if (lost_ticks > 0) tell(done, HappeningKind::record_gap, static_cast<std::int32_t>(lost_ticks));
+  if (log && done > 0 && done % hash_ticks != 0) {
+    log->push(StateHash{done - 1, compute_hash(world)});
+  }
+  if (done > 0) publish();
+}
+
+void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
+  const std::int64_t begun = read_clock();
+  const long number = world.tick_count;
+  const int held = world.tool.hold_count;
+
+  sample = safe.read(double(index) * dt);
+  const HapticCommand command = tick(scene, sample, dt, world);
+  safe.write(command);
+  spent = read_clock() - begun;
+
+  if (skipped > 0) tell(number, HappeningKind::missed_ticks, static_cast<std::int32_t>(skipped));
+  if (held == 0 && world.tool.hold_count > 0) {
+    tell(number, HappeningKind::attached, world.tool.hold_count);
+  } else if (held > 0 && world.tool.hold_count == 0) {
+    tell(number, HappeningKind::released, held);
+  }
+  notice_faults(number);
+  keep(command);
+  latenesses.add(lateness);
+  costs.add(spent);
+  ticks.store(number + 1, std::memory_order_relaxed);
+  if (number % snapshot_ticks == 0) publish();
+}
+
+/// Leaves the tick in the log, and once a second the world's hash.
+void Loop::Impl::keep(const HapticCommand& command) noexcept {
+  if (!log) return;
+  const long number = world.tick_count - 1;
+  TickLog::Tick entry{number, sample, compute_felt(command, world)};
+  entry.felt.lateness_us = static_cast<std::uint16_t>(std::min<std::int64_t>(
+      lateness / 1000, std::numeric_limits<std::uint16_t>::max()));
+  if (!log->push(entry)) {
+    ++lost_ticks;
+  } else if (lost_ticks > 0) {
+    tell(number, HappeningKind::record_gap, static_cast<std::int32_t>(lost_ticks));
+    lost_ticks = 0;
+  }
+  if ((number + 1) % hash_ticks == 0) log->push(StateHash{number, compute_hash(world)});
+}
+
+void Loop::Impl::notice_faults(long number) noexcept {
+  if (world.alarm && !has_alarm.load(std::memory_order_relaxed)) {
+    alarm = world.alarm;
+    has_alarm.store(true, std::memory_order_release);
+    tell(number, HappeningKind::alarm, static_cast<std::int32_t>(alarm.kind), alarm.value);
+  }
+  if (safe.fault() != fault.load(std::memory_order_relaxed)) {
+    fault.store(safe.fault(), std::memory_order_relaxed);
+    tell(number, HappeningKind::fault, static_cast<std::int32_t>(safe.fault()));
+  }
+}
+
+void Loop::Impl::publish() noexcept {
+  Snapshot& snapshot = snapshots.back();
+  snapshot.tick = world.tick_count - 1;
+  snapshot.time = sample.time;
+  std::copy(world.tissue.position.begin(), world.tissue.position.end(),
+            snapshot.position.begin());
+  snapshot.sample = sample;
+  snapshot.tool_position = world.tool.position;
+  snapshot.force = safe.sent().force;
+  snapshot.touching = world.tool.touching;
+  snapshot.cost = to_seconds(spent);
+  snapshot.lateness = to_seconds(lateness);
+  snapshot.substeps = world.substeps;
+  snapshot.missed_ticks = missed.load(std::memory_order_relaxed);
+  snapshots.publish();
+}
+
+Loop::Loop(const Scene& scene, HapticDevice& device, const LoopOptions& options, TickLog* log)
+    : impl_(std::make_unique<Impl>(scene, device, options, log)) {}
+
+Loop::~Loop() { stop(); }
+
+void Loop::start() {
+  if (impl_->thread.joinable() || impl_->has_ended) {
+    throw std::logic_error("loop: got start() a second time, expected a loop to run once");
+  }
+  impl_->thread = std::thread([impl = impl_.get()] { impl->run(); });
+  impl_->ready.wait(false, std::memory_order_acquire);
+}
+
+void Loop::stop() {
+  impl_->stopping.store(true, std::memory_order_release);
+  if (impl_->thread.joinable()) impl_->thread.join();
+}
+
+bool Loop::wait(double timeout) {
+  // the far end of what the clock can count to
+  const std::chrono::duration<double> patience(std::clamp(timeout, 0.0, 1e9));
+  std::unique_lock lock(impl_->ending);
+  return impl_->ended.wait_for(lock, patience, [this] { return impl_->has_ended; });
+}
+
+bool Loop::running() const noexcept { return impl_->running.load(std::memory_order_acquire); }
+
+bool Loop::take_snapshot() noexcept { return impl_->snapshots.take(); }
+
+const Snapshot& Loop::snapshot() const noexcept { return impl_->snapshots.front(); }
+
+LoopReport Loop::report() const {
+  LoopReport report;
+  report.ticks = impl_->ticks.load(std::memory_order_relaxed);
+  report.missed_ticks = impl_->missed.load(std::memory_order_relaxed);
+  report.lateness = percentiles_of(impl_->latenesses);
+  report.cost = percentiles_of(impl_->costs);
+  if (impl_->ready.load(std::memory_order_acquire)) {
+    report.realtime = impl_->realtime.scheduled;
+    report.realtime_note = impl_->realtime.note;
+  }
+  if (impl_->has_alarm.load(std::memory_order_acquire)) report.alarm = impl_->alarm;
+  report.fault = impl_->fault.load(std::memory_order_relaxed);
+  report.record_gaps = impl_->log ? impl_->log->gap_count() : 0;
+  return report;
+}
+
+}  // namespace palpate

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/haptics/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "palpate/sim/dynamics/stable_step.h"
+
+namespace palpate {
+namespace {
+
+// beyond this a tick of 1 ms could not be kept by any machine this is made for
+constexpr int kMostSubsteps = 10000;
+
+[[noreturn]] void refuse(const char* field, double found, const char* expected) {
+  std::ostringstream text;
+  text << "scene: " << field << ": got " << found << ", expected " << expected;
+  throw std::invalid_argument(text.str());
+}
+
+void require_positive(const char* field, double value) {
+  if (!(value > 0.0) || !std::isfinite(value)) refuse(field, value, "a positive number");
+}
+
+void validate(const Scene& scene) {
+  palpate::validate(scene.tissue);
+  if (scene.tissue.triangles.empty()) refuse("tissue.triangles", 0, "at least one to touch");
+  require_positive("tool.radius [m]", scene.tool.radius);
+  require_positive("tool.stiffness [N/m^3]", scene.tool.stiffness);
+  require_positive("coupling.stiffness [N/m]", scene.coupling.stiffness);
+  require_positive("coupling.force_max [N]", scene.coupling.force_max);
+  require_positive("hold_stiffness [N/m]", scene.hold_stiffness);
+  require_positive("rate [Hz]", scene.rate);
+  if (!scene.gravity.allFinite()) refuse("gravity [m/s^2]", scene.gravity.norm(), "finite numbers");
+  if (scene.substeps < 0 || scene.substeps > kMostSubsteps) {
+    refuse("substeps", scene.substeps, "0 to 10000");
+  }
+  if (scene.substeps_max != 0 &&
+      (scene.substeps_max < scene.substeps || scene.substeps_max > kMostSubsteps)) {
+    refuse("substeps_max", scene.substeps_max, "0, or from substeps to 10000");
+  }
+}
+
+std::vector<double> compute_rest_areas(const TissueModel& tissue) {
+  std::vector<double> areas;
+  areas.reserve(tissue.triangles.size());
+  for (const auto& [i, j, k] : tissue.triangles) {
+    const Vec3 a = tissue.rest_position[j] - tissue.rest_position[i];
+    const Vec3 b = tissue.rest_position[k] - tissue.rest_position[i];
+    areas.push_back(0.5 * a.cross(b).norm());
+  }
+  return areas;
+}
+
+}  // namespace
+
+/// Substeps are what stable_step() allows at rest, n = ceil(dt / stable_step). Contact may raise
+/// them by a third, by one at least: measured, that is where more brings no more stability, for
+/// the massless tool yields before a contact gets as stiff as its row sum says (TOOLS section 1).
+Scene build_scene(Scene scene) {
+  validate(scene);
+  scene.rest_areas = compute_rest_areas(scene.tissue);
+  const Spectrum spectrum = estimate_spectrum(scene.tissue);
+  scene.spectrum_stiffness = spectrum.stiffness;
+  scene.spectrum_damping = spectrum.damping;
+  if (scene.substeps == 0) {
+    const double needed = std::ceil(1.0 / (scene.rate * stable_step(scene.tissue)));
+    if (!(needed <= kMostSubsteps)) {
+      refuse("tissue", needed, "a tissue that needs at most 10000 substeps per tick");
+    }
+    scene.substeps = std::max(1, static_cast<int>(needed));
+  }
+  if (scene.substeps_max == 0) {
+    scene.substeps_max = scene.substeps + std::max(1, scene.substeps / 3);
+  }
+  if (scene.substeps_max < scene.substeps) {
+    refuse("substeps_max", scene.substeps_max, "at least the substeps the tissue needs");
+  }
+  return scene;
+}
+
+}  // namespace palpate

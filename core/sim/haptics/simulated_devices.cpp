@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/haptics/simulated_devices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace palpate {
+namespace {
+
+/// Throws std::invalid_argument naming the first frame that is wrong.
+void validate(const std::vector<KeyFrame>& frames) {
+  if (frames.empty()) {
+    throw std::invalid_argument("script: got no key frames, expected at least one");
+  }
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const KeyFrame& frame = frames[i];
+    const std::string where = "script: key frame " + std::to_string(i);
+    if (!std::isfinite(frame.time) || !frame.position.allFinite()) {
+      throw std::invalid_argument(where + ": got a number that is not finite, expected finite ones");
+    }
+    if (i > 0 && !(frame.time > frames[i - 1].time)) {
+      throw std::invalid_argument(where + ": time: got " + std::to_string(frame.time) +
+                                  " s, expected more than " + std::to_string(frames[i - 1].time) +
+                                  " s of the frame before");
+    }
+  }
+}
+
+}  // namespace
+
+ScriptedDevice::ScriptedDevice(std::vector<KeyFrame> frames) : frames_(std::move(frames)) {
+  validate(frames_);
+}
+
+/// Between frames a and b the hand takes the way of least jerk [FlashHogan85],
+///
+///     x = a + (b - a) (10 u^3 - 15 u^4 + 6 u^5),   u = (t - t_a) / (t_b - t_a),
+///
+/// which starts and ends without speed or acceleration.
+HapticSample ScriptedDevice::read(double time) noexcept {
+  const auto next = std::upper_bound(frames_.begin(), frames_.end(), time,
+                                     [](double t, const KeyFrame& frame) { return t < frame.time; });
+  HapticSample sample;
+  sample.time = time;
+  if (next == frames_.begin()) {
+    sample.position = frames_.front().position;
+    return sample;
+  }
+  const KeyFrame& a = *(next - 1);
+  sample.position = a.position;
+  sample.buttons = a.buttons;
+  if (next == frames_.end()) return sample;
+
+  const Vec3 way = next->position - a.position;
+  const double duration = next->time - a.time;
+  const double u = (time - a.time) / duration;
+  sample.position += u * u * u * (10.0 + u * (6.0 * u - 15.0)) * way;
+  sample.velocity = 30.0 * u * u * (1.0 - u) * (1.0 - u) / duration * way;
+  return sample;
+}
+
+void PointerDevice::set(const HapticSample& sample) {
+  samples_.back() = sample;
+  samples_.publish();
+}
+
+HapticSample PointerDevice::read(double time) noexcept {
+  samples_.take();
+  HapticSample sample = samples_.front();
+  sample.time = time;
+  return sample;
+}
+
+void PointerDevice::write(const HapticCommand& command) noexcept {
+  commands_.back() = command;
+  commands_.publish();
+}
+
+HapticCommand PointerDevice::take_command() noexcept {
+  commands_.take();
+  return commands_.front();
+}
+
+ReplayDevice::ReplayDevice(std::vector<HapticSample> samples) : samples_(std::move(samples)) {
+  if (samples_.empty()) {
+    throw std::invalid_argument("replay: got no samples, expected at least one");
+  }
+}
+
+HapticSample ReplayDevice::read(double) noexcept {
+  if (next_ < samples_.size()) return samples_[next_++];
+  return samples_.back();
+}
+
+}  // namespace palpate

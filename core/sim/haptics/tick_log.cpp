@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/haptics/tick_log.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace palpate {
+namespace {
+
+// rare beside the ticks: a second of nothing but missed ticks, and minutes of hashes
+constexpr std::size_t kHappeningCapacity = 1000;
+constexpr std::size_t kHashCapacity = 240;
+
+std::size_t validated(int capacity) {
+  if (capacity < 1) {
+    throw std::invalid_argument("tick log: tick_capacity: got " + std::to_string(capacity) +
+                                ", expected at least 1");
+  }
+  return static_cast<std::size_t>(capacity);
+}
+
+}  // namespace
+
+/// The ring of one writer and one reader [Lamport77]: `tail` counts what was ever written and only
+/// the writer moves it, `head` what was ever read and only the reader moves it. Each side
+/// publishes its counter with release after it is done with the slot and reads the other's with
+/// acquire before it touches one.
+template <class T>
+bool TickLog::Ring<T>::push(const T& value) noexcept {
+  const std::size_t written = tail.load(std::memory_order_relaxed);
+  if (written - head.load(std::memory_order_acquire) == slots.size()) return false;
+  slots[written % slots.size()] = value;
+  tail.store(written + 1, std::memory_order_release);
+  return true;
+}
+
+template <class T>
+void TickLog::Ring<T>::take(std::vector<T>& out) {
+  const std::size_t written = tail.load(std::memory_order_acquire);
+  std::size_t read = head.load(std::memory_order_relaxed);
+  for (; read != written; ++read) out.push_back(slots[read % slots.size()]);
+  head.store(read, std::memory_order_release);
+}
+
+TickLog::TickLog(int tick_capacity)
+    : ticks_(validated(tick_capacity)), happenings_(kHappeningCapacity), hashes_(kHashCapacity) {}
+
+bool TickLog::push(const Tick& tick) noexcept {
+  if (ticks_.push(tick)) return true;
+  gaps_.fetch_add(1, std::memory_order_relaxed);
+  return false;
+}
+
+bool TickLog::push(const Happening& happening) noexcept {
+  if (happenings_.push(happening)) return true;
+  gaps_.fetch_add(1, std::memory_order_relaxed);
+  return false;
+}
+
+bool TickLog::push(const StateHash& hash) noexcept {
+  if (hashes_.push(hash)) return true;
+  gaps_.fetch_add(1, std::memory_order_relaxed);
+  return false;
+}
+
+void TickLog::take(std::vector<Tick>& ticks, std::vector<Happening>& happenings,
+                   std::vector<StateHash>& hashes) {
+  // later things first: whoever sees a happening or a hash will also see the tick it belongs to
+  hashes_.take(hashes);
+  happenings_.take(happenings);
+  ticks_.take(ticks);
+}
+
+}  // namespace palpate

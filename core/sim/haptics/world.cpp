@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/haptics/world.h"
+
+#include <stdexcept>
+
+namespace palpate {
+namespace {
+
+const Scene& validated(const Scene& scene) {
+  if (scene.substeps < 1 || scene.substeps_max < scene.substeps ||
+      scene.rest_areas.size() != scene.tissue.triangles.size()) {
+    throw std::invalid_argument(
+        "world: got a scene whose derived fields are not filled in, expected one from build_scene");
+  }
+  return scene;
+}
+
+}  // namespace
+
+// every triangle may be touched and held at once, so no capacity can ever run out
+World::World(const Scene& scene)
+    : tissue(validated(scene).tissue),
+      tree(scene.tissue.rest_position, scene.tissue.triangles),
+      candidates(static_cast<int>(scene.tissue.triangles.size())),
+      tool(static_cast<int>(scene.tissue.triangles.size())),
+      load(2 * static_cast<int>(scene.tissue.triangles.size())),
+      guard(scene.tissue, scene.gravity, tissue),
+      substeps(scene.substeps),
+      scratch(scene.tissue.rest_position.size(), 0.0) {
+  load.gravity = scene.gravity;
+}
+
+}  // namespace palpate
