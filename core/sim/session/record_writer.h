@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "palpate/sim/session/record_file.h"
+
+namespace palpate::record_layout {
+
+/// Appends blocks to a file and remembers what its summary will have to say.
+class RecordWriter {
+ public:
+  /// Writes and syncs the header. `flags` as of open(2), beside O_CREAT. Throws FileError, and
+  /// std::invalid_argument for a header that is not a JSON object.
+  RecordWriter(const std::string& path, int flags, const std::string& header_json,
+               RecordCodec codec);
+
+  /// Writes full blocks of ticks, and the happenings and hashes whose tick is written, so that
+  /// the file is sound wherever it ends; keeps back the rest, unless `all`. What was written is
+  /// taken out of the lists.
+  void write(std::vector<TickLog::Tick>& ticks, std::vector<Happening>& happenings,
+             std::vector<StateHash>& hashes, bool all);
+
+  /// The last block; syncs.
+  void write_summary();
+  void sync() { file_.sync(); }
+
+ private:
+  void write_ticks(std::vector<TickLog::Tick>& rows, bool all);
+  template <class Row>
+  void write_moments(BlockKind kind, std::vector<Row>& rows, bool all, std::uint64_t& total);
+  template <class Row>
+  void write_block(BlockKind kind, RecordCodec codec, std::int64_t first_tick,
+                   std::span<const Row> rows);
+  void append(std::span<const std::uint8_t> bytes);
+
+  std::string header_;
+  RecordCodec codec_;
+  File file_;
+  Sha256 sha256_;
+  Summary summary_;
+  std::int64_t last_tick_ = -1;
+};
+
+}  // namespace palpate::record_layout

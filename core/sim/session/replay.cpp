@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/session/replay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+
+namespace palpate {
+namespace {
+
+void validate(const Record& record) {
+  const auto refuse = [](const std::string& text) { throw std::invalid_argument("replay: " + text); };
+  if (record.felt.size() != record.hand.size()) {
+    refuse("got " + std::to_string(record.hand.size()) + " hand samples and " +
+           std::to_string(record.felt.size()) + " felt ones, expected as many of both");
+  }
+  for (const Happening& happening : record.happenings) {
+    if (happening.kind != HappeningKind::record_gap) continue;
+    refuse("got a record that lost " + std::to_string(happening.index) + " ticks before tick " +
+           std::to_string(happening.tick) + ", expected one without gaps");
+  }
+  for (std::size_t i = 0; i < record.hand.size(); ++i) {
+    if (!record.hand[i].position.allFinite()) {
+      refuse("got a hand position that is not finite at tick " + std::to_string(i));
+    }
+  }
+}
+
+bool same_bits(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+  return std::memcmp(a.data(), b.data(), 3 * sizeof(float)) == 0;
+}
+
+/// [N] or [m]; what cannot be subtracted is infinitely far apart.
+double distance(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+  const double d = (a - b).cast<double>().norm();
+  return std::isnan(d) ? std::numeric_limits<double>::infinity() : d;
+}
+
+}  // namespace
+
+ReplayReport replay(const Scene& scene, const Record& record) {
+  validate(record);
+  ReplayReport report;
+  report.ticks = static_cast<long>(record.hand.size());
+  report.felt.reserve(record.hand.size());
+  const auto differs_at = [&](std::size_t tick) {
+    if (report.first_difference < 0) report.first_difference = static_cast<long>(tick);
+  };
+
+  std::vector<StateHash> hashes = record.hashes;
+  std::sort(hashes.begin(), hashes.end(),
+            [](const StateHash& a, const StateHash& b) { return a.tick < b.tick; });
+  auto next = hashes.begin();
+
+  World world(scene);
+  for (std::size_t i = 0; i < record.hand.size(); ++i) {
+    const HapticCommand command = tick(scene, record.hand[i], 1.0 / scene.rate, world);
+    Felt felt = compute_felt(command, world);
+    const Felt& then = record.felt[i];
+    felt.lateness_us = then.lateness_us;
+    report.felt.push_back(felt);
+    if (!same_bits(felt.force, then.force) || !same_bits(felt.position, then.position) ||
+        felt.touched != then.touched) {
+      differs_at(i);
+      report.largest_force_difference =
+          std::max(report.largest_force_difference, distance(felt.force, then.force));
+      report.largest_position_difference =
+          std::max(report.largest_position_difference, distance(felt.position, then.position));
+    }
+    for (; next != hashes.end() && next->tick <= static_cast<std::int64_t>(i); ++next) {
+      if (next->hash != compute_hash(world)) differs_at(i);
+    }
+  }
+  report.equal = report.first_difference < 0;
+  return report;
+}
+
+}  // namespace palpate
