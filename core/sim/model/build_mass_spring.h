@@ -12,12 +12,12 @@ namespace palpate {
 /// What a designer may choose about a surface model beside its material. Scales multiply the
 /// stiffness locally, home springs included, and are empty for 1 everywhere.
 struct SurfaceOptions {
-  std::optional<double> home_stiffness = {}; ///< [N/m³] pull home per area; none: the default below
+  std::optional<double> home_stiffness = {};  ///< [N/m³] per area; none for the default below
   /// [-] per vertex, positive; a link takes the mean of its ends, a triangle that of its corners
   std::vector<double> stiffness_scale = {};
-  std::vector<int> fixed = {};              ///< vertices held at rest
-  double pressure = 0.0;                 ///< [Pa]
-  double drag = 2.0;                     ///< [1/s]
+  std::vector<int> fixed = {};  ///< vertices held at rest, in any order
+  double pressure = 0.0;        ///< [Pa]
+  double drag = 2.0;            ///< [1/s]
   DampingLaw damping_law = DampingLaw::axis;
 };
 

@@ -7,9 +7,9 @@ namespace palpate {
 
 /// Constants of the molecular model, the same at every bond and corner (Eq 8, 9, 11).
 struct MolecularConstants {
-  double bond_stiffness = 50.0;    ///< [N/m] K_b of a bond inside the surface; a border bond gets half
-  double bend_stiffness = 0.0;     ///< [J] K_theta per corner; [N] under AngleLaw::eq10
-  double stretch_coupling = 0.0;   ///< [N] K_btheta per corner; may be negative
+  double bond_stiffness = 50.0;   ///< [N/m] K_b of a bond inside the surface; half at its border
+  double bend_stiffness = 0.0;    ///< [J] K_theta per corner; [N] under AngleLaw::eq10
+  double stretch_coupling = 0.0;  ///< [N] K_btheta per corner; may be negative, 0 under eq10
   AngleLaw angle_law = AngleLaw::gradient;
 };
 

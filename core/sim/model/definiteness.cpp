@@ -170,8 +170,8 @@ std::string describe(const CouplingRange& range) {
   const double low = range.low + kHair * std::abs(range.low);
   const double high = range.high - kHair * std::abs(range.high);
   if (std::isinf(range.low) && std::isinf(range.high)) return "any number";
-  if (std::isinf(high)) return write_text("above ", low, " N");
-  if (std::isinf(low)) return write_text("below ", high, " N");
+  if (std::isinf(range.high)) return write_text("above ", low, " N");
+  if (std::isinf(range.low)) return write_text("below ", high, " N");
   return write_text(low, " to ", high, " N");
 }
 

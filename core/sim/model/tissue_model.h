@@ -34,12 +34,14 @@ struct Links {
 ///
 /// Row a is one triangle; column c belongs to its corner c, or to the side opposite corner c.
 struct Angles {
-  std::vector<Triangle> corners;                       ///< particle indices
-  std::vector<std::array<double, 3>> rest_cosine;      ///< [-] of the angle at the corner
-  std::vector<std::array<double, 3>> rest_length;      ///< [m] of the side opposite the corner
-  std::vector<std::array<double, 3>> bend_stiffness;   ///< [J] K_theta of the corner; [N] under AngleLaw::eq10
-  std::vector<std::array<double, 3>> stretch_coupling; ///< [N] K_btheta of the corner
-  std::vector<std::array<double, 3>> bond_share;       ///< [N/m] this triangle's part of the bond opposite the corner
+  std::vector<Triangle> corners;                   ///< particle indices
+  std::vector<std::array<double, 3>> rest_cosine;  ///< [-] of the angle at the corner
+  std::vector<std::array<double, 3>> rest_length;  ///< [m] of the side opposite the corner
+  /// [J] K_theta of the corner; [N] under AngleLaw::eq10
+  std::vector<std::array<double, 3>> bend_stiffness;
+  std::vector<std::array<double, 3>> stretch_coupling;  ///< [N] K_btheta of the corner
+  /// [N/m] this triangle's part of the bond opposite the corner; a bond is the sum of its parts
+  std::vector<std::array<double, 3>> bond_share;
 };
 
 /// An organ as built: everything about it that a simulation never changes.
@@ -71,7 +73,8 @@ std::string describe(const TissueModel& model);
 
 /// Throws std::invalid_argument, naming table, row, what was found and what was expected.
 /// Includes definiteness: a triangle whose bond shares, angle and stretch-bend constants make
-/// its tangent at rest indefinite is refused (SCIENCE 1.5).
+/// its tangent at rest indefinite is refused. What AngleLaw::eq10 must satisfy instead stands at
+/// check_definiteness (definiteness.h).
 void validate(const TissueModel& model);
 
 }  // namespace palpate
