@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/sim/dynamics/energy.h"
 
+#include <span>
+
 #include "palpate/sim/dynamics/tensions.h"
 
 namespace palpate {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
+
 #include <Eigen/SparseCore>
 
 #include "palpate/sim/dynamics/state.h"
