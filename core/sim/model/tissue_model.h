@@ -53,7 +53,7 @@ struct TissueModel {
   Links springs;                    ///< mass-spring model; may be empty
   Links bonds;                      ///< molecular model; may be empty
   Angles angles;                    ///< molecular model; may be empty
-  std::vector<double> home;         ///< [N/m] pull of every particle to its rest position; may be empty
+  std::vector<double> home;         ///< [N/m] pull of each particle to its rest; may be empty
   double pressure = 0.0;            ///< [Pa] inside above outside
   std::vector<Triangle> triangles;  ///< outer surface, counter-clockwise from outside
   double drag = 0.0;                ///< [1/s], velocity lost to the surroundings
