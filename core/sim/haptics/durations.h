@@ -23,8 +23,8 @@ class Durations {
   double percentile(double share) const noexcept;
 
  private:
-  static constexpr int kSubBits = 7;                  ///< 128 bins per doubling
-  static constexpr int kTopBit = 40;                  ///< 2^40 ns = 18 min
+  static constexpr int kSubBits = 7;  ///< 128 bins per doubling
+  static constexpr int kTopBit = 40;  ///< 2^40 ns = 18 min
   static constexpr int kBins = (kTopBit - kSubBits + 1) << kSubBits;
   static int bin_of(std::uint64_t nanoseconds) noexcept;
   static double middle_of(int bin) noexcept;

@@ -96,7 +96,7 @@ struct Loop::Impl {
   SafeDevice safe;
   HapticSample sample;
   std::int64_t lateness = 0, spent = 0;  // [ns] of the last tick
-  long lost_ticks = 0;  // had no room in the log, not yet told
+  long lost_ticks = 0;                   // had no room in the log, not yet told
 
   // written by the haptic thread before `ready`, constant after it
   Realtime realtime;
@@ -192,8 +192,8 @@ void Loop::Impl::keep(const HapticCommand& command) noexcept {
   if (!log) return;
   const long number = world.tick_count - 1;
   TickLog::Tick entry{number, sample, compute_felt(command, world)};
-  entry.felt.lateness_us = static_cast<std::uint16_t>(std::min<std::int64_t>(
-      lateness / 1000, std::numeric_limits<std::uint16_t>::max()));
+  entry.felt.lateness_us = static_cast<std::uint16_t>(
+      std::min<std::int64_t>(lateness / 1000, std::numeric_limits<std::uint16_t>::max()));
   if (!log->push(entry)) {
     ++lost_ticks;
   } else if (lost_ticks > 0) {
@@ -219,8 +219,7 @@ void Loop::Impl::publish() noexcept {
   Snapshot& snapshot = snapshots.back();
   snapshot.tick = world.tick_count - 1;
   snapshot.time = sample.time;
-  std::copy(world.tissue.position.begin(), world.tissue.position.end(),
-            snapshot.position.begin());
+  std::copy(world.tissue.position.begin(), world.tissue.position.end(), snapshot.position.begin());
   snapshot.sample = sample;
   snapshot.tool_position = world.tool.position;
   snapshot.force = safe.sent().force;

@@ -13,24 +13,24 @@
 namespace palpate {
 
 struct LoopOptions {
-  double duration = 0.0;      ///< [s] 0 runs until stop()
-  bool realtime = true;       ///< ask for SCHED_FIFO and locked memory
-  int cpu = -1;               ///< pin the thread to this core, -1 for none
-  double spin = 150e-6;       ///< [s] spun instead of slept before every tick
-  SafetyLimits safety;
+  double duration = 0.0;  ///< [s] 0 runs until stop()
+  bool realtime = true;   ///< ask for SCHED_FIFO and locked memory
+  int cpu = -1;           ///< pin the thread to this core, -1 for none
+  double spin = 150e-6;   ///< [s] spun instead of slept before every tick
+  SafetyLimits safety = {};
 };
 
 /// What a reader outside the haptic thread sees: the world as it was at most 8 ms ago.
 struct Snapshot {
   long tick = 0;
-  double time = 0.0;             ///< [s]
-  Vec3Array position;            ///< [m]
+  double time = 0.0;   ///< [s]
+  Vec3Array position;  ///< [m]
   HapticSample sample;
   Vec3 tool_position = Vec3::Zero();
-  Vec3 force = Vec3::Zero();     ///< [N] on the hand
+  Vec3 force = Vec3::Zero();  ///< [N] on the hand
   bool touching = false;
-  double cost = 0.0;             ///< [s] of the last tick
-  double lateness = 0.0;         ///< [s] of the last tick
+  double cost = 0.0;      ///< [s] of the last tick
+  double lateness = 0.0;  ///< [s] of the last tick
   int substeps = 0;
   long missed_ticks = 0;
 };
@@ -50,7 +50,7 @@ struct LoopReport {
   std::string realtime_note;  ///< why not, in words
   Alarm alarm;
   DeviceFault fault = DeviceFault::none;
-  long record_gaps = 0;       ///< ticks the log had no room for
+  long record_gaps = 0;  ///< ticks the log had no room for
 };
 
 /// The live 1 kHz loop: a thread that waits, reads, ticks, writes. Sleeps to an absolute time and
@@ -66,8 +66,8 @@ class Loop {
        TickLog* log = nullptr);
   ~Loop();  ///< stops and joins
 
-  void start();   ///< throws std::logic_error the second time: a loop runs once
-  void stop();    ///< asks and waits; the device gets a zero force last
+  void start();               ///< throws std::logic_error the second time: a loop runs once
+  void stop();                ///< asks and waits; the device gets a zero force last
   bool wait(double timeout);  ///< [s] true once the run has ended
   bool running() const noexcept;
 

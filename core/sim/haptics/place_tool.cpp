@@ -18,8 +18,8 @@ double compute_winding_number(std::span<const Triangle> triangles, std::span<con
   for (const auto& [i, j, k] : triangles) {
     const Vec3 a = x[i] - p, b = x[j] - p, c = x[k] - p;
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    half_angles += std::atan2(a.dot(b.cross(c)),
-                              la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    half_angles +=
+        std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
   return half_angles / (2.0 * std::numbers::pi);
 }

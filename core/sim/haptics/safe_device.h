@@ -6,9 +6,9 @@
 namespace palpate {
 
 struct SafetyLimits {
-  double force_max = 5.0;     ///< [N] norm
-  double slew_max = 2000.0;   ///< [N/s]
-  double ramp_time = 0.2;     ///< [s] from the first command to full force
+  double force_max = 5.0;    ///< [N] norm
+  double slew_max = 2000.0;  ///< [N/s]
+  double ramp_time = 0.2;    ///< [s] from the first command to full force
 };
 
 enum class DeviceFault { none, sample_not_finite, force_not_finite };

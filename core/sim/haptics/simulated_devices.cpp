@@ -17,7 +17,8 @@ void validate(const std::vector<KeyFrame>& frames) {
     const KeyFrame& frame = frames[i];
     const std::string where = "script: key frame " + std::to_string(i);
     if (!std::isfinite(frame.time) || !frame.position.allFinite()) {
-      throw std::invalid_argument(where + ": got a number that is not finite, expected finite ones");
+      throw std::invalid_argument(where +
+                                  ": got a number that is not finite, expected finite ones");
     }
     if (i > 0 && !(frame.time > frames[i - 1].time)) {
       throw std::invalid_argument(where + ": time: got " + std::to_string(frame.time) +
@@ -39,8 +40,9 @@ ScriptedDevice::ScriptedDevice(std::vector<KeyFrame> frames) : frames_(std::move
 ///
 /// which starts and ends without speed or acceleration.
 HapticSample ScriptedDevice::read(double time) noexcept {
-  const auto next = std::upper_bound(frames_.begin(), frames_.end(), time,
-                                     [](double t, const KeyFrame& frame) { return t < frame.time; });
+  const auto next =
+      std::upper_bound(frames_.begin(), frames_.end(), time,
+                       [](double t, const KeyFrame& frame) { return t < frame.time; });
   HapticSample sample;
   sample.time = time;
   if (next == frames_.begin()) {

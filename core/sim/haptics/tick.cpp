@@ -83,8 +83,8 @@ HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
                            scene.tissue.triangles, tissue.position, world.tool, world.load);
     }
     step(scene.tissue, world.load, substep, tissue);
-    work += substep * compute_push_power(world.load.pushes(), scene.tissue.triangles,
-                                         tissue.velocity);
+    work +=
+        substep * compute_push_power(world.load.pushes(), scene.tissue.triangles, tissue.velocity);
   }
   world.alarm = check(scene.tissue, scene.gravity, tissue, work, world.guard);
   if (world.alarm) return {};

@@ -12,7 +12,7 @@ namespace palpate {
 
 /// What was felt in one tick.
 struct Felt {
-  Eigen::Vector3f force = Eigen::Vector3f::Zero();     ///< [N] from tick(), before the safety wrapper
+  Eigen::Vector3f force = Eigen::Vector3f::Zero();  ///< [N] from tick(), before the safety wrapper
   Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< [m] the tool
   std::uint8_t touched = 0;                            ///< bit 0: touching, bit 1: attached
   std::uint16_t lateness_us = 0;                       ///< [us] saturates

@@ -19,9 +19,9 @@ struct World {
   ToolState tool;
   Load load;
   Guard guard;
-  Alarm alarm;           ///< the first alarm; from then on the force is zero and the tissue stands still
+  Alarm alarm;  ///< the first alarm; from then on the force is zero and the tissue stands still
   long tick_count = 0;
-  int substeps = 0;      ///< of the last tick
+  int substeps = 0;  ///< of the last tick
   bool attach_pressed = false;
   std::vector<double> scratch;  ///< per particle
 };

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/haptics/durations.h"
+#include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
 
-#include <doctest/doctest.h>
+#include "palpate/sim/haptics/durations.h"
 
 using namespace palpate;
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/haptics/safe_device.h"
+#include <doctest/doctest.h>
 
 #include <limits>
 #include <stdexcept>
 
-#include <doctest/doctest.h>
+#include "palpate/sim/haptics/safe_device.h"
 
 using namespace palpate;
 

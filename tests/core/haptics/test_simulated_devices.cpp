@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/haptics/simulated_devices.h"
+#include <doctest/doctest.h>
 
 #include <atomic>
 #include <limits>
 #include <stdexcept>
 #include <thread>
 
-#include <doctest/doctest.h>
+#include "palpate/sim/haptics/simulated_devices.h"
 
 using namespace palpate;
 

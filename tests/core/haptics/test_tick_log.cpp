@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/haptics/tick_log.h"
+#include <doctest/doctest.h>
 
 #include <atomic>
 #include <stdexcept>
 #include <thread>
 
-#include <doctest/doctest.h>
+#include "palpate/sim/haptics/tick_log.h"
 
 using namespace palpate;
 
@@ -61,8 +61,10 @@ TEST_CASE("two threads pass a million ticks through a small log without a torn o
       TickLog::Tick tick{i, {}, {}};
       tick.sample.time = static_cast<double>(i);
       tick.felt.lateness_us = static_cast<std::uint16_t>(i);
-      if (log.push(tick)) ++i;
-      else std::this_thread::yield();
+      if (log.push(tick))
+        ++i;
+      else
+        std::this_thread::yield();
     }
   });
 
