@@ -11,12 +11,12 @@ namespace palpate {
 
 /// A whole run in memory: enough to run it again.
 struct Record {
-  std::string header;               ///< JSON: version, kernel, build, scene hash, device, columns, ...
-  std::vector<HapticSample> hand;   ///< per tick
-  std::vector<Felt> felt;           ///< per tick
+  std::string header;  ///< JSON: version, kernel, build, scene hash, device, columns, ...
+  std::vector<HapticSample> hand;  ///< per tick
+  std::vector<Felt> felt;          ///< per tick
   std::vector<Happening> happenings;
-  std::vector<StateHash> hashes;    ///< at 1 Hz
-  bool complete = false;            ///< the file has its summary and the summary's SHA-256 holds
+  std::vector<StateHash> hashes;  ///< at 1 Hz
+  bool complete = false;          ///< the file has its summary and the summary's SHA-256 holds
 };
 
 /// How a block's body is stored.

@@ -48,8 +48,8 @@ std::uint64_t File::size() const {
 Bytes File::read(std::uint64_t offset, std::size_t size) const {
   Bytes bytes(size);
   for (std::size_t have = 0; have < size;) {
-    const ssize_t done = ::pread(descriptor_, bytes.data() + have, size - have,
-                                 static_cast<off_t>(offset + have));
+    const ssize_t done =
+        ::pread(descriptor_, bytes.data() + have, size - have, static_cast<off_t>(offset + have));
     if (done < 0 && errno == EINTR) continue;
     if (done < 0) refuse("", std::strerror(errno), "a readable file");
     if (done == 0) refuse("", "a file that shrinks while it is read", "one that does not");

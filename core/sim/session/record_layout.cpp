@@ -17,51 +17,83 @@ constexpr std::array<std::array<char, 4>, 4> kBlockMagics = {
 
 template <class Visit>
 void visit_columns(const TickLog::Tick*, Visit visit) {
-  visit("time", [](auto& t) -> auto& { return t.sample.time; });
-  visit("position_x", [](auto& t) -> auto& { return t.sample.position[0]; });
-  visit("position_y", [](auto& t) -> auto& { return t.sample.position[1]; });
-  visit("position_z", [](auto& t) -> auto& { return t.sample.position[2]; });
-  visit("orientation_x", [](auto& t) -> auto& { return t.sample.orientation.coeffs()[0]; });
-  visit("orientation_y", [](auto& t) -> auto& { return t.sample.orientation.coeffs()[1]; });
-  visit("orientation_z", [](auto& t) -> auto& { return t.sample.orientation.coeffs()[2]; });
-  visit("orientation_w", [](auto& t) -> auto& { return t.sample.orientation.coeffs()[3]; });
-  visit("velocity_x", [](auto& t) -> auto& { return t.sample.velocity[0]; });
-  visit("velocity_y", [](auto& t) -> auto& { return t.sample.velocity[1]; });
-  visit("velocity_z", [](auto& t) -> auto& { return t.sample.velocity[2]; });
-  visit("grip", [](auto& t) -> auto& { return t.sample.grip; });
-  visit("buttons", [](auto& t) -> auto& { return t.sample.buttons; });
-  visit("force_x", [](auto& t) -> auto& { return t.felt.force[0]; });
-  visit("force_y", [](auto& t) -> auto& { return t.felt.force[1]; });
-  visit("force_z", [](auto& t) -> auto& { return t.felt.force[2]; });
-  visit("tool_x", [](auto& t) -> auto& { return t.felt.position[0]; });
-  visit("tool_y", [](auto& t) -> auto& { return t.felt.position[1]; });
-  visit("tool_z", [](auto& t) -> auto& { return t.felt.position[2]; });
-  visit("touched", [](auto& t) -> auto& { return t.felt.touched; });
-  visit("lateness_us", [](auto& t) -> auto& { return t.felt.lateness_us; });
+  visit(
+      "time", [](auto& t) -> auto& { return t.sample.time; });
+  visit(
+      "position_x", [](auto& t) -> auto& { return t.sample.position[0]; });
+  visit(
+      "position_y", [](auto& t) -> auto& { return t.sample.position[1]; });
+  visit(
+      "position_z", [](auto& t) -> auto& { return t.sample.position[2]; });
+  visit(
+      "orientation_x", [](auto& t) -> auto& { return t.sample.orientation.coeffs()[0]; });
+  visit(
+      "orientation_y", [](auto& t) -> auto& { return t.sample.orientation.coeffs()[1]; });
+  visit(
+      "orientation_z", [](auto& t) -> auto& { return t.sample.orientation.coeffs()[2]; });
+  visit(
+      "orientation_w", [](auto& t) -> auto& { return t.sample.orientation.coeffs()[3]; });
+  visit(
+      "velocity_x", [](auto& t) -> auto& { return t.sample.velocity[0]; });
+  visit(
+      "velocity_y", [](auto& t) -> auto& { return t.sample.velocity[1]; });
+  visit(
+      "velocity_z", [](auto& t) -> auto& { return t.sample.velocity[2]; });
+  visit(
+      "grip", [](auto& t) -> auto& { return t.sample.grip; });
+  visit(
+      "buttons", [](auto& t) -> auto& { return t.sample.buttons; });
+  visit(
+      "force_x", [](auto& t) -> auto& { return t.felt.force[0]; });
+  visit(
+      "force_y", [](auto& t) -> auto& { return t.felt.force[1]; });
+  visit(
+      "force_z", [](auto& t) -> auto& { return t.felt.force[2]; });
+  visit(
+      "tool_x", [](auto& t) -> auto& { return t.felt.position[0]; });
+  visit(
+      "tool_y", [](auto& t) -> auto& { return t.felt.position[1]; });
+  visit(
+      "tool_z", [](auto& t) -> auto& { return t.felt.position[2]; });
+  visit(
+      "touched", [](auto& t) -> auto& { return t.felt.touched; });
+  visit(
+      "lateness_us", [](auto& t) -> auto& { return t.felt.lateness_us; });
 }
 
 template <class Visit>
 void visit_columns(const Happening*, Visit visit) {
-  visit("tick", [](auto& h) -> auto& { return h.tick; });
-  visit("kind", [](auto& h) -> auto& { return h.kind; });
-  visit("index", [](auto& h) -> auto& { return h.index; });
-  visit("value", [](auto& h) -> auto& { return h.value; });
+  visit(
+      "tick", [](auto& h) -> auto& { return h.tick; });
+  visit(
+      "kind", [](auto& h) -> auto& { return h.kind; });
+  visit(
+      "index", [](auto& h) -> auto& { return h.index; });
+  visit(
+      "value", [](auto& h) -> auto& { return h.value; });
 }
 
 template <class Visit>
 void visit_columns(const StateHash*, Visit visit) {
-  visit("tick", [](auto& h) -> auto& { return h.tick; });
-  visit("hash_0", [](auto& h) -> auto& { return h.hash[0]; });
-  visit("hash_1", [](auto& h) -> auto& { return h.hash[1]; });
+  visit(
+      "tick", [](auto& h) -> auto& { return h.tick; });
+  visit(
+      "hash_0", [](auto& h) -> auto& { return h.hash[0]; });
+  visit(
+      "hash_1", [](auto& h) -> auto& { return h.hash[1]; });
 }
 
 template <class Visit>
 void visit_kind(BlockKind kind, Visit visit) {
   switch (kind) {
-    case BlockKind::ticks: return visit(TickLog::Tick{});
-    case BlockKind::happenings: return visit(Happening{});
-    case BlockKind::hashes: return visit(StateHash{});
-    case BlockKind::summary: return;
+    case BlockKind::ticks:
+      return visit(TickLog::Tick{});
+    case BlockKind::happenings:
+      return visit(Happening{});
+    case BlockKind::hashes:
+      return visit(StateHash{});
+    case BlockKind::summary:
+      return;
   }
 }
 
@@ -119,8 +151,7 @@ void unpack_rows(const std::uint8_t* at, std::uint32_t count, std::vector<Row>& 
   visit_columns(rows.data(), [&]<class Column>(const char*, Column column) {
     using T = Value<Row, Column>;
     for (std::size_t i = 0; i < count; ++i, at += sizeof(T)) {
-      column(rows[first + i]) =
-          std::bit_cast<T>(static_cast<Bits<sizeof(T)>>(load(at, sizeof(T))));
+      column(rows[first + i]) = std::bit_cast<T>(static_cast<Bits<sizeof(T)>>(load(at, sizeof(T))));
     }
   });
 }
@@ -130,9 +161,7 @@ std::string describe() {
   std::string text;
   visit_columns(static_cast<const Row*>(nullptr), [&]<class Column>(const char* name, Column) {
     using T = Value<Row, Column>;
-    const char* type = std::is_floating_point_v<T> ? "f"
-                       : std::is_unsigned_v<T>     ? "u"
-                                                   : "i";
+    const char* type = std::is_floating_point_v<T> ? "f" : std::is_unsigned_v<T> ? "u" : "i";
     text += (text.empty() ? "[\"" : ",[\"") + std::string(name) + "\",\"" + type +
             std::to_string(sizeof(T)) + "\"]";
   });

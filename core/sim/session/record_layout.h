@@ -18,11 +18,11 @@ using Bytes = std::vector<std::uint8_t>;
 
 inline constexpr std::array<std::uint8_t, 8> kMagic = {0x89, 'P', 'R', 'E', 'C', '\r', '\n', 0x1a};
 inline constexpr std::uint32_t kVersion = 1;
-inline constexpr std::size_t kPreambleBytes = 16;          ///< magic, version, length of the JSON
+inline constexpr std::size_t kPreambleBytes = 16;  ///< magic, version, length of the JSON
 inline constexpr std::size_t kMostHeaderBytes = 1 << 20;
-inline constexpr std::uint32_t kBlockTicks = 250;          ///< of a full block as written
-inline constexpr std::uint32_t kMostBlockRows = 4096;      ///< of any block as read
-inline constexpr std::int64_t kMostRows = 1 << 23;         ///< of each kind in a file: 2 h 20 min
+inline constexpr std::uint32_t kBlockTicks = 250;      ///< of a full block as written
+inline constexpr std::uint32_t kMostBlockRows = 4096;  ///< of any block as read
+inline constexpr std::int64_t kMostRows = 1 << 23;     ///< of each kind in a file: 2 h 20 min
 inline constexpr std::size_t kBlockHeaderBytes = 28;
 inline constexpr std::size_t kSummaryBytes = 56;
 

@@ -44,7 +44,8 @@ struct Damage {
 /// Reads one file from front to back.
 class Reader {
  public:
-  explicit Reader(const std::string& path) : file_(path, O_RDONLY | O_NONBLOCK), size_(file_.size()) {}
+  explicit Reader(const std::string& path)
+      : file_(path, O_RDONLY | O_NONBLOCK), size_(file_.size()) {}
 
   Record read() {
     read_header();
@@ -191,10 +192,14 @@ void Reader::unpack_block(const BlockHeader& header, const Bytes& stored) {
   }
   const Bytes body = unpack_body(header, stored);
   switch (header.kind) {
-    case BlockKind::ticks: return take_ticks(header, body);
-    case BlockKind::happenings: return unpack(body, header, record_.happenings);
-    case BlockKind::hashes: return unpack(body, header, record_.hashes);
-    case BlockKind::summary: return;
+    case BlockKind::ticks:
+      return take_ticks(header, body);
+    case BlockKind::happenings:
+      return unpack(body, header, record_.happenings);
+    case BlockKind::hashes:
+      return unpack(body, header, record_.hashes);
+    case BlockKind::summary:
+      return;
   }
 }
 
@@ -230,8 +235,7 @@ void Reader::check_summary() {
   const Summary summary = unpack_summary(body);
   const auto check = [&](const char* what, std::uint64_t found, std::uint64_t expected) {
     if (found == expected) return;
-    file_.refuse(std::string("summary: ") + what, std::to_string(found),
-                 std::to_string(expected));
+    file_.refuse(std::string("summary: ") + what, std::to_string(found), std::to_string(expected));
   };
   check("ticks", record_.hand.size(), summary.ticks);
   check("happenings", record_.happenings.size(), summary.happenings);

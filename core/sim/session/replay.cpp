@@ -11,7 +11,9 @@ namespace palpate {
 namespace {
 
 void validate(const Record& record) {
-  const auto refuse = [](const std::string& text) { throw std::invalid_argument("replay: " + text); };
+  const auto refuse = [](const std::string& text) {
+    throw std::invalid_argument("replay: " + text);
+  };
   if (record.felt.size() != record.hand.size()) {
     refuse("got " + std::to_string(record.hand.size()) + " hand samples and " +
            std::to_string(record.felt.size()) + " felt ones, expected as many of both");

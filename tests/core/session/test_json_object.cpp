@@ -1,20 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/session/json_object.h"
-
 #include <doctest/doctest.h>
+
+#include "palpate/sim/session/json_object.h"
 
 using namespace palpate;
 
 TEST_CASE("JSON objects are told from text that is none") {
-  for (const char* sound :
-       {"{}", " { } \n", R"({"a":1})", R"({"a":[1,-2.5e+3,0,{"b":null}],"c":"\u00e9\n\"","d":true})",
-        R"({"":[],"x":{"y":{}}})", "{\"\xc3\xa9\":0.5E-2}"}) {
+  for (const char* sound : {"{}", " { } \n", R"({"a":1})",
+                            R"({"a":[1,-2.5e+3,0,{"b":null}],"c":"\u00e9\n\"","d":true})",
+                            R"({"":[],"x":{"y":{}}})", "{\"\xc3\xa9\":0.5E-2}"}) {
     CHECK_MESSAGE(!find_json_problem(sound), sound);
   }
-  for (const char* broken :
-       {"", "1", "[]", "{", "}", R"({"a":})", R"({"a" 1})", R"({a:1})", R"({"a":1,})", R"({"a":01})",
-        R"({"a":1.})", R"({"a":+1})", R"({"a":"\x"})", R"({"a":"\u12g4"})", "{\"a\":\"\n\"}",
-        R"({"a":tru})", R"({} {})", R"({"a":"b)", R"({"a":"b\)", R"({"a":[1 2]})", R"({"a":-})"}) {
+  for (const char* broken : {"",
+                             "1",
+                             "[]",
+                             "{",
+                             "}",
+                             R"({"a":})",
+                             R"({"a" 1})",
+                             R"({a:1})",
+                             R"({"a":1,})",
+                             R"({"a":01})",
+                             R"({"a":1.})",
+                             R"({"a":+1})",
+                             R"({"a":"\x"})",
+                             R"({"a":"\u12g4"})",
+                             "{\"a\":\"\n\"}",
+                             R"({"a":tru})",
+                             R"({} {})",
+                             R"({"a":"b)",
+                             R"({"a":"b\)",
+                             R"({"a":[1 2]})",
+                             R"({"a":-})"}) {
     CHECK_MESSAGE(find_json_problem(broken).has_value(), broken);
   }
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/session/record.h"
-
+#include <doctest/doctest.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -8,10 +7,9 @@
 #include <optional>
 #include <stdexcept>
 
-#include <doctest/doctest.h>
-
 #include "core/session/some_record.h"
 #include "palpate/sim/base/error.h"
+#include "palpate/sim/session/record.h"
 
 using namespace palpate;
 using namespace palpate::testing;
@@ -134,10 +132,10 @@ TEST_CASE("the bytes of a file are where RECORD.md says") {
   CHECK(number(8, std::uint32_t{}) == 1);
   const std::size_t block = 16 + number(12, std::uint32_t{}) + 4;
   CHECK(std::memcmp(&bytes[block], "TICK", 4) == 0);
-  CHECK(number(block + 4, std::uint32_t{}) == 0);            // codec
-  CHECK(number(block + 8, std::int64_t{}) == 0);             // first tick
-  CHECK(number(block + 16, std::uint32_t{}) == 6);           // count
-  CHECK(number(block + 20, std::uint32_t{}) == 6 * 124);     // length
+  CHECK(number(block + 4, std::uint32_t{}) == 0);         // codec
+  CHECK(number(block + 8, std::int64_t{}) == 0);          // first tick
+  CHECK(number(block + 16, std::uint32_t{}) == 6);        // count
+  CHECK(number(block + 20, std::uint32_t{}) == 6 * 124);  // length
   const std::size_t body = block + 28;
   CHECK(number(body + 5 * 8, 0.0) == record.hand[5].time);
   CHECK(number(body + (3 * 6 + 2) * 8, 0.0) == record.hand[2].position.z());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -6,8 +7,6 @@
 #include <chrono>
 #include <random>
 #include <thread>
-
-#include <doctest/doctest.h>
 
 #include "core/session/some_record.h"
 #include "palpate/sim/base/error.h"
