@@ -12,6 +12,10 @@ namespace {
 
 constexpr int kNewtonSteps = 3;
 
+// part of the radius that the tool's own steps keep its centre off the surface: halving what is
+// left would end in rounding, on the wrong side
+constexpr double kClearance = 1e-3;
+
 /// What the tissue does to the tool at one position.
 struct Touch {
   Vec3 force = Vec3::Zero();       ///< [N] on the tool
@@ -73,20 +77,52 @@ Touch compute_touch(const Surroundings& around, const Vec3& p) noexcept {
   return touch;
 }
 
+/// The part of a step from p that may be taken. A contact's triangle lies beyond the plane through
+/// its closest point, all that is not in contact at least a radius away: a step of half a radius
+/// that goes at most half the way to any of those planes cannot end behind the surface.
+Vec3 shorten(const Surroundings& around, const Vec3& p, const Touch& touch, Vec3 step) noexcept {
+  if (step.norm() <= 0.5 * (touch.smallest_distance - kClearance * around.tool.radius)) return step;
+  step = limit(step, 0.5 * around.tool.radius);
+  double part = 1.0;
+  for_each_contact(around, p, [&](int, const Contact& contact) noexcept {
+    const double approach = -step.dot(contact.direction);
+    const double room = 0.5 * (contact.distance - kClearance * around.tool.radius);
+    if (approach > 0.0) part = std::min(part, std::max(0.0, room) / approach);
+  });
+  return part * step;
+}
+
+/// [m] How far p lies beside the way that candidates were looked for along.
+double measure_beside(const Candidates& candidates, const Vec3& p) noexcept {
+  const Vec3 way = candidates.to - candidates.from;
+  const double squared_length = way.squaredNorm();
+  if (!(squared_length > 0.0)) return (p - candidates.from).norm();
+  const double t = std::clamp((p - candidates.from).dot(way) / squared_length, 0.0, 1.0);
+  return (p - (candidates.from + t * way)).norm();
+}
+
+/// More than kCandidateMargin beside the way there may be triangles nobody looked for: a tool
+/// that slides so far waits for the next tick. It stops short, for a pull back to the way would
+/// be a step that knows no surface.
+Vec3 keep_near_way(const Candidates& candidates, const Vec3& p, const Vec3& step) noexcept {
+  if (measure_beside(candidates, p + step) <= kCandidateMargin) return step;
+  return limit(step, std::max(0.0, kCandidateMargin - measure_beside(candidates, p)));
+}
+
 /// One Newton step of R(p) = pull of the hand + touch = 0. What touches nothing is where the hand
 /// is, to the bit, so that it feels exactly 0 N.
 Vec3 take_newton_step(const Surroundings& around, const Coupling& coupling, const Vec3& hand,
                       const Vec3& p) noexcept {
   const Touch touch = compute_touch(around, p);
-  // half the way to the surface at most: no step can end beyond it
-  const double most = 0.5 * touch.smallest_distance;
   const Vec3 to_hand = hand - p;
   if (touch.stiffness.isZero(0.0)) {
+    const double most = 0.5 * around.tool.radius;
     return to_hand.norm() <= most ? hand : Vec3(p + limit(to_hand, most));
   }
   const Vec3 residual = limit(coupling.stiffness * to_hand, coupling.force_max) + touch.force;
   const Mat3 jacobian = coupling.stiffness * Mat3::Identity() + touch.stiffness;
-  return p + limit(jacobian.llt().solve(residual), most);
+  const Vec3 step = shorten(around, p, touch, jacobian.llt().solve(residual));
+  return p + keep_near_way(around.candidates, p, step);
 }
 
 /// Writes what the tool at p does to the tissue; returns the sum of forces on the tool.
@@ -109,7 +145,7 @@ Vec3 write_pushes(const Surroundings& around, const Vec3& p, bool& touching, Loa
 /// The tool has no mass, so the hand's spring and the pushes balance at its position p:
 ///
 ///     R(p) = clamp(K (h - p)) + sum f_t n_t + sum k_h (y_h + o_h - p) = 0
-///     J = K I + sum f_t' n n^T + sum k_h I,   dp = J^-1 R,   |dp| <= D_min / 2
+///     J = K I + sum f_t' n n^T + sum k_h I,   dp = J^-1 R,   shortened before the surface
 ///
 /// (god-object [Zilles95] without constraint planes, TOOLS section 1). J leaves out how n turns,
 /// the only part that could make it indefinite: steps come out short, never wild, and what three

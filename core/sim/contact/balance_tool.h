@@ -18,8 +18,8 @@ struct Coupling {
 ///
 /// Contact t pushes with f = k_A A_t depth / max(0.1, 1 - depth/radius) along the line from its
 /// closest point to the tool's centre; contacts whose centre lies behind their triangle are
-/// dropped. Three Newton steps of a 3x3 system, each at most half the smallest distance to the
-/// surface. Returns the force on the hand, K (tool - hand), limited to force_max: f = -K x, Eq 12.
+/// dropped. Three Newton steps of a 3x3 system, each going at most half the way to any surface it
+/// nears, so that the tool's own motion never takes it through. Returns the force on the hand, K (tool - hand), limited to force_max: f = -K x, Eq 12.
 /// state.residual is what the steps leave: the pushes on the tissue sum to -(force + residual).
 /// Where nothing touches the tool is at the hand and the force is exactly zero.
 Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,

@@ -7,6 +7,13 @@
 #include "palpate/sim/contact/queries.h"
 
 namespace palpate {
+namespace {
+
+// part of the radius below which the arm from the closest point to the centre is rounding, and
+// its direction noise
+constexpr double kNoArm = 1e-9;
+
+}  // namespace
 
 /// With the closest point x, the centre a, D = |a - x| and the depth d = r - D > 0:
 ///
@@ -30,8 +37,8 @@ bool find_contact(const Tool& tool, double rest_area, const Vec3& centre, const 
 
   const Vec3 normal = (b - a).cross(c - a);
   const Vec3 arm = centre - closest.point;
-  if (arm.dot(normal) < 0.0) return false;
-  if (closest.distance > 0.0) {
+  if (closest.distance > kNoArm * tool.radius) {
+    if (arm.dot(normal) < 0.0) return false;
     contact.direction = arm / closest.distance;
   } else {
     // the centre lies on the surface itself: the limit of the law as it comes down from outside

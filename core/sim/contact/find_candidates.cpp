@@ -12,6 +12,8 @@ void find_candidates(const AabbTree& tree, std::span<const Vec3> x, const Tool& 
                      std::span<const double> rest_areas, Candidates& candidates) noexcept {
   const int found = find_near_segment(tree, x, tool_position, hand_position,
                                       tool.radius + kCandidateMargin, candidates.triangles);
+  candidates.from = tool_position;
+  candidates.to = hand_position;
   candidates.count = std::min(found, static_cast<int>(candidates.triangles.size()));
   for (std::size_t i = 0; i < static_cast<std::size_t>(candidates.count); ++i) {
     candidates.areas[i] = rest_areas[static_cast<std::size_t>(candidates.triangles[i])];

@@ -89,15 +89,16 @@ double square_upwards(double distance) noexcept {
   return distance * distance * (1.0 + 4.0 * kEpsilon);
 }
 
-/// [m] How far rounding may shift a point of this tree or this way.
+/// [m] How far rounding may shift points of this box or of a way.
+double compute_slack(const Vec3& low, const Vec3& high, const Vec3& from, const Vec3& to) noexcept {
+  const Vec3 largest = low.cwiseAbs().cwiseMax(high.cwiseAbs()).cwiseMax(from.cwiseAbs()).cwiseMax(
+      to.cwiseAbs());
+  return 16.0 * kEpsilon * largest.maxCoeff();
+}
+
 double compute_slack(const AabbTree& tree, const Vec3& from, const Vec3& to) noexcept {
   if (tree.nodes().empty()) return 0.0;
-  const AabbTree::Node& root = tree.nodes().front();
-  const Vec3 largest = root.low.cwiseAbs()
-                           .cwiseMax(root.high.cwiseAbs())
-                           .cwiseMax(from.cwiseAbs())
-                           .cwiseMax(to.cwiseAbs());
-  return 16.0 * kEpsilon * largest.maxCoeff();
+  return compute_slack(tree.nodes().front().low, tree.nodes().front().high, from, to);
 }
 
 /// A way seen along its largest component, which turns the crossing of a triangle into a
@@ -125,7 +126,7 @@ constexpr double kBeside = 1e-6;
 /// The crossing of a way with a triangle [Woop13]: in sheared coordinates the way is the z axis,
 /// and it passes inside where the three edge functions u, v, w have one sign. Neighbours compute
 /// the function of their common edge from the same products, so one of the two sees the way pass.
-/// `tolerance` in parameters of the way.
+/// Its ends count, by `tolerance` in parameters of the way.
 std::optional<Vec3> find_crossing(const Shear& shear, const Way& way, const Corners& corners,
                                   double tolerance, double& parameter) noexcept {
   const Vec3 a = shear.apply(corners.a - way.from);
@@ -148,31 +149,35 @@ std::optional<Vec3> find_crossing(const Shear& shear, const Way& way, const Corn
   return weights;
 }
 
-/// The first crossing along `way`; `length` [m] per parameter.
-std::optional<SurfacePoint> find_first_crossing(const AabbTree& tree, std::span<const Vec3> x,
-                                                const Way& way, double length) noexcept {
+/// One triangle on its own: nothing here depends on the tree, so neither does the answer.
+std::optional<SurfacePoint> find_hit(const Shear& shear, Way way, double length,
+                                     const Corners& corners) noexcept {
+  const Box box = bound_triangle(corners.a, corners.b, corners.c);
+  way.grow = compute_slack(box.low, box.high, way.from, way.from);
+  const double in = enter_box(way, box.low, box.high);
+  if (in > kMost) return std::nullopt;
+  double parameter = 0.0;
+  const auto w = find_crossing(shear, way, corners, way.grow / length, parameter);
+  if (!w) return std::nullopt;
+  // no triangle is reached before its box: with this, pruning by boxes is exact
+  return SurfacePoint{-1, *w, (*w)[0] * corners.a + (*w)[1] * corners.b + (*w)[2] * corners.c,
+                      std::max(parameter, in) * length};
+}
+
+/// The first triangle along `way`; `length` [m] per parameter.
+std::optional<SurfacePoint> find_first_hit(const AabbTree& tree, std::span<const Vec3> x,
+                                           const Way& way, double length) noexcept {
   const Shear shear(way.direction);
-  const double tolerance = way.grow / length;
   SurfacePoint best;
-  best.distance = kInfinity;
+  best.distance = kMost;
   const auto measure = [&](const AabbTree::Node& node) noexcept {
     return enter_box(way, node.low, node.high) * length;
   };
-  const auto most = [&]() noexcept { return std::min(best.distance, kMost); };
-  traverse(tree, measure, most, [&](int triangle) noexcept {
-    const Corners corners(tree, x, triangle);
-    const Box box = bound_triangle(corners.a, corners.b, corners.c);
-    const double in = enter_box(way, box.low, box.high);
-    if (in == kInfinity) return;
-    double parameter = 0.0;
-    const auto weights = find_crossing(shear, way, corners, tolerance, parameter);
-    if (!weights) return;
-    // no triangle is reached before its box: with this the order of visits does not matter
-    const double distance = std::max(parameter, in) * length;
-    if (!is_better(distance, triangle, best)) return;
-    best = {triangle, *weights,
-            (*weights)[0] * corners.a + (*weights)[1] * corners.b + (*weights)[2] * corners.c,
-            distance};
+  traverse(tree, measure, [&]() noexcept { return best.distance; }, [&](int triangle) noexcept {
+    const auto hit = find_hit(shear, way, length, Corners(tree, x, triangle));
+    if (!hit || !is_better(hit->distance, triangle, best)) return;
+    best = *hit;
+    best.triangle = triangle;
   });
   if (best.triangle < 0) return std::nullopt;
   return best;
@@ -212,8 +217,7 @@ std::optional<SurfacePoint> find_segment_hit(const AabbTree& tree, std::span<con
   const Vec3 direction = to - from;
   const double length = direction.stableNorm();
   if (!(length > 0.0)) return std::nullopt;
-  return find_first_crossing(tree, x, {from, direction, 1.0, compute_slack(tree, from, to)},
-                             length);
+  return find_first_hit(tree, x, {from, direction, 1.0, compute_slack(tree, from, to)}, length);
 }
 
 std::optional<SurfacePoint> find_ray_hit(const AabbTree& tree, std::span<const Vec3> x,
@@ -221,8 +225,7 @@ std::optional<SurfacePoint> find_ray_hit(const AabbTree& tree, std::span<const V
   const double length = direction.stableNorm();
   if (!(length > 0.0)) return std::nullopt;
   const Vec3 unit = direction.stableNormalized();
-  return find_first_crossing(tree, x, {origin, unit, kMost, compute_slack(tree, origin, origin)},
-                             1.0);
+  return find_first_hit(tree, x, {origin, unit, kMost, compute_slack(tree, origin, origin)}, 1.0);
 }
 
 std::optional<SurfacePoint> find_closest_point(const AabbTree& tree, std::span<const Vec3> x,
@@ -265,7 +268,8 @@ int find_in_sphere(const AabbTree& tree, std::span<const Vec3> x, const Vec3& ce
 
 int find_near_segment(const AabbTree& tree, std::span<const Vec3> x, const Vec3& from,
                       const Vec3& to, double radius, std::span<int> out) noexcept {
-  if (!(radius >= 0.0)) return 0;
+  // a slab test passes over NaN, so it must not get as far
+  if (!(radius >= 0.0) || !from.allFinite() || !to.allFinite()) return 0;
   Collector collector(out);
   const Way way{from, to - from, 1.0, radius + compute_slack(tree, from, to)};
   const auto measure = [&](const AabbTree::Node& node) noexcept {

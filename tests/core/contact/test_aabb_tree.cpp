@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/contact/aabb_tree.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <string>
+
+#include "soups.h"
+
+using namespace palpate;
+
+namespace {
+
+int measure_depth(const AabbTree& tree, int node = 0) {
+  const AabbTree::Node& n = tree.nodes()[static_cast<std::size_t>(node)];
+  if (n.count > 0) return 1;
+  return 1 + std::max(measure_depth(tree, node + 1), measure_depth(tree, n.first));
+}
+
+/// Low and high over the triangles of a subtree, straight from the positions.
+void check_boxes(const AabbTree& tree, const Vec3Array& x, int node, Vec3& low, Vec3& high) {
+  const AabbTree::Node& n = tree.nodes()[static_cast<std::size_t>(node)];
+  low = Vec3::Constant(std::numeric_limits<double>::infinity());
+  high = -low;
+  if (n.count > 0) {
+    REQUIRE(n.count <= AabbTree::kLeafSize);
+    for (int k = n.first; k < n.first + n.count; ++k) {
+      const int t = tree.order()[static_cast<std::size_t>(k)];
+      for (const int corner : tree.triangles()[static_cast<std::size_t>(t)]) {
+        low = low.cwiseMin(x[static_cast<std::size_t>(corner)]);
+        high = high.cwiseMax(x[static_cast<std::size_t>(corner)]);
+      }
+    }
+  } else {
+    REQUIRE(n.first > node + 1);
+    Vec3 left_low, left_high, right_low, right_high;
+    check_boxes(tree, x, node + 1, left_low, left_high);
+    check_boxes(tree, x, n.first, right_low, right_high);
+    low = left_low.cwiseMin(right_low);
+    high = left_high.cwiseMax(right_high);
+  }
+  REQUIRE(n.low == low);
+  REQUIRE(n.high == high);
+}
+
+std::string message_of(const Vec3Array& x, const std::vector<Triangle>& triangles) {
+  try {
+    AabbTree(x, triangles);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("every triangle stands in exactly one leaf and every box is the tightest, refitted too") {
+  for (const Soup& soup : make_soups()) {
+    CAPTURE(soup.name);
+    AabbTree tree(soup.x, soup.triangles);
+    std::vector<int> order(tree.order().begin(), tree.order().end());
+    std::sort(order.begin(), order.end());
+    std::vector<int> all(soup.triangles.size());
+    std::iota(all.begin(), all.end(), 0);
+    Vec3 low, high;
+
+    CHECK(order == all);
+    check_boxes(tree, soup.x, 0, low, high);
+
+    const Vec3Array bent = deform(soup.x, 7);
+    tree.refit(bent);
+    check_boxes(tree, bent, 0, low, high);
+  }
+}
+
+TEST_CASE("no tree is deeper than the stack of a query") {
+  // 2^-k over the whole range of double is the worst for planes between equal bins
+  for (const int count : {5, 100, 1000}) {
+    const Soup soup = make_geometric_soup(count);
+    CHECK(measure_depth(AabbTree(soup.x, soup.triangles)) <= AabbTree::kMaxDepth);
+  }
+  const Soup stacked = make_stacked_soup(4096);
+  CHECK(measure_depth(AabbTree(stacked.x, stacked.triangles)) == 11);
+}
+
+TEST_CASE("a tree over a plain soup is nearly balanced") {
+  const Soup soup = make_plain_soup(5000);
+
+  const AabbTree tree(soup.x, soup.triangles);
+
+  CHECK(measure_depth(tree) <= 24);
+  CHECK(tree.nodes().size() < 5000);
+}
+
+TEST_CASE("a tree without triangles, or with indices or positions that are none, is refused") {
+  const Vec3Array x = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  Vec3Array bad = x;
+  bad[1].y() = std::numeric_limits<double>::quiet_NaN();
+
+  CHECK(message_of(x, {}) == "AabbTree: triangles: got none");
+  CHECK(message_of(x, {{0, 1, 3}}) ==
+        "AabbTree: triangle 0: particle index must lie in [0, 3), got 3");
+  CHECK(message_of(x, {{0, 1, 2}, {0, -1, 2}}) ==
+        "AabbTree: triangle 1: particle index must lie in [0, 3), got -1");
+  CHECK(message_of(bad, {{0, 1, 2}}) ==
+        "AabbTree: triangle 0: the position of particle 1 must be finite");
+}
+
+TEST_CASE("two trees over the same surface are the same") {
+  const Soup soup = make_plain_soup(500);
+
+  const AabbTree a(soup.x, soup.triangles), b(soup.x, soup.triangles);
+
+  CHECK(std::equal(a.order().begin(), a.order().end(), b.order().begin(), b.order().end()));
+}
