@@ -7,11 +7,11 @@ namespace palpate {
 
 enum class AlarmKind {
   none,
-  not_finite,   ///< index: particle
-  moved_far,    ///< index: particle; more than 0.3 of the shortest rest length in one step
-  overstretched,///< index: link; strain above 2
-  collapsed,    ///< index: link; shorter than 0.05 of its rest length
-  energy,       ///< index: -1; total energy grows without work (SCIENCE 3)
+  not_finite,     ///< index: particle
+  moved_far,      ///< index: particle; more than 0.3 of the shortest rest length in one step
+  overstretched,  ///< index: link, springs before bonds; strain above 2
+  collapsed,      ///< index: link; shorter than 0.05 of its rest length
+  energy,         ///< index: -1; elastic and kinetic energy grow without work (SCIENCE 3)
 };
 
 /// What is wrong with a running tissue, as a value: the haptic thread never throws.
@@ -24,22 +24,24 @@ struct Alarm {
   explicit operator bool() const noexcept { return kind != AlarmKind::none; }
 };
 
-/// The memory of the blow-up alarm between steps.
+/// The memory of the blow-up alarm between looks.
 struct Guard {
   Guard() = default;
   Guard(const TissueModel& model, const Vec3& gravity, const State& state);
 
   Vec3Array last_position;
   double shortest_rest_length = 0.0;  ///< [m]
-  double start_energy = 0.0;          ///< [J]
-  double last_energy = 0.0;           ///< [J]
-  double work = 0.0;                  ///< [J] done by loads since the start
-  int rising_steps = 0;
+  double start_energy = 0.0;          ///< [J] elastic and kinetic
+  double last_energy = 0.0;           ///< [J] elastic and kinetic
+  double work = 0.0;                  ///< [J] done by pushes, gravity and pressure since the start
+  double reference_energy = 0.0;      ///< [J] E_ref: the most that start and work have added up to
+  int rising_steps = 0;               ///< looks in a row at which energy rose without work
 };
 
 /// Looks at a tissue after a step; the first thing wrong comes back. `work` [J] is what pushes
-/// have done to the tissue in this step (gravity and pressure are energies and do not count).
+/// have done to the tissue since the last look; what gravity and pressure have done is found here.
+/// `steps` taken since then may have moved a particle that many times as far.
 Alarm check(const TissueModel& model, const Vec3& gravity, const State& state, double work,
-            Guard& guard) noexcept;
+            Guard& guard, int steps = 1) noexcept;
 
 }  // namespace palpate

@@ -4,18 +4,20 @@
 #include <span>
 
 #include <Eigen/SparseCore>
+#include <span>
 
 #include "palpate/sim/dynamics/state.h"
 
 namespace palpate {
 
 enum class Projection {
-  none,               ///< the exact derivative
-  positive_semidefinite,  ///< SCIENCE 1.1 and 1.6: clamp tensions and the 3x3 length Hessians at 0
+  none,                   ///< the exact derivative; not symmetric under AngleLaw::eq10
+  positive_semidefinite,  ///< SCIENCE 1.1 and 1.6: clamp tensions and the 3x3 length Hessians at 0;
+                          ///< under AngleLaw::eq10 the Hessian of the equivalent angle energy
 };
 
-/// K = -df/dx at positions x [N/m], (3n, 3n), springs, bonds, angles and home; pressure and
-/// pushes are left out. Rows and columns of fixed particles are zero.
+/// K = -df/dx at positions x and zero velocity [N/m], (3n, 3n), springs, bonds, angles and home;
+/// pressure and pushes are left out. Rows and columns of fixed particles are zero.
 Eigen::SparseMatrix<double> compute_stiffness(const TissueModel& model, std::span<const Vec3> x,
                                               Projection projection);
 

@@ -66,8 +66,8 @@ PerSide<Real> compute_angle_tensions(const Angles& angles, std::size_t row,
   for (int c = 0; c < 3; ++c) {
     const int i = (c + 1) % 3, j = (c + 2) % 3;
     const Real bend = cosine[c] - Real(angles.rest_cosine[row][c]);
-    const Real stretch = length[i] + length[j] -
-                         Real(angles.rest_length[row][i] + angles.rest_length[row][j]);
+    const Real stretch =
+        length[i] + length[j] - Real(angles.rest_length[row][i] + angles.rest_length[row][j]);
     const Real coupling = Real(angles.stretch_coupling[row][c]);
     const Real torque = Real(angles.bend_stiffness[row][c]) * bend + coupling * stretch;
     w[c] = torque * length[c] * inverse[i] * inverse[j];
@@ -90,7 +90,8 @@ PerSide<Real> compute_eq10_tensions(const Angles& angles, std::size_t row,
   const PerSide<Real> cosine = compute_cosines(length, inverse);
   PerSide<Real> tension;
   for (int c = 0; c < 3; ++c) {
-    tension[c] = Real(angles.bend_stiffness[row][c]) * (Real(angles.rest_cosine[row][c]) - cosine[c]);
+    tension[c] =
+        Real(angles.bend_stiffness[row][c]) * (Real(angles.rest_cosine[row][c]) - cosine[c]);
   }
   return tension;
 }

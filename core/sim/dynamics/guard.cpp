@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/dynamics/guard.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace palpate {
+namespace {
+
+// SCIENCE 3, blow-up protocol (b)
+constexpr double kFarthestMove = 0.3;  // of the shortest rest length, in one step
+constexpr double kLargestStrain = 2.0;
+constexpr double kShortestLink = 0.05;  // of its rest length
+constexpr double kRise = 0.05;          // of E_ref in one look, ...
+constexpr int kRisingSteps = 3;         // ... this often in a row
+constexpr double kExcess = 0.5;         // of E_ref, at any time
+
+/// [m/s] Energy below that of the whole tissue moving this fast is below anything that a hand or
+/// an eye notices, and near rest it may be nothing but rounding. It is no reason for an alarm.
+constexpr double kUnnoticed = 1e-3;
+
+/// [J] what there is to blow up. Eq 10 has no energy, so there this tells nothing.
+double compute_inner_energy(const TissueModel& model, const Vec3& gravity,
+                            const State& state) noexcept {
+  const Energy energy = compute_energy(model, gravity, state);
+  return energy.kinetic + energy.elastic();
+}
+
+double compute_unnoticed_energy(const TissueModel& model) noexcept {
+  double mass = 0.0;
+  for (const double m : model.mass) mass += m;
+  return 0.5 * mass * kUnnoticed * kUnnoticed;
+}
+
+/// [J] done by gravity and pressure on the way from x to y: exactly m g·(y - x) for one, and for
+/// the other the force half way, which on open surfaces too is right to third order.
+double compute_field_work(const TissueModel& model, const Vec3& gravity, const Vec3Array& x,
+                          const Vec3Array& y) noexcept {
+  double work = 0.0;
+  for (std::size_t i = 0; i < model.mass.size(); ++i) {
+    work += model.mass[i] * gravity.dot(y[i] - x[i]);
+  }
+  if (model.pressure == 0.0) return work;
+  for (const auto& [a, b, c] : model.triangles) {
+    const Vec3 at_a = 0.5 * (x[a] + y[a]), at_b = 0.5 * (x[b] + y[b]), at_c = 0.5 * (x[c] + y[c]);
+    const Vec3 push = (model.pressure / 6.0) * (at_b - at_a).cross(at_c - at_a);
+    work += push.dot((y[a] - x[a]) + (y[b] - x[b]) + (y[c] - x[c]));
+  }
+  return work;
+}
+
+Alarm check_particles(const State& state, const Guard& guard, int steps) noexcept {
+  const double farthest = kFarthestMove * guard.shortest_rest_length * steps;
+  for (std::size_t i = 0; i < state.position.size(); ++i) {
+    const auto index = static_cast<int>(i);
+    if (!state.position[i].allFinite() || !state.velocity[i].allFinite()) {
+      constexpr double kInfinity = std::numeric_limits<double>::infinity();
+      return {AlarmKind::not_finite, index, kInfinity, std::numeric_limits<double>::max()};
+    }
+    const double moved = (state.position[i] - guard.last_position[i]).norm();
+    if (moved > farthest) return {AlarmKind::moved_far, index, moved, farthest};
+  }
+  return {};
+}
+
+Alarm check_links(const Links& links, const Vec3Array& x, int first_index) noexcept {
+  for (std::size_t l = 0; l < links.ends.size(); ++l) {
+    const double length = (x[links.ends[l][1]] - x[links.ends[l][0]]).norm();
+    const double part = length / links.rest_length[l];
+    const auto index = first_index + static_cast<int>(l);
+    if (part > 1.0 + kLargestStrain) {
+      return {AlarmKind::overstretched, index, part - 1.0, kLargestStrain};
+    }
+    if (part < kShortestLink) return {AlarmKind::collapsed, index, part, kShortestLink};
+  }
+  return {};
+}
+
+/// Energy may rise by what work is done, and by no more than the exchange between kinetic and
+/// elastic energy makes it tremble in a finite step: that is measured in E_ref, the most that the
+/// start and all work since have put into the tissue. It is the most there was at any time, and not
+/// the work of now, because pushes take back what they have given while the trembling stays.
+Alarm check_energy(const TissueModel& model, double energy, double work, Guard& guard) noexcept {
+  guard.work += work;
+  const double given = guard.start_energy + guard.work;
+  guard.reference_energy = std::max(guard.reference_energy, given);
+  const double rise = energy - guard.last_energy - work;
+  const double largest_rise = kRise * guard.reference_energy;
+  guard.last_energy = energy;
+  guard.rising_steps = rise > largest_rise ? guard.rising_steps + 1 : 0;
+  if (model.angle_law == AngleLaw::eq10 && !model.angles.corners.empty()) return {};
+
+  const double most = given + kExcess * guard.reference_energy;
+  if (energy > most) return {AlarmKind::energy, -1, energy, most};
+  if (guard.rising_steps >= kRisingSteps) return {AlarmKind::energy, -1, rise, largest_rise};
+  return {};
+}
+
+}  // namespace
+
+Guard::Guard(const TissueModel& model, const Vec3& gravity, const State& state)
+    : last_position(state.position),
+      shortest_rest_length(std::numeric_limits<double>::infinity()),
+      start_energy(compute_inner_energy(model, gravity, state)),
+      last_energy(start_energy),
+      reference_energy(std::max(start_energy, compute_unnoticed_energy(model))) {
+  for (const Links* links : {&model.springs, &model.bonds}) {
+    for (const double length : links->rest_length) {
+      shortest_rest_length = std::min(shortest_rest_length, length);
+    }
+  }
+}
+
+Alarm check(const TissueModel& model, const Vec3& gravity, const State& state, double work,
+            Guard& guard, int steps) noexcept {
+  Alarm alarm = check_particles(state, guard, steps);
+  if (!alarm) alarm = check_links(model.springs, state.position, 0);
+  if (!alarm) {
+    const auto spring_count = static_cast<int>(model.springs.ends.size());
+    alarm = check_links(model.bonds, state.position, spring_count);
+  }
+  if (!alarm) {
+    const double energy = compute_inner_energy(model, gravity, state);
+    const double field = compute_field_work(model, gravity, guard.last_position, state.position);
+    alarm = check_energy(model, energy, work + field, guard);
+  }
+  std::copy(state.position.begin(), state.position.end(), guard.last_position.begin());
+  if (alarm) alarm.time = state.time;
+  return alarm;
+}
+
+}  // namespace palpate

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/SparseCholesky>
+#include <cmath>
+#include <string>
+
+#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/dynamics/forces.h"
+#include "palpate/sim/dynamics/free_particles.h"
+#include "palpate/sim/dynamics/step.h"
+#include "palpate/sim/dynamics/tangent.h"
+
+namespace palpate {
+namespace {
+
+/// Newton ends when the residual is this part of the momenta that it is the balance of.
+constexpr double kResidual = 1e-11;
+constexpr int kMostIterations = 50;
+/// Shortest trial step along a Newton direction, 2^-10: a residual that even this does not lower
+/// is rounding, or nothing that this tangent can improve.
+constexpr int kMostHalvings = 10;
+
+using Vector = Eigen::VectorXd;
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+Eigen::Map<const Vector> flat(const Vec3Array& array) {
+  return {array.data()->data(), static_cast<Eigen::Index>(3 * array.size())};
+}
+
+Eigen::Map<Vector> flat(Vec3Array& array) {
+  return {array.data()->data(), static_cast<Eigen::Index>(3 * array.size())};
+}
+
+}  // namespace
+
+/// Both methods look for the change u of velocity that balances the forces at one point in time:
+///
+///     r(u) = M u - dt f(x', v') = 0,   v' = v + theta u,   x' = x + theta dt v'
+///     A = M + theta dt C + theta² dt² K
+///     v += u,   x += dt v'
+///
+/// with theta = 1 for implicit Euler [BaraffWitkin98] and 1/2 for the implicit midpoint rule
+/// [HairerLubichWanner06].
+struct ImplicitStepper::Solver {
+  const TissueModel& model;
+  Integrator integrator;
+  double theta;
+  Vector mass;  // of every coordinate
+  Vector free;  // 1, or 0 for coordinates of fixed particles
+  Eigen::SimplicialLDLT<SparseMatrix> factor;
+  bool analysed = false;
+  SparseMatrix stiffness;        // of the last factorisation
+  Vec3Array position, velocity;  // x', v'
+  Vector change, residual, direction;
+
+  Solver(const TissueModel& its_model, Integrator its_integrator);
+  int step(const Load& load, double dt, State& state);
+  void place(double dt, const Vector& u, const State& state);
+  double evaluate(const Load& load, double dt, const Vector& u, State& state);
+  bool factorise(double dt, Projection projection);
+  int iterate(const Load& load, double dt, State& state);
+};
+
+ImplicitStepper::Solver::Solver(const TissueModel& its_model, Integrator its_integrator)
+    : model(its_model),
+      integrator(its_integrator),
+      theta(its_integrator == Integrator::implicit_midpoint ? 0.5 : 1.0),
+      mass(3 * particle_count(its_model)),
+      free(Vector::Zero(3 * particle_count(its_model))),
+      position(its_model.rest_position),
+      velocity(its_model.rest_position.size(), Vec3::Zero()) {
+  for (int i = 0; i < particle_count(model); ++i) {
+    mass.segment<3>(3 * i).setConstant(model.mass[static_cast<std::size_t>(i)]);
+  }
+  for_each_free(model, [this](int i) { free.segment<3>(3 * i).setOnes(); });
+}
+
+/// Sets x' and v' for the change u of velocity.
+void ImplicitStepper::Solver::place(double dt, const Vector& u, const State& state) {
+  flat(velocity) = flat(state.velocity) + theta * u;
+  flat(position) = flat(state.position) + (theta * dt) * flat(velocity);
+}
+
+/// Sets the residual r(u), and returns its norm [N·s].
+double ImplicitStepper::Solver::evaluate(const Load& load, double dt, const Vector& u,
+                                         State& state) {
+  place(dt, u, state);
+  compute_forces(model, load, position, velocity, state.force);
+  residual = free.cwiseProduct(mass.cwiseProduct(u) - dt * flat(state.force));
+  return residual.norm();
+}
+
+/// Factorises A at x'. False where it is not positive definite, which the projected one always is.
+bool ImplicitStepper::Solver::factorise(double dt, Projection projection) {
+  stiffness = compute_stiffness(model, position, projection);
+  SparseMatrix a =
+      (theta * dt) * compute_damping(model, position) + (theta * theta * dt * dt) * stiffness;
+  a += SparseMatrix(mass.asDiagonal());
+  if (!analysed) factor.analyzePattern(a);
+  analysed = true;
+  factor.factorize(a);
+  return factor.info() == Eigen::Success && factor.vectorD().minCoeff() > 0.0;
+}
+
+/// The linearised step A u = dt (f(x, v) - theta dt K v), with K projected, is the first iterate.
+/// Newton goes on from there with the exact tangent as long as that is positive definite (Eq 10
+/// has none that is symmetric) and halves each direction until the residual falls.
+int ImplicitStepper::Solver::step(const Load& load, double dt, State& state) {
+  for (const int i : model.fixed) state.velocity[static_cast<std::size_t>(i)].setZero();
+  position = state.position;
+  compute_forces(model, load, state.position, state.velocity, state.force);
+  factorise(dt, Projection::positive_semidefinite);
+  residual = flat(state.force) - (theta * dt) * (stiffness * flat(state.velocity));
+  change = factor.solve(dt * free.cwiseProduct(residual));
+
+  const int iterations =
+      integrator == Integrator::implicit_euler_linear ? 1 : iterate(load, dt, state);
+  place(dt, change, state);
+  flat(state.position) += dt * flat(velocity);
+  flat(state.velocity) += change;
+  state.time += dt;
+  return iterations;
+}
+
+int ImplicitStepper::Solver::iterate(const Load& load, double dt, State& state) {
+  bool exact = model.angle_law == AngleLaw::gradient || model.angles.corners.empty();
+  double norm = evaluate(load, dt, change, state);
+  int iterations = 1;
+  for (; iterations < kMostIterations; ++iterations) {
+    const double momentum =
+        mass.cwiseProduct(change).norm() + mass.cwiseProduct(flat(state.velocity)).norm();
+    if (norm <= kResidual * momentum) break;
+
+    if (exact) exact = factorise(dt, Projection::none);
+    if (!exact) factorise(dt, Projection::positive_semidefinite);
+    direction = -factor.solve(residual);
+    const Vector before = change;
+    double trial = norm;
+    for (int halving = 0; halving <= kMostHalvings; ++halving) {
+      change = before + std::ldexp(1.0, -halving) * direction;
+      trial = evaluate(load, dt, change, state);
+      if (trial < norm) break;
+    }
+    if (!(trial < norm)) {
+      change = before;
+      break;
+    }
+    norm = trial;
+  }
+  return iterations;
+}
+
+ImplicitStepper::ImplicitStepper(const TissueModel& model, Integrator integrator) {
+  if (integrator < Integrator::implicit_euler_linear) {
+    refuse("implicit stepper: integrator", std::string(integrator_name(integrator)),
+           "an implicit one");
+  }
+  solver_ = std::make_unique<Solver>(model, integrator);
+}
+
+ImplicitStepper::~ImplicitStepper() = default;
+ImplicitStepper::ImplicitStepper(ImplicitStepper&&) noexcept = default;
+
+int ImplicitStepper::step(const Load& load, double dt, State& state) {
+  return solver_->step(load, dt, state);
+}
+
+}  // namespace palpate
