@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <functional>
 #include <sstream>
 
@@ -177,6 +178,20 @@ TEST_CASE("the refused triangle is the one that takes the least") {
   for (const Triangle& t : sheet.triangles) {
     if (t != worst) CHECK(refuse_coupling(make_alone(t), 1.001 * low) == "");
   }
+}
+
+TEST_CASE("each end of the range is told with the triangle that sets it") {
+  // a small even triangle takes little below 0 and anything above, a large needle the reverse
+  const SurfaceMesh mesh = {{{0, 0, 0},
+                             {0.1, 0, 0},
+                             {0.05, 0.05 * std::sqrt(3.0), 0},
+                             {2, 0, 0},
+                             {2.2, 0, 0},
+                             {2.1, std::sqrt(0.99), 0}},
+                            {{0, 1, 2}, {3, 4, 5}}};
+
+  CHECK(refuse_coupling(mesh, -10.0).find("mesh: triangle 0: found K_btheta -10 N") == 0);
+  CHECK(refuse_coupling(mesh, 1000.0).find("mesh: triangle 1: found K_btheta 1000 N") == 0);
 }
 
 TEST_CASE("local scales count in the admissible range") {
