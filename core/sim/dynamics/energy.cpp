@@ -8,7 +8,7 @@
 namespace palpate {
 namespace {
 
-/// Eq 6: k (l - L)² / 2 over all links.
+/// Eq 8: k (l - L)² / 2 over all links.
 double compute_link_energy(const Links& links, std::span<const Vec3> x) noexcept {
   double sum = 0.0;
   for (std::size_t l = 0; l < links.ends.size(); ++l) {

@@ -8,76 +8,88 @@
 namespace palpate {
 namespace {
 
-using Tensions = PerSide<double> (*)(const Angles&, std::size_t, const PerSide<double>&,
-                                     const PerSide<double>&) noexcept;
-
-/// Pulls the ends of every side of every triangle together by the tension a law gives it; each
-/// length is computed once. A side without a direction exerts no force (SCIENCE 1.7).
-template <Tensions compute>
-void accumulate_side_tensions(const Angles& angles, std::span<const Vec3> x,
-                              std::span<Vec3> f) noexcept {
-  for (std::size_t row = 0; row < angles.corners.size(); ++row) {
-    const Triangle& corner = angles.corners[row];
-    const PerSide<double>& rest = angles.rest_length[row];
-    std::array<Vec3, 3> side;
-    PerSide<double> length;
-    for (int c = 0; c < 3; ++c) {
-      side[c] = x[corner[(c + 2) % 3]] - x[corner[(c + 1) % 3]];
-      length[c] = side[c].norm();
-    }
-    const PerSide<double> tension =
-        compute(angles, row, length, invert_lengths<double>(rest, length));
-    for (int c = 0; c < 3; ++c) {
-      if (length[c] <= kNoDirection * rest[c]) continue;
-      const Vec3 pull = (tension[c] / length[c]) * side[c];
-      f[corner[(c + 1) % 3]] += pull;
-      f[corner[(c + 2) % 3]] -= pull;
-    }
-  }
-}
-
-}  // namespace
-
-/// Eq 1 and Eq 8 with the damping of Eq 2, w = v_j - v_i the relative velocity:
+/// Adds to `f` [N] the pull of every link at positions `x` [m] and velocities `v` [m/s]:
 ///
-///     f_i += (k (|d| - L) + c w·n) n,   f_j -= the same,   d = x_j - x_i,  n = d/|d|
+///     axis:       f_i += (k (|d| - L) + c (v_j - v_i)·n) n
+///     isotropic:  f_i += k (|d| - L) n + c (v_j - v_i)
+///     f_j -= the same,   d = x_j - x_i,  n = d/|d|
 ///
-/// Hooke's law with damping along the link [Provot95]; under DampingLaw::isotropic the damping is
-/// c w. The two pulls cancel, so the sum of `f` is unchanged. A link of zero length has no
-/// direction and exerts no force.
-void accumulate_link_forces(const Links& links, DampingLaw law, std::span<const Vec3> x,
-                            std::span<const Vec3> v, std::span<Vec3> f) noexcept {
+/// Hooke's law (Eq 1, 8) with damping (Eq 2); along the link [Provot95] it conserves the angular
+/// momentum and leaves rotation alone, isotropic it does neither. The two pulls cancel, so the sum
+/// of `f` is unchanged. A link of zero length has no direction to pull in.
+template <DampingLaw law>
+void accumulate_links(const Links& links, std::span<const Vec3> x, std::span<const Vec3> v,
+                      std::span<Vec3> f) noexcept {
   for (std::size_t l = 0; l < links.ends.size(); ++l) {
     const auto [i, j] = links.ends[l];
-    const Vec3 d = x[j] - x[i];
+    const Vec3 d = x[j] - x[i], w = v[j] - v[i];
     const double length = d.norm();
-    if (length <= kNoDirection * links.rest_length[l]) continue;
-
-    const Vec3 n = d / length;
-    const Vec3 w = v[j] - v[i];
-    const double stretch = length - links.rest_length[l];
+    const bool undirected = length <= kNoDirection * links.rest_length[l];
+    const Vec3 n = undirected ? Vec3(Vec3::Zero()) : Vec3(d / length);
+    const double tension = links.stiffness[l] * (length - links.rest_length[l]);
     Vec3 pull;
-    if (law == DampingLaw::axis) {
-      pull = (links.stiffness[l] * stretch + links.damping[l] * w.dot(n)) * n;
+    if constexpr (law == DampingLaw::axis) {
+      pull = (tension + links.damping[l] * w.dot(n)) * n;
     } else {
-      pull = links.stiffness[l] * stretch * n + links.damping[l] * w;
+      pull = tension * n + links.damping[l] * w;
     }
     f[i] += pull;
     f[j] -= pull;
   }
 }
 
+/// Adds the tensions that `compute_tensions` finds in the sides of every triangle. Each length is
+/// computed once, and there is no arc cosine. A side of tension tau pulls its ends together by
+/// tau d/|d|, so momentum and angular momentum are conserved whatever the tensions are; where the
+/// side has collapsed, 1/|d| stays at its cap and the pull fades with d.
+template <class Tensions>
+void accumulate_sides(const Angles& angles, std::span<const Vec3> x, std::span<Vec3> f,
+                      Tensions compute_tensions) noexcept {
+  for (std::size_t row = 0; row < angles.corners.size(); ++row) {
+    const auto [a, b, c] = angles.corners[row];
+    const Vec3 side_a = x[b] - x[c], side_b = x[c] - x[a], side_c = x[a] - x[b];
+    const PerSide<double> length = {side_a.norm(), side_b.norm(), side_c.norm()};
+    const PerSide<double> inverse = invert_lengths(angles.rest_length[row], length);
+    const PerSide<double> tension = compute_tensions(angles, row, length, inverse);
+    const Vec3 pull_a = (tension[0] * inverse[0]) * side_a;
+    const Vec3 pull_b = (tension[1] * inverse[1]) * side_b;
+    const Vec3 pull_c = (tension[2] * inverse[2]) * side_c;
+    f[a] += pull_b - pull_c;
+    f[b] += pull_c - pull_a;
+    f[c] += pull_a - pull_b;
+  }
+}
+
+}  // namespace
+
+void accumulate_link_forces(const Links& links, DampingLaw law, std::span<const Vec3> x,
+                            std::span<const Vec3> v, std::span<Vec3> f) noexcept {
+  if (law == DampingLaw::axis) {
+    accumulate_links<DampingLaw::axis>(links, x, v, f);
+  } else {
+    accumulate_links<DampingLaw::isotropic>(links, x, v, f);
+  }
+}
+
 void accumulate_angle_forces(const Angles& angles, std::span<const Vec3> x,
                              std::span<Vec3> f) noexcept {
-  accumulate_side_tensions<compute_angle_tensions<double>>(angles, x, f);
+  // a lambda is inlined where a function pointer would not be
+  accumulate_sides(angles, x, f, [](auto&&... arguments) {
+    return compute_angle_tensions<double>(arguments...);
+  });
 }
 
+/// f_i = K10 (cos - cos0) (x_i - x_k)/|x_i - x_k|, f_k = -f_i, nothing on the corner itself
+/// [BulutDandil22]. Momentum and angular momentum are conserved, energy is not: round a closed
+/// loop of positions it does work.
 void accumulate_eq10_forces(const Angles& angles, std::span<const Vec3> x,
                             std::span<Vec3> f) noexcept {
-  accumulate_side_tensions<compute_eq10_tensions<double>>(angles, x, f);
+  accumulate_sides(angles, x, f,
+                   [](auto&&... arguments) { return compute_eq10_tensions<double>(arguments...); });
 }
 
-/// f_i += h_i (X_i - x_i): a spring to where the particle was at rest.
+/// f_i += h_i (X_i - x_i): a spring to where the particle was at rest. It holds the body in space,
+/// so it conserves no momentum.
 void accumulate_home_forces(std::span<const double> home, std::span<const Vec3> rest,
                             std::span<const Vec3> x, std::span<Vec3> f) noexcept {
   for (std::size_t i = 0; i < home.size(); ++i) f[i] += home[i] * (rest[i] - x[i]);
@@ -87,10 +99,7 @@ void accumulate_home_forces(std::span<const double> home, std::span<const Vec3> 
 /// closed surface is zero, and each particle's share is the gradient of p V there.
 void accumulate_pressure_forces(std::span<const Triangle> triangles, double pressure,
                                 std::span<const Vec3> x, std::span<Vec3> f) noexcept {
-  for (const Triangle& triangle : triangles) {
-    const auto a = static_cast<std::size_t>(triangle[0]);
-    const auto b = static_cast<std::size_t>(triangle[1]);
-    const auto c = static_cast<std::size_t>(triangle[2]);
+  for (const auto& [a, b, c] : triangles) {
     const Vec3 push = (pressure / 6.0) * (x[b] - x[a]).cross(x[c] - x[a]);
     f[a] += push;
     f[b] += push;
@@ -98,11 +107,13 @@ void accumulate_pressure_forces(std::span<const Triangle> triangles, double pres
   }
 }
 
+/// f_i += m_i g
 void accumulate_gravity(std::span<const double> mass, const Vec3& gravity,
                         std::span<Vec3> f) noexcept {
   for (std::size_t i = 0; i < mass.size(); ++i) f[i] += mass[i] * gravity;
 }
 
+/// f_i -= drag m_i v_i: every velocity decays at the same rate.
 void accumulate_drag(std::span<const double> mass, double drag, std::span<const Vec3> v,
                      std::span<Vec3> f) noexcept {
   for (std::size_t i = 0; i < mass.size(); ++i) f[i] -= drag * mass[i] * v[i];
@@ -113,10 +124,8 @@ void accumulate_drag(std::span<const double> mass, double drag, std::span<const 
 void accumulate_push_forces(std::span<const Triangle> triangles, std::span<const Push> pushes,
                             std::span<Vec3> f) noexcept {
   for (const Push& push : pushes) {
-    const Triangle& triangle = triangles[static_cast<std::size_t>(push.triangle)];
-    for (std::size_t c = 0; c < 3; ++c) {
-      f[static_cast<std::size_t>(triangle[c])] += push.weights[static_cast<int>(c)] * push.force;
-    }
+    const Triangle& corners = triangles[static_cast<std::size_t>(push.triangle)];
+    for (int c = 0; c < 3; ++c) f[corners[c]] += push.weights[c] * push.force;
   }
 }
 

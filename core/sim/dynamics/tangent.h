@@ -4,7 +4,6 @@
 #include <span>
 
 #include <Eigen/SparseCore>
-#include <span>
 
 #include "palpate/sim/dynamics/state.h"
 
