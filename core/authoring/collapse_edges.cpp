@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/authoring/collapse_edges.h"
+
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/ModBaseT.hh>
+#include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "palpate/sim/mesh/measure.h"
+
+namespace palpate::authoring {
+namespace {
+
+/// Length counts as much as bending where neighbouring normals differ by about twice the root of
+/// this, 0.2 rad: organs at some hundred vertices stay evenly meshed and keep their ridges.
+constexpr double kLengthWeight = 1e-2;
+
+/// How much more it costs to leave the border than the surface.
+constexpr double kBorderWeight = 10.0;
+
+struct Traits : OpenMesh::DefaultTraits {
+  using Point = OpenMesh::Vec3d;
+  using Normal = OpenMesh::Vec3d;
+};
+using Mesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
+using Decimater = OpenMesh::Decimater::DecimaterT<Mesh>;
+
+Vec3 to_vec3(const OpenMesh::Vec3d& p) { return {p[0], p[1], p[2]}; }
+
+/// The squared distances to a set of planes, each times an area [m⁴]: x'A x + 2 b'x + c.
+struct Quadric {
+  Mat3 A = Mat3::Zero();
+  Vec3 b = Vec3::Zero();
+  double c = 0.0;
+
+  void add_plane(const Vec3& normal, const Vec3& through, double area) {
+    const double d = -normal.dot(through);
+    A += area * normal * normal.transpose();
+    b += area * d * normal;
+    c += area * d * d;
+  }
+
+  void add(const Quadric& other) {
+    A += other.A;
+    b += other.b;
+    c += other.c;
+  }
+
+  double operator()(const Vec3& x) const { return x.dot(A * x) + 2.0 * b.dot(x) + c; }
+};
+
+/// The price of a collapse [m⁴], or that it is not allowed.
+template <class MeshT>
+class ModPrice : public OpenMesh::Decimater::ModBaseT<MeshT> {
+ public:
+  DECIMATING_MODULE(ModPrice, MeshT, Price)
+
+  explicit ModPrice(MeshT& mesh) : Base(mesh, false) {}
+
+  void initialize() override {
+    Mesh& mesh = Base::mesh();
+    // about the centre, where differences of squares lose the least
+    centre_ = Vec3::Zero();
+    for (const auto v : mesh.vertices()) centre_ += to_vec3(mesh.point(v));
+    centre_ /= static_cast<double>(mesh.n_vertices());
+    quadrics_.assign(mesh.n_vertices(), Quadric());
+    for (const auto f : mesh.faces()) add_face(f);
+    for (const auto h : mesh.halfedges()) {
+      if (mesh.is_boundary(h)) add_border(h);
+    }
+  }
+
+  float collapse_priority(const CollapseInfo& collapse) override {
+    if (!is_border_kept(collapse)) return float(Base::ILLEGAL_COLLAPSE);
+    Quadric quadric = quadrics_[collapse.v0.idx()];
+    quadric.add(quadrics_[collapse.v1.idx()]);
+    const double length2 = (collapse.p1 - collapse.p0).sqrnorm();
+    const double error = std::max(0.0, quadric(to_vec3(collapse.p1) - centre_));
+    return static_cast<float>(error + kLengthWeight * length2 * length2);
+  }
+
+  void postprocess_collapse(const CollapseInfo& collapse) override {
+    quadrics_[collapse.v1.idx()].add(quadrics_[collapse.v0.idx()]);
+  }
+
+ private:
+  Vec3 at(typename Mesh::VertexHandle v) { return to_vec3(Base::mesh().point(v)) - centre_; }
+
+  void add_face(typename Mesh::FaceHandle f) {
+    std::array<int, 3> corners;
+    Vec3Array x;
+    for (const auto v : Base::mesh().fv_range(f)) {
+      corners[x.size()] = v.idx();
+      x.push_back(at(v));
+    }
+    const Vec3 across = (x[1] - x[0]).cross(x[2] - x[0]);
+    for (const int v : corners) {
+      quadrics_[v].add_plane(across.normalized(), x[0], 0.5 * across.norm());
+    }
+  }
+
+  /// The plane through a border edge, upright on its triangle.
+  void add_border(typename Mesh::HalfedgeHandle h) {
+    Mesh& mesh = Base::mesh();
+    const auto inner = mesh.opposite_halfedge_handle(h);
+    const auto from = mesh.from_vertex_handle(inner), to = mesh.to_vertex_handle(inner);
+    const auto apex = mesh.to_vertex_handle(mesh.next_halfedge_handle(inner));
+    const Vec3 edge = at(to) - at(from);
+    const Vec3 upright = edge.cross(edge.cross(at(apex) - at(from))).normalized();
+    const double area = kBorderWeight * edge.squaredNorm();
+    quadrics_[from.idx()].add_plane(upright, at(from), area);
+    quadrics_[to.idx()].add_plane(upright, at(from), area);
+  }
+
+  bool is_border_kept(const CollapseInfo& collapse) {
+    Mesh& mesh = Base::mesh();
+    if (!mesh.is_boundary(collapse.v0)) return true;
+    if (!mesh.is_boundary(mesh.edge_handle(collapse.v0v1))) return false;
+    auto h = mesh.is_boundary(collapse.v0v1) ? collapse.v0v1 : collapse.v1v0;
+    const auto first = h;
+    for (int length = 1; length <= kSmallestLoop; ++length) {
+      h = mesh.next_halfedge_handle(h);
+      if (h == first) return false;
+    }
+    return true;
+  }
+
+  Vec3 centre_ = Vec3::Zero();
+  std::vector<Quadric> quadrics_;
+};
+
+Mesh to_open_mesh(const SurfaceMesh& from) {
+  Mesh mesh;
+  mesh.request_face_normals();
+  mesh.request_vertex_status();
+  mesh.request_halfedge_status();
+  mesh.request_edge_status();
+  mesh.request_face_status();
+  std::vector<Mesh::VertexHandle> handles;
+  for (const Vec3& x : from.vertices) handles.push_back(mesh.add_vertex({x.x(), x.y(), x.z()}));
+  for (const Triangle& t : from.triangles) {
+    if (!mesh.add_face(handles[t[0]], handles[t[1]], handles[t[2]]).is_valid()) {
+      throw std::invalid_argument(
+          "mesh: surfaces touch in vertices without an edge between them; expected them apart, as "
+          "repair_mesh makes them");
+    }
+  }
+  mesh.update_face_normals();
+  return mesh;
+}
+
+SurfaceMesh to_surface_mesh(const Mesh& from) {
+  SurfaceMesh mesh;
+  for (const auto v : from.vertices()) mesh.vertices.push_back(to_vec3(from.point(v)));
+  for (const auto f : from.faces()) {
+    Triangle t;
+    int c = 0;
+    for (const auto v : from.fv_range(f)) t[c++] = v.idx();
+    mesh.triangles.push_back(t);
+  }
+  return mesh;
+}
+
+}  // namespace
+
+SurfaceMesh collapse_edges(const SurfaceMesh& mesh, int vertex_count) {
+  Mesh working = to_open_mesh(mesh);
+  Decimater decimater(working);
+  ModPrice<Mesh>::Handle price;
+  OpenMesh::Decimater::ModNormalFlippingT<Mesh>::Handle flipping;
+  decimater.add(price);
+  decimater.add(flipping);
+  decimater.module(flipping).set_max_normal_deviation(90.0);
+  if (!decimater.initialize()) throw std::logic_error("decimater: modules do not fit together");
+  decimater.decimate_to(static_cast<std::size_t>(vertex_count));
+  working.garbage_collection();
+  return to_surface_mesh(working);
+}
+
+}  // namespace palpate::authoring

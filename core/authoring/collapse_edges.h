@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "palpate/sim/mesh/surface_mesh.h"
+
+namespace palpate::authoring {
+
+/// A hole keeps at least this many border vertices, so that it stays a hole and not a slit.
+inline constexpr int kSmallestLoop = 6;
+
+/// Collapses edges, cheapest first, until `vertex_count` are left or no edge may go any more.
+///
+/// The price is the quadric error [Garland97], planes across the border included, so holes keep
+/// their shape, plus a little for length, so flat parts stay even. No triangle may turn by 90
+/// degrees or more; border vertices move along the border only. `mesh` must pass validate().
+SurfaceMesh collapse_edges(const SurfaceMesh& mesh, int vertex_count);
+
+}  // namespace palpate::authoring

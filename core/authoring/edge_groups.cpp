@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/authoring/edge_groups.h"
+
+#include <numeric>
+
+namespace palpate::authoring {
+namespace {
+
+int find_root(std::vector<int>& parent, int i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+void unite(std::vector<int>& parent, int i, int j) {
+  const auto [first, last] = std::minmax(find_root(parent, i), find_root(parent, j));
+  parent[last] = first;
+}
+
+}  // namespace
+
+int count_crowded_edges(std::span<const Triangle> triangles) {
+  int count = 0;
+  const std::vector<HalfEdge> sides = sort_half_edges(triangles);
+  for_each_edge(sides, [&](std::span<const HalfEdge> edge) { count += edge.size() > 2; });
+  return count;
+}
+
+std::vector<int> separate_fans(std::span<const Triangle> triangles, int& next) {
+  std::vector<int> parent(3 * triangles.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const std::vector<HalfEdge> sides = sort_half_edges(triangles);
+  for_each_edge(sides, [&](std::span<const HalfEdge> edge) {
+    if (edge.size() != 2) return;
+    // the corner of a side at its lower vertex, and at its higher one
+    const auto at = [](const HalfEdge& e, bool low) {
+      return 3 * e.triangle + (e.forward == low ? e.corner : (e.corner + 1) % 3);
+    };
+    unite(parent, at(edge[0], true), at(edge[1], true));
+    unite(parent, at(edge[0], false), at(edge[1], false));
+  });
+
+  std::vector<int> vertex(parent.size());
+  std::vector<char> taken(next, 0);
+  for (int i = 0; i < static_cast<int>(parent.size()); ++i) {
+    const int root = find_root(parent, i), here = triangles[i / 3][i % 3];
+    if (root != i) {
+      vertex[i] = vertex[root];  // roots come first in their set
+    } else {
+      vertex[i] = taken[here] ? next++ : here;
+      taken[here] = 1;
+    }
+  }
+  return vertex;
+}
+
+}  // namespace palpate::authoring

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "palpate/sim/mesh/surface_mesh.h"
+
+namespace palpate::authoring {
+
+/// Flips edges whose opposite angles are more than pi together, the worst first, so that smallest
+/// angles grow [Delaunay34]. Edges of ridges stay, no triangle turns by 60 degrees or more, and no
+/// edge comes to be twice. One pass: edges next to a flipped one wait for the next. Returns the
+/// number of flips.
+int flip_edges(SurfaceMesh& mesh);
+
+}  // namespace palpate::authoring

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/authoring/read_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+
+#include "palpate/authoring/run_reader.h"
+#include "palpate/authoring/scene_stream.h"
+
+namespace palpate::authoring {
+namespace {
+
+constexpr std::array kFormats = {"OBJ", "STL", "PLY", "GLB", "GLTF", "3DS", "FBX", "DAE", "OFF"};
+
+constexpr std::uintmax_t kMostFileBytes = 1'000'000'000;
+
+std::string find_format(const std::filesystem::path& path) {
+  std::string format = path.extension().string();
+  if (!format.empty()) format.erase(0, 1);
+  for (char& c : format) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  if (std::find(kFormats.begin(), kFormats.end(), format) == kFormats.end()) {
+    throw FileError(path.string(), "name",
+                    format.empty() ? "no extension" : "the extension " + path.extension().string(),
+                    "one of .obj .stl .ply .glb .gltf .3ds .fbx .dae .off");
+  }
+  return format;
+}
+
+void validate_file(const std::filesystem::path& path) {
+  std::error_code problem;
+  const auto status = std::filesystem::status(path, problem);
+  if (!std::filesystem::exists(status)) {
+    throw FileError(path.string(), "", "no such file", "a mesh file");
+  }
+  if (!std::filesystem::is_regular_file(status)) {
+    throw FileError(path.string(), "", "something that is not a regular file", "a mesh file");
+  }
+  const auto size = std::filesystem::file_size(path, problem);
+  if (problem) throw FileError(path.string(), "", problem.message(), "a readable mesh file");
+  if (size == 0) throw FileError(path.string(), "", "0 bytes", "a mesh file");
+  if (size > kMostFileBytes) {
+    throw FileError(path.string(), "", std::to_string(size) + " bytes", "at most 1 GB");
+  }
+}
+
+void validate_part(const std::string& file, const ImportedPart& part) {
+  const auto& vertices = part.mesh.vertices;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (vertices[i].allFinite()) continue;
+    throw FileError(file, "part '" + part.name + "', vertex " + std::to_string(i),
+                    "a coordinate that is not a finite number", "finite coordinates");
+  }
+  for (std::size_t t = 0; t < part.mesh.triangles.size(); ++t) {
+    for (const int corner : part.mesh.triangles[t]) {
+      if (corner >= 0 && static_cast<std::size_t>(corner) < vertices.size()) continue;
+      throw FileError(file, "part '" + part.name + "', triangle " + std::to_string(t),
+                      "vertex " + std::to_string(corner),
+                      "an index below " + std::to_string(vertices.size()));
+    }
+  }
+}
+
+}  // namespace
+
+ImportedScene read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
+  if (!(options.time_limit > 0.0 && options.time_limit <= 3600.0)) {
+    throw std::invalid_argument("read_mesh: time_limit must be above 0 and at most 3600 s, got " +
+                                std::to_string(options.time_limit));
+  }
+  if (options.memory_limit == 0) {
+    throw std::invalid_argument("read_mesh: memory_limit must be positive, got 0");
+  }
+  validate_file(path);
+  const std::string format = find_format(path);
+
+  ImportedScene scene = decode_scene(path.string(), run_reader(path, format, options));
+  scene.format = format;
+  std::erase_if(scene.parts, [](const ImportedPart& p) { return p.mesh.triangles.empty(); });
+  if (scene.parts.empty()) {
+    throw FileError(scene.file, "", "no triangles", "a surface made of triangles or polygons");
+  }
+  for (const ImportedPart& part : scene.parts) validate_part(scene.file, part);
+  return scene;
+}
+
+}  // namespace palpate::authoring

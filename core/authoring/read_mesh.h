@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "palpate/sim/base/error.h"
+#include "palpate/sim/mesh/surface_mesh.h"
+
+namespace palpate::authoring {
+
+/// One named part of a scene: its node's transforms applied, mirrored winding mended. Still a list
+/// of triangles as the file had it: vertices may be doubled, neighbours may disagree.
+struct ImportedPart {
+  std::string name;
+  SurfaceMesh mesh;  ///< in units and axes of the file
+};
+
+/// What a mesh file holds, before anybody has decided what it means.
+struct ImportedScene {
+  std::string file;
+  std::string format;  ///< OBJ, STL, PLY, GLB, GLTF, 3DS, FBX, DAE or OFF
+  std::vector<ImportedPart> parts;
+  std::optional<std::string> unit;  ///< stated by the file or its format
+  std::optional<std::string> up;    ///< x, y, z, -x, -y or -z, stated by the file or its format
+  std::vector<std::string> notes;   ///< what was odd but could be read all the same
+};
+
+struct ReadOptions {
+  std::filesystem::path reader;               ///< the program palpate-read-mesh
+  double time_limit = 10.0;                   ///< [s] until the reader is stopped
+  std::size_t memory_limit = 1'500'000'000;   ///< [bytes] the reader may use
+};
+
+/// Reads a mesh file in a child process, so that no file can crash, hang or exhaust this one.
+///
+/// Every coordinate is finite, every index in range, every part has a triangle. Throws FileError
+/// for a file that cannot be read so, std::invalid_argument for limits that are not positive.
+ImportedScene read_mesh(const std::filesystem::path& path, const ReadOptions& options);
+
+}  // namespace palpate::authoring

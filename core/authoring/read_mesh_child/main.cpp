@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// palpate-read-mesh FILE FORMAT MEMORY_BYTES CPU_SECONDS
+//
+// Reads one mesh file and writes what is in it to standard output, see scene_stream.h. Runs as a
+// process of its own so that a hostile file can take down, hang or exhaust only this.
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "palpate/authoring/read_mesh_child/foreign_formats.h"
+#include "palpate/authoring/read_mesh_child/scene_writer.h"
+
+namespace palpate::authoring {
+namespace {
+
+void limit(int resource, rlim_t most) {
+  const rlimit both{most, most};
+  if (setrlimit(resource, &both) != 0) std::_Exit(5);
+}
+
+/// From here on this process can only read, compute and write to what is open.
+void limit_myself(rlim_t memory, rlim_t seconds) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  limit(RLIMIT_AS, memory);
+  limit(RLIMIT_CPU, seconds);
+  limit(RLIMIT_FSIZE, 0);
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_NPROC, 0);
+}
+
+ImportedScene read_any(const std::string& path, const std::string& format) {
+  if (format == "STL") {
+    if (auto scene = read_binary_stl(path)) return *std::move(scene);
+  }
+  if (format == "OBJ") {
+    if (auto scene = read_plain_obj(path)) return *std::move(scene);
+  }
+  return read_with_assimp(path, format);
+}
+
+int run(const std::string& path, const std::string& format, std::size_t memory) {
+  try {
+    write_scene(read_any(path, format), stdout);
+  } catch (const FileError& refusal) {
+    write_refusal(refusal, stdout);
+  } catch (const std::bad_alloc&) {
+    write_refusal({path, "", "content that needs more than " + std::to_string(memory / 1'000'000) +
+                   " MB to read", "a mesh that fits"}, stdout);
+  } catch (const std::exception& problem) {
+    write_refusal({path, "", std::string("content the reader fails on (") + problem.what() + ")",
+                   "a readable " + format + " file"}, stdout);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace palpate::authoring
+
+int main(int count, char** words) {
+  if (count != 5) {
+    std::fputs("palpate-read-mesh FILE FORMAT MEMORY_BYTES CPU_SECONDS\n", stderr);
+    return 2;
+  }
+  const std::size_t memory = std::strtoull(words[3], nullptr, 10);
+  palpate::authoring::limit_myself(memory, std::strtoull(words[4], nullptr, 10));
+  return palpate::authoring::run(words[1], words[2], memory);
+}

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <map>
+
+#include "palpate/authoring/read_mesh_child/foreign_formats.h"
+
+namespace palpate::authoring {
+namespace {
+
+// deeper scenes do not come from people; the walk below is recursive
+constexpr int kDeepestNode = 500;
+
+/// The node's matrix in double: a chain of floats would move shared borders apart.
+Eigen::Matrix4d to_matrix(const aiMatrix4x4& m) {
+  Eigen::Matrix4d matrix;
+  for (unsigned i = 0; i < 4; ++i) {
+    for (unsigned j = 0; j < 4; ++j) matrix(i, j) = m[i][j];
+  }
+  return matrix;
+}
+
+/// Adds a mesh as the scene shows it. A node that mirrors would turn the triangles inside out.
+void append(const aiMesh& from, const Eigen::Matrix4d& place, SurfaceMesh& to) {
+  const Mat3 linear = place.topLeftCorner<3, 3>();
+  const Vec3 shift = place.topRightCorner<3, 1>();
+  const bool mirrors = linear.determinant() < 0.0;
+  const int first = static_cast<int>(to.vertices.size());
+  for (unsigned i = 0; i < from.mNumVertices; ++i) {
+    const aiVector3D& p = from.mVertices[i];
+    to.vertices.push_back(linear * Vec3(p.x, p.y, p.z) + shift);
+  }
+  for (unsigned f = 0; f < from.mNumFaces; ++f) {
+    const aiFace& face = from.mFaces[f];
+    if (face.mNumIndices != 3) continue;
+    const auto corner = [&](int c) { return first + static_cast<int>(face.mIndices[c]); };
+    to.triangles.push_back(mirrors ? Triangle{corner(0), corner(2), corner(1)}
+                                   : Triangle{corner(0), corner(1), corner(2)});
+  }
+}
+
+class Walk {
+ public:
+  Walk(const std::string& file, const aiScene& scene) : file_(file), scene_(scene) {}
+
+  void visit(const aiNode& node, const Eigen::Matrix4d& above, int depth) {
+    if (depth > kDeepestNode) {
+      throw FileError(file_, "node tree", "more than " + std::to_string(kDeepestNode) + " levels",
+                      "fewer");
+    }
+    const Eigen::Matrix4d place = above * to_matrix(node.mTransformation);
+    SurfaceMesh mesh;
+    for (unsigned m = 0; m < node.mNumMeshes; ++m) {
+      append(*scene_.mMeshes[node.mMeshes[m]], place, mesh);
+    }
+    if (!mesh.triangles.empty()) parts_.push_back({name_part(node), std::move(mesh)});
+    for (unsigned c = 0; c < node.mNumChildren; ++c) visit(*node.mChildren[c], place, depth + 1);
+  }
+
+  std::vector<ImportedPart> take_parts() { return std::move(parts_); }
+
+ private:
+  /// The node's name, or its mesh's, made different from all before.
+  std::string name_part(const aiNode& node) {
+    std::string name = node.mName.C_Str();
+    if (name.empty()) name = scene_.mMeshes[node.mMeshes[0]]->mName.C_Str();
+    if (name.empty()) name = "part";
+    const int times = ++seen_[name];
+    return times == 1 ? name : name + " (" + std::to_string(times) + ")";
+  }
+
+  const std::string& file_;
+  const aiScene& scene_;
+  std::vector<ImportedPart> parts_;
+  std::map<std::string, int> seen_;
+};
+
+/// The name of a unit of so many centimetres, as FBX states it.
+std::optional<std::string> name_unit(double centimetres) {
+  const std::pair<const char*, double> units[] = {
+      {"m", 100.0}, {"cm", 1.0}, {"mm", 0.1}, {"in", 2.54}, {"ft", 30.48}, {"um", 1e-4}};
+  for (const auto& [name, size] : units) {
+    if (std::abs(centimetres - size) < 1e-5 * size) return name;
+  }
+  return std::nullopt;
+}
+
+void take_fbx_units(const aiMetadata& data, ImportedScene& scene) {
+  float centimetres = 0.0f;
+  double precise = 0.0;
+  if (data.Get("UnitScaleFactor", centimetres)) precise = centimetres;
+  if (precise > 0.0 || data.Get("UnitScaleFactor", precise)) {
+    scene.unit = name_unit(precise);
+    if (!scene.unit) {
+      scene.notes.push_back("states a unit of " + std::to_string(precise) +
+                            " cm, which has no name here");
+    }
+  }
+  std::int32_t axis = -1, sign = 1;
+  if (data.Get("UpAxis", axis) && axis >= 0 && axis <= 2) {
+    data.Get("UpAxisSign", sign);
+    scene.up = std::string(sign < 0 ? "-" : "") + "xyz"[axis];
+  }
+}
+
+/// glTF is in metres with y up by its specification. assimp turns Collada and 3DS to y up, and
+/// Collada to metres, as it reads them.
+void take_units(const aiScene& from, const std::string& format, ImportedScene& scene) {
+  if (format == "GLB" || format == "GLTF" || format == "DAE") {
+    scene.unit = "m";
+    scene.up = "y";
+  } else if (format == "3DS") {
+    scene.up = "y";
+  } else if (format == "FBX" && from.mMetaData != nullptr) {
+    take_fbx_units(*from.mMetaData, scene);
+  }
+}
+
+std::string one_line(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126) c = ' ';
+  }
+  return text.substr(0, 200);
+}
+
+}  // namespace
+
+ImportedScene read_with_assimp(const std::string& path, const std::string& format) {
+  Assimp::Importer importer;
+  importer.SetPropertyInteger(
+      AI_CONFIG_PP_RVC_FLAGS,
+      aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
+          aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
+          aiComponent_LIGHTS | aiComponent_CAMERAS | aiComponent_TEXTURES | aiComponent_MATERIALS);
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  const aiScene* from = importer.ReadFile(
+      path, aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType |
+                aiProcess_ValidateDataStructure);
+  if (from == nullptr || from->mRootNode == nullptr) {
+    throw FileError(path, "", "content assimp refuses (" + one_line(importer.GetErrorString()) + ")",
+                    "a readable " + format + " file");
+  }
+
+  ImportedScene scene{};
+  Walk walk(path, *from);
+  walk.visit(*from->mRootNode, Eigen::Matrix4d::Identity(), 0);
+  scene.parts = walk.take_parts();
+  take_units(*from, format, scene);
+  return scene;
+}
+
+}  // namespace palpate::authoring

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/authoring/scene_stream.h"
+
+#include <cstring>
+
+namespace palpate::authoring {
+namespace {
+
+class Reader {
+ public:
+  Reader(const std::string& file, std::span<const char> bytes) : file_(file), bytes_(bytes) {}
+
+  template <class T>
+  T take() {
+    T value;
+    std::memcpy(&value, take_bytes(1, sizeof(T)), sizeof(T));
+    return value;
+  }
+
+  std::string take_text() {
+    const auto size = take<std::uint32_t>();
+    return {take_bytes(size, 1), size};
+  }
+
+  template <class T>
+  std::vector<T> take_all() {
+    const auto count = take<std::uint32_t>();
+    const char* from = take_bytes(count, sizeof(T));
+    std::vector<T> values(count);
+    if (count > 0) std::memcpy(static_cast<void*>(values.data()), from, count * sizeof(T));
+    return values;
+  }
+
+  void expect_magic() {
+    if (take<std::uint64_t>() != kStreamMagic) refuse();
+  }
+
+  void expect_end() const {
+    if (!bytes_.empty()) refuse();
+  }
+
+ private:
+  const char* take_bytes(std::size_t count, std::size_t size) {
+    if (count > bytes_.size() / size) refuse();
+    const char* from = bytes_.data();
+    bytes_ = bytes_.subspan(count * size);
+    return from;
+  }
+
+  [[noreturn]] void refuse() const {
+    throw FileError(file_, "", "a reader that stopped half way", "a mesh file it can read whole");
+  }
+
+  const std::string& file_;
+  std::span<const char> bytes_;
+};
+
+std::optional<std::string> stated(std::string text) {
+  if (text.empty()) return std::nullopt;
+  return text;
+}
+
+}  // namespace
+
+ImportedScene decode_scene(const std::string& file, std::span<const char> bytes) {
+  Reader in(file, bytes);
+  in.expect_magic();
+  if (in.take<std::uint32_t>() != kStreamScene) {
+    const std::string where = in.take_text(), found = in.take_text(), expected = in.take_text();
+    throw FileError(file, where, found, expected);
+  }
+
+  ImportedScene scene;
+  scene.file = file;
+  scene.unit = stated(in.take_text());
+  scene.up = stated(in.take_text());
+  for (auto notes = in.take<std::uint32_t>(); notes > 0; --notes) {
+    scene.notes.push_back(in.take_text());
+  }
+  for (auto parts = in.take<std::uint32_t>(); parts > 0; --parts) {
+    ImportedPart part;
+    part.name = in.take_text();
+    part.mesh.vertices = in.take_all<Vec3>();
+    part.mesh.triangles = in.take_all<Triangle>();
+    scene.parts.push_back(std::move(part));
+  }
+  in.expect_magic();
+  in.expect_end();
+  return scene;
+}
+
+}  // namespace palpate::authoring

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "palpate/authoring/read_mesh.h"
+
+namespace palpate::authoring {
+
+// What palpate-read-mesh writes to its standard output, in the byte order of the machine:
+//
+//     stream  := magic status (scene | refusal) magic
+//     refusal := where found expected
+//     scene   := unit up notes parts          unit and up are empty where the file states none
+//     notes   := count text*
+//     parts   := count (name vertices triangles)*
+//     text    := count byte*      vertices := count (3 doubles)*      triangles := count (3 int32)*
+//
+// Counts and the status are uint32. The magic at the end tells that nothing is missing.
+inline constexpr std::uint64_t kStreamMagic = 0x31'45'4e'45'43'53'4c'50;  // "PLSCENE1"
+inline constexpr std::uint32_t kStreamScene = 0;
+inline constexpr std::uint32_t kStreamRefusal = 1;
+
+/// The scene in `bytes`, every count held against what is left of them. Throws FileError naming
+/// `file` for a refusal and for a stream that is not as above.
+ImportedScene decode_scene(const std::string& file, std::span<const char> bytes);
+
+}  // namespace palpate::authoring

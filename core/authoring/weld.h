@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "palpate/sim/mesh/surface_mesh.h"
+
+namespace palpate::authoring {
+
+struct Welded {
+  SurfaceMesh mesh;         ///< no two vertices within the tolerance, every vertex used
+  int merged_vertices;      ///< vertices in use that became one with another
+  int collapsed_triangles;  ///< triangles that lost a corner to it and are gone
+};
+
+/// Makes vertices closer than `tolerance` one. In the order of the file, each vertex joins the
+/// nearest one already kept, or is kept itself where none is near enough: so nothing moves further
+/// than the tolerance, however long a chain of close vertices is, and the order stays.
+Welded weld(const SurfaceMesh& triangles, double tolerance);
+
+}  // namespace palpate::authoring

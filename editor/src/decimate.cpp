@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/authoring/decimate.h"
+
+#include "bindings.h"
+
+namespace palpate::authoring {
+
+namespace py = pybind11;
+using namespace pybind11::literals;
+
+void bind_decimate(py::module_& m) {
+  py::class_<DecimatedMesh>(m, "DecimatedMesh",
+                            "A coarser surface, and how far it is from the one it was made of.")
+      .def_readonly("mesh", &DecimatedMesh::mesh)
+      .def_readonly("smallest_angle_before_deg", &DecimatedMesh::smallest_angle_before_deg,
+                    "Right after the edges were collapsed, before the triangles were improved.")
+      .def_readonly("smallest_angle_deg", &DecimatedMesh::smallest_angle_deg)
+      .def_readonly("mean_distance", &DecimatedMesh::mean_distance,
+                    "[m] from the new surface to the source.")
+      .def_readonly("max_distance", &DecimatedMesh::max_distance, "[m]")
+      .def_readonly("self_intersecting_faces", &DecimatedMesh::self_intersecting_faces);
+  m.def("decimate", &decimate, "mesh"_a, "vertex_count"_a,
+        py::call_guard<py::gil_scoped_release>(),
+        "Make a surface of exactly vertex_count vertices with well-shaped triangles.");
+}
+
+}  // namespace palpate::authoring
