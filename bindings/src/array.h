@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pybind11/eigen.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/base/types.h"
+
+/// How tables of the library and NumPy arrays become each other.
+///
+/// What the library owns is seen through views, so writing into the array writes into the table
+/// and the array keeps its owner alive. Tables never change their length while Python can see
+/// them, so no view is left dangling. Indices are shown read-only: no write from Python can send
+/// a kernel out of range. What is only read may be any array-like.
+namespace palpate::bindings {
+
+namespace py = pybind11;
+using namespace pybind11::literals;
+
+/// Arguments that are only read; converted where they have to be.
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+/// Integers of any width, but never rounded from floats.
+using Integers = py::array_t<std::int64_t, py::array::c_style>;
+/// Arguments that are written to; taken with .noconvert(), as a copy would swallow the result.
+using NumbersOut = py::array_t<double, py::array::c_style>;
+using IntegersOut = py::array_t<int, py::array::c_style>;
+
+/// What one entry of a table looks like to NumPy: a number, or `width` numbers in a row.
+template <class T>
+struct Entry {
+  using Scalar = T;
+  static constexpr py::ssize_t width = 0;
+};
+template <>
+struct Entry<Vec3> {
+  using Scalar = double;
+  static constexpr py::ssize_t width = 3;
+};
+template <>
+struct Entry<Quaternion> {
+  using Scalar = double;
+  static constexpr py::ssize_t width = 4;
+};
+template <>
+struct Entry<Eigen::Vector3f> {
+  using Scalar = float;
+  static constexpr py::ssize_t width = 3;
+};
+template <class T, std::size_t N>
+struct Entry<std::array<T, N>> {
+  using Scalar = T;
+  static constexpr py::ssize_t width = N;
+};
+template <class T>
+using ArrayOf = py::array_t<typename Entry<T>::Scalar>;
+
+/// `count` entries at `data` as an array that shares their memory and keeps `owner` alive.
+template <class T>
+ArrayOf<T> view_entries(T* data, std::size_t count, py::handle owner) {
+  std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(count)};
+  if (Entry<T>::width > 0) shape.push_back(Entry<T>::width);
+  return ArrayOf<T>(shape, reinterpret_cast<const typename Entry<T>::Scalar*>(data), owner);
+}
+
+template <class T>
+ArrayOf<T> view(std::vector<T>& table, py::handle owner) {
+  return view_entries(table.data(), table.size(), owner);
+}
+
+/// One vector or quaternion as an array of its numbers.
+template <class T>
+ArrayOf<T> view_one(T& value, py::handle owner) {
+  return ArrayOf<T>({Entry<T>::width}, reinterpret_cast<const typename Entry<T>::Scalar*>(&value),
+                    owner);
+}
+
+template <class Array>
+Array read_only(Array array) {
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
+/// Hands a table over to NumPy without copying its entries.
+template <class T>
+ArrayOf<T> own(std::vector<T> table) {
+  auto kept = std::make_unique<std::vector<T>>(std::move(table));
+  std::vector<T>& entries = *kept;
+  const py::capsule owner(kept.release(), [](void* p) { delete static_cast<std::vector<T>*>(p); });
+  return view(entries, owner);
+}
+
+inline std::string shape_of(const py::array& array) {
+  return py::str(array.attr("shape")).cast<std::string>();
+}
+
+inline void require_points(const py::array& array, const char* name) {
+  if (array.ndim() != 2 || array.shape(1) != 3) {
+    refuse(name, "shape " + shape_of(array), "(n, 3)");
+  }
+}
+
+inline void require_count(const char* name, std::size_t found, std::size_t expected) {
+  if (found != expected) {
+    refuse(name, std::to_string(found) + " entries", std::to_string(expected));
+  }
+}
+
+/// Points of an array that must outlive the span.
+inline std::span<const Vec3> points(const Numbers& array, const char* name) {
+  require_points(array, name);
+  return {reinterpret_cast<const Vec3*>(array.data()), static_cast<std::size_t>(array.shape(0))};
+}
+
+inline std::span<Vec3> points_out(NumbersOut& array, const char* name) {
+  require_points(array, name);
+  return {reinterpret_cast<Vec3*>(array.mutable_data()), static_cast<std::size_t>(array.shape(0))};
+}
+
+inline Vec3Array copy_points(const Numbers& array, const char* name) {
+  const auto all = points(array, name);
+  return {all.begin(), all.end()};
+}
+
+inline std::span<const double> numbers(const Numbers& array, const char* name) {
+  if (array.ndim() != 1) refuse(name, "shape " + shape_of(array), "(n,)");
+  return {array.data(), static_cast<std::size_t>(array.shape(0))};
+}
+
+inline std::vector<double> copy_numbers(const Numbers& array, const char* name) {
+  const auto all = numbers(array, name);
+  return {all.begin(), all.end()};
+}
+
+inline int to_index(std::int64_t value, const char* name) {
+  if (value < 0 || value > INT32_MAX) refuse(name, std::to_string(value), "an index of 0 or more");
+  return static_cast<int>(value);
+}
+
+inline std::vector<int> copy_indices(const Integers& array, const char* name) {
+  if (array.size() == 0) return {};
+  if (array.ndim() != 1) refuse(name, "shape " + shape_of(array), "(n,)");
+  std::vector<int> indices;
+  indices.reserve(static_cast<std::size_t>(array.size()));
+  for (py::ssize_t i = 0; i < array.size(); ++i) {
+    indices.push_back(to_index(array.data()[i], name));
+  }
+  return indices;
+}
+
+/// Rows of N entries, as of the tables of links and angles; an empty array of any shape has none.
+template <class T, std::size_t N, class Array, class Convert>
+std::vector<std::array<T, N>> copy_rows(const Array& array, const char* name, Convert convert) {
+  if (array.size() == 0) return {};
+  if (array.ndim() != 2 || array.shape(1) != static_cast<py::ssize_t>(N)) {
+    refuse(name, "shape " + shape_of(array), "(n, " + std::to_string(N) + ")");
+  }
+  std::vector<std::array<T, N>> rows(static_cast<std::size_t>(array.shape(0)));
+  const auto* next = array.data();
+  for (auto& row : rows) {
+    for (T& entry : row) entry = convert(*next++);
+  }
+  return rows;
+}
+
+template <std::size_t N>
+std::vector<std::array<int, N>> copy_index_rows(const Integers& array, const char* name) {
+  return copy_rows<int, N>(array, name, [name](std::int64_t i) { return to_index(i, name); });
+}
+
+inline std::vector<std::array<double, 3>> copy_triples(const Numbers& array, const char* name) {
+  return copy_rows<double, 3>(array, name, [](double value) { return value; });
+}
+
+/// A property that is a view of a table: its numbers may be written, its length may not change.
+template <class Class, class T, class Of>
+void def_view(Class& cls, const char* name, std::vector<T> Of::*member, const char* doc) {
+  cls.def_property_readonly(
+      name,
+      [member](const py::object& self) {
+        return view(self.cast<typename Class::type&>().*member, self);
+      },
+      doc);
+}
+
+/// The same for tables that must stay as they are.
+template <class Class, class T, class Of>
+void def_table(Class& cls, const char* name, std::vector<T> Of::*member, const char* doc) {
+  cls.def_property_readonly(
+      name,
+      [member](const py::object& self) {
+        return read_only(view(self.cast<typename Class::type&>().*member, self));
+      },
+      doc);
+}
+
+/// A vector: reading gives a view of its three numbers, assigning copies three numbers in.
+template <class Class, class Of>
+void def_vector(Class& cls, const char* name, Vec3 Of::*member, const char* doc) {
+  cls.def_property(
+      name,
+      [member](const py::object& self) {
+        return view_one(self.cast<typename Class::type&>().*member, self);
+      },
+      [member](typename Class::type& self, const Vec3& value) { self.*member = value; }, doc);
+}
+
+}  // namespace palpate::bindings

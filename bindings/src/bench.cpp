@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/bench/bench.h"
+
+#include "bindings.h"
+#include "border.h"
+#include "value.h"
+
+namespace palpate::bindings {
+
+using bench::BenchOptions;
+using bench::BenchRow;
+
+void bind_bench(py::module_& m) {
+  const BenchOptions usual;
+  py::class_<BenchRow> row(
+      m, "BenchRow",
+      "What one piece of work costs, beside the same work done naively in the same process.");
+  row.def_readonly("work", &BenchRow::work, "'mss_step', 'refit', 'mms_tick', ...")
+      .def_readonly("vertices", &BenchRow::vertices)
+      .def_readonly("median", &BenchRow::median, "[s] CPU time of the calling thread.")
+      .def_readonly("p99", &BenchRow::p99, "[s]")
+      .def_readonly("naive_median", &BenchRow::naive_median, "[s] of the naive form.")
+      .def_readonly("ratio_to_naive", &BenchRow::ratio_to_naive,
+                    "[-] naive_median / median: above 1 is faster than naive.")
+      .def_readonly("physics", &BenchRow::physics, "What is in it, in words.");
+  def_repr(row, {"work", "vertices", "median", "p99", "naive_median", "ratio_to_naive", "physics"});
+  py::class_<BenchOptions> options(m, "BenchOptions");
+  options
+      .def(py::init([](double budget, int least_runs) {
+             return BenchOptions{budget, least_runs};
+           }),
+           py::kw_only(), "budget"_a = usual.budget, "least_runs"_a = usual.least_runs)
+      .def_readwrite("budget", &BenchOptions::budget,
+                     "[s] of CPU time per row, the naive form not counted.")
+      .def_readwrite("least_runs", &BenchOptions::least_runs);
+  def_repr(options, {"budget", "least_runs"});
+  m.def(
+      "run_bench",
+      [](const Scene& mass_spring, const Scene& molecular, const BenchOptions& chosen) {
+        require_built(mass_spring);
+        require_built(molecular);
+        const py::gil_scoped_release released;
+        return bench::run_bench(mass_spring, molecular, chosen);
+      },
+      "mass_spring"_a, "molecular"_a, "options"_a = usual,
+      "Times the steps, queries and ticks of two scenes on the same surface, one of the "
+      "mass-spring "
+      "and one of the molecular model. Raises RuntimeError where ours and the naive form disagree, "
+      "ValueError where the scenes do not fit.");
+}
+
+}  // namespace palpate::bindings

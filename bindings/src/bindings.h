@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace palpate::bindings {
+
+// One per folder of core/sim, called in this order: each needs the types of those before it.
+// Where a folder takes more than one file, the first of them calls the others.
+void bind_base(pybind11::module_& m);
+void bind_mesh(pybind11::module_& m);
+void bind_model(pybind11::module_& m);
+void bind_builders(pybind11::module_& m);
+void bind_dynamics(pybind11::module_& m);
+void bind_forces(pybind11::module_& m);
+void bind_contact(pybind11::module_& m);
+void bind_queries(pybind11::module_& m);
+void bind_haptics(pybind11::module_& m);
+void bind_log(pybind11::module_& m);
+void bind_devices(pybind11::module_& m);
+void bind_loop(pybind11::module_& m);
+void bind_session(pybind11::module_& m);
+void bind_bench(pybind11::module_& m);
+
+}  // namespace palpate::bindings

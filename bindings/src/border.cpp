@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "border.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::bindings {
+
+namespace {
+
+std::string text(double value) { return py::str(py::float_(value)).cast<std::string>(); }
+
+}  // namespace
+
+template <std::size_t N>
+void require_below(std::span<const std::array<int, N>> rows, std::size_t count, const char* name) {
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    for (const int i : rows[r]) {
+      if (i < 0 || static_cast<std::size_t>(i) >= count) {
+        refuse(std::string(name) + " " + std::to_string(r), "index " + std::to_string(i),
+               "below " + std::to_string(count));
+      }
+    }
+  }
+}
+
+void require_triangles(std::span<const Triangle> triangles, std::size_t particles) {
+  require_below(triangles, particles, "triangles");
+}
+
+void require_links(const Links& links, std::size_t particles) {
+  require_below(std::span<const std::array<int, 2>>(links.ends), particles, "links.ends");
+  require_count("links.rest_length", links.rest_length.size(), links.ends.size());
+  require_count("links.stiffness", links.stiffness.size(), links.ends.size());
+  require_count("links.damping", links.damping.size(), links.ends.size());
+}
+
+void require_angles(const Angles& angles, std::size_t particles) {
+  const std::size_t count = angles.corners.size();
+  require_below(std::span<const Triangle>(angles.corners), particles, "angles.corners");
+  require_count("angles.rest_cosine", angles.rest_cosine.size(), count);
+  require_count("angles.rest_length", angles.rest_length.size(), count);
+  require_count("angles.bend_stiffness", angles.bend_stiffness.size(), count);
+  require_count("angles.stretch_coupling", angles.stretch_coupling.size(), count);
+  require_count("angles.bond_share", angles.bond_share.size(), count);
+}
+
+void require_positive(const char* name, double value) {
+  if (!(value > 0.0) || !std::isfinite(value)) refuse(name, text(value), "a positive number");
+}
+
+void require_finite(const char* name, const Vec3& value) {
+  if (!value.allFinite()) refuse(name, "a number that is not finite", "three finite numbers");
+}
+
+void require_pushes(std::span<const Push> pushes, std::size_t triangles) {
+  for (const Push& push : pushes) {
+    if (push.triangle < 0 || static_cast<std::size_t>(push.triangle) >= triangles) {
+      refuse("push", "triangle " + std::to_string(push.triangle),
+             "below " + std::to_string(triangles));
+    }
+  }
+}
+
+void require_fit(const TissueModel& model, const State& state) {
+  require_count("state", state.position.size(), model.rest_position.size());
+}
+
+void require_fit(const TissueModel& model, const Guard& guard) {
+  require_count("guard", guard.last_position.size(), model.rest_position.size());
+}
+
+void require_fit(const AabbTree& tree, std::span<const Vec3> x) {
+  if (tree.nodes().empty()) refuse("tree", "no triangles", "a tree built over a surface");
+  require_triangles(tree.triangles(), x.size());
+}
+
+void require_fit(const Candidates& candidates, std::size_t triangles) {
+  // the first `count` are in ascending order
+  const int count = candidates.count;
+  if (count > 0 && static_cast<std::size_t>(candidates.triangles[count - 1]) >= triangles) {
+    refuse("candidates", "triangle " + std::to_string(candidates.triangles[count - 1]),
+           "below " + std::to_string(triangles));
+  }
+}
+
+void require_fit(const ToolState& tool, std::size_t triangles) {
+  for (int h = 0; h < tool.hold_count; ++h) {
+    const int triangle = tool.holds[static_cast<std::size_t>(h)].triangle;
+    if (triangle < 0 || static_cast<std::size_t>(triangle) >= triangles) {
+      refuse("tool state", "a hold on triangle " + std::to_string(triangle),
+             "below " + std::to_string(triangles));
+    }
+  }
+}
+
+void require_built(const Scene& scene) {
+  if (scene.substeps < 1 || scene.rest_areas.size() != scene.tissue.triangles.size()) {
+    refuse("scene", "one whose derived fields are empty", "the result of build_scene(scene)");
+  }
+}
+
+void require_fit(const Scene& scene, const World& world) {
+  require_built(scene);
+  require_fit(scene.tissue, world.tissue);
+  require_count("world.tree", world.tree.triangles().size(), scene.tissue.triangles.size());
+  require_fit(scene.tissue, world.guard);
+  require_fit(world.candidates, scene.tissue.triangles.size());
+  require_fit(world.tool, scene.tissue.triangles.size());
+  require_pushes(world.load.pushes(), scene.tissue.triangles.size());
+}
+
+}  // namespace palpate::bindings

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bindings.h"
+#include "border.h"
+#include "palpate/sim/contact/balance_tool.h"
+#include "palpate/sim/contact/contact_law.h"
+#include "rows.h"
+#include "value.h"
+
+namespace palpate::bindings {
+
+template <>
+py::dtype row_dtype<AabbTree::Node>() {
+  return RowType<AabbTree::Node>()
+      .field("low", &AabbTree::Node::low)
+      .field("high", &AabbTree::Node::high)
+      .field("first", &AabbTree::Node::first)
+      .field("count", &AabbTree::Node::count)
+      .dtype();
+}
+
+template <>
+py::dtype row_dtype<ToolState::Hold>() {
+  return RowType<ToolState::Hold>()
+      .field("triangle", &ToolState::Hold::triangle)
+      .field("weights", &ToolState::Hold::weights)
+      .field("stiffness", &ToolState::Hold::stiffness)
+      .field("offset", &ToolState::Hold::offset)
+      .dtype();
+}
+
+namespace {
+
+template <class T>
+ArrayOf<T> view_span(std::span<const T> table, py::handle owner) {
+  return read_only(view_entries(const_cast<T*>(table.data()), table.size(), owner));
+}
+
+void bind_tree(py::module_& m) {
+  py::class_<AabbTree> tree(
+      m, "AabbTree",
+      "Axis-aligned boxes around the triangles of a deforming surface. Built once over the surface "
+      "at rest; refit follows the deformation without changing the shape of the tree.");
+  tree.def(py::init([](const Numbers& x, const Integers& triangles) {
+             const auto xs = points(x, "x");
+             const auto rows = copy_index_rows<3>(triangles, "triangles");
+             const py::gil_scoped_release released;
+             return AabbTree(xs, rows);
+           }),
+           "x"_a, "triangles"_a,
+           "Raises ValueError for no triangles, an index out of range or a position that is not "
+           "finite.");
+  tree.def(
+          "refit",
+          [](AabbTree& self, const Numbers& x) {
+            const auto xs = points(x, "x");
+            require_fit(self, xs);
+            self.refit(xs);
+          },
+          "x"_a, "Follows the surface to positions x; the same particle count as at the start.")
+      .def(
+          "nodes",
+          [](const py::object& self) {
+            const auto rows = self.cast<const AabbTree&>().nodes();
+            return read_only(view_rows(rows.data(), rows.size(), self));
+          },
+          "The boxes, depth first, a structured array (low, high, first, count); a view.")
+      .def(
+          "order",
+          [](const py::object& self) {
+            return view_span(self.cast<const AabbTree&>().order(), self);
+          },
+          "Triangles in the sequence of the leaves; a view, read-only.")
+      .def(
+          "triangles",
+          [](const py::object& self) {
+            return view_span(self.cast<const AabbTree&>().triangles(), self);
+          },
+          "Shape (t, 3); a view, read-only.");
+  tree.attr("kLeafSize") = AabbTree::kLeafSize;
+  tree.attr("kMaxDepth") = AabbTree::kMaxDepth;
+  def_copy(tree);
+}
+
+void bind_tool(py::module_& m) {
+  const Tool usual;
+  py::class_<Tool> tool(m, "Tool", "The tip of the instrument: a sphere, never a point.");
+  tool.def(py::init([](double radius, double stiffness) {
+             return Tool{radius, stiffness};
+           }),
+           py::kw_only(), "radius"_a = usual.radius, "stiffness"_a = usual.stiffness);
+  tool.def_readwrite("radius", &Tool::radius, "[m]")
+      .def_readwrite("stiffness", &Tool::stiffness,
+                     "[N/m³] k_A: pressure per depth of the contact law.");
+  def_copy(tool);
+  def_repr(tool, {"radius", "stiffness"});
+
+  py::class_<ToolState> state(
+      m, "ToolState", "Where the tool is (the paper's ideal tip, IUN) and what it is fastened to.");
+  state.def(py::init([](int capacity) { return ToolState(to_index(capacity, "capacity")); }),
+            "capacity"_a = 0);
+  def_vector(state, "position", &ToolState::position, "[m]");
+  state.def_readwrite("placed", &ToolState::placed,
+                      "False until the first sample has put it somewhere.");
+  def_fixed_rows(state, "holds", &ToolState::holds,
+                 "All holds there is room for, a structured array (triangle, weights, stiffness, "
+                 "offset); a view, read-only: attach_tool writes it.");
+  state.def_readonly("hold_count", &ToolState::hold_count, "0 when nothing is attached.")
+      .def_readwrite("touching", &ToolState::touching, "Any contact in force in the last substep.");
+  def_vector(state, "residual", &ToolState::residual,
+             "[N] left between hand and tissue after the last substep.");
+  def_copy(state);
+
+  const Coupling spring;
+  py::class_<Coupling> coupling(m, "Coupling",
+                                "The hand's spring: what pulls the tool to where the device is.");
+  coupling.def(py::init([](double stiffness, double force_max) {
+                 return Coupling{stiffness, force_max};
+               }),
+               py::kw_only(), "stiffness"_a = spring.stiffness, "force_max"_a = spring.force_max);
+  coupling.def_readwrite("stiffness", &Coupling::stiffness, "[N/m] K of Eq 12.")
+      .def_readwrite("force_max", &Coupling::force_max, "[N]");
+  def_copy(coupling);
+  def_repr(coupling, {"stiffness", "force_max"});
+}
+
+void bind_contact_law(py::module_& m) {
+  m.attr("kBarrierFloor") = kBarrierFloor;
+  py::class_<Contact> contact(m, "Contact", "How the tip touches one triangle.");
+  contact.def(py::init<>());
+  def_vector(contact, "weights", &Contact::weights, "Barycentric, of the closest point.");
+  def_vector(contact, "direction", &Contact::direction,
+             "Unit, from the closest point to the tool's centre.");
+  contact.def_readwrite("distance", &Contact::distance, "[m] between the two.")
+      .def_readwrite("force", &Contact::force,
+                     "[N] along direction on the tool, against it on the tissue.")
+      .def_readwrite("stiffness", &Contact::stiffness, "[N/m] d force / d depth.");
+  def_repr(contact, {"weights", "direction", "distance", "force", "stiffness"});
+  m.def("find_contact", &find_contact, "tool"_a, "rest_area"_a, "centre"_a, "a"_a, "b"_a, "c"_a,
+        "contact"_a,
+        "Fills in the contact of a tip at centre with the triangle a, b, c of rest_area [m²]; "
+        "False where there is none, or where the centre lies behind the triangle.");
+  m.def(
+      "compute_point",
+      [](const Triangle& t, const Vec3& weights, const Numbers& x) {
+        const auto xs = points(x, "x");
+        require_triangles(std::span(&t, 1), xs.size());
+        return compute_point(t, weights, xs);
+      },
+      "t"_a, "weights"_a, "x"_a, "[m] The point of a triangle with these barycentric weights.");
+}
+
+void bind_candidates(py::module_& m) {
+  m.attr("kCandidateMargin") = kCandidateMargin;
+  py::class_<Candidates> candidates(
+      m, "Candidates",
+      "Triangles the tool may touch during one tick, ascending, with the area of each [m²].");
+  candidates.def(py::init([](int capacity) { return Candidates(to_index(capacity, "capacity")); }),
+                 "capacity"_a = 0);
+  def_table(candidates, "triangles", &Candidates::triangles,
+            "All there is room for; the first count of them hold; a view, read-only.");
+  def_view(candidates, "areas", &Candidates::areas,
+           "[m²] at rest, so that pressing does not change the law; a view.");
+  candidates.def_readonly("count", &Candidates::count);
+  def_copy(candidates);
+  m.def(
+      "find_candidates",
+      [](const AabbTree& tree, const Numbers& x, const Tool& tool, const Vec3& tool_position,
+         const Vec3& hand_position, const Numbers& rest_areas, Candidates& found) {
+        const auto xs = points(x, "x");
+        require_fit(tree, xs);
+        const auto areas = numbers(rest_areas, "rest_areas");
+        require_count("rest_areas", areas.size(), tree.triangles().size());
+        if (found.triangles.size() < tree.triangles().size()) {
+          refuse("candidates", "room for " + std::to_string(found.triangles.size()),
+                 "for every triangle, " + std::to_string(tree.triangles().size()));
+        }
+        find_candidates(tree, xs, tool, tool_position, hand_position, areas, found);
+      },
+      "tree"_a, "x"_a, "tool"_a, "tool_position"_a, "hand_position"_a, "rest_areas"_a,
+      "candidates"_a,
+      "Finds every triangle within radius + kCandidateMargin of the way from the tool's last "
+      "position to where the hand is now. rest_areas [m²] per triangle of the tissue.");
+}
+
+/// Rows and positions as a contact function wants them, checked against each other.
+struct Surface {
+  Surface(const Integers& triangles_in, const Numbers& x_in)
+      : triangles(copy_index_rows<3>(triangles_in, "triangles")), x(points(x_in, "x")) {
+    require_triangles(triangles, x.size());
+  }
+  std::vector<Triangle> triangles;
+  std::span<const Vec3> x;
+};
+
+void bind_balance(py::module_& m) {
+  m.def(
+      "balance_tool",
+      [](const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
+         const Candidates& candidates, const Integers& triangles, const Numbers& x,
+         ToolState& state, Load& load) {
+        const Surface surface(triangles, x);
+        require_fit(candidates, surface.triangles.size());
+        require_fit(state, surface.triangles.size());
+        return balance_tool(tool, coupling, hand_position, candidates, surface.triangles, surface.x,
+                            state, load);
+      },
+      "tool"_a, "coupling"_a, "hand_position"_a, "candidates"_a, "triangles"_a, "x"_a, "state"_a,
+      "load"_a,
+      "Moves the massless tool to where the hand's spring and the tissue's pushes cancel, and "
+      "writes those pushes into load. Returns the force on the hand [N], K (tool - hand), limited "
+      "to force_max: Eq 12.");
+  m.def(
+      "attach_tool",
+      [](const Load& contacts, const Integers& triangles, const Numbers& x, double stiffness,
+         ToolState& state) {
+        const Surface surface(triangles, x);
+        require_pushes(contacts.pushes(), surface.triangles.size());
+        return attach_tool(contacts, surface.triangles, surface.x, stiffness, state);
+      },
+      "contacts"_a, "triangles"_a, "x"_a, "stiffness"_a, "state"_a,
+      "Fastens the tool to the patch it touches, shares weighted by contact force; stiffness [N/m] "
+      "in all. Does nothing, and returns False, when it touches nothing.");
+  m.def("release_tool", &release_tool, "state"_a);
+  m.def(
+      "bound_contact_stiffness",
+      [](const Tool& tool, const Candidates& candidates, const Integers& triangles,
+         const Numbers& x, const Numbers& mass, const ToolState& state, NumbersOut scratch) {
+        const Surface surface(triangles, x);
+        require_fit(candidates, surface.triangles.size());
+        require_fit(state, surface.triangles.size());
+        const auto masses = numbers(mass, "mass");
+        require_count("mass", masses.size(), surface.x.size());
+        require_count("scratch", numbers(scratch, "scratch").size(), surface.x.size());
+        return bound_contact_stiffness(
+            tool, candidates, surface.triangles, surface.x, masses, state,
+            {scratch.mutable_data(), static_cast<std::size_t>(scratch.size())});
+      },
+      "tool"_a, "candidates"_a, "triangles"_a, "x"_a, "mass"_a, "state"_a, "scratch"_a.noconvert(),
+      "Largest extra eigenvalue [1/s²] that contacts and holds may add to M⁻¹K: max over particles "
+      "of sum k_t w / m. scratch holds one number per particle.");
+}
+
+}  // namespace
+
+void bind_contact(py::module_& m) {
+  bind_tree(m);
+  bind_queries(m);
+  bind_tool(m);
+  bind_contact_law(m);
+  bind_candidates(m);
+  bind_balance(m);
+}
+
+}  // namespace palpate::bindings

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pybind11/native_enum.h>
+
+#include "bindings.h"
+#include "border.h"
+#include "palpate/sim/dynamics/energy.h"
+#include "palpate/sim/dynamics/guard.h"
+#include "palpate/sim/dynamics/stable_step.h"
+#include "palpate/sim/dynamics/step.h"
+#include "palpate/sim/dynamics/tangent.h"
+#include "rows.h"
+#include "value.h"
+
+namespace palpate::bindings {
+
+template <>
+py::dtype row_dtype<Push>() {
+  return RowType<Push>()
+      .field("triangle", &Push::triangle)
+      .field("weights", &Push::weights)
+      .field("force", &Push::force)
+      .dtype();
+}
+
+namespace {
+
+void bind_state(py::module_& m) {
+  py::class_<State> state(m, "State", "Everything about a tissue that changes from step to step.");
+  state.def(py::init<const TissueModel&>(), "model"_a, "The tissue at rest, at time zero.");
+  state.def_readwrite("time", &State::time, "[s]");
+  def_view(state, "position", &State::position,
+           "Particle positions [m], shape (n, 3); a view, so writing moves the particles.");
+  def_view(state, "velocity", &State::velocity, "[m/s], shape (n, 3); a view.");
+  def_view(state, "force", &State::force,
+           "[N] of the last evaluation, loads included, shape (n, 3); a view.");
+  def_copy(state);
+}
+
+void bind_load(py::module_& m) {
+  py::class_<Push> push(m, "Push", "A force on a point of a triangle.");
+  push.def(py::init([](int triangle, const Vec3& weights, const Vec3& force) {
+             return Push{triangle, weights, force};
+           }),
+           "triangle"_a = 0, "weights"_a = Vec3::Zero().eval(), "force"_a = Vec3::Zero().eval());
+  push.def_readwrite("triangle", &Push::triangle);
+  def_vector(push, "weights", &Push::weights, "Barycentric, sum 1.");
+  def_vector(push, "force", &Push::force, "[N]");
+  push.attr("dtype") = row_dtype<Push>();
+  def_copy(push);
+  def_repr(push, {"triangle", "weights", "force"});
+
+  py::class_<Load> load(m, "Load",
+                        "What the surroundings do to a tissue during one step. Pushes have a fixed "
+                        "capacity, so the haptic thread never allocates.");
+  load.def(py::init([](int capacity) { return Load(to_index(capacity, "capacity")); }),
+           "capacity"_a = 0);
+  def_vector(load, "gravity", &Load::gravity, "[m/s²]");
+  def_fixed_rows(load, "storage", &Load::storage,
+                 "All pushes there is room for, a structured array; a view, read-only.");
+  load.def_readonly("push_count", &Load::push_count, "How many of them are in force.");
+  load.def(
+          "pushes",
+          [](const py::object& self) {
+            const auto rows = self.cast<const Load&>().pushes();
+            return read_only(view_rows(rows.data(), rows.size(), self));
+          },
+          "The pushes in force, a structured array (triangle, weights, force); a view, read-only.")
+      .def("clear", &Load::clear)
+      .def("add", &Load::add, "push"_a, "False, and nothing added, when the capacity is used up.");
+  def_copy(load);
+}
+
+void bind_energy(py::module_& m) {
+  py::class_<Energy> energy(m, "Energy", "[J] each. AngleLaw.eq10 has no energy and counts 0.");
+  energy.def(py::init<>())
+      .def_readwrite("kinetic", &Energy::kinetic)
+      .def_readwrite("links", &Energy::links, "Springs and bonds, Eq 8.")
+      .def_readwrite("angles", &Energy::angles, "Eq 9 and Eq 11.")
+      .def_readwrite("home", &Energy::home)
+      .def_readwrite("gravity", &Energy::gravity, "Relative to the origin.")
+      .def_readwrite("pressure", &Energy::pressure,
+                     "-p V; its gradient is the pressure force on closed surfaces.")
+      .def("total", &Energy::total)
+      .def("elastic", &Energy::elastic);
+  def_repr(energy, {"kinetic", "links", "angles", "home", "gravity", "pressure"});
+  m.def(
+      "compute_energy",
+      [](const TissueModel& model, const Vec3& gravity, const State& state) {
+        require_fit(model, state);
+        return compute_energy(model, gravity, state);
+      },
+      "model"_a, "gravity"_a, "state"_a);
+}
+
+void bind_tangent(py::module_& m) {
+  py::native_enum<Projection>(m, "Projection", "enum.Enum")
+      .value("none", Projection::none, "The exact derivative.")
+      .value("positive_semidefinite", Projection::positive_semidefinite,
+             "Tensions and the 3x3 length Hessians clamped at 0.")
+      .finalize();
+  m.def(
+      "compute_stiffness",
+      [](const TissueModel& model, const Numbers& x, Projection projection) {
+        const auto xs = points(x, "x");
+        require_count("x", xs.size(), model.rest_position.size());
+        return compute_stiffness(model, xs, projection);
+      },
+      "model"_a, "x"_a, "projection"_a,
+      "K = -df/dx at positions x [N/m], (3n, 3n), springs, bonds, angles and home; pressure and "
+      "pushes are left out. Rows and columns of fixed particles are zero.");
+  m.def(
+      "compute_damping",
+      [](const TissueModel& model, const Numbers& x) {
+        const auto xs = points(x, "x");
+        require_count("x", xs.size(), model.rest_position.size());
+        return compute_damping(model, xs);
+      },
+      "model"_a, "x"_a,
+      "C = -df/dv at positions x [N·s/m], (3n, 3n), links and drag. Fixed as above.");
+}
+
+void bind_integrators(py::module_& m) {
+  py::native_enum<Integrator>(m, "Integrator", "enum.Enum")
+      .value("explicit_euler", Integrator::explicit_euler,
+             "x with the old velocity; never stable without damping.")
+      .value("symplectic_euler", Integrator::symplectic_euler,
+             "v first, x with the new v: what Eq 4-5 of the paper really is.")
+      .value("midpoint", Integrator::midpoint, "Explicit midpoint, second order.")
+      .value("runge_kutta_4", Integrator::runge_kutta_4)
+      .value("implicit_euler_linear", Integrator::implicit_euler_linear,
+             "One Newton step with the projected tangent.")
+      .value("implicit_euler", Integrator::implicit_euler, "Newton until the residual is small.")
+      .value("implicit_midpoint", Integrator::implicit_midpoint)
+      .finalize();
+  m.def("find_integrator", &find_integrator, "name"_a,
+        "'symplectic_euler' -> Integrator.symplectic_euler; None for an unknown name.");
+  m.def("integrator_name", &integrator_name, "integrator"_a);
+}
+
+void require_step(const TissueModel& model, const Load& load, double dt, const State& state) {
+  require_positive("dt", dt);
+  require_fit(model, state);
+  require_pushes(load.pushes(), model.triangles.size());
+}
+
+void require_explicit(Integrator integrator) {
+  if (integrator >= Integrator::implicit_euler_linear) {
+    refuse("integrator", std::string(integrator_name(integrator)),
+           "an explicit one; ImplicitStepper takes the others");
+  }
+}
+
+void bind_step(py::module_& m) {
+  m.def(
+      "step",
+      [](const TissueModel& model, const Load& load, double dt, State& state) {
+        require_step(model, load, dt, state);
+        const py::gil_scoped_release released;
+        step(model, load, dt, state);
+      },
+      "model"_a, "load"_a, "dt"_a, "state"_a,
+      "Advances state in place by dt [s] with symplectic Euler, which must stay below "
+      "stable_step(model).");
+  m.def(
+      "step",
+      [](const TissueModel& model, const Load& load, double dt, Integrator integrator,
+         State& state) {
+        require_step(model, load, dt, state);
+        require_explicit(integrator);
+        const py::gil_scoped_release released;
+        step(model, load, dt, integrator, state);
+      },
+      "model"_a, "load"_a, "dt"_a, "integrator"_a, "state"_a,
+      "The same with any explicit integrator.");
+
+  // the stepper keeps a pointer to its model; the model is kept beside it for the border's checks
+  struct Stepper {
+    const TissueModel& model;
+    ImplicitStepper stepper;
+  };
+  py::class_<Stepper>(m, "ImplicitStepper",
+                      "Steps with an implicit integrator; owns the sparse factorisation.")
+      .def(py::init([](const TissueModel& model, Integrator integrator) {
+             return Stepper{model, ImplicitStepper(model, integrator)};
+           }),
+           "model"_a, "integrator"_a, py::keep_alive<1, 2>())
+      .def(
+          "step",
+          [](Stepper& self, const Load& load, double dt, State& state) {
+            require_step(self.model, load, dt, state);
+            const py::gil_scoped_release released;
+            return self.stepper.step(load, dt, state);
+          },
+          "load"_a, "dt"_a, "state"_a,
+          "Advances state by dt [s]; returns the Newton iterations used.");
+}
+
+void bind_stable_step(py::module_& m) {
+  py::class_<Spectrum> spectrum(
+      m, "Spectrum",
+      "Largest eigenvalues at rest, fixed particles left out, with a coupling [N/m] holding the "
+      "particle it hurts most.");
+  spectrum.def(py::init([](double stiffness, double damping) {
+                 return Spectrum{stiffness, damping};
+               }),
+               py::kw_only(), "stiffness"_a = 0.0, "damping"_a = 0.0);
+  spectrum.def_readwrite("stiffness", &Spectrum::stiffness, "[1/s²] of M⁻¹K")
+      .def_readwrite("damping", &Spectrum::damping, "[1/s] of M⁻¹C");
+  def_repr(spectrum, {"stiffness", "damping"});
+  m.def("estimate_spectrum", &estimate_spectrum, "model"_a, "coupling"_a = 0.0,
+        py::call_guard<py::gil_scoped_release>());
+  m.def("stable_step", &stable_step, "model"_a, "coupling"_a = 0.0,
+        py::call_guard<py::gil_scoped_release>(),
+        "[s] A step at which symplectic Euler is stable at rest, with a margin; coupling [N/m] is "
+        "the stiffness that a tool may add at any one particle. Lies between 0.6 and 1.0 of the "
+        "exact limit.");
+}
+
+void bind_alarm(py::module_& m) {
+  py::native_enum<AlarmKind>(m, "AlarmKind", "enum.Enum")
+      .value("none", AlarmKind::none)
+      .value("not_finite", AlarmKind::not_finite, "index: particle")
+      .value("moved_far", AlarmKind::moved_far,
+             "index: particle; more than 0.3 of the shortest rest length in one step")
+      .value("overstretched", AlarmKind::overstretched, "index: link; strain above 2")
+      .value("collapsed", AlarmKind::collapsed, "index: link; shorter than 0.05 of its rest length")
+      .value("energy", AlarmKind::energy, "index: -1; total energy grows without work")
+      .finalize();
+  py::class_<Alarm> alarm(m, "Alarm",
+                          "What is wrong with a running tissue, as a value; false for nothing.");
+  alarm.def(py::init<>())
+      .def_readwrite("kind", &Alarm::kind)
+      .def_readwrite("index", &Alarm::index)
+      .def_readwrite("value", &Alarm::value, "What was measured.")
+      .def_readwrite("limit", &Alarm::limit, "What it may be.")
+      .def_readwrite("time", &Alarm::time, "[s]")
+      .def("__bool__", [](const Alarm& self) { return static_cast<bool>(self); });
+  def_repr(alarm, {"kind", "index", "value", "limit", "time"});
+}
+
+void bind_guard(py::module_& m) {
+  py::class_<Guard> guard(m, "Guard", "The memory of the blow-up alarm between steps.");
+  guard.def(py::init([](const TissueModel& model, const Vec3& gravity, const State& state) {
+              require_fit(model, state);
+              return Guard(model, gravity, state);
+            }),
+            "model"_a, "gravity"_a, "state"_a);
+  def_view(guard, "last_position", &Guard::last_position, "[m], shape (n, 3); a view.");
+  guard.def_readwrite("shortest_rest_length", &Guard::shortest_rest_length, "[m]")
+      .def_readwrite("start_energy", &Guard::start_energy, "[J]")
+      .def_readwrite("last_energy", &Guard::last_energy, "[J]")
+      .def_readwrite("work", &Guard::work, "[J] done by loads since the start.")
+      .def_readwrite("rising_steps", &Guard::rising_steps);
+  def_copy(guard);
+  m.def(
+      "check",
+      [](const TissueModel& model, const Vec3& gravity, const State& state, double work,
+         Guard& guard_) {
+        require_fit(model, state);
+        require_fit(model, guard_);
+        return check(model, gravity, state, work, guard_);
+      },
+      "model"_a, "gravity"_a, "state"_a, "work"_a, "guard"_a,
+      "Looks at a tissue after a step; the first thing wrong comes back. work [J] is what pushes "
+      "have done to the tissue in this step (gravity and pressure are energies and do not count).");
+}
+
+}  // namespace
+
+void bind_dynamics(py::module_& m) {
+  bind_state(m);
+  bind_load(m);
+  bind_forces(m);
+  bind_energy(m);
+  bind_tangent(m);
+  bind_integrators(m);
+  bind_step(m);
+  bind_stable_step(m);
+  bind_alarm(m);
+  bind_guard(m);
+}
+
+}  // namespace palpate::bindings

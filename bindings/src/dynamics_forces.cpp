@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bindings.h"
+#include "border.h"
+#include "palpate/sim/dynamics/forces.h"
+#include "rows.h"
+
+namespace palpate::bindings {
+
+namespace {
+
+void require_like(std::span<const Vec3> x, std::span<const Vec3> other, const char* name) {
+  require_count(name, other.size(), x.size());
+}
+
+void bind_link_and_angle_forces(py::module_& m) {
+  m.def(
+      "accumulate_link_forces",
+      [](const Links& links, DampingLaw law, const Numbers& x, const Numbers& v, NumbersOut f) {
+        const auto xs = points(x, "x"), vs = points(v, "v");
+        const auto fs = points_out(f, "f");
+        require_like(xs, vs, "v");
+        require_like(xs, fs, "f");
+        require_links(links, xs.size());
+        accumulate_link_forces(links, law, xs, vs, fs);
+      },
+      "links"_a, "law"_a, "x"_a, "v"_a, "f"_a.noconvert(),
+      "Adds to f [N] the pull of every link: Hooke's law with damping (Eq 1, 2, 8).");
+  const auto bind_angles = [&m](const char* name, auto kernel, const char* doc) {
+    m.def(
+        name,
+        [kernel](const Angles& angles, const Numbers& x, NumbersOut f) {
+          const auto xs = points(x, "x");
+          const auto fs = points_out(f, "f");
+          require_like(xs, fs, "f");
+          require_angles(angles, xs.size());
+          kernel(angles, xs, fs);
+        },
+        "angles"_a, "x"_a, "f"_a.noconvert(), doc);
+  };
+  bind_angles("accumulate_angle_forces", &accumulate_angle_forces,
+              "Adds to f [N] Eq 9 and Eq 11 of the paper as edge tensions.");
+  bind_angles("accumulate_eq10_forces", &accumulate_eq10_forces,
+              "Adds to f [N] Eq 10 of the paper, as printed but with the sign that reopens a "
+              "closed angle.");
+}
+
+void bind_surface_forces(py::module_& m) {
+  m.def(
+      "accumulate_home_forces",
+      [](const Numbers& home, const Numbers& rest, const Numbers& x, NumbersOut f) {
+        const auto xs = points(x, "x"), rests = points(rest, "rest");
+        const auto fs = points_out(f, "f");
+        require_like(xs, rests, "rest");
+        require_like(xs, fs, "f");
+        const auto homes = numbers(home, "home");
+        if (!homes.empty()) require_count("home", homes.size(), xs.size());
+        accumulate_home_forces(homes, rests, xs, fs);
+      },
+      "home"_a, "rest"_a, "x"_a, "f"_a.noconvert(),
+      "Adds to f [N] the pull of every particle to its rest position, home [N/m].");
+  m.def(
+      "accumulate_pressure_forces",
+      [](const Integers& triangles, double pressure, const Numbers& x, NumbersOut f) {
+        const auto rows = copy_index_rows<3>(triangles, "triangles");
+        const auto xs = points(x, "x");
+        const auto fs = points_out(f, "f");
+        require_like(xs, fs, "f");
+        require_triangles(rows, xs.size());
+        accumulate_pressure_forces(rows, pressure, xs, fs);
+      },
+      "triangles"_a, "pressure"_a, "x"_a, "f"_a.noconvert(),
+      "Adds to f [N] the push of a pressure [Pa] inside a surface.");
+  m.def(
+      "accumulate_push_forces",
+      [](const Integers& triangles, const py::object& pushes, NumbersOut f) {
+        const auto rows = copy_index_rows<3>(triangles, "triangles");
+        const auto all = copy_rows<Push>(pushes, "pushes");
+        const auto fs = points_out(f, "f");
+        require_triangles(rows, fs.size());
+        require_pushes(all, rows.size());
+        accumulate_push_forces(rows, all, fs);
+      },
+      "triangles"_a, "pushes"_a, "f"_a.noconvert(),
+      "Adds to f [N] pushes, a structured array as of Load.pushes() or a list of Push, shared by "
+      "their barycentric weights.");
+}
+
+void bind_body_forces(py::module_& m) {
+  m.def(
+      "accumulate_gravity",
+      [](const Numbers& mass, const Vec3& gravity, NumbersOut f) {
+        const auto fs = points_out(f, "f");
+        const auto masses = numbers(mass, "mass");
+        require_count("mass", masses.size(), fs.size());
+        accumulate_gravity(masses, gravity, fs);
+      },
+      "mass"_a, "gravity"_a, "f"_a.noconvert(), "Adds to f [N] the weight of every particle.");
+  m.def(
+      "accumulate_drag",
+      [](const Numbers& mass, double drag, const Numbers& v, NumbersOut f) {
+        const auto vs = points(v, "v");
+        const auto fs = points_out(f, "f");
+        require_like(vs, fs, "f");
+        const auto masses = numbers(mass, "mass");
+        require_count("mass", masses.size(), vs.size());
+        accumulate_drag(masses, drag, vs, fs);
+      },
+      "mass"_a, "drag"_a, "v"_a, "f"_a.noconvert(),
+      "Adds to f [N] what the surroundings take: drag [1/s] x mass x velocity.");
+  m.def(
+      "compute_forces",
+      [](const TissueModel& model, const Load& load, const Numbers& x, const Numbers& v,
+         NumbersOut f) {
+        const auto xs = points(x, "x"), vs = points(v, "v");
+        const auto fs = points_out(f, "f");
+        require_count("x", xs.size(), model.rest_position.size());
+        require_like(xs, vs, "v");
+        require_like(xs, fs, "f");
+        require_pushes(load.pushes(), model.triangles.size());
+        compute_forces(model, load, xs, vs, fs);
+      },
+      "model"_a, "load"_a, "x"_a, "v"_a, "f"_a.noconvert(),
+      "Sets f [N] to all of the above for a model under a load. The entries of fixed particles "
+      "hold what the support must carry.");
+}
+
+}  // namespace
+
+void bind_forces(py::module_& m) {
+  bind_link_and_angle_forces(m);
+  bind_surface_forces(m);
+  bind_body_forces(m);
+}
+
+}  // namespace palpate::bindings

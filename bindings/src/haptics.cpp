@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pybind11/native_enum.h>
+
+#include "bindings.h"
+#include "border.h"
+#include "palpate/sim/haptics/place_tool.h"
+#include "palpate/sim/haptics/tick.h"
+#include "rows.h"
+#include "value.h"
+
+namespace palpate::bindings {
+
+template <>
+py::dtype row_dtype<HapticSample>() {
+  return RowType<HapticSample>()
+      .field("time", &HapticSample::time)
+      .field("position", &HapticSample::position)
+      .field("orientation", &HapticSample::orientation)
+      .field("velocity", &HapticSample::velocity)
+      .field("buttons", &HapticSample::buttons)
+      .field("grip", &HapticSample::grip)
+      .dtype();
+}
+
+namespace {
+
+Quaternion to_quaternion(const Eigen::Vector4d& xyzw) {
+  return Quaternion(xyzw[3], xyzw[0], xyzw[1], xyzw[2]);
+}
+
+void bind_sample(py::module_& m) {
+  const HapticSample still;
+  py::class_<HapticSample> sample(m, "HapticSample",
+                                  "What a device says of the hand: six degrees of freedom in.");
+  sample.def(
+      py::init([](double time, const Vec3& position, const Eigen::Vector4d& orientation,
+                  const Vec3& velocity, std::uint8_t buttons, double grip) {
+        return HapticSample{time, position, to_quaternion(orientation), velocity, buttons, grip};
+      }),
+      py::kw_only(), "time"_a = still.time, "position"_a = still.position,
+      "orientation"_a = Eigen::Vector4d(still.orientation.coeffs()), "velocity"_a = still.velocity,
+      "buttons"_a = still.buttons, "grip"_a = still.grip);
+  sample.def_readwrite("time", &HapticSample::time, "[s] since the run began.");
+  def_vector(sample, "position", &HapticSample::position, "[m]");
+  sample.def_property(
+      "orientation",
+      [](const py::object& self) { return view_one(self.cast<HapticSample&>().orientation, self); },
+      [](HapticSample& self, const Eigen::Vector4d& xyzw) {
+        self.orientation = to_quaternion(xyzw);
+      },
+      "Unit quaternion (x, y, z, w); a view.");
+  def_vector(sample, "velocity", &HapticSample::velocity, "[m/s]");
+  sample.def_readwrite("buttons", &HapticSample::buttons, "Bit 0: attach while held.")
+      .def_readwrite("grip", &HapticSample::grip, "[rad]");
+  sample.attr("dtype") = row_dtype<HapticSample>();
+  def_copy(sample);
+  def_repr(sample, {"time", "position", "orientation", "velocity", "buttons", "grip"});
+  m.attr("kAttachButton") = kAttachButton;
+
+  py::class_<HapticCommand> command(
+      m, "HapticCommand",
+      "What the device shall make the hand feel: three degrees of freedom out.");
+  command.def(py::init([](const Vec3& force) { return HapticCommand{force}; }),
+              "force"_a = Vec3::Zero().eval());
+  def_vector(command, "force", &HapticCommand::force, "[N]");
+  def_copy(command);
+  def_repr(command, {"force"});
+}
+
+void bind_scene_fields(py::class_<Scene>& scene) {
+  scene.def_property(
+      "tissue", [](Scene& self) -> TissueModel& { return self.tissue; },
+      [](Scene& self, const TissueModel& value) {
+        // a second tissue would take the memory away under the views of the first
+        if (!self.tissue.rest_position.empty()) {
+          refuse("scene.tissue", "a scene that has its tissue", "a new Scene for another one");
+        }
+        self.tissue = value;
+      },
+      "The tissue; assigned, and copied, once.");
+  scene.def_readwrite("tool", &Scene::tool)
+      .def_readwrite("coupling", &Scene::coupling)
+      .def_readwrite("hold_stiffness", &Scene::hold_stiffness,
+                     "[N/m] between tool and patch while attached.");
+  def_vector(scene, "gravity", &Scene::gravity, "[m/s²]");
+  scene.def_readwrite("rate", &Scene::rate, "[Hz]")
+      .def_readwrite("substeps", &Scene::substeps,
+                     "Tissue steps per tick without contact; build_scene chooses when 0.")
+      .def_readwrite("substeps_max", &Scene::substeps_max,
+                     "Contact may raise them to this; build_scene chooses when 0.");
+  def_table(scene, "rest_areas", &Scene::rest_areas,
+            "[m²] per triangle, filled in by build_scene; a view, read-only.");
+  scene
+      .def_readonly("spectrum_stiffness", &Scene::spectrum_stiffness,
+                    "[1/s²] largest eigenvalue of M⁻¹K at rest, filled in by build_scene.")
+      .def_readonly("spectrum_damping", &Scene::spectrum_damping,
+                    "[1/s] of M⁻¹C, filled in by build_scene.");
+}
+
+void bind_scene(py::module_& m) {
+  const Scene usual;
+  py::class_<Scene> scene(m, "Scene",
+                          "A tissue, a tool, and how the hand is coupled to it: all that a tick "
+                          "needs and never changes.");
+  scene.def(py::init([](const TissueModel* tissue, const Tool& tool, const Coupling& coupling,
+                        double hold_stiffness, const Vec3& gravity, double rate, int substeps,
+                        int substeps_max) {
+              Scene made;
+              if (tissue) made.tissue = *tissue;
+              made.tool = tool;
+              made.coupling = coupling;
+              made.hold_stiffness = hold_stiffness;
+              made.gravity = gravity;
+              made.rate = rate;
+              made.substeps = substeps;
+              made.substeps_max = substeps_max;
+              return made;
+            }),
+            py::kw_only(), "tissue"_a = py::none(), "tool"_a = usual.tool,
+            "coupling"_a = usual.coupling, "hold_stiffness"_a = usual.hold_stiffness,
+            "gravity"_a = usual.gravity, "rate"_a = usual.rate, "substeps"_a = usual.substeps,
+            "substeps_max"_a = usual.substeps_max,
+            "Copies its parts. build_scene makes it ready for ticks.");
+  bind_scene_fields(scene);
+  def_copy(scene);
+  m.def("build_scene", &build_scene, "scene"_a, py::call_guard<py::gil_scoped_release>(),
+        "Checks a scene once and fills in what is derived from it. Raises ValueError naming the "
+        "field, what it got and what was expected.");
+}
+
+void bind_world(py::module_& m) {
+  py::class_<World> world(m, "World",
+                          "A running scene. Everything a tick needs is allocated here, once.");
+  world.def(py::init([](const Scene& scene) {
+              require_built(scene);
+              const py::gil_scoped_release released;
+              return World(scene);
+            }),
+            "scene"_a);
+  world.def_readonly("tissue", &World::tissue)
+      .def_readonly("tree", &World::tree)
+      .def_readonly("candidates", &World::candidates)
+      .def_readonly("tool", &World::tool)
+      .def_readonly("load", &World::load)
+      .def_readonly("guard", &World::guard)
+      .def_readonly("alarm", &World::alarm,
+                    "The first alarm; from then on the force is zero and the tissue stands still.")
+      .def_readonly("tick_count", &World::tick_count)
+      .def_readonly("substeps", &World::substeps, "Of the last tick.")
+      .def_readonly("attach_pressed", &World::attach_pressed);
+  def_view(world, "scratch", &World::scratch, "Per particle; a view.");
+  def_copy(world);
+}
+
+void bind_tick(py::module_& m) {
+  m.def(
+      "tick",
+      [](const Scene& scene, const HapticSample& sample, double dt, World& world) {
+        require_positive("dt", dt);
+        require_fit(scene, world);
+        const py::gil_scoped_release released;
+        return tick(scene, sample, dt, world);
+      },
+      "scene"_a, "sample"_a, "dt"_a, "world"_a,
+      "One haptic tick of dt [s]: from where the hand is to the force it must feel, the mean over "
+      "the substeps. The live loop, the replay of a record and the tests all call this function.");
+  m.def("compute_felt", &compute_felt, "command"_a, "world"_a,
+        "What a record keeps of a tick, lateness left at 0.");
+  m.def("compute_hash", &compute_hash, "world"_a,
+        "128 bits over positions, velocities and the tool: equal worlds, equal hashes.");
+  m.def(
+      "place_tool",
+      [](const AabbTree& tree, const Numbers& x, const Vec3& hand_position, ToolState& tool) {
+        const auto xs = points(x, "x");
+        require_fit(tree, xs);
+        return place_tool(tree, xs, hand_position, tool);
+      },
+      "tree"_a, "x"_a, "hand_position"_a, "tool"_a,
+      "Puts a tool that is nowhere yet where the hand is, and returns whether it is in the scene. "
+      "A hand that begins inside the tissue has no tool until it has come out.");
+  m.def(
+      "compute_winding_number",
+      [](const Integers& triangles, const Numbers& x, const Vec3& p) {
+        const auto rows = copy_index_rows<3>(triangles, "triangles");
+        const auto xs = points(x, "x");
+        require_triangles(rows, xs.size());
+        return compute_winding_number(rows, xs, p);
+      },
+      "triangles"_a, "x"_a, "p"_a,
+      "How often the surface goes round p: 1 inside of a closed surface, 0 outside, and for an "
+      "open one the share of all directions from p that it covers.");
+}
+
+}  // namespace
+
+void bind_haptics(py::module_& m) {
+  bind_sample(m);
+  bind_log(m);
+  bind_scene(m);
+  bind_world(m);
+  bind_tick(m);
+  bind_devices(m);
+  bind_loop(m);
+}
+
+}  // namespace palpate::bindings

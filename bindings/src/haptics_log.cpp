@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pybind11/native_enum.h>
+
+#include "bindings.h"
+#include "border.h"
+#include "palpate/sim/haptics/tick_log.h"
+#include "rows.h"
+#include "value.h"
+
+namespace palpate::bindings {
+
+template <>
+py::dtype row_dtype<Felt>() {
+  return RowType<Felt>()
+      .field("force", &Felt::force)
+      .field("position", &Felt::position)
+      .field("touched", &Felt::touched)
+      .field("lateness_us", &Felt::lateness_us)
+      .dtype();
+}
+
+template <>
+py::dtype row_dtype<Happening>() {
+  return RowType<Happening>()
+      .field("tick", &Happening::tick)
+      .integer("kind", &Happening::kind)
+      .field("index", &Happening::index)
+      .field("value", &Happening::value)
+      .dtype();
+}
+
+template <>
+py::dtype row_dtype<StateHash>() {
+  return RowType<StateHash>()
+      .field("tick", &StateHash::tick)
+      .field("hash", &StateHash::hash)
+      .dtype();
+}
+
+template <>
+py::dtype row_dtype<TickLog::Tick>() {
+  return RowType<TickLog::Tick>()
+      .field("tick", &TickLog::Tick::tick)
+      .nested("sample", &TickLog::Tick::sample, row_dtype<HapticSample>())
+      .nested("felt", &TickLog::Tick::felt, row_dtype<Felt>())
+      .dtype();
+}
+
+namespace {
+
+void bind_log_rows(py::module_& m) {
+  py::class_<Felt> felt(m, "Felt", "What was felt in one tick.");
+  felt.def(py::init<>());
+  felt.def_property(
+      "force", [](const py::object& self) { return view_one(self.cast<Felt&>().force, self); },
+      [](Felt& self, const Eigen::Vector3f& value) { self.force = value; },
+      "[N] float32, from tick(), before the safety wrapper.");
+  felt.def_property(
+      "position",
+      [](const py::object& self) { return view_one(self.cast<Felt&>().position, self); },
+      [](Felt& self, const Eigen::Vector3f& value) { self.position = value; },
+      "[m] float32, the tool.");
+  felt.def_readwrite("touched", &Felt::touched, "Bit 0: touching, bit 1: attached.")
+      .def_readwrite("lateness_us", &Felt::lateness_us, "[us] saturates.");
+  felt.attr("dtype") = row_dtype<Felt>();
+  def_repr(felt, {"force", "position", "touched", "lateness_us"});
+
+  // an integer in Python too, to be compared with the column of a structured array
+  py::native_enum<HappeningKind>(m, "HappeningKind", "enum.IntEnum")
+      .value("missed_ticks", HappeningKind::missed_ticks,
+             "index: how many were skipped before this tick")
+      .value("record_gap", HappeningKind::record_gap,
+             "index: how many ticks the log had no room for")
+      .value("alarm", HappeningKind::alarm, "index: AlarmKind")
+      .value("fault", HappeningKind::fault, "index: DeviceFault")
+      .value("attached", HappeningKind::attached)
+      .value("released", HappeningKind::released)
+      .finalize();
+  py::class_<Happening> happening(m, "Happening", "Something that happened at a tick.");
+  happening
+      .def(py::init([](std::int64_t tick, HappeningKind kind, std::int32_t index, double value) {
+             return Happening{tick, kind, index, value};
+           }),
+           py::kw_only(), "tick"_a = 0, "kind"_a = HappeningKind::missed_ticks, "index"_a = 0,
+           "value"_a = 0.0)
+      .def_readwrite("tick", &Happening::tick)
+      .def_readwrite("kind", &Happening::kind)
+      .def_readwrite("index", &Happening::index)
+      .def_readwrite("value", &Happening::value);
+  happening.attr("dtype") = row_dtype<Happening>();
+  def_repr(happening, {"tick", "kind", "index", "value"});
+
+  py::class_<StateHash> hash(m, "StateHash", "The world's hash after a tick (compute_hash).");
+  hash.def(py::init([](std::int64_t tick, const std::array<std::uint64_t, 2>& value) {
+             return StateHash{tick, value};
+           }),
+           py::kw_only(), "tick"_a = 0, "hash"_a = std::array<std::uint64_t, 2>{});
+  hash.def_readwrite("tick", &StateHash::tick).def_readwrite("hash", &StateHash::hash);
+  hash.attr("dtype") = row_dtype<StateHash>();
+  def_repr(hash, {"tick", "hash"});
+}
+
+void bind_tick_log(py::module_& m) {
+  py::class_<TickLog> log(
+      m, "TickLog",
+      "Where the haptic thread leaves what it did: rings with room for 4 s, one writer and one "
+      "reader, without lock or allocation. A full ring is a counted gap, never a blocked tick.");
+  py::class_<TickLog::Tick> tick(log, "Tick", "One tick as logged.");
+  tick.def(py::init([](std::int64_t number, const HapticSample& sample, const Felt& felt) {
+             return TickLog::Tick{number, sample, felt};
+           }),
+           py::kw_only(), "tick"_a = 0, "sample"_a = HapticSample(), "felt"_a = Felt())
+      .def_readwrite("tick", &TickLog::Tick::tick)
+      .def_readwrite("sample", &TickLog::Tick::sample)
+      .def_readwrite("felt", &TickLog::Tick::felt);
+  tick.attr("dtype") = row_dtype<TickLog::Tick>();
+
+  log.def(py::init([](int tick_capacity) {
+            require_positive("tick_capacity", tick_capacity);
+            return std::make_unique<TickLog>(tick_capacity);
+          }),
+          "tick_capacity"_a = 4000);
+  log.def("push", py::overload_cast<const TickLog::Tick&>(&TickLog::push), "tick"_a,
+          "For the one writer; False, and counted, when there is no room.")
+      .def("push", py::overload_cast<const Happening&>(&TickLog::push), "happening"_a)
+      .def("push", py::overload_cast<const StateHash&>(&TickLog::push), "hash"_a)
+      .def(
+          "take",
+          [](TickLog& self) {
+            std::vector<TickLog::Tick> ticks;
+            std::vector<Happening> happenings;
+            std::vector<StateHash> hashes;
+            self.take(ticks, happenings, hashes);
+            return py::make_tuple(own_rows(std::move(ticks)), own_rows(std::move(happenings)),
+                                  own_rows(std::move(hashes)));
+          },
+          "For the one reader: ticks, happenings and hashes that have arrived since the last call, "
+          "as structured arrays.")
+      .def("gap_count", &TickLog::gap_count);
+}
+
+}  // namespace
+
+void bind_log(py::module_& m) {
+  bind_log_rows(m);
+  bind_tick_log(m);
+}
+
+}  // namespace palpate::bindings

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pybind11/native_enum.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "bindings.h"
+#include "border.h"
+#include "palpate/sim/haptics/loop.h"
+#include "palpate/sim/haptics/simulated_devices.h"
+#include "rows.h"
+#include "value.h"
+
+namespace palpate::bindings {
+
+namespace {
+
+void bind_safe_device(py::module_& m) {
+  const SafetyLimits usual;
+  py::class_<SafetyLimits> limits(m, "SafetyLimits");
+  limits
+      .def(py::init([](double force_max, double slew_max, double ramp_time) {
+             return SafetyLimits{force_max, slew_max, ramp_time};
+           }),
+           py::kw_only(), "force_max"_a = usual.force_max, "slew_max"_a = usual.slew_max,
+           "ramp_time"_a = usual.ramp_time)
+      .def_readwrite("force_max", &SafetyLimits::force_max, "[N] norm")
+      .def_readwrite("slew_max", &SafetyLimits::slew_max, "[N/s]")
+      .def_readwrite("ramp_time", &SafetyLimits::ramp_time,
+                     "[s] from the first command to full force.");
+  def_copy(limits);
+  def_repr(limits, {"force_max", "slew_max", "ramp_time"});
+
+  py::native_enum<DeviceFault>(m, "DeviceFault", "enum.Enum")
+      .value("none", DeviceFault::none)
+      .value("sample_not_finite", DeviceFault::sample_not_finite)
+      .value("force_not_finite", DeviceFault::force_not_finite)
+      .finalize();
+  py::class_<SafeDevice, HapticDevice>(
+      m, "SafeDevice",
+      "Stands between the tick and any device: nothing non-finite passes, forces are limited in "
+      "norm and slew and fade in at the start. The first fault latches.")
+      .def(py::init<HapticDevice&, const SafetyLimits&>(), "device"_a, "limits"_a = usual,
+           py::keep_alive<1, 2>(), "Raises ValueError for limits that are not positive.")
+      .def("fault", &SafeDevice::fault)
+      .def("sent", &SafeDevice::sent, "What was really sent last.")
+      .def("limited_count", &SafeDevice::limited_count,
+           "How often the norm clamp or the slew limit had to act.");
+}
+
+void bind_scripted_device(py::module_& m) {
+  py::class_<KeyFrame> frame(m, "KeyFrame",
+                             "One moment of a script; between key frames the hand moves smoothly "
+                             "(minimum jerk), buttons hold from their frame on.");
+  frame.def(py::init([](double time, const Vec3& position, std::uint8_t buttons) {
+              return KeyFrame{time, position, buttons};
+            }),
+            "time"_a = 0.0, "position"_a = Vec3::Zero().eval(), "buttons"_a = 0);
+  frame.def_readwrite("time", &KeyFrame::time, "[s], ascending.");
+  def_vector(frame, "position", &KeyFrame::position, "[m]");
+  frame.def_readwrite("buttons", &KeyFrame::buttons);
+  def_copy(frame);
+  def_repr(frame, {"time", "position", "buttons"});
+
+  py::class_<ScriptedDevice, HapticDevice>(m, "ScriptedDevice",
+                                           "A hand that follows a script, the same in every run.")
+      .def(py::init<std::vector<KeyFrame>>(), "frames"_a,
+           "Raises ValueError for no frames, times that do not ascend, or non-finite numbers.")
+      .def("duration", &ScriptedDevice::duration, "[s]")
+      .def_readonly("last_command", &ScriptedDevice::last_command);
+}
+
+}  // namespace
+
+void bind_devices(py::module_& m) {
+  py::class_<HapticDevice>(
+      m, "HapticDevice",
+      "A haptic device, real or simulated. read and write belong to the haptic thread, which "
+      "Python never enters, so Python cannot make a device of its own: feed a PointerDevice.")
+      .def("read", &HapticDevice::read, "time"_a,
+           "The hand at time [s] since the run began; devices with a clock of their own may ignore "
+           "it.")
+      .def("write", &HapticDevice::write, "command"_a)
+      .def("name", &HapticDevice::name);
+  bind_safe_device(m);
+  bind_scripted_device(m);
+  py::class_<PointerDevice, HapticDevice>(
+      m, "PointerDevice",
+      "A hand that a window moves: set() from one thread, read() from the haptic thread.")
+      .def(py::init<>())
+      .def("set", &PointerDevice::set, "sample"_a,
+           "One calling thread; time is filled in by read().")
+      .def("take_command", &PointerDevice::take_command,
+           "The newest force, for the same thread as set().");
+  py::class_<ReplayDevice, HapticDevice>(
+      m, "ReplayDevice",
+      "A hand read back from a record, one sample per call, whatever the time; the last one stays.")
+      .def(
+          py::init([](const py::object& samples) {
+            return std::make_unique<ReplayDevice>(copy_rows<HapticSample>(samples, "samples"));
+          }),
+          "samples"_a,
+          "Takes a structured array as of Record.hand or a list of HapticSample. Raises ValueError "
+          "for no samples.")
+      .def("finished", &ReplayDevice::finished)
+      .def_readonly("last_command", &ReplayDevice::last_command);
+}
+
+namespace {
+
+void bind_options(py::module_& m) {
+  const LoopOptions usual;
+  py::class_<LoopOptions> options(m, "LoopOptions");
+  options
+      .def(py::init([](double duration, bool realtime, int cpu, double spin,
+                       const SafetyLimits& safety) {
+             return LoopOptions{duration, realtime, cpu, spin, safety};
+           }),
+           py::kw_only(), "duration"_a = usual.duration, "realtime"_a = usual.realtime,
+           "cpu"_a = usual.cpu, "spin"_a = usual.spin, "safety"_a = usual.safety)
+      .def_readwrite("duration", &LoopOptions::duration, "[s] 0 runs until stop().")
+      .def_readwrite("realtime", &LoopOptions::realtime, "Ask for SCHED_FIFO and locked memory.")
+      .def_readwrite("cpu", &LoopOptions::cpu, "Pin the thread to this core, -1 for none.")
+      .def_readwrite("spin", &LoopOptions::spin, "[s] spun instead of slept before every tick.")
+      .def_readwrite("safety", &LoopOptions::safety);
+  def_copy(options);
+  def_repr(options, {"duration", "realtime", "cpu", "spin", "safety"});
+}
+
+void bind_snapshot(py::module_& m) {
+  py::class_<Snapshot> snapshot(
+      m, "Snapshot",
+      "What a reader outside the haptic thread sees: the world as it was at most 8 ms ago.");
+  snapshot.def_readonly("tick", &Snapshot::tick).def_readonly("time", &Snapshot::time, "[s]");
+  def_view(snapshot, "position", &Snapshot::position, "[m], shape (n, 3); a view.");
+  snapshot.def_readonly("sample", &Snapshot::sample);
+  def_vector(snapshot, "tool_position", &Snapshot::tool_position, "[m]");
+  def_vector(snapshot, "force", &Snapshot::force, "[N] on the hand.");
+  snapshot.def_readonly("touching", &Snapshot::touching)
+      .def_readonly("cost", &Snapshot::cost, "[s] of the last tick.")
+      .def_readonly("lateness", &Snapshot::lateness, "[s] of the last tick.")
+      .def_readonly("substeps", &Snapshot::substeps)
+      .def_readonly("missed_ticks", &Snapshot::missed_ticks);
+}
+
+void bind_report(py::module_& m) {
+  py::class_<Percentiles> percentiles(m, "Percentiles",
+                                      "[s] Right within 0.4 %, the largest exactly.");
+  percentiles.def_readonly("median", &Percentiles::median)
+      .def_readonly("p99", &Percentiles::p99)
+      .def_readonly("p99_9", &Percentiles::p99_9)
+      .def_readonly("max", &Percentiles::max);
+  def_repr(percentiles, {"median", "p99", "p99_9", "max"});
+
+  py::class_<LoopReport> report(m, "LoopReport", "What a run of the loop cost.");
+  report.def_readonly("ticks", &LoopReport::ticks)
+      .def_readonly("missed_ticks", &LoopReport::missed_ticks,
+                    "Skipped because an earlier tick was still at work.")
+      .def_readonly("lateness", &LoopReport::lateness, "Start of a tick behind its due time.")
+      .def_readonly("cost", &LoopReport::cost, "Of the tick itself, device included.")
+      .def_readonly("realtime", &LoopReport::realtime, "Granted.")
+      .def_readonly("realtime_note", &LoopReport::realtime_note, "Why not, in words.")
+      .def_readonly("alarm", &LoopReport::alarm)
+      .def_readonly("fault", &LoopReport::fault)
+      .def_readonly("record_gaps", &LoopReport::record_gaps, "Ticks the log had no room for.");
+  def_repr(report, {"ticks", "missed_ticks", "lateness", "cost", "realtime", "realtime_note",
+                    "alarm", "fault", "record_gaps"});
+}
+
+/// Waits in short pieces, so that Ctrl-C is heard.
+bool wait(Loop& loop, double timeout) {
+  constexpr double kPiece = 0.05;  // [s]
+  for (double left = timeout;; left -= kPiece) {
+    {
+      const py::gil_scoped_release released;
+      if (loop.wait(std::clamp(left, 0.0, kPiece))) return true;
+    }
+    if (!(left > kPiece)) return false;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
+}
+
+void bind_loop_class(py::module_& m) {
+  using Release = py::call_guard<py::gil_scoped_release>;
+  py::class_<Loop>(m, "Loop", py::release_gil_before_calling_cpp_dtor(),
+                   "The live 1 kHz loop: a thread that waits, reads, ticks, writes. Python's lock "
+                   "is never taken by it. As a context manager it starts, and stops at the end.\n\n"
+                   "Leave the scene, the device and the log alone while it runs, except for what "
+                   "is made for another thread: PointerDevice.set, TickLog.take.")
+      .def(py::init([](const Scene& scene, HapticDevice& device, const LoopOptions& options,
+                       TickLog* log) {
+             require_built(scene);
+             return std::make_unique<Loop>(scene, device, options, log);
+           }),
+           "scene"_a, "device"_a, "options"_a = LoopOptions(), "log"_a = py::none(),
+           py::keep_alive<1, 2>(), py::keep_alive<1, 3>(), py::keep_alive<1, 5>())
+      .def("start", &Loop::start, Release(),
+           "Raises RuntimeError the second time: a loop runs once.")
+      .def("stop", &Loop::stop, Release(), "Asks and waits; the device gets a zero force last.")
+      .def("wait", &wait, "timeout"_a, "[s] True once the run has ended.")
+      .def("running", &Loop::running)
+      .def("take_snapshot", &Loop::take_snapshot,
+           "For one reader thread: True if something newer than last time was taken.")
+      .def(
+          "snapshot", [](const Loop& self) { return Snapshot(self.snapshot()); },
+          "A copy of the snapshot last taken.")
+      .def("report", &Loop::report, "Costs so far; while running, of the ticks finished by now.")
+      .def("__enter__",
+           [](const py::object& self) {
+             self.attr("start")();
+             return self;
+           })
+      .def("__exit__", [](Loop& self, const py::args&) {
+        const py::gil_scoped_release released;
+        self.stop();
+      });
+}
+
+}  // namespace
+
+void bind_loop(py::module_& m) {
+  bind_options(m);
+  bind_snapshot(m);
+  bind_report(m);
+  bind_loop_class(m);
+}
+
+}  // namespace palpate::bindings

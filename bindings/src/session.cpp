@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pybind11/native_enum.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "bindings.h"
+#include "border.h"
+#include "palpate/sim/session/replay.h"
+#include "rows.h"
+#include "value.h"
+
+namespace palpate::bindings {
+
+namespace {
+
+void bind_record(py::module_& m) {
+  py::class_<Record> record(m, "Record", "A whole run in memory: enough to run it again.");
+  record.def(py::init([](const std::string& header, const py::object& hand, const py::object& felt,
+                         const py::object& happenings, const py::object& hashes, bool complete) {
+               return Record{header,
+                             copy_rows<HapticSample>(hand, "hand"),
+                             copy_rows<Felt>(felt, "felt"),
+                             copy_rows<Happening>(happenings, "happenings"),
+                             copy_rows<StateHash>(hashes, "hashes"),
+                             complete};
+             }),
+             py::kw_only(), "header"_a = "", "hand"_a = py::tuple(), "felt"_a = py::tuple(),
+             "happenings"_a = py::tuple(), "hashes"_a = py::tuple(), "complete"_a = false,
+             "Copies its tables: structured arrays with the dtype of HapticSample, Felt, Happening "
+             "and StateHash, or lists of these.");
+  record.def_readwrite("header", &Record::header,
+                       "JSON: version, kernel, build, scene hash, device, columns, ...");
+  def_rows(record, "hand", &Record::hand,
+           "Per tick, a structured array with the fields of HapticSample; a view.");
+  def_rows(record, "felt", &Record::felt,
+           "Per tick, a structured array with the fields of Felt; a view.");
+  def_rows(record, "happenings", &Record::happenings,
+           "A structured array with the fields of Happening; a view.");
+  def_rows(record, "hashes", &Record::hashes,
+           "At 1 Hz, a structured array with the fields of StateHash; a view.");
+  record.def_readwrite("complete", &Record::complete,
+                       "The file has its summary and the summary's SHA-256 holds.");
+  def_copy(record);
+  record.def("__repr__", [](const Record& self) {
+    return "Record(" + std::to_string(self.hand.size()) + " ticks, " +
+           (self.complete ? "complete" : "incomplete") + ")";
+  });
+}
+
+#ifdef PALPATE_RECORD_FILES
+void bind_record_files(py::module_& m) {
+  using Release = py::call_guard<py::gil_scoped_release>;
+  using Path = std::filesystem::path;
+  py::native_enum<RecordCodec>(m, "RecordCodec", "enum.Enum", "How a block's body is stored.")
+      .value("none", RecordCodec::none)
+      .value("deflate", RecordCodec::deflate)
+      .finalize();
+  py::class_<Recorder>(
+      m, "Recorder", py::release_gil_before_calling_cpp_dtor(),
+      "Writes a .prec record while it is being made, readable up to its last whole block at any "
+      "moment. As a context manager it finishes at the end.")
+      .def(py::init([](const Path& path, const std::string& header_json, RecordCodec codec) {
+             return std::make_unique<Recorder>(path.string(), header_json, codec);
+           }),
+           "path"_a, "header_json"_a, "codec"_a = RecordCodec::deflate, Release(),
+           "header_json is one JSON object; the column table and the format version are added to "
+           "it. Raises FileError when the file cannot be written, ValueError for a bad header.")
+      .def("log", &Recorder::log, py::return_value_policy::reference_internal,
+           "Where the haptic thread pushes; hand it to a Loop.")
+      .def("finish", &Recorder::finish, Release(),
+           "Writes what is left, then the summary; syncs. Raises FileError.")
+      .def("__enter__", [](const py::object& self) { return self; })
+      .def("__exit__", [](Recorder& self, const py::args&) {
+        const py::gil_scoped_release released;
+        self.finish();
+      });
+  m.def(
+      "write_record",
+      [](const Path& path, const Record& record, RecordCodec codec) {
+        write_record(path.string(), record, codec);
+      },
+      "path"_a, "record"_a, "codec"_a = RecordCodec::deflate, Release(),
+      "Writes a whole record at once, to a temporary name, synced, renamed. Raises FileError.");
+  m.def(
+      "read_record", [](const Path& path) { return read_record(path.string()); }, "path"_a,
+      Release(),
+      "Reads a record; an unfinished file ends at its last good block (complete = False). Raises "
+      "FileError for anything else that is wrong, naming block and field.");
+}
+#endif
+
+void bind_replay(py::module_& m) {
+  py::class_<ReplayReport> report(m, "ReplayReport",
+                                  "How a replay compares with what was recorded.");
+  report.def_readonly("ticks", &ReplayReport::ticks)
+      .def_readonly("equal", &ReplayReport::equal,
+                    "Every force, every tool position and every hash, bit by bit.")
+      .def_readonly("first_difference", &ReplayReport::first_difference, "Tick, -1 for none.")
+      .def_readonly("largest_force_difference", &ReplayReport::largest_force_difference, "[N]")
+      .def_readonly("largest_position_difference", &ReplayReport::largest_position_difference,
+                    "[m] of the tool.");
+  def_rows(report, "felt", &ReplayReport::felt,
+           "As replayed, a structured array with the fields of Felt; a view.");
+  def_repr(report, {"ticks", "equal", "first_difference", "largest_force_difference",
+                    "largest_position_difference"});
+  m.def(
+      "replay",
+      [](const Scene& scene, const Record& record) {
+        require_built(scene);
+        const py::gil_scoped_release released;
+        return replay(scene, record);
+      },
+      "scene"_a, "record"_a,
+      "Runs the recorded hand through the same tick from a fresh world. Raises ValueError for a "
+      "record with gaps, or with more rows of hand than of felt. To learn what any hand would "
+      "feel, "
+      "give it zeros for felt, as many as rows of hand, and read the report's felt.");
+}
+
+}  // namespace
+
+void bind_session(py::module_& m) {
+  bind_record(m);
+#ifdef PALPATE_RECORD_FILES
+  bind_record_files(m);
+#endif
+  bind_replay(m);
+}
+
+}  // namespace palpate::bindings
