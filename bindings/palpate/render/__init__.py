@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of organs and forces: moderngl, no Qt, no display needed."""
+
+from palpate.render.camera import Camera
+from palpate.render.colour_map import Legend, build_legend
+from palpate.render.context import describe_gl, open_context
+from palpate.render.error import RenderError
+from palpate.render.part import Look, Part
+from palpate.render.picture import Picture, draw_picture, save_picture
+from palpate.render.renderer import Renderer, Tile
+from palpate.render.shapes import Shape, build_arrow, build_capsule, build_sphere
+
+__all__ = [
+    "Camera",
+    "Legend",
+    "Look",
+    "Part",
+    "Picture",
+    "RenderError",
+    "Renderer",
+    "Shape",
+    "Tile",
+    "build_arrow",
+    "build_capsule",
+    "build_legend",
+    "build_sphere",
+    "describe_gl",
+    "draw_picture",
+    "open_context",
+    "save_picture",
+]

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""One surface on the graphics card."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import moderngl
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from palpate.render.theme import TISSUE, Colour
+
+WIDTHS = {"position": 3, "normal": 3, "value": 1, "selection": 1, "openness": 1}
+"""The streams of a part and how many float32 each vertex has in them."""
+
+
+@dataclass(frozen=True)
+class Look:
+    """How a part takes the light."""
+
+    colour: Colour = TISSUE
+    """Where the colour map does not paint it."""
+    mapped: bool = False
+    """Whether the colour map paints its values."""
+    wired: bool = False
+    """Whether its edges are drawn."""
+    gloss: float = 0.6
+    """[-] 0 dull, 1 wet or polished."""
+    softness: float = 0.3
+    """[-] how far light creeps around into the shade, as in flesh."""
+    casts_shadow: bool = True
+    seen_through: bool = False
+    """Whether it shines faintly through what hides it, as a tool inside a dent must."""
+
+
+class Part:
+    """A surface whose triangles stay and whose streams change from frame to frame.
+
+    A stream is one float32 array per vertex: position [m] (n, 3), normal (n, 3), value (n,) for the
+    colour map, selection (n,) from 0 to 1, openness (n,) from 0 to 1, the share of the sky seen.
+    Arrays are handed to OpenGL as they lie in memory, so a view into the simulation's own array is
+    copied nowhere else.
+    """
+
+    def __init__(
+        self,
+        context: moderngl.Context,
+        surface: moderngl.Program,
+        vertex_count: int,
+        triangles: ArrayLike,
+        look: Look,
+    ):
+        rows = np.ascontiguousarray(triangles, dtype=np.uint32)
+        if rows.ndim != 2 or rows.shape[1] != 3 or rows.size == 0:
+            raise ValueError(f"triangles must have shape (t, 3), t > 0, got {np.shape(triangles)}")
+        low, high = int(np.min(triangles)), int(np.max(triangles))
+        if low < 0 or high >= vertex_count:
+            raise ValueError(
+                f"triangles must name vertices 0 to {vertex_count - 1}, got {low} to {high}"
+            )
+        self.look = look
+        self.vertex_count = vertex_count
+        self._indices = context.buffer(rows)
+        self._streams = {
+            name: context.buffer(reserve=4 * width * vertex_count, dynamic=True)
+            for name, width in WIDTHS.items()
+        }
+        self.update(
+            position=np.zeros((vertex_count, 3), np.float32),
+            normal=np.zeros((vertex_count, 3), np.float32),
+            value=np.zeros(vertex_count, np.float32),
+            selection=np.zeros(vertex_count, np.float32),
+            openness=np.ones(vertex_count, np.float32),
+        )
+        streams = [(buffer, f"{WIDTHS[name]}f", name) for name, buffer in self._streams.items()]
+        self._surface = context.vertex_array(surface, streams, self._indices)
+        self._context = context
+        self._depth: moderngl.VertexArray | None = None
+
+    def update(self, **streams: NDArray[np.float32]) -> None:
+        """Writes streams by name. The context must be current.
+
+        Raises ValueError, and writes nothing, for another name, shape or type than the stream's, or
+        where the array is not contiguous: a silent copy each frame is not what the caller wants.
+        """
+        for name, array in streams.items():
+            if name not in WIDTHS:
+                raise ValueError(f"a part has streams {', '.join(WIDTHS)}, got {name!r}")
+            n, width = self.vertex_count, WIDTHS[name]
+            shape = (n, width) if width > 1 else (n,)
+            if array.dtype != np.float32 or array.shape != shape or not array.flags.c_contiguous:
+                raise ValueError(
+                    f"{name} must be contiguous float32 of shape {shape}, "
+                    f"got {array.dtype} of shape {array.shape}"
+                )
+        for name, array in streams.items():
+            self._streams[name].write(array)
+
+    def draw(self) -> None:
+        self._surface.render()
+
+    def draw_depth(self, program: moderngl.Program) -> None:
+        """Draws with a program that wants positions alone."""
+        if self._depth is None or self._depth.program is not program:
+            streams = [(self._streams["position"], "3f", "position")]
+            self._depth = self._context.vertex_array(program, streams, self._indices)
+        self._depth.render()
+
+    def release(self) -> None:
+        """Gives back the memory of the graphics card."""
+        for thing in (self._surface, self._depth, self._indices, *self._streams.values()):
+            if thing is not None:
+                thing.release()

@@ -1,0 +1,275 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A whole picture of an organ, with no display: surface, tool, force, legend and title."""
+
+from __future__ import annotations
+
+import io
+import math
+import os
+from dataclasses import dataclass
+from typing import Any
+
+import matplotlib.image
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+import palpate
+from palpate.render.camera import Camera
+from palpate.render.colour_map import Legend, build_legend
+from palpate.render.overlay import Overlay
+from palpate.render.part import Look
+from palpate.render.shapes import (
+    ARROW_HEAD,
+    Shape,
+    as_point,
+    build_arrow,
+    build_sphere,
+    require_positive,
+)
+from palpate.render.studio import Shot, Thing, take_picture
+from palpate.render.theme import FORCE, STEEL, THEMES, TISSUE, Colour
+from palpate.whole_file import write_whole
+
+Array = NDArray[np.float64]
+
+SMALLEST, LARGEST = 16, 8192
+"""[px] of a side."""
+LONGEST_ARROW = 0.32
+ARROW_RADIUS = 0.0065
+"""[-] of the organ's diagonal."""
+FORCE_SHOWN = 5e-4
+"""[N] The smallest that the label does not call zero."""
+
+
+@dataclass(frozen=True)
+class Picture:
+    """Everything that a picture shows and how."""
+
+    vertices: ArrayLike
+    """[m] (n, 3), where the organ is now."""
+    triangles: ArrayLike
+    """(t, 3), counter-clockwise from outside; the surface may be open."""
+    values: ArrayLike | None = None
+    """(n,) what the colours tell, in the unit that the legend names."""
+    legend: str = ""
+    """Title of the legend, with the unit: "displacement [mm]"."""
+    value_range: tuple[float, float] | None = None
+    """Ends of the colour map; without it round numbers that hold all values."""
+    colour_map: str | None = None
+    """viridis or cool_warm; without it the latter where values have both signs."""
+    selection: ArrayLike | None = None
+    """(n,) 0 to 1, what is highlighted."""
+    tool: tuple[ArrayLike, float] | None = None
+    """Centre [m] and radius [m] of the tip."""
+    force: ArrayLike | None = None
+    """[N] (3,) what the hand feels: an arrow from the middle of the tool, which it needs."""
+    force_scale: float | None = None
+    """[m/N] length of the arrow; without it a round one that suits the organ."""
+    title: str = ""
+    theme: str = "dark"
+    """dark or light."""
+    size: tuple[int, int] = (1280, 720)
+    """[px] width and height, each 16 to 8192."""
+    azimuth: float = -60.0
+    """[degree] of the eye around z, from +x towards +y."""
+    elevation: float = 25.0
+    """[degree] of the eye above the horizontal, -90 to 90."""
+    camera: Camera | None = None
+    """The eye itself; without it all is fitted in as seen from azimuth and elevation."""
+    wireframe: bool = True
+    colour: Colour = TISSUE
+    """sRGB, 0 to 1, of an organ without values."""
+    supersample: int = 2
+    """Rows and columns of samples per pixel, 1 to 4; edges get four times as many."""
+
+
+def draw_picture(vertices: ArrayLike, triangles: ArrayLike, **look: Any) -> NDArray[np.uint8]:
+    """Draws a picture, (h, w, 3), sRGB, the top row first.
+
+    `look` are the other fields of Picture. Raises ValueError where one of them is wrong and
+    RenderError where this machine cannot draw.
+    """
+    picture = Picture(vertices, triangles, **look)
+    x, faces = check_surface(picture)
+    check_look(picture)
+    theme = THEMES[picture.theme]
+    values = None if picture.values is None else as_column(picture.values, len(x), "values")
+    legend = None
+    if values is not None:
+        legend = build_legend(values, picture.value_range, picture.colour_map)
+    things = [build_organ(picture, x, faces, values)]
+    arrow = find_arrow(picture, x)
+    things += build_tool(picture, arrow)
+
+    overlay = Overlay(picture.size, theme)
+    overlay.add_title(picture.title)
+    if legend is not None:
+        overlay.add_legend(legend, picture.legend)
+    if arrow is not None:
+        overlay.add_note(f"arrow: {1e3 * arrow.scale:g} mm per N")
+    camera = picture.camera or place_camera(picture, things, overlay)
+    if arrow is not None:
+        label_arrow(overlay, camera, arrow, picture.size)
+    floor = float(things[0].points()[:, 2].min())
+    shot = Shot(camera, picture.size, picture.supersample, theme, legend, floor)
+    return overlay.blend(take_picture(things, shot))
+
+
+def save_picture(
+    path: str | os.PathLike[str], vertices: ArrayLike, triangles: ArrayLike, **look: Any
+) -> None:
+    """Draws a picture as draw_picture does and writes it as PNG. Raises OSError as well."""
+    file = io.BytesIO()
+    # the words say nothing that changes from day to day: the same picture is the same file
+    matplotlib.image.imsave(file, draw_picture(vertices, triangles, **look), format="png")
+    write_whole(path, file.getvalue())
+
+
+# ---------------------------------------------------------------- what is shown
+
+
+@dataclass(frozen=True)
+class Arrow:
+    """A force as it is drawn."""
+
+    start: Array
+    end: Array
+    """[m] (3,)"""
+    radius: float
+    """[m] of the shaft."""
+    scale: float
+    """[m/N]"""
+    label: str
+
+
+def find_arrow(picture: Picture, x: Array) -> Arrow | None:
+    """The arrow of the force; none where no force is shown or it is as good as zero."""
+    if picture.force is None or picture.tool is None:
+        return None
+    force = as_point(picture.force, "force")
+    size = float(np.linalg.norm(force))
+    if size < FORCE_SHOWN:
+        return None
+    scale = picture.force_scale
+    if scale is None:
+        scale = 1e-3 * round_down(1e3 * LONGEST_ARROW * measure_diagonal(x) / size)
+    start = as_point(picture.tool[0], "tool")
+    decimals = 2 if size >= 0.1 else 3
+    radius = ARROW_RADIUS * measure_diagonal(x)
+    return Arrow(start, start + scale * force, radius, scale, f"{size:.{decimals}f} N")
+
+
+def build_organ(
+    picture: Picture, x: Array, faces: NDArray[np.int32], values: Array | None
+) -> Thing:
+    look = Look(
+        colour=picture.colour,
+        mapped=values is not None,
+        wired=picture.wireframe,
+        gloss=0.55 if values is None else 0.4,
+        # red light creeping round would be read as a value
+        softness=0.3 if values is None else 0.0,
+    )
+    selection = picture.selection
+    return Thing(
+        x, np.asarray(palpate.compute_vertex_normals(x, faces)), faces, look, values,
+        None if selection is None else as_column(selection, len(x), "selection"),
+    )
+
+
+def build_tool(picture: Picture, arrow: Arrow | None) -> list[Thing]:
+    """The tip and its force, where there are any."""
+    things = []
+    if picture.tool is not None:
+        ball = build_sphere(*picture.tool)
+        things.append(as_thing(ball, Look(STEEL, gloss=1.0, softness=0.0, seen_through=True)))
+    if arrow is not None:
+        shape = build_arrow(arrow.start, arrow.end, arrow.radius)
+        # a sign, not a thing: it leaves no shadow
+        look = Look(FORCE, gloss=0.3, softness=0.0, seen_through=True, casts_shadow=False)
+        things.append(as_thing(shape, look))
+    return things
+
+
+def as_thing(shape: Shape, look: Look) -> Thing:
+    return Thing(shape.vertices, shape.normals, shape.triangles, look)
+
+
+def place_camera(picture: Picture, things: list[Thing], overlay: Overlay) -> Camera:
+    """As near as all things fit into what title and legend leave free."""
+    camera = Camera(math.radians(picture.azimuth), math.radians(picture.elevation))
+    free = overlay.free
+    frame = (free.left, free.top, free.right, free.bottom)
+    if free.right - free.left < picture.size[0] / 4 or free.bottom - free.top < picture.size[1] / 4:
+        frame = (0.0, 0.0, float(picture.size[0]), float(picture.size[1]))
+    camera.fit(np.concatenate([thing.points() for thing in things]), picture.size, frame)
+    return camera
+
+
+def label_arrow(
+    overlay: Overlay, camera: Camera, arrow: Arrow, size: tuple[int, int]
+) -> None:
+    ends, depth = camera.project([arrow.start, arrow.end], size)
+    if depth.min() <= 0.0:  # behind the eye
+        return
+    pixels = size[1] / 2 / math.tan(camera.field_of_view / 2) / depth[1]
+    overlay.add_label(arrow.label, ends[0], ends[1], 2 * ARROW_HEAD * arrow.radius * pixels)
+
+
+def round_down(value: float) -> float:
+    """The largest of 1, 2, 5 times a power of ten that is not above a positive value."""
+    power = 10.0 ** math.floor(math.log10(value))
+    return next(m * power for m in (5.0, 2.0, 1.0) if m * power <= value * (1 + 1e-9))
+
+
+def measure_diagonal(x: Array) -> float:
+    return float(np.linalg.norm(x.max(axis=0) - x.min(axis=0)))
+
+
+# ---------------------------------------------------------------- the border
+
+
+def check_surface(picture: Picture) -> tuple[Array, NDArray[np.int32]]:
+    """Vertices and triangles as arrays. Raises ValueError."""
+    x = np.ascontiguousarray(picture.vertices, dtype=float)
+    if x.ndim != 2 or x.shape[1] != 3 or not np.isfinite(x).all():
+        raise ValueError(f"vertices must be finite numbers of shape (n, 3), got shape {x.shape}")
+    faces = np.asarray(picture.triangles)
+    if faces.ndim != 2 or faces.shape[1:] != (3,) or len(faces) == 0:
+        raise ValueError(f"triangles must have shape (t, 3), t > 0, got shape {faces.shape}")
+    if faces.min() < 0 or faces.max() >= len(x):
+        raise ValueError(
+            f"triangles must name vertices 0 to {len(x) - 1}, got {faces.min()} to {faces.max()}"
+        )
+    if measure_diagonal(x) == 0.0:
+        raise ValueError("vertices must not all lie in one point")
+    return x, np.ascontiguousarray(faces, dtype=np.int32)
+
+
+def check_look(picture: Picture) -> None:
+    """Raises ValueError for anything that is wrong beside the surface."""
+    if picture.theme not in THEMES:
+        raise ValueError(f"theme must be one of {', '.join(THEMES)}, got {picture.theme!r}")
+    if not all(SMALLEST <= side <= LARGEST for side in picture.size):
+        raise ValueError(f"size must be {SMALLEST} to {LARGEST} pixels, got {picture.size}")
+    if picture.supersample not in (1, 2, 3, 4):
+        raise ValueError(f"supersample must be 1 to 4, got {picture.supersample}")
+    if not (math.isfinite(picture.azimuth) and -90.0 <= picture.elevation <= 90.0):
+        raise ValueError(
+            f"azimuth must be finite and elevation -90 to 90 degrees, "
+            f"got {picture.azimuth} and {picture.elevation}"
+        )
+    if picture.tool is not None:
+        as_point(picture.tool[0], "tool")
+        require_positive(picture.tool[1], "radius of the tool")
+    if picture.force is not None and picture.tool is None:
+        raise ValueError("force is drawn from the tool, so there must be a tool")
+    if picture.force_scale is not None:
+        require_positive(picture.force_scale, "force_scale")
+
+
+def as_column(values: ArrayLike, count: int, name: str) -> Array:
+    column = np.asarray(values, dtype=float)
+    if column.shape != (count,) or not np.isfinite(column).all():
+        raise ValueError(f"{name} must be finite, one per vertex ({count}), got {column.shape}")
+    return column

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Shader programs from the files in shaders/."""
+
+from __future__ import annotations
+
+from importlib.resources import files
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+
+
+def build_program(
+    context: moderngl.Context, name: str, geometry: bool = False
+) -> moderngl.Program:
+    """The program of name.vert, name.frag and, where asked for, name.geom."""
+    folder = files("palpate.render") / "shaders"
+    return context.program(
+        vertex_shader=(folder / f"{name}.vert").read_text(encoding="utf-8"),
+        geometry_shader=(folder / f"{name}.geom").read_text(encoding="utf-8") if geometry else None,
+        fragment_shader=(folder / f"{name}.frag").read_text(encoding="utf-8"),
+    )
+
+
+def write_matrix(program: moderngl.Program, name: str, matrix: NDArray[np.float64]) -> None:
+    """OpenGL keeps matrices column by column."""
+    program[name].write(np.ascontiguousarray(matrix.T, dtype=np.float32))

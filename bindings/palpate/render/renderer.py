@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws parts with any moderngl context: a window's, or one with no display. Knows no Qt."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import moderngl
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from palpate.render.camera import Camera
+from palpate.render.colour_map import COLOUR_MAPS, LUT_SIZE, Legend
+from palpate.render.ground import Ground
+from palpate.render.part import Look, Part
+from palpate.render.program import build_program, write_matrix
+from palpate.render.shadow import ShadowMap
+from palpate.render.theme import DARK, SELECTED, Theme
+
+KEY = (-0.55, 0.75, 0.62)
+FILL = (0.85, 0.10, 0.45)
+RIM = (0.25, 0.65, -0.80)
+"""Towards the lamps: right, up and back to the eye. They move with the camera, so that what one
+looks at is never in the dark."""
+GHOST = 0.3
+"""[-] opacity of what shines through."""
+COLOURS_UNIT, SHADOW_UNIT = 0, 1
+
+
+@dataclass(frozen=True)
+class Tile:
+    """A part of a picture that is too large to be drawn at once: pixels from its lower left."""
+
+    left: int
+    bottom: int
+    width: int
+    height: int
+
+
+class Renderer:
+    """Everything in sight, and the programs that draw it.
+
+    The context must be current in every call. Bounds are the caller's: organs move little, and
+    measuring them anew in each frame would cost more than it gives.
+    """
+
+    def __init__(self, context: moderngl.Context, theme: Theme = DARK):
+        self.context = context
+        self.theme = theme
+        self.parts: list[Part] = []
+        self.ground: Ground | None = None
+        self.shadow_softness = 0.0
+        """[-] blur of the shadows in radii of what is in sight; 0 for none, the fastest."""
+        self.wire_width = 1.0
+        """[px]"""
+        self._centre, self._radius = np.zeros(3), 1.0
+        self._surface = build_program(context, "surface", geometry=True)
+        self._backdrop = context.vertex_array(build_program(context, "background"), [])
+        self._colours = context.texture((LUT_SIZE, 1), 3, alignment=1)
+        self._colours.filter = (moderngl.LINEAR, moderngl.LINEAR)
+        self._colours.repeat_x = self._colours.repeat_y = False
+        self._shadow = ShadowMap(context)
+        self._range = (0.0, 1.0)
+        self._colours.write(COLOUR_MAPS["viridis"]().tobytes())
+
+    def add(self, vertex_count: int, triangles: ArrayLike, look: Look) -> Part:
+        """A new part; its streams are empty until Part.update. Raises ValueError."""
+        part = Part(self.context, self._surface, vertex_count, triangles, look)
+        self.parts.append(part)
+        return part
+
+    def remove(self, part: Part) -> None:
+        self.parts.remove(part)
+        part.release()
+
+    def use_legend(self, legend: Legend) -> None:
+        """Paints values as a legend says; costs nothing per vertex."""
+        self._colours.write(COLOUR_MAPS[legend.colour_map]().tobytes())
+        self._range = (legend.low, legend.high)
+
+    def use_bounds(self, centre: ArrayLike, radius: float) -> None:
+        """The ball [m] that holds all that is in sight."""
+        self._centre, self._radius = np.asarray(centre, dtype=float), radius
+
+    def draw(self, camera: Camera, size: tuple[int, int], tile: Tile | None = None) -> None:
+        """Draws a picture of `size` pixels, or a tile of it, into the framebuffer in use."""
+        screen = self.context.fbo
+        if self.shadow_softness > 0.0:
+            self._shadow.draw(self.parts, self._centre, self._radius, lamp(camera, KEY))
+            screen.use()
+        tile = tile or Tile(0, 0, *size)
+        screen.viewport = (0, 0, tile.width, tile.height)
+        screen.clear(*self.theme.corner, 1.0)
+        self._draw_backdrop(size, tile)
+        near, far = camera.depths(self._centre, self._radius)
+        seen = camera.projection(size[0] / size[1], near, far) @ camera.view()
+        world_to_clip = cut(size, tile) @ seen
+        if self.ground is not None and camera.elevation > 0.0:
+            self.ground.draw(self.theme, world_to_clip)
+        self._light(camera, world_to_clip)
+        self._draw_parts()
+
+    def release(self) -> None:
+        """Gives back all memory of the graphics card, that of the parts included."""
+        for part in self.parts:
+            part.release()
+        self.parts.clear()
+        if self.ground is not None:
+            self.ground.release()
+        self._shadow.release()
+        for thing in (self._backdrop, self._colours, self._surface):
+            thing.release()
+
+    def _draw_backdrop(self, size: tuple[int, int], tile: Tile) -> None:
+        self.context.enable_only(moderngl.NOTHING)
+        program = self._backdrop.program
+        program["middle"].value, program["rim"].value = self.theme.backdrop, self.theme.corner
+        program["aspect"].value = size[0] / size[1]
+        program["tile"].value = (
+            tile.left / size[0], tile.bottom / size[1],
+            (tile.left + tile.width) / size[0], (tile.bottom + tile.height) / size[1],
+        )
+        self._backdrop.render(moderngl.TRIANGLES, vertices=3)
+
+    def _light(self, camera: Camera, world_to_clip: NDArray[np.float64]) -> None:
+        """What all parts of one frame share."""
+        program = self._surface
+        write_matrix(program, "world_to_clip", world_to_clip)
+        program["eye"].value = tuple(camera.eye())
+        for name, direction in (("to_key", KEY), ("to_fill", FILL), ("to_rim", RIM)):
+            program[name].value = tuple(lamp(camera, direction))
+        program["ambient"].value = self.theme.ambient
+        program["value_range"].value = self._range
+        program["highlight"].value = SELECTED
+        program["colours"].value, program["shadow"].value = COLOURS_UNIT, SHADOW_UNIT
+        self._colours.use(COLOURS_UNIT)
+        self._shadow.texture.use(SHADOW_UNIT)
+        # the map is two radii wide
+        program["shadow_softness"].value = self.shadow_softness / 2
+        write_matrix(program, "world_to_shadow", self._shadow.world_to_texture)
+
+    def _draw_parts(self) -> None:
+        """First what may hide, then ghosts of what is hidden behind it, then what is not."""
+        self.context.enable_only(moderngl.DEPTH_TEST)
+        for part in self.parts:
+            if not part.look.seen_through:
+                self._draw_part(part, 1.0)
+        screen, through = self.context.fbo, [p for p in self.parts if p.look.seen_through]
+        # back faces would shine through the ghost itself
+        self.context.enable_only(moderngl.DEPTH_TEST | moderngl.BLEND | moderngl.CULL_FACE)
+        self.context.blend_func = (
+            moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ZERO, moderngl.ONE,
+        )
+        self.context.depth_func, screen.depth_mask = ">", False
+        for part in through:
+            self._draw_part(part, GHOST)
+        self.context.depth_func, screen.depth_mask = "<", True
+        self.context.enable_only(moderngl.DEPTH_TEST)
+        for part in through:
+            self._draw_part(part, 1.0)
+
+    def _draw_part(self, part: Part, opacity: float) -> None:
+        program, look = self._surface, part.look
+        program["mapped"].value, program["colour"].value = look.mapped, look.colour
+        program["gloss"].value, program["softness"].value = look.gloss, look.softness
+        program["wire_width"].value = self.wire_width if look.wired else 0.0
+        program["opacity"].value = opacity
+        part.draw()
+
+
+
+def lamp(camera: Camera, direction: tuple[float, float, float]) -> NDArray[np.float64]:
+    """A direction given as right, up and back to the eye, as a unit vector of the world."""
+    right, up, forward = camera.basis()
+    towards = direction[0] * right + direction[1] * up - direction[2] * forward
+    return np.asarray(towards / np.linalg.norm(towards))
+
+
+def cut(size: tuple[int, int], tile: Tile) -> NDArray[np.float64]:
+    """Clip space of a whole picture to that of a tile of it, (4, 4)."""
+    matrix = np.eye(4)
+    matrix[0, 0], matrix[1, 1] = size[0] / tile.width, size[1] / tile.height
+    matrix[0, 3] = (size[0] - 2 * tile.left) / tile.width - 1.0
+    matrix[1, 3] = (size[1] - 2 * tile.bottom) / tile.height - 1.0
+    return matrix

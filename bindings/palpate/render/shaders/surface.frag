@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#version 330 core
+
+in Fragment {
+  vec3 position;
+  vec3 normal;
+  float value;
+  float selection;
+  float openness;
+  vec3 barycentric;
+} fragment;
+
+uniform vec3 eye;             // [m] world
+uniform vec3 to_key;          // unit vectors towards the three lamps, which move with the camera
+uniform vec3 to_fill;
+uniform vec3 to_rim;
+uniform float ambient;        // light from all around, of the theme
+
+uniform sampler2D colours;    // 256 by 1
+uniform vec2 value_range;
+uniform bool mapped;          // whether the colour map or `colour` paints this part
+uniform vec3 colour;          // sRGB
+uniform vec3 highlight;       // sRGB, of what is selected
+uniform float gloss;          // 0 dull, 1 wet or polished
+uniform float softness;       // how far light creeps around into the shade, as in flesh
+uniform float wire_width;     // [px], 0 for no wireframe
+uniform float opacity;        // 0 to 1
+
+uniform mat4 world_to_shadow;
+uniform sampler2DShadow shadow;
+uniform float shadow_softness;  // radius of the blur, in texture coordinates; 0 for no shadow
+
+out vec4 result;
+
+const vec3 KEY = vec3(1.00, 0.965, 0.92);
+const vec3 FILL = vec3(0.62, 0.74, 0.92);
+const vec3 RIM = vec3(0.80, 0.90, 1.00);
+const vec3 SKY = vec3(0.94, 0.97, 1.00);
+const vec3 FLOOR = vec3(0.50, 0.44, 0.41);
+
+vec3 decode(vec3 srgb) { return pow(srgb, vec3(2.2)); }
+
+// Screens end at white: what is brighter rolls off instead of being cut.
+vec3 encode(vec3 light) {
+  vec3 over = max(light - 0.8, 0.0);
+  vec3 rolled = clamp(light, 0.0, 0.8) + 0.2 * (1.0 - exp(-over / 0.2));
+  return pow(rolled, vec3(1.0 / 2.2));
+}
+
+vec3 paint(bool outside) {
+  vec3 c = decode(colour);
+  if (mapped) {
+    float t = clamp((fragment.value - value_range.x) / (value_range.y - value_range.x), 0.0, 1.0);
+    // texel centres, so that both ends of the range get their very colour
+    c = decode(texture(colours, vec2((t * 255.0 + 0.5) / 256.0, 0.5)).rgb);
+  }
+  // the inner side of an open surface is paler and duller, so it is never taken for the outer one
+  float grey = dot(c, vec3(0.2126, 0.7152, 0.0722));
+  if (!outside) c = mix(vec3(0.55 * grey + 0.16), c, 0.45) * vec3(1.0, 0.93, 0.88);
+  return mix(c, decode(highlight), 0.85 * smoothstep(0.0, 1.0, fragment.selection));
+}
+
+// Share of the key light that arrives: a disc of comparisons in the shadow map, each of them
+// already smoothed over four texels.
+float lit(vec3 n) {
+  if (shadow_softness <= 0.0) return 1.0;
+  float facing = dot(n, to_key);
+  vec3 at = (world_to_shadow * vec4(fragment.position, 1.0)).xyz;
+  at.z -= 0.002 + 0.008 * (1.0 - clamp(facing, 0.0, 1.0));
+  float sum = 0.0;
+  for (int i = 0; i < 24; ++i) {
+    // a sunflower fills the disc evenly
+    float radius = sqrt((float(i) + 0.5) / 24.0), angle = 2.399963 * float(i);
+    vec2 offset = shadow_softness * radius * vec2(cos(angle), sin(angle));
+    sum += texture(shadow, at + vec3(offset, 0.0));
+  }
+  // where light only grazes, the flat triangles of a coarse mesh would shade their own smooth normals
+  return mix(1.0, sum / 24.0, smoothstep(0.05, 0.45, facing));
+}
+
+// 1 on an edge of the triangle, 0 away from it; edges that would run together fade away.
+float wire() {
+  if (wire_width <= 0.0) return 0.0;
+  vec3 dx = dFdx(fragment.barycentric), dy = dFdy(fragment.barycentric);
+  vec3 slope = sqrt(max(dx * dx + dy * dy, 1e-12));
+  vec3 away = fragment.barycentric / slope;
+  float nearest = min(away.x, min(away.y, away.z));
+  float height = 1.0 / max(slope.x, max(slope.y, slope.z));
+  float fade = smoothstep(2.0, 9.0, height / wire_width);
+  return fade * (1.0 - smoothstep(0.5 * wire_width - 0.5, 0.5 * wire_width + 0.7, nearest));
+}
+
+void main() {
+  vec3 v = normalize(eye - fragment.position);
+  float length2 = dot(fragment.normal, fragment.normal);
+  vec3 n = length2 > 1e-12 ? fragment.normal * inversesqrt(length2) : v;
+  if (!gl_FrontFacing) n = -n;
+
+  vec3 albedo = paint(gl_FrontFacing);
+  albedo *= mix(1.0, 0.22, wire() * 0.72);
+
+  float open = clamp(fragment.openness, 0.0, 1.0);
+  float shade = lit(n);
+  // red light travels farthest through tissue, so its edge of the shade lies farthest round
+  vec3 wrap = softness * vec3(1.0, 0.45, 0.35);
+  vec3 key = max((vec3(dot(n, to_key)) + wrap) / (1.0 + wrap), 0.0) * mix(0.12, 1.0, shade);
+  float fill = max(0.5 + 0.5 * dot(n, to_fill), 0.0);
+  float edge = pow(1.0 - clamp(dot(n, v), 0.0, 1.0), 3.0);
+  float rim = edge * max(0.25 + 0.75 * dot(n, to_rim), 0.0);
+
+  vec3 light = 1.1 * KEY * key * mix(0.6, 1.0, open);
+  light += 0.16 * FILL * fill * fill * open;
+  light += ambient * mix(FLOOR, SKY, 0.5 + 0.5 * n.z) * open;
+  vec3 c = albedo * light;
+
+  float sharp = pow(max(dot(n, normalize(to_key + v)), 0.0), 90.0);
+  float broad = pow(max(dot(n, normalize(to_key + v)), 0.0), 14.0);
+  float window = pow(max(dot(n, normalize(to_fill + v)), 0.0), 50.0);
+  c += gloss * shade * KEY * (0.30 * sharp + 0.085 * broad) + gloss * 0.06 * FILL * window * open;
+  c += RIM * rim * open * (0.10 + 0.35 * albedo) * 1.3;
+
+  result = vec4(encode(c), opacity);
+}
