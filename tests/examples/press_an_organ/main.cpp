@@ -18,7 +18,7 @@ int main() {
     dome.triangles.push_back({i, i + n + 1, i + n});
   }
   const Material wall{.wall_thickness = 0.004};
-  const Scene scene = build_scene({.tissue = build_mass_spring(dome, wall, 200.0)});
+  const Scene scene = build_scene({.tissue = build_mass_spring(dome, wall, 600.0)});
 
   World world(scene);
   double hover = 0.0, deepest = 0.0;
