@@ -5,6 +5,7 @@ from palpate.render.camera import Camera
 from palpate.render.colour_map import Legend, build_legend
 from palpate.render.context import describe_gl, open_context
 from palpate.render.error import RenderError
+from palpate.render.force_plot import draw_force_plot, save_force_plot
 from palpate.render.part import Look, Part
 from palpate.render.picture import Picture, draw_picture, save_picture
 from palpate.render.renderer import Renderer, Tile
@@ -25,7 +26,9 @@ __all__ = [
     "build_legend",
     "build_sphere",
     "describe_gl",
+    "draw_force_plot",
     "draw_picture",
     "open_context",
+    "save_force_plot",
     "save_picture",
 ]

@@ -149,8 +149,6 @@ def format_ticks(ticks: tuple[float, ...]) -> tuple[int, tuple[str, ...]]:
     exponent = 0 if -3 <= power <= 4 else power
     scaled = [tick / 10.0**exponent for tick in ticks]
     gap = min((b - a for a, b in zip(scaled, scaled[1:], strict=False)), default=1.0)
-    decimals = next(
-        (d for d in range(8) if abs(round(gap, d) - gap) <= 1e-6 * gap), 8
-    )
+    decimals = next((d for d in range(8) if abs(round(gap, d) - gap) <= 1e-6 * gap), 8)
     labels = (f"{0.0 if abs(tick) < 1e-9 * gap else tick:.{decimals}f}" for tick in scaled)
     return exponent, tuple(label.replace("-", "\N{MINUS SIGN}") for label in labels)

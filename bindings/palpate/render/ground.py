@@ -25,7 +25,10 @@ class Ground:
     """A square of floor and how dark it is where."""
 
     def __init__(
-        self, context: moderngl.Context, centre: NDArray[np.float64], reach: float,
+        self,
+        context: moderngl.Context,
+        centre: NDArray[np.float64],
+        reach: float,
         darkness: NDArray[np.float64],
     ):
         """`darkness` is (cells, cells), 0 to 1, rows along y; `centre` and `reach` are in [m]."""
@@ -45,7 +48,10 @@ class Ground:
         """Darkens what has been drawn; hides nothing that will be."""
         self._context.enable_only(moderngl.BLEND)
         self._context.blend_func = (
-            moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ZERO, moderngl.ONE,
+            moderngl.SRC_ALPHA,
+            moderngl.ONE_MINUS_SRC_ALPHA,
+            moderngl.ZERO,
+            moderngl.ONE,
         )
         write_matrix(self._program, "world_to_clip", world_to_clip)
         self._program["colour"].value = theme.shadow

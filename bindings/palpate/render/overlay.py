@@ -35,14 +35,18 @@ class Box:
 
     def meets(self, other: Box, gap: float = 0.0) -> bool:
         return (
-            self.left < other.right + gap and other.left < self.right + gap
-            and self.top < other.bottom + gap and other.top < self.bottom + gap
+            self.left < other.right + gap
+            and other.left < self.right + gap
+            and self.top < other.bottom + gap
+            and other.top < self.bottom + gap
         )
 
     def holds(self, other: Box) -> bool:
         return (
-            self.left <= other.left and other.right <= self.right
-            and self.top <= other.top and other.bottom <= self.bottom
+            self.left <= other.left
+            and other.right <= self.right
+            and self.top <= other.top
+            and other.bottom <= self.bottom
         )
 
 
@@ -77,13 +81,27 @@ class Overlay:
         return width, 1.3 * pixels
 
     def write(
-        self, x: float, y: float, text: str, pixels: float, colour: Colour,
-        weight: str = "normal", align: str = "left",
+        self,
+        x: float,
+        y: float,
+        text: str,
+        pixels: float,
+        colour: Colour,
+        weight: str = "normal",
+        align: str = "left",
     ) -> None:
         """A line with its middle at the height y."""
         self._axes.text(
-            x, y, text, fontsize=pixels * 72 / DPI, family=FONT, weight=weight, color=colour,
-            ha=align, va="center_baseline", parse_math=False,
+            x,
+            y,
+            text,
+            fontsize=pixels * 72 / DPI,
+            family=FONT,
+            weight=weight,
+            color=colour,
+            ha=align,
+            va="center_baseline",
+            parse_math=False,
         )
 
     def back(self, box: Box, opacity: float) -> None:
@@ -91,8 +109,11 @@ class Overlay:
         rounding = min(9.0 * self.scale + 2.0, (box.bottom - box.top) / 2)
         self._axes.add_patch(
             FancyBboxPatch(
-                (box.left, box.top), box.right - box.left, box.bottom - box.top,
-                boxstyle=f"round,pad=0,rounding_size={rounding}", linewidth=0,
+                (box.left, box.top),
+                box.right - box.left,
+                box.bottom - box.top,
+                boxstyle=f"round,pad=0,rounding_size={rounding}",
+                linewidth=0,
                 facecolor=(*self.theme.panel, opacity),
             )
         )
@@ -130,7 +151,9 @@ class Overlay:
         if width > 0.4 * self.size[0] or length < 1.3 * pixels * (len(legend.labels) - 1):
             return
         box = Box(
-            self.free.left, self.free.top, self.free.left + width,
+            self.free.left,
+            self.free.top,
+            self.free.left + width,
             self.free.top + 2 * pad + 1.4 * line + length + 2 * ends,
         )
         self.back(box, 0.55)
@@ -142,8 +165,12 @@ class Overlay:
         for tick, label in zip(legend.ticks, legend.labels, strict=True):
             share = (tick - legend.low) / (legend.high - legend.low)
             y = column.bottom - share * length
-            self._axes.plot([column.right, column.right + 0.35 * pixels], [y, y], linewidth=0.8,
-                            color=self.theme.faint)
+            self._axes.plot(
+                [column.right, column.right + 0.35 * pixels],
+                [y, y],
+                linewidth=0.8,
+                color=self.theme.faint,
+            )
             self.write(column.right + 0.75 * pixels, y, label, pixels, self.theme.text)
         self._take(box)
         self._shrink(left=box.right + self.margin)
@@ -152,8 +179,12 @@ class Overlay:
         """A faint line at the bottom, on the left."""
         pixels = self.letters(13.0)
         width, height = self.measure(text, pixels)
-        box = Box(self.margin, self.size[1] - self.margin - height, self.margin + width,
-                  self.size[1] - self.margin)
+        box = Box(
+            self.margin,
+            self.size[1] - self.margin - height,
+            self.margin + width,
+            self.size[1] - self.margin,
+        )
         whole = Box(0, 0, *self.size)
         if not whole.holds(box) or any(box.meets(other) for other in self.taken):
             return
@@ -177,7 +208,9 @@ class Overlay:
         for turn in np.deg2rad([0, 50, -50, 90, -90, 120, -120, 150, -150, 180]):
             d = np.array([np.cos(ahead + turn), np.sin(ahead + turn)])
             # far enough for the box to clear the point, whichever of its sides is nearer
-            x, y = end + (min(half / np.maximum(np.abs(d), 1e-9)) + 0.6 * pixels + thickness / 2) * d
+            x, y = (
+                end + (min(half / np.maximum(np.abs(d), 1e-9)) + 0.6 * pixels + thickness / 2) * d
+            )
             box = Box(x - half[0], y - half[1], x + half[0], y + half[1])
             near = np.abs(arrow - [x, y]) < half + thickness / 2 + 0.25 * pixels
             if whole.holds(box) and not (
@@ -199,8 +232,11 @@ class Overlay:
     def _draw_bar(self, legend: Legend, column: Box, ends: float) -> None:
         colours = COLOUR_MAPS[legend.colour_map]()
         self._axes.imshow(
-            colours[::-1, None], extent=(column.left, column.right, column.bottom, column.top),
-            aspect="auto", interpolation="bilinear", zorder=2,
+            colours[::-1, None],
+            extent=(column.left, column.right, column.bottom, column.top),
+            aspect="auto",
+            interpolation="bilinear",
+            zorder=2,
         )
         self._axes.set(xlim=(0, self.size[0]), ylim=(self.size[1], 0))
         middle = (column.left + column.right) / 2
@@ -218,6 +254,8 @@ class Overlay:
 
     def _shrink(self, left: float = 0.0, top: float = 0.0, bottom: float = np.inf) -> None:
         self.free = Box(
-            max(self.free.left, left), max(self.free.top, top), self.free.right,
+            max(self.free.left, left),
+            max(self.free.top, top),
+            self.free.right,
             min(self.free.bottom, bottom),
         )

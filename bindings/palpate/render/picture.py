@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 import palpate
 from palpate.render.camera import Camera
-from palpate.render.colour_map import Legend, build_legend
+from palpate.render.colour_map import build_legend
 from palpate.render.overlay import Overlay
 from palpate.render.part import Look
 from palpate.render.shapes import (
@@ -172,7 +172,11 @@ def build_organ(
     )
     selection = picture.selection
     return Thing(
-        x, np.asarray(palpate.compute_vertex_normals(x, faces)), faces, look, values,
+        x,
+        np.asarray(palpate.compute_vertex_normals(x, faces)),
+        faces,
+        look,
+        values,
         None if selection is None else as_column(selection, len(x), "selection"),
     )
 
@@ -206,9 +210,7 @@ def place_camera(picture: Picture, things: list[Thing], overlay: Overlay) -> Cam
     return camera
 
 
-def label_arrow(
-    overlay: Overlay, camera: Camera, arrow: Arrow, size: tuple[int, int]
-) -> None:
+def label_arrow(overlay: Overlay, camera: Camera, arrow: Arrow, size: tuple[int, int]) -> None:
     ends, depth = camera.project([arrow.start, arrow.end], size)
     if depth.min() <= 0.0:  # behind the eye
         return

@@ -10,9 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 
-def build_program(
-    context: moderngl.Context, name: str, geometry: bool = False
-) -> moderngl.Program:
+def build_program(context: moderngl.Context, name: str, geometry: bool = False) -> moderngl.Program:
     """The program of name.vert, name.frag and, where asked for, name.geom."""
     folder = files("palpate.render") / "shaders"
     return context.program(

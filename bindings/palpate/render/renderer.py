@@ -117,8 +117,10 @@ class Renderer:
         program["middle"].value, program["rim"].value = self.theme.backdrop, self.theme.corner
         program["aspect"].value = size[0] / size[1]
         program["tile"].value = (
-            tile.left / size[0], tile.bottom / size[1],
-            (tile.left + tile.width) / size[0], (tile.bottom + tile.height) / size[1],
+            tile.left / size[0],
+            tile.bottom / size[1],
+            (tile.left + tile.width) / size[0],
+            (tile.bottom + tile.height) / size[1],
         )
         self._backdrop.render(moderngl.TRIANGLES, vertices=3)
 
@@ -149,7 +151,10 @@ class Renderer:
         # back faces would shine through the ghost itself
         self.context.enable_only(moderngl.DEPTH_TEST | moderngl.BLEND | moderngl.CULL_FACE)
         self.context.blend_func = (
-            moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ZERO, moderngl.ONE,
+            moderngl.SRC_ALPHA,
+            moderngl.ONE_MINUS_SRC_ALPHA,
+            moderngl.ZERO,
+            moderngl.ONE,
         )
         self.context.depth_func, screen.depth_mask = ">", False
         for part in through:
@@ -166,7 +171,6 @@ class Renderer:
         program["wire_width"].value = self.wire_width if look.wired else 0.0
         program["opacity"].value = opacity
         part.draw()
-
 
 
 def lamp(camera: Camera, direction: tuple[float, float, float]) -> NDArray[np.float64]:

@@ -70,9 +70,7 @@ class ShadowMap:
         self.texture = self._map.texture
         self.world_to_texture = np.eye(4)
 
-    def draw(
-        self, parts: Iterable[Part], centre: Array, radius: float, to_lamp: Array
-    ) -> None:
+    def draw(self, parts: Iterable[Part], centre: Array, radius: float, to_lamp: Array) -> None:
         """Leaves its own framebuffer in use."""
         world_to_clip = look_along(centre, radius, to_lamp)
         self._map.draw(parts, world_to_clip)

@@ -60,14 +60,24 @@ def build_arrow(start: ArrayLike, end: ArrayLike, radius: float) -> Shape:
     neck = length - head
     slope = np.array([head, wide]) / math.hypot(head, wide)
     # every edge stands twice, once with the normal of either side, so that it stays sharp
-    profile = [[0, 0], [shaft, 0], [shaft, 0], [shaft, neck], [shaft, neck], [wide, neck],
-               [wide, neck], [0, length]]
+    profile = [
+        [0, 0],
+        [shaft, 0],
+        [shaft, 0],
+        [shaft, neck],
+        [shaft, neck],
+        [wide, neck],
+        [wide, neck],
+        [0, length],
+    ]
     slopes = [[0, -1], [0, -1], [1, 0], [1, 0], [0, -1], [0, -1], slope, slope]
     return turn(np.array(profile, dtype=float), np.array(slopes, dtype=float), a, b - a)
 
 
 def turn(
-    profile: NDArray[np.float64], slopes: NDArray[np.float64], origin: NDArray[np.float64],
+    profile: NDArray[np.float64],
+    slopes: NDArray[np.float64],
+    origin: NDArray[np.float64],
     axis: NDArray[np.float64],
 ) -> Shape:
     """Turns a profile of (distance from the axis, height along it) into a surface around the axis.

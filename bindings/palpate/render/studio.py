@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""From surfaces to pixels with no display: puts parts on a floor, lights them, takes the picture."""
+"""From surfaces to pixels with no display: a floor, three lamps, the sky, and a camera."""
 
 from __future__ import annotations
 
@@ -150,9 +150,7 @@ def cut_tiles(size: tuple[int, int], largest: int) -> Iterator[Tile]:
     """Tiles of at most `largest` pixels a side that cover a picture once."""
     for bottom in range(0, size[1], largest):
         for left in range(0, size[0], largest):
-            yield Tile(
-                left, bottom, min(largest, size[0] - left), min(largest, size[1] - bottom)
-            )
+            yield Tile(left, bottom, min(largest, size[0] - left), min(largest, size[1] - bottom))
 
 
 def as_stream(array: NDArray[np.floating]) -> NDArray[np.float32]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The colour map viridis, by Nathaniel Smith and Stefan van der Walt, in the public domain (CC0)."""
+"""The colour map viridis, by Nathaniel Smith and Stefan van der Walt, public domain (CC0)."""
 
 VIRIDIS = (
     "44015444025645045745055946075a46085c460a5d460b5e470d60470e61471063471164471365481467481668"
