@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "palpate/sim/dynamics/guard.h"
+#include "palpate/sim/dynamics/step.h"
+#include "scenes/tissues.h"
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
+  throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+
+using namespace palpate;
+
+TEST_CASE("the count of allocations counts") {
+  const long before = allocations;
+  const std::vector<int> grows(10);
+
+  CHECK(allocations == before + 1);
+}
+
+TEST_CASE("no explicit step and no look for alarms allocates") {
+  TissueModel model = scenes::make_molecular_organ(1, {.damping_ratio = 0.2, .drag = 1.0});
+  model.home.assign(model.mass.size(), 1.0);
+  model.pressure = 100.0;
+  State state(model);
+  Guard guard(model, Vec3::Zero(), state);
+  Load load(4);
+  int alarms = 0;
+
+  const long before = allocations;
+  for (int s = 0; s < 200; ++s) {
+    load.clear();
+    load.add({s % 7, {0.2, 0.3, 0.5}, {0, 0, -0.01}});
+    for (const Integrator integrator : {Integrator::explicit_euler, Integrator::symplectic_euler,
+                                        Integrator::midpoint, Integrator::runge_kutta_4}) {
+      step(model, load, 1e-5, integrator, state);
+    }
+    step(model, load, 1e-5, state);
+    alarms += static_cast<bool>(check(model, Vec3::Zero(), state, 1e-3, guard));
+  }
+  const long after = allocations;
+
+  CHECK(after == before);
+  CHECK(alarms == 0);
+}
