@@ -125,7 +125,7 @@ Alarm check(const TissueModel& model, const Vec3& gravity, const State& state, d
     const double field = compute_field_work(model, gravity, guard.last_position, state.position);
     alarm = check_energy(model, energy, work + field, guard);
   }
-  std::copy(state.position.begin(), state.position.end(), guard.last_position.begin());
+  if (!alarm) std::copy(state.position.begin(), state.position.end(), guard.last_position.begin());
   if (alarm) alarm.time = state.time;
   return alarm;
 }

@@ -29,7 +29,7 @@ struct Guard {
   Guard() = default;
   Guard(const TissueModel& model, const Vec3& gravity, const State& state);
 
-  Vec3Array last_position;
+  Vec3Array last_position;            ///< [m] at the last look that found nothing wrong
   double shortest_rest_length = 0.0;  ///< [m]
   double start_energy = 0.0;          ///< [J] elastic and kinetic
   double last_energy = 0.0;           ///< [J] elastic and kinetic

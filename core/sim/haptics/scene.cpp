@@ -14,6 +14,9 @@ namespace {
 // beyond this a tick of 1 ms could not be kept by any machine this is made for
 constexpr int kMostSubsteps = 10000;
 
+/// Contact may always have this many.
+constexpr int kContactSubsteps = 6;
+
 [[noreturn]] void refuse(const char* field, double found, const char* expected) {
   std::ostringstream text;
   text << "scene: " << field << ": got " << found << ", expected " << expected;
@@ -57,8 +60,9 @@ std::vector<double> compute_rest_areas(const TissueModel& tissue) {
 }  // namespace
 
 /// Substeps are what stable_step() allows at rest, n = ceil(dt / stable_step). Contact may raise
-/// them by a third, by one at least: measured, that is where more brings no more stability, for
-/// the massless tool yields before a contact gets as stiff as its row sum says (TOOLS section 1).
+/// them by a third: more has brought no more stability, for the massless tool yields before a
+/// contact gets as stiff as its row sum says (TOOLS section 1). Where the tissue needs so few that
+/// a third is nothing, contact may have six: a blow wants them, and they are cheap.
 Scene build_scene(Scene scene) {
   validate(scene);
   scene.rest_areas = compute_rest_areas(scene.tissue);
@@ -73,7 +77,8 @@ Scene build_scene(Scene scene) {
     scene.substeps = std::max(1, static_cast<int>(needed));
   }
   if (scene.substeps_max == 0) {
-    scene.substeps_max = scene.substeps + std::max(1, scene.substeps / 3);
+    scene.substeps_max =
+        std::max(kContactSubsteps, scene.substeps + std::max(1, scene.substeps / 3));
   }
   if (scene.substeps_max < scene.substeps) {
     refuse("substeps_max", scene.substeps_max, "at least the substeps the tissue needs");

@@ -10,37 +10,74 @@
 namespace palpate {
 namespace {
 
+/// [m/s] No hand is faster: what is, is a device that jumps. It is followed at this speed, for the
+/// blow of a jump would tear the tissue.
+constexpr double kFastestHand = 3.0;
+
+Vec3 follow_hand(const Vec3& hand, double dt, const World& world) noexcept {
+  if (!world.tool.placed) return hand;
+  const Vec3 way = hand - world.hand;
+  const double most = kFastestHand * dt;
+  return way.norm() > most ? Vec3(world.hand + way * (most / way.norm())) : hand;
+}
+
 /// The share of the stability limit that a tick with contact uses: the row-sum bound looks at the
 /// start of the tick, and contacts grow within it.
 constexpr double kStepShare = 0.75;
 
-/// How many substeps contact asks for in this tick. With the contacts' part k/m of the spectrum,
+/// How far a particle may go in one substep, in shortest links: what the guard allows (SCIENCE 3).
+constexpr double kLongestMove = 0.3;
+
+/// How many substeps contact asks for to be stable. With the contacts' part k/m of the spectrum,
 ///
 ///     w^2 <= w0^2 + max k/m,   dt <= 0.75 (sqrt(c^2 + 4 w^2) - c) / w^2
 ///
 /// which is 2/w (sqrt(1 + z^2) - z) with z = c/(2w): TOOLS section 1, SCIENCE section 3.
-int choose_substeps(const Scene& scene, double dt, World& world) noexcept {
+double count_stable_substeps(const Scene& scene, double dt, World& world) noexcept {
   const double contact =
       bound_contact_stiffness(scene.tool, world.candidates, scene.tissue.triangles,
                               world.tissue.position, scene.tissue.mass, world.tool, world.scratch);
-  if (!(contact > 0.0)) return scene.substeps;
+  if (!(contact > 0.0)) return 1.0;
   const double w2 = scene.spectrum_stiffness + contact;
   const double c = scene.spectrum_damping;
   const double limit = (std::sqrt(c * c + 4.0 * w2) - c) / w2;
-  const double wanted = std::ceil(dt / (kStepShare * limit));
+  return std::ceil(dt / (kStepShare * limit));
+}
+
+/// How many substeps a blow asks for: a particle far lighter than the hand leaves it at up to twice
+/// its speed, and must not fly past its neighbours in one substep.
+double count_blow_substeps(double way, const World& world) noexcept {
+  return std::ceil(2.0 * way / (kLongestMove * world.guard.shortest_rest_length));
+}
+
+/// `way` [m] is how far the hand has come since the last tick. A tick in which contact may begin,
+/// or a hold has just been let go, gets all the substeps there are: how stiff the one will be and
+/// how fast the other is not known yet. They are taken back one by one, while the tissue calms.
+int choose_substeps(const Scene& scene, double way, bool released, double dt,
+                    World& world) noexcept {
+  const bool near = world.candidates.count > 0 || world.tool.hold_count > 0;
+  double wanted = world.substeps - 1;
+  if (released || (near && !world.tool.touching && world.tool.hold_count == 0)) {
+    wanted = scene.substeps_max;
+  } else if (near) {
+    wanted = std::max(
+        {wanted, count_stable_substeps(scene, dt, world), count_blow_substeps(way, world)});
+  }
   return static_cast<int>(std::clamp(wanted, double(scene.substeps), double(scene.substeps_max)));
 }
 
-/// Attaches when the button goes down, releases when it comes up.
-void follow_button(const Scene& scene, std::uint8_t buttons, World& world) noexcept {
+/// Attaches when the button goes down, releases when it comes up; returns whether it let go.
+bool follow_button(const Scene& scene, std::uint8_t buttons, World& world) noexcept {
   const bool pressed = (buttons & kAttachButton) != 0;
+  const bool released = !pressed && world.tool.hold_count > 0;
   if (pressed && !world.attach_pressed) {
     attach_tool(world.load, scene.tissue.triangles, world.tissue.position, scene.hold_stiffness,
                 world.tool);
-  } else if (!pressed && world.attach_pressed) {
+  } else if (released) {
     release_tool(world.tool);
   }
   world.attach_pressed = pressed;
+  return released;
 }
 
 /// [W] what the pushes do to the tissue at velocities v; times the substep it is their work to the
@@ -56,6 +93,15 @@ double compute_push_power(std::span<const Push> pushes, std::span<const Triangle
   return power;
 }
 
+/// Back to the last tick in which nothing was wrong, and no further (SCIENCE 3).
+void stand_still(World& world) noexcept {
+  std::copy(world.guard.last_position.begin(), world.guard.last_position.end(),
+            world.tissue.position.begin());
+  std::fill(world.tissue.velocity.begin(), world.tissue.velocity.end(), Vec3::Zero());
+  release_tool(world.tool);
+  world.tool.touching = false;
+}
+
 }  // namespace
 
 HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
@@ -65,12 +111,16 @@ HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
 
   State& tissue = world.tissue;
   world.tree.refit(tissue.position);
-  if (place_tool(world.tree, tissue.position, sample.position, world.tool)) {
-    find_candidates(world.tree, tissue.position, scene.tool, world.tool.position, sample.position,
+  const Vec3 hand = follow_hand(sample.position, dt, world);
+  const double way = world.tool.placed ? (hand - world.hand).norm() : 0.0;
+  bool released = false;
+  if (place_tool(world.tree, tissue.position, hand, world.tool)) {
+    find_candidates(world.tree, tissue.position, scene.tool, world.tool.position, hand,
                     scene.rest_areas, world.candidates);
-    follow_button(scene, sample.buttons, world);
+    released = follow_button(scene, sample.buttons, world);
   }
-  world.substeps = choose_substeps(scene, dt, world);
+  world.substeps = choose_substeps(scene, way, released, dt, world);
+  world.hand = hand;
   const double substep = dt / world.substeps;
 
   // Which triangles may be touched is settled once per tick. Where and how hard they are touched
@@ -79,15 +129,18 @@ HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
   double work = 0.0;
   for (int s = 0; s < world.substeps; ++s) {
     if (world.tool.placed) {
-      felt += balance_tool(scene.tool, scene.coupling, sample.position, world.candidates,
+      felt += balance_tool(scene.tool, scene.coupling, hand, world.candidates,
                            scene.tissue.triangles, tissue.position, world.tool, world.load);
     }
     step(scene.tissue, world.load, substep, tissue);
     work +=
         substep * compute_push_power(world.load.pushes(), scene.tissue.triangles, tissue.velocity);
   }
-  world.alarm = check(scene.tissue, scene.gravity, tissue, work, world.guard);
-  if (world.alarm) return {};
+  world.alarm = check(scene.tissue, scene.gravity, tissue, work, world.guard, world.substeps);
+  if (world.alarm) {
+    stand_still(world);
+    return {};
+  }
   return {.force = felt / world.substeps};
 }
 

@@ -14,9 +14,10 @@ namespace palpate {
 /// substeps. The live loop, the replay of a record and the tests all call this function, so a
 /// recorded session gives back the very same forces. Does not allocate, lock, log or throw.
 ///
-/// The tool appears at the hand with the first sample outside the tissue (place_tool.h). Pressing
-/// the attach button fastens it to what it touched last, letting go releases it. After an alarm
-/// the tissue stands still as it was before the tick that raised it.
+/// The tool is drawn to the hand, which is followed at up to 3 m/s. It appears there with the first
+/// sample outside the tissue (place_tool.h). Pressing the attach button fastens it to what it
+/// touched last, letting go releases it. After an alarm the tissue stands still as it was before
+/// the tick that raised it.
 HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
                    World& world) noexcept;
 

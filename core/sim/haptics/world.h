@@ -17,6 +17,7 @@ struct World {
   AabbTree tree;
   Candidates candidates;
   ToolState tool;
+  Vec3 hand = Vec3::Zero();  ///< [m] where the tool is drawn to: the hand, unless that jumped
   Load load;
   Guard guard;
   Alarm alarm;  ///< the first alarm; from then on the force is zero and the tissue stands still

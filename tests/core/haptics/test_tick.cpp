@@ -48,7 +48,6 @@ TEST_CASE("a hand that touches nothing feels exactly nothing and moves nothing")
   CHECK_FALSE(world.tool.touching);
   CHECK(world.tissue.position == scene.tissue.rest_position);
   CHECK(world.tick_count == 100);
-  CHECK(world.substeps == scene.substeps);
 }
 
 TEST_CASE("pressing down is felt as a push up, harder the deeper") {
@@ -143,26 +142,56 @@ TEST_CASE("pressing the attach button in the air fastens nothing, then or later"
   World world(scene);
 
   stay(scene, world, hand_at({0, 0, 0.03}, kAttachButton), 10);
-  stay(scene, world, hand_at({0, 0, 0.021}, kAttachButton), 100);
+  stay(scene, world, hand_at({0, 0, 0.021}, kAttachButton), 400);
 
   CHECK(world.tool.touching);
   CHECK(world.tool.hold_count == 0);
 }
 
-TEST_CASE("contact raises the substeps within their bounds, and only while it lasts") {
+TEST_CASE("substeps are few in the air, all near the tissue and as many as needed in contact") {
   const Scene scene = press_scene();
   World world(scene);
-  int most = 0;
-  ScriptedDevice hand = press_script(0.006, 0.5);
-  for (int i = 0; i < 500; ++i) {
-    tick(scene, hand.read(1e-3 * i), 1e-3, world);
-    CHECK(world.substeps >= scene.substeps);
-    most = std::max(most, world.substeps);
-  }
 
-  CHECK(most > scene.substeps);
-  CHECK(most <= scene.substeps_max);
+  stay(scene, world, hand_at({0, 0, 0.04}), 10);
   CHECK(world.substeps == scene.substeps);
+  stay(scene, world, hand_at({0, 0, 0.0235}), 10);
+  CHECK(world.substeps == scene.substeps_max);
+  for (int i = 0; i < 300; ++i) {
+    tick(scene, hand_at({0, 0, 0.0235 - 1e-5 * i}), 1e-3, world);
+    CHECK(world.substeps >= scene.substeps);
+    CHECK(world.substeps <= scene.substeps_max);
+  }
+  REQUIRE(world.tool.touching);
+  CHECK(world.substeps < scene.substeps_max);
+  stay(scene, world, hand_at({0, 0, 0.04}), 20);
+  CHECK(world.substeps == scene.substeps);
+}
+
+TEST_CASE("a hand faster than 3 m/s is followed at that speed and felt only where the tool is") {
+  const Scene scene = press_scene();
+  World world(scene);
+  stay(scene, world, hand_at({0, 0, 0.05}), 1);
+
+  const HapticCommand command = stay(scene, world, hand_at({0, 0, 0.10}), 1);
+
+  CHECK(world.tool.position.z() == doctest::Approx(0.053));
+  CHECK(command.force == Vec3::Zero());
+  stay(scene, world, hand_at({0, 0, 0.10}), 16);
+  CHECK(world.tool.position == Vec3(0, 0, 0.10));
+}
+
+TEST_CASE("letting go of a hard pull is no alarm") {
+  const Scene scene = press_scene();
+  World world(scene);
+  stay(scene, world, hand_at({0, 0, 0.0235}), 1);
+  stay(scene, world, hand_at({0, 0, 0.0205}), 50);
+  const HapticCommand pulled = stay(scene, world, hand_at({0, 0, 0.0405}, kAttachButton), 500);
+  REQUIRE(pulled.force.norm() > 1.0);
+
+  stay(scene, world, hand_at({0, 0, 0.0405}), 1500);
+
+  CHECK_FALSE(world.alarm);
+  CHECK((world.tissue.position[5] - scene.tissue.rest_position[5]).norm() < 1e-4);
 }
 
 TEST_CASE("a hand that jumps through the organ in one tick leaves its tool on this side") {
