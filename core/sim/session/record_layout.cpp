@@ -17,70 +17,42 @@ constexpr std::array<std::array<char, 4>, 4> kBlockMagics = {
 
 template <class Visit>
 void visit_columns(const TickLog::Tick*, Visit visit) {
-  visit(
-      "time", [](auto& t) -> auto& { return t.sample.time; });
-  visit(
-      "position_x", [](auto& t) -> auto& { return t.sample.position[0]; });
-  visit(
-      "position_y", [](auto& t) -> auto& { return t.sample.position[1]; });
-  visit(
-      "position_z", [](auto& t) -> auto& { return t.sample.position[2]; });
-  visit(
-      "orientation_x", [](auto& t) -> auto& { return t.sample.orientation.coeffs()[0]; });
-  visit(
-      "orientation_y", [](auto& t) -> auto& { return t.sample.orientation.coeffs()[1]; });
-  visit(
-      "orientation_z", [](auto& t) -> auto& { return t.sample.orientation.coeffs()[2]; });
-  visit(
-      "orientation_w", [](auto& t) -> auto& { return t.sample.orientation.coeffs()[3]; });
-  visit(
-      "velocity_x", [](auto& t) -> auto& { return t.sample.velocity[0]; });
-  visit(
-      "velocity_y", [](auto& t) -> auto& { return t.sample.velocity[1]; });
-  visit(
-      "velocity_z", [](auto& t) -> auto& { return t.sample.velocity[2]; });
-  visit(
-      "grip", [](auto& t) -> auto& { return t.sample.grip; });
-  visit(
-      "buttons", [](auto& t) -> auto& { return t.sample.buttons; });
-  visit(
-      "force_x", [](auto& t) -> auto& { return t.felt.force[0]; });
-  visit(
-      "force_y", [](auto& t) -> auto& { return t.felt.force[1]; });
-  visit(
-      "force_z", [](auto& t) -> auto& { return t.felt.force[2]; });
-  visit(
-      "tool_x", [](auto& t) -> auto& { return t.felt.position[0]; });
-  visit(
-      "tool_y", [](auto& t) -> auto& { return t.felt.position[1]; });
-  visit(
-      "tool_z", [](auto& t) -> auto& { return t.felt.position[2]; });
-  visit(
-      "touched", [](auto& t) -> auto& { return t.felt.touched; });
-  visit(
-      "lateness_us", [](auto& t) -> auto& { return t.felt.lateness_us; });
+  visit("time", [](auto& t) { return &t.sample.time; });
+  visit("position_x", [](auto& t) { return &t.sample.position[0]; });
+  visit("position_y", [](auto& t) { return &t.sample.position[1]; });
+  visit("position_z", [](auto& t) { return &t.sample.position[2]; });
+  visit("orientation_x", [](auto& t) { return &t.sample.orientation.coeffs()[0]; });
+  visit("orientation_y", [](auto& t) { return &t.sample.orientation.coeffs()[1]; });
+  visit("orientation_z", [](auto& t) { return &t.sample.orientation.coeffs()[2]; });
+  visit("orientation_w", [](auto& t) { return &t.sample.orientation.coeffs()[3]; });
+  visit("velocity_x", [](auto& t) { return &t.sample.velocity[0]; });
+  visit("velocity_y", [](auto& t) { return &t.sample.velocity[1]; });
+  visit("velocity_z", [](auto& t) { return &t.sample.velocity[2]; });
+  visit("grip", [](auto& t) { return &t.sample.grip; });
+  visit("buttons", [](auto& t) { return &t.sample.buttons; });
+  visit("force_x", [](auto& t) { return &t.felt.force[0]; });
+  visit("force_y", [](auto& t) { return &t.felt.force[1]; });
+  visit("force_z", [](auto& t) { return &t.felt.force[2]; });
+  visit("tool_x", [](auto& t) { return &t.felt.position[0]; });
+  visit("tool_y", [](auto& t) { return &t.felt.position[1]; });
+  visit("tool_z", [](auto& t) { return &t.felt.position[2]; });
+  visit("touched", [](auto& t) { return &t.felt.touched; });
+  visit("lateness_us", [](auto& t) { return &t.felt.lateness_us; });
 }
 
 template <class Visit>
 void visit_columns(const Happening*, Visit visit) {
-  visit(
-      "tick", [](auto& h) -> auto& { return h.tick; });
-  visit(
-      "kind", [](auto& h) -> auto& { return h.kind; });
-  visit(
-      "index", [](auto& h) -> auto& { return h.index; });
-  visit(
-      "value", [](auto& h) -> auto& { return h.value; });
+  visit("tick", [](auto& h) { return &h.tick; });
+  visit("kind", [](auto& h) { return &h.kind; });
+  visit("index", [](auto& h) { return &h.index; });
+  visit("value", [](auto& h) { return &h.value; });
 }
 
 template <class Visit>
 void visit_columns(const StateHash*, Visit visit) {
-  visit(
-      "tick", [](auto& h) -> auto& { return h.tick; });
-  visit(
-      "hash_0", [](auto& h) -> auto& { return h.hash[0]; });
-  visit(
-      "hash_1", [](auto& h) -> auto& { return h.hash[1]; });
+  visit("tick", [](auto& h) { return &h.tick; });
+  visit("hash_0", [](auto& h) { return &h.hash[0]; });
+  visit("hash_1", [](auto& h) { return &h.hash[1]; });
 }
 
 template <class Visit>
@@ -98,7 +70,7 @@ void visit_kind(BlockKind kind, Visit visit) {
 }
 
 template <class Row, class Column>
-using Value = std::remove_cvref_t<std::invoke_result_t<Column, Row&>>;
+using Value = std::remove_pointer_t<std::invoke_result_t<Column, Row&>>;
 
 std::vector<int> column_widths(BlockKind kind) {
   std::vector<int> widths;
@@ -139,7 +111,7 @@ Bytes pack_rows(std::span<const Row> rows) {
   Bytes bytes;
   bytes.reserve(rows.size() * sizeof(Row));
   visit_columns(rows.data(), [&](const char*, auto column) {
-    for (const Row& row : rows) append(column(row), bytes);
+    for (const Row& row : rows) append(*column(row), bytes);
   });
   return bytes;
 }
@@ -151,7 +123,8 @@ void unpack_rows(const std::uint8_t* at, std::uint32_t count, std::vector<Row>& 
   visit_columns(rows.data(), [&]<class Column>(const char*, Column column) {
     using T = Value<Row, Column>;
     for (std::size_t i = 0; i < count; ++i, at += sizeof(T)) {
-      column(rows[first + i]) = std::bit_cast<T>(static_cast<Bits<sizeof(T)>>(load(at, sizeof(T))));
+      *column(rows[first + i]) =
+          std::bit_cast<T>(static_cast<Bits<sizeof(T)>>(load(at, sizeof(T))));
     }
   });
 }
