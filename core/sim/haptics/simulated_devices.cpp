@@ -8,6 +8,9 @@
 namespace palpate {
 namespace {
 
+constexpr double kGlideTime = 15e-3;   // [s]
+constexpr double kFastestGlide = 1.0;  // [m/s]
+
 /// Throws std::invalid_argument naming the first frame that is wrong.
 void validate(const std::vector<KeyFrame>& frames) {
   if (frames.empty()) {
@@ -68,10 +71,28 @@ void PointerDevice::set(const HapticSample& sample) {
 }
 
 HapticSample PointerDevice::read(double time) noexcept {
-  samples_.take();
-  HapticSample sample = samples_.front();
-  sample.time = time;
-  return sample;
+  const bool is_new = samples_.take();
+  const HapticSample& wanted = samples_.front();
+  const double dt = std::max(0.0, time - hand_.time);
+  Vec3 position = hand_.position;
+  Vec3 velocity = Vec3::Zero();
+  if (!has_hand_) {
+    position = wanted.position;
+  } else if (dt > 0.0) {
+    const Vec3 way = wanted.position - position;
+    const Vec3 part = way * (1.0 - std::exp(-dt / kGlideTime));
+    const double most = kFastestGlide * dt;
+    const Vec3 move = part.norm() > most ? Vec3(part * (most / part.norm())) : part;
+    // the last nanometre at once: a hand that rests must not creep for ever
+    position = way.norm() < 1e-9 ? wanted.position : Vec3(position + move);
+    velocity = (position - hand_.position) / dt;
+  }
+  has_hand_ = has_hand_ || is_new;
+  hand_ = wanted;
+  hand_.time = time;
+  hand_.position = position;
+  hand_.velocity = velocity;
+  return hand_;
 }
 
 void PointerDevice::write(const HapticCommand& command) noexcept {

@@ -34,9 +34,14 @@ class ScriptedDevice : public HapticDevice {
 };
 
 /// A hand that a window moves: set() from the GUI thread, read() from the haptic thread.
+///
+/// A window tells where its pointer is some 60 times a second. In between the hand glides there,
+/// two thirds of the way in 15 ms and never faster than 1 m/s, or the tissue would feel a
+/// staircase. The first position is taken at once.
 class PointerDevice : public HapticDevice {
  public:
-  void set(const HapticSample& sample);  ///< one calling thread; time is filled in by read()
+  /// One calling thread; time and velocity are filled in by read().
+  void set(const HapticSample& sample);
   HapticSample read(double time) noexcept override;
   void write(const HapticCommand& command) noexcept override;
   std::string name() const override { return "pointer"; }
@@ -46,6 +51,8 @@ class PointerDevice : public HapticDevice {
  private:
   Latest<HapticSample> samples_;
   Latest<HapticCommand> commands_;
+  HapticSample hand_;  ///< as read last
+  bool has_hand_ = false;
 };
 
 /// A hand read back from a record, one sample per call, whatever the time; the last one stays.

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <atomic>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <thread>
@@ -9,6 +10,7 @@
 #include "palpate/sim/haptics/simulated_devices.h"
 
 using namespace palpate;
+using Vec4 = Eigen::Vector4d;
 
 TEST_CASE("a scripted hand is at its key frames at their times") {
   ScriptedDevice device({{0.5, {0, 0, 0}, 0}, {1.5, {0, 0, 0.01}, 1}, {2.0, {0.02, 0, 0}, 0}});
@@ -85,7 +87,7 @@ TEST_CASE("a pointer's samples reach another thread whole, and forces come back 
   std::thread window([&] {
     for (int i = 1; !stop; ++i) {
       HapticSample sample;
-      sample.position = Vec3(i, i, i);
+      sample.orientation = Quaternion(i, i, i, i);
       sample.grip = i;
       device.set(sample);
       const Vec3 force = device.take_command().force;
@@ -97,7 +99,9 @@ TEST_CASE("a pointer's samples reach another thread whole, and forces come back 
   double last = 0.0;
   for (int i = 0; i < 20000; ++i) {
     const HapticSample sample = device.read(i);
-    whole = whole && sample.position == Vec3::Constant(sample.grip) && sample.time == i;
+    const double grip = sample.grip;
+    whole = whole && sample.time == i &&
+            (grip == 0.0 || sample.orientation.coeffs() == Vec4::Constant(grip));
     newer = newer && sample.grip >= last;
     last = sample.grip;
     device.write({.force = Vec3::Constant(i)});
@@ -110,4 +114,40 @@ TEST_CASE("a pointer's samples reach another thread whole, and forces come back 
   CHECK(newer);
   CHECK(forces_whole);
   CHECK(device.take_command().force == Vec3::Constant(19999));
+}
+
+TEST_CASE("a pointer's hand begins where it is first set, and glides from there without a step") {
+  PointerDevice device;
+  HapticSample sample;
+  sample.position = Vec3(0.1, 0.2, 0.3);
+  device.set(sample);
+  CHECK(device.read(0.0).position == Vec3(0.1, 0.2, 0.3));
+
+  sample.position = Vec3(0.105, 0.2, 0.3);
+  sample.buttons = kAttachButton;
+  device.set(sample);
+  Vec3 last(0.1, 0.2, 0.3);
+  for (int i = 1; i <= 300; ++i) {
+    const HapticSample hand = device.read(1e-3 * i);
+    CHECK(hand.buttons == kAttachButton);
+    CHECK(hand.position.x() >= last.x());
+    CHECK((hand.position - last).norm() <= 0.35e-3);  // 5 mm / 15 ms
+    CHECK((hand.velocity - (hand.position - last) / 1e-3).norm() < 1e-9);
+    last = hand.position;
+    if (i == 15) CHECK(last.x() == doctest::Approx(0.105 - 0.005 * std::exp(-1.0)));
+  }
+  CHECK(last == Vec3(0.105, 0.2, 0.3));
+  CHECK(device.read(0.301).velocity == Vec3::Zero());
+}
+
+TEST_CASE("a pointer's hand is never faster than 1 m/s, however far the pointer jumps") {
+  PointerDevice device;
+  HapticSample sample;
+  device.set(sample);
+  device.read(0.0);
+  sample.position.z() = 0.5;
+  device.set(sample);
+
+  CHECK(device.read(0.001).velocity.norm() == doctest::Approx(1.0));
+  CHECK(device.read(0.002).position.z() == doctest::Approx(0.002));
 }
