@@ -16,7 +16,7 @@ from tree import files_under, read
 QT = ("PySide6", "shiboken6", "pyqtgraph")
 
 ARROWS = {
-    "bindings/palpate/render": ("palpate", "numpy", "moderngl"),
+    "bindings/palpate/render": ("palpate", "numpy", "moderngl", "matplotlib"),
     "bindings/palpate": ("palpate", "numpy", "scipy", "matplotlib"),
     "editor/palpate_editor": ("palpate_editor", "palpate_meshes", "palpate", "numpy", *QT),
     "meshes": ("palpate_meshes", "palpate_editor.authoring", "numpy", "scipy", "skimage"),

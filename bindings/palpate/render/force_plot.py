@@ -20,8 +20,8 @@ from palpate.render.trace import Trace, find_spans, read_trace
 from palpate.whole_file import write_whole
 
 DPI = 100
-SMALLEST = 400
-"""[px] of a side: below it the panels have no room left beside their labels."""
+SMALLEST = (800, 600)
+"""[px] Below it the panels have no room left beside their labels."""
 RUN_COLOURS: dict[str, list[Colour]] = {
     "dark": [(1.0, 0.48, 0.36), (0.36, 0.72, 1.0), (0.55, 0.85, 0.45), (0.85, 0.62, 1.0)],
     "light": [(0.82, 0.22, 0.13), (0.05, 0.40, 0.72), (0.16, 0.52, 0.18), (0.48, 0.25, 0.68)],
@@ -66,8 +66,8 @@ def plot_records(
 ) -> FigureCanvasAgg:
     if not records:
         raise ValueError("there must be at least one record to plot")
-    if min(size) < SMALLEST:
-        raise ValueError(f"size must be at least {SMALLEST} pixels a side, got {size}")
+    if size[0] < SMALLEST[0] or size[1] < SMALLEST[1]:
+        raise ValueError(f"size must be at least {SMALLEST} pixels, got {size}")
     if theme not in THEMES:
         raise ValueError(f"theme must be one of {', '.join(THEMES)}, got {theme!r}")
     traces = {name: read_trace(record) for name, record in records.items()}
@@ -139,7 +139,7 @@ def plot_components(axes: Axes, traces: Traces, colours: Colours, look: Theme) -
                 linewidth=1.2,
                 linestyle=dashes,
             )
-    axes.set_ylabel("components [N]")
+    axes.set_ylabel("by axis [N]")
     keys = [
         Line2D([], [], color=look.text, linewidth=1.2, linestyle=dashes, label=axis)
         for axis, dashes in AXIS_DASHES.items()
@@ -151,7 +151,7 @@ def plot_depth(axes: Axes, traces: Traces, colours: Colours, look: Theme) -> Non
     for name, trace in traces.items():
         axes.plot(trace.time, 1e3 * trace.depth, color=colours[name], linewidth=1.5)
     axes.axhline(0.0, color=look.faint, linewidth=0.8)
-    axes.set_ylabel("tool depth [mm]")
+    axes.set_ylabel("depth [mm]")
     say_if_untouched(axes, traces, look)
 
 
@@ -176,8 +176,8 @@ def plot_loop(axes: Axes, traces: Traces, colours: Colours, look: Theme) -> None
         axes.plot(depth, trace.along_press(), color=colours[name], linewidth=1.5)
     axes.axhline(0.0, color=look.faint, linewidth=0.8)
     axes.axvline(0.0, color=look.faint, linewidth=0.8)
-    axes.set_xlabel("tool depth [mm], positive inside")
-    axes.set_ylabel("force along the press [N], positive outwards")
+    axes.set_xlabel("depth of the tool [mm]")
+    axes.set_ylabel("force out of the tissue [N]")
     axes.set_title("force against indentation", color=look.text, fontsize=11)
     say_if_untouched(axes, traces, look)
 
