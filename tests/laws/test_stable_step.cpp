@@ -11,7 +11,7 @@ using doctest::Approx;
 namespace {
 
 struct Named {
-  const char* name;
+  std::string name;
   TissueModel model;
 };
 
