@@ -26,8 +26,12 @@ def load_verbs() -> dict[str, Verb]:
 
     verbs = {verb.name: verb for verb in VERBS}
     for point in entry_points(group="palpate.verbs"):
-        for verb in point.load():
-            verbs[verb.name] = verb
+        try:
+            plugged = point.load()
+        except ImportError as problem:  # a broken editor must not take replay and play with it
+            print(f"palpate: no verbs of '{point.value}': {problem}", file=sys.stderr)
+            continue
+        verbs |= {verb.name: verb for verb in plugged}
     return dict(sorted(verbs.items()))
 
 
@@ -55,7 +59,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if words and words[0] in EDITOR_VERBS and words[0] not in verbs:
         print(
             f"palpate: '{words[0]}' belongs to the palpate-editor distribution, which is not "
-            "installed: pip install palpate-editor",
+            "installed or cannot be loaded: pip install palpate-editor",
             file=sys.stderr,
         )
         return 2

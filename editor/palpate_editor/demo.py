@@ -144,7 +144,7 @@ def run_demo(
         runs[kind], summary[kind] = touch(kind, scene_path, PressScript(**values["script"]), say)
 
     title = f"{name}, {summary['vertices']} vertices: pressed {1e3 * values['script']['depth']:g} mm"
-    picture_of_record(out / "picture.png", out / "mss.prec", None, {}, title)
+    picture_of_record(out / "picture.png", out / "mss.prec", runs["mss"].moments.held, {}, title)
     plot_runs(out / "force_plot.png", {"mass-spring": runs["mss"], "molecular": runs["mms"]}, name)
     write_whole(out / "summary.json",
                 (json.dumps(summary, indent=2, allow_nan=False) + "\n").encode())
