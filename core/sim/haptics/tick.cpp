@@ -25,6 +25,10 @@ Vec3 follow_hand(const Vec3& hand, double dt, const World& world) noexcept {
 /// start of the tick, and contacts grow within it.
 constexpr double kStepShare = 0.75;
 
+/// Substeps that contact has at least: with one, the three Newton steps of the tool are all there
+/// are in a tick, and what they leave over lags behind the tissue and feeds it energy.
+constexpr double kFewestInContact = 3.0;
+
 /// How far a particle may go in one substep, in shortest links: what the guard allows (SCIENCE 3).
 constexpr double kLongestMove = 0.3;
 
@@ -50,18 +54,20 @@ double count_blow_substeps(double way, const World& world) noexcept {
   return std::ceil(2.0 * way / (kLongestMove * world.guard.shortest_rest_length));
 }
 
-/// `way` [m] is how far the hand has come since the last tick. A tick in which contact may begin,
-/// or a hold has just been let go, gets all the substeps there are: how stiff the one will be and
-/// how fast the other is not known yet. They are taken back one by one, while the tissue calms.
+/// `way` [m] is how far the hand has come since the last tick.
+///
+/// Near the tissue substeps only rise: a step that is long while a contact closes and short while
+/// it opens, or the other way round, is no longer symplectic and pumps a bouncing contact up. They
+/// are taken back one by one once the tool is away, while the tissue calms. A hold that is let go
+/// gets all there are, for how fast the tissue springs back is not known yet.
 int choose_substeps(const Scene& scene, double way, bool released, double dt,
                     World& world) noexcept {
-  const bool near = world.candidates.count > 0 || world.tool.hold_count > 0;
   double wanted = world.substeps - 1;
-  if (released || (near && !world.tool.touching && world.tool.hold_count == 0)) {
+  if (released) {
     wanted = scene.substeps_max;
-  } else if (near) {
-    wanted = std::max(
-        {wanted, count_stable_substeps(scene, dt, world), count_blow_substeps(way, world)});
+  } else if (world.candidates.count > 0 || world.tool.hold_count > 0) {
+    wanted = std::max({kFewestInContact, static_cast<double>(world.substeps),
+                       count_stable_substeps(scene, dt, world), count_blow_substeps(way, world)});
   }
   return static_cast<int>(std::clamp(wanted, double(scene.substeps), double(scene.substeps_max)));
 }

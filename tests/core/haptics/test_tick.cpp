@@ -148,21 +148,22 @@ TEST_CASE("pressing the attach button in the air fastens nothing, then or later"
   CHECK(world.tool.hold_count == 0);
 }
 
-TEST_CASE("substeps are few in the air, all near the tissue and as many as needed in contact") {
+TEST_CASE("substeps are few in the air, never fall near the tissue, and stay within their bounds") {
   const Scene scene = press_scene();
   World world(scene);
-
   stay(scene, world, hand_at({0, 0, 0.04}), 10);
   CHECK(world.substeps == scene.substeps);
+
   stay(scene, world, hand_at({0, 0, 0.0235}), 10);
-  CHECK(world.substeps == scene.substeps_max);
-  for (int i = 0; i < 300; ++i) {
-    tick(scene, hand_at({0, 0, 0.0235 - 1e-5 * i}), 1e-3, world);
-    CHECK(world.substeps >= scene.substeps);
+  CHECK(world.substeps >= 3);
+  for (int i = 0; i < 800; ++i) {
+    const int before = world.substeps;
+    tick(scene, hand_at({0, 0, 0.0235 - 1e-5 * std::min(i, 800 - i)}), 1e-3, world);
+    CHECK(world.substeps >= before);
     CHECK(world.substeps <= scene.substeps_max);
   }
-  REQUIRE(world.tool.touching);
-  CHECK(world.substeps < scene.substeps_max);
+  CHECK(world.substeps > 3);
+
   stay(scene, world, hand_at({0, 0, 0.04}), 20);
   CHECK(world.substeps == scene.substeps);
 }
