@@ -71,6 +71,9 @@ class ModPrice : public OpenMesh::Decimater::ModBaseT<MeshT> {
     for (const auto h : mesh.halfedges()) {
       if (mesh.is_boundary(h)) add_border(h);
     }
+    for (const auto v : mesh.vertices()) {
+      if (mesh.is_boundary(v)) keep_small_loop(v);
+    }
   }
 
   float collapse_priority(const CollapseInfo& collapse) override {
@@ -84,6 +87,7 @@ class ModPrice : public OpenMesh::Decimater::ModBaseT<MeshT> {
 
   void postprocess_collapse(const CollapseInfo& collapse) override {
     quadrics_[collapse.v1.idx()].add(quadrics_[collapse.v0.idx()]);
+    if (Base::mesh().is_boundary(collapse.v1)) keep_small_loop(collapse.v1);
   }
 
  private:
@@ -117,15 +121,22 @@ class ModPrice : public OpenMesh::Decimater::ModBaseT<MeshT> {
 
   bool is_border_kept(const CollapseInfo& collapse) {
     Mesh& mesh = Base::mesh();
-    if (!mesh.is_boundary(collapse.v0)) return true;
-    if (!mesh.is_boundary(mesh.edge_handle(collapse.v0v1))) return false;
-    auto h = mesh.is_boundary(collapse.v0v1) ? collapse.v0v1 : collapse.v1v0;
-    const auto first = h;
-    for (int length = 1; length <= kSmallestLoop; ++length) {
+    return !mesh.is_boundary(collapse.v0) ||
+           mesh.is_boundary(mesh.edge_handle(collapse.v0v1));
+  }
+
+  /// Prices of far edges are not asked for again when a loop has become small; locks are.
+  void keep_small_loop(typename Mesh::VertexHandle v) {
+    Mesh& mesh = Base::mesh();
+    const auto first = mesh.halfedge_handle(v);  // of a border vertex: along the border
+    std::vector<typename Mesh::VertexHandle> loop;
+    auto h = first;
+    do {
+      loop.push_back(mesh.to_vertex_handle(h));
       h = mesh.next_halfedge_handle(h);
-      if (h == first) return false;
-    }
-    return true;
+    } while (h != first && static_cast<int>(loop.size()) <= kSmallestLoop);
+    if (static_cast<int>(loop.size()) > kSmallestLoop) return;
+    for (const auto u : loop) mesh.status(u).set_locked(true);
   }
 
   Vec3 centre_ = Vec3::Zero();

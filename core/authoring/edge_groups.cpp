@@ -12,8 +12,8 @@ int find_root(std::vector<int>& parent, int i) {
 }
 
 void unite(std::vector<int>& parent, int i, int j) {
-  const auto [first, last] = std::minmax(find_root(parent, i), find_root(parent, j));
-  parent[last] = first;
+  const int a = find_root(parent, i), b = find_root(parent, j);
+  parent[std::max(a, b)] = std::min(a, b);
 }
 
 }  // namespace
