@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 
 import pytest
-from tree import files_under, read_code
+from tree import files_under, read, read_code
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD = re.compile(r"[a-z_0-9]+")
@@ -30,6 +30,13 @@ SYSTEM = {
     "core/sim/session/": ("openssl/", "zlib.h", *POSIX),
 }
 """Private parts of palpate::sim that may need more than Eigen and the C++ library."""
+
+SCENARIO = {
+    "core/scenario/archive.cpp": ("zip.h",),
+    "core/scenario/json_fields.h": ("nlohmann/",),
+    "core/scenario/whole_file.cpp": POSIX,
+}
+"""The files of palpate::scenario that need more than the C++ library."""
 
 FOREIGN = {
     "assimp": "core/authoring/read_mesh_child/",
@@ -91,6 +98,48 @@ def test_sources_of_sim_include_system_headers_only_where_that_is_stated():
             for path in foreign(name)
             if not path.startswith(("Eigen/", *allowed)) and not STANDARD.fullmatch(path)
         ]
+
+    assert wrong == []
+
+
+def test_scenario_sees_sim_and_itself():
+    files = files_under("core/scenario", ".h", ".cpp")
+    assert files
+
+    wrong = [
+        (name, path)
+        for name in files
+        for path in own(name)
+        if not path.startswith(("palpate/scenario/", "palpate/sim/"))
+    ]
+
+    assert wrong == []
+
+
+def test_scenario_includes_foreign_headers_only_where_that_is_stated():
+    wrong = [
+        (name, path)
+        for name in files_under("core/scenario", ".h", ".cpp")
+        for path in foreign(name)
+        if not STANDARD.fullmatch(path) and not path.startswith(SCENARIO.get(name, ()))
+    ]
+
+    assert wrong == []
+
+
+def test_no_installed_header_of_scenario_includes_one_that_is_not_installed():
+    listed = re.search(r"install\(FILES ((?:scenario/\w+\.h\s+)+)", read("core/CMakeLists.txt"))
+    installed = {f"core/{name}" for name in listed[1].split()}
+    assert installed <= set(files_under("core/scenario", ".h"))
+
+    needed = {path.replace("palpate/", "core/", 1) for name in installed for path in own(name)}
+
+    assert {name for name in needed if "scenario/" in name} <= installed
+
+
+def test_nothing_of_sim_includes_scenario():
+    wrong = [name for name in files_under("core/sim", ".h", ".cpp")
+             for path in own(name) if "scenario" in path]  # fmt: skip
 
     assert wrong == []
 

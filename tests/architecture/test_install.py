@@ -12,7 +12,7 @@ import pytest
 from tree import CHECKOUT
 
 ABSENT = ("ZLIB", "OpenSSL", "CGAL", "assimp", "OpenMesh", "doctest", "pybind11", "Python")
-OFF = ("RECORD_FILES", "AUTHORING", "BINDINGS", "TESTS")
+OFF = ("RECORD_FILES", "SCENARIO", "AUTHORING", "BINDINGS", "TESTS")
 
 
 def run(*command: str | Path, **options) -> str:

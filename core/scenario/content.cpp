@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/scenario/content.h"
+
+#include <limits>
+#include <stdexcept>
+
+#include "palpate/scenario/json_fields.h"
+
+namespace palpate::scenario {
+namespace {
+
+constexpr const char* kWhere = "manifest.json: content";
+constexpr std::initializer_list<const char*> kDampingLaws = {"axis", "isotropic"};
+constexpr std::initializer_list<const char*> kAngleLaws = {"gradient", "eq10"};
+
+Json print_tissue(const TissueModel& tissue) {
+  return {{"pressure", tissue.pressure},
+          {"drag", tissue.drag},
+          {"damping_law", kDampingLaws.begin()[static_cast<int>(tissue.damping_law)]},
+          {"angle_law", kAngleLaws.begin()[static_cast<int>(tissue.angle_law)]}};
+}
+
+Json print_scene(const Scene& scene) {
+  const auto& [radius, tool_stiffness] = scene.tool;
+  const auto& [coupling_stiffness, force_max] = scene.coupling;
+  return {{"tissue", print_tissue(scene.tissue)},
+          {"tool", {{"radius", radius}, {"stiffness", tool_stiffness}}},
+          {"coupling", {{"stiffness", coupling_stiffness}, {"force_max", force_max}}},
+          {"hold_stiffness", scene.hold_stiffness},
+          {"gravity", {scene.gravity.x(), scene.gravity.y(), scene.gravity.z()}},
+          {"rate", scene.rate},
+          {"substeps", scene.substeps},
+          {"substeps_max", scene.substeps_max},
+          {"spectrum_stiffness", scene.spectrum_stiffness},
+          {"spectrum_damping", scene.spectrum_damping}};
+}
+
+void parse_tissue(Fields fields, TissueModel& tissue) {
+  tissue.pressure = fields.number("pressure");
+  tissue.drag = fields.number("drag");
+  tissue.damping_law = static_cast<DampingLaw>(fields.choice("damping_law", kDampingLaws));
+  tissue.angle_law = static_cast<AngleLaw>(fields.choice("angle_law", kAngleLaws));
+  fields.finish();
+}
+
+Vec3 parse_vector(Fields& fields, const char* name) {
+  const Json& list = fields.any(name);
+  Vec3 vector;
+  bool numbers = list.is_array() && list.size() == 3;
+  for (int axis = 0; numbers && axis < 3; ++axis) {
+    const Json& number = list[static_cast<std::size_t>(axis)];
+    numbers = number.is_number();
+    if (numbers) vector[axis] = number.get<double>();
+  }
+  if (!numbers) fields.refuse(name, describe(list), "a list of 3 numbers");
+  return vector;
+}
+
+void parse_scene(Fields fields, Scene& scene) {
+  constexpr std::int64_t kMostInt = std::numeric_limits<int>::max();
+  parse_tissue(fields.object("tissue"), scene.tissue);
+  Fields tool = fields.object("tool");
+  scene.tool = {.radius = tool.number("radius"), .stiffness = tool.number("stiffness")};
+  tool.finish();
+  Fields coupling = fields.object("coupling");
+  scene.coupling = {.stiffness = coupling.number("stiffness"),
+                    .force_max = coupling.number("force_max")};
+  coupling.finish();
+  scene.hold_stiffness = fields.number("hold_stiffness");
+  scene.gravity = parse_vector(fields, "gravity");
+  scene.rate = fields.number("rate");
+  // at least 1: 0 would have build_scene choose, perhaps otherwise than it did
+  scene.substeps = static_cast<int>(fields.whole("substeps", 1, kMostInt));
+  scene.substeps_max = static_cast<int>(fields.whole("substeps_max", 1, kMostInt));
+  scene.spectrum_stiffness = fields.number("spectrum_stiffness");
+  scene.spectrum_damping = fields.number("spectrum_damping");
+  fields.finish();
+}
+
+void check_text(const char* name, const std::string& text, std::size_t most) {
+  if (text.size() <= most) return;
+  throw std::invalid_argument("scenario: " + std::string(name) + ": found " +
+                              std::to_string(text.size()) + " bytes, expected at most " +
+                              std::to_string(most));
+}
+
+Json parse_authored(const std::string& text) {
+  try {
+    return parse_object(text, "", "");
+  } catch (const FileError& problem) {
+    throw std::invalid_argument("scenario: authored: found " + problem.found + ", expected " +
+                                problem.expected);
+  }
+}
+
+}  // namespace
+
+std::string print_content(const Scenario& scenario) {
+  check_text("title", scenario.title, kMostTitleBytes);
+  check_text("task", scenario.task, kMostTaskBytes);
+  return print({{"title", scenario.title},
+                {"task", scenario.task},
+                {"scene", print_scene(scenario.scene)},
+                {"authored", parse_authored(scenario.authored)}},
+               "scenario: title or task");
+}
+
+void parse_content(const std::string& content, const std::string& file, Scenario& scenario) {
+  const Json parsed = parse_object(content, file, kWhere);
+  Fields fields(parsed, file, kWhere);
+  scenario.title = fields.text("title", kMostTitleBytes);
+  scenario.task = fields.text("task", kMostTaskBytes);
+  parse_scene(fields.object("scene"), scenario.scene);
+  const Json& authored = fields.any("authored");
+  if (!authored.is_object()) fields.refuse("authored", describe(authored), "an object");
+  scenario.authored = authored.dump();
+  fields.finish();
+}
+
+}  // namespace palpate::scenario

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/scenario/json_fields.h"
+
+#include <stdexcept>
+
+#include "palpate/scenario/container.h"
+
+namespace palpate::scenario {
+namespace {
+
+/// Watches a document while it is parsed for what the parser lets pass: members of one name, of
+/// which it would keep the last, and depth, on which it has no limit.
+class Watch {
+ public:
+  explicit Watch(const std::function<void(const std::string&, const std::string&)>& refuse)
+      : refuse_(refuse) {}
+
+  bool operator()(int depth, Json::parse_event_t event, Json& parsed) {
+    using Event = Json::parse_event_t;
+    if (event == Event::object_start || event == Event::array_start) {
+      if (depth >= kMostDepth) {
+        refuse_("values within more than " + std::to_string(kMostDepth) + " others", "fewer");
+      }
+      if (event == Event::object_start) names_.emplace_back();
+    } else if (event == Event::object_end) {
+      names_.pop_back();
+    } else if (event == Event::key && !names_.back().insert(parsed.get<std::string>()).second) {
+      refuse_("two members named " + describe(parsed), "one");
+    }
+    return true;
+  }
+
+ private:
+  const std::function<void(const std::string&, const std::string&)>& refuse_;
+  std::vector<std::set<std::string>> names_;
+};
+
+}  // namespace
+
+Json parse_object(std::string_view text, const std::string& file, const std::string& where) {
+  const std::function<void(const std::string&, const std::string&)> refuse =
+      [&](const std::string& found, const std::string& expected) {
+        throw FileError(file, where, found, expected);
+      };
+  Json parsed;
+  try {
+    parsed = Json::parse(text.begin(), text.end(), Watch(refuse));
+  } catch (const Json::parse_error& problem) {
+    refuse("text that is not JSON from byte " + std::to_string(problem.byte), "JSON");
+  } catch (const Json::exception&) {
+    refuse("a number too large for a float of 8 bytes", "JSON");
+  }
+  if (!parsed.is_object()) refuse(describe(parsed), "an object");
+  return parsed;
+}
+
+std::string print(const Json& json, const std::string& where) {
+  try {
+    return json.dump();
+  } catch (const Json::exception&) {
+    throw std::invalid_argument(where + ": found text that is not UTF-8, expected UTF-8");
+  }
+}
+
+std::string describe(const Json& value) {
+  if (value.is_object()) return "an object";
+  if (value.is_array()) return "a list of " + std::to_string(value.size());
+  const std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
+  return text.size() <= 60 ? text : text.substr(0, 57) + "...";
+}
+
+Fields::Fields(const Json& object, std::string file, std::string where)
+    : object_(object), file_(std::move(file)), where_(std::move(where)) {
+  if (!object_.is_object()) throw FileError(file_, where_, describe(object_), "an object");
+}
+
+const Json& Fields::any(const char* name) {
+  known_.insert(name);
+  const auto at = object_.find(name);
+  if (at == object_.end()) refuse(name, "nothing", "a value");
+  return *at;
+}
+
+Fields Fields::object(const char* name) { return Fields(any(name), file_, place(name)); }
+
+std::string Fields::text(const char* name, std::size_t most_bytes) {
+  const Json& value = any(name);
+  if (!value.is_string()) refuse(name, describe(value), "text");
+  const auto& text = value.get_ref<const std::string&>();
+  if (text.size() > most_bytes) {
+    refuse(name, std::to_string(text.size()) + " bytes of text",
+           "at most " + std::to_string(most_bytes));
+  }
+  return text;
+}
+
+double Fields::number(const char* name) {
+  const Json& value = any(name);
+  if (!value.is_number()) refuse(name, describe(value), "a number");
+  return value.get<double>();
+}
+
+std::int64_t Fields::whole(const char* name, std::int64_t least, std::int64_t most) {
+  const Json& value = any(name);
+  const bool fits = value.is_number_integer() &&
+                    !(value.is_number_unsigned() && value.get<std::uint64_t>() > INT64_MAX) &&
+                    value.get<std::int64_t>() >= least && value.get<std::int64_t>() <= most;
+  if (!fits) {
+    refuse(name, describe(value),
+           "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+  }
+  return value.get<std::int64_t>();
+}
+
+std::size_t Fields::choice(const char* name, std::initializer_list<const char*> names) {
+  const Json& value = any(name);
+  std::string expected;
+  std::size_t index = 0;
+  for (const char* candidate : names) {
+    if (value == candidate) return index;
+    expected += (index++ == 0 ? "" : " or ") + std::string(candidate);
+  }
+  refuse(name, describe(value), expected);
+}
+
+void Fields::finish() const {
+  for (const auto& [name, value] : object_.items()) {
+    if (known_.contains(name)) continue;
+    throw FileError(file_, where_, "an unknown member " + describe(Json(name)), "none such");
+  }
+}
+
+void Fields::refuse(const char* name, const std::string& found, const std::string& expected) const {
+  throw FileError(file_, place(name), found, expected);
+}
+
+std::string Fields::place(std::string_view name) const {
+  return (where_.empty() ? "" : where_ + ".") + std::string(name);
+}
+
+}  // namespace palpate::scenario

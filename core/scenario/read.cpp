@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/scenario/read.h"
+
+#include <stdexcept>
+
+#include "palpate/scenario/content.h"
+#include "palpate/scenario/derived.h"
+#include "palpate/scenario/migrate.h"
+#include "palpate/scenario/table_array.h"
+#include "palpate/scenario/tables.h"
+#include "palpate/sim/base/error.h"
+
+namespace palpate::scenario {
+namespace {
+
+std::string describe_shape(const Array& array) {
+  std::string text;
+  for (const std::int64_t extent : array.shape) {
+    text += (text.empty() ? "(" : ", ") + std::to_string(extent);
+  }
+  return "shape " + text + ")";
+}
+
+/// Moves an array out of the container into a table of the scene.
+template <class Row>
+void take_table(Arrays& arrays, const std::string& name, const std::string& file,
+                std::vector<Row>& table) {
+  const auto at = arrays.find(name);
+  if (at == arrays.end()) throw FileError(file, name, "no such array", "one; it may be empty");
+  if (!is_table<Row>(at->second)) {
+    const std::int64_t columns = RowOf<Row>::columns;
+    throw FileError(file, name, describe_shape(at->second) + " or another type",
+                    (columns > 0 ? "(n, " + std::to_string(columns) + ")" : "(n)") +
+                        (dtype_of<Row>() == Dtype::f8 ? " of <f8" : " of <i4"));
+  }
+  table = to_table<Row>(std::move(at->second));
+  arrays.erase(at);
+}
+
+void take_authored(Arrays& arrays, const std::string& file, Arrays& authored) {
+  const std::string folder = "authored/";
+  for (auto& [name, array] : arrays) {
+    if (name.compare(0, folder.size(), folder) != 0) {
+      throw FileError(file, name, "an array of no known table", "none such");
+    }
+    authored.emplace(name.substr(folder.size()), std::move(array));
+  }
+}
+
+/// The same sentence as a FileError: an argument is refused as "where: found this, expected that".
+[[noreturn]] void refuse(const std::string& file, const std::string& sentence) {
+  constexpr std::string_view kExpected = ", expected ";
+  const std::size_t expected = sentence.rfind(kExpected);
+  for (const std::string_view verb : {": found ", ": got "}) {
+    const std::size_t found = sentence.find(verb);
+    if (found == std::string::npos || expected == std::string::npos || expected < found) continue;
+    const std::size_t begin = found + verb.size();
+    throw FileError(file, sentence.substr(0, found), sentence.substr(begin, expected - begin),
+                    sentence.substr(expected + kExpected.size()));
+  }
+  throw FileError(file, "", sentence, "a scene that can be built");
+}
+
+}  // namespace
+
+Scenario unpack(Container container, const std::string& file) {
+  Scenario scenario;
+  scenario.version = container.version;
+  scenario.written_by = std::move(container.written_by);
+  migrate(migrations(), container);
+  parse_content(container.content, file, scenario);
+  visit_tables(scenario.scene, [&](const std::string& name, auto& table) {
+    take_table(container.arrays, name, file, table);
+  });
+  take_authored(container.arrays, file, scenario.authored_arrays);
+  try {
+    check_built(scenario.scene);
+  } catch (const std::invalid_argument& problem) {
+    refuse(file, problem.what());
+  }
+  return scenario;
+}
+
+Scenario read(const std::string& path) {
+  return unpack(read_container(path, "palpate", newest_version()), path);
+}
+
+}  // namespace palpate::scenario

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "palpate/sim/haptics/scene.h"
+
+// Not installed: the tables of a scene, each under the name it has in a file.
+//
+// Writing and reading both walk this one list. It names every field there is, so a field that is
+// added to one of the structs does not compile before its place in the file has been thought of.
+
+namespace palpate::scenario {
+
+template <class SomeLinks, class Visit>
+void visit_links(const std::string& name, SomeLinks& links, Visit& visit) {
+  auto& [ends, rest_length, stiffness, damping] = links;
+  visit(name + "/ends", ends);
+  visit(name + "/rest_length", rest_length);
+  visit(name + "/stiffness", stiffness);
+  visit(name + "/damping", damping);
+}
+
+template <class SomeAngles, class Visit>
+void visit_angles(const std::string& name, SomeAngles& angles, Visit& visit) {
+  auto& [corners, rest_cosine, rest_length, bend_stiffness, stretch_coupling, bond_share] = angles;
+  visit(name + "/corners", corners);
+  visit(name + "/rest_cosine", rest_cosine);
+  visit(name + "/rest_length", rest_length);
+  visit(name + "/bend_stiffness", bend_stiffness);
+  visit(name + "/stretch_coupling", stretch_coupling);
+  visit(name + "/bond_share", bond_share);
+}
+
+/// visit(name, table) for every table of a Scene or a const Scene. Numbers that stand alone are
+/// not tables: content.cpp has them.
+template <class SomeScene, class Visit>
+void visit_tables(SomeScene& scene, Visit visit) {
+  auto& [tissue, tool, coupling, hold_stiffness, gravity, rate, substeps, substeps_max, rest_areas,
+         spectrum_stiffness, spectrum_damping] = scene;
+  auto& [rest_position, mass, fixed, springs, bonds, angles, home, pressure, triangles, drag,
+         damping_law, angle_law] = tissue;
+  const std::string t = "scene/tissue/";
+  visit(t + "rest_position", rest_position);
+  visit(t + "mass", mass);
+  visit(t + "fixed", fixed);
+  visit_links(t + "springs", springs, visit);
+  visit_links(t + "bonds", bonds, visit);
+  visit_angles(t + "angles", angles, visit);
+  visit(t + "home", home);
+  visit(t + "triangles", triangles);
+  visit("scene/rest_areas", rest_areas);
+}
+
+}  // namespace palpate::scenario

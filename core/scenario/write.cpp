@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/scenario/write.h"
+
+#include "palpate/scenario/content.h"
+#include "palpate/scenario/derived.h"
+#include "palpate/scenario/migrate.h"
+#include "palpate/scenario/table_array.h"
+#include "palpate/scenario/tables.h"
+
+namespace palpate::scenario {
+
+Container pack(const Scenario& scenario) {
+  check_built(scenario.scene);
+  Container container{"palpate", newest_version(), print_content(scenario), {}, ""};
+  visit_tables(scenario.scene, [&](const std::string& name, const auto& table) {
+    container.arrays[name] = to_array(table);
+  });
+  for (const auto& [name, array] : scenario.authored_arrays) {
+    container.arrays["authored/" + name] = array;
+  }
+  return container;
+}
+
+void write(const std::string& path, const Scenario& scenario) {
+  write_container(path, pack(scenario));
+}
+
+}  // namespace palpate::scenario

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <unistd.h>
+
+#include <bit>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "palpate/scenario/read.h"
+#include "palpate/scenario/write.h"
+#include "palpate/sim/base/error.h"
+#include "palpate/sim/haptics/tick.h"
+#include "scenes/tissues.h"
+
+namespace palpate::testing {
+
+using scenario::Array;
+using scenario::Bytes;
+using scenario::Container;
+using scenario::Dtype;
+using scenario::Scenario;
+
+/// An organ with every table in use: springs and bonds, angles, home springs, held particles.
+inline Scene make_full_scene() {
+  Scene scene;
+  scene.tissue = scenes::make_molecular_organ(1, {.damping_ratio = 0.2, .drag = 2.0});
+  scene.tissue.springs = scenes::make_spring_organ(1).springs;
+  scene.tissue.home.assign(scene.tissue.mass.size(), 20.0);
+  scene.tissue.pressure = 100.0;
+  scene.tissue.damping_law = DampingLaw::isotropic;
+  scene.tool = {.radius = 0.004, .stiffness = 2.5e7};
+  scene.coupling = {.stiffness = 700.0, .force_max = 3.0};
+  scene.hold_stiffness = 450.0;
+  scene.gravity = {0.1, -0.2, -9.81};
+  scene.rate = 800.0;
+  return build_scene(std::move(scene));
+}
+
+inline Scenario make_scenario() {
+  Scenario made;
+  made.title = "Böbrek";
+  made.task = "Touch the organ and pull.";
+  made.scene = make_full_scene();
+  made.authored = R"({"name":"kidney","stages":[1,2.5,null]})";
+  made.authored_arrays["mesh/vertices"] = {Dtype::f8, {1, 3}, Bytes(24, 0)};
+  made.authored_arrays["notes"] = {Dtype::u1, {4}, {'n', 'o', 't', 'e'}};
+  return made;
+}
+
+/// A folder of its own that is gone when the test is.
+class Folder {
+ public:
+  explicit Folder(const char* name)
+      : path_(std::filesystem::temp_directory_path() /
+              ("palpate-" + std::string(name) + "-" + std::to_string(::getpid()))) {
+    std::filesystem::remove_all(path_);
+    std::filesystem::create_directory(path_);
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+  std::size_t count() const {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline Bytes read_bytes(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+inline void write_bytes(const std::string& path, const Bytes& bytes) {
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
+}
+
+/// The sentence with which `work` refuses a file.
+template <class Work>
+std::string refusal(Work work) {
+  try {
+    work();
+  } catch (const FileError& problem) {
+    return problem.what();
+  }
+  return "not refused";
+}
+
+/// The sentence with which `work` refuses an argument.
+template <class Work>
+std::string bad_argument(Work work) {
+  try {
+    work();
+  } catch (const std::invalid_argument& problem) {
+    return problem.what();
+  }
+  return "not refused";
+}
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace palpate::testing

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include "palpate/scenario/migrate.h"
+#include "some_scenario.h"
+
+using namespace palpate;
+using namespace palpate::testing;
+using scenario::Migration;
+
+TEST_CASE("a container goes through the steps from its own version on, in order") {
+  const std::vector<Migration> steps = {
+      [](Container& c) { c.written_by += " 1 to 2"; },
+      [](Container& c) { c.written_by += " 2 to 3"; },
+      [](Container& c) { c.written_by += " 3 to 4, at " + std::to_string(c.version); }};
+  Container old{"palpate", 2, "{}", {}, ""}, newest{"palpate", 4, "{}", {}, ""};
+
+  scenario::migrate(steps, old);
+  scenario::migrate(steps, newest);
+
+  CHECK(old.written_by == " 2 to 3 3 to 4, at 3");
+  CHECK(old.version == 4);
+  CHECK(newest.written_by == "");
+}
+
+TEST_CASE("a file of every version ever released is kept and still plays") {
+  for (int version = 1; version <= scenario::newest_version(); ++version) {
+    CAPTURE(version);
+    const Scenario kept =
+        scenario::read(PALPATE_PUBLISHED "/v" + std::to_string(version) + ".palpate");
+
+    World world(kept.scene);
+    HapticSample hand;
+    double force = 0.0;
+    for (int i = 0; i <= 1000; ++i) {  // from 2 mm above the top to 5 mm inside
+      hand.position.z() = 0.03 + kept.scene.tool.radius + 0.002 - 7e-6 * i;
+      force = tick(kept.scene, hand, 1.0 / kept.scene.rate, world).force.z();
+    }
+
+    CHECK(kept.version == version);
+    CHECK(kept.title == "Kept of version " + std::to_string(version));
+    CHECK(force > 0.1);
+    CHECK(!world.alarm);
+  }
+}
+
+TEST_CASE("the kept file of the newest version is what is written today") {
+  const std::string name = "/v" + std::to_string(scenario::newest_version()) + ".palpate";
+  const Container kept =
+      scenario::read_container(PALPATE_PUBLISHED + name, "palpate", scenario::newest_version());
+
+  const Container today = scenario::pack(scenario::read(PALPATE_PUBLISHED + name));
+
+  CHECK(today.content == kept.content);
+  CHECK(today.arrays == kept.arrays);
+}
+
+// Run once for every new version, see tests/scenes/published/README.md.
+TEST_CASE("publish the file to keep of the newest version" * doctest::skip()) {
+  const std::string version = std::to_string(scenario::newest_version());
+  Scenario made = make_scenario();
+  made.title = "Kept of version " + version;
+
+  scenario::write(PALPATE_PUBLISHED "/v" + version + ".palpate", made);
+}

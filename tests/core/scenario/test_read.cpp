@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include "palpate/scenario/read.h"
+#include "some_scenario.h"
+
+using namespace palpate;
+using namespace palpate::testing;
+
+namespace {
+
+/// The sentence that refuses a scenario one of whose tables was changed after it was packed.
+template <class T>
+std::string refuse_with(const std::string& table, std::size_t at, T value) {
+  Container changed = scenario::pack(make_scenario());
+  Array& array = changed.arrays.at("scene/tissue/" + table);
+  REQUIRE((at + 1) * sizeof(T) <= array.bytes.size());
+  std::memcpy(array.bytes.data() + at * sizeof(T), &value, sizeof(T));
+  return refusal([&] { scenario::unpack(changed, "file"); });
+}
+
+/// The same with a piece of the JSON replaced.
+std::string refuse_content(const std::string& from, const std::string& to) {
+  Container changed = scenario::pack(make_scenario());
+  const std::size_t at = changed.content.find(from);
+  REQUIRE(at != std::string::npos);
+  changed.content.replace(at, from.size(), to);
+  return refusal([&] { scenario::unpack(changed, "file"); });
+}
+
+/// What a hand that goes in and pulls feels in 400 ticks, bit by bit.
+std::vector<std::uint64_t> felt_bits(const Scene& scene) {
+  World world(scene);
+  std::vector<std::uint64_t> bits;
+  for (int i = 0; i < 400; ++i) {
+    HapticSample hand;
+    hand.position = {0.001, 0.002, 0.03 + scene.tool.radius + 0.001 - 2e-5 * std::min(i, 300)};
+    hand.buttons = i > 250 ? kAttachButton : 0;
+    const Vec3 force = tick(scene, hand, 1.0 / scene.rate, world).force;
+    for (const double number : force) bits.push_back(std::bit_cast<std::uint64_t>(number));
+  }
+  for (const std::uint64_t word : compute_hash(world)) bits.push_back(word);
+  return bits;
+}
+
+}  // namespace
+
+TEST_CASE("a scene that was read gives the very forces of the one that was written") {
+  const Folder folder("read");
+  const Scenario made = make_scenario();
+
+  scenario::write(folder.file("kidney.palpate"), made);
+  const Scenario found = scenario::read(folder.file("kidney.palpate"));
+
+  const auto bits = felt_bits(made.scene);
+  CHECK(felt_bits(found.scene) == bits);
+  CHECK(std::count(bits.begin(), bits.end(), 0u) < 1000);  // it was touched
+}
+
+TEST_CASE("every table, every number and the authored document come back") {
+  const Scenario made = make_scenario();
+
+  const Scenario found = scenario::unpack(scenario::pack(made), "file");
+
+  const Container first = scenario::pack(made), second = scenario::pack(found);
+  CHECK(first.content == second.content);
+  CHECK(first.arrays == second.arrays);
+  CHECK(first.arrays.size() == 22);
+  for (const auto& [name, array] : first.arrays) {
+    CAPTURE(name);
+    CHECK(!array.bytes.empty());  // so that none can be forgotten unseen
+  }
+  CHECK(found.title == "Böbrek");
+  CHECK(found.task == made.task);
+  CHECK(found.version == 1);
+  CHECK(found.authored == made.authored);
+  CHECK(found.authored_arrays == made.authored_arrays);
+  CHECK(found.scene.gravity == made.scene.gravity);
+  CHECK(found.scene.substeps == made.scene.substeps);
+  CHECK(found.scene.spectrum_stiffness == made.scene.spectrum_stiffness);
+  CHECK(found.scene.rest_areas == made.scene.rest_areas);
+  CHECK(found.scene.tissue.damping_law == DampingLaw::isotropic);
+}
+
+TEST_CASE("substeps a designer has chosen stay as they were chosen") {
+  Scenario made = make_scenario();
+  made.scene.substeps += 3;
+  made.scene.substeps_max = made.scene.substeps;
+
+  const Scenario found = scenario::unpack(scenario::pack(made), "file");
+
+  CHECK(found.scene.substeps == made.scene.substeps);
+  CHECK(found.scene.substeps_max == made.scene.substeps_max);
+}
+
+TEST_CASE("an index that is out of range is refused, table and row named") {
+  CHECK(contains(refuse_with("springs/ends", 7, 4200), "springs.ends: row 3: found "));
+  CHECK(contains(refuse_with("bonds/ends", 0, -1), "bonds.ends: row 0: found "));
+  CHECK(contains(refuse_with("angles/corners", 5, 42), "angles.corners: row 1: found "));
+  CHECK(contains(refuse_with("triangles", 3, 42), "triangles: row 1: found "));
+  CHECK(contains(refuse_with("fixed", 0, -5), "fixed: row 0: found particle -5"));
+}
+
+TEST_CASE("numbers no tissue has are refused") {
+  CHECK(contains(refuse_with("mass", 2, -1.0), "mass: row 2: found -1 kg"));
+  CHECK(contains(refuse_with("springs/stiffness", 0, -1.0), "springs.stiffness: row 0"));
+  CHECK(contains(refuse_with("home", 1, -1.0), "home: row 1"));
+  CHECK(contains(refuse_with("angles/rest_cosine", 0, 2.0), "angles.rest_cosine: row 0"));
+  CHECK(contains(refuse_with("mass", 2, 1e-300), "spectrum_stiffness"));
+  CHECK(contains(refuse_with("rest_position", 0, 1e200),
+                 "scene.rest_areas: row 0: found a tissue that gives inf"));
+}
+
+TEST_CASE("derived numbers that are not those of the tissue are refused") {
+  Container changed = scenario::pack(make_scenario());
+  const double area = 1.0;
+  std::memcpy(changed.arrays.at("scene/rest_areas").bytes.data(), &area, sizeof(area));
+
+  CHECK(contains(refusal([&] { scenario::unpack(changed, "file"); }),
+                 "scene.rest_areas: row 0: found 1, expected "));
+}
+
+TEST_CASE("a table that is missing, too much, or of another shape is refused") {
+  const Container whole = scenario::pack(make_scenario());
+  Container missing = whole, extra = whole, shape = whole, type = whole;
+  missing.arrays.erase("scene/tissue/mass");
+  extra.arrays["scene/tissue/charge"] = {};
+  shape.arrays.at("scene/tissue/rest_position").shape = {3, 42};
+  type.arrays.at("scene/tissue/mass").dtype = Dtype::i8;
+
+  CHECK(refusal([&] { scenario::unpack(missing, "file"); }) ==
+        "file: scene/tissue/mass: found no such array, expected one; it may be empty");
+  CHECK(contains(refusal([&] { scenario::unpack(extra, "file"); }), "no known table"));
+  CHECK(contains(refusal([&] { scenario::unpack(shape, "file"); }), "found shape (3, 42)"));
+  CHECK(contains(refusal([&] { scenario::unpack(type, "file"); }), "expected (n) of <f8"));
+}
+
+TEST_CASE("more rows than any tissue that ticks are refused before they are worked on") {
+  Container changed = scenario::pack(make_scenario());
+  Array& mass = changed.arrays.at("scene/tissue/mass");
+  Array& position = changed.arrays.at("scene/tissue/rest_position");
+  const auto count = static_cast<std::int64_t>(scenario::kMostParticles) + 1;
+  mass = {Dtype::f8, {count}, Bytes(static_cast<std::size_t>(8 * count))};
+  position = {Dtype::f8, {count, 3}, Bytes(static_cast<std::size_t>(24 * count))};
+
+  CHECK(contains(refusal([&] { scenario::unpack(changed, "file"); }),
+                 "rest_position: found 20001 rows, expected at most 20000"));
+}
+
+TEST_CASE("a number, a text or a choice in the manifest that is none is refused by name") {
+  CHECK(contains(refuse_content("\"rate\":800.0", "\"rate\":\"fast\""),
+                 "content.scene.rate: found \"fast\", expected a number"));
+  CHECK(contains(refuse_content("\"rate\":800.0", "\"rate\":-1"), "rate [Hz]: found -1"));
+  CHECK(contains(refuse_content("\"rate\":800.0,", ""), "content.scene.rate: found nothing"));
+  CHECK(contains(refuse_content("\"rate\"", "\"pace\":1,\"rate\""), "unknown member \"pace\""));
+  CHECK(contains(refuse_content("\"isotropic\"", "\"sticky\""),
+                 "damping_law: found \"sticky\", expected axis or isotropic"));
+  CHECK(contains(refuse_content("\"radius\":0.004", "\"radius\":0"), "tool.radius"));
+  CHECK(contains(refuse_content("[0.1,-0.2,-9.81]", "[0.1,-0.2]"), "gravity: found a list of 2"));
+  CHECK(contains(refuse_content("[0.1,-0.2,-9.81]", "[0.1,-0.2,[]]"), "gravity"));
+  CHECK(contains(refuse_content("\"substeps\":", "\"substeps\":0.5,\"unused\":"), "substeps"));
+  CHECK(contains(refuse_content("\"substeps\":", "\"substeps\":0,\"unused\":"), "substeps"));
+  CHECK(contains(refuse_content("\"title\":", "\"title\":7,\"unused\":"), "title: found 7"));
+  CHECK(contains(refuse_content("\"authored\":", "\"authored\":[],\"unused\":"), "authored"));
+}
+
+TEST_CASE("a scenario that could not be read is not written") {
+  const auto refused = [](auto change) {
+    Scenario made = make_scenario();
+    change(made);
+    return bad_argument([&] { scenario::pack_container(scenario::pack(made)); });
+  };
+
+  CHECK(contains(refused([](Scenario& s) { s.title.assign(201, 'a'); }), "title: found 201 bytes"));
+  CHECK(contains(refused([](Scenario& s) { s.task = "\xff"; }), "not UTF-8"));
+  CHECK(contains(refused([](Scenario& s) { s.authored = "{"; }), "authored: found text that is"));
+  CHECK(contains(refused([](Scenario& s) { s.scene.rest_areas.clear(); }), "rest_areas"));
+  CHECK(contains(refused([](Scenario& s) { s.scene.spectrum_stiffness *= 0.5; }), "spectrum"));
+  CHECK(contains(refused([](Scenario& s) { s.scene = Scene{}; }), "result of build_scene"));
+  CHECK(contains(refused([](Scenario& s) { s.scene.tissue.mass[0] = 0.0; }), "mass: row 0"));
+  CHECK(contains(refused([](Scenario& s) { s.authored_arrays["../up"] = {}; }), "the name"));
+}
