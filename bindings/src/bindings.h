@@ -21,5 +21,6 @@ void bind_devices(pybind11::module_& m);
 void bind_loop(pybind11::module_& m);
 void bind_session(pybind11::module_& m);
 void bind_bench(pybind11::module_& m);
+void bind_scenario(pybind11::module_& parent);  ///< a submodule, as it is a namespace in C++
 
 }  // namespace palpate::bindings

@@ -85,6 +85,10 @@ void require_fit(const Candidates& candidates, std::size_t triangles) {
 }
 
 void require_fit(const ToolState& tool, std::size_t triangles) {
+  if (tool.carrier.triangle >= static_cast<int>(triangles)) {
+    refuse("tool state", "a carrier on triangle " + std::to_string(tool.carrier.triangle),
+           "below " + std::to_string(triangles));
+  }
   for (int h = 0; h < tool.hold_count; ++h) {
     const int triangle = tool.holds[static_cast<std::size_t>(h)].triangle;
     if (triangle < 0 || static_cast<std::size_t>(triangle) >= triangles) {

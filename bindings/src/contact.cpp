@@ -96,6 +96,15 @@ void bind_tool(py::module_& m) {
 
   py::class_<ToolState> state(
       m, "ToolState", "Where the tool is (the paper's ideal tip, IUN) and what it is fastened to.");
+  py::class_<ToolState::Carrier> carrier(
+      state, "Carrier",
+      "The surface nearest to the tool after the last substep; the tool rides on its motion.");
+  carrier.def_readonly("triangle", &ToolState::Carrier::triangle, "-1 when nothing is touched.");
+  def_vector(carrier, "weights", &ToolState::Carrier::weights,
+             "Barycentric, of the closest point.");
+  def_vector(carrier, "point", &ToolState::Carrier::point, "[m] where that was.");
+  def_vector(carrier, "direction", &ToolState::Carrier::direction,
+             "Unit, from there to the tool's centre.");
   state.def(py::init([](int capacity) { return ToolState(to_index(capacity, "capacity")); }),
             "capacity"_a = 0);
   def_vector(state, "position", &ToolState::position, "[m]");
@@ -108,6 +117,7 @@ void bind_tool(py::module_& m) {
       .def_readwrite("touching", &ToolState::touching, "Any contact in force in the last substep.");
   def_vector(state, "residual", &ToolState::residual,
              "[N] left between hand and tissue after the last substep.");
+  state.def_readonly("carrier", &ToolState::carrier);
   def_copy(state);
 
   const Coupling spring;
@@ -161,6 +171,8 @@ void bind_candidates(py::module_& m) {
   def_view(candidates, "areas", &Candidates::areas,
            "[m²] at rest, so that pressing does not change the law; a view.");
   candidates.def_readonly("count", &Candidates::count);
+  def_vector(candidates, "from_", &Candidates::from, "[m] the way they were looked for along.");
+  def_vector(candidates, "to", &Candidates::to, "[m]");
   def_copy(candidates);
   m.def(
       "find_candidates",

@@ -239,30 +239,37 @@ void bind_alarm(py::module_& m) {
 }
 
 void bind_guard(py::module_& m) {
-  py::class_<Guard> guard(m, "Guard", "The memory of the blow-up alarm between steps.");
+  py::class_<Guard> guard(m, "Guard", "The memory of the blow-up alarm between looks.");
   guard.def(py::init([](const TissueModel& model, const Vec3& gravity, const State& state) {
               require_fit(model, state);
               return Guard(model, gravity, state);
             }),
             "model"_a, "gravity"_a, "state"_a);
-  def_view(guard, "last_position", &Guard::last_position, "[m], shape (n, 3); a view.");
+  def_view(guard, "last_position", &Guard::last_position,
+           "[m] at the last look that found nothing wrong, shape (n, 3); a view.");
   guard.def_readwrite("shortest_rest_length", &Guard::shortest_rest_length, "[m]")
-      .def_readwrite("start_energy", &Guard::start_energy, "[J]")
-      .def_readwrite("last_energy", &Guard::last_energy, "[J]")
-      .def_readwrite("work", &Guard::work, "[J] done by loads since the start.")
-      .def_readwrite("rising_steps", &Guard::rising_steps);
+      .def_readwrite("start_energy", &Guard::start_energy, "[J] elastic and kinetic.")
+      .def_readwrite("last_energy", &Guard::last_energy, "[J] elastic and kinetic.")
+      .def_readwrite("work", &Guard::work,
+                     "[J] done by pushes, gravity and pressure since the start.")
+      .def_readwrite("reference_energy", &Guard::reference_energy,
+                     "[J] the most that start and work have added up to.")
+      .def_readwrite("rising_steps", &Guard::rising_steps,
+                     "Looks in a row at which energy rose without work.");
   def_copy(guard);
   m.def(
       "check",
       [](const TissueModel& model, const Vec3& gravity, const State& state, double work,
-         Guard& guard_) {
+         Guard& memory, int steps) {
         require_fit(model, state);
-        require_fit(model, guard_);
-        return check(model, gravity, state, work, guard_);
+        require_fit(model, memory);
+        require_positive("steps", steps);
+        return check(model, gravity, state, work, memory, steps);
       },
-      "model"_a, "gravity"_a, "state"_a, "work"_a, "guard"_a,
+      "model"_a, "gravity"_a, "state"_a, "work"_a, "guard"_a, "steps"_a = 1,
       "Looks at a tissue after a step; the first thing wrong comes back. work [J] is what pushes "
-      "have done to the tissue in this step (gravity and pressure are energies and do not count).");
+      "have done to the tissue since the last look; what gravity and pressure have done is found "
+      "here. steps taken since then may have moved a particle that many times as far.");
 }
 
 }  // namespace

@@ -148,6 +148,8 @@ void bind_world(py::module_& m) {
       .def_readonly("tick_count", &World::tick_count)
       .def_readonly("substeps", &World::substeps, "Of the last tick.")
       .def_readonly("attach_pressed", &World::attach_pressed);
+  def_vector(world, "hand", &World::hand,
+             "[m] where the tool is drawn to: the hand, unless that jumped.");
   def_view(world, "scratch", &World::scratch, "Per particle; a view.");
   def_copy(world);
 }

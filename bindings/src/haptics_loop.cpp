@@ -86,10 +86,11 @@ void bind_devices(py::module_& m) {
   bind_scripted_device(m);
   py::class_<PointerDevice, HapticDevice>(
       m, "PointerDevice",
-      "A hand that a window moves: set() from one thread, read() from the haptic thread.")
+      "A hand that a window moves: set() from one thread, read() from the haptic thread. Between "
+      "two positions the hand glides, never faster than 1 m/s; the first is taken at once.")
       .def(py::init<>())
       .def("set", &PointerDevice::set, "sample"_a,
-           "One calling thread; time is filled in by read().")
+           "One calling thread; time and velocity are filled in by read().")
       .def("take_command", &PointerDevice::take_command,
            "The newest force, for the same thread as set().");
   py::class_<ReplayDevice, HapticDevice>(
@@ -205,11 +206,14 @@ void bind_loop_class(py::module_& m) {
           "snapshot", [](const Loop& self) { return Snapshot(self.snapshot()); },
           "A copy of the snapshot last taken.")
       .def("report", &Loop::report, "Costs so far; while running, of the ticks finished by now.")
-      .def("__enter__",
-           [](const py::object& self) {
-             self.attr("start")();
-             return self;
-           })
+      .def(
+          "__enter__",
+          [](Loop& self) -> Loop& {
+            const py::gil_scoped_release released;
+            self.start();
+            return self;
+          },
+          py::return_value_policy::reference)
       .def("__exit__", [](Loop& self, const py::args&) {
         const py::gil_scoped_release released;
         self.stop();

@@ -92,6 +92,9 @@ void bind_build_functions(py::module_& m) {
       "[kg] per vertex, lumped by area: density x volume for a closed solid, density x wall "
       "thickness x area for hollow organs and open surfaces. Raises ValueError for an open surface "
       "without a wall thickness.");
+  m.def("membrane_spring_stiffness", &membrane_spring_stiffness, "material"_a,
+        "[N/m] of the springs that make a surface stretch like a membrane of the material and its "
+        "wall thickness. Raises ValueError without one.");
   m.def("build_mass_spring", &build_mass_spring, "mesh"_a, "material"_a, "stiffness"_a,
         "options"_a = SurfaceOptions(), py::call_guard<py::gil_scoped_release>(),
         "The mass-spring model of a surface: one spring of stiffness [N/m] (Eq 1) along every "

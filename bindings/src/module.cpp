@@ -19,4 +19,5 @@ PYBIND11_MODULE(_sim, m) {
   bind_haptics(m);
   bind_session(m);
   bind_bench(m);
+  bind_scenario(m);
 }

@@ -68,7 +68,9 @@ void bind_record_files(py::module_& m) {
            "Where the haptic thread pushes; hand it to a Loop.")
       .def("finish", &Recorder::finish, Release(),
            "Writes what is left, then the summary; syncs. Raises FileError.")
-      .def("__enter__", [](const py::object& self) { return self; })
+      .def(
+          "__enter__", [](Recorder& self) -> Recorder& { return self; },
+          py::return_value_policy::reference)
       .def("__exit__", [](Recorder& self, const py::args&) {
         const py::gil_scoped_release released;
         self.finish();

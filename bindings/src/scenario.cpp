@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pybind11/stl/filesystem.h>
+
+#include <algorithm>
+
+#include "array.h"
+#include "bindings.h"
+#include "palpate/scenario/read.h"
+#include "palpate/scenario/write.h"
+#include "value.h"
+
+namespace palpate::bindings {
+
+namespace {
+
+using scenario::Array;
+using scenario::Arrays;
+using scenario::Container;
+using scenario::Dtype;
+using scenario::Scenario;
+using Path = std::filesystem::path;
+using Release = py::call_guard<py::gil_scoped_release>;
+
+/// In the order of Dtype.
+constexpr std::array<const char*, 5> kDtypeNames = {"|u1", "<i4", "<i8", "<f4", "<f8"};
+
+Array copy_array(const py::handle& source, const std::string& name) {
+  const auto numpy = py::module_::import("numpy");
+  const py::array given = numpy.attr("asarray")(source);
+  std::string dtype = py::str(given.dtype().attr("str")).cast<std::string>();
+  if (dtype[0] == '>') dtype[0] = '<';
+  const auto known = std::find(kDtypeNames.begin(), kDtypeNames.end(), dtype);
+  if (known == kDtypeNames.end()) {
+    refuse(name, "dtype " + dtype, "|u1, <i4, <i8, <f4 or <f8");
+  }
+  const py::array exact = numpy.attr("asarray")(given, "dtype"_a = *known, "order"_a = "C");
+  Array array{static_cast<Dtype>(known - kDtypeNames.begin()), {}, {}};
+  array.shape.assign(exact.shape(), exact.shape() + exact.ndim());
+  const auto* bytes = static_cast<const std::uint8_t*>(exact.data());
+  array.bytes.assign(bytes, bytes + exact.nbytes());
+  return array;
+}
+
+Arrays copy_arrays(const py::dict& sources) {
+  Arrays arrays;
+  for (const auto& [key, source] : sources) {
+    const std::string name = py::str(key).cast<std::string>();
+    arrays.emplace(name, copy_array(source, name));
+  }
+  return arrays;
+}
+
+/// A dict of arrays that share memory with `arrays` and keep `owner` alive.
+py::dict view_arrays(const Arrays& arrays, const py::object& owner) {
+  py::dict views;
+  for (const auto& [name, array] : arrays) {
+    const py::dtype dtype(kDtypeNames[static_cast<std::size_t>(array.dtype)]);
+    views[py::str(name)] = read_only(py::array(dtype, array.shape, array.bytes.data(), owner));
+  }
+  return views;
+}
+
+/// A property that is such a dict; what it is assigned is copied.
+template <class Class, class Of>
+void def_arrays(Class& cls, const char* name, Arrays Of::*member, const char* doc) {
+  cls.def_property_readonly(
+      name,
+      [member](const py::object& self) {
+        return view_arrays(self.cast<typename Class::type&>().*member, self);
+      },
+      doc);
+}
+
+void bind_limits(py::module_& m) {
+  m.attr("kMostFileBytes") = scenario::kMostFileBytes;
+  m.attr("kMostArrayBytes") = scenario::kMostArrayBytes;
+  m.attr("kMostManifestBytes") = scenario::kMostManifestBytes;
+  m.attr("kMostArrays") = scenario::kMostArrays;
+  m.attr("kMostDimensions") = scenario::kMostDimensions;
+  m.attr("kMostNameBytes") = scenario::kMostNameBytes;
+  m.attr("kMostDepth") = scenario::kMostDepth;
+  m.attr("kMostTitleBytes") = scenario::kMostTitleBytes;
+  m.attr("kMostTaskBytes") = scenario::kMostTaskBytes;
+  m.attr("kMostParticles") = scenario::kMostParticles;
+  m.attr("kMostTriangles") = scenario::kMostTriangles;
+  m.attr("kMostLinks") = scenario::kMostLinks;
+}
+
+void bind_container(py::module_& m) {
+  py::class_<Container> container(m, "Container",
+                                  "All that a .palpate or .organ file holds: a JSON document and "
+                                  "arrays by name.");
+  container.def(
+      py::init([](const std::string& format, int version, const std::string& content,
+                  const py::dict& arrays) {
+        return Container{format, version, content, copy_arrays(arrays), ""};
+      }),
+      py::kw_only(), "format"_a, "version"_a, "content"_a = "{}", "arrays"_a = py::dict(),
+      "Copies its arrays, which are of bytes, 4 or 8 byte integers or floats.");
+  container.def_readwrite("format", &Container::format, "\"palpate\" or \"organ\".")
+      .def_readwrite("version", &Container::version, "Of the format.")
+      .def_readwrite("content", &Container::content, "JSON: one object.")
+      .def_readonly("written_by", &Container::written_by,
+                    "Filled by the reader: which program and version wrote the file.");
+  def_arrays(container, "arrays", &Container::arrays, "By name, in a new dict; views, read-only.");
+  def_copy(container);
+}
+
+void bind_container_files(py::module_& m) {
+  m.def(
+      "read_container",
+      [](const Path& path, const std::string& format, int newest_version) {
+        return scenario::read_container(path.string(), format, newest_version);
+      },
+      "path"_a, "format"_a, "newest_version"_a, Release(),
+      "Reads a file of format whose version is newest_version or older; older ones come as they "
+      "are. Raises FileError for everything else and for everything that is wrong.");
+  m.def(
+      "write_container",
+      [](const Path& path, const Container& container) {
+        scenario::write_container(path.string(), container);
+      },
+      "path"_a, "container"_a, Release(),
+      "Writes to a temporary name beside path, syncs, renames: whatever happens, path is what it "
+      "was or all of the new file. Raises ValueError for what a reader would refuse, FileError "
+      "where the disk refuses.");
+  m.def(
+      "unpack_container",
+      [](const py::bytes& bytes, const std::string& file, const std::string& format,
+         int newest_version) {
+        const std::string_view view = bytes;
+        const std::span<const std::uint8_t> span(reinterpret_cast<const std::uint8_t*>(view.data()),
+                                                 view.size());
+        const py::gil_scoped_release released;
+        return scenario::unpack_container(span, file, format, newest_version);
+      },
+      "bytes"_a, "file"_a, "format"_a, "newest_version"_a,
+      "The same from bytes; file is what refusals call them.");
+  m.def(
+      "pack_container",
+      [](const Container& container) {
+        const scenario::Bytes packed = scenario::pack_container(container);
+        return py::bytes(reinterpret_cast<const char*>(packed.data()), packed.size());
+      },
+      "container"_a, "The bytes of the file. Equal containers give equal bytes.");
+}
+
+void bind_scenario_type(py::module_& m) {
+  py::class_<Scenario> made(m, "Scenario",
+                            "What a trainee opens: a scene that ticks, what to do with it, and "
+                            "what it was made from.");
+  made.def(py::init([](const Scene& scene, const std::string& title, const std::string& task,
+                       const std::string& authored, const py::dict& authored_arrays) {
+             return Scenario{title, task, scene, authored, copy_arrays(authored_arrays), 0, ""};
+           }),
+           py::kw_only(), "scene"_a, "title"_a = "", "task"_a = "", "authored"_a = "{}",
+           "authored_arrays"_a = py::dict(), "Copies the scene, which build_scene made.");
+  made.def_readwrite("title", &Scenario::title)
+      .def_readwrite("task", &Scenario::task, "What the trainee is asked to do, in words.")
+      .def_readonly("scene", &Scenario::scene)
+      .def_readwrite("authored", &Scenario::authored,
+                     "JSON: the designer's document, which only the editor looks into.")
+      .def_readonly("version", &Scenario::version,
+                    "Filled by the reader: of the format, as the file had it.")
+      .def_readonly("written_by", &Scenario::written_by,
+                    "Filled by the reader: which program and version wrote the file.");
+  def_arrays(made, "authored_arrays", &Scenario::authored_arrays,
+             "What belongs to the document, in a new dict; views, read-only.");
+  def_copy(made);
+}
+
+void bind_scenario_files(py::module_& m) {
+  m.def(
+      "read", [](const Path& path) { return scenario::read(path.string()); }, "path"_a, Release(),
+      "Reads a .palpate file of this or an older version: a scene that ticks with the very forces "
+      "of the one that was written. Raises FileError for whatever is wrong, in a sentence.");
+  m.def(
+      "write",
+      [](const Path& path, const Scenario& written) { scenario::write(path.string(), written); },
+      "path"_a, "scenario"_a, Release(),
+      "Writes a .palpate file, whole or not at all. Raises ValueError for what read() would "
+      "refuse, FileError where the disk refuses.");
+  m.def("unpack", &scenario::unpack, "container"_a, "file"_a, Release(),
+        "The scenario in a container; file is what refusals call it.");
+  m.def("pack", &scenario::pack, "scenario"_a, Release(), "What the file holds.");
+}
+
+}  // namespace
+
+void bind_scenario(py::module_& parent) {
+  py::module_ m = parent.def_submodule(
+      "scenario", "The published file, .palpate, and the container it and .organ are.");
+  bind_limits(m);
+  bind_container(m);
+  bind_container_files(m);
+  bind_scenario_type(m);
+  bind_scenario_files(m);
+}
+
+}  // namespace palpate::bindings

@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every public C++ name of core/sim has its Python twin, with the same parameters in order."""
+
+from __future__ import annotations
+
+import enum
+import re
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import palpate
+import pytest
+from headers import Function, Type, read_header, split_parameters
+
+SIM = Path(__file__).resolve().parents[2] / "core" / "sim"
+
+PRIVATE_HEADERS = {
+    "base/refuse.h": "how C++ writes a refusal; Python raises its own",
+    "contact/box.h": "inside of the tree and its queries",
+    "dynamics/dual.h": "inside of the tangent: derivatives of the angle law",
+    "dynamics/free_particles.h": "inside of the implicit steps and the spectrum",
+    "dynamics/lanczos.h": "inside of stable_step",
+    "dynamics/tensions.h": "inside of the angle law",
+    "haptics/durations.h": "inside of the loop; LoopReport says what came of it",
+    "haptics/realtime.h": "inside of the loop; LoopReport.realtime_note says what came of it",
+    "model/surface_particles.h": "what both builders share",
+    "session/json_object.h": "inside of the record's file",
+    "session/record_file.h": "inside of the record's file",
+    "session/record_layout.h": "inside of the record's file",
+    "session/record_writer.h": "inside of the record's file",
+}
+"""Headers no public header includes: what is in them is not part of what the library offers."""
+
+NOT_MIRRORED = {
+    "Latest": "a mailbox between C++ threads; Python reads it through Loop.take_snapshot",
+    "State.Scratch": "work space without meaning between steps",
+    "State.scratch": "work space without meaning between steps",
+    "AabbTree.Node": "rows of AabbTree.nodes()",
+    "ToolState.Hold": "rows of ToolState.holds",
+    "TickLog.take(ticks)": "what C++ appends to its arguments, Python is given back",
+    "TickLog.take(happenings)": "what C++ appends to its arguments, Python is given back",
+    "TickLog.take(hashes)": "what C++ appends to its arguments, Python is given back",
+    "FileError.FileError": "Python's OSError makes it, with the same arguments",
+}
+RENAMED = {"from": "from_"}
+"""Words that are not to be had in Python."""
+
+
+def public_headers() -> list[Path]:
+    return sorted(
+        path for path in SIM.rglob("*.h") if str(path.relative_to(SIM)) not in PRIVATE_HEADERS
+    )
+
+
+def declared() -> Iterator[tuple[str, Type]]:
+    for path in public_headers():
+        yield str(path.relative_to(SIM)), read_header(path)
+
+
+def types_in(scope: Type, prefix: str = "") -> Iterator[tuple[str, Type]]:
+    for kind in scope.types:
+        name = prefix + kind.name
+        if name not in NOT_MIRRORED:
+            yield name, kind
+            yield from types_in(kind, name + ".")
+
+
+def all_types() -> list[tuple[str, Type]]:
+    return [named for _, scope in declared() for named in types_in(scope)]
+
+
+def all_functions() -> list[Function]:
+    return [function for _, scope in declared() for function in scope.functions]
+
+
+@cache
+def twin(name: str) -> object:
+    found: object = palpate
+    for part in name.split("."):
+        found = getattr(found, part, None)
+    return found
+
+
+def overloads(function: object) -> list[list[str]]:
+    """The parameter names of a bound function, from the first lines of its docstring."""
+    doc = getattr(function, "__doc__", None) or ""
+    lines = re.findall(r"^(?:\d+\. )?\w+\((.*)\) -> ", doc, flags=re.MULTILINE)
+    found = []
+    for line in lines:
+        line = re.sub(r" = <[^>]*>", "", line).replace("[", "(").replace("]", ")")
+        names = [p.strip().partition(":")[0] for p in split_parameters(line)]
+        found.append([name for name in names if name not in ("*", "self")])
+    return found
+
+
+def expected_parameters(owner: str, function: Function) -> list[str]:
+    names = [RENAMED.get(name, name) for name in function.parameters]
+    return [name for name in names if f"{owner}{function.name}({name})" not in NOT_MIRRORED]
+
+
+def test_the_headers_are_read():
+    names = {name for name, _ in all_types()}
+    functions = {function.name: function.parameters for function in all_functions()}
+
+    assert {"SurfaceMesh", "TissueModel", "State", "World", "Loop", "Record"} <= names
+    assert functions["find_closest_point"] == ["tree", "x", "p", "max_distance"]
+    assert dict(all_types())["Material"].fields == [
+        "density", "young_modulus", "poisson_ratio", "damping_ratio", "wall_thickness"]  # fmt: skip
+    assert dict(all_types())["AlarmKind"].values[:2] == ["none", "not_finite"]
+    assert [f.name for f in dict(all_types())["Loop"].functions][-1] == "report"
+
+
+@pytest.mark.parametrize("name", sorted(name for name, _ in all_types()))
+def test_every_type_has_its_twin_with_every_field_and_method(name):
+    kind = dict(all_types())[name]
+    python = twin(name)
+    assert isinstance(python, type), f"palpate.{name} is missing"
+
+    if kind.values:
+        assert issubclass(python, enum.Enum)
+        assert [member.name for member in python] == kind.values
+        return
+    members = kind.fields + kind.constants + [f.name for f in kind.functions if f.name != kind.name]
+    missing = [
+        member
+        for member in members
+        if f"{name}.{member}" not in NOT_MIRRORED
+        and not has_member(python, RENAMED.get(member, member))
+    ]
+    assert missing == []
+
+
+def has_member(python: type, member: str) -> bool:
+    if issubclass(python, Exception):
+        return hasattr(python("a", "b", "c", "d"), member)
+    return hasattr(python, member)
+
+
+@pytest.mark.parametrize("name", sorted(name for name, _ in all_types()))
+def test_every_method_takes_the_same_parameters_in_the_same_order(name):
+    kind = dict(all_types())[name]
+    wrong = []
+    for function in kind.functions:
+        key = f"{name}.{function.name}"
+        if key in NOT_MIRRORED or "" in function.parameters:
+            continue  # copies and moves have no names for what they take
+        bound = "__init__" if function.name == kind.name else function.name
+        expected = expected_parameters(f"{name}.", function)
+        found = overloads(getattr(twin(name), bound))
+        if expected not in found and (expected or bound != "__init__"):
+            wrong.append(f"{key}({', '.join(expected)}): found {found}")
+
+    assert wrong == []
+
+
+@pytest.mark.parametrize("name", sorted({function.name for function in all_functions()}))
+def test_every_function_has_its_twin_with_the_same_parameters_in_the_same_order(name):
+    found = overloads(twin(name))
+
+    for function in all_functions():
+        if function.name == name:
+            assert expected_parameters("", function) in found
+
+
+@pytest.mark.parametrize("name", sorted(c for _, scope in declared() for c in scope.constants))
+def test_every_constant_has_its_twin(name):
+    assert isinstance(twin(name), int | float)
+
+
+def test_no_public_header_includes_a_private_one():
+    wrong = [
+        f"{path.relative_to(SIM)} includes {private}"
+        for path in public_headers()
+        for private in PRIVATE_HEADERS
+        if f'"palpate/sim/{private}"' in path.read_text(encoding="utf-8")
+    ]
+
+    assert wrong == []
+
+
+def test_every_exception_on_the_lists_is_still_needed():
+    headers = {str(path.relative_to(SIM)) for path in SIM.rglob("*.h")}
+    words = "\n".join(path.read_text(encoding="utf-8") for path in public_headers())
+
+    assert set(PRIVATE_HEADERS) <= headers
+    for key in NOT_MIRRORED:
+        last = re.split(r"[.(]", key.rstrip(")"))[-1]
+        assert re.search(rf"\b{last}\b", words), key
+
+
+def test_rows_of_structured_arrays_have_the_fields_of_their_structs():
+    mesh = palpate.SurfaceMesh([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])
+    nodes = palpate.AabbTree(mesh.vertices, mesh.triangles).nodes()
+    structs = {name: kind for _, scope in declared() for name, kind in nested_types(scope)}
+
+    assert list(nodes.dtype.names) == structs["AabbTree.Node"].fields
+    assert list(palpate.ToolState(1).holds.dtype.names) == structs["ToolState.Hold"].fields
+    for name in ("Push", "HapticSample", "Felt", "Happening", "StateHash", "TickLog.Tick"):
+        assert list(twin(name).dtype.names) == structs[name].fields
+
+
+def nested_types(scope: Type, prefix: str = "") -> Iterator[tuple[str, Type]]:
+    for kind in scope.types:
+        yield prefix + kind.name, kind
+        yield from nested_types(kind, prefix + kind.name + ".")
