@@ -38,7 +38,7 @@ SIMPLER = (
     (r"typing\.SupportsInt \| typing\.SupportsIndex", "int"),
     (r"typing\.Annotated\[numpy\.typing\.ArrayLike, [\w.]+(?:, \"[^\"]*\")?\]", "ArrayLike"),
     (r"typing\.Annotated\[(numpy\.typing\.NDArray\[[\w.]+\]), \"[^\"]*\"\]", r"\1"),
-    (r"typing\.Annotated\[(list\[[\w.]+\]|collections\.abc\.Sequence\[[\w.]+\]), \"[^\"]*\"\]", r"\1"),
+    (r"typing\.Annotated\[((?:list|collections\.abc\.Sequence)\[[\w.]+\]), \"[^\"]*\"\]", r"\1"),
     (r"numpy\.typing\.NDArray\[numpy\.", "NDArray[np."),
     (r"numpy\.ndarray", "NDArray[Any]"),
     (r"scipy\.sparse\.csc_matrix\[numpy\.float64\]", "csc_matrix"),

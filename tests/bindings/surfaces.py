@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import numpy as np
-
 import palpate
 
 MEMBRANE = palpate.Material(damping_ratio=0.2, wall_thickness=2e-3)
