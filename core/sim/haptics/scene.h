@@ -14,12 +14,13 @@ struct Scene {
   double hold_stiffness = 500.0;  ///< [N/m] between tool and patch while attached
   Vec3 gravity = Vec3::Zero();    ///< [m/s²]
   double rate = 1000.0;           ///< [Hz]
-  int substeps = 0;      ///< tissue steps per tick without contact; build_scene chooses when 0
-  int substeps_max = 0;  ///< contact may raise them to this; build_scene chooses when 0
-  std::vector<double> rest_areas;  ///< [m²] per triangle, filled by build_scene
-  double spectrum_stiffness =
-      0.0;  ///< [1/s²] largest eigenvalue of M⁻¹K at rest, filled by build_scene
-  double spectrum_damping = 0.0;  ///< [1/s] of M⁻¹C, filled by build_scene
+  int substeps = 0;               ///< tissue steps per tick in the air; build_scene chooses when 0
+  int substeps_max = 0;           ///< contact may raise them to this; build_scene chooses when 0
+
+  // filled in by build_scene
+  std::vector<double> rest_areas;   ///< [m²] per triangle
+  double spectrum_stiffness = 0.0;  ///< [1/s²] largest eigenvalue of M⁻¹K at rest
+  double spectrum_damping = 0.0;    ///< [1/s] of M⁻¹C
 };
 
 /// Checks a scene once and fills in what is derived from it.
