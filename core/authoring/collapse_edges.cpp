@@ -5,7 +5,6 @@
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModBaseT.hh>
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
-
 #include <cmath>
 #include <stdexcept>
 
@@ -121,8 +120,7 @@ class ModPrice : public OpenMesh::Decimater::ModBaseT<MeshT> {
 
   bool is_border_kept(const CollapseInfo& collapse) {
     Mesh& mesh = Base::mesh();
-    return !mesh.is_boundary(collapse.v0) ||
-           mesh.is_boundary(mesh.edge_handle(collapse.v0v1));
+    return !mesh.is_boundary(collapse.v0) || mesh.is_boundary(mesh.edge_handle(collapse.v0v1));
   }
 
   /// Prices of far edges are not asked for again when a loop has become small; locks are.

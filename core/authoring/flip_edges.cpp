@@ -5,15 +5,13 @@
 #include <numbers>
 
 #include "palpate/authoring/edge_groups.h"
+#include "palpate/authoring/triangle_shape.h"
 
 namespace palpate::authoring {
 namespace {
 
 /// Opposite angles this little over pi are rounding: flipping would go to and fro.
 constexpr double kLeastExcess = 1e-3;
-
-/// Beyond 60 degrees between two triangles, their edge is a ridge of the organ.
-constexpr double kLeastCosine = 0.5;
 
 /// The triangles u v a and v u b over the edge u v.
 struct Diamond {
@@ -22,15 +20,11 @@ struct Diamond {
   double excess;
 };
 
-double angle_at(const Vec3& p, const Vec3& q, const Vec3& r) {
-  const Vec3 x = q - p, y = r - p;
-  return std::atan2(x.cross(y).norm(), x.dot(y));
-}
-
 class Flipping {
  public:
-  explicit Flipping(SurfaceMesh& mesh)
+  Flipping(SurfaceMesh& mesh, const std::vector<char>& held)
       : mesh_(mesh),
+        held_(held),
         sides_(sort_half_edges(mesh.triangles)),
         valence_(mesh.vertices.size(), 0),
         on_border_(mesh.vertices.size(), 0),
@@ -60,6 +54,8 @@ class Flipping {
     for (const int x : around) {
       if (changed_[x]) return false;
     }
+    const auto is_held = [&](int x) { return held_[x] != 0; };
+    if (!held_.empty() && std::all_of(std::begin(around), std::end(around), is_held)) return false;
     if (!keeps_valence(d.u) || !keeps_valence(d.v) || has_edge(d.a, d.b) || !stays_flat(d)) {
       return false;
     }
@@ -96,19 +92,17 @@ class Flipping {
                               });
   }
 
-  Vec3 normal(int i, int j, int k) const { return (at(j) - at(i)).cross(at(k) - at(i)); }
+  Vec3 normal(int i, int j, int k) const { return normal_of({at(i), at(j), at(k)}); }
 
   bool stays_flat(const Diamond& d) const {
-    const auto turned = [](const Vec3& m, const Vec3& n) {
-      return !(m.dot(n) > kLeastCosine * m.norm() * n.norm());
-    };
     const Vec3 before = normal(d.u, d.v, d.a), across = normal(d.v, d.u, d.b);
-    if (turned(before, across)) return false;
+    if (is_turned(before, across)) return false;  // a ridge of the organ
     const Vec3 mean = before + across;
-    return !turned(normal(d.a, d.u, d.b), mean) && !turned(normal(d.b, d.v, d.a), mean);
+    return !is_turned(normal(d.a, d.u, d.b), mean) && !is_turned(normal(d.b, d.v, d.a), mean);
   }
 
   SurfaceMesh& mesh_;
+  const std::vector<char>& held_;
   std::vector<HalfEdge> sides_;
   std::vector<int> valence_;
   std::vector<char> on_border_, changed_;  // the table of sides is stale around what changed
@@ -116,8 +110,8 @@ class Flipping {
 
 }  // namespace
 
-int flip_edges(SurfaceMesh& mesh) {
-  Flipping flipping(mesh);
+int flip_edges(SurfaceMesh& mesh, const std::vector<char>& held) {
+  Flipping flipping(mesh, held);
   int flips = 0;
   for (const Diamond& d : flipping.find_candidates()) flips += flipping.flip(d);
   return flips;

@@ -12,18 +12,18 @@ namespace palpate::authoring {
 struct MeshReport {
   int vertices = 0;
   int triangles = 0;
-  int shells = 0;                        ///< pieces that hang together
-  std::vector<int> border_loops;         ///< vertices of each, longest first; empty when closed
-  std::optional<int> genus;              ///< handles of all shells; absent unless a manifold that
-                                         ///< has two sides
-  bool closed = false;                   ///< every edge has two triangles or more
-  std::optional<bool> outward;           ///< orient() would turn nothing; absent when open, not a
-                                         ///< manifold or one-sided
-  int non_manifold_edges = 0;            ///< with more than two triangles
+  int shells = 0;                 ///< pieces that hang together
+  std::vector<int> border_loops;  ///< vertices of each, longest first; empty when closed
+  std::optional<int> genus;       ///< handles of all shells; absent unless a manifold that
+                                  ///< has two sides
+  bool closed = false;            ///< every edge has two triangles or more
+  std::optional<bool> outward;    ///< orient() would turn nothing; absent when open, not a
+                                  ///< manifold or one-sided
+  int non_manifold_edges = 0;     ///< with more than two triangles
   std::optional<int> self_intersecting_faces;  ///< absent where counting would take too long
   std::optional<double> smallest_angle_deg;
-  std::array<double, 3> size_mm = {};    ///< along x, y and z
-  std::optional<double> volume_ml;       ///< enclosed; absent where outward is
+  std::array<double, 3> size_mm = {};  ///< along x, y and z
+  std::optional<double> volume_ml;     ///< enclosed; absent where outward is
 };
 
 /// Measures a surface as it is. Never refuses: a soup has a report too.

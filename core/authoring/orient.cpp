@@ -128,8 +128,8 @@ double compute_winding(const SurfaceMesh& mesh, const Shell& shell, const Vec3& 
     const Vec3 b = mesh.vertices[mesh.triangles[t][1]] - p;
     const Vec3 c = mesh.vertices[mesh.triangles[t][2]] - p;
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    angle += 2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la +
-                                                     c.dot(a) * lb);
+    angle += 2.0 * std::atan2(a.dot(b.cross(c)),
+                              la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
   return angle / (4.0 * std::numbers::pi);
 }

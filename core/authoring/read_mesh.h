@@ -28,9 +28,9 @@ struct ImportedScene {
 };
 
 struct ReadOptions {
-  std::filesystem::path reader;               ///< the program palpate-read-mesh
-  double time_limit = 10.0;                   ///< [s] until the reader is stopped
-  std::size_t memory_limit = 1'500'000'000;   ///< [bytes] the reader may use
+  std::filesystem::path reader;              ///< the program palpate-read-mesh
+  double time_limit = 10.0;                  ///< [s] until the reader is stopped
+  std::size_t memory_limit = 1'500'000'000;  ///< [bytes] the reader may use
 };
 
 /// Reads a mesh file in a child process, so that no file can crash, hang or exhaust this one.

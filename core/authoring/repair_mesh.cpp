@@ -87,9 +87,7 @@ int flip_flat_triangles(SurfaceMesh& mesh, double tolerance) {
 }
 
 int remove_flat_triangles(SurfaceMesh& mesh, double tolerance) {
-  const auto is_flat = [&](const Triangle& t) {
-    return find_flat_corner(mesh, t, tolerance) >= 0;
-  };
+  const auto is_flat = [&](const Triangle& t) { return find_flat_corner(mesh, t, tolerance) >= 0; };
   const auto count = std::count_if(mesh.triangles.begin(), mesh.triangles.end(), is_flat);
   if (count == 0) return 0;
   for (int round = 0; round < kFlipRounds; ++round) {

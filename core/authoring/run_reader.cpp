@@ -115,13 +115,12 @@ std::string seconds(double time) {
 
 std::vector<char> run_reader(const std::filesystem::path& path, const std::string& format,
                              const ReadOptions& options) {
-  const auto deadline =
-      Clock::now() +
-      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.time_limit));
+  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                           std::chrono::duration<double>(options.time_limit));
   const auto processor_seconds = static_cast<long>(std::ceil(options.time_limit)) + 1;
-  Child child(options.reader, {options.reader.string(), path.string(), format,
-                               std::to_string(options.memory_limit),
-                               std::to_string(processor_seconds)});
+  Child child(options.reader,
+              {options.reader.string(), path.string(), format, std::to_string(options.memory_limit),
+               std::to_string(processor_seconds)});
 
   std::vector<char> bytes;
   bool more = true;
@@ -133,8 +132,9 @@ std::vector<char> run_reader(const std::filesystem::path& path, const std::strin
   }
   const std::optional<int> status = more ? std::nullopt : child.wait(deadline);
   if (!status) {
-    throw FileError(path.string(), "", "content still being read after " +
-                    seconds(options.time_limit), "a mesh that can be read in that time");
+    throw FileError(path.string(), "",
+                    "content still being read after " + seconds(options.time_limit),
+                    "a mesh that can be read in that time");
   }
   if (*status != 0) throw FileError(path.string(), "", name_end(*status), "a readable mesh file");
   return bytes;

@@ -84,8 +84,10 @@ std::vector<int> find_targets(const SurfaceMesh& mesh, double tolerance) {
   for (int v = 0; v < static_cast<int>(target.size()); ++v) {
     if (target[v] < 0) continue;
     const int near = kept.find(mesh.vertices[v]);
-    if (near < 0) kept.add(v);
-    else target[v] = near;
+    if (near < 0)
+      kept.add(v);
+    else
+      target[v] = near;
   }
   return target;
 }

@@ -19,8 +19,7 @@ void bind_decimate(py::module_& m) {
                     "[m] from the new surface to the source.")
       .def_readonly("max_distance", &DecimatedMesh::max_distance, "[m]")
       .def_readonly("self_intersecting_faces", &DecimatedMesh::self_intersecting_faces);
-  m.def("decimate", &decimate, "mesh"_a, "vertex_count"_a,
-        py::call_guard<py::gil_scoped_release>(),
+  m.def("decimate", &decimate, "mesh"_a, "vertex_count"_a, py::call_guard<py::gil_scoped_release>(),
         "Make a surface of exactly vertex_count vertices with well-shaped triangles.");
 }
 

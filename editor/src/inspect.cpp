@@ -15,11 +15,10 @@ py::dict as_dict(const MeshReport& report) {
   return py::dict("vertices"_a = report.vertices, "triangles"_a = report.triangles,
                   "shells"_a = report.shells, "border_loops"_a = report.border_loops,
                   "genus"_a = report.genus, "closed"_a = report.closed,
-                  "outward"_a = report.outward,
-                  "non_manifold_edges"_a = report.non_manifold_edges,
+                  "outward"_a = report.outward, "non_manifold_edges"_a = report.non_manifold_edges,
                   "self_intersecting_faces"_a = report.self_intersecting_faces,
-                  "smallest_angle_deg"_a = report.smallest_angle_deg,
-                  "size_mm"_a = report.size_mm, "volume_ml"_a = report.volume_ml);
+                  "smallest_angle_deg"_a = report.smallest_angle_deg, "size_mm"_a = report.size_mm,
+                  "volume_ml"_a = report.volume_ml);
 }
 
 void bind_report(py::module_& m) {

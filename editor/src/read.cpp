@@ -80,7 +80,9 @@ void bind_read(py::module_& m) {
   m.def(
       "join_parts",
       [](const ImportedScene& scene, const std::vector<std::string>& parts, const Text& unit,
-         const Text& up) { return join_parts(scene, {parts, unit, up}); },
+         const Text& up) {
+        return join_parts(scene, {parts, unit, up});
+      },
       "scene"_a, py::kw_only(), "parts"_a = std::vector<std::string>(), "unit"_a = Text(),
       "up"_a = Text(),
       "Take the named parts (all when empty) together, weld them, turn them to metres and z up.");
@@ -90,11 +92,10 @@ void bind_import(py::module_& m) {
   bind_imported(m);
   m.def(
       "import_mesh",
-      [](const std::filesystem::path& path, const std::vector<std::string>& parts,
-         const Text& unit, const Text& up, double time_limit, std::size_t memory_limit,
+      [](const std::filesystem::path& path, const std::vector<std::string>& parts, const Text& unit,
+         const Text& up, double time_limit, std::size_t memory_limit,
          const std::filesystem::path& reader) {
-        return import_mesh(path, read_options(reader, time_limit, memory_limit),
-                           {parts, unit, up});
+        return import_mesh(path, read_options(reader, time_limit, memory_limit), {parts, unit, up});
       },
       "path"_a, py::kw_only(), "parts"_a = std::vector<std::string>(), "unit"_a = Text(),
       "up"_a = Text(), "time_limit"_a = ReadOptions().time_limit,

@@ -35,8 +35,7 @@ Triangles to_triangles(const SurfaceMesh& mesh) {
 /// Two triangles over the edge p q with the corners a and b overlap where they lie in one plane
 /// with a and b on the same side of the edge.
 bool overlap_beside_edge(const Point& p, const Point& q, const Point& a, const Point& b) {
-  return CGAL::coplanar(p, q, a, b) &&
-         CGAL::coplanar_orientation(p, q, a, b) == CGAL::POSITIVE;
+  return CGAL::coplanar(p, q, a, b) && CGAL::coplanar_orientation(p, q, a, b) == CGAL::POSITIVE;
 }
 
 /// Whether two triangles meet anywhere but in the corners they share.

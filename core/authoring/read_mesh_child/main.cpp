@@ -48,11 +48,15 @@ int run(const std::string& path, const std::string& format, std::size_t memory) 
   } catch (const FileError& refusal) {
     write_refusal(refusal, stdout);
   } catch (const std::bad_alloc&) {
-    write_refusal({path, "", "content that needs more than " + std::to_string(memory / 1'000'000) +
-                   " MB to read", "a mesh that fits"}, stdout);
+    write_refusal(
+        {path, "",
+         "content that needs more than " + std::to_string(memory / 1'000'000) + " MB to read",
+         "a mesh that fits"},
+        stdout);
   } catch (const std::exception& problem) {
     write_refusal({path, "", std::string("content the reader fails on (") + problem.what() + ")",
-                   "a readable " + format + " file"}, stdout);
+                   "a readable " + format + " file"},
+                  stdout);
   }
   return 0;
 }

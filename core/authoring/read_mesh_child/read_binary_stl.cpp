@@ -57,9 +57,10 @@ std::optional<ImportedScene> read_binary_stl(const std::string& path) {
   const std::size_t wanted = kPreamble + count * kRecord;
   if (bytes.size() != wanted && starts_as_text(bytes)) return std::nullopt;
   if (bytes.size() < wanted || bytes.size() > wanted + kMostTrailing) {
-    throw FileError(path, "triangle count", std::to_string(count) + " triangles in " +
-                    std::to_string(bytes.size()) + " bytes",
-                    std::to_string(wanted) + " bytes for so many");
+    throw FileError(
+        path, "triangle count",
+        std::to_string(count) + " triangles in " + std::to_string(bytes.size()) + " bytes",
+        std::to_string(wanted) + " bytes for so many");
   }
 
   ImportedScene scene{};
@@ -71,8 +72,8 @@ std::optional<ImportedScene> read_binary_stl(const std::string& path) {
     scene.notes.push_back(std::to_string(bytes.size() - wanted) +
                           " bytes after the last triangle were left alone");
   }
-  scene.parts.push_back({std::filesystem::path(path).stem().string(),
-                         read_records(bytes.data() + kPreamble, count)});
+  scene.parts.push_back(
+      {std::filesystem::path(path).stem().string(), read_records(bytes.data() + kPreamble, count)});
   return scene;
 }
 

@@ -81,8 +81,8 @@ class Walk {
 
 /// The name of a unit of so many centimetres, as FBX states it.
 std::optional<std::string> name_unit(double centimetres) {
-  const std::pair<const char*, double> units[] = {
-      {"m", 100.0}, {"cm", 1.0}, {"mm", 0.1}, {"in", 2.54}, {"ft", 30.48}, {"um", 1e-4}};
+  const std::pair<const char*, double> units[] = {{"m", 100.0}, {"cm", 1.0},   {"mm", 0.1},
+                                                  {"in", 2.54}, {"ft", 30.48}, {"um", 1e-4}};
   for (const auto& [name, size] : units) {
     if (std::abs(centimetres - size) < 1e-5 * size) return name;
   }
@@ -138,11 +138,12 @@ ImportedScene read_with_assimp(const std::string& path, const std::string& forma
           aiComponent_LIGHTS | aiComponent_CAMERAS | aiComponent_TEXTURES | aiComponent_MATERIALS);
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  const aiScene* from = importer.ReadFile(
-      path, aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType |
-                aiProcess_ValidateDataStructure);
+  const aiScene* from =
+      importer.ReadFile(path, aiProcess_RemoveComponent | aiProcess_Triangulate |
+                                  aiProcess_SortByPType | aiProcess_ValidateDataStructure);
   if (from == nullptr || from->mRootNode == nullptr) {
-    throw FileError(path, "", "content assimp refuses (" + one_line(importer.GetErrorString()) + ")",
+    throw FileError(path, "",
+                    "content assimp refuses (" + one_line(importer.GetErrorString()) + ")",
                     "a readable " + format + " file");
   }
 
