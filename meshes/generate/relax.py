@@ -79,7 +79,9 @@ def flip_edges(x: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, int]:
         agrees &= (n * mean).sum(axis=1) > LEAST_COSINE * lengths
     valence = np.bincount(triangles.ravel(), minlength=len(x))
     valence[find_border_vertices(triangles)] += 2
-    candidates = np.flatnonzero((excess > LEAST_EXCESS) & agrees & (valence[u] > 3) & (valence[v] > 3))
+    candidates = np.flatnonzero(
+        (excess > LEAST_EXCESS) & agrees & (valence[u] > 3) & (valence[v] > 3)
+    )
 
     present = set(map(tuple, np.sort(edges, axis=1).tolist()))
     changed = np.zeros(len(x), bool)
