@@ -16,8 +16,12 @@ MATERIAL = MaterialPart(wall_thickness=2e-3)
 """The test bed of the contact laws: 2 kg/m² of wall, so one figure compares with another."""
 MASS_SPRING = ModelPart(kind="mass_spring", stiffness=52.0, home_stiffness=3e5, drag=30.0)
 MOLECULAR = ModelPart(
-    kind="molecular", stiffness=52.0, bend_stiffness=2e-5, stretch_coupling=0.01,
-    home_stiffness=3e5, drag=30.0,
+    kind="molecular",
+    stiffness=52.0,
+    bend_stiffness=2e-5,
+    stretch_coupling=0.01,
+    home_stiffness=3e5,
+    drag=30.0,
 )
 HAND = HandPart(gravity=(0.0, 0.0, 0.0))
 
@@ -55,8 +59,12 @@ def generate_meshes(vertices: Sequence[int]) -> dict[str, palpate.SurfaceMesh]:
     try:
         from palpate_meshes.generate import ellipsoid
     except ImportError:
-        raise Refusal(None, "--mesh", "no mesh and no generators",
-                      "--mesh FILE, or palpate-editor installed for generated ones") from None
+        raise Refusal(
+            None,
+            "--mesh",
+            "no mesh and no generators",
+            "--mesh FILE, or palpate-editor installed for generated ones",
+        ) from None
     meshes = {}
     for count in vertices:
         if count < 50:

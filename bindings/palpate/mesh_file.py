@@ -25,8 +25,9 @@ def read_mesh_file(path: Path) -> palpate.SurfaceMesh:
     try:
         lines = path.read_text(encoding="ascii").splitlines()
     except UnicodeDecodeError:
-        raise Refusal(path, "", "bytes that are not text", "an OBJ written by `palpate import`"
-                      ) from None
+        raise Refusal(
+            path, "", "bytes that are not text", "an OBJ written by `palpate import`"
+        ) from None
     for number, line in enumerate(lines, start=1):
         word, _, rest = line.partition(" ")
         if not line or word == "#":
@@ -36,20 +37,29 @@ def read_mesh_file(path: Path) -> palpate.SurfaceMesh:
         elif word == "f":
             triangles.append(read_numbers(path, number, rest, int))
         else:
-            raise Refusal(path, f"line {number}", repr(line[:40]),
-                          "only v and f lines: `palpate import` makes such a file")
+            raise Refusal(
+                path,
+                f"line {number}",
+                repr(line[:40]),
+                "only v and f lines: `palpate import` makes such a file",
+            )
     if not triangles:
         raise Refusal(path, "", "no triangles", "a surface")
     corners = np.array(triangles)
     if corners.min() < 1 or corners.max() > len(vertices):
-        raise Refusal(path, "faces", f"vertex numbers {corners.min()} to {corners.max()}",
-                      f"1 to {len(vertices)}")
+        raise Refusal(
+            path,
+            "faces",
+            f"vertex numbers {corners.min()} to {corners.max()}",
+            f"1 to {len(vertices)}",
+        )
     mesh = palpate.SurfaceMesh(np.array(vertices), (corners - 1).astype(np.int32))
     try:
         palpate.validate(mesh)
     except ValueError as problem:
-        raise Refusal(path, "", str(problem), "a clean surface: `palpate import` mends it"
-                      ) from None
+        raise Refusal(
+            path, "", str(problem), "a clean surface: `palpate import` mends it"
+        ) from None
     return mesh
 
 

@@ -101,8 +101,12 @@ def open_record(
     where = scene_path or path.parent / header["scene"]
     found = hash_file(where)
     if found != header["scene_sha256"]:
-        raise Refusal(where, "", f"SHA-256 {found[:12]}...",
-                      f"{header['scene_sha256'][:12]}..., the scene of {path.name}")
+        raise Refusal(
+            where,
+            "",
+            f"SHA-256 {found[:12]}...",
+            f"{header['scene_sha256'][:12]}..., the scene of {path.name}",
+        )
     return record, where, open_scene(where)[1]
 
 

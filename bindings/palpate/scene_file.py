@@ -118,11 +118,16 @@ def read_scene_file(path: Path) -> SceneFile:
     except (json.JSONDecodeError, UnicodeDecodeError) as problem:
         raise Refusal(path, "", f"text that is not JSON ({problem})", "a scene file") from None
     if not isinstance(data, dict) or data.get("format") != FORMAT:
-        raise Refusal(path, "format", repr(data.get("format")) if isinstance(data, dict) else "no "
-                      "object", f'"{FORMAT}"')
+        raise Refusal(
+            path,
+            "format",
+            repr(data.get("format")) if isinstance(data, dict) else "no object",
+            f'"{FORMAT}"',
+        )
     if data.get("version") != VERSION:
-        raise Refusal(path, "version", repr(data.get("version")), f"{VERSION}, the one this "
-                      "program knows")
+        raise Refusal(
+            path, "version", repr(data.get("version")), f"{VERSION}, the one this program knows"
+        )
     unknown = set(data) - set(PARTS) - {"format", "version"}
     if unknown:
         raise Refusal(path, "", f"unknown part {sorted(unknown)[0]!r}", ", ".join(PARTS))
@@ -139,8 +144,12 @@ def read_part(path: Path, name: str, kind: type, section: dict[str, Any]) -> Any
     known = {f.name for f in fields(kind)}
     unknown = set(section) - known
     if unknown:
-        raise Refusal(path, f"{name}.{sorted(unknown)[0]}", "an unknown field",
-                      "one of " + ", ".join(sorted(known)))
+        raise Refusal(
+            path,
+            f"{name}.{sorted(unknown)[0]}",
+            "an unknown field",
+            "one of " + ", ".join(sorted(known)),
+        )
     hints = get_type_hints(kind)
     values = {
         key: read_value(path, f"{name}.{key}", hints[key], value) for key, value in section.items()
@@ -241,8 +250,12 @@ def open_scene(path: Path) -> tuple[SceneFile, palpate.Scene]:
     scene = read_scene_file(path)
     mesh_path = path.parent / scene.organ.mesh
     if mesh_path.is_file() and hash_file(mesh_path) != scene.organ.sha256:
-        raise Refusal(path, "organ.sha256", f"{mesh_path.name} with another SHA-256",
-                      "the mesh the scene was made with")
+        raise Refusal(
+            path,
+            "organ.sha256",
+            f"{mesh_path.name} with another SHA-256",
+            "the mesh the scene was made with",
+        )
     mesh = read_mesh_file(mesh_path)
     try:
         return scene, compile_scene(scene, mesh)

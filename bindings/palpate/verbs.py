@@ -45,8 +45,12 @@ def run_doctor(call: argparse.Namespace) -> Report:
 
 def check_python() -> Report:
     ok = sys.version_info[:2] >= (3, 11)
-    return {"name": "python", "ok": ok, "needed": True,
-            "detail": f"{platform.python_version()}, 3.11 is the reference"}
+    return {
+        "name": "python",
+        "ok": ok,
+        "needed": True,
+        "detail": f"{platform.python_version()}, 3.11 is the reference",
+    }
 
 
 def check_editor() -> Report:
@@ -83,17 +87,23 @@ def check_realtime() -> Report:
     report = loop.report()
     priority = "real-time priority granted" if report.realtime else report.realtime_note
     return {
-        "name": "realtime", "ok": report.realtime, "needed": False,
+        "name": "realtime",
+        "ok": report.realtime,
+        "needed": False,
         "detail": f"{priority}; lateness p99 {1e6 * report.lateness.p99:.0f} us, "
-                  f"{report.missed_ticks} of {report.ticks} ticks missed",
+        f"{report.missed_ticks} of {report.ticks} ticks missed",
     }
 
 
 def check_data() -> Report:
     folder = Path(os.environ.get("PALPATE_DATA", "../shared/data"))
     ok = folder.is_dir()
-    return {"name": "shared data", "ok": ok, "needed": False,
-            "detail": f"{folder} {'found' if ok else 'is not there; set PALPATE_DATA'}"}
+    return {
+        "name": "shared data",
+        "ok": ok,
+        "needed": False,
+        "detail": f"{folder} {'found' if ok else 'is not there; set PALPATE_DATA'}",
+    }
 
 
 def describe_doctor(report: Report) -> str:
@@ -113,8 +123,12 @@ def add_press(word: argparse.ArgumentParser) -> None:
     word.add_argument("--pull", type=quantity("m"), default=0.0, help="beyond the surface (0mm)")
     word.add_argument("--speed", type=quantity("m/s"), default=0.03, help="mean (30mm/s)")
     word.add_argument("--hold", type=quantity("s"), default=0.3, help="at depth (300ms)")
-    word.add_argument("--at", type=read_point, metavar="X,Y,Z",
-                      help="press the surface point nearest to this [mm]; default: from above")
+    word.add_argument(
+        "--at",
+        type=read_point,
+        metavar="X,Y,Z",
+        help="press the surface point nearest to this [mm]; default: from above",
+    )
     word.add_argument("--record", type=Path, help="write the run as a .prec record")
     word.add_argument("--plot", type=Path, help="write the force plot as PNG")
 
@@ -198,16 +212,23 @@ def add_render(word: argparse.ArgumentParser) -> None:
 
 def read_size(text: str) -> tuple[int, int]:
     width, _, height = text.partition("x")
-    if not (width.isdigit() and height.isdigit() and 64 <= int(width) <= 8192
-            and 64 <= int(height) <= 8192):
+    if not (
+        width.isdigit()
+        and height.isdigit()
+        and 64 <= int(width) <= 8192
+        and 64 <= int(height) <= 8192
+    ):
         raise argparse.ArgumentTypeError(f"got {text!r}, expected WIDTHxHEIGHT, each 64 to 8192")
     return int(width), int(height)
 
 
 def run_render(call: argparse.Namespace) -> Report:
     look = {
-        "size": call.size, "theme": call.theme, "azimuth": call.azimuth,
-        "elevation": call.elevation, "wireframe": not call.no_wireframe,
+        "size": call.size,
+        "theme": call.theme,
+        "azimuth": call.azimuth,
+        "elevation": call.elevation,
+        "wireframe": not call.no_wireframe,
     }
     if call.file.suffix == ".prec":
         moment = picture_of_record(call.out, call.file, call.time, look)
@@ -217,8 +238,12 @@ def run_render(call: argparse.Namespace) -> Report:
     elif call.file.suffix == ".json":
         mesh = open_scene(call.file)[1].tissue
     else:
-        raise Refusal(call.file, "", f"a name ending in {call.file.suffix!r}",
-                      ".json (scene), .prec (record) or .obj")
+        raise Refusal(
+            call.file,
+            "",
+            f"a name ending in {call.file.suffix!r}",
+            ".json (scene), .prec (record) or .obj",
+        )
     picture_of_rest(call.out, mesh, call.file.stem, look)
     return {"picture": str(call.out), "time_s": None}
 
@@ -232,10 +257,15 @@ def describe_render(report: Report) -> str:
 
 
 def add_bench(word: argparse.ArgumentParser) -> None:
-    word.add_argument("--mesh", type=Path, action="append",
-                      help="OBJ of `palpate import`; may be repeated")
-    word.add_argument("--vertices", type=int, action="append",
-                      help="size of a generated ellipsoid; may be repeated (600, 2000, 5400)")
+    word.add_argument(
+        "--mesh", type=Path, action="append", help="OBJ of `palpate import`; may be repeated"
+    )
+    word.add_argument(
+        "--vertices",
+        type=int,
+        action="append",
+        help="size of a generated ellipsoid; may be repeated (600, 2000, 5400)",
+    )
     word.add_argument("--budget", type=quantity("s"), default=0.4, help="CPU time a row (400ms)")
 
 
@@ -246,7 +276,9 @@ def run_bench(call: argparse.Namespace) -> Report:
 
 
 def describe_bench(report: Report) -> str:
-    lines = [f"{'work':18} {'mesh':16} {'vertices':>8} {'median us':>10} {'p99 us':>9} {'x naive':>8}"]
+    lines = [
+        f"{'work':18} {'mesh':16} {'vertices':>8} {'median us':>10} {'p99 us':>9} {'x naive':>8}"
+    ]
     for row in report["rows"]:
         lines.append(
             f"{row['work']:18} {row['mesh']:16} {row['vertices']:8d} {row['median_us']:10.2f} "
@@ -257,17 +289,46 @@ def describe_bench(report: Report) -> str:
 
 
 VERBS = [
-    Verb("doctor", "say what this machine can do for palpate", "palpate doctor",
-         add_doctor, run_doctor, describe_doctor,
-         failed=lambda report: any(c["needed"] and not c["ok"] for c in report["checks"])),
-    Verb("press", "press and pull an organ with a scripted tip through the live 1 kHz loop",
-         "palpate press spleen.scene.json --depth 6mm --pull 5mm --record press.prec",
-         add_press, run_press, describe_press),
-    Verb("replay", "run a record again and compare it bit by bit",
-         "palpate replay press.prec", add_replay, run_replay_verb, describe_replay,
-         failed=lambda report: not report["equal"]),
-    Verb("render", "draw an organ, at rest or as a record left it, with no display",
-         "palpate render press.prec -o press.png", add_render, run_render, describe_render),
-    Verb("bench", "time steps, queries and ticks beside their naive forms",
-         "palpate bench --vertices 600 --json", add_bench, run_bench, describe_bench),
+    Verb(
+        "doctor",
+        "say what this machine can do for palpate",
+        "palpate doctor",
+        add_doctor,
+        run_doctor,
+        describe_doctor,
+        failed=lambda report: any(c["needed"] and not c["ok"] for c in report["checks"]),
+    ),
+    Verb(
+        "press",
+        "press and pull an organ with a scripted tip through the live 1 kHz loop",
+        "palpate press spleen.scene.json --depth 6mm --pull 5mm --record press.prec",
+        add_press,
+        run_press,
+        describe_press,
+    ),
+    Verb(
+        "replay",
+        "run a record again and compare it bit by bit",
+        "palpate replay press.prec",
+        add_replay,
+        run_replay_verb,
+        describe_replay,
+        failed=lambda report: not report["equal"],
+    ),
+    Verb(
+        "render",
+        "draw an organ, at rest or as a record left it, with no display",
+        "palpate render press.prec -o press.png",
+        add_render,
+        run_render,
+        describe_render,
+    ),
+    Verb(
+        "bench",
+        "time steps, queries and ticks beside their naive forms",
+        "palpate bench --vertices 600 --json",
+        add_bench,
+        run_bench,
+        describe_bench,
+    ),
 ]

@@ -34,8 +34,14 @@ def check_scene(path: Path) -> Report:
     report: Report = {"scene": str(path), "description": "cannot be built", "problems": []}
     problems = report["problems"]
     if hash_file(mesh_path) != scene.organ.sha256:
-        problems.append(problem("error", "organ.sha256", "another mesh than the scene was made with",
-                                "the same bytes, or a new scene file"))
+        problems.append(
+            problem(
+                "error",
+                "organ.sha256",
+                "another mesh than the scene was made with",
+                "the same bytes, or a new scene file",
+            )
+        )
     problems += check_mesh(mesh, scene.tool.radius)
     try:
         compiled = compile_scene(scene, mesh)
@@ -44,13 +50,24 @@ def check_scene(path: Path) -> Report:
         return report
     report["description"] = describe_model(compiled)
     if compiled.substeps > SUBSTEPS_MOST:
-        problems.append(problem("warning", "model", f"{compiled.substeps} substeps a tick",
-                                f"at most {SUBSTEPS_MOST}: softer links, more mass or fewer "
-                                "vertices"))
+        problems.append(
+            problem(
+                "warning",
+                "model",
+                f"{compiled.substeps} substeps a tick",
+                f"at most {SUBSTEPS_MOST}: softer links, more mass or fewer vertices",
+            )
+        )
     loose = scene.model.home_stiffness == 0.0 and not scene.model.fixed
     if loose:
-        problems.append(problem("warning", "model", "neither home springs nor fixed vertices",
-                                "something that holds the organ in its place"))
+        problems.append(
+            problem(
+                "warning",
+                "model",
+                "neither home springs nor fixed vertices",
+                "something that holds the organ in its place",
+            )
+        )
     return report
 
 
@@ -58,17 +75,34 @@ def check_mesh(mesh: palpate.SurfaceMesh, tool_radius: float) -> list[Report]:
     found = authoring.inspect_mesh(mesh)
     problems = []
     if found.self_intersecting_faces:
-        problems.append(problem("warning", "mesh", f"{found.self_intersecting_faces} "
-                                "self-intersecting faces", "none"))
+        problems.append(
+            problem(
+                "warning",
+                "mesh",
+                f"{found.self_intersecting_faces} self-intersecting faces",
+                "none",
+            )
+        )
     if found.smallest_angle_deg is not None and found.smallest_angle_deg < ANGLE_LEAST:
-        problems.append(problem("warning", "mesh", f"a smallest angle of "
-                                f"{found.smallest_angle_deg:.1f} degrees",
-                                f"at least {ANGLE_LEAST:g}: decimate anew"))
+        problems.append(
+            problem(
+                "warning",
+                "mesh",
+                f"a smallest angle of {found.smallest_angle_deg:.1f} degrees",
+                f"at least {ANGLE_LEAST:g}: decimate anew",
+            )
+        )
     if found.outward is False:
         problems.append(problem("error", "mesh", "triangles that face inwards", "outwards"))
     x, triangles = np.asarray(mesh.vertices), np.asarray(mesh.triangles)
     edges = np.linalg.norm(x[triangles] - x[np.roll(triangles, 1, axis=1)], axis=2)
     if tool_radius < EDGES_PER_RADIUS * edges.mean():
-        problems.append(problem("warning", "tool.radius", f"{1e3 * tool_radius:.1f} mm",
-                                f"at least half the mean edge of {1e3 * edges.mean():.1f} mm"))
+        problems.append(
+            problem(
+                "warning",
+                "tool.radius",
+                f"{1e3 * tool_radius:.1f} mm",
+                f"at least half the mean edge of {1e3 * edges.mean():.1f} mm",
+            )
+        )
     return problems

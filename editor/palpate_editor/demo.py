@@ -48,8 +48,12 @@ def read_constants(path: Path) -> dict[str, dict[str, float]]:
     for table, values in wanted.items():
         found = tables.get(table)
         if not isinstance(found, dict) or set(found) != set(values):
-            raise Refusal(path, f"[{table}]", "no such table" if found is None else
-                          ", ".join(sorted(found)), ", ".join(sorted(values)))
+            raise Refusal(
+                path,
+                f"[{table}]",
+                "no such table" if found is None else ", ".join(sorted(found)),
+                ", ".join(sorted(values)),
+            )
     return tables
 
 
@@ -117,22 +121,27 @@ def run_demo(
     imported = import_mesh(source, parts=parts, unit=unit, up=up)
     loops = imported.report.border_loops
     border = f", {len(loops)} hole(s) kept open" if loops else ", closed"
-    say(f"          {imported.report.vertices} vertices, {imported.report.triangles} triangles"
-        f"{border}; unit {imported.joined.unit}: {imported.joined.unit_reason}")
+    say(
+        f"          {imported.report.vertices} vertices, {imported.report.triangles} triangles"
+        f"{border}; unit {imported.joined.unit}: {imported.joined.unit_reason}"
+    )
     small = decimate(imported.mesh, vertices)
     organ = out / "organ.obj"
     write_mesh(organ, small.mesh)
-    say(f"decimate  {vertices} vertices, {len(small.mesh.triangles)} triangles, smallest angle "
+    say(
+        f"decimate  {vertices} vertices, {len(small.mesh.triangles)} triangles, smallest angle "
         f"{small.smallest_angle_deg:.0f} degrees, {1e3 * small.max_distance:.2f} mm at most from "
-        "the source")
+        "the source"
+    )
 
     name = mesh.stem if mesh else "spleen"
     summary: Report = {
         "organ": name,
         "vertices": len(small.mesh.vertices),
         "triangles": len(small.mesh.triangles),
-        "border_loops": [len(loop) for loop in
-                         palpate.find_border_loops(np.asarray(small.mesh.triangles))],
+        "border_loops": [
+            len(loop) for loop in palpate.find_border_loops(np.asarray(small.mesh.triangles))
+        ],
         "picture": "picture.png",
         "force_plot": "force_plot.png",
         "mesh": organ.name,
@@ -143,11 +152,14 @@ def run_demo(
         write_scene_file(scene_path, describe_scene(organ, name, kind, small.mesh, values))
         runs[kind], summary[kind] = touch(kind, scene_path, PressScript(**values["script"]), say)
 
-    title = f"{name}, {summary['vertices']} vertices: pressed {1e3 * values['script']['depth']:g} mm"
+    title = (
+        f"{name}, {summary['vertices']} vertices: pressed {1e3 * values['script']['depth']:g} mm"
+    )
     picture_of_record(out / "picture.png", out / "mss.prec", runs["mss"].moments.held, {}, title)
     plot_runs(out / "force_plot.png", {"mass-spring": runs["mss"], "molecular": runs["mms"]}, name)
-    write_whole(out / "summary.json",
-                (json.dumps(summary, indent=2, allow_nan=False) + "\n").encode())
+    write_whole(
+        out / "summary.json", (json.dumps(summary, indent=2, allow_nan=False) + "\n").encode()
+    )
     say(f"wrote     {out / 'summary.json'}, {out / 'picture.png'}, {out / 'force_plot.png'}")
     return summary
 
@@ -161,8 +173,9 @@ def touch(
     record = scene_path.with_name(f"{kind}.prec")
     run = run_script(scene, find_top(scene), script, record, scene_path)
     replay = replay_elsewhere(record)
-    write_whole(scene_path.with_name(f"{kind}.replay.json"),
-                (json.dumps(replay, indent=2) + "\n").encode())
+    write_whole(
+        scene_path.with_name(f"{kind}.replay.json"), (json.dumps(replay, indent=2) + "\n").encode()
+    )
     report = {
         **run.report,
         "total_mass_g": 1e3 * palpate.compute_total_mass(scene.tissue),
@@ -173,25 +186,31 @@ def touch(
     }
     pull = report["pull_force_N"]
     stiffness = report["patch_stiffness_N_per_m"]
-    say(f"          peak {report['peak_force_N']:.2f} N, pull {0.0 if pull is None else pull:.2f} N, "
+    say(
+        f"          peak {report['peak_force_N']:.2f} N, pull {0.0 if pull is None else pull:.2f} N, "
         f"patch {0.0 if stiffness is None else stiffness:.0f} N/m; tick "
         f"{report['tick_median_us']:.0f} us, lateness p99 {report['lateness_p99_us']:.0f} us, "
-        f"{report['missed_ticks']} missed; replay {'equal' if replay['equal'] else 'DIFFERS'}")
+        f"{report['missed_ticks']} missed; replay {'equal' if replay['equal'] else 'DIFFERS'}"
+    )
     return run, report
 
 
 def describe_model(scene: palpate.Scene) -> str:
     tissue = scene.tissue
     links = len(tissue.springs.ends) + len(tissue.bonds.ends)
-    return (f"{len(tissue.mass)} particles, {links} links, total mass "
-            f"{1e3 * palpate.compute_total_mass(tissue):.1f} g, {scene.substeps} substeps")
+    return (
+        f"{len(tissue.mass)} particles, {links} links, total mass "
+        f"{1e3 * palpate.compute_total_mass(tissue):.1f} g, {scene.substeps} substeps"
+    )
 
 
 def replay_elsewhere(record: Path) -> Report:
     """The verb `replay` in a new process, which shares nothing with the run but the files."""
     done = subprocess.run(
         [sys.executable, "-m", "palpate.cli", "replay", str(record), "--json"],
-        capture_output=True, text=True, check=False,
+        capture_output=True,
+        text=True,
+        check=False,
     )
     if done.returncode not in (0, 1) or not done.stdout:
         raise RuntimeError(f"the replay of {record.name} failed: {done.stderr.strip()}")

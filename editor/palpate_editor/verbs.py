@@ -33,8 +33,13 @@ UPS = ("x", "y", "z", "-x", "-y", "-z")
 
 
 def add_source(word: argparse.ArgumentParser) -> None:
-    word.add_argument("--part", action="append", default=[], metavar="NAME",
-                      help="part of the file to use, may be repeated; default: all, welded")
+    word.add_argument(
+        "--part",
+        action="append",
+        default=[],
+        metavar="NAME",
+        help="part of the file to use, may be repeated; default: all, welded",
+    )
     word.add_argument("--unit", choices=UNITS, help="of the file; default: stated or guessed")
     word.add_argument("--up", choices=UPS, help="axis of the file; default: stated or z")
 
@@ -77,8 +82,9 @@ def describe_inspect(report: Report) -> str:
     lines = [
         f"{report['vertices']} vertices, {report['triangles']} triangles, "
         f"{report['shells']} shell(s), genus {known(report['genus'])}",
-        "closed" if report["closed"] else
-        f"open: {len(loops)} border loop(s) of {', '.join(map(str, loops))} vertices",
+        "closed"
+        if report["closed"]
+        else f"open: {len(loops)} border loop(s) of {', '.join(map(str, loops))} vertices",
         f"outward: {'unknown' if report['outward'] is None else report['outward']}",
         f"{report['non_manifold_edges']} non-manifold edges, "
         f"{known(report['self_intersecting_faces'])} self-intersecting faces, smallest angle "
@@ -116,8 +122,13 @@ def run_import(call: argparse.Namespace) -> Report:
         "welded_vertices": joined.welded_vertices,
         "repaired": {
             name: getattr(repaired, name)
-            for name in ("duplicate_triangles", "degenerate_triangles", "unused_vertices",
-                         "split_vertices", "turned_triangles")
+            for name in (
+                "duplicate_triangles",
+                "degenerate_triangles",
+                "unused_vertices",
+                "split_vertices",
+                "turned_triangles",
+            )
         },
     }
     if call.vertices is not None:
@@ -147,18 +158,22 @@ def decimate_to(mesh: palpate.SurfaceMesh, vertices: int) -> tuple[palpate.Surfa
 def describe_import(report: Report) -> str:
     mesh = report["mesh"]
     loops = mesh["border_loops"]
-    done = ", ".join(f"{count} {name.replace('_', ' ')}"
-                     for name, count in report["repaired"].items() if count)
+    done = ", ".join(
+        f"{count} {name.replace('_', ' ')}" for name, count in report["repaired"].items() if count
+    )
     lines = [
         f"parts {', '.join(report['parts_used'])}; {report['welded_vertices']} vertices welded",
         f"unit {report['unit']}: {report['unit_reason']}; up {report['up']}: {report['up_reason']}",
         f"repaired: {done or 'nothing to do'}",
-        "closed" if not loops else
-        f"{len(loops)} hole(s) of {', '.join(map(str, loops))} vertices, kept open",
+        "closed"
+        if not loops
+        else f"{len(loops)} hole(s) of {', '.join(map(str, loops))} vertices, kept open",
     ]
     if "decimated" in report:
         lines.append(describe_decimate(report["decimated"]))
-    lines.append(f"wrote {report['out']}: {mesh['vertices']} vertices, {mesh['triangles']} triangles")
+    lines.append(
+        f"wrote {report['out']}: {mesh['vertices']} vertices, {mesh['triangles']} triangles"
+    )
     return "\n".join(lines)
 
 
@@ -193,42 +208,72 @@ def add_material(word: argparse.ArgumentParser) -> None:
     material, model, tool, hand = MaterialPart(), ModelPart(), ToolPart(), HandPart()
     word.add_argument("mesh", type=Path, help="OBJ written by `palpate import`")
     word.add_argument("--out", "-o", type=Path, required=True, help="scene file to write")
-    word.add_argument("--kind", choices=("mss", "mms"), default="mss",
-                      help="mass-spring or molecular")
-    word.add_argument("--stiffness", type=quantity("N/m"), default=model.stiffness,
-                      help="of every spring or bond (50N/m)")
+    word.add_argument(
+        "--kind", choices=("mss", "mms"), default="mss", help="mass-spring or molecular"
+    )
+    word.add_argument(
+        "--stiffness",
+        type=quantity("N/m"),
+        default=model.stiffness,
+        help="of every spring or bond (50N/m)",
+    )
     word.add_argument("--bend", type=quantity("J"), default=0.0, help="K_theta per corner (mms)")
-    word.add_argument("--stretch-bend", type=quantity("N"), default=0.0,
-                      help="K_btheta per corner (mms)")
+    word.add_argument(
+        "--stretch-bend", type=quantity("N"), default=0.0, help="K_btheta per corner (mms)"
+    )
     word.add_argument("--home", type=quantity("N/m3"), help="home springs; default: by kind")
-    word.add_argument("--wall", type=quantity("m"),
-                      help="wall thickness of a hollow organ or sheet; none for a solid")
+    word.add_argument(
+        "--wall",
+        type=quantity("m"),
+        help="wall thickness of a hollow organ or sheet; none for a solid",
+    )
     word.add_argument("--density", type=quantity("kg/m3"), default=material.density)
-    word.add_argument("--damping", type=float, default=material.damping_ratio,
-                      help="ratio of one link between its end masses (0.2)")
+    word.add_argument(
+        "--damping",
+        type=float,
+        default=material.damping_ratio,
+        help="ratio of one link between its end masses (0.2)",
+    )
     word.add_argument("--drag", type=quantity("1/s"), default=model.drag)
     word.add_argument("--pressure", type=quantity("Pa"), default=0.0)
-    word.add_argument("--fix-lowest", type=float, default=0.0, metavar="SHARE",
-                      help="hold this share of the height, from below (0.1)")
+    word.add_argument(
+        "--fix-lowest",
+        type=float,
+        default=0.0,
+        metavar="SHARE",
+        help="hold this share of the height, from below (0.1)",
+    )
     word.add_argument("--tool-radius", type=quantity("m"), default=tool.radius)
-    word.add_argument("--coupling", type=quantity("N/m"), default=hand.coupling,
-                      help="of the hand's spring, K of Eq 12 (1000N/m)")
+    word.add_argument(
+        "--coupling",
+        type=quantity("N/m"),
+        default=hand.coupling,
+        help="of the hand's spring, K of Eq 12 (1000N/m)",
+    )
 
 
 def run_material(call: argparse.Namespace) -> Report:
     mesh = read_mesh_file(call.mesh)
     if call.mesh.resolve().parent != call.out.resolve().parent:
-        raise Refusal(call.out, "", "a scene file in another folder than its mesh",
-                      "the same folder, so that both move together")
+        raise Refusal(
+            call.out,
+            "",
+            "a scene file in another folder than its mesh",
+            "the same folder, so that both move together",
+        )
     scene = SceneFile(
         organ=OrganPart(call.mesh.stem, call.mesh.name, hash_file(call.mesh)),
-        material=MaterialPart(density=call.density, damping_ratio=call.damping,
-                              wall_thickness=call.wall),
+        material=MaterialPart(
+            density=call.density, damping_ratio=call.damping, wall_thickness=call.wall
+        ),
         model=ModelPart(
             kind={"mss": "mass_spring", "mms": "molecular"}[call.kind],
-            stiffness=call.stiffness, bend_stiffness=call.bend,
-            stretch_coupling=call.stretch_bend, home_stiffness=call.home,
-            pressure=call.pressure, drag=call.drag,
+            stiffness=call.stiffness,
+            bend_stiffness=call.bend,
+            stretch_coupling=call.stretch_bend,
+            home_stiffness=call.home,
+            pressure=call.pressure,
+            drag=call.drag,
             fixed=find_lowest(mesh, call.fix_lowest) if call.fix_lowest > 0.0 else (),
         ),
         tool=ToolPart(radius=call.tool_radius),
@@ -242,8 +287,8 @@ def run_material(call: argparse.Namespace) -> Report:
     tissue = compiled.tissue
     return {
         "out": str(call.out),
-        "scene": asdict(scene) | {"model": {**asdict(scene.model), "fixed": len(tissue.fixed),
-                                            "stiffness_scale": None}},
+        "scene": asdict(scene)
+        | {"model": {**asdict(scene.model), "fixed": len(tissue.fixed), "stiffness_scale": None}},
         "particles": len(tissue.mass),
         "springs": len(tissue.springs.ends),
         "bonds": len(tissue.bonds.ends),
@@ -257,8 +302,10 @@ def run_material(call: argparse.Namespace) -> Report:
 
 
 def describe_material(report: Report) -> str:
-    return (f"wrote {report['out']}: {report['description']}, {report['fixed']} fixed, stable step "
-            f"{report['stable_step_ms']:.3f} ms")
+    return (
+        f"wrote {report['out']}: {report['description']}, {report['fixed']} fixed, stable step "
+        f"{report['stable_step_ms']:.3f} ms"
+    )
 
 
 # ---------------------------------------------------------------- check
@@ -275,8 +322,10 @@ def run_check(call: argparse.Namespace) -> Report:
 def describe_check(report: Report) -> str:
     lines = [f"{report['scene']}: {report['description']}"]
     for problem in report["problems"]:
-        lines.append(f"  {problem['severity']:7} {problem['where']}: found {problem['found']}, "
-                     f"expected {problem['expected']}")
+        lines.append(
+            f"  {problem['severity']:7} {problem['where']}: found {problem['found']}, "
+            f"expected {problem['expected']}"
+        )
     if not report["problems"]:
         lines.append("  no problems")
     return "\n".join(lines)
@@ -298,8 +347,16 @@ def run_demo_verb(call: argparse.Namespace) -> Report:
         print(line, file=sys.stderr, flush=True)
 
     try:
-        return run_demo(call.out, call.mesh, call.vertices, call.constants, tuple(call.part),
-                        call.unit, call.up, say)
+        return run_demo(
+            call.out,
+            call.mesh,
+            call.vertices,
+            call.constants,
+            tuple(call.part),
+            call.unit,
+            call.up,
+            say,
+        )
     except ValueError as problem:
         raise Refusal(call.mesh, "", str(problem), "an organ a tissue can be built on") from None
 
@@ -307,29 +364,71 @@ def run_demo_verb(call: argparse.Namespace) -> Report:
 def describe_demo(report: Report) -> str:
     def row(kind: str) -> str:
         r = report[kind]
-        return (f"{kind}: peak {r['peak_force_N']:.2f} N, pull {r['pull_force_N']:.2f} N, patch "
-                f"{r['patch_stiffness_N_per_m']:.0f} N/m, tick {r['tick_median_us']:.0f} us, "
-                f"replay {'equal' if r['replay_equal'] else 'DIFFERS'}")
+        return (
+            f"{kind}: peak {r['peak_force_N']:.2f} N, pull {r['pull_force_N']:.2f} N, patch "
+            f"{r['patch_stiffness_N_per_m']:.0f} N/m, tick {r['tick_median_us']:.0f} us, "
+            f"replay {'equal' if r['replay_equal'] else 'DIFFERS'}"
+        )
 
-    return "\n".join([f"{report['organ']}: {report['vertices']} vertices, "
-                      f"{report['triangles']} triangles", row("mss"), row("mms")])
+    return "\n".join(
+        [
+            f"{report['organ']}: {report['vertices']} vertices, {report['triangles']} triangles",
+            row("mss"),
+            row("mms"),
+        ]
+    )
 
 
 VERBS = [
-    Verb("inspect", "say what is good and bad about a mesh file",
-         "palpate inspect VH_F_Spleen.glb --json", add_inspect, run_inspect, describe_inspect),
-    Verb("import", "read a mesh file, weld, repair, orient, and write it in metres, z up",
-         "palpate import VH_F_Spleen.glb -o spleen.obj", add_import, run_import, describe_import),
-    Verb("decimate", "reduce a surface to an exact vertex count with well-shaped triangles",
-         "palpate decimate spleen.obj --vertices 600 -o spleen600.obj",
-         add_decimate, run_decimate, describe_decimate),
-    Verb("material", "give a surface its tissue, a tool and a hand: a scene file",
-         "palpate material spleen600.obj --kind mms --stiffness 60N/m --home 1.5e5N/m3 "
-         "-o spleen.scene.json", add_material, run_material, describe_material),
-    Verb("check", "list every problem of a scene file", "palpate check spleen.scene.json",
-         add_check, run_check, describe_check,
-         failed=lambda report: any(p["severity"] == "error" for p in report["problems"])),
-    Verb("demo", "run the main job from mesh file to felt force",
-         "palpate demo --mesh VH_F_Spleen.glb --out demo", add_demo, run_demo_verb, describe_demo,
-         failed=lambda report: not all(report[kind]["replay_equal"] for kind in ("mss", "mms"))),
+    Verb(
+        "inspect",
+        "say what is good and bad about a mesh file",
+        "palpate inspect VH_F_Spleen.glb --json",
+        add_inspect,
+        run_inspect,
+        describe_inspect,
+    ),
+    Verb(
+        "import",
+        "read a mesh file, weld, repair, orient, and write it in metres, z up",
+        "palpate import VH_F_Spleen.glb -o spleen.obj",
+        add_import,
+        run_import,
+        describe_import,
+    ),
+    Verb(
+        "decimate",
+        "reduce a surface to an exact vertex count with well-shaped triangles",
+        "palpate decimate spleen.obj --vertices 600 -o spleen600.obj",
+        add_decimate,
+        run_decimate,
+        describe_decimate,
+    ),
+    Verb(
+        "material",
+        "give a surface its tissue, a tool and a hand: a scene file",
+        "palpate material spleen600.obj --kind mms --stiffness 60N/m --home 1.5e5N/m3 "
+        "-o spleen.scene.json",
+        add_material,
+        run_material,
+        describe_material,
+    ),
+    Verb(
+        "check",
+        "list every problem of a scene file",
+        "palpate check spleen.scene.json",
+        add_check,
+        run_check,
+        describe_check,
+        failed=lambda report: any(p["severity"] == "error" for p in report["problems"]),
+    ),
+    Verb(
+        "demo",
+        "run the main job from mesh file to felt force",
+        "palpate demo --mesh VH_F_Spleen.glb --out demo",
+        add_demo,
+        run_demo_verb,
+        describe_demo,
+        failed=lambda report: not all(report[kind]["replay_equal"] for kind in ("mss", "mms")),
+    ),
 ]

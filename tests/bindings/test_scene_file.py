@@ -149,9 +149,7 @@ def test_a_scene_whose_mesh_has_changed_is_refused(organ, tmp_path):
 
 
 def test_constants_no_tissue_can_have_are_refused_with_the_builders_sentence(organ, tmp_path):
-    write_scene_file(
-        tmp_path / "a.json", replace(scene_of(organ), model=ModelPart(stiffness=-1.0))
-    )
+    write_scene_file(tmp_path / "a.json", replace(scene_of(organ), model=ModelPart(stiffness=-1.0)))
 
     with pytest.raises(Refusal, match="stiffness"):
         open_scene(tmp_path / "a.json")
@@ -159,12 +157,18 @@ def test_constants_no_tissue_can_have_are_refused_with_the_builders_sentence(org
 
 def every_number() -> list[tuple[str, str, float]]:
     changed = {
-        "wall_thickness": 0.004, "home_stiffness": 2e5, "poisson_ratio": None,
+        "wall_thickness": 0.004,
+        "home_stiffness": 2e5,
+        "poisson_ratio": None,
         "young_modulus": None,  # these two act on the default home springs of walls, or later
     }
     rows = []
-    for part, kind in (("material", MaterialPart), ("model", ModelPart), ("tool", ToolPart),
-                       ("hand", HandPart)):
+    for part, kind in (
+        ("material", MaterialPart),
+        ("model", ModelPart),
+        ("tool", ToolPart),
+        ("hand", HandPart),
+    ):
         for f in fields(kind):
             value = getattr(kind(), f.name)
             if isinstance(value, float) or f.name in changed:
@@ -184,11 +188,20 @@ def test_every_number_of_a_scene_file_changes_what_is_compiled(organ, part, name
         s = compile_scene(scene, mesh)
         t = s.tissue
         return [
-            list(t.mass), list(t.bonds.stiffness), list(t.bonds.damping), list(t.home),
+            list(t.mass),
+            list(t.bonds.stiffness),
+            list(t.bonds.damping),
+            list(t.home),
             np.asarray(t.angles.bend_stiffness).tolist(),
             np.asarray(t.angles.stretch_coupling).tolist(),
-            t.pressure, t.drag, s.tool.radius, s.tool.stiffness, s.coupling.stiffness,
-            s.coupling.force_max, s.hold_stiffness, s.rate,
+            t.pressure,
+            t.drag,
+            s.tool.radius,
+            s.tool.stiffness,
+            s.coupling.stiffness,
+            s.coupling.force_max,
+            s.hold_stiffness,
+            s.rate,
         ]
 
     assert values(base) != values(changed)

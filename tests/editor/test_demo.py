@@ -13,8 +13,14 @@ from palpate.cli import main
 from palpate_editor.demo import CONSTANTS
 
 FIELDS = {
-    "tick_median_us", "tick_p99_us", "lateness_p99_us", "missed_ticks", "peak_force_N",
-    "pull_force_N", "patch_stiffness_N_per_m", "replay_equal",
+    "tick_median_us",
+    "tick_p99_us",
+    "lateness_p99_us",
+    "missed_ticks",
+    "peak_force_N",
+    "pull_force_N",
+    "patch_stiffness_N_per_m",
+    "replay_equal",
 }
 
 
@@ -156,7 +162,8 @@ def test_constants_with_an_unknown_name_are_refused(tmp_path, capsys):
     constants = tmp_path / "bad.toml"
     constants.write_text(CONSTANTS.read_text().replace("depth", "dept", 1))
 
-    assert main(["demo", "--constants", str(constants), "--out", str(tmp_path / "o"),
-                 "--json"]) == 1
+    assert (
+        main(["demo", "--constants", str(constants), "--out", str(tmp_path / "o"), "--json"]) == 1
+    )
 
     assert json.loads(capsys.readouterr().out)["error"]["where"] == "[script]"

@@ -15,9 +15,20 @@ import pytest
 from palpate.cli import main
 
 INSPECTED = {
-    "vertices", "triangles", "shells", "border_loops", "genus", "closed", "outward",
-    "non_manifold_edges", "self_intersecting_faces", "smallest_angle_deg", "size_mm", "volume_ml",
-    "unit", "unit_guessed",
+    "vertices",
+    "triangles",
+    "shells",
+    "border_loops",
+    "genus",
+    "closed",
+    "outward",
+    "non_manifold_edges",
+    "self_intersecting_faces",
+    "smallest_angle_deg",
+    "size_mm",
+    "volume_ml",
+    "unit",
+    "unit_guessed",
 }
 TIME_LIMIT = 10.0  # [s] that the issue allows a hostile file
 MEMORY_LIMIT = 2_000_000_000  # [bytes]
@@ -79,17 +90,29 @@ def test_the_unit_given_is_the_unit_used(shared_data, capsys):
     assert given["size_mm"] == pytest.approx([1e-3 * length for length in stated["size_mm"]])
 
 
-def test_a_chain_of_verbs_makes_a_scene_that_can_be_pressed_replayed_and_drawn(
-    spleen, capsys
-):
+def test_a_chain_of_verbs_makes_a_scene_that_can_be_pressed_replayed_and_drawn(spleen, capsys):
     folder = spleen.parent
     scene, record = folder / "spleen.scene.json", folder / "press.prec"
 
-    made = report_of(capsys, "material", spleen, "--kind", "mms", "--stiffness", "60N/m",
-                     "--home", "1.5e5N/m3", "--fix-lowest", "0.1", "-o", scene)
+    made = report_of(
+        capsys,
+        "material",
+        spleen,
+        "--kind",
+        "mms",
+        "--stiffness",
+        "60N/m",
+        "--home",
+        "1.5e5N/m3",
+        "--fix-lowest",
+        "0.1",
+        "-o",
+        scene,
+    )
     checked = report_of(capsys, "check", scene)
-    pressed = report_of(capsys, "press", scene, "--depth", "4mm", "--record", record,
-                        "--plot", folder / "press.png")
+    pressed = report_of(
+        capsys, "press", scene, "--depth", "4mm", "--record", record, "--plot", folder / "press.png"
+    )
     replayed = report_of(capsys, "replay", record)
     drawn = report_of(capsys, "render", record, "-o", folder / "picture.png", "--size", "640x360")
 
@@ -123,8 +146,10 @@ def test_check_names_every_problem_at_once(spleen, tmp_path, capsys):
     mesh = tmp_path / "spleen.obj"
     mesh.write_bytes(spleen.read_bytes())
     scene = tmp_path / "bad.scene.json"
-    assert main(["material", str(mesh), "--home", "0N/m3", "--tool-radius", "0.5mm",
-                 "-o", str(scene)]) == 0
+    assert (
+        main(["material", str(mesh), "--home", "0N/m3", "--tool-radius", "0.5mm", "-o", str(scene)])
+        == 0
+    )
     capsys.readouterr()
 
     assert main(["check", str(scene), "--json"]) == 0
@@ -167,7 +192,10 @@ def test_a_hostile_file_gives_a_report_or_a_sentence(name, shared_data):
 
     done = subprocess.run(
         [sys.executable, "-m", "palpate.cli", "inspect", str(path), "--json"],
-        capture_output=True, text=True, timeout=3 * TIME_LIMIT, preexec_fn=limit_memory,
+        capture_output=True,
+        text=True,
+        timeout=3 * TIME_LIMIT,
+        preexec_fn=limit_memory,
         check=False,
     )
 
