@@ -5,6 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "palpate/sim/dynamics/elastic_energy.h"
+#include "palpate/sim/dynamics/free_particles.h"
+
 namespace palpate {
 namespace {
 
@@ -16,15 +19,36 @@ constexpr double kRise = 0.05;          // of E_ref in one look, ...
 constexpr int kRisingSteps = 3;         // ... this often in a row
 constexpr double kExcess = 0.5;         // of E_ref, at any time
 
+/// [s] How long energy that damping has taken still counts as given: far longer than anything
+/// trembles, far shorter than a lesson, over which work adds up to more than could ever blow up.
+constexpr double kMemory = 1.0;
+
 /// [m/s] Energy below that of the whole tissue moving this fast is below anything that a hand or
 /// an eye notices, and near rest it may be nothing but rounding. It is no reason for an alarm.
 constexpr double kUnnoticed = 1e-3;
 
-/// [J] what there is to blow up. Eq 10 has no energy, so there this tells nothing.
-double compute_inner_energy(const TissueModel& model, const Vec3& gravity,
-                            const State& state) noexcept {
-  const Energy energy = compute_energy(model, gravity, state);
-  return energy.kinetic + energy.elastic();
+/// [J] Kinetic and elastic energy one step back, at x - dt v, with the velocity halfway through the
+/// kick that followed, v - dt f/(2m).
+double compute_centred_energy(const TissueModel& model, const State& state, double dt) noexcept {
+  double kinetic = 0.0;
+  for_each_free(model, [&](int i) {
+    const Vec3 v = state.velocity[i] - (0.5 * dt / model.mass[i]) * state.force[i];
+    kinetic += 0.5 * model.mass[i] * v.squaredNorm();
+  });
+  return kinetic + compute_elastic_energy(model, [&](int i) -> Vec3 {
+           return state.position[i] - dt * state.velocity[i];
+         });
+}
+
+/// [J] what there is to blow up.
+///
+/// Symplectic Euler leaves velocities half a step behind positions, so that the energy of a mode w,
+/// taken as it stands, trembles by a part w dt/2. Centred, that of a stable mode stays within
+/// 1 - (w dt/2)² and 1 of a constant, and that of an unstable one grows as it should. The other
+/// integrators have both at one time; of the two energies the smaller is the one to judge by.
+double compute_least_energy(const TissueModel& model, const State& state, double dt) noexcept {
+  return std::min(compute_centred_energy(model, state, dt),
+                  compute_centred_energy(model, state, 0.0));
 }
 
 double compute_unnoticed_energy(const TissueModel& model) noexcept {
@@ -77,21 +101,31 @@ Alarm check_links(const Links& links, const Vec3Array& x, int first_index) noexc
   return {};
 }
 
-/// Energy may rise by what work is done, and by no more than the exchange between kinetic and
-/// elastic energy makes it tremble in a finite step: that is measured in E_ref, the most that the
-/// start and all work since have put into the tissue. It is the most there was at any time, and not
-/// the work of now, because pushes take back what they have given while the trembling stays.
-Alarm check_energy(const TissueModel& model, double energy, double work, Guard& guard) noexcept {
+/// Energy may be what was given, and as much more as finite steps make it tremble. That is
+/// measured in E_ref, the most that was lately given, because pushes take back what they have given
+/// while the trembling stays. Too much of it is half of E_ref at once, or three rises in a row,
+/// each beyond its work by a twentieth.
+///
+/// Beyond w dt/2 = 0.58 one mode alone trembles by a half. A tissue with most of its energy in
+/// modes that near the limit may raise the alarm though it is stable; damping, and loads spread
+/// over a patch, leave little energy there. Eq 10 has no energy, so this tells nothing about it.
+Alarm check_energy(const TissueModel& model, double energy, double work, double elapsed,
+                   Guard& guard) noexcept {
+  const double fade = std::min(1.0, elapsed / kMemory);
   guard.work += work;
-  const double given = guard.start_energy + guard.work;
-  guard.reference_energy = std::max(guard.reference_energy, given);
+  guard.given_energy += work;
+  const double given = guard.given_energy;
+  const double now = std::max(given, compute_unnoticed_energy(model));
+  double& reference = guard.reference_energy;
+  reference = std::max(now, reference - fade * (reference - now));
   const double rise = energy - guard.last_energy - work;
-  const double largest_rise = kRise * guard.reference_energy;
+  const double largest_rise = kRise * reference, most = given + kExcess * reference;
+  const bool rises = rise > largest_rise && energy > given;
+  guard.rising_steps = rises ? guard.rising_steps + 1 : 0;
   guard.last_energy = energy;
-  guard.rising_steps = rise > largest_rise ? guard.rising_steps + 1 : 0;
-  if (model.angle_law == AngleLaw::eq10 && !model.angles.corners.empty()) return {};
+  guard.given_energy -= fade * std::max(0.0, given - energy);
 
-  const double most = given + kExcess * guard.reference_energy;
+  if (model.angle_law == AngleLaw::eq10 && !model.angles.corners.empty()) return {};
   if (energy > most) return {AlarmKind::energy, -1, energy, most};
   if (guard.rising_steps >= kRisingSteps) return {AlarmKind::energy, -1, rise, largest_rise};
   return {};
@@ -99,11 +133,13 @@ Alarm check_energy(const TissueModel& model, double energy, double work, Guard& 
 
 }  // namespace
 
-Guard::Guard(const TissueModel& model, const Vec3& gravity, const State& state)
+Guard::Guard(const TissueModel& model, const Vec3&, const State& state)
     : last_position(state.position),
+      last_time(state.time),
       shortest_rest_length(std::numeric_limits<double>::infinity()),
-      start_energy(compute_inner_energy(model, gravity, state)),
+      start_energy(compute_centred_energy(model, state, 0.0)),
       last_energy(start_energy),
+      given_energy(start_energy),
       reference_energy(std::max(start_energy, compute_unnoticed_energy(model))) {
   for (const Links* links : {&model.springs, &model.bonds}) {
     for (const double length : links->rest_length) {
@@ -121,11 +157,13 @@ Alarm check(const TissueModel& model, const Vec3& gravity, const State& state, d
     alarm = check_links(model.bonds, state.position, spring_count);
   }
   if (!alarm) {
-    const double energy = compute_inner_energy(model, gravity, state);
+    const double elapsed = std::max(0.0, state.time - guard.last_time);
+    const double energy = compute_least_energy(model, state, elapsed / steps);
     const double field = compute_field_work(model, gravity, guard.last_position, state.position);
-    alarm = check_energy(model, energy, work + field, guard);
+    alarm = check_energy(model, energy, work + field, elapsed, guard);
   }
   if (!alarm) std::copy(state.position.begin(), state.position.end(), guard.last_position.begin());
+  guard.last_time = state.time;
   if (alarm) alarm.time = state.time;
   return alarm;
 }

@@ -11,7 +11,7 @@ enum class AlarmKind {
   moved_far,      ///< index: particle; more than 0.3 of the shortest rest length in one step
   overstretched,  ///< index: link, springs before bonds; strain above 2
   collapsed,      ///< index: link; shorter than 0.05 of its rest length
-  energy,         ///< index: -1; elastic and kinetic energy grow without work (SCIENCE 3)
+  energy,         ///< index: -1; elastic and kinetic energy exceed what was given (SCIENCE 3)
 };
 
 /// What is wrong with a running tissue, as a value: the haptic thread never throws.
@@ -30,11 +30,13 @@ struct Guard {
   Guard(const TissueModel& model, const Vec3& gravity, const State& state);
 
   Vec3Array last_position;            ///< [m] at the last look that found nothing wrong
+  double last_time = 0.0;             ///< [s] of the last look
   double shortest_rest_length = 0.0;  ///< [m]
   double start_energy = 0.0;          ///< [J] elastic and kinetic
   double last_energy = 0.0;           ///< [J] elastic and kinetic
   double work = 0.0;                  ///< [J] done by pushes, gravity and pressure since the start
-  double reference_energy = 0.0;      ///< [J] E_ref: the most that start and work have added up to
+  double given_energy = 0.0;          ///< [J] of start and work, less what has long been lost
+  double reference_energy = 0.0;      ///< [J] E_ref: the most that has lately been given
   int rising_steps = 0;               ///< looks in a row at which energy rose without work
 };
 

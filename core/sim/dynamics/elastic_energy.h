@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/sim/dynamics/tensions.h"
+
+namespace palpate {
+
+// Each for particles that are wherever `at(i)` [m] says.
+
+/// Eq 8: k (l - L)² / 2 over all links.
+template <class At>
+double compute_link_energy(const Links& links, At at) noexcept {
+  double sum = 0.0;
+  for (std::size_t l = 0; l < links.ends.size(); ++l) {
+    const auto [i, j] = links.ends[l];
+    const double stretch = Vec3(at(j) - at(i)).norm() - links.rest_length[l];
+    sum += 0.5 * links.stiffness[l] * stretch * stretch;
+  }
+  return sum;
+}
+
+/// Eq 9 and Eq 11: K_theta q² / 2 + K_btheta q (d + d') over all corners, d and d' of its arms.
+template <class At>
+double compute_angle_energy(const Angles& angles, At at) noexcept {
+  double sum = 0.0;
+  for (std::size_t row = 0; row < angles.corners.size(); ++row) {
+    const auto [i, j, k] = angles.corners[row];
+    const Vec3 a = at(i), b = at(j), c = at(k);
+    const PerSide<double>& rest = angles.rest_length[row];
+    const PerSide<double> length = {(b - c).norm(), (c - a).norm(), (a - b).norm()};
+    const PerSide<double> cosine = compute_cosines(length, invert_lengths(rest, length));
+    for (int corner = 0; corner < 3; ++corner) {
+      const int one = (corner + 1) % 3, two = (corner + 2) % 3;
+      const double bend = cosine[corner] - angles.rest_cosine[row][corner];
+      const double stretch = length[one] + length[two] - rest[one] - rest[two];
+      sum += (0.5 * angles.bend_stiffness[row][corner] * bend +
+              angles.stretch_coupling[row][corner] * stretch) *
+             bend;
+    }
+  }
+  return sum;
+}
+
+/// h |x - X|² / 2 over all particles, X their places at rest.
+template <class At>
+double compute_home_energy(const TissueModel& model, At at) noexcept {
+  double sum = 0.0;
+  for (int i = 0; i < static_cast<int>(model.home.size()); ++i) {
+    sum += 0.5 * model.home[i] * Vec3(at(i) - model.rest_position[i]).squaredNorm();
+  }
+  return sum;
+}
+
+/// [J] of springs, bonds, angles and home; Eq 10 has no energy.
+template <class At>
+double compute_elastic_energy(const TissueModel& model, At at) noexcept {
+  const double angles =
+      model.angle_law == AngleLaw::gradient ? compute_angle_energy(model.angles, at) : 0.0;
+  return compute_link_energy(model.springs, at) + compute_link_energy(model.bonds, at) + angles +
+         compute_home_energy(model, at);
+}
+
+}  // namespace palpate

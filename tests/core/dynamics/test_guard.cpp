@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "palpate/sim/dynamics/guard.h"
+#include "palpate/sim/dynamics/step.h"
+#include "scenes/tissues.h"
+
+using namespace palpate;
+using doctest::Approx;
+
+namespace {
+
+/// Looks at a tissue that `change` has done something to since the last look.
+template <class Change>
+Alarm look_after(const TissueModel& model, Change change, int steps = 1) {
+  State state(model);
+  state.time = 0.25;
+  Guard guard(model, Vec3::Zero(), state);
+  change(state);
+  return check(model, Vec3::Zero(), state, 0.0, guard, steps);
+}
+
+}  // namespace
+
+TEST_CASE("a tissue at rest raises no alarm, and none is false") {
+  const TissueModel model = scenes::make_molecular_organ(1);
+
+  const Alarm alarm = look_after(model, [](State&) {});
+
+  CHECK_FALSE(alarm);
+  CHECK(alarm.kind == AlarmKind::none);
+}
+
+TEST_CASE("what is not finite is found in positions and in velocities, with its particle") {
+  const TissueModel model = scenes::make_chain_model(5);
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), double(INFINITY)}) {
+    const Alarm position = look_after(model, [&](State& s) { s.position[3].y() = bad; });
+    const Alarm velocity = look_after(model, [&](State& s) { s.velocity[2].z() = bad; });
+
+    CHECK(position.kind == AlarmKind::not_finite);
+    CHECK(position.index == 3);
+    CHECK(position.time == 0.25);
+    CHECK(velocity.kind == AlarmKind::not_finite);
+    CHECK(velocity.index == 2);
+  }
+}
+
+TEST_CASE("a particle may move 0.3 of the shortest rest length in a step and no more") {
+  TissueModel model = scenes::make_chain_model(3);
+  model.springs.rest_length[1] = 0.008;
+  model.springs.stiffness = {1e-9, 1e-9};  // no energy worth an alarm
+  const auto move = [](double by) { return [by](State& s) { s.position[1].y() += by; }; };
+
+  CHECK_FALSE(look_after(model, move(0.0023)));
+  const Alarm alarm = look_after(model, move(0.0025));
+  CHECK(alarm.kind == AlarmKind::moved_far);
+  CHECK(alarm.index == 1);
+  CHECK(alarm.value == Approx(0.0025));
+  CHECK(alarm.limit == Approx(0.0024));
+  CHECK_FALSE(look_after(model, move(0.0025), 2));  // two steps between looks
+}
+
+TEST_CASE("a link may be strained by 2 and pressed to a twentieth, springs counted before bonds") {
+  TissueModel model = scenes::make_chain_model(4);
+  model.springs.stiffness.assign(3, 1e-9);
+  model.bonds = {{{0, 3}}, {0.02}, {1e-9}, {0.0}};
+  const auto stretch = [](double part) {
+    return [part](State& s) { s.position[3].x() = s.position[2].x() + 0.01 * part; };
+  };
+
+  CHECK_FALSE(look_after(model, stretch(2.9), 100));
+  const Alarm far = look_after(model, stretch(3.1), 100);
+  CHECK(far.kind == AlarmKind::overstretched);
+  CHECK(far.index == 2);
+  CHECK(far.value == Approx(2.1));
+  CHECK(far.limit == 2.0);
+
+  CHECK_FALSE(look_after(model, stretch(0.06), 100));
+  const Alarm near = look_after(model, stretch(0.04), 100);
+  CHECK(near.kind == AlarmKind::collapsed);
+  CHECK(near.index == 2);
+  CHECK(near.value == Approx(0.04));
+
+  const Alarm bond = look_after(
+      model,
+      [](State& s) {
+        for (int i = 1; i < 4; ++i) s.position[i].x() *= 2.5;
+      },
+      100);
+  CHECK(bond.kind == AlarmKind::overstretched);
+  CHECK(bond.index == 3);
+}
+
+TEST_CASE("energy from nowhere is an alarm at once when it is half as much again") {
+  const TissueModel model = scenes::make_chain_model(3);
+  State state(model);
+  state.velocity[1] = {0.1, 0, 0};  // 5 microjoules
+  Guard guard(model, Vec3::Zero(), state);
+  CHECK(guard.start_energy == Approx(5e-6));
+  CHECK(guard.reference_energy == Approx(5e-6));
+
+  state.velocity[1] *= std::sqrt(1.45);
+  CHECK_FALSE(check(model, Vec3::Zero(), state, 0.0, guard));
+  state.velocity[1] = {0.1 * std::sqrt(1.55), 0, 0};
+  const Alarm alarm = check(model, Vec3::Zero(), state, 0.0, guard);
+
+  CHECK(alarm.kind == AlarmKind::energy);
+  CHECK(alarm.index == -1);
+  CHECK(alarm.value == Approx(7.75e-6));
+  CHECK(alarm.limit == Approx(7.5e-6));
+}
+
+TEST_CASE("energy that rises three looks in a row without work is an alarm, twice is not") {
+  const TissueModel model = scenes::make_chain_model(3);
+  State state(model);
+  state.velocity[1] = {0.1, 0, 0};
+  Guard guard(model, Vec3::Zero(), state);
+  const auto look_at_energy = [&](double part) {
+    state.velocity[1] = {0.1 * std::sqrt(part), 0, 0};
+    return check(model, Vec3::Zero(), state, 0.0, guard).kind;
+  };
+
+  CHECK(look_at_energy(1.06) == AlarmKind::none);
+  CHECK(look_at_energy(1.12) == AlarmKind::none);
+  CHECK(look_at_energy(1.10) == AlarmKind::none);  // it fell: the count begins anew
+  CHECK(look_at_energy(1.16) == AlarmKind::none);
+  CHECK(look_at_energy(1.22) == AlarmKind::none);
+  CHECK(look_at_energy(1.28) == AlarmKind::energy);
+}
+
+TEST_CASE("energy that work, gravity or pressure has brought is no alarm") {
+  const TissueModel model = scenes::make_chain_model(3);
+  State state(model);
+  Guard guard(model, Vec3::Zero(), state);
+  state.velocity[1] = {0.1, 0, 0};
+  CHECK_FALSE(check(model, Vec3::Zero(), state, 5e-6, guard));
+  CHECK(guard.work == Approx(5e-6));
+
+  // falling free by 1 mm
+  TissueModel ball;
+  ball.rest_position = {{0, 0, 0}};
+  ball.mass = {2.0};
+  State falling(ball);
+  const Vec3 gravity(0, 0, -10.0);
+  Guard witness(ball, gravity, falling);
+  falling.position[0].z() -= 1e-3;
+  falling.velocity[0].z() = -std::sqrt(2.0 * 10.0 * 1e-3);
+  CHECK_FALSE(check(ball, gravity, falling, 0.0, witness));
+  CHECK(witness.work == Approx(0.02));
+  CHECK(witness.last_energy == Approx(0.02));
+
+  // blown up by 1 % in every direction; energy as much as p dV
+  TissueModel bladder = scenes::make_hollow_tissue();
+  bladder.home = {};
+  bladder.springs = {};
+  State blown(bladder);
+  const double before = compute_energy(bladder, Vec3::Zero(), blown).pressure;
+  Guard keeper(bladder, Vec3::Zero(), blown);
+  for (Vec3& x : blown.position) x *= 1.01;
+  const double given = before - compute_energy(bladder, Vec3::Zero(), blown).pressure;
+  blown.velocity[0].z() = std::sqrt(2.0 * given / bladder.mass[0]);
+  CHECK_FALSE(check(bladder, Vec3::Zero(), blown, 0.0, keeper));
+  CHECK(keeper.work == Approx(given).epsilon(1e-4));
+}
+
+TEST_CASE("work that damping has long taken does not make the alarm deaf") {
+  const TissueModel model = scenes::make_chain_model(3);
+  State state(model);
+  Guard guard(model, Vec3::Zero(), state);
+  for (int second = 0; second < 20; ++second) {  // a joule goes in and is gone again, every second
+    state.time += 1.0;
+    REQUIRE_FALSE(check(model, Vec3::Zero(), state, 1.0, guard));
+  }
+  CHECK(guard.work == Approx(20.0));
+
+  state.time += 1.0;
+  state.velocity[1] = {std::sqrt(2.0 * 1.6 / 1e-3), 0, 0};  // 1.6 J, and none given
+
+  CHECK(check(model, Vec3::Zero(), state, 0.0, guard).kind == AlarmKind::energy);
+}
+
+TEST_CASE("trembling below 1 mm/s of the whole tissue is no alarm") {
+  const TissueModel model = scenes::make_chain_model(3);
+  const auto tremble = [&](double speed) {
+    return look_after(model, [speed](State& s) {
+      for (int i = 1; i < 3; ++i) s.velocity[i] = {speed, 0, 0};
+    });
+  };
+
+  CHECK_FALSE(tremble(5e-4));
+  CHECK(tremble(1e-2).kind == AlarmKind::energy);
+}
+
+TEST_CASE("under Eq 10, which has no energy, geometry alone is looked at") {
+  const TissueModel model = scenes::make_molecular_organ(1, {}, AngleLaw::eq10);
+
+  CHECK_FALSE(look_after(model, [](State& s) { s.velocity[30] = {5.0, 0, 0}; }));
+  CHECK(look_after(model, [](State& s) { s.position[30] *= 1.5; }).kind == AlarmKind::moved_far);
+}
