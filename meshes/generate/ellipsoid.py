@@ -1,79 +1,105 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A closed organ like a spleen: an ellipsoid, bowed, hollow on its visceral side."""
+"""A closed organ: an ellipsoid bowed and hollowed into a spleen.
+
+Shape after the real organ: convex where it lies under the diaphragm, hollow on the visceral side,
+bowed along the tenth rib, with a notched front border. Sizes from anatomy, 12 x 7 x 4.5 cm.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
+from palpate_meshes.generate.relax import relax
 from scipy.spatial import ConvexHull
 
-from palpate_meshes.generate.relax import relax
-
-ROUNDS = 30
-LEAST_VERTICES = 12
-GOLDEN_ANGLE = np.pi * (3.0 - np.sqrt(5.0))
-
-
-def spread_on_sphere(count: int, seed: int) -> np.ndarray:
-    """Evenly spread unit vectors: a Fibonacci lattice, shaken by a tenth of its spacing."""
-    z = 1.0 - (2.0 * np.arange(count) + 1.0) / count
-    turn = GOLDEN_ANGLE * np.arange(count)
-    ring = np.sqrt(1.0 - z * z)
-    points = np.stack([ring * np.cos(turn), ring * np.sin(turn), z], axis=1)
-    spacing = np.sqrt(4.0 * np.pi / count)
-    points += np.random.default_rng(seed).uniform(-0.1, 0.1, points.shape) * spacing
-    return points / np.linalg.norm(points, axis=1)[:, None]
-
-
-def triangulate_sphere(points: np.ndarray) -> np.ndarray:
-    """The convex hull's triangles, counter-clockwise from outside."""
-    triangles = ConvexHull(points).simplices
-    a, b, c = (points[triangles[:, i]] for i in range(3))
-    inward = (np.cross(b - a, c - a) * a).sum(axis=1) < 0.0
-    triangles[inward] = triangles[inward][:, [0, 2, 1]]
-    return triangles[np.lexsort(np.sort(triangles, axis=1).T)]
-
-
-def find_tangents(points: np.ndarray) -> np.ndarray:
-    """Two unit tangents per point of the unit sphere, shape (n, 2, 3)."""
-    axis = np.where(np.abs(points[:, :1]) < 0.7, [[1.0, 0.0, 0.0]], [[0.0, 1.0, 0.0]])
-    first = np.cross(points, axis)
-    first /= np.linalg.norm(first, axis=1)[:, None]
-    return np.stack([first, np.cross(points, first)], axis=1)
-
-
-def settle_on_sphere(points: np.ndarray) -> np.ndarray:
-    return points / np.linalg.norm(points, axis=1)[:, None]
+ROUNDS = 60
+"""Angles have settled after some forty."""
 
 
 def ellipsoid(
     vertices: int = 600,
+    radii: Sequence[float] = (0.024, 0.036, 0.060),
+    bow: float = 1.0,
+    hollow: float = 1.0,
+    notches: float = 1.0,
     seed: int = 0,
-    *,
-    radii: tuple[float, float, float] = (0.060, 0.038, 0.026),
-    bow: float = 0.012,
-    hollow: float = 0.012,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """A closed organ of genus 0 with exactly `vertices` vertices and 2 `vertices` - 4 triangles.
+    """A closed surface of exactly `vertices` vertices and 2 vertices - 4 triangles.
 
     Args:
-        vertices: At least 12.
-        seed: Of the points' small disorder.
-        radii: [m] along x (the length), y and z.
-        bow: [m] how far both ends hang below the middle.
-        hollow: [m] how deep the lower (visceral) side is pressed in.
+        vertices: At least 50.
+        radii: [m] Half the thickness (x), depth (y) and height (z).
+        bow: How far it bends along its height; 0 for not at all.
+        hollow: How deep the visceral side (-x) is; 0 for a plain ellipsoid.
+        notches: How deep the two notches of the front border (-y) are.
+        seed: Turns the points it starts from: another mesh of the same organ.
 
     Returns:
-        Vertices [m] (n, 3) and triangles (2 n - 4, 3).
+        Vertices [m], shape (n, 3), and triangles, shape (t, 3), counter-clockwise from outside.
     """
-    if vertices < LEAST_VERTICES:
-        raise ValueError(f"vertices: got {vertices}, expected at least {LEAST_VERTICES}")
+    if vertices < 50:
+        raise ValueError(f"ellipsoid: vertices must be at least 50, got {vertices}")
+    if not (len(radii) == 3 and all(0.0 < r < np.inf for r in radii)):
+        raise ValueError(f"ellipsoid: radii must be three positive lengths, got {radii}")
+    points = spread_over_sphere(vertices, seed)
+    triangles = hull_triangles(points)
+    shape = np.array(radii, float)
 
-    def organ(p: np.ndarray) -> np.ndarray:
-        # p lies on or beside the unit sphere; smooth everywhere, so tangents can be pulled back
-        x, y, z = (p * np.asarray(radii)).T
-        below = 0.5 * (1.0 - np.tanh(3.0 * p[:, 2]))
-        dent = hollow * below * np.exp(-((p[:, 0] / 0.55) ** 2) - ((p[:, 1] / 0.5) ** 2))
-        return np.stack([x, y, z - bow * p[:, 0] ** 2 + dent], axis=1)
+    def organ(u: np.ndarray) -> np.ndarray:
+        return deform(u, shape, bow, hollow, notches)
 
-    points = spread_on_sphere(vertices, seed)
-    return relax(points, triangulate_sphere(points), organ, find_tangents, settle_on_sphere, ROUNDS)
+    return relax(points, triangles, organ, sphere_tangents, to_sphere, ROUNDS)
+
+
+def deform(
+    u: np.ndarray, radii: np.ndarray, bow: float, hollow: float, notches: float
+) -> np.ndarray:
+    """From points u of the unit sphere to the organ [m]; bends, never folds."""
+    x, y, z = u.T
+    # notches: the front border draws back at two heights, and sinks smoothly into the sides
+    front = 0.5 * (1.0 - np.tanh(3.0 * (y + 0.55)))
+    dents = 0.16 * np.exp(-(((z - 0.42) / 0.13) ** 2)) + 0.12 * np.exp(-(((z - 0.08) / 0.11) ** 2))
+    y = y * (1.0 - notches * front * dents)
+    # hollow: the visceral half is flattened, and sinks in most in its middle
+    visceral = 0.5 * (1.0 - np.tanh(2.5 * x))
+    sunk = np.exp(-((y / 0.62) ** 2) - ((z / 0.68) ** 2))
+    x = x + hollow * visceral * (-0.35 * np.minimum(x, 0.0) + 0.62 * sunk)
+    # the upper pole is broader than the lower
+    broad = 1.0 + 0.10 * np.tanh(1.5 * z)
+    placed = np.stack([x, y * broad, z], axis=1) * radii
+    height = placed[:, 2] / radii[2]
+    placed[:, 0] -= bow * 0.42 * radii[0] * height**2
+    placed[:, 1] -= bow * 0.16 * radii[1] * height**2
+    return placed
+
+
+def spread_over_sphere(count: int, seed: int) -> np.ndarray:
+    """Points on a Fibonacci spiral [Gonzalez10], turned at random by the seed."""
+    k = np.arange(count) + 0.5
+    height = 1.0 - 2.0 * k / count
+    angle = np.pi * (1.0 + np.sqrt(5.0)) * k
+    across = np.sqrt(1.0 - height**2)
+    points = np.stack([across * np.cos(angle), across * np.sin(angle), height], axis=1)
+    turn, _ = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))
+    return points @ turn.T
+
+
+def hull_triangles(points: np.ndarray) -> np.ndarray:
+    """The Delaunay triangulation of points on a sphere is their hull."""
+    triangles = ConvexHull(points).simplices.astype(np.int64)
+    a, b, c = (points[triangles[:, i]] for i in range(3))
+    inward = (np.cross(b - a, c - a) * a).sum(axis=1) < 0.0
+    triangles[inward] = triangles[inward][:, ::-1]
+    return triangles[np.lexsort(triangles.T[::-1])]
+
+
+def to_sphere(p: np.ndarray) -> np.ndarray:
+    return p / np.linalg.norm(p, axis=1)[:, None]
+
+
+def sphere_tangents(u: np.ndarray) -> np.ndarray:
+    """Two unit tangents per point, shape (n, 2, 3)."""
+    away = np.eye(3)[np.abs(u).argmin(axis=1)]
+    first = to_sphere(np.cross(u, away))
+    return np.stack([first, np.cross(u, first)], axis=1)
