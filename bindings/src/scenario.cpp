@@ -188,8 +188,9 @@ void bind_scenario_files(py::module_& m) {
 }  // namespace
 
 void bind_scenario(py::module_& parent) {
+  // palpate.scenario is the Python module of that name, which offers what stands here
   py::module_ m = parent.def_submodule(
-      "scenario", "The published file, .palpate, and the container it and .organ are.");
+      "_scenario", "The published file, .palpate, and the container it and .organ are.");
   bind_limits(m);
   bind_container(m);
   bind_container_files(m);
