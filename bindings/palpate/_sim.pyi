@@ -381,10 +381,12 @@ class Guard:
     def __init__(self, model: TissueModel, gravity: ArrayLike, state: State) -> None: ...
     @property
     def last_position(self) -> NDArray[np.float64]: ...
+    last_time: float
     shortest_rest_length: float
     start_energy: float
     last_energy: float
     work: float
+    given_energy: float
     reference_energy: float
     rising_steps: int
     def __copy__(self) -> Guard: ...

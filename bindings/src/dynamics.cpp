@@ -224,7 +224,8 @@ void bind_alarm(py::module_& m) {
              "index: particle; more than 0.3 of the shortest rest length in one step")
       .value("overstretched", AlarmKind::overstretched, "index: link; strain above 2")
       .value("collapsed", AlarmKind::collapsed, "index: link; shorter than 0.05 of its rest length")
-      .value("energy", AlarmKind::energy, "index: -1; total energy grows without work")
+      .value("energy", AlarmKind::energy,
+             "index: -1; elastic and kinetic energy exceed what was given")
       .finalize();
   py::class_<Alarm> alarm(m, "Alarm",
                           "What is wrong with a running tissue, as a value; false for nothing.");
@@ -247,13 +248,16 @@ void bind_guard(py::module_& m) {
             "model"_a, "gravity"_a, "state"_a);
   def_view(guard, "last_position", &Guard::last_position,
            "[m] at the last look that found nothing wrong, shape (n, 3); a view.");
-  guard.def_readwrite("shortest_rest_length", &Guard::shortest_rest_length, "[m]")
+  guard.def_readwrite("last_time", &Guard::last_time, "[s] of the last look.")
+      .def_readwrite("shortest_rest_length", &Guard::shortest_rest_length, "[m]")
       .def_readwrite("start_energy", &Guard::start_energy, "[J] elastic and kinetic.")
       .def_readwrite("last_energy", &Guard::last_energy, "[J] elastic and kinetic.")
       .def_readwrite("work", &Guard::work,
                      "[J] done by pushes, gravity and pressure since the start.")
+      .def_readwrite("given_energy", &Guard::given_energy,
+                     "[J] of start and work, less what has long been lost.")
       .def_readwrite("reference_energy", &Guard::reference_energy,
-                     "[J] the most that start and work have added up to.")
+                     "[J] the most that has lately been given.")
       .def_readwrite("rising_steps", &Guard::rising_steps,
                      "Looks in a row at which energy rose without work.");
   def_copy(guard);

@@ -19,6 +19,7 @@ PRIVATE_HEADERS = {
     "base/refuse.h": "how C++ writes a refusal; Python raises its own",
     "contact/box.h": "inside of the tree and its queries",
     "dynamics/dual.h": "inside of the tangent: derivatives of the angle law",
+    "dynamics/elastic_energy.h": "inside of compute_energy and the alarm",
     "dynamics/free_particles.h": "inside of the implicit steps and the spectrum",
     "dynamics/lanczos.h": "inside of stable_step",
     "dynamics/tensions.h": "inside of the angle law",
