@@ -29,6 +29,9 @@ constexpr double kStepShare = 0.75;
 /// are in a tick, and what they leave over lags behind the tissue and feeds it energy.
 constexpr double kFewestInContact = 3.0;
 
+/// [s] in which a hold that is let go fades: longer is no better (TOOLS section 2).
+constexpr double kReleaseTime = 0.03;
+
 /// How far a particle may go in one substep, in shortest links: what the guard allows (SCIENCE 3).
 constexpr double kLongestMove = 0.3;
 
@@ -58,32 +61,38 @@ double count_blow_substeps(double way, const World& world) noexcept {
 ///
 /// Near the tissue substeps only rise: a step that is long while a contact closes and short while
 /// it opens, or the other way round, is no longer symplectic and pumps a bouncing contact up. They
-/// are taken back one by one once the tool is away, while the tissue calms. A hold that is let go
-/// gets all there are, for how fast the tissue springs back is not known yet.
-int choose_substeps(const Scene& scene, double way, bool released, double dt,
-                    World& world) noexcept {
+/// are taken back one by one once the tool is away, while the tissue calms.
+int choose_substeps(const Scene& scene, double way, double dt, World& world) noexcept {
   double wanted = world.substeps - 1;
-  if (released) {
-    wanted = scene.substeps_max;
-  } else if (world.candidates.count > 0 || world.tool.hold_count > 0) {
+  if (world.candidates.count > 0 || world.tool.hold_count > 0) {
     wanted = std::max({kFewestInContact, static_cast<double>(world.substeps),
                        count_stable_substeps(scene, dt, world), count_blow_substeps(way, world)});
   }
   return static_cast<int>(std::clamp(wanted, double(scene.substeps), double(scene.substeps_max)));
 }
 
-/// Attaches when the button goes down, releases when it comes up; returns whether it let go.
-bool follow_button(const Scene& scene, std::uint8_t buttons, World& world) noexcept {
+/// Attaches when the button goes down. When it comes up the holds fade linearly from the load they
+/// then carry, over kReleaseTime; let go at once they would kick hand and tissue (TOOLS section 2).
+/// A button pressed while they fade counts once they are gone.
+void follow_button(const Scene& scene, std::uint8_t buttons, double dt, World& world) noexcept {
   const bool pressed = (buttons & kAttachButton) != 0;
-  const bool released = !pressed && world.tool.hold_count > 0;
+  if (world.release_ticks == 0 && !pressed && world.tool.hold_count > 0) {
+    world.release_ticks = std::max(1, static_cast<int>(std::lround(kReleaseTime / dt)));
+  }
+  if (world.release_ticks > 0) {
+    const double part = double(world.release_ticks - 1) / world.release_ticks;
+    for (int h = 0; h < world.tool.hold_count; ++h) {
+      world.tool.holds[static_cast<std::size_t>(h)].stiffness *= part;
+    }
+    if (--world.release_ticks == 0) release_tool(world.tool);
+    world.attach_pressed = false;
+    return;
+  }
   if (pressed && !world.attach_pressed) {
     attach_tool(world.load, scene.tissue.triangles, world.tissue.position, scene.hold_stiffness,
                 world.tool);
-  } else if (released) {
-    release_tool(world.tool);
   }
   world.attach_pressed = pressed;
-  return released;
 }
 
 /// [W] what the pushes do to the tissue at velocities v; times the substep it is their work to the
@@ -119,13 +128,12 @@ HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
   world.tree.refit(tissue.position);
   const Vec3 hand = follow_hand(sample.position, dt, world);
   const double way = world.tool.placed ? (hand - world.hand).norm() : 0.0;
-  bool released = false;
   if (place_tool(world.tree, tissue.position, hand, world.tool)) {
     find_candidates(world.tree, tissue.position, scene.tool, world.tool.position, hand,
                     scene.rest_areas, world.candidates);
-    released = follow_button(scene, sample.buttons, world);
+    follow_button(scene, sample.buttons, dt, world);
   }
-  world.substeps = choose_substeps(scene, way, released, dt, world);
+  world.substeps = choose_substeps(scene, way, dt, world);
   world.hand = hand;
   const double substep = dt / world.substeps;
 

@@ -132,7 +132,31 @@ TEST_CASE("the attach button fastens what is touched, pulling is felt, letting g
   const HapticCommand pulled = stay(scene, world, hand_at({0, 0, 0.0285}, kAttachButton), 300);
   CHECK(pulled.force.z() < -0.05);
 
-  CHECK(stay(scene, world, hand_at({0, 0, 0.0285}), 1).force == Vec3::Zero());
+  CHECK(stay(scene, world, hand_at({0, 0, 0.0285}), 60).force == Vec3::Zero());
+  CHECK(world.tool.hold_count == 0);
+  CHECK_FALSE(world.alarm);
+}
+
+TEST_CASE("letting go of a pull fades over 30 ms: no tick takes more than a fifth of the load") {
+  const Scene scene = press_scene();
+  World world(scene);
+  stay(scene, world, hand_at({0, 0, 0.0235}), 1);
+  stay(scene, world, hand_at({0, 0, 0.0205}), 200);
+  const HapticSample high = hand_at({0, 0, 0.0285}, kAttachButton);
+  stay(scene, world, hand_at({0, 0, 0.0205}, kAttachButton), 1);
+  const double load = stay(scene, world, high, 400).force.norm();
+  REQUIRE(load > 0.05);
+  REQUIRE(world.tool.hold_count > 0);
+
+  double last = load, largest_drop = 0.0;
+  for (int t = 0; t < 60; ++t) {
+    const double now = tick(scene, hand_at(high.position), 1e-3, world).force.norm();
+    largest_drop = std::max(largest_drop, last - now);
+    last = now;
+  }
+
+  CHECK(largest_drop < 0.2 * load);
+  CHECK(last == 0.0);
   CHECK(world.tool.hold_count == 0);
   CHECK_FALSE(world.alarm);
 }
