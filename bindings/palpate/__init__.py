@@ -6,7 +6,7 @@ the same order: arrays are views of the library's own memory, SI units throughou
 palpate::scenario stands in palpate.scenario.
 """
 
-import palpate.scenario as scenario
+from palpate import scenario as scenario
 from palpate._sim import *  # noqa: F403
 from palpate._sim import __version__ as __version__
 from palpate.error import DeviceError as DeviceError

@@ -81,6 +81,9 @@ def run(verb: Verb, call: argparse.Namespace) -> int:
     except (Refusal, FileError) as refusal:
         fields = {key: getattr(refusal, key) for key in ("file", "where", "found", "expected")}
         return refuse(call, str(refusal), fields)
+    except RuntimeError as failure:  # a run that could not be brought to its end
+        fields = {"file": None, "where": "", "found": str(failure), "expected": "a run to its end"}
+        return refuse(call, str(failure), fields)
     except OSError as problem:  # a file that is missing, unreadable or cannot be written
         fields = {
             "file": str(problem.filename) if problem.filename else None,

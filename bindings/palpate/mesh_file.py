@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The one mesh format the simulator itself reads: OBJ in metres, triangles, vertices and faces only.
+"""The one mesh format the simulator itself reads: OBJ in metres, triangles only.
 
 Foreign files come in through `palpate import`, which writes this.
 """

@@ -167,15 +167,17 @@ def read_value(path: Path, where: str, hint: Any, value: Any) -> Any:
     def is_number(item: Any) -> bool:
         return isinstance(item, int | float) and not isinstance(item, bool) and math.isfinite(item)
 
+    def is_whole(item: Any) -> bool:
+        return isinstance(item, int) and not isinstance(item, bool)
+
     if hint is str and isinstance(value, str):
         return value
     if hint is float and is_number(value):
         return float(value)
     if hint == float | None and (value is None or is_number(value)):
         return None if value is None else float(value)
-    if hint == tuple[int, ...] and isinstance(value, list):
-        if all(isinstance(item, int) and not isinstance(item, bool) for item in value):
-            return tuple(value)
+    if hint == tuple[int, ...] and isinstance(value, list) and all(map(is_whole, value)):
+        return tuple(value)
     if hint == tuple[float, ...] and isinstance(value, list) and all(map(is_number, value)):
         return tuple(float(item) for item in value)
     expected = {

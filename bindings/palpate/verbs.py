@@ -164,7 +164,7 @@ def describe_press(report: Report) -> str:
     return "\n".join(
         [
             f"peak force   {report['peak_force_N']:.3f} N",
-            f"patch        {'never settled inside' if stiffness is None else f'{stiffness:.0f} N/m'}",
+            f"patch        {'never settled' if stiffness is None else f'{stiffness:.0f} N/m'}",
             f"pull         {'none' if pull is None else f'{pull:.3f} N'}",
             f"tick         {report['tick_median_us']:.0f} us median, "
             f"{report['tick_p99_us']:.0f} us p99, {report['substeps']} substeps",

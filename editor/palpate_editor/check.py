@@ -6,11 +6,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-
 import palpate
 from palpate.mesh_file import read_mesh_file
 from palpate.scene_file import compile_scene, hash_file, read_scene_file
 from palpate.verb import Report
+
 from palpate_editor import authoring
 from palpate_editor.demo import describe_model
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The main job from end to end: mesh file, decimation, two tissues, touch, record, replay, picture."""
+"""The main job from end to end: mesh file, two tissues, touch, record, replay, pictures."""
 
 from __future__ import annotations
 
@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-
 import palpate
 from palpate.press import PressScript, find_top
 from palpate.run import Run, picture_of_record, plot_runs, run_script
@@ -30,6 +29,7 @@ from palpate.scene_file import (
 )
 from palpate.verb import Refusal, Report
 from palpate.whole_file import write_whole
+
 from palpate_editor.authoring import decimate, import_mesh, write_mesh
 
 CONSTANTS = Path(__file__).with_name("demo.toml")
@@ -184,13 +184,13 @@ def touch(
         "replay": f"{kind}.replay.json",
         "replay_equal": replay["equal"],
     }
-    pull = report["pull_force_N"]
-    stiffness = report["patch_stiffness_N_per_m"]
+    pull = report["pull_force_N"] or 0.0
+    stiffness = report["patch_stiffness_N_per_m"] or 0.0
     say(
-        f"          peak {report['peak_force_N']:.2f} N, pull {0.0 if pull is None else pull:.2f} N, "
-        f"patch {0.0 if stiffness is None else stiffness:.0f} N/m; tick "
-        f"{report['tick_median_us']:.0f} us, lateness p99 {report['lateness_p99_us']:.0f} us, "
-        f"{report['missed_ticks']} missed; replay {'equal' if replay['equal'] else 'DIFFERS'}"
+        f"          peak {report['peak_force_N']:.2f} N, pull {pull:.2f} N, "
+        f"patch {stiffness:.0f} N/m; tick {report['tick_median_us']:.0f} us, "
+        f"lateness p99 {report['lateness_p99_us']:.0f} us, {report['missed_ticks']} missed; "
+        f"replay {'equal' if replay['equal'] else 'DIFFERS'}"
     )
     return run, report
 

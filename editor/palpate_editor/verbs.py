@@ -8,8 +8,6 @@ import sys
 from dataclasses import asdict
 from pathlib import Path
 
-import numpy as np
-
 import palpate
 from palpate.mesh_file import read_mesh_file
 from palpate.scene_file import (
@@ -24,6 +22,7 @@ from palpate.scene_file import (
     write_scene_file,
 )
 from palpate.verb import Refusal, Report, Verb, quantity
+
 from palpate_editor import authoring
 from palpate_editor.check import check_scene
 from palpate_editor.demo import CONSTANTS, describe_model, find_lowest, run_demo
