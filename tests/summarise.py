@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Adds up what ctest and pytest reported: counts, failures, and why tests were skipped.
 
-    python tests/summarise.py RESULTS.xml ... [--allow REASON] ...
+    python tests/summarise.py RESULTS.xml ... [--every-skip-allowed-by PATTERN ...]
 
 A doctest executable counts by its test cases. A C++ test that cannot run here prints a line
 `SKIPPED: reason` and returns; it counts as skipped. With --every-skip-allowed-by, a skip whose
