@@ -7,11 +7,11 @@
 namespace palpate {
 
 /// Hold i gets the share |f_i| / sum |f| of the stiffness: what is pressed hardest is held best.
-bool attach_tool(const Load& contacts, std::span<const Triangle> triangles,
-                 std::span<const Vec3> x, double stiffness, ToolState& state) noexcept {
+bool attach_tool(const Load& contacts, std::span<const Triangle> triangles, std::span<const Vec3> x,
+                 double stiffness, ToolState& state) noexcept {
   if (state.hold_count > 0) return true;
-  const auto pushes = contacts.pushes().first(
-      std::min(contacts.pushes().size(), state.holds.size()));
+  const auto pushes =
+      contacts.pushes().first(std::min(contacts.pushes().size(), state.holds.size()));
   double sum = 0.0;
   for (const Push& push : pushes) sum += push.force.norm();
   if (!(sum > 0.0)) return false;
@@ -20,8 +20,7 @@ bool attach_tool(const Load& contacts, std::span<const Triangle> triangles,
     const Vec3 point =
         compute_point(triangles[static_cast<std::size_t>(push.triangle)], push.weights, x);
     state.holds[static_cast<std::size_t>(state.hold_count++)] = {
-        push.triangle, push.weights, stiffness * (push.force.norm() / sum),
-        state.position - point};
+        push.triangle, push.weights, stiffness * (push.force.norm() / sum), state.position - point};
   }
   return true;
 }
@@ -73,13 +72,13 @@ double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
     const Triangle& t = triangle(near[i]);
     if (find_contact(tool, candidates.areas[i], state.position, corner(t, 0), corner(t, 1),
                      corner(t, 2), contact)) {
-      largest = std::max(
-          largest, add_row_sums(t, contact.weights, contact.stiffness, mass, scratch));
+      largest =
+          std::max(largest, add_row_sums(t, contact.weights, contact.stiffness, mass, scratch));
     }
   }
   for (const ToolState::Hold& hold : holds) {
-    largest = std::max(largest, add_row_sums(triangle(hold.triangle), hold.weights,
-                                             hold.stiffness, mass, scratch));
+    largest = std::max(largest, add_row_sums(triangle(hold.triangle), hold.weights, hold.stiffness,
+                                             mass, scratch));
   }
   return largest;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/sim/contact/balance_tool.h"
 
-#include <algorithm>
-
 #include <Eigen/Cholesky>
+#include <algorithm>
+#include <limits>
 
 #include "palpate/sim/contact/contact_law.h"
 
@@ -18,9 +18,10 @@ constexpr double kClearance = 1e-3;
 
 /// What the tissue does to the tool at one position.
 struct Touch {
-  Vec3 force = Vec3::Zero();       ///< [N] on the tool
-  Mat3 stiffness = Mat3::Zero();   ///< [N/m] of contacts along their directions, and of holds
-  double smallest_distance = 0.0;  ///< [m] from the tool's centre to the surface, at most its radius
+  Vec3 force = Vec3::Zero();      ///< [N] on the tool
+  Mat3 stiffness = Mat3::Zero();  ///< [N/m] of contacts along their directions, and of holds
+  double smallest_distance =
+      0.0;  ///< [m] from the tool's centre to the surface, at most its radius
 };
 
 /// All that balance_tool only reads.
@@ -125,16 +126,33 @@ Vec3 take_newton_step(const Surroundings& around, const Coupling& coupling, cons
   return p + keep_near_way(around.candidates, p, step);
 }
 
-/// Writes what the tool at p does to the tissue; returns the sum of forces on the tool.
-Vec3 write_pushes(const Surroundings& around, const Vec3& p, bool& touching, Load& load) noexcept {
+/// The step of a tool that rides on the motion of the nearest surface, along their common normal:
+/// since the last substep the tissue has moved and the tool has not. Left behind, it would be
+/// passed over by any surface faster than distance per substep, which is not fast for a blow.
+Vec3 ride(const Surroundings& around, const ToolState& state) noexcept {
+  const ToolState::Carrier& carrier = state.carrier;
+  if (carrier.triangle < 0) return Vec3::Zero();
+  const Vec3 now = compute_point(around.triangle(carrier.triangle), carrier.weights, around.x);
+  return carrier.direction * std::max(0.0, (now - carrier.point).dot(carrier.direction));
+}
+
+/// Writes what the tool does to the tissue; returns the sum of forces on the tool.
+Vec3 write_pushes(const Surroundings& around, ToolState& state, Load& load) noexcept {
   Vec3 sum = Vec3::Zero();
-  for_each_contact(around, p, [&](int t, const Contact& contact) noexcept {
+  double nearest = std::numeric_limits<double>::infinity();
+  state.carrier.triangle = -1;
+  for_each_contact(around, state.position, [&](int t, const Contact& contact) noexcept {
     const Vec3 force = contact.force * contact.direction;
     if (load.add({t, contact.weights, -force})) sum += force;
+    if (contact.distance >= nearest) return;
+    nearest = contact.distance;
+    state.carrier = {t, contact.weights,
+                     compute_point(around.triangle(t), contact.weights, around.x),
+                     contact.direction};
   });
-  touching = load.push_count > 0;
+  state.touching = load.push_count > 0;
   for (const ToolState::Hold& hold : around.holds) {
-    const Vec3 force = compute_pull(around, hold, p);
+    const Vec3 force = compute_pull(around, hold, state.position);
     if (load.add({hold.triangle, hold.weights, -force})) sum += force;
   }
   return sum;
@@ -160,7 +178,10 @@ Vec3 write_pushes(const Surroundings& around, const Vec3& p, bool& touching, Loa
 Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
                   const Candidates& candidates, std::span<const Triangle> triangles,
                   std::span<const Vec3> x, ToolState& state, Load& load) noexcept {
-  const Surroundings around{tool, candidates, triangles, x,
+  const Surroundings around{tool,
+                            candidates,
+                            triangles,
+                            x,
                             {state.holds.data(), static_cast<std::size_t>(state.hold_count)}};
   load.clear();
   if (!state.placed) {
@@ -170,10 +191,11 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
   // nothing anywhere near the way: no need to go it in steps
   if (candidates.count == 0 && state.hold_count == 0) state.position = hand_position;
 
+  state.position += ride(around, state);
   for (int i = 0; i < kNewtonSteps; ++i) {
     state.position = take_newton_step(around, coupling, hand_position, state.position);
   }
-  const Vec3 touch = write_pushes(around, state.position, state.touching, load);
+  const Vec3 touch = write_pushes(around, state, load);
   const Vec3 felt =
       limit(coupling.stiffness * (state.position - hand_position), coupling.force_max);
   state.residual = touch - felt;

@@ -46,7 +46,8 @@ bool find_contact(const Tool& tool, double rest_area, const Vec3& centre, const 
     if (!(length > 0.0)) return false;
     contact.direction = normal / length;
   }
-  const double k = tool.stiffness * rest_area;
+  // a stretched triangle stands for the area it has now: thinned out, the wall would let through
+  const double k = tool.stiffness * std::max(rest_area, 0.5 * normal.norm());
   const double z = std::max(kBarrierFloor, 1.0 - depth / tool.radius);
   contact.weights = closest.weights;
   contact.distance = closest.distance;

@@ -91,8 +91,8 @@ double square_upwards(double distance) noexcept {
 
 /// [m] How far rounding may shift points of this box or of a way.
 double compute_slack(const Vec3& low, const Vec3& high, const Vec3& from, const Vec3& to) noexcept {
-  const Vec3 largest = low.cwiseAbs().cwiseMax(high.cwiseAbs()).cwiseMax(from.cwiseAbs()).cwiseMax(
-      to.cwiseAbs());
+  const Vec3 largest =
+      low.cwiseAbs().cwiseMax(high.cwiseAbs()).cwiseMax(from.cwiseAbs()).cwiseMax(to.cwiseAbs());
   return 16.0 * kEpsilon * largest.maxCoeff();
 }
 
@@ -142,8 +142,11 @@ std::optional<Vec3> find_crossing(const Shear& shear, const Way& way, const Corn
   const Vec3 weights = Vec3(u, v, w) / determinant;
   const Vec3 point = weights[0] * a + weights[1] * b + weights[2] * c;
   if (!(point.z() >= -tolerance && point.z() <= way.end + tolerance)) return std::nullopt;
-  const double extent = a.head<2>().cwiseAbs().cwiseMax(b.head<2>().cwiseAbs())
-                            .cwiseMax(c.head<2>().cwiseAbs()).maxCoeff();
+  const double extent = a.head<2>()
+                            .cwiseAbs()
+                            .cwiseMax(b.head<2>().cwiseAbs())
+                            .cwiseMax(c.head<2>().cwiseAbs())
+                            .maxCoeff();
   if (!(point.head<2>().cwiseAbs().maxCoeff() <= kBeside * extent)) return std::nullopt;
   parameter = std::clamp(point.z(), 0.0, way.end);
   return weights;
@@ -173,12 +176,14 @@ std::optional<SurfacePoint> find_first_hit(const AabbTree& tree, std::span<const
   const auto measure = [&](const AabbTree::Node& node) noexcept {
     return enter_box(way, node.low, node.high) * length;
   };
-  traverse(tree, measure, [&]() noexcept { return best.distance; }, [&](int triangle) noexcept {
-    const auto hit = find_hit(shear, way, length, Corners(tree, x, triangle));
-    if (!hit || !is_better(hit->distance, triangle, best)) return;
-    best = *hit;
-    best.triangle = triangle;
-  });
+  traverse(
+      tree, measure, [&]() noexcept { return best.distance; },
+      [&](int triangle) noexcept {
+        const auto hit = find_hit(shear, way, length, Corners(tree, x, triangle));
+        if (!hit || !is_better(hit->distance, triangle, best)) return;
+        best = *hit;
+        best.triangle = triangle;
+      });
   if (best.triangle < 0) return std::nullopt;
   return best;
 }
@@ -237,32 +242,36 @@ std::optional<SurfacePoint> find_closest_point(const AabbTree& tree, std::span<c
   const auto measure = [&](const AabbTree::Node& node) noexcept {
     return compute_squared_distance(p, node.low, node.high);
   };
-  traverse(tree, measure, [&]() noexcept { return most; }, [&](int triangle) noexcept {
-    const Corners corners(tree, x, triangle);
-    SurfacePoint found = find_closest_on_triangle(p, corners.a, corners.b, corners.c);
-    if (!is_better(found.distance, triangle, best)) return;
-    found.triangle = triangle;
-    best = found;
-    most = square_upwards(best.distance);
-  });
+  traverse(
+      tree, measure, [&]() noexcept { return most; },
+      [&](int triangle) noexcept {
+        const Corners corners(tree, x, triangle);
+        SurfacePoint found = find_closest_on_triangle(p, corners.a, corners.b, corners.c);
+        if (!is_better(found.distance, triangle, best)) return;
+        found.triangle = triangle;
+        best = found;
+        most = square_upwards(best.distance);
+      });
   if (best.triangle < 0) return std::nullopt;
   return best;
 }
 
-int find_in_sphere(const AabbTree& tree, std::span<const Vec3> x, const Vec3& centre,
-                   double radius, std::span<int> out) noexcept {
+int find_in_sphere(const AabbTree& tree, std::span<const Vec3> x, const Vec3& centre, double radius,
+                   std::span<int> out) noexcept {
   if (!(radius >= 0.0)) return 0;
   Collector collector(out);
   const double most = square_upwards(radius);
   const auto measure = [&](const AabbTree::Node& node) noexcept {
     return compute_squared_distance(centre, node.low, node.high);
   };
-  traverse(tree, measure, [&]() noexcept { return most; }, [&](int triangle) noexcept {
-    const Corners corners(tree, x, triangle);
-    if (find_closest_on_triangle(centre, corners.a, corners.b, corners.c).distance <= radius) {
-      collector.add(triangle);
-    }
-  });
+  traverse(
+      tree, measure, [&]() noexcept { return most; },
+      [&](int triangle) noexcept {
+        const Corners corners(tree, x, triangle);
+        if (find_closest_on_triangle(centre, corners.a, corners.b, corners.c).distance <= radius) {
+          collector.add(triangle);
+        }
+      });
   return collector.finish();
 }
 
@@ -275,11 +284,13 @@ int find_near_segment(const AabbTree& tree, std::span<const Vec3> x, const Vec3&
   const auto measure = [&](const AabbTree::Node& node) noexcept {
     return enter_box(way, node.low, node.high);
   };
-  traverse(tree, measure, []() noexcept { return 1.0; }, [&](int triangle) noexcept {
-    const Corners corners(tree, x, triangle);
-    const Box box = bound_triangle(corners.a, corners.b, corners.c);
-    if (enter_box(way, box.low, box.high) <= 1.0) collector.add(triangle);
-  });
+  traverse(
+      tree, measure, []() noexcept { return 1.0; },
+      [&](int triangle) noexcept {
+        const Corners corners(tree, x, triangle);
+        const Box box = bound_triangle(corners.a, corners.b, corners.c);
+        if (enter_box(way, box.low, box.high) <= 1.0) collector.add(triangle);
+      });
   return collector.finish();
 }
 

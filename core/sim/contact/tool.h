@@ -7,8 +7,8 @@ namespace palpate {
 
 /// The tip of the instrument: a sphere, never a point.
 struct Tool {
-  double radius = 0.003;         ///< [m]
-  double stiffness = 3e7;        ///< [N/m³] k_A: pressure per depth of the contact law
+  double radius = 0.003;   ///< [m]
+  double stiffness = 3e7;  ///< [N/m³] k_A: pressure per depth of the contact law
 };
 
 /// Where the tool is (the paper's ideal tip, IUN) and what it is fastened to.
@@ -21,12 +21,21 @@ struct ToolState {
     Vec3 offset = Vec3::Zero();   ///< [m] tool minus patch point when it was attached
   };
 
+  /// The surface nearest to the tool after the last substep; the tool rides on its motion.
+  struct Carrier {
+    int triangle = -1;              ///< -1 when nothing is touched
+    Vec3 weights = Vec3::Zero();    ///< barycentric, of the closest point
+    Vec3 point = Vec3::Zero();      ///< [m] where that was
+    Vec3 direction = Vec3::Zero();  ///< unit, from there to the tool's centre
+  };
+
   explicit ToolState(int capacity = 0) : holds(static_cast<std::size_t>(capacity)) {}
 
   Vec3 position = Vec3::Zero();  ///< [m]
   bool placed = false;           ///< false until the first sample has put it somewhere
   std::vector<Hold> holds;       ///< capacity
   int hold_count = 0;            ///< 0 when nothing is attached
+  Carrier carrier;
   bool touching = false;         ///< any contact in force in the last substep
   Vec3 residual = Vec3::Zero();  ///< [N] left between hand and tissue after the last substep
 };

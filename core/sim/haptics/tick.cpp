@@ -52,9 +52,9 @@ double count_stable_substeps(const Scene& scene, double dt, World& world) noexce
 }
 
 /// How many substeps a blow asks for: a particle far lighter than the hand leaves it at up to twice
-/// its speed, and must not fly past its neighbours in one substep.
+/// its speed, more where neighbours push with it, and must not fly past them in one substep.
 double count_blow_substeps(double way, const World& world) noexcept {
-  return std::ceil(2.0 * way / (kLongestMove * world.guard.shortest_rest_length));
+  return std::ceil(3.0 * way / (kLongestMove * world.guard.shortest_rest_length));
 }
 
 /// `way` [m] is how far the hand has come since the last tick.

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <map>
+
+#include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/contact/queries.h"
+#include "palpate/sim/dynamics/step.h"
+#include "palpate/sim/haptics/place_tool.h"
+#include "palpate/sim/haptics/tick.h"
+#include "palpate/sim/mesh/measure.h"
+#include "palpate/sim/model/build_mass_spring.h"
+#include "scenes/scenes.h"
+
+// The laws of touch over time, T1 to T3 of TOOLS section 1, through the tick the hand feels.
+
+using namespace palpate;
+
+namespace {
+
+constexpr double kTick = 1e-3;
+
+/// An ellipsoid of 10 n² + 2 vertices: every side of an icosahedron divided into n.
+SurfaceMesh make_geodesic(const Vec3& radii, int n) {
+  const SurfaceMesh coarse = scenes::make_ellipsoid(Vec3::Ones(), 0);
+  SurfaceMesh mesh;
+  std::map<std::array<int, 6>, int> found;
+  for (const Triangle& face : coarse.triangles) {
+    std::vector<int> index;
+    for (int i = 0; i <= n; ++i) {
+      for (int j = 0; j <= n - i; ++j) {
+        // vertices are named by whose corner they share and how much, in order of corners
+        std::array<std::pair<int, int>, 3> shares = {
+            {{face[0], n - i - j}, {face[1], i}, {face[2], j}}};
+        std::sort(shares.begin(), shares.end());
+        std::array<int, 6> name{};
+        Vec3 x = Vec3::Zero();
+        for (std::size_t k = 0, at = 0; k < 3; ++k) {
+          const auto& [corner, share] = shares[k];
+          x += share * coarse.vertices[static_cast<std::size_t>(corner)];
+          if (share == 0) continue;
+          name[at++] = corner + 1;
+          name[at++] = share;
+        }
+        const auto [at, fresh] = found.try_emplace(name, static_cast<int>(mesh.vertices.size()));
+        if (fresh) mesh.vertices.push_back(x.normalized().cwiseProduct(radii));
+        index.push_back(at->second);
+      }
+    }
+    for (int i = 0, row = 0; i < n; row += n - i + 1, ++i) {
+      const int below = row + n - i + 1;
+      for (int j = 0; j < n - i; ++j) {
+        const auto v = [&](int k) { return index[static_cast<std::size_t>(k)]; };
+        mesh.triangles.push_back({v(row + j), v(below + j), v(row + j + 1)});
+        if (j + 1 < n - i) {
+          mesh.triangles.push_back({v(row + j + 1), v(below + j), v(below + j + 1)});
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+/// The gallbladder of TOOLS: E h = 60 N/m in the wall, so 0.866 E h along every edge of a mesh of
+/// even triangles, 3e5 N/m³ home, 2 kg/m², light damping on purpose.
+Scene make_organ(int n, double radius, double k_a) {
+  SurfaceOptions options;
+  options.home_stiffness = 3e5;
+  options.drag = 30.0;
+  const Material wall{.density = 1000.0, .damping_ratio = 0.03, .wall_thickness = 0.002};
+  Scene scene;
+  scene.tissue =
+      build_mass_spring(make_geodesic({0.0165, 0.0165, 0.030}, n), wall, 0.866 * 60.0, options);
+  scene.tool = {.radius = radius, .stiffness = k_a};
+  scene.coupling = {.stiffness = 400.0, .force_max = 5.0};
+  return build_scene(std::move(scene));
+}
+
+HapticSample hand_at(const Vec3& position) {
+  HapticSample sample;
+  sample.position = position;
+  return sample;
+}
+
+struct Held {
+  double force = 0.0;  ///< [N] mean
+  double noise = 0.0;  ///< [N] second differences, root mean square
+};
+
+/// Presses 5 mm deep at 20 mm/s beside the equator, holds, and listens to the last 0.2 s.
+/// `play(hand, world)` is one tick.
+template <class Play>
+Held press_and_hold(const Scene& scene, Play play) {
+  World world(scene);
+  const Vec3 out = Vec3(1.0, 0.21, 0.13).normalized();
+  // where the tip first touches, from outside inwards
+  const auto first = find_closest_point(world.tree, world.tissue.position, 0.030 * out);
+  const Vec3 start = first->point + scene.tool.radius * out;
+  Held held;
+  double last = 0.0, before = 0.0;
+  for (int i = 0; i < 700; ++i) {
+    const double depth = std::min(0.005, 2e-5 * i);
+    const double force = play(Vec3(start - depth * out), world).norm();
+    if (i >= 500) {
+      held.force += force / 200.0;
+      held.noise += (force - 2.0 * last + before) * (force - 2.0 * last + before) / 200.0;
+    }
+    before = last;
+    last = force;
+  }
+  CHECK_FALSE(world.alarm);
+  held.noise = std::sqrt(held.noise);
+  return held;
+}
+
+Held press_and_hold(const Scene& scene) {
+  return press_and_hold(scene, [&](const Vec3& hand, World& world) {
+    return tick(scene, hand_at(hand), kTick, world).force;
+  });
+}
+
+/// The tick as it must not be: closest points found once and held over the substeps, everything
+/// else alike, so that only this difference is heard.
+Vec3 tick_with_frozen_contacts(const Scene& scene, const Vec3& hand, World& world) {
+  const auto& triangles = scene.tissue.triangles;
+  const auto& x = world.tissue.position;
+  const double r = scene.tool.radius, K = scene.coupling.stiffness;
+  world.tree.refit(x);
+  if (!place_tool(world.tree, x, hand, world.tool)) return Vec3::Zero();
+  find_candidates(world.tree, x, scene.tool, world.tool.position, hand, scene.rest_areas,
+                  world.candidates);
+  std::vector<Vec3> weights;
+  for (int i = 0; i < world.candidates.count; ++i) {
+    const auto& [a, b, c] = triangles[world.candidates.triangles[i]];
+    weights.push_back(find_closest_on_triangle(world.tool.position, x[a], x[b], x[c]).weights);
+  }
+  Vec3 felt = Vec3::Zero();
+  Vec3& p = world.tool.position;
+  for (int s = 0; s < scene.substeps_max; ++s) {
+    for (int newton = 0; newton <= 3; ++newton) {
+      Vec3 residual = K * (hand - p);
+      Mat3 jacobian = K * Mat3::Identity();
+      world.load.clear();
+      for (int i = 0; i < world.candidates.count; ++i) {
+        const int t = world.candidates.triangles[i];
+        const auto& [a, b, c] = triangles[t];
+        const Vec3 arm = p - (weights[i][0] * x[a] + weights[i][1] * x[b] + weights[i][2] * x[c]);
+        const double depth = r - arm.norm();
+        if (depth <= 0.0 || arm.dot((x[b] - x[a]).cross(x[c] - x[a])) < 0.0) continue;
+        const double k = scene.tool.stiffness * world.candidates.areas[i];
+        const double z = std::max(kBarrierFloor, 1.0 - depth / r);
+        const Vec3 n = arm.normalized();
+        residual += k * depth / z * n;
+        jacobian += k / (z * z) * n * n.transpose();
+        world.load.add({t, weights[i], -k * depth / z * n});
+      }
+      if (newton == 3) break;
+      p += jacobian.llt().solve(residual);
+    }
+    step(scene.tissue, world.load, kTick / scene.substeps_max, world.tissue);
+    felt += K * (p - hand);
+  }
+  return felt / scene.substeps_max;
+}
+
+struct Flicks {
+  int crossed = 0;
+  int touched = 0;
+  double most_force = 0.0;  ///< [N]
+  int alarms = 0;
+};
+
+/// Flicks a 1.5 mm tip at `places` places from 6 mm outside to 12 mm inside at `speed` [m/s],
+/// holds it there for 20 ms, and looks after every tick whether the tool is inside.
+Flicks flick(const Scene& scene, int places, double speed) {
+  const Vec3Array normals =
+      compute_vertex_normals(scene.tissue.rest_position, scene.tissue.triangles);
+  const int count = particle_count(scene.tissue);
+  Flicks flicks;
+  for (int place = 0; place < places; ++place) {
+    // spread over the organ and off the vertices: aimed at corners, edges and faces alike
+    const auto vertex = static_cast<std::size_t>((place * 7919L) % count);
+    const Vec3& n = normals[vertex];
+    const Vec3 start = scene.tissue.rest_position[vertex] + 0.006 * n +
+                       3e-4 * Vec3(scenes::scatter(3u * static_cast<unsigned>(place)),
+                                   scenes::scatter(3u * static_cast<unsigned>(place) + 1),
+                                   scenes::scatter(3u * static_cast<unsigned>(place) + 2));
+    World world(scene);
+    bool touched = false, crossed = false;
+    const int ticks = static_cast<int>(std::ceil(0.018 / speed / kTick)) + 20;
+    for (int i = 0; i <= ticks; ++i) {
+      const Vec3 hand = start - std::min(0.018, speed * kTick * i) * n;
+      const Vec3 force = tick(scene, hand_at(hand), kTick, world).force;
+      flicks.most_force = std::max(flicks.most_force, force.norm());
+      touched = touched || world.tool.touching;
+      const bool inside = compute_winding_number(scene.tissue.triangles, world.tissue.position,
+                                                 world.tool.position) > 0.5;
+      crossed = crossed || inside;
+    }
+    flicks.alarms += static_cast<bool>(world.alarm);
+    flicks.crossed += crossed;
+    flicks.touched += touched;
+  }
+  return flicks;
+}
+
+}  // namespace
+
+TEST_CASE("T1, T2: a held press is quiet, and refining the mesh changes its force by under 15 %") {
+  // [N] of second differences; TOOLS section 1
+  constexpr double kQuiet = 1e-3;
+  std::vector<double> forces;
+  for (const int n : {8, 14, 23}) {  // 642, 1962 and 5292 vertices
+    const Held held = press_and_hold(make_organ(n, 0.0025, 2e7));
+
+    CHECK(held.noise < kQuiet);
+    CHECK(held.force > 0.05);
+    forces.push_back(held.force);
+  }
+
+  CHECK(std::abs(forces[1] - forces[2]) < 0.15 * forces[2]);
+}
+
+TEST_CASE("T1: with closest points held over the substeps the same press buzzes") {
+  const Scene scene = make_organ(8, 0.0025, 2e7);
+
+  const Held frozen = press_and_hold(scene, [&](const Vec3& hand, World& world) {
+    return tick_with_frozen_contacts(scene, hand, world);
+  });
+
+  CHECK(frozen.noise > 1e-3);
+}
+
+TEST_CASE("T3: none of 100 flicks at 1 and at 3 m/s passes through the wall") {
+  for (const int n : {8, 14}) {  // 642 and 1962 vertices
+    const Scene scene = make_organ(n, 0.0015, 4e7);
+    for (const double speed : {1.0, 3.0}) {
+      const Flicks flicks = flick(scene, 100, speed);
+
+      CAPTURE(n);
+      CAPTURE(speed);
+      CHECK(flicks.crossed == 0);
+      CHECK(flicks.touched == 100);
+      CHECK(flicks.alarms == 0);
+      CHECK(flicks.most_force > 0.3);
+    }
+  }
+}
