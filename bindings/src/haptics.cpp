@@ -147,7 +147,9 @@ void bind_world(py::module_& m) {
                     "The first alarm; from then on the force is zero and the tissue stands still.")
       .def_readonly("tick_count", &World::tick_count)
       .def_readonly("substeps", &World::substeps, "Of the last tick.")
-      .def_readonly("attach_pressed", &World::attach_pressed);
+      .def_readonly("attach_pressed", &World::attach_pressed)
+      .def_readonly("release_ticks", &World::release_ticks,
+                    "Left until a hold that fades is gone; 0 when none does.");
   def_vector(world, "hand", &World::hand,
              "[m] where the tool is drawn to: the hand, unless that jumped.");
   def_view(world, "scratch", &World::scratch, "Per particle; a view.");
