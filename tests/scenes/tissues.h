@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
+
 #include "palpate/sim/dynamics/state.h"
 #include "palpate/sim/model/build_mass_spring.h"
 #include "palpate/sim/model/build_molecular.h"
@@ -133,6 +135,19 @@ inline double max_difference(std::span<const Vec3> a, std::span<const Vec3> b) {
   double most = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, (a[i] - b[i]).norm());
   return most;
+}
+
+inline Vec3 sum(std::span<const Vec3> a) {
+  Vec3 all = Vec3::Zero();
+  for (const Vec3& v : a) all += v;
+  return all;
+}
+
+/// About the origin.
+inline Vec3 compute_torque(std::span<const Vec3> x, std::span<const Vec3> f) {
+  Vec3 all = Vec3::Zero();
+  for (std::size_t i = 0; i < f.size(); ++i) all += x[i].cross(f[i]);
+  return all;
 }
 
 inline double max_norm(std::span<const Vec3> a) {
