@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes palpate/_sim.pyi, the type stub, from what the compiled module says of itself.
+"""Writes palpate/_sim.pyi and palpate/scenario.pyi from what the compiled module says of itself.
 
     python bindings/write_stub.py        after every change of the bindings
 
@@ -18,6 +18,7 @@ from pathlib import Path
 from types import ModuleType
 
 STUB = Path(__file__).with_name("palpate") / "_sim.pyi"
+SCENARIO_STUB = STUB.with_name("scenario.pyi")
 HEADER = '''# SPDX-License-Identifier: BSD-3-Clause
 """Written by bindings/write_stub.py; the words are in the module: help(palpate.step)."""
 
@@ -32,8 +33,18 @@ from scipy.sparse import csc_matrix
 
 __version__: str
 '''
+SCENARIO_HEADER = '''# SPDX-License-Identifier: BSD-3-Clause
+"""Written by bindings/write_stub.py; the words are in the module: help(palpate.scenario)."""
+
+import os
+from typing import Any
+
+from numpy.typing import NDArray
+
+from palpate._sim import Scene
+'''
 SIMPLER = (
-    (r"palpate\._sim\.", ""),
+    (r"palpate\._sim\.(?:_scenario\.)?", ""),
     (r"typing\.SupportsFloat \| typing\.SupportsIndex", "float"),
     (r"typing\.SupportsInt \| typing\.SupportsIndex", "int"),
     (r"typing\.Annotated\[numpy\.typing\.ArrayLike, [\w.]+(?:, \"[^\"]*\")?\]", "ArrayLike"),
@@ -43,7 +54,8 @@ SIMPLER = (
     (r"numpy\.ndarray", "NDArray[Any]"),
     (r"scipy\.sparse\.csc_matrix\[numpy\.float64\]", "csc_matrix"),
     (r"collections\.abc\.", ""),
-    (r"\bdict\b", "dict[int, object]"),
+    (r"\bdict\[str, object\]", "dict[str, Any]"),
+    (r"\bdict\b(?!\[)", "dict[int, object]"),
     (r"os\.PathLike\b", "os.PathLike[str]"),
 )  # fmt: skip
 """What pybind11 says, in the words a reader of the stub would use."""
@@ -158,9 +170,9 @@ def name_type(value: object) -> str:
     return type(value).__name__ if isinstance(value, int | float) else "np.dtype[np.void]"
 
 
-def render_stub(module: ModuleType) -> str:
+def render_stub(module: ModuleType, header: str = HEADER) -> str:
     """The whole stub, in the order in which the module defines its names."""
-    lines = [HEADER]
+    lines = [header]
     for name, member in vars(module).items():
         if name.startswith("_"):
             continue
@@ -187,3 +199,4 @@ if __name__ == "__main__":
     import palpate._sim
 
     STUB.write_text(render_stub(palpate._sim), encoding="utf-8")
+    SCENARIO_STUB.write_text(render_stub(palpate._sim._scenario, SCENARIO_HEADER), encoding="utf-8")

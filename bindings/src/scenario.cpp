@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pybind11/stl/filesystem.h>
+#include <pybind11/typing.h>
 
 #include <algorithm>
 
@@ -41,7 +42,10 @@ Array copy_array(const py::handle& source, const std::string& name) {
   return array;
 }
 
-Arrays copy_arrays(const py::dict& sources) {
+using SomeArrays = py::typing::Dict<py::str, py::object>;  ///< array-likes, taken as arguments
+using ViewArrays = py::typing::Dict<py::str, py::array>;
+
+Arrays copy_arrays(const SomeArrays& sources) {
   Arrays arrays;
   for (const auto& [key, source] : sources) {
     const std::string name = py::str(key).cast<std::string>();
@@ -51,8 +55,8 @@ Arrays copy_arrays(const py::dict& sources) {
 }
 
 /// A dict of arrays that share memory with `arrays` and keep `owner` alive.
-py::dict view_arrays(const Arrays& arrays, const py::object& owner) {
-  py::dict views;
+ViewArrays view_arrays(const Arrays& arrays, const py::object& owner) {
+  ViewArrays views;
   for (const auto& [name, array] : arrays) {
     const py::dtype dtype(kDtypeNames[static_cast<std::size_t>(array.dtype)]);
     views[py::str(name)] = read_only(py::array(dtype, array.shape, array.bytes.data(), owner));
@@ -60,7 +64,7 @@ py::dict view_arrays(const Arrays& arrays, const py::object& owner) {
   return views;
 }
 
-/// A property that is such a dict; what it is assigned is copied.
+/// A property that is such a dict.
 template <class Class, class Of>
 void def_arrays(Class& cls, const char* name, Arrays Of::*member, const char* doc) {
   cls.def_property_readonly(
@@ -90,13 +94,13 @@ void bind_container(py::module_& m) {
   py::class_<Container> container(m, "Container",
                                   "All that a .palpate or .organ file holds: a JSON document and "
                                   "arrays by name.");
-  container.def(
-      py::init([](const std::string& format, int version, const std::string& content,
-                  const py::dict& arrays) {
-        return Container{format, version, content, copy_arrays(arrays), ""};
-      }),
-      py::kw_only(), "format"_a, "version"_a, "content"_a = "{}", "arrays"_a = py::dict(),
-      "Copies its arrays, which are of bytes, 4 or 8 byte integers or floats.");
+  container.def(py::init([](const std::string& format, int version, const std::string& content,
+                            const SomeArrays& arrays) {
+                  return Container{format, version, content, copy_arrays(arrays), ""};
+                }),
+                py::kw_only(), "format"_a, "version"_a, "content"_a = "{}",
+                "arrays"_a = SomeArrays(),
+                "Copies its arrays, which are of bytes, 4 or 8 byte integers or floats.");
   container.def_readwrite("format", &Container::format, "\"palpate\" or \"organ\".")
       .def_readwrite("version", &Container::version, "Of the format.")
       .def_readwrite("content", &Container::content, "JSON: one object.")
@@ -150,11 +154,11 @@ void bind_scenario_type(py::module_& m) {
                             "What a trainee opens: a scene that ticks, what to do with it, and "
                             "what it was made from.");
   made.def(py::init([](const Scene& scene, const std::string& title, const std::string& task,
-                       const std::string& authored, const py::dict& authored_arrays) {
+                       const std::string& authored, const SomeArrays& authored_arrays) {
              return Scenario{title, task, scene, authored, copy_arrays(authored_arrays), 0, ""};
            }),
            py::kw_only(), "scene"_a, "title"_a = "", "task"_a = "", "authored"_a = "{}",
-           "authored_arrays"_a = py::dict(), "Copies the scene, which build_scene made.");
+           "authored_arrays"_a = SomeArrays(), "Copies the scene, which build_scene made.");
   made.def_readwrite("title", &Scenario::title)
       .def_readwrite("task", &Scenario::task, "What the trainee is asked to do, in words.")
       .def_readonly("scene", &Scenario::scene)
