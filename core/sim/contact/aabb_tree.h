@@ -21,7 +21,8 @@ class AabbTree {
   /// Nodes stand depth first, children behind their parent.
   struct Node {
     Eigen::Vector3d low, high;
-    int first = 0;  ///< leaf: first entry in order(); inner: index of the right child, the left is next
+    int first =
+        0;  ///< leaf: first entry in order(); inner: index of the right child, the left is next
     int count = 0;  ///< triangles of a leaf; 0 for an inner node
   };
 

@@ -26,7 +26,8 @@ bool find_contact(const Tool& tool, double rest_area, const Vec3& centre, const 
                   const Vec3& b, const Vec3& c, Contact& contact) noexcept;
 
 /// [m] The point of a triangle with these barycentric weights.
-inline Vec3 compute_point(const Triangle& t, const Vec3& weights, std::span<const Vec3> x) noexcept {
+inline Vec3 compute_point(const Triangle& t, const Vec3& weights,
+                          std::span<const Vec3> x) noexcept {
   return weights[0] * x[static_cast<std::size_t>(t[0])] +
          weights[1] * x[static_cast<std::size_t>(t[1])] +
          weights[2] * x[static_cast<std::size_t>(t[2])];

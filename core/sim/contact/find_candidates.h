@@ -14,11 +14,12 @@ struct Candidates {
   std::vector<int> triangles;  ///< capacity; the triangle count of the tissue is always enough
   std::vector<double> areas;   ///< [m²] at rest, so that pressing does not change the law
   int count = 0;
-  Vec3 from = Vec3::Zero();    ///< [m] the way they were looked for along
-  Vec3 to = Vec3::Zero();      ///< [m]
+  Vec3 from = Vec3::Zero();  ///< [m] the way they were looked for along
+  Vec3 to = Vec3::Zero();    ///< [m]
 };
 
-/// How far tissue and tool may close in on each other within one tick beside the tool's own path [m].
+/// How far tissue and tool may close in on each other within one tick beside the tool's own path
+/// [m].
 inline constexpr double kCandidateMargin = 1.2e-3;
 
 /// Finds every triangle within radius + kCandidateMargin of the way from the tool's last position

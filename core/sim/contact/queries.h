@@ -41,8 +41,8 @@ std::optional<SurfacePoint> find_closest_point(
 
 /// Triangles with a point inside the ball or on it; ascending. Returns how many there are; only
 /// as many as `out` holds are written, those with the lowest indices.
-int find_in_sphere(const AabbTree& tree, std::span<const Vec3> x, const Vec3& centre,
-                   double radius, std::span<int> out) noexcept;
+int find_in_sphere(const AabbTree& tree, std::span<const Vec3> x, const Vec3& centre, double radius,
+                   std::span<int> out) noexcept;
 
 /// Triangles whose boxes, grown by `radius` [m] on every side, meet the segment: a superset of
 /// those that touch the capsule; ascending. Returns how many there are; only as many as `out`

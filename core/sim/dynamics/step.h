@@ -11,9 +11,9 @@
 namespace palpate {
 
 enum class Integrator {
-  explicit_euler,         ///< x with the old velocity; never stable without damping
-  symplectic_euler,       ///< v first, x with the new v: what Eq 4-5 of the paper really is
-  midpoint,               ///< explicit midpoint, second order
+  explicit_euler,    ///< x with the old velocity; never stable without damping
+  symplectic_euler,  ///< v first, x with the new v: what Eq 4-5 of the paper really is
+  midpoint,          ///< explicit midpoint, second order
   runge_kutta_4,
   implicit_euler_linear,  ///< one Newton step with the projected tangent
   implicit_euler,         ///< Newton until the residual is small

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <span>
-
 #include <Eigen/SparseCore>
+#include <span>
 
 #include "palpate/sim/dynamics/state.h"
 

@@ -24,7 +24,7 @@ struct World {
   long tick_count = 0;
   int substeps = 0;  ///< of the last tick
   bool attach_pressed = false;
-  int release_ticks = 0;  ///< left until a hold that fades is gone; 0 when none does
+  int release_ticks = 0;        ///< left until a hold that fades is gone; 0 when none does
   std::vector<double> scratch;  ///< per particle
 };
 

@@ -59,12 +59,23 @@ inline Soup make_degenerate_soup(int count) {
     const Vec3 a = dice.vector(0.1), b = a + dice.vector(0.05);
     const Vec3 on_edge = a + dice.number(-0.5, 1.5) * (b - a);
     switch (t % 6) {
-      case 0: soup.add(a, a, a); break;
-      case 1: soup.add(a, b, b); break;
-      case 2: soup.add(a, b, on_edge); break;
-      case 3: soup.add(a, on_edge + dice.vector(1e-9), b); break;
-      case 4: soup.add(a, b, on_edge + dice.vector(std::pow(10.0, dice.number(-14, -3)))); break;
-      default: soup.triangles.push_back(soup.triangles[static_cast<std::size_t>(t / 2)]);
+      case 0:
+        soup.add(a, a, a);
+        break;
+      case 1:
+        soup.add(a, b, b);
+        break;
+      case 2:
+        soup.add(a, b, on_edge);
+        break;
+      case 3:
+        soup.add(a, on_edge + dice.vector(1e-9), b);
+        break;
+      case 4:
+        soup.add(a, b, on_edge + dice.vector(std::pow(10.0, dice.number(-14, -3))));
+        break;
+      default:
+        soup.triangles.push_back(soup.triangles[static_cast<std::size_t>(t / 2)]);
     }
   }
   return soup;
@@ -143,11 +154,16 @@ inline Vec3 pick_point(const Soup& soup, const Vec3Array& x, Dice& dice) {
              &c = x[static_cast<std::size_t>(t[2])];
   const double size = (b - a).norm() + (c - a).norm() + 1e-6;
   switch (dice.index(5)) {
-    case 0: return a;
-    case 1: return 0.5 * a + 0.5 * b;
-    case 2: return 0.25 * a + 0.5 * b + 0.25 * c;
-    case 3: return a + dice.vector(size);
-    default: return dice.vector(2.0 * (a.norm() + size));
+    case 0:
+      return a;
+    case 1:
+      return 0.5 * a + 0.5 * b;
+    case 2:
+      return 0.25 * a + 0.5 * b + 0.25 * c;
+    case 3:
+      return a + dice.vector(size);
+    default:
+      return dice.vector(2.0 * (a.norm() + size));
   }
 }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/contact/aabb_tree.h"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <numeric>
 #include <string>
 
+#include "palpate/sim/contact/aabb_tree.h"
 #include "soups.h"
 
 using namespace palpate;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/contact/balance_tool.h"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "palpate/sim/contact/balance_tool.h"
 #include "palpate/sim/contact/contact_law.h"
 #include "palpate/sim/contact/queries.h"
 #include "scenes/scenes.h"
@@ -281,8 +280,8 @@ TEST_CASE("no flick of the hand takes the tool through a surface, however far it
           find_closest_point(bench.tree, bench.mesh.vertices, bench.state.position);
       // the ball is convex, so outside means beyond the plane of the closest triangle
       const Triangle& t = bench.mesh.triangles[static_cast<std::size_t>(closest->triangle)];
-      const Vec3 normal = (bench.corner(t, 1) - bench.corner(t, 0))
-                              .cross(bench.corner(t, 2) - bench.corner(t, 0));
+      const Vec3 normal =
+          (bench.corner(t, 1) - bench.corner(t, 0)).cross(bench.corner(t, 2) - bench.corner(t, 0));
       REQUIRE(bench.state.position.dot(normal) > bench.corner(t, 0).dot(normal));
     }
   }
@@ -299,7 +298,8 @@ TEST_CASE("a tool that is inside feels nothing and is not held there") {
   CHECK(bench.state.position == Vec3(0, 0, 0.040));
 }
 
-TEST_CASE("a tool whose centre starts on the surface is pushed outwards and nothing crashes") {  // F7
+TEST_CASE(
+    "a tool whose centre starts on the surface is pushed outwards and nothing crashes") {  // F7
   const SurfaceMesh sheet = scenes::make_sheet(9, 9, 0.016);
   const Vec3 vertex = sheet.vertices[40], next = sheet.vertices[41];
   for (const Vec3& start : {vertex, Vec3(0.5 * vertex + 0.5 * next),
@@ -395,9 +395,9 @@ TEST_CASE("candidates are all triangles in reach of the way, with their areas at
     const Triangle& k = bench.mesh.triangles[t];
     for (int i = 0; i <= 50; ++i) {
       const Vec3 p = from + (i / 50.0) * (to - from);
-      const double distance = find_closest_on_triangle(p, bench.corner(k, 0), bench.corner(k, 1),
-                                                       bench.corner(k, 2))
-                                  .distance;
+      const double distance =
+          find_closest_on_triangle(p, bench.corner(k, 0), bench.corner(k, 1), bench.corner(k, 2))
+              .distance;
       if (distance <= bench.tool.radius + kCandidateMargin) REQUIRE(listed[t]);
     }
   }
@@ -409,8 +409,8 @@ TEST_CASE("attaching to nothing does nothing") {
   Bench bench(make_ball());
   bench.move_hand({0, 0, 0.040});
 
-  CHECK_FALSE(attach_tool(bench.load, bench.mesh.triangles, bench.mesh.vertices, 400.0,
-                          bench.state));
+  CHECK_FALSE(
+      attach_tool(bench.load, bench.mesh.triangles, bench.mesh.vertices, 400.0, bench.state));
   CHECK(bench.state.hold_count == 0);
 }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/contact/queries.h"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "palpate/sim/contact/queries.h"
 #include "soups.h"
 
 using namespace palpate;
@@ -139,8 +138,7 @@ TEST_CASE("no point of a triangle lies nearer than the closest one, on any soup"
     Dice dice(21);
     for (int q = 0; q < 4 * kQuestions; ++q) {
       const Vec3 p = pick_point(soup, x, dice);
-      const Corners k =
-          find_corners(soup, x, dice.index(static_cast<int>(soup.triangles.size())));
+      const Corners k = find_corners(soup, x, dice.index(static_cast<int>(soup.triangles.size())));
       const SurfacePoint s = find_closest_on_triangle(p, k.a, k.b, k.c);
       check_is_on_triangle(s, k);
       check_is_closest(p, s, k);
@@ -303,7 +301,8 @@ TEST_CASE("triangles near a segment equal brute force over their boxes and miss 
       const double radius = std::pow(10.0, dice.number(-4, -1));
       const int count = find_near_segment(tree, x, from, to, radius, out);
       std::vector<bool> listed(soup.triangles.size());
-      for (int i = 0; i < count; ++i) listed[static_cast<std::size_t>(out[static_cast<std::size_t>(i)])] = true;
+      for (int i = 0; i < count; ++i)
+        listed[static_cast<std::size_t>(out[static_cast<std::size_t>(i)])] = true;
       REQUIRE(std::is_sorted(out.begin(), out.begin() + count));
 
       for (int t = 0; t < static_cast<int>(soup.triangles.size()); ++t) {
