@@ -13,12 +13,12 @@
 namespace palpate::authoring {
 namespace {
 
-/// Length counts as much as bending where neighbouring normals differ by about twice the root of
-/// this, 0.2 rad: organs at some hundred vertices stay evenly meshed and keep their ridges.
-constexpr double kLengthWeight = 1e-2;
+/// What a vertex stands for may spread over the surface this much more cheaply than it may leave
+/// it, squared: some hundred vertices on an organ are spread evenly and still keep its ridges.
+constexpr double kSpreadWeight = 1e-2;
 
 /// How much more it costs to leave the border than the surface.
-constexpr double kBorderWeight = 10.0;
+constexpr double kBorderWeight = 1.0;
 
 struct Traits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
@@ -29,7 +29,7 @@ using Decimater = OpenMesh::Decimater::DecimaterT<Mesh>;
 
 Vec3 to_vec3(const OpenMesh::Vec3d& p) { return {p[0], p[1], p[2]}; }
 
-/// The squared distances to a set of planes, each times an area [m⁴]: x'A x + 2 b'x + c.
+/// The squared distances to planes and points, each times an area [m⁴]: x'A x + 2 b'x + c.
 struct Quadric {
   Mat3 A = Mat3::Zero();
   Vec3 b = Vec3::Zero();
@@ -40,6 +40,12 @@ struct Quadric {
     A += area * normal * normal.transpose();
     b += area * d * normal;
     c += area * d * d;
+  }
+
+  void add_point(const Vec3& p, double area) {
+    A += area * Mat3::Identity();
+    b -= area * p;
+    c += area * p.squaredNorm();
   }
 
   void add(const Quadric& other) {
@@ -79,9 +85,7 @@ class ModPrice : public OpenMesh::Decimater::ModBaseT<MeshT> {
     if (!is_border_kept(collapse)) return float(Base::ILLEGAL_COLLAPSE);
     Quadric quadric = quadrics_[collapse.v0.idx()];
     quadric.add(quadrics_[collapse.v1.idx()]);
-    const double length2 = (collapse.p1 - collapse.p0).sqrnorm();
-    const double error = std::max(0.0, quadric(to_vec3(collapse.p1) - centre_));
-    return static_cast<float>(error + kLengthWeight * length2 * length2);
+    return static_cast<float>(std::max(0.0, quadric(to_vec3(collapse.p1) - centre_)));
   }
 
   void postprocess_collapse(const CollapseInfo& collapse) override {
@@ -100,8 +104,10 @@ class ModPrice : public OpenMesh::Decimater::ModBaseT<MeshT> {
       x.push_back(at(v));
     }
     const Vec3 across = (x[1] - x[0]).cross(x[2] - x[0]);
-    for (const int v : corners) {
-      quadrics_[v].add_plane(across.normalized(), x[0], 0.5 * across.norm());
+    const double area = 0.5 * across.norm();
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+      quadrics_[corners[c]].add_plane(across.normalized(), x[0], area);
+      quadrics_[corners[c]].add_point(x[c], kSpreadWeight * area / 3.0);
     }
   }
 
@@ -114,8 +120,12 @@ class ModPrice : public OpenMesh::Decimater::ModBaseT<MeshT> {
     const Vec3 edge = at(to) - at(from);
     const Vec3 upright = edge.cross(edge.cross(at(apex) - at(from))).normalized();
     const double area = kBorderWeight * edge.squaredNorm();
-    quadrics_[from.idx()].add_plane(upright, at(from), area);
-    quadrics_[to.idx()].add_plane(upright, at(from), area);
+    // a border vertex has triangles on one side only; this makes up for the other
+    const double missing = 0.25 * kSpreadWeight * edge.squaredNorm();
+    for (const auto end : {from, to}) {
+      quadrics_[end.idx()].add_plane(upright, at(from), area);
+      quadrics_[end.idx()].add_point(at(end), missing);
+    }
   }
 
   bool is_border_kept(const CollapseInfo& collapse) {
