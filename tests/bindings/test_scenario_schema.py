@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The JSON Schemas of the two manifests, held against files the library wrote and reads."""
+
+from __future__ import annotations
+
+import copy
+import io
+import json
+import zipfile
+from dataclasses import asdict, fields
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import numpy as np
+import palpate
+import pytest
+from hostile_scenarios import entries_of, pack, remove, set_in
+from palpate import scenario, scene_file
+from surfaces import ellipsoid, organ_scene
+
+SCHEMAS = Path(palpate.__file__).parent / "schemas"
+KEPT = Path(__file__).resolve().parents[1] / "scenes" / "published"
+
+Json = dict[str, Any]
+
+
+def validator(name: str) -> jsonschema.Draft202012Validator:
+    schema = json.loads((SCHEMAS / f"{name}.schema.json").read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(schema)
+    return jsonschema.Draft202012Validator(schema)
+
+
+def manifest_of(file: Path | bytes) -> Json:
+    with zipfile.ZipFile(io.BytesIO(file) if isinstance(file, bytes) else file) as archive:
+        return json.loads(archive.read("manifest.json"))
+
+
+def published() -> bytes:
+    made = scenario.Scenario(
+        scene=organ_scene(1), title="Spleen", task="Press it.", authored_arrays={"a/b": [1, 2]}
+    )
+    return scenario.pack_container(scenario.pack(made))
+
+
+def organ_content() -> Json:
+    """An organ as the scene file knows it, without what an .organ file keeps in arrays."""
+    parts = asdict(scene_file.SceneFile(scene_file.OrganPart("spleen", "spleen.obj", "0" * 64)))
+    for name in ("fixed", "stiffness_scale"):
+        del parts["model"][name]
+    parts["hand"]["gravity"] = list(parts["hand"]["gravity"])
+    return {
+        "name": parts["organ"]["name"],
+        "title": "Push and pull",
+        "task": "Press the spleen.",
+        "source": {"file": "spleen.stl", "sha256": "0" * 64, "unit": 1e-3, "part": None},
+        "edits": ["decimate to 600 vertices"],
+        **{name: parts[name] for name in ("material", "model", "tool", "hand")},
+    }
+
+
+def working_file(path: Path) -> Path:
+    mesh = ellipsoid((0.03, 0.02, 0.02), 1)
+    arrays = {
+        "mesh/vertices": mesh.vertices,
+        "mesh/triangles": mesh.triangles,
+        "fixed": np.array([3, 5], np.int32),
+        "stiffness_scale": np.ones(len(mesh.vertices)),
+        "source/spleen.stl": np.frombuffer(b"solid", np.uint8),
+    }
+    content = json.dumps(organ_content())
+    scenario.write_container(
+        path, scenario.Container(format="organ", version=1, content=content, arrays=arrays)
+    )
+    return path
+
+
+def test_a_published_file_satisfies_its_schema():
+    validator("palpate").validate(manifest_of(published()))
+
+
+@pytest.mark.parametrize("kept", sorted(KEPT.glob("*.palpate")), ids=lambda path: path.stem)
+def test_every_kept_file_of_this_version_satisfies_the_schema(kept):
+    manifest = manifest_of(kept)
+    if manifest["version"] == manifest_of(published())["version"]:
+        validator("palpate").validate(manifest)
+
+
+def test_a_working_file_satisfies_its_schema(tmp_path):
+    validator("organ").validate(manifest_of(working_file(tmp_path / "spleen.organ")))
+
+
+def test_a_working_file_without_a_source_satisfies_its_schema(tmp_path):
+    manifest = manifest_of(working_file(tmp_path / "spleen.organ"))
+    manifest["content"]["source"] = None
+
+    validator("organ").validate(manifest)
+
+
+@pytest.mark.parametrize(
+    ("section", "part", "elsewhere"),
+    [
+        ("material", scene_file.MaterialPart, set()),
+        ("model", scene_file.ModelPart, {"fixed", "stiffness_scale"}),
+        ("tool", scene_file.ToolPart, set()),
+        ("hand", scene_file.HandPart, set()),
+    ],
+)
+def test_an_organ_has_the_fields_of_a_scene_file(section, part, elsewhere):
+    content = validator("organ").schema["properties"]["content"]["properties"]
+
+    assert content[section]["properties"].keys() == {f.name for f in fields(part)} - elsewhere
+
+
+CHANGES = {
+    "newer version": set_in("version", 2),
+    "unknown member": set_in("script", "x"),
+    "no title": remove("content|title"),
+    "text for a number": set_in("content|scene|rate", "fast"),
+    "unknown number": set_in("content|scene|pace", 1),
+    "no substeps": set_in("content|scene|substeps", 0),
+    "unknown law": set_in("content|scene|tissue|damping_law", "sticky"),
+    "no table": remove("arrays|scene/tissue/mass"),
+    "a table of another type": set_in("arrays|scene/tissue/mass|dtype", "<f4"),
+    "a table of other columns": set_in("arrays|scene/tissue/rest_position|shape", [42, 2]),
+    "a table of other dimensions": set_in("arrays|scene/tissue/mass|shape", [42, 1]),
+    "an unknown table": set_in("arrays|scene/tissue/charge", {}),
+    "a negative extent": set_in("arrays|scene/tissue/mass|shape", [-1]),
+    "a hash of 3 digits": set_in("arrays|scene/tissue/mass|sha256", "abc"),
+    "a list for the document": set_in("content|authored", []),
+}
+
+
+@pytest.mark.parametrize("name", CHANGES)
+def test_what_the_schema_refuses_the_reader_refuses(name):
+    good = published()
+    entries, manifest = entries_of(good), manifest_of(good)
+    changed = copy.deepcopy(manifest)
+    CHANGES[name](changed)
+    entries["manifest.json"] = json.dumps(changed).encode()
+
+    assert not validator("palpate").is_valid(changed)
+    with pytest.raises(palpate.FileError):
+        scenario.unpack(scenario.unpack_container(pack(entries), "file", "palpate", 1), "file")
+
+
+@pytest.mark.parametrize("path", ["authored/../up", "/authored/a", "authored/A", "authored//a"])
+def test_the_schema_knows_which_names_lead_out_of_the_file(path):
+    manifest = manifest_of(published())
+    manifest["arrays"][path] = manifest["arrays"]["scene/tissue/mass"]
+
+    assert not validator("palpate").is_valid(manifest)
