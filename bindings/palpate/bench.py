@@ -8,7 +8,8 @@ from pathlib import Path
 
 import palpate
 from palpate.mesh_file import read_mesh_file
-from palpate.scene_file import HandPart, MaterialPart, ModelPart, SceneFile, compile_scene
+from palpate.scene_file import compile_scene
+from palpate.scene_parts import HandPart, MaterialPart, ModelPart, SceneFile
 from palpate.verb import Refusal, Report
 
 DEFAULT_VERTICES = (600, 2000, 5400)

@@ -11,95 +11,17 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any, get_type_hints
 
 import palpate
 from palpate.mesh_file import read_mesh_file
+from palpate.scene_parts import KINDS, SceneFile
 from palpate.verb import Refusal
 from palpate.whole_file import write_whole
 
 FORMAT, VERSION = "palpate scene", 1
-KINDS = ("mass_spring", "molecular")
-
-
-@dataclass(frozen=True)
-class OrganPart:
-    """Which surface is simulated."""
-
-    name: str
-    mesh: str
-    """Path of an OBJ in metres, relative to the scene file."""
-    sha256: str
-
-
-@dataclass(frozen=True)
-class MaterialPart:
-    density: float = 1060.0
-    """[kg/m³]"""
-    young_modulus: float = 5e3
-    """[Pa]"""
-    poisson_ratio: float = 0.45
-    damping_ratio: float = 0.2
-    wall_thickness: float | None = None
-    """[m], None for a solid."""
-
-
-@dataclass(frozen=True)
-class ModelPart:
-    """Which law holds the organ together, with its constants."""
-
-    kind: str = "mass_spring"
-    stiffness: float = 50.0
-    """[N/m] of every spring, or of every bond inside the surface."""
-    bend_stiffness: float = 0.0
-    """[J] K_theta (molecular), [N] under eq10."""
-    stretch_coupling: float = 0.0
-    """[N] K_btheta (molecular)."""
-    angle_law: str = "gradient"
-    damping_law: str = "axis"
-    home_stiffness: float | None = None
-    """[N/m³] None: the builder's default."""
-    pressure: float = 0.0
-    """[Pa]"""
-    drag: float = 2.0
-    """[1/s]"""
-    fixed: tuple[int, ...] = ()
-    stiffness_scale: tuple[float, ...] = ()
-
-
-@dataclass(frozen=True)
-class ToolPart:
-    radius: float = 3e-3
-    """[m]"""
-    stiffness: float = 3e7
-    """[N/m³] k_A of the contact law."""
-
-
-@dataclass(frozen=True)
-class HandPart:
-    coupling: float = 1000.0
-    """[N/m] K of Eq 12."""
-    force_max: float = 5.0
-    """[N]"""
-    hold_stiffness: float = 500.0
-    """[N/m] between tool and patch while attached."""
-    rate: float = 1000.0
-    """[Hz]"""
-    gravity: tuple[float, ...] = (0.0, 0.0, 0.0)
-    """[m/s²]"""
-
-
-@dataclass(frozen=True)
-class SceneFile:
-    """A whole scene as authored."""
-
-    organ: OrganPart
-    material: MaterialPart = field(default_factory=MaterialPart)
-    model: ModelPart = field(default_factory=ModelPart)
-    tool: ToolPart = field(default_factory=ToolPart)
-    hand: HandPart = field(default_factory=HandPart)
 
 
 PARTS = get_type_hints(SceneFile)

@@ -23,7 +23,8 @@ from palpate.run import (
     run_replay,
     run_script,
 )
-from palpate.scene_file import SceneFile, compile_scene, open_scene
+from palpate.scene_file import compile_scene, open_scene
+from palpate.scene_parts import SceneFile
 from palpate.verb import Refusal, Report, Verb, quantity
 
 # ---------------------------------------------------------------- doctor

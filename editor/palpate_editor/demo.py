@@ -16,17 +16,8 @@ import numpy as np
 import palpate
 from palpate.press import PressScript, find_top
 from palpate.run import Run, picture_of_record, plot_runs, run_script
-from palpate.scene_file import (
-    HandPart,
-    MaterialPart,
-    ModelPart,
-    OrganPart,
-    SceneFile,
-    ToolPart,
-    hash_file,
-    open_scene,
-    write_scene_file,
-)
+from palpate.scene_file import hash_file, open_scene, write_scene_file
+from palpate.scene_parts import HandPart, MaterialPart, ModelPart, OrganPart, SceneFile, ToolPart
 from palpate.verb import Refusal, Report
 from palpate.whole_file import write_whole
 

@@ -10,17 +10,8 @@ from pathlib import Path
 
 import palpate
 from palpate.mesh_file import read_mesh_file
-from palpate.scene_file import (
-    HandPart,
-    MaterialPart,
-    ModelPart,
-    OrganPart,
-    SceneFile,
-    ToolPart,
-    compile_scene,
-    hash_file,
-    write_scene_file,
-)
+from palpate.scene_file import compile_scene, hash_file, write_scene_file
+from palpate.scene_parts import HandPart, MaterialPart, ModelPart, OrganPart, SceneFile, ToolPart
 from palpate.verb import Refusal, Report, Verb, quantity
 
 from palpate_editor import authoring

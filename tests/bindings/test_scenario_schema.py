@@ -16,7 +16,7 @@ import numpy as np
 import palpate
 import pytest
 from hostile_scenarios import entries_of, pack, remove, set_in
-from palpate import scenario, scene_file
+from palpate import scenario, scene_parts
 from surfaces import ellipsoid, organ_scene
 
 SCHEMAS = Path(palpate.__file__).parent / "schemas"
@@ -45,7 +45,7 @@ def published() -> bytes:
 
 def organ_content() -> Json:
     """An organ as the scene file knows it, without what an .organ file keeps in arrays."""
-    parts = asdict(scene_file.SceneFile(scene_file.OrganPart("spleen", "spleen.obj", "0" * 64)))
+    parts = asdict(scene_parts.SceneFile(scene_parts.OrganPart("spleen", "spleen.obj", "0" * 64)))
     for name in ("fixed", "stiffness_scale"):
         del parts["model"][name]
     parts["hand"]["gravity"] = list(parts["hand"]["gravity"])
@@ -100,10 +100,10 @@ def test_a_working_file_without_a_source_satisfies_its_schema(tmp_path):
 @pytest.mark.parametrize(
     ("section", "part", "elsewhere"),
     [
-        ("material", scene_file.MaterialPart, set()),
-        ("model", scene_file.ModelPart, {"fixed", "stiffness_scale"}),
-        ("tool", scene_file.ToolPart, set()),
-        ("hand", scene_file.HandPart, set()),
+        ("material", scene_parts.MaterialPart, set()),
+        ("model", scene_parts.ModelPart, {"fixed", "stiffness_scale"}),
+        ("tool", scene_parts.ToolPart, set()),
+        ("hand", scene_parts.HandPart, set()),
     ],
 )
 def test_an_organ_has_the_fields_of_a_scene_file(section, part, elsewhere):

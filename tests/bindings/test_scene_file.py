@@ -10,18 +10,13 @@ import numpy as np
 import pytest
 from palpate.mesh_file import read_mesh_file
 from palpate.scene_file import (
-    HandPart,
-    MaterialPart,
-    ModelPart,
-    OrganPart,
-    SceneFile,
-    ToolPart,
     compile_scene,
     hash_file,
     open_scene,
     read_scene_file,
     write_scene_file,
 )
+from palpate.scene_parts import HandPart, MaterialPart, ModelPart, OrganPart, SceneFile, ToolPart
 from palpate.verb import Refusal
 
 OCTAHEDRON = """v 0.03 0 0

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a designer chooses about an organ, part by part: the numbers of scene files and documents.
+
+Plain values: nothing here knows files or the simulation. Units stand with each field.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+KINDS = ("mass_spring", "molecular")
+"""The laws that can hold an organ together."""
+
+
+@dataclass(frozen=True)
+class OrganPart:
+    """Which surface is simulated."""
+
+    name: str
+    mesh: str
+    """Path of an OBJ in metres, relative to the scene file."""
+    sha256: str
+
+
+@dataclass(frozen=True)
+class MaterialPart:
+    density: float = 1060.0
+    """[kg/m³]"""
+    young_modulus: float = 5e3
+    """[Pa]"""
+    poisson_ratio: float = 0.45
+    damping_ratio: float = 0.2
+    wall_thickness: float | None = None
+    """[m], None for a solid."""
+
+
+@dataclass(frozen=True)
+class ModelPart:
+    """Which law holds the organ together, with its constants."""
+
+    kind: str = "mass_spring"
+    stiffness: float = 50.0
+    """[N/m] of every spring, or of every bond inside the surface."""
+    bend_stiffness: float = 0.0
+    """[J] K_theta (molecular), [N] under eq10."""
+    stretch_coupling: float = 0.0
+    """[N] K_btheta (molecular)."""
+    angle_law: str = "gradient"
+    damping_law: str = "axis"
+    home_stiffness: float | None = None
+    """[N/m³] None: the builder's default."""
+    pressure: float = 0.0
+    """[Pa]"""
+    drag: float = 2.0
+    """[1/s]"""
+    fixed: tuple[int, ...] = ()
+    stiffness_scale: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True)
+class ToolPart:
+    radius: float = 3e-3
+    """[m]"""
+    stiffness: float = 3e7
+    """[N/m³] k_A of the contact law."""
+
+
+@dataclass(frozen=True)
+class HandPart:
+    coupling: float = 1000.0
+    """[N/m] K of Eq 12."""
+    force_max: float = 5.0
+    """[N]"""
+    hold_stiffness: float = 500.0
+    """[N/m] between tool and patch while attached."""
+    rate: float = 1000.0
+    """[Hz]"""
+    gravity: tuple[float, ...] = (0.0, 0.0, 0.0)
+    """[m/s²]"""
+
+
+@dataclass(frozen=True)
+class SceneFile:
+    """A whole scene as authored."""
+
+    organ: OrganPart
+    material: MaterialPart = field(default_factory=MaterialPart)
+    model: ModelPart = field(default_factory=ModelPart)
+    tool: ToolPart = field(default_factory=ToolPart)
+    hand: HandPart = field(default_factory=HandPart)
