@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Decimation gives the asked count, good triangles, and the same organ."""
+
+from __future__ import annotations
+
+import numpy as np
+import palpate
+import pytest
+from palpate_editor.authoring import decimate, import_mesh, inspect_mesh
+from palpate_meshes.generate import ellipsoid, sheet, tube
+
+GOOD_ANGLE = 25.0
+
+
+def mesh_of(made: tuple[np.ndarray, np.ndarray]) -> palpate.SurfaceMesh:
+    return palpate.SurfaceMesh(*made)
+
+
+SPLEEN = mesh_of(ellipsoid(2400))
+GALLBLADDER = mesh_of(tube(2400))
+SHEET = mesh_of(sheet(1200))
+
+
+def border_of(mesh: palpate.SurfaceMesh) -> np.ndarray:
+    (loop,) = palpate.find_border_loops(mesh.triangles)
+    return np.asarray(mesh.vertices)[loop]
+
+
+def distance_to_line(points: np.ndarray, line: np.ndarray) -> np.ndarray:
+    """[m] From each point to a closed line."""
+    a, along = line, np.roll(line, -1, axis=0) - line
+    s = ((points[:, None] - a) * along).sum(axis=2) / (along**2).sum(axis=1)
+    nearest = a + np.clip(s, 0.0, 1.0)[:, :, None] * along
+    return np.linalg.norm(points[:, None] - nearest, axis=2).min(axis=1)
+
+
+@pytest.mark.parametrize("vertices", [50, 151, 600, 1200, 2399, 2400])
+def test_a_closed_organ_has_exactly_the_asked_count_and_stays_closed(vertices):
+    small = decimate(SPLEEN, vertices)
+
+    report = inspect_mesh(small.mesh)
+    assert (report.vertices, report.triangles) == (vertices, 2 * vertices - 4)
+    assert (report.closed, report.outward, report.genus) == (True, True, 0)
+    assert report.self_intersecting_faces == small.self_intersecting_faces == 0
+    assert report.smallest_angle_deg == pytest.approx(small.smallest_angle_deg)
+    assert small.smallest_angle_deg >= GOOD_ANGLE
+
+
+@pytest.mark.parametrize("vertices", [100, 600])
+def test_a_hole_stays_a_hole_on_the_line_it_was(vertices):
+    small = decimate(GALLBLADDER, vertices)
+
+    report = inspect_mesh(small.mesh)
+    (border,) = report.border_loops
+    assert (report.vertices, report.triangles) == (vertices, 2 * vertices - 2 - border)
+    assert border >= 6
+    assert small.smallest_angle_deg >= GOOD_ANGLE
+    assert distance_to_line(border_of(small.mesh), border_of(GALLBLADDER)).max() < 1e-9
+
+
+def test_a_sheet_keeps_its_outline():
+    small = decimate(SHEET, 200)
+
+    assert distance_to_line(border_of(small.mesh), border_of(SHEET)).max() < 1e-9
+    assert palpate.compute_area(small.mesh) == pytest.approx(palpate.compute_area(SHEET), rel=0.01)
+    size = np.ptp(np.asarray(small.mesh.vertices), axis=0)
+    assert size[:2] == pytest.approx([0.072, 0.060], rel=0.02)
+
+
+def test_the_new_surface_lies_on_the_old_one():
+    small = decimate(SPLEEN, 600)
+
+    # an edge is 6 mm long, and its arc of radius 25 mm stands 0.2 mm above it
+    assert small.mean_distance < 0.3e-3
+    assert small.mean_distance < small.max_distance < 2.5e-3
+    volume = palpate.compute_volume(SPLEEN)
+    assert palpate.compute_volume(small.mesh) == pytest.approx(volume, rel=0.03)
+
+
+def test_improving_makes_bad_triangles_good():
+    small = decimate(SPLEEN, 600)
+
+    assert small.smallest_angle_before_deg < 15.0 < GOOD_ANGLE <= small.smallest_angle_deg
+
+
+def test_the_same_mesh_gives_the_same_bits():
+    one, other = decimate(SPLEEN, 300), decimate(SPLEEN, 300)
+
+    assert np.array_equal(one.mesh.vertices, other.mesh.vertices)
+    assert np.array_equal(one.mesh.triangles, other.mesh.triangles)
+
+
+def test_two_shells_stay_two():
+    vertices, triangles = ellipsoid(600)
+    both = palpate.SurfaceMesh(
+        np.concatenate([vertices, vertices + [0.2, 0.0, 0.0]]),
+        np.concatenate([triangles, triangles + 600]),
+    )
+
+    report = inspect_mesh(decimate(both, 300).mesh)
+
+    assert (report.vertices, report.shells, report.closed) == (300, 2, True)
+
+
+def test_a_count_that_cannot_be_reached_is_refused_with_how_far_it_goes():
+    corners = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    two = palpate.SurfaceMesh(
+        np.concatenate([corners, corners + 5.0]), np.concatenate([faces, faces + 4])
+    )
+
+    with pytest.raises(ValueError, match="at least 8"):
+        decimate(two, 5)
+
+
+@pytest.mark.parametrize("vertices", [-1, 0, 3, 2401])
+def test_a_count_the_mesh_does_not_have_is_refused(vertices):
+    with pytest.raises(ValueError, match="4 to 2400"):
+        decimate(SPLEEN, vertices)
+
+
+def test_a_mesh_that_is_not_valid_is_refused():
+    fin = palpate.SurfaceMesh(
+        np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, -1]]),
+        np.array([[0, 1, 2], [1, 0, 3], [0, 1, 4]]),
+    )
+
+    with pytest.raises(ValueError, match="triangle 2"):
+        decimate(fin, 4)
+
+
+@pytest.mark.parametrize("vertices", [150, 600, 1000])
+def test_a_real_spleen_comes_out_clean(vertices, shared_data):
+    organ = import_mesh(shared_data("organs/VH_F_Spleen.glb"))
+
+    small = decimate(organ.mesh, vertices)
+
+    report = inspect_mesh(small.mesh)
+    assert (report.vertices, report.triangles) == (vertices, 2 * vertices - 4)
+    assert (report.closed, report.self_intersecting_faces) == (True, 0)
+    assert report.smallest_angle_deg >= GOOD_ANGLE
+
+
+@pytest.mark.parametrize("vertices", [300, 600, 1000])
+def test_a_real_pancreas_keeps_its_one_hole(vertices, shared_data):
+    organ = import_mesh(shared_data("organs/VH_F_Pancreas.glb"))
+
+    small = decimate(organ.mesh, vertices)
+
+    report = inspect_mesh(small.mesh)
+    (border,) = report.border_loops
+    assert (report.vertices, report.triangles) == (vertices, 2 * vertices - 2 - border)
+    assert 6 <= border <= 16
+    assert (report.shells, report.genus, report.self_intersecting_faces) == (1, 0, 0)
+    assert report.smallest_angle_deg >= GOOD_ANGLE

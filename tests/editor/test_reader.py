@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""No file and no reader can take the program along: all is refused in words."""
+
+from __future__ import annotations
+
+import os
+import stat
+import struct
+from pathlib import Path
+
+import numpy as np
+import palpate
+import pytest
+from foreign_files import TETRAHEDRON, TETRAHEDRON_FACES, write_obj, write_stl
+from palpate_editor.authoring import READER, join_parts, read_mesh
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "found"),
+    [
+        ("empty.obj", b"", "0 bytes"),
+        ("noise.stl", bytes(range(256)) * 4, "triangles in 1024 bytes"),
+        ("short.stl", b"\0" * 20, "20 bytes"),
+        ("organ.xyz", b"0 0 0", "the extension .xyz"),
+        ("organ", b"0 0 0", "no extension"),
+        ("points.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\n", ""),
+        ("index.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", ""),
+    ],
+)
+def test_what_is_not_a_mesh_is_refused_in_words(name, content, found, tmp_path):
+    path = tmp_path / name
+    path.write_bytes(content)
+
+    with pytest.raises(palpate.FileError) as refusal:
+        join_parts(read_mesh(path))
+
+    assert refusal.value.file == str(path)
+    assert found in refusal.value.found
+    assert refusal.value.expected
+
+
+def test_a_missing_file_and_a_folder_are_refused(tmp_path):
+    with pytest.raises(palpate.FileError, match="no such file"):
+        read_mesh(tmp_path / "organ.obj")
+    (tmp_path / "folder.obj").mkdir()
+    with pytest.raises(palpate.FileError, match="not a regular file"):
+        read_mesh(tmp_path / "folder.obj")
+
+
+def test_a_coordinate_that_is_not_a_number_is_refused_with_its_place(tmp_path):
+    path = tmp_path / "organ.stl"
+    points = TETRAHEDRON.copy()
+    points[3, 1] = np.nan
+    write_stl(path, points, TETRAHEDRON_FACES)
+
+    with pytest.raises(palpate.FileError, match="finite") as refusal:
+        read_mesh(path)
+
+    assert "vertex" in refusal.value.where
+
+
+def test_an_stl_that_promises_more_triangles_than_it_has_is_refused(tmp_path):
+    path = tmp_path / "organ.stl"
+    write_stl(path, TETRAHEDRON, TETRAHEDRON_FACES)
+    path.write_bytes(path.read_bytes()[:-30])
+
+    with pytest.raises(palpate.FileError, match="4 triangles in 254 bytes"):
+        read_mesh(path)
+
+
+def program(path: Path, lines: str) -> Path:
+    path.write_text(f"#!/bin/sh\n{lines}\n")
+    path.chmod(path.stat().st_mode | stat.S_IXUSR)
+    return path
+
+
+@pytest.fixture
+def organ(tmp_path: Path) -> Path:
+    path = tmp_path / "organ.obj"
+    write_obj(path, TETRAHEDRON, TETRAHEDRON_FACES)
+    return path
+
+
+def test_a_reader_that_hangs_is_stopped(organ, tmp_path):
+    reader = program(tmp_path / "reader", "echo $$ > pid; exec sleep 600")
+    here = Path.cwd()
+    os.chdir(tmp_path)
+    try:
+        with pytest.raises(palpate.FileError, match=r"still being read after 0\.5 s"):
+            read_mesh(organ, reader=reader, time_limit=0.5)
+    finally:
+        os.chdir(here)
+
+    # gone, and waited for
+    assert not Path(f"/proc/{(tmp_path / 'pid').read_text().strip()}").exists()
+
+
+def test_a_reader_that_crashes_is_told_from_one_that_refuses(organ, tmp_path):
+    with pytest.raises(palpate.FileError, match="crashes the reader"):
+        read_mesh(organ, reader=program(tmp_path / "reader", "kill -SEGV $$"))
+
+
+MAGIC = struct.pack("<Q", 0x31454E4543534C50)
+
+
+@pytest.mark.parametrize(
+    "stream",
+    [
+        b"",
+        MAGIC,
+        b"not a stream at all",
+        MAGIC + struct.pack("<III", 0, 0, 0xFFFFFFFF),
+        MAGIC + struct.pack("<IIIII", 0, 0, 0, 0, 0xFFFFFFFF),
+        MAGIC + struct.pack("<IIIIIII", 0, 0, 0, 0, 1, 0, 0xFFFFFFFF) + b"\0" * 64,
+        MAGIC + struct.pack("<IIIII", 0, 0, 0, 0, 0) + MAGIC + b"more",
+    ],
+)
+def test_a_stream_that_lies_about_its_counts_is_refused(stream, organ, tmp_path):
+    (tmp_path / "stream").write_bytes(stream)
+    reader = program(tmp_path / "reader", f"cat '{tmp_path / 'stream'}'")
+
+    with pytest.raises(palpate.FileError, match="half way"):
+        read_mesh(organ, reader=reader)
+
+
+def test_a_stream_with_an_index_out_of_range_is_refused(organ, tmp_path):
+    part = struct.pack("<I4sI9dI3i", 4, b"part", 3, *range(9), 1, 0, 1, 3)
+    (tmp_path / "stream").write_bytes(MAGIC + struct.pack("<IIIII", 0, 0, 0, 0, 1) + part + MAGIC)
+    reader = program(tmp_path / "reader", f"cat '{tmp_path / 'stream'}'")
+
+    with pytest.raises(palpate.FileError, match="vertex 3"):
+        read_mesh(organ, reader=reader)
+
+
+def test_a_missing_reader_is_named(organ, tmp_path):
+    with pytest.raises(palpate.FileError, match="palpate-read-mesh"):
+        read_mesh(organ, reader=tmp_path / "nowhere")
+
+
+def test_a_reader_keeps_to_its_memory(tmp_path):
+    path = tmp_path / "organ.stl"
+    count = 200_000
+    path.write_bytes(b" " * 80 + struct.pack("<I", count) + b"\0" * (50 * count))
+
+    with pytest.raises(palpate.FileError):
+        read_mesh(path, memory_limit=20_000_000)
+
+
+@pytest.mark.parametrize("limits", [{"time_limit": 0.0}, {"time_limit": float("nan")}])
+def test_limits_that_are_no_limits_are_refused(limits, organ):
+    with pytest.raises(ValueError, match="time_limit"):
+        read_mesh(organ, **limits)
+
+
+def test_the_reader_is_found_beside_the_package():
+    assert os.access(READER, os.X_OK)
