@@ -1,0 +1,249 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The force plot: what the hand feels against time, with the runs before it to compare."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pyqtgraph as pg
+from numpy.typing import ArrayLike
+from palpate.render.force_plot import RUN_COLOURS
+from palpate.render.theme import THEMES
+from palpate.whole_file import write_whole
+from PySide6.QtCore import QEvent, QPoint, Qt, QTimer, Signal
+from PySide6.QtGui import QAction, QColor
+from PySide6.QtWidgets import QFileDialog, QMenu, QVBoxLayout, QWidget
+
+from palpate_editor.views.touch.force_trace import ForceTrace, write_csv
+
+FRAME = 33
+"""[ms] between two drawings, about 30 a second."""
+SPAN = 10.0
+"""[s] shown at once."""
+COMPARED = 3
+"""Earlier runs kept beside the newest."""
+LEAST_FORCE = 0.5
+"""[N] at the top of the axis: noise of a resting hand should not fill the plot."""
+HEADROOM = 1.4
+"""[-] of the axis above the highest force, for the legend and the peak's label."""
+AXIS_WIDTH = 48
+"""[px] so that the plot does not jump when the labels gain a digit."""
+
+
+class ForcePlot(QWidget):
+    """Draws the newest run and a few before it. Feed it with begin, add and finish."""
+
+    said = Signal(str)
+    """A sentence worth the status bar."""
+    failed = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None):
+        super().__init__(parent)
+        self.setObjectName("force_plot")
+        self.traces: list[ForceTrace] = []
+        """Oldest first; the last one is the newest."""
+        self._plot = pg.PlotWidget(self)
+        self._plot.setMenuEnabled(False)
+        self._plot.hideButtons()
+        self._plot.getAxis("left").setWidth(AXIS_WIDTH)
+        self._legend = self._plot.addLegend(offset=(-8, 2), labelTextSize="9pt", colCount=4)
+        self._curves: list[pg.PlotDataItem] = []
+        self._peak_mark = pg.ScatterPlotItem(size=9)
+        self._peak_text = pg.TextItem(anchor=(0.5, 1.25))
+        self._empty_text = pg.TextItem(anchor=(0.5, 0.5))
+        for item in (self._peak_mark, self._peak_text, self._empty_text):
+            self._plot.addItem(item, ignoreBounds=True)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self._plot)
+        self._plot.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self._plot.customContextMenuRequested.connect(self._show_menu)
+        self._build_actions()
+        self._timer = QTimer(self, interval=FRAME)
+        self._timer.timeout.connect(self._draw_if_new)
+        self._new = False
+        self._theme = "dark"
+        self._dress()
+
+    def _build_actions(self) -> None:
+        self.clear_action = QAction(self.tr("Clear the plot"), self)
+        self.clear_action.triggered.connect(self.clear)
+        self.export_action = QAction(self.tr("Export as CSV…"), self)
+        self.export_action.triggered.connect(self.choose_csv)
+        self.fit_action = QAction(self.tr("Show the last seconds"), self)
+        self.fit_action.triggered.connect(self.show_last)
+        self.all_action = QAction(self.tr("Show whole runs"), self)
+        self.all_action.triggered.connect(self.show_all)
+
+    # ------------------------------------------------------------ feeding
+
+    def begin(self, name: str) -> None:
+        """Starts a new run; those before it stay to compare."""
+        self.traces = [trace for trace in self.traces if len(trace)][-COMPARED:]
+        self.traces.append(ForceTrace(name))
+        self._rebuild_curves()
+        self._new = True
+        self._timer.start()
+
+    def add(self, time: float, force: ArrayLike) -> None:
+        """A moment [s] [N] of the newest run."""
+        if self.traces:
+            self.traces[-1].add(time, force)
+            self._new = True
+
+    def finish(self, time: ArrayLike | None = None, force: ArrayLike | None = None) -> None:
+        """Ends the newest run; with its record's every tick in place of what was drawn live."""
+        if self.traces and time is not None and force is not None:
+            self.traces[-1].replace(time, force)
+        self._timer.stop()
+        self._new = True
+        self._draw_if_new()
+
+    def clear(self) -> None:
+        """Forgets all runs but one that is going on, which begins anew."""
+        running = self._timer.isActive() and self.traces
+        self.traces = [ForceTrace(self.traces[-1].name)] if running else []
+        self._rebuild_curves()
+        self._draw()
+
+    # ------------------------------------------------------------ files
+
+    def choose_csv(self) -> None:
+        """Asks for a file and writes the runs into it."""
+        if not self.traces:
+            self.failed.emit(self.tr("There is no run to export yet: press the organ first."))
+            return
+        chosen, _ = QFileDialog.getSaveFileName(
+            self, self.tr("Export forces"), "forces.csv", self.tr("Table (*.csv)")
+        )
+        if chosen:
+            self.export_csv(Path(chosen))
+
+    def export_csv(self, path: Path) -> None:
+        """Writes all runs in the plot, whole or not at all."""
+        path = path if path.suffix else path.with_suffix(".csv")
+        try:
+            write_whole(path, write_csv(self.traces).encode())
+        except OSError as problem:
+            self.failed.emit(
+                self.tr("The forces were not exported: %1").replace("%1", str(problem))
+            )
+            return
+        self.said.emit(self.tr("Forces exported to %1").replace("%1", str(path)))
+
+    # ------------------------------------------------------------ drawing
+
+    def use_theme(self, theme: str) -> None:
+        """`dark` or `light`."""
+        self._theme = theme
+        self._dress()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_timer"):
+            self.use_theme("dark" if self.palette().base().color().lightness() < 128 else "light")
+
+    def _dress(self) -> None:
+        theme = THEMES[self._theme]
+        self._plot.setBackground(self.palette().base().color())
+        text, faint = to_colour(theme.text), to_colour(theme.faint)
+        labels = {"left": self.tr("Force [N]"), "bottom": self.tr("Time [s]")}
+        for side, label in labels.items():
+            axis = self._plot.getAxis(side)
+            axis.setPen(pg.mkPen(faint))
+            axis.setTextPen(pg.mkPen(text))
+            axis.enableAutoSIPrefix(False)
+            axis.setLabel(label, color=text.name())
+        self._plot.showGrid(x=True, y=True, alpha=0.18)
+        self._legend.setLabelTextColor(text)
+        self._legend.setBrush(pg.mkBrush(*(round(255 * c) for c in theme.panel), 170))
+        self._peak_text.setColor(text)
+        self._empty_text.setColor(faint)
+        self._empty_text.setText(self.tr("Press the organ: the force appears here"))
+        self._rebuild_curves()
+        self._draw()
+
+    def _rebuild_curves(self) -> None:
+        for curve in self._curves:
+            self._plot.removeItem(curve)
+        self._curves = []
+        colours = [QColor.fromRgbF(*colour) for colour in RUN_COLOURS[self._theme]]
+        for age, trace in enumerate(reversed(self.traces)):
+            colour = QColor(colours[age % len(colours)])
+            colour.setAlphaF(1.0 if age == 0 else 0.55)
+            pen = pg.mkPen(colour, width=2 if age == 0 else 1)
+            curve = pg.PlotDataItem(pen=pen, autoDownsample=True, clipToView=True)
+            curve.setZValue(-age)
+            self._plot.addItem(curve)
+            self._curves.append(curve)
+            if age:
+                curve.setData(trace.time, trace.size)
+            self._legend.addItem(curve, describe_trace(trace))
+        self._peak_mark.setBrush(pg.mkBrush(colours[0]))
+        self._peak_mark.setPen(pg.mkPen(to_colour(THEMES[self._theme].text)))
+
+    def _draw_if_new(self) -> None:
+        if self._new and self.isVisible():
+            self._draw()
+            self._new = False
+
+    def showEvent(self, event: QEvent) -> None:
+        super().showEvent(event)
+        self._draw()
+
+    def _draw(self) -> None:
+        empty = not any(len(trace) for trace in self.traces)
+        self._empty_text.setVisible(empty)
+        self._legend.setVisible(not empty)
+        peak = None
+        if self.traces:
+            newest = self.traces[-1]
+            self._curves[0].setData(newest.time, newest.size)
+            self._legend.getLabel(self._curves[0]).setText(describe_trace(newest))
+            peak = newest.find_peak()
+        self._peak_mark.setData(*([[peak[0]], [peak[1]]] if peak else [[], []]))
+        self._peak_text.setVisible(peak is not None)
+        if peak:
+            self._peak_text.setText(f"{peak[1]:.2f} N")
+            self._peak_text.setPos(*peak)
+        self.show_last()
+
+    def show_last(self) -> None:
+        """The newest seconds of the newest run, and a little room above its force."""
+        last = float(self.traces[-1].time[-1]) if self.traces and len(self.traces[-1]) else 0.0
+        end = max(last, *(float(t.time[-1]) for t in self.traces if len(t))) if last else SPAN
+        if self._timer.isActive() or end > SPAN:
+            end = max(last, SPAN)
+        self._show_span(max(0.0, end - SPAN), end)
+
+    def show_all(self) -> None:
+        """All runs from beginning to end."""
+        ends = [float(trace.time[-1]) for trace in self.traces if len(trace)]
+        self._show_span(0.0, max(ends, default=SPAN))
+
+    def _show_span(self, start: float, end: float) -> None:
+        top = LEAST_FORCE
+        for trace in self.traces:
+            seen = trace.size[np.searchsorted(trace.time, start) :]
+            top = max(top, float(seen.max(initial=0.0)))
+        self._plot.setXRange(start, end, padding=0.01)
+        self._plot.setYRange(0.0, HEADROOM * top, padding=0.0)
+        self._empty_text.setPos((start + end) / 2, HEADROOM / 2 * top)
+
+    def _show_menu(self, place: QPoint) -> None:
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu.addActions([self.fit_action, self.all_action])
+        menu.addSeparator()
+        menu.addActions([self.export_action, self.clear_action])
+        menu.popup(self._plot.mapToGlobal(place))
+
+
+def describe_trace(trace: ForceTrace) -> str:
+    peak = trace.find_peak()
+    return f"{trace.name}: {peak[1]:.2f} N" if peak else trace.name
+
+
+def to_colour(colour: tuple[float, float, float]) -> QColor:
+    return QColor.fromRgbF(*colour)
