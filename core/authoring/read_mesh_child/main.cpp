@@ -8,6 +8,7 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <new>
 
@@ -17,8 +18,12 @@
 namespace palpate::authoring {
 namespace {
 
+/// A tighter limit that the caller runs under stays.
 void limit(int resource, rlim_t most) {
-  const rlimit both{most, most};
+  rlimit now{};
+  if (getrlimit(resource, &now) != 0) std::_Exit(5);
+  const rlim_t least = std::min(most, now.rlim_max);
+  const rlimit both{least, least};
   if (setrlimit(resource, &both) != 0) std::_Exit(5);
 }
 
