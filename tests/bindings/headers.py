@@ -50,6 +50,9 @@ def split_statements(text: str) -> Iterator[tuple[str, str | None]]:
     at = start = depth = 0
     while at < len(text):
         letter = text[at]
+        if letter == '"':
+            at = text.index('"', at + 1) + 1
+            continue
         depth += {"(": 1, ")": -1}.get(letter, 0)
         if letter == ";" and depth == 0:
             yield text[start:at].strip(), None
@@ -64,7 +67,11 @@ def split_statements(text: str) -> Iterator[tuple[str, str | None]]:
 
 def find_brace(text: str, opening: int) -> int:
     depth = 0
+    quoted = False
     for at in range(opening, len(text)):
+        quoted ^= text[at] == '"'
+        if quoted:
+            continue
         depth += {"{": 1, "}": -1}.get(text[at], 0)
         if depth == 0:
             return at

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Children that save over one file without end, each killed at a moment of its own.
+
+    python save_again_and_again.py FILE OLD NEW MOMENTS...        prints one JSON list
+
+Every child writes OLD's and NEW's contents over FILE in turn. After each kill the list gains what
+FILE is, "old", "new" or what is wrong with it, and whether the kill came in the middle of a file:
+then part of one stands beside FILE, and is removed.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import sys
+import time
+from pathlib import Path
+
+import palpate.scenario as scenario
+
+
+def save_for_ever(path: str, contents: list[scenario.Scenario], started: int) -> None:
+    scenario.write(path, contents[0])
+    os.write(started, b".")
+    while True:
+        for content in reversed(contents):
+            scenario.write(path, content)
+
+
+def kill_while_saving(path: str, contents: list[scenario.Scenario], moment: float) -> None:
+    ours, theirs = os.pipe()
+    child = os.fork()
+    if child == 0:
+        save_for_ever(path, contents, theirs)
+    os.read(ours, 1)
+    time.sleep(moment)
+    os.kill(child, signal.SIGKILL)
+    os.waitpid(child, 0)
+    os.close(ours)
+    os.close(theirs)
+
+
+def remove_parts(path: Path) -> bool:
+    parts = [part for part in path.parent.iterdir() if part != path]
+    for part in parts:
+        part.unlink()
+    return bool(parts)
+
+
+def main(path: str, old: str, new: str, *moments: str) -> list[tuple[str, bool]]:
+    contents = [scenario.read(old), scenario.read(new)]
+    whole = {Path(old).read_bytes(): "old", Path(new).read_bytes(): "new"}
+    found = []
+    for moment in moments:
+        kill_while_saving(path, contents, float(moment))
+        try:
+            scenario.read(path)
+            words = whole.get(Path(path).read_bytes(), "neither")
+        except OSError as problem:
+            words = str(problem)
+        found.append((words, remove_parts(Path(path))))
+    return found
+
+
+if __name__ == "__main__":
+    print(json.dumps(main(*sys.argv[1:])))
