@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One strip over the viewport where the window speaks: a sentence, and no box to click away."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
+
+from palpate_editor.views.icons import draw_icon, icon
+from palpate_editor.views.theme import Colours
+from palpate_editor.views.words import tr
+
+SHORT = 7000
+"""[ms] a mere information stays; what went wrong stays until it is read or mended."""
+SIGNS = {"error": ("cross", "bad"), "warning": ("warning", "warning"), "info": ("info", "good")}
+
+
+class MessageBar(QWidget):
+    """Shows the newest sentence."""
+
+    closed = Signal()
+
+    def __init__(self, colours: Colours, parent: QWidget | None = None):
+        super().__init__(parent)
+        self.setObjectName("message_bar")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.colours, self.severity = colours, "info"
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(12, 7, 7, 7)
+        layout.setSpacing(10)
+        self.sign = QLabel(self)
+        self.label = QLabel(self)
+        self.label.setWordWrap(True)
+        self.label.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self.label.setTextFormat(Qt.TextFormat.PlainText)
+        self.label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.button = QToolButton(self)
+        self.button.setToolTip(tr("Dismiss"))
+        self.button.clicked.connect(self.dismiss)
+        layout.addWidget(self.sign)
+        layout.addWidget(self.label, 1)
+        layout.addWidget(self.button)
+        self.timer = QTimer(self, singleShot=True, interval=SHORT)
+        self.timer.timeout.connect(self.dismiss)
+        self.use_colours(colours)
+        self.hide()
+
+    def use_colours(self, colours: Colours) -> None:
+        self.colours = colours
+        self.button.setIcon(icon("cross", colours.faint))
+        self.dress()
+
+    def dress(self) -> None:
+        sign, colour = SIGNS[self.severity]
+        self.sign.setPixmap(draw_icon(sign, getattr(self.colours, colour), 18, 2.0))
+
+    @property
+    def text(self) -> str:
+        """The sentence shown; empty where there is none."""
+        return "" if self.isHidden() else self.label.text()
+
+    def tell(self, sentence: str, severity: str = "error") -> None:
+        self.severity = severity
+        self.label.setText(sentence)
+        self.dress()
+        self.show()
+        if severity == "info":
+            self.timer.start()
+        else:
+            self.timer.stop()
+
+    def dismiss(self) -> None:
+        self.timer.stop()
+        self.hide()
+        self.closed.emit()

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Words for people: translation, and numbers with their unit."""
+
+from __future__ import annotations
+
+import math
+
+from PySide6.QtCore import QCoreApplication
+
+from palpate_editor.document import Phrase
+
+CONTEXT = "Editor"
+THIN_SPACE = "\N{NARROW NO-BREAK SPACE}"
+
+
+def tr(text: str) -> str:
+    """The text in the language of the window."""
+    return QCoreApplication.translate(CONTEXT, text)
+
+
+def say(text: object) -> str:
+    """A sentence of another room in the language of the window, where it knows how it was made."""
+    if isinstance(text, Phrase):
+        values = {key: say(value) for key, value in text.values.items()}
+        return tr(text.template).format(**values) if values else tr(text.template)
+    return text if isinstance(text, int | float) else str(text)  # type: ignore[return-value]
+
+
+def number(value: float, digits: int = 4) -> str:
+    """At most `digits` that count, thousands apart, a true minus sign and no e+07."""
+    if value is None or not math.isfinite(value):
+        return "\N{EN DASH}"
+    if value == 0.0:
+        return "0"
+    power = math.floor(math.log10(abs(value)))
+    if power >= 6 or power < -4:
+        power = math.floor(math.log10(float(f"{abs(value):.{digits - 1}e}")))
+        mantissa = f"{value / 10.0**power:.{digits - 1}f}"
+        mantissa = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
+        return (mantissa + "\N{MULTIPLICATION SIGN}10" + superscript(power)).replace("-", "−")
+    decimals = max(0, digits - 1 - power)
+    text = f"{value:,.{decimals}f}"
+    if "." in text:
+        text = text.rstrip("0").rstrip(".")
+    return text.replace(",", THIN_SPACE).replace("-", "−")
+
+
+def superscript(power: int) -> str:
+    return str(power).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+
+
+def count(value: int) -> str:
+    """A whole number with its thousands apart."""
+    return f"{value:,}".replace(",", THIN_SPACE)
+
+
+def quantity(value: float | None, unit: str, digits: int = 4) -> str:
+    """A number and its unit, held together; a dash where there is none."""
+    if value is None or not math.isfinite(value):
+        return "\N{EN DASH}"
+    return f"{number(value, digits)}\N{NO-BREAK SPACE}{unit}" if unit else number(value, digits)
