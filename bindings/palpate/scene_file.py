@@ -10,12 +10,12 @@ from __future__ import annotations
 
 import hashlib
 import json
-import math
 from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any, get_type_hints
 
 import palpate
+from palpate.json_part import read_part
 from palpate.mesh_file import read_mesh_file
 from palpate.scene_parts import KINDS, SceneFile
 from palpate.verb import Refusal
@@ -55,65 +55,8 @@ def read_scene_file(path: Path) -> SceneFile:
         raise Refusal(path, "", f"unknown part {sorted(unknown)[0]!r}", ", ".join(PARTS))
     parts = {}
     for name, kind in PARTS.items():
-        section = data.get(name, {})
-        if not isinstance(section, dict):
-            raise Refusal(path, name, json_kind(section), "an object")
-        parts[name] = read_part(path, name, kind, section)
+        parts[name] = read_part(path, name, kind, data.get(name, {}))
     return SceneFile(**parts)
-
-
-def read_part(path: Path, name: str, kind: type, section: dict[str, Any]) -> Any:
-    known = {f.name for f in fields(kind)}
-    unknown = set(section) - known
-    if unknown:
-        raise Refusal(
-            path,
-            f"{name}.{sorted(unknown)[0]}",
-            "an unknown field",
-            "one of " + ", ".join(sorted(known)),
-        )
-    hints = get_type_hints(kind)
-    values = {
-        key: read_value(path, f"{name}.{key}", hints[key], value) for key, value in section.items()
-    }
-    try:
-        return kind(**values)
-    except TypeError:
-        missing = sorted(known - set(section))
-        raise Refusal(path, name, "no " + ", ".join(missing), "every field of it") from None
-
-
-def read_value(path: Path, where: str, hint: Any, value: Any) -> Any:
-    """One field, checked against its annotation. Numbers must be finite."""
-
-    def is_number(item: Any) -> bool:
-        return isinstance(item, int | float) and not isinstance(item, bool) and math.isfinite(item)
-
-    def is_whole(item: Any) -> bool:
-        return isinstance(item, int) and not isinstance(item, bool)
-
-    if hint is str and isinstance(value, str):
-        return value
-    if hint is float and is_number(value):
-        return float(value)
-    if hint == float | None and (value is None or is_number(value)):
-        return None if value is None else float(value)
-    if hint == tuple[int, ...] and isinstance(value, list) and all(map(is_whole, value)):
-        return tuple(value)
-    if hint == tuple[float, ...] and isinstance(value, list) and all(map(is_number, value)):
-        return tuple(float(item) for item in value)
-    expected = {
-        str: "text",
-        float: "a finite number",
-        tuple[int, ...]: "a list of whole numbers",
-        tuple[float, ...]: "a list of finite numbers",
-    }.get(hint, "a finite number or null")
-    raise Refusal(path, where, json_kind(value), expected)
-
-
-def json_kind(value: Any) -> str:
-    text = json.dumps(value)
-    return text if len(text) <= 40 else text[:37] + "..."
 
 
 def hash_file(path: Path) -> str:

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The organ on the desk, its history, and the only way to change it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, QObject, Signal
+from PySide6.QtGui import QUndoCommand, QUndoStack
+
+from palpate_editor.document import EMPTY, Organ
+from palpate_editor.document.files import read_organ, write_organ
+from palpate_editor.edits import Edit
+
+REMEMBERED = 200
+"""Steps that can be undone. They share what they did not change, so most cost little."""
+
+
+class Session(QObject):
+    """One organ being edited. Every change goes through `apply`, one call for one step of undo."""
+
+    changed = Signal(object, object)
+    """before, after: views redraw what is not the same object."""
+    title_changed = Signal()
+    """The name, the file or the unsaved marker is another."""
+
+    def __init__(self, organ: Organ = EMPTY, parent: QObject | None = None):
+        super().__init__(parent)
+        self.organ = organ
+        self.path: Path | None = None
+        self.tested: Organ | None = None
+        """The organ that was felt last, as it was then."""
+        self.history = QUndoStack(self)
+        self.history.setUndoLimit(REMEMBERED)
+        self.history.cleanChanged.connect(self._tell_title)
+
+    @property
+    def name(self) -> str:
+        """What a window calls the document: its file, else the organ, else empty."""
+        return self.path.name if self.path else self.organ.name
+
+    @property
+    def saved(self) -> bool:
+        return self.history.isClean()
+
+    def apply(self, edit: Edit) -> None:
+        """Applies an edit and remembers it. On EditError nothing has changed."""
+        self.history.push(_Applied(self, edit))
+
+    def show(self, organ: Organ) -> None:
+        """Puts another organ on the desk; `apply`, undo and redo are the ways to call this."""
+        before, self.organ = self.organ, organ
+        self.changed.emit(before, organ)
+        if before.name != organ.name:
+            self.title_changed.emit()
+
+    def start_anew(self) -> None:
+        """An empty desk."""
+        self._lay_down(EMPTY, None)
+
+    def open(self, path: Path) -> None:
+        """Reads a working file. Raises FileError or OSError, and then nothing has changed."""
+        self._lay_down(read_organ(path), path)
+
+    def restore(self, organ: Organ, path: Path | None) -> None:
+        """Puts back what a crash left unsaved: it belongs to `path` but is not what is there."""
+        self._lay_down(organ, path)
+        self.history.resetClean()
+        self.title_changed.emit()
+
+    def save(self, path: Path | None = None) -> None:
+        """Writes the organ to its file or to another, whole or not at all.
+
+        Raises ValueError where there is no file yet, FileError where the disk refuses.
+        """
+        target = path or self.path
+        if target is None:
+            raise ValueError("save: found no file yet, expected a path")
+        write_organ(target, self.organ)
+        self.path = target
+        self.history.setClean()
+        self.title_changed.emit()
+
+    def mark_tested(self) -> None:
+        """The organ on the desk has been felt."""
+        self.tested = self.organ
+
+    @property
+    def is_tested(self) -> bool:
+        """Whether the organ was felt as it is now."""
+        return self.tested is self.organ
+
+    def _lay_down(self, organ: Organ, path: Path | None) -> None:
+        self.history.clear()
+        self.path, self.tested = path, None
+        self.show(organ)
+        self.title_changed.emit()
+
+    def _tell_title(self) -> None:
+        self.title_changed.emit()
+
+
+class _Applied(QUndoCommand):
+    """Documents are values, so to undo is to remember: no edit writes its own inverse."""
+
+    def __init__(self, session: Session, edit: Edit):
+        super().__init__(QCoreApplication.translate("edits", edit.title))
+        self.session, self.before, self.after = session, session.organ, edit(session.organ)
+
+    def redo(self) -> None:
+        self.session.show(self.after)
+
+    def undo(self) -> None:
+        self.session.show(self.before)

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From what a designer decided to what ticks: Organ -> Scene."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import palpate
+from palpate.scene_file import compile_scene
+from palpate.scene_parts import SceneFile
+
+from palpate_editor.document import Organ, Surface
+
+
+def mesh_of(surface: Surface) -> palpate.SurfaceMesh:
+    return palpate.SurfaceMesh(surface.vertices, surface.triangles)
+
+
+def surface_of(mesh: palpate.SurfaceMesh) -> Surface:
+    return Surface(np.asarray(mesh.vertices), np.asarray(mesh.triangles))
+
+
+def parts_of(organ: Organ) -> SceneFile:
+    """The organ's numbers as a scene file has them, with what was painted among them."""
+    scale = organ.stiffness_scale
+    model = replace(
+        organ.model,
+        fixed=tuple(np.flatnonzero(organ.fixed).tolist()),
+        stiffness_scale=tuple(scale.tolist()) if (scale != 1.0).any() else (),
+    )
+    return SceneFile(
+        organ=None, material=organ.material, model=model, tool=organ.tool, hand=organ.hand
+    )
+
+
+def compile_organ(organ: Organ) -> palpate.Scene:
+    """A scene that ticks. Raises ValueError naming what is wrong.
+
+    Takes as long as finding the largest eigenvalues does: some tenths of a second for a large
+    organ, on any thread.
+    """
+    if organ.surface is None:
+        raise ValueError("organ: found no surface, expected an imported mesh")
+    return compile_scene(parts_of(organ), mesh_of(organ.surface))
+
+
+def compute_stability_margin(scene: palpate.Scene) -> float:
+    """How many times longer the tissue's steps could be before they may become unstable.
+
+    1 / rate / substeps is the step that is taken; what the tool's spring adds counts, so that the
+    figure is that of the organ while it is held.
+    """
+    step = 1.0 / scene.rate / scene.substeps
+    return float(palpate.stable_step(scene.tissue, scene.hold_stiffness) / step)

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a designer works on, as values: an organ, its surface, where it came from.
+
+Nothing here changes once made. An edit makes a new organ that shares with the old one whatever it
+left alone, so to undo is to remember. No Qt and no simulation.
+"""
+
+from __future__ import annotations
+
+from palpate_editor.document.organ import EMPTY, Decimation, Organ, Repairs, Source
+from palpate_editor.document.phrase import Phrase, phrase
+from palpate_editor.document.surface import Surface, freeze
+
+__all__ = [
+    "EMPTY",
+    "Decimation",
+    "Organ",
+    "Phrase",
+    "Repairs",
+    "Source",
+    "Surface",
+    "freeze",
+    "phrase",
+]

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The numbers a designer may set: what they are called, their units, and what they may be.
+
+Forms, edits and checks all read this one table.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from palpate.scene_parts import KINDS
+
+from palpate_editor.document.phrase import Phrase, phrase
+
+
+@dataclass(frozen=True)
+class Constant:
+    """One number of a part of an organ."""
+
+    part: str
+    """material, model, tool or hand."""
+    field: str
+    label: str
+    """What people call it."""
+    unit: str
+    """As shown; empty for a bare ratio."""
+    scale: float = 1.0
+    """1 of the unit shown, in SI."""
+    least: float = 0.0
+    above: bool = True
+    """The least itself is not allowed."""
+    most: float = math.inf
+    optional: bool = False
+    """None stands for `absent`."""
+    absent: str = ""
+    kinds: tuple[str, ...] = KINDS
+    """The model kinds on which it has an effect."""
+
+    @property
+    def key(self) -> str:
+        return f"{self.part}.{self.field}"
+
+    def allows(self, value: float) -> bool:
+        if not math.isfinite(value):
+            return False
+        return (value > self.least if self.above else value >= self.least) and value <= self.most
+
+    def describe_range(self) -> Phrase:
+        """In the unit shown: "above 0 mm", "0 to 1", "any finite number"."""
+        low, high = self.least / self.scale, self.most / self.scale
+        if math.isinf(low) and math.isinf(high):
+            return phrase("any finite number")
+        if math.isinf(high):
+            template = "more than {low:g} {unit}" if self.above else "at least {low:g} {unit}"
+            return phrase(template, low=low, unit=self.unit)
+        template = (
+            "more than {low:g}, at most {high:g} {unit}"
+            if self.above
+            else "{low:g} to {high:g} {unit}"
+        )
+        return phrase(template, low=low, high=high, unit=self.unit)
+
+
+MOLECULAR = ("molecular",)
+ANY = -math.inf
+
+CONSTANTS = (
+    Constant("material", "density", "Density", "kg/m³"),
+    Constant("material", "damping_ratio", "Damping ratio", "", above=False),
+    Constant(
+        "material",
+        "wall_thickness",
+        "Wall thickness",
+        "mm",
+        scale=1e-3,
+        optional=True,
+        absent="solid",
+    ),
+    Constant("material", "young_modulus", "Young's modulus", "kPa", scale=1e3),
+    Constant("material", "poisson_ratio", "Poisson's ratio", "", least=-1.0, most=0.5),
+    Constant("model", "stiffness", "Stiffness", "N/m"),
+    Constant(
+        "model", "bend_stiffness", "Bend stiffness", "mJ", 1e-3, 0.0, above=False, kinds=MOLECULAR
+    ),
+    Constant("model", "stretch_coupling", "Stretch-bend", "N", least=ANY, kinds=MOLECULAR),
+    Constant(
+        "model",
+        "home_stiffness",
+        "Home springs",
+        "N/mm³",
+        scale=1e9,
+        above=False,
+        optional=True,
+        absent="by kind",
+    ),
+    Constant("model", "pressure", "Pressure", "kPa", scale=1e3, least=ANY),
+    Constant("model", "drag", "Drag", "1/s", above=False),
+    Constant("tool", "radius", "Tip radius", "mm", scale=1e-3),
+    Constant("tool", "stiffness", "Contact stiffness", "N/mm³", scale=1e9),
+    Constant("hand", "coupling", "Hand coupling", "N/m"),
+    Constant("hand", "force_max", "Largest force", "N"),
+    Constant("hand", "hold_stiffness", "Grip stiffness", "N/m"),
+    Constant("hand", "rate", "Tick rate", "Hz"),
+)
+"""In the order in which a form shows them."""
+
+CHOICES = {
+    "model.kind": KINDS,
+    "model.angle_law": ("gradient", "eq10"),
+    "model.damping_law": ("axis", "isotropic"),
+}
+
+
+def find_constant(part: str, field: str) -> Constant | None:
+    return next((c for c in CONSTANTS if (c.part, c.field) == (part, field)), None)

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Working files, `.organ`: the container of core/scenario/CONTAINER.md with a designer's document.
+
+What is written is what is read, to the last bit. Of a surface that is used as it was imported there
+is one copy, and it comes back as one object.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from palpate import FileError, scenario
+from palpate.json_part import json_kind, read_part, read_value
+from palpate.scene_parts import HandPart, MaterialPart, ModelPart, ToolPart
+from palpate.verb import Refusal
+
+from palpate_editor.document.organ import Decimation, Organ, Source
+from palpate_editor.document.surface import Surface
+
+FORMAT, VERSION = "organ", 1
+ARRAYS_OF_MODEL = ("fixed", "stiffness_scale")
+"""Of the model part; arrays of the file stand for them."""
+WORDS = ("name", "title", "task")
+NUMBERS = {"material": MaterialPart, "model": ModelPart, "tool": ToolPart, "hand": HandPart}
+ORIGINS = {"source": Source, "decimation": Decimation}
+
+Json = dict[str, Any]
+Arrays = dict[str, np.ndarray]
+MIGRATIONS: dict[int, Callable[[Json, Arrays], tuple[Json, Arrays]]] = {}
+"""Version -> what makes of a document of that version one of the next."""
+
+
+def write_organ(path: Path, organ: Organ) -> None:
+    """Leaves `path` as it was or writes all of the new file. Raises FileError."""
+    content, arrays = pack_organ(organ)
+    try:
+        scenario.write_container(
+            os.fspath(path),
+            scenario.Container(
+                format=FORMAT, version=VERSION, content=json.dumps(content), arrays=arrays
+            ),
+        )
+    except ValueError as problem:
+        raise FileError(str(path), "", str(problem), "an organ that a file can hold") from None
+
+
+def read_organ(path: Path) -> Organ:
+    """Reads a file of this or an older version. Raises FileError for whatever is wrong."""
+    found = scenario.read_container(os.fspath(path), FORMAT, VERSION)
+    return unpack_organ(json.loads(found.content), found.arrays, found.version, str(path))
+
+
+def pack_organ(organ: Organ) -> tuple[Json, Arrays]:
+    """What a file keeps of an organ: a JSON object and arrays."""
+    content: Json = {name: getattr(organ, name) for name in WORDS}
+    for name in (*ORIGINS, *NUMBERS):
+        part = getattr(organ, name)
+        content[name] = None if part is None else asdict(part)
+    for name in ARRAYS_OF_MODEL:
+        del content["model"][name]
+    arrays: Arrays = {}
+    if organ.imported is not None:
+        arrays |= pack_surface("imported", organ.imported)
+    if organ.surface is not None:
+        if organ.surface is not organ.imported:
+            arrays |= pack_surface("surface", organ.surface)
+        arrays["fixed"] = np.flatnonzero(organ.fixed).astype(np.int32)
+        arrays["stiffness_scale"] = organ.stiffness_scale
+    return content, arrays
+
+
+def pack_surface(name: str, surface: Surface) -> Arrays:
+    return {f"{name}/vertices": surface.vertices, f"{name}/triangles": surface.triangles}
+
+
+def unpack_organ(content: Any, arrays: Mapping[str, Any], version: int, file: str) -> Organ:
+    """The organ that `pack_organ` gave `content` and `arrays` for. Raises FileError."""
+    owned = dict(arrays)
+    try:
+        for step in range(version, VERSION):
+            content, owned = MIGRATIONS[step](content, owned)
+        return unpack(content, owned, file)
+    except Refusal as refusal:
+        raise FileError(file, refusal.where, refusal.found, refusal.expected) from None
+
+
+def unpack(content: Any, arrays: Arrays, file: str) -> Organ:
+    known = {*WORDS, *ORIGINS, *NUMBERS}
+    if not isinstance(content, dict):
+        raise Refusal(file, "", json_kind(content), "an object")
+    if set(content) != known:
+        odd = sorted(set(content) ^ known)[0]
+        found = "an unknown field" if odd in content else "nothing"
+        raise Refusal(file, odd, found, "exactly " + ", ".join(sorted(known)))
+    parts: Json = {name: read_value(file, name, str, content[name]) for name in WORDS}
+    for name, kind in ORIGINS.items():
+        section = content[name]
+        parts[name] = None if section is None else read_part(file, name, kind, section, whole=True)
+    for name, kind in NUMBERS.items():
+        without = ARRAYS_OF_MODEL if kind is ModelPart else ()
+        parts[name] = read_part(file, name, kind, content[name], without=without, whole=True)
+    parts |= unpack_arrays(arrays, file)
+    return Organ(**parts)
+
+
+def unpack_arrays(arrays: Arrays, file: str) -> Json:
+    parts: Json = {}
+    for name in ("imported", "surface"):
+        if f"{name}/vertices" in arrays or f"{name}/triangles" in arrays:
+            parts[name] = unpack_surface(arrays, name, file)
+    parts.setdefault("surface", parts.get("imported"))
+    if parts["surface"] is not None:
+        count = len(parts["surface"].vertices)
+        ids = take(arrays, "fixed", np.int32, (None,), file)
+        if ids.size and (ids.min() < 0 or ids.max() >= count or (np.diff(ids) <= 0).any()):
+            raise Refusal(file, "fixed", "other numbers", f"ascending ones from 0 to {count - 1}")
+        parts["fixed"] = np.zeros(count, bool)
+        parts["fixed"][ids] = True
+        parts["stiffness_scale"] = take(arrays, "stiffness_scale", np.float64, (count,), file)
+    if arrays:
+        raise Refusal(file, sorted(arrays)[0], "an unknown array", "those of an organ")
+    return parts
+
+
+def unpack_surface(arrays: Arrays, name: str, file: str) -> Surface:
+    vertices = take(arrays, f"{name}/vertices", np.float64, (None, 3), file)
+    triangles = take(arrays, f"{name}/triangles", np.int32, (None, 3), file)
+    if triangles.size and (triangles.min() < 0 or triangles.max() >= len(vertices)):
+        raise Refusal(
+            file,
+            f"{name}/triangles",
+            f"vertex numbers {triangles.min()} to {triangles.max()}",
+            f"0 to {len(vertices) - 1}",
+        )
+    return Surface(vertices, triangles)
+
+
+def take(
+    arrays: Arrays, name: str, dtype: type, shape: tuple[int | None, ...], file: str
+) -> np.ndarray:
+    """Takes an array out of those of a file, so that what nobody takes can be refused."""
+    found = arrays.pop(name, None)
+    extents = ", ".join("n" if extent is None else str(extent) for extent in shape)
+    wanted = f"{np.dtype(dtype).str} of shape ({extents})"
+    if found is None:
+        raise Refusal(file, name, "no such array", wanted)
+    fits = len(found.shape) == len(shape) and all(
+        n in (None, m) for n, m in zip(shape, found.shape, strict=True)
+    )
+    if found.dtype != dtype or not fits:
+        raise Refusal(file, name, f"{found.dtype.str} of shape {found.shape}", wanted)
+    return found

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""An organ as its designer sees it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from palpate.scene_parts import HandPart, MaterialPart, ModelPart, ToolPart
+
+from palpate_editor.document.surface import Surface, freeze
+
+
+@dataclass(frozen=True)
+class Repairs:
+    """What was done to a foreign surface so that a tissue can be built on it."""
+
+    welded_vertices: int = 0
+    duplicate_triangles: int = 0
+    degenerate_triangles: int = 0
+    unused_vertices: int = 0
+    split_vertices: int = 0
+    turned_triangles: int = 0
+
+    @property
+    def total(self) -> int:
+        return sum(getattr(self, name) for name in self.__dataclass_fields__)
+
+
+@dataclass(frozen=True)
+class Source:
+    """Where a surface came from and how its file was understood."""
+
+    file: str
+    """The file's name."""
+    folder: str
+    """Where it lay, for reading it again; empty where that is nobody's business."""
+    sha256: str
+    """Of the file's bytes."""
+    format: str
+    parts_available: tuple[str, ...]
+    parts: tuple[str, ...]
+    """Those that were used, welded into one surface."""
+    unit: str
+    """m, cm, mm or in: what 1 in the file was taken to be."""
+    unit_guessed: bool
+    unit_reason: str
+    up: str
+    """x, y, z, -x, -y or -z: the file's axis that points up."""
+    up_guessed: bool
+    up_reason: str
+    repairs: Repairs = field(default_factory=Repairs)
+    notes: tuple[str, ...] = ()
+    """What was odd about the file but could be read all the same."""
+
+
+@dataclass(frozen=True)
+class Decimation:
+    """How a surface was made coarser, and how far it is from the one it was made of."""
+
+    vertices_before: int
+    triangles_before: int
+    vertices: int
+    triangles: int
+    smallest_angle_deg: float
+    mean_distance: float
+    """[m]"""
+    max_distance: float
+    """[m]"""
+
+
+@dataclass(frozen=True, eq=False)
+class Organ:
+    """All that a designer has decided. Half done is allowed; `check` says what is missing."""
+
+    name: str = ""
+    source: Source | None = None
+    imported: Surface | None = None
+    """As the file gave it, repaired; what is decimated."""
+    surface: Surface | None = None
+    """What a tissue is built on."""
+    decimation: Decimation | None = None
+    """None where the imported surface is used as it is."""
+    material: MaterialPart = field(default_factory=MaterialPart)
+    model: ModelPart = field(default_factory=ModelPart)
+    """Its `fixed` and `stiffness_scale` are not used: the arrays below stand for them."""
+    fixed: np.ndarray = field(default_factory=lambda: np.empty(0, bool))
+    """(n,) bool per vertex of the surface, held at rest; read-only"""
+    stiffness_scale: np.ndarray = field(default_factory=lambda: np.empty(0))
+    """[-] (n,) factor of the stiffness at each vertex; read-only"""
+    tool: ToolPart = field(default_factory=ToolPart)
+    hand: HandPart = field(default_factory=HandPart)
+    title: str = ""
+    """Of the published scenario."""
+    task: str = ""
+    """What the trainee is asked to do, in words."""
+
+    def __post_init__(self) -> None:
+        count = 0 if self.surface is None else len(self.surface.vertices)
+        object.__setattr__(self, "fixed", freeze(self.fixed, np.bool_, (count,)))
+        scale = freeze(self.stiffness_scale, np.float64, (count,))
+        object.__setattr__(self, "stiffness_scale", scale)
+
+    @property
+    def vertex_count(self) -> int:
+        return len(self.fixed)
+
+    def with_surface(self, surface: Surface) -> Organ:
+        """This organ on another surface, on which nothing is fixed or stiffened yet."""
+        count = len(surface.vertices)
+        return replace(
+            self, surface=surface, fixed=np.zeros(count, bool), stiffness_scale=np.ones(count)
+        )
+
+
+EMPTY = Organ()
+"""Nothing imported yet."""

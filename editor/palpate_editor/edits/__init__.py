@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Everything that can be done to an organ: frozen values, called with an organ, giving a new one.
+
+An edit that cannot be done raises EditError and has changed nothing. No edit writes its own
+inverse: documents are values, and to undo is to remember.
+"""
+
+from __future__ import annotations
+
+from palpate_editor.edits.decimate import Decimate, UseImported, decimate_organ
+from palpate_editor.edits.edit import Edit, EditError
+from palpate_editor.edits.fix import FixLowest, FixVertices
+from palpate_editor.edits.import_mesh import ImportMesh, import_file
+from palpate_editor.edits.name import SetName, SetTask
+from palpate_editor.edits.orient import SetUnit, SetUp
+from palpate_editor.edits.paint import PaintStiffness
+from palpate_editor.edits.repair import KeepLargestShell
+from palpate_editor.edits.set_constant import SetChoice, SetConstant, SetGravity, SetMaterial
+
+__all__ = [
+    "EVERY_EDIT",
+    "Decimate",
+    "Edit",
+    "EditError",
+    "FixLowest",
+    "FixVertices",
+    "ImportMesh",
+    "KeepLargestShell",
+    "PaintStiffness",
+    "SetChoice",
+    "SetConstant",
+    "SetGravity",
+    "SetMaterial",
+    "SetName",
+    "SetTask",
+    "SetUnit",
+    "SetUp",
+    "UseImported",
+    "decimate_organ",
+    "import_file",
+]
+
+EVERY_EDIT: tuple[type, ...] = (
+    ImportMesh,
+    SetUnit,
+    SetUp,
+    KeepLargestShell,
+    Decimate,
+    UseImported,
+    SetChoice,
+    SetConstant,
+    SetGravity,
+    SetMaterial,
+    FixVertices,
+    FixLowest,
+    PaintStiffness,
+    SetName,
+    SetTask,
+)
+"""Tests hold every one of them to the same laws."""

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bringing a foreign mesh file in. Reading takes long, so it is done before the edit is made."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, ClassVar
+
+import numpy as np
+
+from palpate_editor import authoring
+from palpate_editor.document import Organ, Repairs, Source, Surface
+
+
+@dataclass(frozen=True, eq=False)
+class ImportMesh:
+    """Put a surface that was read on the desk. Constants stay; what was painted goes."""
+
+    title: ClassVar[str] = "Import"
+
+    name: str
+    source: Source
+    surface: Surface
+
+    def __call__(self, organ: Organ) -> Organ:
+        fresh = replace(
+            organ.with_surface(self.surface),
+            source=self.source,
+            imported=self.surface,
+            decimation=None,
+        )
+        return replace(fresh, name=organ.name or self.name)
+
+
+def import_file(
+    path: Path,
+    *,
+    parts: Sequence[str] = (),
+    unit: str | None = None,
+    up: str | None = None,
+    **limits: Any,
+) -> ImportMesh:
+    """Reads, joins, repairs and orients a mesh file: seconds for a large one, on any thread.
+
+    Args:
+        path: The mesh file.
+        parts: Names of its parts to use; all when empty.
+        unit: See authoring.import_mesh.
+        up: See authoring.import_mesh.
+        limits: time_limit [s] and memory_limit [bytes] of the reader.
+
+    Raises FileError, ValueError (a wrong part, unit or axis) or OSError.
+    """
+    bytes_read = path.read_bytes()
+    scene = authoring.read_mesh(path, **limits)
+    imported = authoring.import_mesh(path, parts=parts, unit=unit, up=up, **limits)
+    joined, repaired = imported.joined, imported.repaired
+    source = Source(
+        file=path.name,
+        folder=str(path.resolve().parent),
+        sha256=hashlib.sha256(bytes_read).hexdigest(),
+        format=scene.format,
+        parts_available=tuple(part.name for part in scene.parts),
+        parts=tuple(joined.parts),
+        unit=joined.unit,
+        unit_guessed=joined.unit_guessed,
+        unit_reason=joined.unit_reason,
+        up=joined.up,
+        up_guessed=joined.up_guessed,
+        up_reason=joined.up_reason,
+        repairs=Repairs(
+            welded_vertices=joined.welded_vertices,
+            **{
+                name: getattr(repaired, name)
+                for name in Repairs.__dataclass_fields__
+                if name != "welded_vertices"
+            },
+        ),
+        notes=tuple(scene.notes),
+    )
+    mesh = imported.mesh
+    return ImportMesh(
+        path.stem, source, Surface(np.asarray(mesh.vertices), np.asarray(mesh.triangles))
+    )

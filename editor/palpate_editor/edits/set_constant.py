@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Setting the numbers and laws of tissue, tool and hand."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import ClassVar
+
+from palpate.scene_parts import MaterialPart, ModelPart
+
+from palpate_editor.document import Organ, phrase
+from palpate_editor.document.constants import CHOICES, CONSTANTS, find_constant
+from palpate_editor.edits.edit import EditError
+
+
+def replace_field(organ: Organ, part: str, field: str, value: object) -> Organ:
+    return replace(organ, **{part: replace(getattr(organ, part), **{field: value})})
+
+
+def check_constant(part: str, field: str, value: float | None) -> None:
+    constant = find_constant(part, field)
+    if constant is None:
+        raise EditError(phrase("There is no number {name}.", name=f"{part}.{field}"))
+    if value is None and constant.optional:
+        return
+    if value is None or not constant.allows(value):
+        got = "none" if value is None else f"{value / constant.scale:g} {constant.unit}".strip()
+        raise EditError(
+            phrase(
+                "{label} must be {range}, got {got}.",
+                label=constant.label,
+                range=constant.describe_range(),
+                got=got,
+            )
+        )
+
+
+@dataclass(frozen=True)
+class SetConstant:
+    """Set one number of the material, the model, the tool or the hand."""
+
+    part: str
+    field: str
+    value: float | None
+    """In SI, whatever unit a form shows; None where the table of constants allows it."""
+
+    @property
+    def title(self) -> str:
+        constant = find_constant(self.part, self.field)
+        return f"Set {constant.label}" if constant else "Set a number"
+
+    def __call__(self, organ: Organ) -> Organ:
+        check_constant(self.part, self.field, self.value)
+        value = None if self.value is None else float(self.value)
+        return replace_field(organ, self.part, self.field, value)
+
+
+@dataclass(frozen=True)
+class SetChoice:
+    """Choose a law: `kind`, `angle_law` or `damping_law` of the model."""
+
+    title: ClassVar[str] = "Choose a law"
+
+    field: str
+    value: str
+
+    def __call__(self, organ: Organ) -> Organ:
+        allowed = CHOICES.get(f"model.{self.field}", ())
+        if self.value not in allowed:
+            raise EditError(
+                phrase(
+                    "{field} must be one of {allowed}, got {got}.",
+                    field=self.field,
+                    allowed=", ".join(allowed) or "none",
+                    got=self.value,
+                )
+            )
+        return replace_field(organ, "model", self.field, self.value)
+
+
+@dataclass(frozen=True)
+class SetGravity:
+    """Let the organ have weight, in some direction."""
+
+    title: ClassVar[str] = "Set gravity"
+
+    gravity: tuple[float, float, float]
+    """[m/s²]"""
+
+    def __call__(self, organ: Organ) -> Organ:
+        if len(self.gravity) != 3 or not all(map(math.isfinite, self.gravity)):
+            raise EditError(phrase("Gravity is three finite numbers."))
+        return replace_field(organ, "hand", "gravity", tuple(map(float, self.gravity)))
+
+
+@dataclass(frozen=True)
+class SetMaterial:
+    """Give the organ a whole material and model at once: pasted from another, or a preset."""
+
+    title: ClassVar[str] = "Paste material"
+
+    material: MaterialPart
+    model: ModelPart
+
+    def __call__(self, organ: Organ) -> Organ:
+        for constant in CONSTANTS:
+            if constant.part in ("material", "model"):
+                value = getattr(getattr(self, constant.part), constant.field)
+                check_constant(constant.part, constant.field, value)
+        # which vertices are meant stands in the organ's own arrays
+        model = replace(self.model, fixed=(), stiffness_scale=())
+        changed = replace(organ, material=self.material, model=model)
+        for key in CHOICES:
+            field = key.removeprefix("model.")
+            changed = SetChoice(field, getattr(model, field))(changed)
+        return changed
