@@ -17,14 +17,13 @@ LIBEGL = "libEGL.so.1"
 """The names of run-time packages; glcontext's own defaults need the -dev packages."""
 
 
-@contextmanager
-def open_context(libgl: str = LIBGL, libegl: str = LIBEGL) -> Iterator[moderngl.Context]:
-    """An OpenGL 3.3 context of our own, current until the end of the with statement.
+def create_context(libgl: str = LIBGL, libegl: str = LIBEGL) -> moderngl.Context:
+    """An OpenGL 3.3 context of our own, to be entered in a with statement wherever it is used.
 
-    Raises RenderError where this machine has none.
+    Raises RenderError where this machine has none. Whoever made it calls its release().
     """
     try:
-        context = moderngl.create_context(
+        return moderngl.create_context(
             require=GL_VERSION, standalone=True, backend="egl", libgl=libgl, libegl=libegl
         )
     except Exception as problem:  # glcontext and moderngl raise bare Exception, ValueError, ...
@@ -33,6 +32,15 @@ def open_context(libgl: str = LIBGL, libegl: str = LIBEGL) -> Iterator[moderngl.
             f"libegl1 hold {libgl}, {libegl} and a software driver: "
             "apt-get install --no-install-recommends libgl1 libegl1"
         ) from problem
+
+
+@contextmanager
+def open_context(libgl: str = LIBGL, libegl: str = LIBEGL) -> Iterator[moderngl.Context]:
+    """An OpenGL 3.3 context of our own, current until the end of the with statement.
+
+    Raises RenderError where this machine has none.
+    """
+    context = create_context(libgl, libegl)
     try:
         with context:
             yield context

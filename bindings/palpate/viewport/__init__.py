@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The 3D view of a window: palpate.render's pictures, turned, picked and pressed with a mouse.
+
+Needs PySide6, which the plain `palpate` distribution does not: pip install "palpate[player]".
+"""
+
+from palpate.viewport.fbo_view import FboView
+from palpate.viewport.gl_view import GLView
+from palpate.viewport.hud import Hud
+from palpate.viewport.legend_bar import LegendBar
+from palpate.viewport.make_view import make_view
+from palpate.viewport.view_base import View, ViewBase, ViewTool
+
+__all__ = [
+    "FboView",
+    "GLView",
+    "Hud",
+    "LegendBar",
+    "View",
+    "ViewBase",
+    "ViewTool",
+    "make_view",
+]

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The view without a display: draws into memory through EGL, and Qt shows the pixels."""
+
+from __future__ import annotations
+
+import moderngl
+import numpy as np
+from PySide6.QtCore import QCoreApplication, QEvent, QPointF, QRect, Qt, Signal
+from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent
+from PySide6.QtWidgets import QWidget
+
+from palpate.render import RenderError
+from palpate.render.context import create_context
+from palpate.viewport.canvas import Canvas
+from palpate.viewport.view_base import ViewBase
+
+
+class FboView(ViewBase, QWidget):
+    """A view that needs no OpenGL of the window system; a sentence where there is none at all."""
+
+    frame_drawn = Signal()
+    hover = Signal(QPointF)
+
+    def __init__(self, parent: QWidget | None = None):
+        super().__init__(parent)
+        self._context: moderngl.Context | None = None
+        self._canvas: Canvas | None = None
+        self._pixels = np.zeros((1, 1, 4), np.uint8)
+        self.problem = ""
+        """Why nothing can be drawn, in a sentence; empty where it can."""
+        self.set_up()
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        del event
+        if self._context is None and not self.problem:
+            self._open()
+        painter = QPainter(self)
+        if self._context is None:
+            self._explain(painter)
+        else:
+            with self._context:
+                painter.drawImage(self.rect(), self._draw())
+        painter.end()
+        self.frame_drawn.emit()
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.DeferredDelete:
+            self.close_context()
+        return super().event(event)
+
+    def close_context(self) -> None:
+        """Gives back all OpenGL; the next frame opens it anew."""
+        if self._context is not None:
+            with self._context:
+                self.scenery.release()
+                if self._canvas is not None:
+                    self._canvas.release()
+            self._context.release()
+        self._context = self._canvas = None
+
+    def _open(self) -> None:
+        try:
+            self._context = create_context()
+        except RenderError as problem:
+            self.problem = str(problem)
+            return
+        with self._context:
+            self._canvas = Canvas(self._context)
+            self.scenery.build(self._context)
+            self.take_measure(self._context)
+
+    def _draw(self) -> QImage:
+        """The frame, whose pixels live until the next one."""
+        assert self._canvas is not None
+        renderer, quality = self.prepare_frame()
+        self._canvas.draw(renderer, self.camera, self.pixels(), quality)
+        width, height = self._canvas.size
+        if self._pixels.shape[:2] != (height, width):
+            self._pixels = np.empty((height, width, 4), np.uint8)
+        self._canvas.read(self._pixels)
+        frame = QImage(self._pixels.data, width, height, QImage.Format.Format_RGBX8888)
+        return frame.flipped(Qt.Orientation.Vertical)
+
+    def _explain(self, painter: QPainter) -> None:
+        theme = self.scenery.theme
+        painter.fillRect(self.rect(), QColor.fromRgbF(*theme.corner))
+        painter.setPen(QColor.fromRgbF(*theme.text))
+        words = QCoreApplication.translate(
+            "Viewport", "The organ cannot be drawn on this machine: %1"
+        )
+        margin = QRect(self.rect()).adjusted(24, 24, -24, -24)
+        flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+        painter.drawText(margin, flags, words.replace("%1", self.problem))

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A few numbers over the picture, as a child widget."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QPointF, QSize, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent
+from PySide6.QtWidgets import QWidget
+
+from palpate.render.theme import DARK, Theme
+
+PAD, GAP = 14, 22
+"""[px]"""
+
+
+class Hud(QWidget):
+    """Rows of a name and a number, such as force, time and cost; hidden when there are none."""
+
+    def __init__(self, parent: QWidget):
+        super().__init__(parent)
+        self.setObjectName("hud")
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.theme: Theme = DARK
+        self.rows: tuple[tuple[str, str], ...] = ()
+        self._numbers = QFont(self.font())
+        self._numbers.setWeight(QFont.Weight.DemiBold)
+        self._widest = (0.0, 0.0)
+        self.hide()
+
+    def show_rows(self, rows: Sequence[tuple[str, str]]) -> None:
+        """Names and what stands beside them, unit included; none hides the widget."""
+        rows = tuple(rows)
+        if rows == self.rows:
+            return
+        names = tuple(name for name, _ in rows)
+        if names != tuple(name for name, _ in self.rows):
+            self._widest = (0.0, 0.0)
+        self.rows = rows
+        self.setVisible(bool(rows))
+        if rows:
+            self.resize(self.sizeHint())
+            self.update()
+
+    def use_theme(self, theme: Theme) -> None:
+        self.theme = theme
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        names, numbers = QFontMetricsF(self.font()), QFontMetricsF(self._numbers)
+        left = max((names.horizontalAdvance(name) for name, _ in self.rows), default=0.0)
+        right = max((numbers.horizontalAdvance(number) for _, number in self.rows), default=0.0)
+        # only ever wider, or the panel would tremble with its digits
+        self._widest = (max(left, self._widest[0]), max(right, self._widest[1]))
+        width = sum(self._widest) + GAP + 2 * PAD
+        return QSize(round(width), round(1.35 * numbers.height() * len(self.rows) + 2 * PAD))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        del event
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor.fromRgbF(*self.theme.panel, 0.62))
+        painter.drawRoundedRect(self.rect(), 8, 8)
+        letters = QFontMetricsF(self._numbers)
+        y = PAD + letters.ascent()
+        for name, number in self.rows:
+            painter.setFont(self.font())
+            painter.setPen(QColor.fromRgbF(*self.theme.faint))
+            painter.drawText(QPointF(PAD, y), name)
+            painter.setFont(self._numbers)
+            painter.setPen(QColor.fromRgbF(*self.theme.text))
+            painter.drawText(
+                QPointF(self.width() - PAD - letters.horizontalAdvance(number), y), number
+            )
+            y += 1.35 * letters.height()
+        painter.end()

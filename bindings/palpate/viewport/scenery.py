@@ -1,0 +1,252 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a view shows, kept in main memory, so that it can be put on any graphics context."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import moderngl
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+import palpate
+from palpate.render import Legend, Look, Part, Renderer, build_arrow, build_sphere
+from palpate.render.theme import DARK, FORCE, SELECTED, STEEL, THEMES
+from palpate.viewport.ring import build_ring
+
+Array = NDArray[np.float64]
+
+PLAIN = Look(gloss=0.55, softness=0.3)
+# red light creeping round would be read as a value
+PAINTED = Look(mapped=True, gloss=0.4, softness=0.0)
+TOOL = Look(STEEL, gloss=1.0, softness=0.0, seen_through=True)
+ARROW = Look(FORCE, gloss=0.3, softness=0.0, seen_through=True, casts_shadow=False)
+RING = Look(SELECTED, gloss=0.0, softness=0.0, seen_through=True, casts_shadow=False)
+ARROW_RADIUS = 0.0065
+"""[-] of the surface's diagonal."""
+ROOM = 1.6
+"""[-] radius of all that may be in sight in radii of the surface: tools stand beside it."""
+
+
+class Thing:
+    """A surface as float32 streams, and the part that shows it while there is a context."""
+
+    def __init__(self, vertex_count: int, triangles: NDArray[np.integer], look: Look):
+        self.triangles, self.look, self.visible = triangles, look, True
+        self.streams = {
+            "position": np.zeros((vertex_count, 3), np.float32),
+            "normal": np.zeros((vertex_count, 3), np.float32),
+            "value": np.zeros(vertex_count, np.float32),
+            "selection": np.zeros(vertex_count, np.float32),
+            "openness": np.ones(vertex_count, np.float32),
+        }
+        self.part: Part | None = None
+        self._stale = set(self.streams)
+
+    def write(self, name: str, values: ArrayLike) -> None:
+        """Copies into a stream; nothing is allocated."""
+        np.copyto(self.streams[name], values, casting="same_kind")
+        self._stale.add(name)
+
+    def show_in(self, renderer: Renderer) -> None:
+        """Brings the part up to date. The context must be current."""
+        if not self.visible:
+            self.hide_from(renderer)
+            return
+        if self.part is None:
+            count = len(self.streams["position"])
+            self.part = renderer.add(count, self.triangles, self.look)
+            self._stale = set(self.streams)
+        self.part.look = self.look
+        self.part.update(**{name: self.streams[name] for name in self._stale})
+        self._stale.clear()
+
+    def hide_from(self, renderer: Renderer) -> None:
+        if self.part is not None:
+            renderer.remove(self.part)
+            self.part = None
+
+
+class Scenery:
+    """Surface, tool, arrow and ring. Only build, draw and release touch OpenGL.
+
+    Everything else writes arrays, so it may be called without a current context, before there is
+    one and after one was lost.
+    """
+
+    def __init__(self) -> None:
+        self.theme = DARK
+        self.legend: Legend | None = None
+        self.wireframe = True
+        self.vertices: Array = np.zeros((0, 3))
+        """[m] (n, 3) of the surface as it is shown; its own copy."""
+        self.triangles: NDArray[np.int32] = np.zeros((0, 3), np.int32)
+        self.centre, self.radius = np.zeros(3), 1.0
+        """[m] the ball around the surface as it was shown first."""
+        self._things: dict[str, Thing] = {}
+        self._gone: list[Thing] = []
+        self._renderer: Renderer | None = None
+        self._tree: palpate.AabbTree | None = None
+        self._tree_is_stale = False
+
+    # ------------------------------------------------------------ what is shown
+
+    def show_surface(self, vertices: ArrayLike, triangles: ArrayLike) -> None:
+        """A new surface. Raises ValueError for one that cannot be drawn."""
+        x = np.array(vertices, dtype=np.float64, order="C")
+        faces = np.array(triangles, dtype=np.int32, order="C")
+        if x.ndim != 2 or x.shape[1] != 3 or not np.isfinite(x).all():
+            raise ValueError(f"vertices must be finite, of shape (n, 3), got shape {x.shape}")
+        if faces.ndim != 2 or faces.shape[1:] != (3,):
+            raise ValueError(f"triangles must have shape (t, 3), got {faces.shape}")
+        if len(faces) and (faces.min() < 0 or faces.max() >= len(x)):
+            raise ValueError(f"triangles must name vertices 0 to {len(x) - 1}")
+        self._drop("surface")
+        self.vertices, self.triangles = x, faces
+        self._tree, self.legend = None, None
+        if not len(faces):
+            return
+        used = x[np.unique(faces)]
+        self.centre = (used.min(axis=0) + used.max(axis=0)) / 2
+        self.radius = max(1e-9, float(np.linalg.norm(used - self.centre, axis=1).max()))
+        self._things["surface"] = Thing(len(x), faces, PLAIN)
+        self.move_surface(x)
+
+    def move_surface(self, vertices: ArrayLike, normals: ArrayLike | None = None) -> None:
+        """New positions [m] of the same vertices. Raises ValueError for another number of them."""
+        surface = self._things.get("surface")
+        if surface is None or np.shape(vertices) != self.vertices.shape:
+            raise ValueError(
+                f"vertices must have the shape of the surface shown, {self.vertices.shape}, "
+                f"got {np.shape(vertices)}"
+            )
+        np.copyto(self.vertices, vertices)
+        if normals is None:
+            normals = palpate.compute_vertex_normals(self.vertices, self.triangles)
+        surface.write("position", self.vertices)
+        surface.write("normal", normals)
+        self._tree_is_stale = True
+
+    def show_values(self, values: ArrayLike | None, legend: Legend | None) -> None:
+        """One number per vertex in the colours of a legend; None for the colour of tissue."""
+        surface = self._things.get("surface")
+        self.legend = legend if values is not None else None
+        if surface is not None:
+            if values is not None:
+                surface.write("value", values)
+            surface.look = PLAIN if values is None else PAINTED
+
+    def show_selection(self, weights: ArrayLike | None) -> None:
+        """0 to 1 per vertex, what is highlighted."""
+        surface = self._things.get("surface")
+        if surface is not None:
+            surface.write("selection", 0.0 if weights is None else weights)
+
+    def write_openness(self, openness: ArrayLike) -> None:
+        """0 to 1 per vertex, the share of the sky it sees."""
+        self._things["surface"].write("openness", openness)
+
+    def show_tool(self, centre: ArrayLike | None, radius: float) -> None:
+        if centre is None:
+            self._hide("tool")
+            return
+        ball = build_sphere(np.zeros(3), 1.0)
+        thing = self._use("tool", len(ball.vertices), ball.triangles, TOOL)
+        thing.write("normal", ball.normals)
+        thing.write("position", radius * ball.vertices + np.asarray(centre, dtype=float))
+
+    def show_force(self, start: ArrayLike | None, end: ArrayLike | None = None) -> None:
+        """An arrow between two points [m]; none where they are the same."""
+        if start is None or end is None or np.linalg.norm(np.subtract(end, start)) < 1e-9:
+            self._hide("arrow")
+            return
+        arrow = build_arrow(start, end, ARROW_RADIUS * 2 * self.radius)
+        thing = self._use("arrow", len(arrow.vertices), arrow.triangles, ARROW)
+        thing.write("normal", arrow.normals)
+        thing.write("position", arrow.vertices)
+
+    def show_ring(
+        self, centre: ArrayLike | None, normal: ArrayLike = (0, 0, 1), radius: float = 0.0
+    ) -> None:
+        if centre is None or not radius > 0.0:
+            self._hide("ring")
+            return
+        ring = build_ring(centre, normal, radius, 0.004 * self.radius)
+        thing = self._use("ring", len(ring.vertices), ring.triangles, RING)
+        thing.write("normal", ring.normals)
+        thing.write("position", ring.vertices)
+
+    # ------------------------------------------------------------ what is asked
+
+    def points(self) -> Array:
+        """[m] The vertices that some triangle uses, or one point where there is nothing."""
+        return self.vertices[np.unique(self.triangles)] if len(self.triangles) else np.zeros((1, 3))
+
+    def pick(self, origin: Array, direction: Array) -> palpate.SurfacePoint | None:
+        """Where a ray first meets the surface from its outer side."""
+        if not len(self.triangles):
+            return None
+        if self._tree is None:
+            self._tree = palpate.AabbTree(self.vertices, self.triangles)
+        elif self._tree_is_stale:
+            self._tree.refit(self.vertices)
+        self._tree_is_stale = False
+        hit = palpate.find_ray_hit(self._tree, self.vertices, origin, direction)
+        if hit is None:
+            return None
+        a, b, c = self.vertices[self.triangles[hit.triangle]]
+        return hit if np.cross(b - a, c - a) @ direction < 0.0 else None
+
+    # ------------------------------------------------------------ OpenGL
+
+    def build(self, context: moderngl.Context) -> None:
+        """Starts anew on a context, which must be current; what was on another one is forgotten."""
+        self._renderer = Renderer(context, self.theme)
+        self._gone.clear()
+        for thing in self._things.values():
+            thing.part = None
+
+    def prepare(self, shadow_softness: float, wire_width: float) -> Renderer:
+        """The renderer with everything in it as it is now. The context must be current."""
+        renderer = self._renderer
+        assert renderer is not None, "build() comes first"
+        for thing in self._gone:
+            thing.hide_from(renderer)
+        self._gone.clear()
+        renderer.theme = self.theme
+        renderer.shadow_softness, renderer.wire_width = shadow_softness, wire_width
+        renderer.use_bounds(self.centre, ROOM * self.radius)
+        if self.legend is not None:
+            renderer.use_legend(self.legend)
+        surface = self._things.get("surface")
+        if surface is not None and surface.look.wired != self.wireframe:
+            surface.look = replace(surface.look, wired=self.wireframe)
+        for thing in self._things.values():
+            thing.show_in(renderer)
+        return renderer
+
+    def release(self) -> None:
+        """Gives back the graphics card's memory. The context must be current."""
+        if self._renderer is not None:
+            self._renderer.release()
+            self._renderer = None
+        self._gone.clear()
+        for thing in self._things.values():
+            thing.part = None
+
+    def use_theme(self, name: str) -> None:
+        self.theme = THEMES[name]
+
+    def _use(self, name: str, count: int, triangles: NDArray[np.integer], look: Look) -> Thing:
+        if name not in self._things:
+            self._things[name] = Thing(count, triangles, look)
+        self._things[name].visible = True
+        return self._things[name]
+
+    def _hide(self, name: str) -> None:
+        if name in self._things:
+            self._things[name].visible = False
+
+    def _drop(self, name: str) -> None:
+        if name in self._things:
+            self._gone.append(self._things.pop(name))

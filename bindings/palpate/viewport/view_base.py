@@ -1,0 +1,285 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What both hosts of the renderer share: what is shown, how it is turned, what is picked."""
+
+from __future__ import annotations
+
+from typing import Any, Protocol
+
+import moderngl
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QImage, QKeyEvent, QMouseEvent, QResizeEvent, QWheelEvent
+from PySide6.QtWidgets import QWidget
+
+import palpate
+from palpate.render import Camera, Renderer, build_legend
+from palpate.viewport import navigation
+from palpate.viewport.canvas import Quality
+from palpate.viewport.hud import Hud
+from palpate.viewport.legend_bar import LegendBar
+from palpate.viewport.scenery import Scenery
+
+Array = NDArray[np.float64]
+
+EDGE = 16
+"""[px] between the view's sides and what is written over it."""
+
+
+class ViewTool(Protocol):
+    """Gets a view's events first; True means that the event was meant for it."""
+
+    def press(self, view: ViewBase, event: QMouseEvent) -> bool: ...
+    def move(self, view: ViewBase, event: QMouseEvent) -> bool: ...
+    def release(self, view: ViewBase, event: QMouseEvent) -> bool: ...
+    def wheel(self, view: ViewBase, event: QWheelEvent) -> bool: ...
+    def leave(self, view: ViewBase) -> None: ...
+    def key(self, view: ViewBase, event: QKeyEvent) -> bool: ...
+
+
+class ViewBase:
+    """A mixin of QWidget. Positions are in pixels of the widget, from its upper left corner.
+
+    The mouse turns the camera with the left button (with any button while a tool has the left one),
+    moves it with the middle one or with Shift, and zooms to the cursor with the wheel.
+    """
+
+    force_scale: float
+    """[m/N] of the arrow that show_force draws."""
+    tool: ViewTool | None
+    """Gets mouse and keys before the camera does."""
+
+    def set_up(self) -> None:
+        """The rest of __init__, after that of the widget."""
+        self.scenery = Scenery()
+        self.camera = Camera()
+        self.tool = None
+        self.force_scale = 0.01
+        self.legend, self.hud = LegendBar(self), Hud(self)
+        self._dragged_from: QPointF | None = None
+        self._framed = True
+        self._is_software = False
+        self.setMouseTracking(True)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMinimumSize(160, 120)
+
+    # ------------------------------------------------------------ what is shown
+
+    def show_surface(self, vertices: ArrayLike, triangles: ArrayLike) -> None:
+        """A new surface: vertices [m] (n, 3) and triangles (t, 3). Takes values and selection away.
+
+        The camera stays, except for the first surface, which is fitted in. Raises ValueError.
+        """
+        first = not len(self.scenery.triangles)
+        self.scenery.show_surface(vertices, triangles)
+        self.legend.show_legend(None, "")
+        if first:
+            self.frame_all()
+        self.update()
+
+    def move_surface(self, vertices: ArrayLike, normals: ArrayLike | None = None) -> None:
+        """New positions [m] of the same vertices; normals are computed where they are not given."""
+        self.scenery.move_surface(vertices, normals)
+        self.update()
+
+    def show_values(
+        self,
+        values: ArrayLike | None,
+        legend_title: str = "",
+        value_range: tuple[float, float] | None = None,
+        colour_map: str | None = None,
+    ) -> None:
+        """One number per vertex as colours, with a legend; None for plain tissue.
+
+        Raises ValueError as palpate.render.build_legend does.
+        """
+        legend = None if values is None else build_legend(values, value_range, colour_map)
+        self.scenery.show_values(values, legend)
+        self.legend.show_legend(legend, legend_title)
+        self._place_children()
+        self.update()
+
+    def show_selection(self, weights: ArrayLike | None) -> None:
+        """0 to 1 per vertex, what is highlighted."""
+        self.scenery.show_selection(weights)
+        self.update()
+
+    def show_tool(self, centre: ArrayLike | None, radius: float = 0.0) -> None:
+        """The tool's tip as a ball, both [m]; None takes it away."""
+        self.scenery.show_tool(centre, radius)
+        self.update()
+
+    def show_force(self, start: ArrayLike | None, vector: ArrayLike | None = None) -> None:
+        """An arrow from `start` [m] for a force [N]; None takes it away."""
+        end = None
+        if start is not None and vector is not None:
+            end = np.asarray(start, dtype=float) + self.force_scale * np.asarray(vector)
+        self.scenery.show_force(start, end)
+        self.update()
+
+    def show_ring(
+        self, centre: ArrayLike | None, normal: ArrayLike = (0, 0, 1), radius: float = 0.0
+    ) -> None:
+        """The cursor of a brush: a ring [m] on the surface; None takes it away."""
+        self.scenery.show_ring(centre, normal, radius)
+        self.update()
+
+    @property
+    def wireframe(self) -> bool:
+        return self.scenery.wireframe
+
+    @wireframe.setter
+    def wireframe(self, shown: bool) -> None:
+        self.scenery.wireframe = bool(shown)
+        self.update()
+
+    def use_theme(self, name: str) -> None:
+        """dark or light. Raises KeyError for another one."""
+        self.scenery.use_theme(name)
+        self.legend.use_theme(self.scenery.theme)
+        self.hud.use_theme(self.scenery.theme)
+        self.update()
+
+    def grab_picture(self) -> QImage:
+        """What the view shows, legend and numbers included."""
+        return self.grab().toImage()
+
+    # ------------------------------------------------------------ camera
+
+    def frame_all(self) -> None:
+        """Comes as near as it can with all of the surface in sight."""
+        self._framed = True
+        navigation.fit(self.camera, self.scenery.points(), self._size())
+        self.update()
+
+    def look_from(self, azimuth: float, elevation: float) -> None:
+        """Turns to angles [rad] as Camera has them."""
+        self.camera.azimuth, self.camera.elevation = 0.0, 0.0
+        self.camera.orbit(azimuth, elevation)
+        if self._framed:
+            self.frame_all()
+        self.update()
+
+    def orbit(self, x: float, y: float) -> None:
+        """Turns by a drag of (x, y) pixels."""
+        navigation.turn(self.camera, x, y)
+        self._framed = False
+        self.update()
+
+    def pan(self, x: float, y: float) -> None:
+        """Moves by a drag of (x, y) pixels."""
+        self.camera.pan(x, y, self._size())
+        self._framed = False
+        self.update()
+
+    def zoom(self, factor: float, at: QPointF | None = None) -> None:
+        """Comes nearer by a factor, to what lies at a pixel or to the middle."""
+        where = QPointF(self.width() / 2, self.height() / 2) if at is None else at
+        origin, direction = self.ray_at(where)
+        hit = self.scenery.pick(origin, direction)
+        point = (
+            np.asarray(hit.point)
+            if hit is not None
+            else navigation.meet_target_plane(self.camera, origin, direction)
+        )
+        navigation.zoom_to(self.camera, point, factor, self.scenery.radius)
+        self._framed = False
+        self.update()
+
+    # ------------------------------------------------------------ where things are
+
+    def ray_at(self, at: QPointF) -> tuple[Array, Array]:
+        """The eye [m] and the unit direction through a pixel."""
+        return self.camera.ray(at.x(), at.y(), self._size())
+
+    def pick(self, at: QPointF) -> palpate.SurfacePoint | None:
+        """The point of the surface under a pixel, if its outer side is seen there."""
+        return self.scenery.pick(*self.ray_at(at))
+
+    def world_to_pixel(self, point: ArrayLike) -> QPointF:
+        pixels, _ = self.camera.project(point, self._size())
+        return QPointF(*pixels[0])
+
+    def pixel_size_at(self, point: ArrayLike) -> float:
+        """[m] that a pixel covers at the depth of a point [m]."""
+        return navigation.measure_pixel(self.camera, point, self._size()[1])
+
+    # ------------------------------------------------------------ for the hosts
+
+    def pixels(self) -> tuple[int, int]:
+        """Size of a frame in pixels of the screen."""
+        ratio = self.devicePixelRatioF()
+        return max(1, round(self.width() * ratio)), max(1, round(self.height() * ratio))
+
+    def take_measure(self, context: moderngl.Context) -> None:
+        """Learns what the context draws with. It must be current."""
+        name = context.info["GL_RENDERER"].lower()
+        self._is_software = any(word in name for word in ("llvmpipe", "softpipe", "swrast"))
+
+    def prepare_frame(self) -> tuple[Renderer, Quality]:
+        """The renderer with all that is shown, and how finely to draw it."""
+        quality = Quality(0, 0.0) if self._is_software else Quality(4, 0.035)
+        ratio = self.devicePixelRatioF()
+        return self.scenery.prepare(quality.shadow_softness, 1.05 * ratio), quality
+
+    # ------------------------------------------------------------ Qt's events
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if self.tool is None or not self.tool.press(self, event):
+            self._dragged_from = event.position()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        at = event.position()
+        if self._dragged_from is not None and event.buttons() != Qt.MouseButton.NoButton:
+            way = at - self._dragged_from
+            self._dragged_from = at
+            shifted = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+            if event.buttons() & Qt.MouseButton.MiddleButton or shifted:
+                self.pan(way.x(), way.y())
+            else:
+                self.orbit(way.x(), way.y())
+        elif self.tool is None or not self.tool.move(self, event):
+            self._dragged_from = None
+        if event.buttons() == Qt.MouseButton.NoButton:
+            self.hover.emit(at)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        dragged, self._dragged_from = self._dragged_from is not None, None
+        if not dragged and self.tool is not None:
+            self.tool.release(self, event)
+        self.update()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        if self.tool is None or not self.tool.wheel(self, event):
+            notches = event.angleDelta().y() / 120
+            self.zoom(navigation.ZOOM**notches, event.position())
+        event.accept()
+
+    def leaveEvent(self, event: QEvent) -> None:
+        if self.tool is not None:
+            self.tool.leave(self)
+        super().leaveEvent(event)  # type: ignore[misc]
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if self.tool is None or not self.tool.key(self, event):
+            super().keyPressEvent(event)  # type: ignore[misc]
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)  # type: ignore[misc]
+        if self._framed:
+            self.frame_all()
+        self._place_children()
+
+    def _place_children(self) -> None:
+        self.legend.move(QPoint(EDGE, EDGE))
+        self.hud.move(QPoint(self.width() - self.hud.width() - EDGE, EDGE))
+
+    def _size(self) -> tuple[int, int]:
+        return max(1, self.width()), max(1, self.height())
+
+
+class View(ViewBase, QWidget):
+    """What make_view gives, for annotations: either host."""
+
+    frame_drawn: Any
+    hover: Any
