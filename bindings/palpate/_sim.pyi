@@ -389,6 +389,7 @@ class Guard:
     given_energy: float
     reference_energy: float
     rising_steps: int
+    strained_looks: int
     def __copy__(self) -> Guard: ...
     def __deepcopy__(self, memo: dict[int, object]) -> Guard: ...
 

@@ -259,7 +259,9 @@ void bind_guard(py::module_& m) {
       .def_readwrite("reference_energy", &Guard::reference_energy,
                      "[J] the most that has lately been given.")
       .def_readwrite("rising_steps", &Guard::rising_steps,
-                     "Looks in a row at which energy rose without work.");
+                     "Looks in a row at which energy rose without work.")
+      .def_readwrite("strained_looks", &Guard::strained_looks,
+                     "Looks in a row at which a link was out of its bounds.");
   def_copy(guard);
   m.def(
       "check",

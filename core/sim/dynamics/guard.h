@@ -9,8 +9,8 @@ enum class AlarmKind {
   none,
   not_finite,     ///< index: particle
   moved_far,      ///< index: particle; more than 0.3 of the shortest rest length in one step
-  overstretched,  ///< index: link, springs before bonds; strain above 2
-  collapsed,      ///< index: link; shorter than 0.05 of its rest length
+  overstretched,  ///< index: link, springs before bonds; strain above 2, ten looks in a row
+  collapsed,      ///< index: link; shorter than 0.05 of its rest length, ten looks in a row
   energy,         ///< index: -1; elastic and kinetic energy exceed what was given (SCIENCE 3)
 };
 
@@ -38,6 +38,7 @@ struct Guard {
   double given_energy = 0.0;          ///< [J] of start and work, less what has long been lost
   double reference_energy = 0.0;      ///< [J] E_ref: the most that has lately been given
   int rising_steps = 0;               ///< looks in a row at which energy rose without work
+  int strained_looks = 0;             ///< looks in a row at which a link was out of its bounds
 };
 
 /// Looks at a tissue after a step; the first thing wrong comes back. `work` [J] is what pushes

@@ -23,6 +23,17 @@ Alarm look_after(const TissueModel& model, Change change, int steps = 1) {
   return check(model, Vec3::Zero(), state, 0.0, guard, steps);
 }
 
+/// What the last of `looks` says of a tissue that stays as `change` has made it.
+template <class Change>
+Alarm look_again(const TissueModel& model, Change change, int looks) {
+  State state(model);
+  Guard guard(model, Vec3::Zero(), state);
+  change(state);
+  Alarm alarm;
+  for (int i = 0; i < looks; ++i) alarm = check(model, Vec3::Zero(), state, 0.0, guard, 100);
+  return alarm;
+}
+
 }  // namespace
 
 TEST_CASE("a tissue at rest raises no alarm, and none is false") {
@@ -71,27 +82,44 @@ TEST_CASE("a link may be strained by 2 and pressed to a twentieth, springs count
     return [part](State& s) { s.position[3].x() = s.position[2].x() + 0.01 * part; };
   };
 
-  CHECK_FALSE(look_after(model, stretch(2.9), 100));
-  const Alarm far = look_after(model, stretch(3.1), 100);
+  CHECK_FALSE(look_again(model, stretch(2.9), 10));
+  const Alarm far = look_again(model, stretch(3.1), 10);
   CHECK(far.kind == AlarmKind::overstretched);
   CHECK(far.index == 2);
   CHECK(far.value == Approx(2.1));
   CHECK(far.limit == 2.0);
 
-  CHECK_FALSE(look_after(model, stretch(0.06), 100));
-  const Alarm near = look_after(model, stretch(0.04), 100);
+  CHECK_FALSE(look_again(model, stretch(0.06), 10));
+  const Alarm near = look_again(model, stretch(0.04), 10);
   CHECK(near.kind == AlarmKind::collapsed);
   CHECK(near.index == 2);
   CHECK(near.value == Approx(0.04));
 
-  const Alarm bond = look_after(
-      model,
-      [](State& s) {
-        for (int i = 1; i < 4; ++i) s.position[i].x() *= 2.5;
-      },
-      100);
+  const auto stretch_all = [](State& s) {
+    for (int i = 1; i < 4; ++i) s.position[i].x() *= 2.5;
+  };
+  const Alarm bond = look_again(model, stretch_all, 10);
   CHECK(bond.kind == AlarmKind::overstretched);
   CHECK(bond.index == 3);
+}
+
+TEST_CASE("a link out of its bounds for nine looks has been flung, for ten it has blown up") {
+  TissueModel model = scenes::make_chain_model(3);
+  model.springs.stiffness.assign(2, 1e-9);
+  const auto fling = [](State& s) { s.position[2].x() = s.position[1].x() + 0.04; };
+  State state(model);
+  Guard guard(model, Vec3::Zero(), state);
+  const auto look = [&] { return check(model, Vec3::Zero(), state, 0.0, guard, 100); };
+
+  CHECK_FALSE(look_again(model, fling, 9));
+  CHECK(look_again(model, fling, 10).kind == AlarmKind::overstretched);
+
+  fling(state);
+  for (int i = 0; i < 9; ++i) CHECK_FALSE(look());
+  state.position[2] = model.rest_position[2];
+  CHECK_FALSE(look());
+  fling(state);
+  for (int i = 0; i < 9; ++i) CHECK_FALSE(look());  // counted anew
 }
 
 TEST_CASE("energy from nowhere is an alarm at once when it is half as much again") {

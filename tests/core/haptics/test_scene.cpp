@@ -47,9 +47,9 @@ TEST_CASE("a built scene has as many substeps as its tissue needs at rest") {
   CHECK(build_scene(scene).substeps == static_cast<int>(std::ceil(10.0 * needed)));
 }
 
-TEST_CASE("contact may raise the substeps by a third, and always to sixteen") {
+TEST_CASE("contact may raise the substeps by a third, and always to thirty-two") {
   Scene scene = press_scene();
-  for (const auto& [substeps, most] : {std::pair(1, 16), {5, 16}, {12, 16}, {15, 20}, {30, 40}}) {
+  for (const auto& [substeps, most] : {std::pair(1, 32), {12, 32}, {24, 32}, {27, 36}, {30, 40}}) {
     scene.substeps = substeps;
     scene.substeps_max = 0;
     CHECK(build_scene(scene).substeps_max == most);
