@@ -10,7 +10,7 @@ inline constexpr int kSmallestLoop = 6;
 
 /// Collapses edges, cheapest first, until `vertex_count` are left or no edge may go any more.
 ///
-/// The price is the quadric error [Garland97]: squared distances to the planes of the triangles, to
+/// The price is the quadric error [GarlandHeckbert97]: squared distances to the planes of the triangles, to
 /// planes across the border, so holes keep their shape, and a little to the vertices that went, so
 /// the ones that stay are spread evenly. No triangle may turn by 90
 /// degrees or more; border vertices move along the border only. `mesh` must pass validate().

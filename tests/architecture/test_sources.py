@@ -84,3 +84,15 @@ def test_every_link_in_the_tree_leads_somewhere():
 
     assert {path.name for path in links} == {"LICENSE", "palpate_meshes"}
     assert all(path.exists() for path in links)
+
+
+def test_every_source_that_a_comment_names_stands_in_the_list_and_every_one_listed_is_named():
+    key = r"\[([A-Z][A-Za-z]+\d{2,4}|Appleby|HdrHistogram|IEC [\d-]+)(?: [\d.]+)?\]"
+    listed = set(re.findall(rf"^\| {key} \|", read("core/README.md"), re.MULTILINE))
+    walk = read("core/README.md").partition("## 5. Sources")[0]
+    places = [read(name) for name in sources() if name != HERE] + [walk]
+
+    named = {found for text in places for found in re.findall(key, text)}
+
+    assert named - listed == set()
+    assert listed - named - {"BulutDandil22"} == set()

@@ -36,7 +36,7 @@ void keep_nearer(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, con
 }  // namespace
 
 /// The closest point lies at the foot of the perpendicular where that falls inside, otherwise on
-/// an edge [Ericson05]. Telling which edge from signs, as usual, fails on slivers whose signs are
+/// an edge [Ericson04]. Telling which edge from signs, as usual, fails on slivers whose signs are
 /// rounding errors; here every candidate is a point of the triangle and the nearest one wins, so
 /// a wrong sign costs no more than rounding.
 SurfacePoint find_closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b,

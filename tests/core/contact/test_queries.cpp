@@ -85,7 +85,7 @@ void check_is_closest(const Vec3& p, const SurfacePoint& s, const Corners& k) {
   REQUIRE(std::abs(s.distance - (p - s.point).norm()) <= rounding);
 }
 
-/// A long-double crossing of a way with a triangle [MoellerTrumbore97]: -1 where it misses, the
+/// A long-double crossing of a way with a triangle [MollerTrumbore97]: -1 where it misses, the
 /// parameter where it hits, NaN where it is too close to an edge or an end to say.
 long double cross_in_long_double(const Vec3& from, const Vec3& to, const Corners& k) {
   using Long = Eigen::Matrix<long double, 3, 1>;
