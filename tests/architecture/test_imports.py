@@ -15,10 +15,29 @@ from tree import files_under, read
 
 QT = ("PySide6", "shiboken6", "pyqtgraph")
 
+RENDER = ("palpate", "numpy", "moderngl")
+FILES = ("palpate.error", "palpate.json_part", "palpate.scenario", "palpate.verb")
+DOCUMENT = ("palpate_editor.document", "palpate.scene_parts", *FILES, "numpy")
+EDITS = (
+    "palpate_editor.edits",
+    "palpate_editor.authoring",
+    "palpate_editor.document",
+    "palpate",
+    "numpy",
+)
+DESK = ("palpate_editor.app", "palpate_editor.compile", "palpate_editor.check", *EDITS)
+
 ARROWS = {
-    "bindings/palpate/render": ("palpate", "numpy", "moderngl", "matplotlib"),
+    "bindings/palpate/render": (*RENDER, "matplotlib"),
+    "bindings/palpate/viewport": (*RENDER, "PySide6"),
+    "bindings/palpate/translation": ("PySide6",),
+    "bindings/palpate/player": ("palpate", "numpy", "PySide6"),
     "bindings/palpate": ("palpate", "numpy", "scipy", "matplotlib"),
-    "editor/palpate_editor": ("palpate_editor", "palpate_meshes", "palpate", "numpy", *QT),
+    "editor/palpate_editor/document": DOCUMENT,
+    "editor/palpate_editor/edits": EDITS,
+    "editor/palpate_editor/app": (*DESK, "PySide6.QtCore", "PySide6.QtGui"),
+    "editor/palpate_editor/views": ("palpate_editor", "palpate", "numpy", *QT),
+    "editor/palpate_editor": ("palpate_editor", "palpate_meshes", "palpate", "numpy"),
     "meshes": ("palpate_meshes", "palpate_editor.authoring", "numpy", "scipy", "skimage"),
 }
 """Folder -> what its modules may import beside the standard library; the longest match counts."""
@@ -104,9 +123,11 @@ def test_a_package_imports_only_what_its_arrow_allows(folder):
     ids=["palpate", "palpate-editor"],
 )  # fmt: skip
 def test_a_distribution_declares_every_package_it_imports(project, folders):
+    about = tomllib.loads(read(project))["project"]
+    extras = about.get("optional-dependencies", {}).values()
     declared = {
         canonicalize_name(Requirement(text).name)
-        for text in tomllib.loads(read(project))["project"]["dependencies"]
+        for text in [*about["dependencies"], *(text for extra in extras for text in extra)]
     }
     ours = ("palpate", "palpate_editor", "palpate_meshes")
 
