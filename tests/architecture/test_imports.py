@@ -42,10 +42,25 @@ ARROWS = {
 }
 """Folder -> what its modules may import beside the standard library; the longest match counts."""
 
-GUARDED = {("bindings/palpate/bench.py", "palpate_meshes.generate")}
+GUARDED = {("bindings/palpate/bench.py", "palpate_meshes.generate.ellipsoid")}
 """Imports that stand in a function and say what to install where they fail."""
 
 NAME_ON_INDEX = {"skimage": "scikit-image", "PySide6": "pyside6-essentials"}
+
+
+def module_of(name: str) -> str:
+    """The dotted module of a source file, with __init__ kept so that levels count alike."""
+    for folder, root in (("bindings/", ""), ("editor/", ""), ("meshes/", "palpate_meshes/")):
+        if name.startswith(folder):
+            name = root + name.removeprefix(folder)
+    return name.removesuffix(".py").replace("/", ".")
+
+
+OUR_MODULES = {
+    module_of(name).removesuffix(".__init__")
+    for folder in ("bindings/palpate", "editor/palpate_editor", "meshes")
+    for name in files_under(folder, ".py")
+}
 
 
 @dataclass(frozen=True)
@@ -69,7 +84,8 @@ def imports(name: str) -> list[Import]:
             modules = [alias.name for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
             start = ".".join(package[: len(package) - node.level]) if node.level else ""
-            modules = [".".join(part for part in (start, node.module) if part)]
+            module = ".".join(part for part in (start, node.module) if part)
+            modules = sorted({name_import(module, alias.name) for alias in node.names})
         found.extend(Import(name, node.lineno, module, in_function) for module in modules)
         inside = in_function or isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
         for child in ast.iter_child_nodes(node):
@@ -79,12 +95,9 @@ def imports(name: str) -> list[Import]:
     return found
 
 
-def module_of(name: str) -> str:
-    """The dotted module of a source file, with __init__ kept so that levels count alike."""
-    for folder, root in (("bindings/", ""), ("editor/", ""), ("meshes/", "palpate_meshes/")):
-        if name.startswith(folder):
-            name = root + name.removeprefix(folder)
-    return name.removesuffix(".py").replace("/", ".")
+def name_import(module: str, name: str) -> str:
+    """`from palpate_editor import authoring` imports a module of ours, not a name in one."""
+    return f"{module}.{name}" if f"{module}.{name}" in OUR_MODULES else module
 
 
 def within(module: str, names: tuple[str, ...]) -> bool:
