@@ -10,14 +10,14 @@ from __future__ import annotations
 
 import hashlib
 import json
-from dataclasses import asdict, fields
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any, get_type_hints
 
 import palpate
 from palpate.json_part import read_part
 from palpate.mesh_file import read_mesh_file
-from palpate.scene_parts import KINDS, SceneFile
+from palpate.scene_parts import KINDS, MaterialPart, SceneFile
 from palpate.verb import Refusal
 from palpate.whole_file import write_whole
 
@@ -63,14 +63,16 @@ def hash_file(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
+def build_material(part: MaterialPart) -> palpate.Material:
+    return palpate.Material(**asdict(part))
+
+
 def build_tissue(scene: SceneFile, mesh: palpate.SurfaceMesh) -> palpate.TissueModel:
     """The compiled model of a scene's organ. Raises ValueError naming what is wrong."""
     model = scene.model
     if model.kind not in KINDS:
         raise ValueError(f"model.kind: got {model.kind!r}, expected one of {', '.join(KINDS)}")
-    material = palpate.Material()
-    for f in fields(scene.material):
-        setattr(material, f.name, getattr(scene.material, f.name))
+    material = build_material(scene.material)
     options = palpate.SurfaceOptions()
     options.home_stiffness = model.home_stiffness
     options.stiffness_scale = list(model.stiffness_scale)

@@ -1,108 +1,204 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All problems of a scene as values: the window shows them, the command line prints them."""
+"""Finding out what the rules need to know: measures the surface, builds the tissue."""
 
 from __future__ import annotations
 
+import re
+from dataclasses import dataclass, replace
+from math import inf, isfinite
 from pathlib import Path
+from weakref import WeakKeyDictionary
 
 import numpy as np
 import palpate
-from palpate.mesh_file import read_mesh_file
-from palpate.scene_file import compile_scene, hash_file, read_scene_file
+from palpate.scene_file import build_material
+from palpate.scene_parts import ModelPart
 from palpate.verb import Report
 
 from palpate_editor import authoring
-from palpate_editor.demo import describe_model
+from palpate_editor.compile import compile_organ, compute_stability_margin, mesh_of
+from palpate_editor.document import Organ, Surface
+from palpate_editor.document.problems import Facts, Problem, SurfaceFacts, TissueFacts
+from palpate_editor.document.rules import find_problems
+from palpate_editor.fixes import find_fix
+from palpate_editor.open_organ import open_organ
 
-ANGLE_LEAST = 15.0
-"""[degree] Needles make a model stiff and its stretch-bend range collapse (SCIENCE 1.7)."""
-EDGES_PER_RADIUS = 0.5
-"""[-] A tip much smaller than the triangles it touches feels the mesh, not the tissue."""
-SUBSTEPS_MOST = 16
-"""More substeps than this leave no time in a millisecond on the reference machine."""
+BUILT_FROM = ("surface", "material", "model", "fixed", "stiffness_scale", "tool", "hand")
+"""What of an organ the tissue depends on."""
+
+measured: WeakKeyDictionary[Surface, tuple[authoring.MeshReport, SurfaceFacts]] = (
+    WeakKeyDictionary()
+)
+"""A surface never changes, so neither does what was measured on it."""
 
 
-def problem(severity: str, where: str, found: str, expected: str) -> Report:
-    return {"severity": severity, "where": where, "found": found, "expected": expected}
+@dataclass(frozen=True, eq=False)
+class Assessment:
+    """An organ, the scene it makes, and what is wrong with it."""
+
+    organ: Organ
+    scene: palpate.Scene | None
+    """None where no tissue can be built."""
+    report: authoring.MeshReport | None
+    """Of the surface."""
+    facts: Facts
+    problems: tuple[Problem, ...]
+
+    @property
+    def errors(self) -> tuple[Problem, ...]:
+        """What keeps the organ from being published."""
+        return tuple(p for p in self.problems if p.severity == "error")
 
 
-def check_scene(path: Path) -> Report:
-    """Everything wrong or doubtful about a scene file. Raises Refusal where it cannot be read."""
-    scene = read_scene_file(path)
-    mesh_path = path.parent / scene.organ.mesh
-    mesh = read_mesh_file(mesh_path)
-    report: Report = {"scene": str(path), "description": "cannot be built", "problems": []}
-    problems = report["problems"]
-    if hash_file(mesh_path) != scene.organ.sha256:
-        problems.append(
-            problem(
-                "error",
-                "organ.sha256",
-                "another mesh than the scene was made with",
-                "the same bytes, or a new scene file",
-            )
+def assess(
+    organ: Organ, *, tested: bool | None = None, before: Assessment | None = None
+) -> Assessment:
+    """Measures, builds and judges an organ: up to a second for a large one, on any thread.
+
+    Args:
+        organ: What is judged.
+        tested: Whether it has been felt as it is; None where nobody can know.
+        before: An earlier assessment; what it built is used again where nothing it depends on has
+            changed.
+    """
+    if before is not None and all(
+        getattr(organ, name) is getattr(before.organ, name) for name in BUILT_FROM
+    ):
+        scene, tissue = before.scene, before.facts.tissue
+    else:
+        scene, tissue = build(organ)
+    report = surface = None
+    if organ.surface is not None:
+        report, surface = measure_surface(organ.surface)
+    facts = Facts(surface, tissue, tested)
+    problems = tuple(
+        replace(problem, fix=find_fix(problem, organ, facts))
+        for problem in find_problems(organ, facts)
+    )
+    return Assessment(organ, scene, report, facts, problems)
+
+
+def measure_surface(surface: Surface) -> tuple[authoring.MeshReport, SurfaceFacts]:
+    if surface not in measured:
+        x, triangles = surface.vertices, surface.triangles
+        found = authoring.inspect_mesh(mesh_of(surface))
+        edges = np.linalg.norm(x[triangles] - x[np.roll(triangles, 1, axis=1)], axis=2)
+        facts = SurfaceFacts(
+            shells=found.shells,
+            border_loops=tuple(found.border_loops),
+            outward=found.outward,
+            non_manifold_edges=found.non_manifold_edges,
+            self_intersecting_faces=found.self_intersecting_faces,
+            smallest_angle_deg=found.smallest_angle_deg,
+            mean_edge=float(edges.mean()),
+            diagonal=float(palpate.compute_diagonal(x)),
         )
-    problems += check_mesh(mesh, scene.tool.radius)
+        measured[surface] = found, facts
+    return measured[surface]
+
+
+def build(organ: Organ) -> tuple[palpate.Scene | None, TissueFacts | None]:
+    """The scene, or in what words it was refused."""
+    if organ.surface is None:
+        return None, None
+    home = find_default_home(organ)
     try:
-        compiled = compile_scene(scene, mesh)
-    except ValueError as refusal:
-        problems.append(problem("error", "model", str(refusal), "a tissue that can be built"))
-        return report
-    report["description"] = describe_model(compiled)
-    if compiled.substeps > SUBSTEPS_MOST:
-        problems.append(
-            problem(
-                "warning",
-                "model",
-                f"{compiled.substeps} substeps a tick",
-                f"at most {SUBSTEPS_MOST}: softer links, more mass or fewer vertices",
-            )
-        )
-    loose = scene.model.home_stiffness == 0.0 and not scene.model.fixed
-    if loose:
-        problems.append(
-            problem(
-                "warning",
-                "model",
-                "neither home springs nor fixed vertices",
-                "something that holds the organ in its place",
-            )
-        )
-    return report
+        scene = compile_organ(organ)
+    except ValueError as problem:
+        refusal = split_refusal(str(problem))
+        allowed = find_coupling_range(organ)
+        return None, TissueFacts(refusal=refusal, coupling_range=allowed, default_home=home)
+    tissue = scene.tissue
+    stable_step = palpate.stable_step(tissue)
+    return scene, TissueFacts(
+        substeps=scene.substeps,
+        stable_step=stable_step,
+        margin=compute_stability_margin(scene, stable_step),
+        total_mass=palpate.compute_total_mass(tissue),
+        links=len(tissue.springs.ends) + len(tissue.bonds.ends),
+        default_home=home,
+    )
 
 
-def check_mesh(mesh: palpate.SurfaceMesh, tool_radius: float) -> list[Report]:
-    found = authoring.inspect_mesh(mesh)
-    problems = []
-    if found.self_intersecting_faces:
-        problems.append(
-            problem(
-                "warning",
-                "mesh",
-                f"{found.self_intersecting_faces} self-intersecting faces",
-                "none",
-            )
+def find_default_home(organ: Organ) -> float | None:
+    """[N/m³] of the builder's own choice, None where it refuses the material."""
+    assert organ.surface is not None
+    try:
+        return palpate.default_home_stiffness(
+            mesh_of(organ.surface), build_material(organ.material)
         )
-    if found.smallest_angle_deg is not None and found.smallest_angle_deg < ANGLE_LEAST:
-        problems.append(
-            problem(
-                "warning",
-                "mesh",
-                f"a smallest angle of {found.smallest_angle_deg:.1f} degrees",
-                f"at least {ANGLE_LEAST:g}: decimate anew",
-            )
-        )
-    if found.outward is False:
-        problems.append(problem("error", "mesh", "triangles that face inwards", "outwards"))
-    x, triangles = np.asarray(mesh.vertices), np.asarray(mesh.triangles)
-    edges = np.linalg.norm(x[triangles] - x[np.roll(triangles, 1, axis=1)], axis=2)
-    if tool_radius < EDGES_PER_RADIUS * edges.mean():
-        problems.append(
-            problem(
-                "warning",
-                "tool.radius",
-                f"{1e3 * tool_radius:.1f} mm",
-                f"at least half the mean edge of {1e3 * edges.mean():.1f} mm",
-            )
-        )
-    return problems
+    except ValueError:
+        return None
+
+
+def split_refusal(sentence: str) -> tuple[str, str, str]:
+    """Where, found and expected of a refusal of the library."""
+    parts = re.fullmatch(r"(.*?):? *\b(?:found|got) (.*), expected (.*)", sentence, re.DOTALL)
+    return parts.groups() if parts else ("model", sentence, "a tissue that can be built")
+
+
+def find_coupling_range(organ: Organ) -> tuple[float, float] | None:
+    """[N] the stretch-bend that every triangle can take; None where that is not what is wrong.
+
+    A hair of coupling, in place of what was refused, shows each triangle's share of it.
+    """
+    hair = 1e-12
+    if organ.model.kind != "molecular" or organ.model.angle_law != "gradient":
+        return None
+    if organ.model.stretch_coupling == 0.0:
+        return None
+    model: ModelPart = replace(organ.model, stretch_coupling=hair)
+    try:
+        scene = compile_organ(replace(organ, model=model))
+    except ValueError:
+        return None
+    angles = scene.tissue.angles
+    shares = np.asarray(angles.stretch_coupling) / hair
+    low, high = -np.inf, np.inf
+    for row, share in enumerate(shares):
+        allowed = palpate.find_coupling_range(angles, row, share.tolist())
+        if allowed is None:
+            return None
+        low, high = max(low, allowed.low), min(high, allowed.high)
+    if low < organ.model.stretch_coupling < high or not low < high:
+        return None
+    return float(low), float(high)
+
+
+def check_file(path: Path) -> Report:
+    """Everything wrong or doubtful about a working file or a scene file.
+
+    A scene file has neither title nor task, so it is not held to those. Raises Refusal, FileError
+    or OSError where the file cannot be read.
+    """
+    assessment = assess(open_organ(path))
+    scene, tissue = assessment.scene, assessment.facts.tissue
+    judged = [p for p in assessment.problems if path.suffix != ".json" or p.stage != "publish"]
+    return {
+        "file": str(path),
+        "description": "cannot be built" if scene is None else describe_model(scene),
+        # JSON has no infinity, which is the margin of what cannot swing
+        "stability_margin": tissue.margin if tissue and isfinite(tissue.margin or inf) else None,
+        "problems": list(map(describe_problem, judged)),
+    }
+
+
+def describe_problem(problem: Problem) -> Report:
+    return {
+        "severity": problem.severity,
+        "stage": problem.stage,
+        "problem": problem.key,
+        "where": problem.where,
+        "found": problem.found,
+        "expected": problem.expected,
+        "fix": problem.fix.title if problem.fix else None,
+    }
+
+
+def describe_model(scene: palpate.Scene) -> str:
+    tissue = scene.tissue
+    links = len(tissue.springs.ends) + len(tissue.bonds.ends)
+    return (
+        f"{len(tissue.mass)} particles, {links} links, total mass "
+        f"{1e3 * palpate.compute_total_mass(tissue):.1f} g, {scene.substeps} substeps"
+    )

@@ -45,11 +45,11 @@ def compile_organ(organ: Organ) -> palpate.Scene:
     return compile_scene(parts_of(organ), mesh_of(organ.surface))
 
 
-def compute_stability_margin(scene: palpate.Scene) -> float:
-    """How many times longer the tissue's steps could be before they may become unstable.
+def compute_stability_margin(scene: palpate.Scene, stable_step: float | None = None) -> float:
+    """How many times longer the tissue's steps could be before they may become unstable at rest.
 
-    1 / rate / substeps is the step that is taken; what the tool's spring adds counts, so that the
-    figure is that of the organ while it is held.
+    At least 1: the substeps are chosen so, and contact raises them as it needs (scene.cpp).
+    `stable_step` [s] is that of the tissue, where it is known.
     """
-    step = 1.0 / scene.rate / scene.substeps
-    return float(palpate.stable_step(scene.tissue, scene.hold_stiffness) / step)
+    longest = palpate.stable_step(scene.tissue) if stable_step is None else stable_step
+    return float(longest * scene.rate * scene.substeps)

@@ -22,6 +22,8 @@ from palpate.verb import Refusal, Report
 from palpate.whole_file import write_whole
 
 from palpate_editor.authoring import decimate, import_mesh, write_mesh
+from palpate_editor.check import describe_model
+from palpate_editor.edits.fix import find_lowest
 
 CONSTANTS = Path(__file__).with_name("demo.toml")
 KINDS = {"mss": "mass_spring", "mms": "molecular"}
@@ -63,19 +65,14 @@ def describe_scene(
         model=ModelPart(
             kind=KINDS[kind],
             drag=surroundings["drag"],
-            fixed=find_lowest(mesh, surroundings["fix_lowest"]),
+            fixed=tuple(
+                find_lowest(np.asarray(mesh.vertices), surroundings["fix_lowest"]).tolist()
+            ),
             **constants[kind],
         ),
         tool=ToolPart(**constants["tool"]),
         hand=HandPart(**constants["hand"]),
     )
-
-
-def find_lowest(mesh: palpate.SurfaceMesh, share: float) -> tuple[int, ...]:
-    """The vertices in the lowest `share` of the height: those that rest on the table."""
-    height = np.asarray(mesh.vertices)[:, 2]
-    limit = height.min() + share * (height.max() - height.min())
-    return tuple(int(i) for i in np.flatnonzero(height <= limit))
 
 
 def generate_source(folder: Path) -> Path:
@@ -184,15 +181,6 @@ def touch(
         f"replay {'equal' if replay['equal'] else 'DIFFERS'}"
     )
     return run, report
-
-
-def describe_model(scene: palpate.Scene) -> str:
-    tissue = scene.tissue
-    links = len(tissue.springs.ends) + len(tissue.bonds.ends)
-    return (
-        f"{len(tissue.mass)} particles, {links} links, total mass "
-        f"{1e3 * palpate.compute_total_mass(tissue):.1f} g, {scene.substeps} substeps"
-    )
 
 
 def replay_elsewhere(record: Path) -> Report:

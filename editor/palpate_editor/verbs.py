@@ -8,6 +8,7 @@ import sys
 from dataclasses import asdict
 from pathlib import Path
 
+import numpy as np
 import palpate
 from palpate.mesh_file import read_mesh_file
 from palpate.scene_file import compile_scene, hash_file, write_scene_file
@@ -15,8 +16,9 @@ from palpate.scene_parts import HandPart, MaterialPart, ModelPart, OrganPart, Sc
 from palpate.verb import Refusal, Report, Verb, quantity
 
 from palpate_editor import authoring
-from palpate_editor.check import check_scene
-from palpate_editor.demo import CONSTANTS, describe_model, find_lowest, run_demo
+from palpate_editor.check import check_file, describe_model
+from palpate_editor.demo import CONSTANTS, run_demo
+from palpate_editor.edits.fix import find_lowest
 
 UNITS = ("m", "cm", "mm", "in")
 UPS = ("x", "y", "z", "-x", "-y", "-z")
@@ -264,7 +266,9 @@ def run_material(call: argparse.Namespace) -> Report:
             home_stiffness=call.home,
             pressure=call.pressure,
             drag=call.drag,
-            fixed=find_lowest(mesh, call.fix_lowest) if call.fix_lowest > 0.0 else (),
+            fixed=tuple(find_lowest(np.asarray(mesh.vertices), call.fix_lowest).tolist())
+            if call.fix_lowest > 0.0
+            else (),
         ),
         tool=ToolPart(radius=call.tool_radius),
         hand=HandPart(coupling=call.coupling),
@@ -302,15 +306,15 @@ def describe_material(report: Report) -> str:
 
 
 def add_check(word: argparse.ArgumentParser) -> None:
-    word.add_argument("scene", type=Path, help="scene file made by `palpate material`")
+    word.add_argument("file", type=Path, help=".organ, .palpate or .scene.json")
 
 
 def run_check(call: argparse.Namespace) -> Report:
-    return check_scene(call.scene)
+    return check_file(call.file)
 
 
 def describe_check(report: Report) -> str:
-    lines = [f"{report['scene']}: {report['description']}"]
+    lines = [f"{report['file']}: {report['description']}"]
     for problem in report["problems"]:
         lines.append(
             f"  {problem['severity']:7} {problem['where']}: found {problem['found']}, "

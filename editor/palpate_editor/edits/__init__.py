@@ -14,7 +14,7 @@ from palpate_editor.edits.import_mesh import ImportMesh, import_file
 from palpate_editor.edits.name import SetName, SetTask
 from palpate_editor.edits.orient import SetUnit, SetUp
 from palpate_editor.edits.paint import PaintStiffness
-from palpate_editor.edits.repair import KeepLargestShell
+from palpate_editor.edits.repair import KeepLargestShell, TurnOutward
 from palpate_editor.edits.set_constant import SetChoice, SetConstant, SetGravity, SetMaterial
 
 __all__ = [
@@ -35,6 +35,7 @@ __all__ = [
     "SetTask",
     "SetUnit",
     "SetUp",
+    "TurnOutward",
     "UseImported",
     "decimate_organ",
     "import_file",
@@ -45,6 +46,7 @@ EVERY_EDIT: tuple[type, ...] = (
     SetUnit,
     SetUp,
     KeepLargestShell,
+    TurnOutward,
     Decimate,
     UseImported,
     SetChoice,

@@ -51,3 +51,22 @@ def keep_largest(surface: Surface) -> Surface:
     number = np.full(len(x), -1, np.int32)
     number[used] = np.arange(len(used), dtype=np.int32)
     return Surface(x[used], number[triangles[kept]])
+
+
+@dataclass(frozen=True)
+class TurnOutward:
+    """Turn a closed surface inside out, where its triangles face inwards."""
+
+    title: ClassVar[str] = "Turn triangles outward"
+
+    def __call__(self, organ: Organ) -> Organ:
+        surface = find_surface(organ)
+        if not palpate.is_closed(surface.triangles):
+            raise EditError(phrase("A surface with holes has no outside to turn to."))
+        mesh = palpate.SurfaceMesh(surface.vertices, surface.triangles)
+        if palpate.compute_volume(mesh) > 0.0:
+            raise EditError(phrase("The triangles face outwards already."))
+        turned = Surface(surface.vertices, surface.triangles[:, ::-1])
+        imported = turned if organ.imported is surface else organ.imported
+        # the vertices are the same, so what was painted on them is too
+        return replace(organ, surface=turned, imported=imported)

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What can be wrong or doubtful about an organ, as values: the window shows them, `check` prints.
+
+The rules need to know what was measured on the surface and what came of building the tissue. That
+comes to them as `Facts`, found out by palpate_editor.check, so they need neither.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from palpate_editor.document.organ import Organ
+from palpate_editor.document.phrase import Phrase
+
+STAGES = ("import", "repair", "decimate", "material", "test", "publish")
+SEVERITIES = ("error", "warning", "note")
+"""An error cannot be published; a warning will be felt; a note is worth knowing."""
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One thing to mend, or to know."""
+
+    key: str
+    """What kind of problem, for programs; the same whatever the numbers."""
+    severity: str
+    stage: str
+    where: str
+    found: Phrase
+    expected: Phrase
+    fix: Callable[[Organ], Organ] | None = field(default=None, compare=False)
+    """An edit that mends it, where one is sure to."""
+
+
+@dataclass(frozen=True)
+class SurfaceFacts:
+    """What was measured on a surface."""
+
+    shells: int
+    border_loops: tuple[int, ...]
+    """Vertices of each."""
+    outward: bool | None
+    non_manifold_edges: int
+    self_intersecting_faces: int | None
+    smallest_angle_deg: float | None
+    mean_edge: float
+    """[m]"""
+    diagonal: float
+    """[m] of the bounding box."""
+
+
+@dataclass(frozen=True)
+class TissueFacts:
+    """What came of building the tissue."""
+
+    substeps: int = 0
+    """Per tick, in the air; 0 where there is no tissue."""
+    stable_step: float | None = None
+    """[s] The longest step at which the tissue is stable at rest."""
+    margin: float | None = None
+    """[-] How many times longer than it is the step could be."""
+    total_mass: float | None = None
+    """[kg]"""
+    links: int = 0
+    """Springs and bonds."""
+    default_home: float | None = None
+    """[N/m³] What home springs are where the designer says nothing."""
+    refusal: tuple[str, str, str] | None = None
+    """Where, found, expected: why there is none."""
+    coupling_range: tuple[float, float] | None = None
+    """[N] the stretch-bend that every triangle can take, where one could not take the organ's."""
+
+
+@dataclass(frozen=True)
+class Facts:
+    """All that the rules are told."""
+
+    surface: SurfaceFacts | None = None
+    tissue: TissueFacts | None = None
+    tested: bool | None = None
+    """Whether the organ has been felt as it is; None where nobody can know."""

@@ -1,0 +1,293 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The rules an organ is held to, stage by stage."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from palpate_editor.document.constants import CHOICES, CONSTANTS
+from palpate_editor.document.organ import Organ
+from palpate_editor.document.phrase import Phrase, phrase
+from palpate_editor.document.problems import Facts, Problem, TissueFacts
+
+SIZE_LEAST, SIZE_MOST = 5e-3, 0.6
+"""[m] No organ is smaller or larger from corner to corner: its unit is another."""
+ANGLE_LEAST = 15.0
+"""[degree] Needles make a model stiff and its stretch-bend range collapse (SCIENCE 1.7)."""
+EDGES_PER_RADIUS = 0.5
+"""[-] A tip much smaller than the triangles it touches feels the mesh, not the tissue."""
+TICK_SHARE = 0.7
+"""[-] of a tick that may be spent on the tissue; the rest is for the hand and the machine."""
+SUBSTEP_COST = {"mass_spring": 30e-9, "molecular": 100e-9}
+"""[s] per vertex on the reference machine (./run bench: mss_step and mms_step over vertices)."""
+SUBSTEPS_IN_CONTACT = 3
+"""A touched tissue takes at least as many (core/sim/haptics/tick.cpp)."""
+
+
+def find_problems(organ: Organ, facts: Facts) -> list[Problem]:
+    """All problems, stage by stage."""
+    found: list[Problem] = []
+    for rules in (
+        find_import_problems,
+        find_repair_problems,
+        find_decimate_problems,
+        find_material_problems,
+        find_test_problems,
+        find_publish_problems,
+    ):
+        found += rules(organ, facts)
+    return found
+
+
+def find_import_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
+    if organ.surface is None or facts.surface is None:
+        yield Problem(
+            "no_surface", "error", "import", "organ", phrase("no surface"), phrase("a mesh file")
+        )
+        return
+    size = facts.surface.diagonal
+    if not SIZE_LEAST <= size <= SIZE_MOST:
+        yield Problem(
+            "size",
+            "warning",
+            "import",
+            "unit",
+            phrase("an organ of {size:.4g} mm from corner to corner", size=1e3 * size),
+            phrase("{least:g} to {most:g} mm", least=1e3 * SIZE_LEAST, most=1e3 * SIZE_MOST),
+        )
+    source = organ.source
+    if source is not None and source.unit_guessed:
+        yield Problem(
+            "unit_guessed",
+            "warning",
+            "import",
+            "unit",
+            phrase("{unit}, guessed ({why})", unit=source.unit, why=source.unit_reason),
+            phrase("a unit that you have confirmed"),
+        )
+    if source is not None and source.up_guessed:
+        yield Problem(
+            "up_guessed",
+            "note",
+            "import",
+            "up",
+            phrase("{up}, guessed ({why})", up=source.up, why=source.up_reason),
+            phrase("an axis that you have confirmed"),
+        )
+
+
+def find_repair_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
+    found = facts.surface
+    if found is None:
+        return
+
+    def problem(key: str, severity: str, what: Phrase, expected: Phrase) -> Problem:
+        return Problem(key, severity, "repair", "surface", what, expected)
+
+    if found.non_manifold_edges:
+        yield problem(
+            "non_manifold",
+            "error",
+            phrase("{count} edges with more than two triangles", count=found.non_manifold_edges),
+            phrase("at most two triangles at every edge"),
+        )
+    if found.outward is False:
+        yield problem("inward", "error", phrase("triangles that face inwards"), phrase("outwards"))
+    if found.shells > 1:
+        yield problem(
+            "shells",
+            "warning",
+            phrase("{count} pieces that nothing holds together", count=found.shells),
+            phrase("one piece"),
+        )
+    if found.border_loops:
+        sizes = ", ".join(map(str, found.border_loops))
+        yield problem(
+            "holes",
+            "note",
+            phrase("{count} holes, of {sizes} edges", count=len(found.border_loops), sizes=sizes),
+            phrase("a closed surface, or a hollow organ or sheet that has them"),
+        )
+    if found.self_intersecting_faces is None:
+        yield problem(
+            "self_intersections",
+            "error",
+            phrase("so many triangles on top of each other that counting was given up"),
+            phrase("a surface that does not cross itself"),
+        )
+    elif found.self_intersecting_faces:
+        yield problem(
+            "self_intersections",
+            "warning",
+            phrase("{count} triangles that cross others", count=found.self_intersecting_faces),
+            phrase("none"),
+        )
+
+
+def find_decimate_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
+    if facts.surface is None:
+        return
+    angle = facts.surface.smallest_angle_deg
+    if angle is not None and angle < ANGLE_LEAST:
+        yield Problem(
+            "angles",
+            "warning",
+            "decimate",
+            "surface",
+            phrase("a smallest angle of {angle:.1f} degrees", angle=angle),
+            phrase("at least {least:g}: decimate anew", least=ANGLE_LEAST),
+        )
+    cost = compute_tick_share(organ, facts)
+    if cost is not None and cost > TICK_SHARE:
+        yield Problem(
+            "too_slow",
+            "warning",
+            "decimate",
+            "vertices",
+            phrase(
+                "{count} vertices, {substeps} steps a tick: about {share:.0%} of the time there is",
+                count=organ.vertex_count,
+                substeps=facts.tissue.substeps if facts.tissue else 0,
+                share=cost,
+            ),
+            phrase(
+                "at most {share:.0%}: fewer vertices, softer links or more mass", share=TICK_SHARE
+            ),
+        )
+
+
+def compute_tick_share(organ: Organ, facts: Facts) -> float | None:
+    """[-] of a tick that this tissue takes on the reference machine, None where there is none."""
+    per_vertex = SUBSTEP_COST.get(organ.model.kind)
+    if facts.tissue is None or not facts.tissue.substeps or per_vertex is None:
+        return None
+    substeps = max(SUBSTEPS_IN_CONTACT, facts.tissue.substeps)
+    return per_vertex * organ.vertex_count * substeps * organ.hand.rate
+
+
+def find_material_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
+    wrong = list(find_constant_problems(organ))
+    yield from wrong
+    if facts.surface is None or facts.tissue is None:
+        return
+    solid = organ.material.wall_thickness is None
+    if facts.surface.border_loops and solid:
+        yield Problem(
+            "open_solid",
+            "error",
+            "material",
+            "material.wall_thickness",
+            phrase("a solid with holes"),
+            phrase("a closed surface, or the thickness of its wall"),
+        )
+    elif facts.tissue.refusal is not None and not wrong:
+        yield from refuse_tissue(facts.tissue)
+    yield from find_support_problems(organ)
+    edge, radius = facts.surface.mean_edge, organ.tool.radius
+    if 0.0 < radius < EDGES_PER_RADIUS * edge:
+        yield Problem(
+            "small_tip",
+            "warning",
+            "material",
+            "tool.radius",
+            phrase("{radius:.1f} mm", radius=1e3 * radius),
+            phrase("at least half the mean edge of {edge:.1f} mm", edge=1e3 * edge),
+        )
+
+
+def find_constant_problems(organ: Organ) -> Iterator[Problem]:
+    for constant in CONSTANTS:
+        value = getattr(getattr(organ, constant.part), constant.field)
+        if (value is None and constant.optional) or (value is not None and constant.allows(value)):
+            continue
+        shown = "none" if value is None else f"{value / constant.scale:g} {constant.unit}".strip()
+        yield Problem(
+            "constant",
+            "error",
+            "material",
+            constant.key,
+            phrase("{value}", value=shown),
+            constant.describe_range(),
+        )
+    for key, allowed in CHOICES.items():
+        value = getattr(organ.model, key.removeprefix("model."))
+        if value not in allowed:
+            yield Problem(
+                "choice",
+                "error",
+                "material",
+                key,
+                phrase("{value}", value=value),
+                phrase("one of {allowed}", allowed=", ".join(allowed)),
+            )
+
+
+def refuse_tissue(tissue: TissueFacts) -> Iterator[Problem]:
+    assert tissue.refusal is not None
+    where, found, expected = tissue.refusal
+    yield Problem(
+        "indefinite" if tissue.coupling_range else "tissue",
+        "error",
+        "material",
+        where,
+        phrase("{words}", words=found),
+        phrase("{words}", words=expected),
+    )
+
+
+def find_support_problems(organ: Organ) -> Iterator[Problem]:
+    """What holds the organ in its place?"""
+    if organ.vertex_count and organ.fixed.all():
+        yield Problem(
+            "all_fixed",
+            "error",
+            "material",
+            "fixed",
+            phrase("every vertex fixed"),
+            phrase("some that can move"),
+        )
+    home = organ.model.home_stiffness
+    # a builder's own choice is none for a solid
+    no_home = home == 0.0 or (home is None and organ.material.wall_thickness is None)
+    if no_home and not organ.fixed.any():
+        yield Problem(
+            "loose",
+            "warning",
+            "material",
+            "fixed",
+            phrase("neither home springs nor fixed vertices"),
+            phrase("something that holds the organ in its place"),
+        )
+
+
+def find_test_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
+    if organ.surface is not None and facts.tested is False:
+        yield Problem(
+            "untested",
+            "note",
+            "test",
+            "organ",
+            phrase("never felt as it is now"),
+            phrase("a test, so that you know what the trainee will feel"),
+        )
+
+
+def find_publish_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
+    if not organ.title.strip():
+        yield Problem(
+            "no_title",
+            "error",
+            "publish",
+            "title",
+            phrase("no title"),
+            phrase("what the trainee chooses it by"),
+        )
+    if not organ.task.strip():
+        yield Problem(
+            "no_task",
+            "note",
+            "publish",
+            "task",
+            phrase("no task"),
+            phrase("what the trainee is asked to do"),
+        )

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Edits that mend a problem, for those that can be mended with one press of a button."""
+
+from __future__ import annotations
+
+import math
+
+from palpate_editor.document import EMPTY, Organ
+from palpate_editor.document.constants import CHOICES
+from palpate_editor.document.problems import Facts, Problem
+from palpate_editor.document.rules import EDGES_PER_RADIUS, SIZE_LEAST, SIZE_MOST
+from palpate_editor.edits import (
+    Edit,
+    FixLowest,
+    KeepLargestShell,
+    SetChoice,
+    SetConstant,
+    SetTask,
+    SetUnit,
+    SetUp,
+    TurnOutward,
+)
+from palpate_editor.edits.orient import METRES
+
+WALL = 2e-3
+"""[m] A hollow organ's wall, where nothing better is known."""
+LOWEST = 0.1
+"""[-] of the height that is fixed where nothing holds an organ."""
+AWAY = 0.1
+"""[-] of an admissible range: how far from its end a mended constant is put."""
+
+
+def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
+    """An edit that mends the problem, where one is sure to."""
+    source, surface = organ.source, facts.surface
+    if problem.key == "unit_guessed" and source is not None:
+        return SetUnit(source.unit)
+    if problem.key == "up_guessed" and source is not None:
+        return SetUp(source.up)
+    if problem.key == "size" and source is not None and surface is not None:
+        return find_unit(source.unit, surface.diagonal)
+    if problem.key == "small_tip" and surface is not None:
+        # to the next tenth of a millimetre
+        radius = 1e-4 * math.ceil(1e4 * EDGES_PER_RADIUS * surface.mean_edge)
+        return SetConstant("tool", "radius", radius)
+    if problem.key == "constant":
+        part, field = problem.where.split(".")
+        return SetConstant(part, field, getattr(getattr(EMPTY, part), field))
+    if problem.key == "choice":
+        return SetChoice(problem.where.removeprefix("model."), CHOICES[problem.where][0])
+    if problem.key == "indefinite" and facts.tissue is not None:
+        wanted = move_inside(organ.model.stretch_coupling, *(facts.tissue.coupling_range or (0, 0)))
+        return SetConstant("model", "stretch_coupling", wanted)
+    if problem.key == "no_title" and organ.name.strip():
+        return SetTask(scenario_title=organ.name)
+    return {
+        "inward": TurnOutward(),
+        "shells": KeepLargestShell(),
+        "open_solid": SetConstant("material", "wall_thickness", WALL),
+        "loose": FixLowest(LOWEST),
+    }.get(problem.key)
+
+
+def find_unit(unit: str, diagonal: float) -> Edit | None:
+    """The unit that makes an organ of a plausible size, where just one of the usual ones does."""
+    fitting = [
+        other
+        for other in ("m", "cm", "mm", "in")
+        if SIZE_LEAST <= diagonal * METRES[other] / METRES[unit] <= SIZE_MOST
+    ]
+    return SetUnit(fitting[0]) if len(fitting) == 1 else None
+
+
+def move_inside(value: float, low: float, high: float) -> float:
+    """The number closest to `value` that keeps away from the ends of an admissible range."""
+    width = high - low if math.isfinite(high - low) else abs(high if value >= high else low)
+    return high - AWAY * width if value >= high else low + AWAY * width
