@@ -75,6 +75,8 @@ void bind_log_rows(py::module_& m) {
       .value("fault", HappeningKind::fault, "index: DeviceFault")
       .value("attached", HappeningKind::attached)
       .value("released", HappeningKind::released)
+      .value("paused", HappeningKind::paused,
+             "value: how long [s] the loop rested before this tick")
       .finalize();
   py::class_<Happening> happening(m, "Happening", "Something that happened at a tick.");
   happening

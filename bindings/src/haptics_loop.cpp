@@ -27,7 +27,7 @@ void bind_safe_device(py::module_& m) {
       .def_readwrite("force_max", &SafetyLimits::force_max, "[N] norm")
       .def_readwrite("slew_max", &SafetyLimits::slew_max, "[N/s]")
       .def_readwrite("ramp_time", &SafetyLimits::ramp_time,
-                     "[s] from the first command to full force.");
+                     "[s] from the first command, or the first after a rest, to full force.");
   def_copy(limits);
   def_repr(limits, {"force_max", "slew_max", "ramp_time"});
 
@@ -42,6 +42,9 @@ void bind_safe_device(py::module_& m) {
       "norm and slew and fade in at the start. The first fault latches.")
       .def(py::init<HapticDevice&, const SafetyLimits&>(), "device"_a, "limits"_a = usual,
            py::keep_alive<1, 2>(), "Raises ValueError for limits that are not positive.")
+      .def("rest", &SafeDevice::rest,
+           "A zero force at once, past the slew limit; the next command fades in as the first one "
+           "did.")
       .def("fault", &SafeDevice::fault)
       .def("sent", &SafeDevice::sent, "What was really sent last.")
       .def("limited_count", &SafeDevice::limited_count,
@@ -200,6 +203,13 @@ void bind_loop_class(py::module_& m) {
       .def("stop", &Loop::stop, Release(), "Asks and waits; the device gets a zero force last.")
       .def("wait", &wait, "timeout"_a, "[s] True once the run has ended.")
       .def("running", &Loop::running)
+      .def(
+          "pause", &Loop::pause,
+          "From any thread; followed within a tick. While it is paused the device gets zero forces "
+          "and the time of the run stands still: what would have been due is neither missed nor "
+          "made up. The force then fades in as at the start.")
+      .def("resume", &Loop::resume)
+      .def("paused", &Loop::paused, "The last command has gone out, a zero force after it.")
       .def("take_snapshot", &Loop::take_snapshot,
            "For one reader thread: True if something newer than last time was taken.")
       .def(

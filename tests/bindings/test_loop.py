@@ -216,6 +216,28 @@ def test_a_pointer_moves_the_hand_from_python():
     assert loop.report().fault is palpate.DeviceFault.none
 
 
+def test_a_pause_stops_the_ticks_and_the_force_and_misses_none():
+    device = palpate.ScriptedDevice(press_frames())
+    loop = palpate.Loop(organ_scene(1), device, palpate.LoopOptions(duration=0.4))
+    loop.start()
+    while loop.report().ticks < 200:
+        loop.wait(0.002)
+
+    loop.pause()
+    while not loop.paused():
+        loop.wait(0.001)
+    before = loop.report().ticks
+    loop.wait(0.1)
+
+    assert loop.running()
+    assert loop.report().ticks == before
+    assert device.last_command.force.tolist() == [0.0, 0.0, 0.0]
+    loop.resume()
+    assert loop.wait(60.0)
+    assert not loop.paused()
+    assert loop.report().ticks + loop.report().missed_ticks == 400
+
+
 def test_a_safe_device_limits_what_it_passes_on():
     script = palpate.ScriptedDevice(press_frames())
     safe = palpate.SafeDevice(script, palpate.SafetyLimits(force_max=1.0, ramp_time=0.001))
@@ -229,6 +251,8 @@ def test_a_safe_device_limits_what_it_passes_on():
     assert safe.name() == "script"
     assert np.linalg.norm(safe.sent().force) == pytest.approx(1.0)
     assert safe.limited_count() > 0
+    safe.rest()
+    assert safe.sent().force.tolist() == [0.0, 0.0, 0.0]
     safe.write(palpate.HapticCommand((np.nan, 0.0, 0.0)))
     assert safe.fault() is palpate.DeviceFault.force_not_finite
     assert safe.sent().force.tolist() == [0.0, 0.0, 0.0]

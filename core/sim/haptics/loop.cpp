@@ -38,9 +38,7 @@ const LoopOptions& validated(const LoopOptions& options) {
 long ticks_in(double seconds, double rate) {
   return std::max(1L, static_cast<long>(std::llround(std::min(seconds * rate, 9e15))));
 }
-
 double to_seconds(std::int64_t nanoseconds) noexcept { return 1e-9 * double(nanoseconds); }
-
 Snapshot rest_snapshot(const World& world) {
   Snapshot snapshot;
   snapshot.position = world.tissue.position;
@@ -48,11 +46,9 @@ Snapshot rest_snapshot(const World& world) {
   return snapshot;
 }
 
-Percentiles percentiles_of(const Durations& durations) {
-  return {.median = 1e-9 * durations.percentile(0.5),
-          .p99 = 1e-9 * durations.percentile(0.99),
-          .p99_9 = 1e-9 * durations.percentile(0.999),
-          .max = to_seconds(durations.largest())};
+Percentiles percentiles_of(const Durations& d) {
+  return {1e-9 * d.percentile(0.5), 1e-9 * d.percentile(0.99), 1e-9 * d.percentile(0.999),
+          to_seconds(d.largest())};
 }
 
 }  // namespace
@@ -74,6 +70,7 @@ struct Loop::Impl {
   void run() noexcept;
   void run_ticks() noexcept;
   void run_tick(std::int64_t index, long skipped) noexcept;
+  std::int64_t rest(std::int64_t index) noexcept;
   void keep(const HapticCommand& command) noexcept;
   void notice_faults(long number) noexcept;
   void publish() noexcept;
@@ -110,6 +107,7 @@ struct Loop::Impl {
   Alarm alarm;  // constant once has_alarm is set
   std::atomic<bool> has_alarm{false};
   std::atomic<bool> stopping{false}, running{false};
+  std::atomic<bool> pausing{false}, resting{false};  // asked for by others, done by this thread
   std::mutex ending;
   std::condition_variable ended;
   bool has_ended = false;
@@ -139,12 +137,16 @@ void Loop::Impl::run_ticks() noexcept {
   const std::int64_t spin = std::llround(1e9 * options.spin);
   const std::int64_t end = options.duration > 0.0 ? ticks_in(options.duration, scene.rate)
                                                   : std::numeric_limits<std::int64_t>::max();
-  const std::int64_t start = read_clock() + due_after_start(1);
+  std::int64_t start = read_clock() + due_after_start(1);
   long skipped = 0;
   for (std::int64_t index = 0; index < end;) {
     const std::int64_t due = start + due_after_start(index);
     wait_until(due, spin);
     if (stopping.load(std::memory_order_acquire)) break;
+    if (pausing.load(std::memory_order_acquire)) {
+      start = rest(index);
+      continue;
+    }
     lateness = std::max<std::int64_t>(0, read_clock() - due);
     run_tick(index, skipped);
 
@@ -161,6 +163,23 @@ void Loop::Impl::run_ticks() noexcept {
     log->push(StateHash{done - 1, compute_hash(world)});
   }
   if (done > 0) publish();
+}
+
+/// Keeps the device at rest before tick `index`. Returns the start [ns] that makes this tick due
+/// one period after the pause, so that nothing that follows is late for it.
+std::int64_t Loop::Impl::rest(std::int64_t index) noexcept {
+  const std::int64_t begun = read_clock();
+  safe.rest();
+  if (world.tick_count > 0) publish();
+  resting.store(true, std::memory_order_release);
+  while (pausing.load(std::memory_order_acquire) && !stopping.load(std::memory_order_acquire)) {
+    wait_until(read_clock() + due_after_start(1), 0);
+    safe.rest();  // again and again: a device may take silence for a fault
+  }
+  const std::int64_t now = read_clock();
+  resting.store(false, std::memory_order_release);
+  tell(world.tick_count, HappeningKind::paused, 0, to_seconds(now - begun));
+  return now + due_after_start(1) - due_after_start(index);
 }
 
 void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
@@ -233,7 +252,6 @@ void Loop::Impl::publish() noexcept {
 
 Loop::Loop(const Scene& scene, HapticDevice& device, const LoopOptions& options, TickLog* log)
     : impl_(std::make_unique<Impl>(scene, device, options, log)) {}
-
 Loop::~Loop() { stop(); }
 
 void Loop::start() {
@@ -257,9 +275,10 @@ bool Loop::wait(double timeout) {
 }
 
 bool Loop::running() const noexcept { return impl_->running.load(std::memory_order_acquire); }
-
+void Loop::pause() noexcept { impl_->pausing.store(true, std::memory_order_release); }
+void Loop::resume() noexcept { impl_->pausing.store(false, std::memory_order_release); }
+bool Loop::paused() const noexcept { return impl_->resting.load(std::memory_order_acquire); }
 bool Loop::take_snapshot() noexcept { return impl_->snapshots.take(); }
-
 const Snapshot& Loop::snapshot() const noexcept { return impl_->snapshots.front(); }
 
 LoopReport Loop::report() const {

@@ -71,6 +71,13 @@ class Loop {
   bool wait(double timeout);  ///< [s] true once the run has ended
   bool running() const noexcept;
 
+  /// From any thread; followed within a tick. While it is paused the device gets zero forces and
+  /// the time of the run stands still: what would have been due is neither missed nor made up. The
+  /// force then fades in as at the start. A run that ends while paused is over.
+  void pause() noexcept;
+  void resume() noexcept;
+  bool paused() const noexcept;  ///< the last command has gone out, a zero force after it
+
   /// For one reader thread: true if something newer than last time was taken.
   bool take_snapshot() noexcept;
   const Snapshot& snapshot() const noexcept;

@@ -89,4 +89,10 @@ void SafeDevice::write(const HapticCommand& command) noexcept {
   device_.write(sent_);
 }
 
+void SafeDevice::rest() noexcept {
+  commanded_ = false;
+  sent_.force.setZero();
+  device_.write(sent_);
+}
+
 }  // namespace palpate

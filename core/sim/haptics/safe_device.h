@@ -8,7 +8,7 @@ namespace palpate {
 struct SafetyLimits {
   double force_max = 5.0;    ///< [N] norm
   double slew_max = 2000.0;  ///< [N/s]
-  double ramp_time = 0.2;    ///< [s] from the first command to full force
+  double ramp_time = 0.2;  ///< [s] from the first command, or the first after a rest, to full force
 };
 
 enum class DeviceFault { none, sample_not_finite, force_not_finite };
@@ -24,6 +24,8 @@ class SafeDevice : public HapticDevice {
   /// Ramp and slew go by the `time` given here, whatever clock the device may have.
   HapticSample read(double time) noexcept override;
   void write(const HapticCommand& command) noexcept override;
+  /// A zero force at once, past the slew limit; the next command fades in as the first one did.
+  void rest() noexcept;
   std::string name() const override { return device_.name(); }
 
   DeviceFault fault() const noexcept { return fault_; }

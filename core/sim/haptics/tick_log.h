@@ -25,6 +25,7 @@ enum class HappeningKind : std::int32_t {
   fault = 4,         ///< index: DeviceFault
   attached = 5,
   released = 6,
+  paused = 7,  ///< value: how long [s] the loop rested before this tick
 };
 
 /// Something that happened at a tick.

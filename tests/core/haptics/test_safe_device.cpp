@@ -164,6 +164,22 @@ TEST_CASE("a force that is not finite latches and never reaches the device") {
   }
 }
 
+TEST_CASE("a rest is a zero force at once, and the force after it fades in as the first did") {
+  Puppet puppet;
+  SafeDevice safe(puppet, {.slew_max = 1e6, .ramp_time = 0.2});
+  double time = 0.0;
+  run(safe, puppet, {0, 0, 1}, 300, time);
+  REQUIRE(puppet.pushed.z() == 1.0);
+
+  safe.rest();
+  CHECK(puppet.pushed == Vec3::Zero());
+  CHECK(safe.sent().force == Vec3::Zero());
+
+  CHECK(run(safe, puppet, {0, 0, 1}, 1, time) == Vec3::Zero());
+  CHECK(run(safe, puppet, {0, 0, 1}, 100, time).z() == doctest::Approx(0.5).epsilon(0.02));
+  CHECK(run(safe, puppet, {0, 0, 1}, 150, time).z() == 1.0);
+}
+
 TEST_CASE("limits that are not positive are refused") {
   Puppet puppet;
 
