@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A live run of a scene with a device, as a window or a script follows it. Knows no Qt."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import TracebackType
+
+import numpy as np
+from numpy.typing import NDArray
+
+import palpate
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """The world as the haptic thread last left it for others, at most 8 ms ago."""
+
+    tick: int
+    time: float
+    """[s] of the run, in which a pause takes none."""
+    position: NDArray[np.float64]
+    """[m] (n, 3) of the tissue."""
+    tool_position: NDArray[np.float64]
+    """[m] (3,)"""
+    force: NDArray[np.float64]
+    """[N] (3,) on the hand, as the device was sent it."""
+    touching: bool
+    cost: float
+    """[s] of the last tick."""
+    lateness: float
+    """[s] of the last tick."""
+    substeps: int
+    missed_ticks: int
+    """Since the start."""
+    sample: palpate.HapticSample
+    """What the device said of the hand."""
+
+
+class LiveRun:
+    """The 1 kHz loop over a scene, its record, and the newest frame for whoever draws.
+
+    One thread calls it. Nothing here holds up the haptic thread. As a context manager it starts,
+    and finishes at the end.
+    """
+
+    def __init__(
+        self,
+        scene: palpate.Scene,
+        device: palpate.HapticDevice,
+        *,
+        record: str | os.PathLike[str] | None = None,
+        header: Mapping[str, object] | None = None,
+        options: palpate.LoopOptions | None = None,
+    ):
+        """`record` is the .prec file to write and `header` what it says of the run; `options` are
+        those of the loop. Raises OSError where the record cannot be written.
+        """
+        self.scene, self.device = scene, device
+        self.record = None if record is None else Path(record)
+        self._recorder: palpate.Recorder | None = None
+        log = None
+        if record is not None:
+            self._recorder = palpate.Recorder(os.fspath(record), json.dumps(dict(header or {})))
+            log = self._recorder.log()
+        self._loop = palpate.Loop(scene, device, options or palpate.LoopOptions(), log)
+        self._pausing = False
+
+    @property
+    def running(self) -> bool:
+        """From start() until the end of the run; true while it is paused."""
+        return self._loop.running()
+
+    @property
+    def paused(self) -> bool:
+        """From pause() until resume()."""
+        return self._pausing
+
+    def start(self) -> None:
+        """Raises RuntimeError the second time: a run is run once."""
+        self._loop.start()
+
+    def pause(self) -> None:
+        """Within a tick: the device gets zero forces, and the time of the run stands still."""
+        self._pausing = True
+        self._loop.pause()
+
+    def resume(self) -> None:
+        """Goes on where it was paused; the force fades in as at the start."""
+        self._pausing = False
+        self._loop.resume()
+
+    def wait(self, timeout: float) -> bool:
+        """[s] True once the run has ended by itself, which one without a duration never does."""
+        return self._loop.wait(timeout)
+
+    def take_frame(self) -> Frame | None:
+        """What is newer than the frame last taken, or None. Its arrays belong to the caller."""
+        if not self._loop.take_snapshot():
+            return None
+        now = self._loop.snapshot()
+        return Frame(
+            now.tick,
+            now.time,
+            now.position,
+            np.array(now.tool_position),
+            np.array(now.force),
+            now.touching,
+            now.cost,
+            now.lateness,
+            now.substeps,
+            now.missed_ticks,
+            now.sample,
+        )
+
+    def report(self) -> palpate.LoopReport:
+        """Costs and faults so far."""
+        return self._loop.report()
+
+    def finish(self) -> palpate.LoopReport:
+        """Stops the loop, completes the record, and says what the run cost. May be repeated.
+
+        Raises OSError where the record could not be written.
+        """
+        self._loop.stop()
+        recorder, self._recorder = self._recorder, None
+        if recorder is not None:
+            recorder.finish()
+        return self._loop.report()
+
+    def __enter__(self) -> LiveRun:
+        self.start()
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.finish()

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Live runs: what a window sees of them, their pauses and their records."""
+
+from __future__ import annotations
+
+import json
+import sys
+
+import numpy as np
+import palpate
+import pytest
+from palpate.live import Frame, LiveRun
+from surfaces import organ_scene, press_frames
+
+
+def script() -> palpate.ScriptedDevice:
+    return palpate.ScriptedDevice(press_frames())
+
+
+def options() -> palpate.LoopOptions:
+    """As long as the script."""
+    return palpate.LoopOptions(duration=0.4)
+
+
+def run_with_pauses(run: LiveRun, at: tuple[float, ...]) -> list[Frame]:
+    """Runs to the end, with a pause at each of some times [s]; returns a frame of each pause."""
+    seen = []
+    run.start()
+    for moment in at:
+        while run.running:
+            frame = run.take_frame()
+            if frame is not None and frame.time >= moment:
+                break
+            run.wait(0.001)
+        run.pause()
+        # the frame that the pause itself leaves behind, for its force
+        run.wait(0.05)
+        seen.append(run.take_frame())
+        run.wait(0.05)
+        assert run.take_frame() is None
+        assert run.running and run.paused
+        run.resume()
+    assert run.wait(60.0)
+    return seen
+
+
+def test_a_run_is_followed_by_frames_that_get_newer_and_belong_to_the_caller():
+    run = LiveRun(organ_scene(1), script(), options=options())
+    assert not run.running
+
+    frames = []
+    with run:
+        while run.running:
+            frame = run.take_frame()
+            if frame is not None:
+                frames.append((frame, frame.position.copy()))
+            run.wait(0.004)
+    report = run.finish()
+
+    ticks = [frame.tick for frame, _ in frames]
+    assert ticks == sorted(set(ticks))
+    assert len(frames) > 3
+    assert all(np.array_equal(frame.position, copy) for frame, copy in frames)
+    assert any(frame.touching and np.linalg.norm(frame.force) > 0.0 for frame, _ in frames)
+    assert report.ticks + report.missed_ticks == 400
+
+
+def test_a_pause_costs_no_tick_and_its_force_is_zero():
+    run = LiveRun(organ_scene(1), script(), options=options())
+
+    during = run_with_pauses(run, (0.1, 0.2))
+
+    report = run.finish()
+    assert report.ticks + report.missed_ticks == 400
+    assert [frame.force.tolist() for frame in during] == [[0.0] * 3] * 2
+    # deep in the tissue, where the script stands still
+    assert during[1].touching
+    assert not run.paused
+
+
+def test_a_record_with_pauses_replays_bit_by_bit_and_tells_of_them(tmp_path):
+    scene = organ_scene(1)
+    path = tmp_path / "paused.prec"
+    run = LiveRun(scene, script(), record=path, header={"device": "script"}, options=options())
+
+    run_with_pauses(run, (0.1, 0.2))
+    report = run.finish()
+
+    record = palpate.read_record(path)
+    assert json.loads(record.header)["device"] == "script"
+    assert record.complete
+    assert len(record.hand) == report.ticks
+    told = record.happenings[record.happenings["kind"] == palpate.HappeningKind.paused]
+    assert len(told) == 2
+    assert (told["value"] >= 0.1).all()
+    replayed = palpate.replay(scene, record)
+    assert replayed.equal
+    assert replayed.ticks == report.ticks
+    # the script's time stood still: no two ticks are further apart than the ticks between them
+    assert np.diff(record.hand["time"]).max() < 1e-3 * (1.5 + report.missed_ticks)
+
+
+def test_a_finished_run_is_not_started_again_and_finishes_as_often_as_one_likes(tmp_path):
+    run = LiveRun(organ_scene(1), script(), record=tmp_path / "a.prec", options=options())
+    run.start()
+
+    first, second = run.finish(), run.finish()
+
+    assert first.ticks == second.ticks
+    assert palpate.read_record(tmp_path / "a.prec").complete
+    with pytest.raises(RuntimeError, match="second time"):
+        run.start()
+
+
+def test_a_record_that_cannot_be_written_is_refused_before_anything_runs(tmp_path):
+    with pytest.raises(OSError, match="nowhere"):
+        LiveRun(organ_scene(1), script(), record=tmp_path / "nowhere" / "a.prec")
+
+
+def test_a_live_run_needs_no_qt():
+    import subprocess
+
+    words = "import sys, palpate.live; sys.exit(any('PySide' in m for m in sys.modules))"
+    assert subprocess.run([sys.executable, "-c", words], check=False).returncode == 0
