@@ -9,13 +9,16 @@ from palpate.viewport.gl_view import GLView
 from palpate.viewport.hud import Hud
 from palpate.viewport.legend_bar import LegendBar
 from palpate.viewport.make_view import make_view
+from palpate.viewport.pointer_hand import Grip, PointerHand
 from palpate.viewport.view_base import View, ViewBase, ViewTool
 
 __all__ = [
     "FboView",
     "GLView",
+    "Grip",
     "Hud",
     "LegendBar",
+    "PointerHand",
     "View",
     "ViewBase",
     "ViewTool",
