@@ -124,20 +124,29 @@ class LiveCosts(QWidget):
     def show_margin(self, step: float, longest: float) -> None:
         """The time step [s] of a scene and the longest stable one [s]."""
         share = step / longest
-        self._show("margin", f"{1e3 * step:.3f} ms {share:5.0%}".replace("%", " %"), share)
+        self._show("margin", f"{1e3 * step:.3f} ms {100 * share:4.0f} %", share)
 
     def show_frame(self, frame: Any, rate: float) -> None:
         """A palpate.live.Frame of a loop of `rate` [Hz]."""
         self._costs.append(frame.cost)
         self._latenesses.append(frame.lateness)
-        for name, seconds in (("cost", self._costs), ("lateness", self._latenesses)):
-            share = median(seconds) * rate
-            self._show(
-                name, f"{1e3 * median(seconds):.3f} ms {share:5.0%}".replace("%", " %"), share
-            )
-        missed, ticks = frame.missed_ticks, max(1, frame.tick + 1)
+        self._show_time("cost", median(self._costs), rate)
+        self._show_time("lateness", median(self._latenesses), rate)
+        self._show_missed(frame.missed_ticks, frame.tick + 1)
+
+    def show_report(self, report: Any, rate: float) -> None:
+        """What a whole run cost, a palpate.LoopReport of a loop of `rate` [Hz]."""
+        for name, seconds in (("cost", report.cost), ("lateness", report.lateness)):
+            self._show_time(name, seconds.median, rate)
+        self._show_missed(report.missed_ticks, report.ticks)
+
+    def _show_time(self, name: str, seconds: float, rate: float) -> None:
+        share = seconds * rate
+        self._show(name, f"{1e3 * seconds:.3f} ms {100 * share:4.0f} %", share)
+
+    def _show_missed(self, missed: int, ticks: int) -> None:
         # one missed tick of a hundred can be felt, so the bar is full there
-        self._show("missed", f"{missed} / {ticks}", 100.0 * missed / ticks)
+        self._show("missed", f"{missed} / {ticks}", 100.0 * missed / max(1, ticks))
 
     def _show(self, name: str, text: str, share: float | None) -> None:
         self._numbers[name].setText(text)

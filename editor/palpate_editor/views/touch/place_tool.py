@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pointing once at the organ, to say where a script shall press."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QObject, QPointF, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
+
+
+class PlaceTool(QObject):
+    """A view tool: the next click on the surface is the place."""
+
+    picked = Signal(object)
+    """[m] (3,)"""
+    left = Signal()
+
+    def __init__(self, radius: float, parent: QObject | None = None):
+        super().__init__(parent)
+        self.radius = radius
+        """[m] of the ring that shows where it would be."""
+
+    def press(self, view: Any, event: QMouseEvent) -> bool:
+        if event.button() != Qt.MouseButton.LeftButton:
+            return False
+        found = view.pick(event.position())
+        if found is None:
+            return False
+        self.picked.emit(np.array(found.point))
+        return True
+
+    def move(self, view: Any, event: QMouseEvent) -> bool:
+        self._show_ring(view, event.position())
+        return False
+
+    def release(self, view: Any, event: QMouseEvent) -> bool:
+        del view, event
+        return False
+
+    def wheel(self, view: Any, event: QWheelEvent) -> bool:
+        del view, event
+        return False
+
+    def leave(self, view: Any) -> None:
+        view.show_ring(None)
+
+    def key(self, view: Any, event: QKeyEvent) -> bool:
+        if event.key() == Qt.Key.Key_Escape:
+            view.show_ring(None)
+            self.left.emit()
+            return True
+        return False
+
+    def _show_ring(self, view: Any, at: QPointF) -> None:
+        found = view.pick(at)
+        if found is None:
+            view.show_ring(None)
+            return
+        _, direction = view.ray_at(at)
+        view.show_ring(np.array(found.point), -np.asarray(direction), self.radius)

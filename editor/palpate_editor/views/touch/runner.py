@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Begins and ends live runs of the organ on the desk, and keeps what the last one felt."""
+
+from __future__ import annotations
+
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import palpate
+from numpy.typing import NDArray
+from palpate.press import Moments, Place, PressScript, find_place, find_top, write_script
+from palpate.viewport import PointerHand
+from PySide6.QtCore import QObject, Signal
+
+from palpate_editor.document import Organ
+from palpate_editor.views.touch.force_plot import ForcePlot
+from palpate_editor.views.touch.live_costs import LiveCosts
+from palpate_editor.views.touch.results import Outcome, read_felt
+from palpate_editor.views.touch.trial import Trial, describe_end
+from palpate_editor.views.words import tr
+
+
+@dataclass(frozen=True)
+class HandWish:
+    """A run with the mouse as the hand."""
+
+
+@dataclass(frozen=True)
+class PressWish:
+    """A run of a script."""
+
+    script: PressScript
+    place: NDArray[np.float64] | None
+    """[m] (3,) near which the surface is pressed; None for the top."""
+
+
+class Runner(QObject):
+    """One run at a time. Whatever ends it, the view shows the organ at rest again."""
+
+    changed = Signal()
+    """It waits, runs, is paused or has ended."""
+    ended = Signal(object)
+    """An Outcome."""
+
+    def __init__(self, desk: Any, plot: ForcePlot, costs: LiveCosts, parent: QObject | None = None):
+        super().__init__(parent)
+        self.desk, self.plot, self.costs = desk, plot, costs
+        self.wish: HandWish | PressWish | None = None
+        """What waits for the organ to be compiled, or runs."""
+        self.trial: Trial | None = None
+        self._organ: Organ | None = None
+        self._script: tuple[Place, Moments] | None = None
+        self._name, self._count = "", 0
+        self._folder = tempfile.TemporaryDirectory(prefix="palpate-test-")
+        desk.session.changed.connect(self._on_changed)
+        desk.assessed.connect(self._on_assessed)
+
+    @property
+    def running(self) -> bool:
+        """Also while it is paused."""
+        return self.trial is not None
+
+    @property
+    def waiting(self) -> bool:
+        """Started, and the organ is still being compiled."""
+        return self.wish is not None and self.trial is None
+
+    @property
+    def paused(self) -> bool:
+        return self.trial is not None and self.trial.paused
+
+    # ------------------------------------------------------------ what a person asks for
+
+    def start(self, wish: HandWish | PressWish) -> None:
+        """Begins as soon as the organ is compiled; another run is ended first."""
+        self.stop()
+        if self.desk.session.organ.surface is None:
+            self.desk.tell(tr("There is no organ to test yet: import a mesh file first."))
+            return
+        self.wish = wish
+        self.changed.emit()
+        self._on_assessed()
+
+    def toggle_pause(self) -> None:
+        """Pauses a run, or goes on."""
+        if self.trial is None:
+            return
+        if self.trial.paused:
+            self.trial.resume()
+        else:
+            self.trial.pause()
+        self.changed.emit()
+
+    def stop(self) -> None:
+        """Ends the run, or the wait for it."""
+        if self.trial is not None:
+            self._end(self.trial.finish())
+        elif self.wish is not None:
+            self.wish = None
+            self.changed.emit()
+
+    def reset(self) -> None:
+        """The same run from the beginning, from rest."""
+        wish = self.wish
+        if wish is not None:
+            self.start(wish)
+
+    # ------------------------------------------------------------ beginning
+
+    def _on_assessed(self) -> None:
+        found, organ = self.desk.assessment, self.desk.session.organ
+        if self.wish is None or self.trial is not None or found is None:
+            return
+        if found.organ is not organ:
+            return
+        if found.compiled.scene is None:
+            self.wish = None
+            self.desk.tell(
+                tr("The organ cannot be tested yet: {why}").format(why=found.compiled.refusal)
+            )
+            self.changed.emit()
+            return
+        self._begin(organ, found.compiled.scene, self.wish)
+
+    def _begin(self, organ: Organ, scene: palpate.Scene, wish: HandWish | PressWish) -> None:
+        self._count += 1
+        device, duration, self._script = palpate.PointerDevice(), 0.0, None
+        self._name = tr("Hand {count}").format(count=self._count)
+        if isinstance(wish, PressWish):
+            place = find_top(scene) if wish.place is None else find_place(scene, wish.place)
+            frames, moments = write_script(place, scene.tool.radius, wish.script)
+            device, duration = palpate.ScriptedDevice(frames), moments.end
+            self._script = place, moments
+            self._name = tr("Press {count}").format(count=self._count)
+        record = Path(self._folder.name) / f"run{self._count}.prec"
+        view = self.desk.view
+        try:
+            self.trial = Trial(view, scene, device, record, duration, self)
+        except OSError as problem:
+            self.wish = None
+            self.desk.refuse(problem)
+            self.changed.emit()
+            return
+        self._organ = organ
+        self.trial.framed.connect(self._take_frame)
+        self.trial.ended.connect(self._end)
+        if isinstance(wish, HandWish):
+            view.tool = PointerHand(view, device, scene)
+        self.plot.begin(self._name)
+        self.costs.clear()
+        step = 1.0 / scene.rate / scene.substeps
+        self.costs.show_margin(step, palpate.stable_step(scene.tissue, scene.hold_stiffness))
+        self.trial.start()
+        self.changed.emit()
+
+    def _take_frame(self, frame: Any) -> None:
+        self.plot.add(frame.time, frame.force)
+        self.costs.show_frame(frame, self.trial.scene.rate)
+
+    # ------------------------------------------------------------ ending
+
+    def _end(self, report: palpate.LoopReport) -> None:
+        trial, self.trial, self.wish = self.trial, None, None
+        view = self.desk.view
+        if isinstance(view.tool, PointerHand):
+            view.tool = None
+        trial.clear_view()
+        trial.deleteLater()
+        self.costs.show_report(report, trial.scene.rate)
+        outcome = self._read_outcome(trial, report)
+        if outcome is None:
+            self.plot.finish()
+        else:
+            self.plot.finish(outcome.time, outcome.force)
+        trial.record.unlink(missing_ok=True)
+        problem = describe_end(report)
+        if problem is not None:
+            self.desk.tell(problem)
+        elif self.desk.session.organ is self._organ:
+            self.desk.session.mark_tested()
+        self.changed.emit()
+        if outcome is not None:
+            self.ended.emit(outcome)
+
+    def _read_outcome(self, trial: Trial, report: palpate.LoopReport) -> Outcome | None:
+        try:
+            record = palpate.read_record(str(trial.record))
+        except OSError as problem:
+            self.desk.refuse(problem)
+            return None
+        if len(record.hand) == 0:
+            return None
+        script = self._script
+        if script is not None and record.hand["time"][-1] < script[1].held:
+            script = None  # it was stopped before it could be measured
+        felt = read_felt(record, trial.scene.tool.radius, script)
+        device = trial.device.name()
+        return Outcome(self._name, self._organ, trial.scene, record, report, device, felt)
+
+    def _on_changed(self, before: Organ, after: Organ) -> None:
+        del before
+        if self.trial is not None and after is not self._organ:
+            self.stop()
+            self.desk.tell(
+                tr("The run was stopped because the organ was changed. Start it again."), "info"
+            )

@@ -1,0 +1,256 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Choosing vertices by click and rectangle, to fix them or make them stiffer all at once."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import palpate
+from numpy.typing import NDArray
+from PySide6.QtCore import QObject, QPoint, QRect, Qt, Signal
+from PySide6.QtGui import QAction, QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtWidgets import QApplication, QRubberBand, QWidget
+
+from palpate_editor.brush import select_linked
+from palpate_editor.document import Organ
+from palpate_editor.edits import FixVertices, PaintStiffness
+from palpate_editor.views.touch.colours import show_fixed, show_painted, show_stiffness
+from palpate_editor.views.touch.painted_surface import PaintedSurface, Spot
+from palpate_editor.views.touch.selection import find_in_rectangle, keep_visible
+from palpate_editor.views.words import tr
+
+CONTROL, ALT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier
+
+
+class SelectTool(QObject):
+    """A click takes the nearest vertex, a drag all that are seen in a rectangle."""
+
+    name, shortcut = "select", "A"
+    stages: tuple[str, ...] = ("material",)
+    left = Signal()
+    selection_changed = Signal()
+
+    def __init__(self, desk: Any, parent: QObject | None = None):
+        super().__init__(parent or desk)
+        self.desk = desk
+        self.active = False
+        self.selected: NDArray[np.bool_] = np.zeros(desk.session.organ.vertex_count, bool)
+        self._painted: PaintedSurface | None = None
+        self._start: QPoint | None = None
+        self._band: QRubberBand | None = None
+        self._options: QWidget | None = None
+        self._actions = self._build_actions()
+        desk.session.changed.connect(self._take_organ)
+
+    def title(self) -> str:
+        return tr("Select")
+
+    def hint(self) -> str:
+        return tr(
+            "Click or drag to select, Ctrl to add, Alt to remove, L takes what is linked, "
+            "Ctrl+A all, Ctrl+I the others, Esc to leave"
+        )
+
+    # ------------------------------------------------------------ coming and going
+
+    def activate(self) -> None:
+        """Takes the mouse over the organ."""
+        self.active = True
+        self.desk.view.tool = self
+        self.desk.set_hint(self.hint())
+        self._show()
+
+    def deactivate(self) -> None:
+        """Gives the mouse back; the selection is kept for the next time."""
+        self.active = False
+        self._end_band()
+        if self.desk.view.tool is self:
+            self.desk.view.tool = None
+        show_painted(self.desk.view, self.desk.session.organ)
+
+    def options(self) -> QWidget:
+        """What can be done with the selection, for the stage's panel."""
+        if self._options is None:
+            from palpate_editor.views.touch.select_options import SelectOptions
+
+            self._options = SelectOptions(self)
+        return self._options
+
+    def actions(self) -> list[QAction]:
+        """For menus and the command palette."""
+        return self._actions
+
+    def _build_actions(self) -> list[QAction]:
+        table = (
+            ("select_all", tr("Select all vertices"), "Ctrl+A", self.select_all),
+            ("invert_selection", tr("Invert the selection"), "Ctrl+I", self.invert),
+            ("select_linked", tr("Select what is linked"), "L", self.select_linked),
+            ("select_none", tr("Select nothing"), "Ctrl+Shift+A", self.select_none),
+            ("fix_selection", tr("Fix the selected vertices"), "", self.fix),
+            ("free_selection", tr("Free the selected vertices"), "", self.free),
+        )
+        actions = []
+        for name, title, shortcut, slot in table:
+            action = QAction(title, self)
+            action.setObjectName(name)
+            if shortcut:
+                action.setShortcut(shortcut)
+            action.triggered.connect(slot)
+            actions.append(action)
+        return actions
+
+    def _take_organ(self, before: Organ, after: Organ) -> None:
+        if before.surface is not after.surface or len(self.selected) != after.vertex_count:
+            self.selected = np.zeros(after.vertex_count, bool)
+            self._painted = None
+            self.selection_changed.emit()
+        if self.active:
+            self._show()
+
+    def _show(self) -> None:
+        organ = self.desk.session.organ
+        if organ.surface is not None:
+            show_fixed(self.desk.view, organ.fixed, self.selected)
+            show_stiffness(self.desk.view, organ.stiffness_scale)
+
+    # ------------------------------------------------------------ the selection
+
+    def select(
+        self, ids: NDArray[np.intp], modifiers: Any = Qt.KeyboardModifier.NoModifier
+    ) -> None:
+        """Takes these vertices; with Ctrl beside those selected, with Alt out of them."""
+        chosen = np.zeros(len(self.selected), bool)
+        chosen[ids] = True
+        if modifiers & CONTROL:
+            chosen = self.selected | chosen
+        elif modifiers & ALT:
+            chosen = self.selected & ~chosen
+        self._take(chosen)
+
+    def select_all(self) -> None:
+        self._take(np.ones(len(self.selected), bool))
+
+    def select_none(self) -> None:
+        self._take(np.zeros(len(self.selected), bool))
+
+    def invert(self) -> None:
+        self._take(~self.selected)
+
+    def select_linked(self) -> None:
+        """Grows the selection to all that hangs together with it."""
+        painted = self._find_painted()
+        if painted is None or not self.selected.any():
+            self.desk.tell(tr("Select a vertex first: then L takes all that is linked."), "info")
+            return
+        self.select(select_linked(np.flatnonzero(self.selected), painted.neighbours))
+
+    def fix(self) -> None:
+        """Holds the selected vertices at rest."""
+        self._apply_fixed(True)
+
+    def free(self) -> None:
+        """Lets the selected vertices move."""
+        self._apply_fixed(False)
+
+    def stiffen(self, factor: float) -> None:
+        """Gives the selected vertices a stiffness, [-] times the organ's own."""
+        if self._has_selection():
+            self.desk.apply(PaintStiffness(np.flatnonzero(self.selected), factor))
+
+    def _apply_fixed(self, fixed: bool) -> None:
+        if self._has_selection():
+            self.desk.apply(FixVertices(np.flatnonzero(self.selected), fixed))
+
+    def _has_selection(self) -> bool:
+        if not self.selected.any():
+            self.desk.tell(tr("No vertices are selected: click or drag on the organ."), "info")
+        return bool(self.selected.any())
+
+    def _take(self, selected: NDArray[np.bool_]) -> None:
+        self.selected = selected
+        if self.active:
+            self._show()
+        self.selection_changed.emit()
+
+    # ------------------------------------------------------------ events of the view
+
+    def press(self, view: Any, event: QMouseEvent) -> bool:
+        """Begins a click or a rectangle."""
+        if event.button() != Qt.MouseButton.LeftButton or self._find_painted() is None:
+            return False
+        self._start = event.position().toPoint()
+        self._band = QRubberBand(QRubberBand.Shape.Rectangle, view)
+        return True
+
+    def move(self, view: Any, event: QMouseEvent) -> bool:
+        """Draws the rectangle."""
+        del view
+        if self._start is None:
+            return False
+        at = event.position().toPoint()
+        if (at - self._start).manhattanLength() >= QApplication.startDragDistance():
+            self._band.setGeometry(QRect(self._start, at).normalized())
+            self._band.show()
+        return True
+
+    def release(self, view: Any, event: QMouseEvent) -> bool:
+        """Ends it: takes the vertices meant."""
+        if event.button() != Qt.MouseButton.LeftButton or self._start is None:
+            return False
+        drawn = self._band.isVisible()
+        start, end = self._start, event.position().toPoint()
+        self._end_band()
+        if drawn:
+            ids = self._find_seen(view, start, end)
+        else:
+            found = view.pick(event.position())
+            ids = np.array([] if found is None else [self._nearest(found)], dtype=np.intp)
+        self.select(ids, event.modifiers())
+        return True
+
+    def wheel(self, view: Any, event: QWheelEvent) -> bool:
+        """The wheel is the camera's."""
+        del view, event
+        return False
+
+    def leave(self, view: Any) -> None:
+        """Nothing to take away."""
+        del view
+
+    def key(self, view: Any, event: QKeyEvent) -> bool:
+        """Escape drops a rectangle, or leaves."""
+        del view
+        if event.key() != Qt.Key.Key_Escape:
+            return False
+        if self._start is not None:
+            self._end_band()
+        else:
+            self.left.emit()
+        return True
+
+    def _end_band(self) -> None:
+        if self._band is not None:
+            self._band.hide()
+            self._band.deleteLater()
+        self._start = self._band = None
+
+    def _find_painted(self) -> PaintedSurface | None:
+        surface = self.desk.session.organ.surface
+        if surface is not None and (self._painted is None or self._painted.surface is not surface):
+            self._painted = PaintedSurface(surface)
+        return self._painted if surface is not None else None
+
+    def _nearest(self, found: palpate.SurfacePoint) -> int:
+        spot = Spot(found.triangle, np.array(found.weights), np.array(found.point), np.zeros(3))
+        return self._painted.find_nearest(spot)
+
+    def _find_seen(self, view: Any, start: QPoint, end: QPoint) -> NDArray[np.intp]:
+        painted, camera = self._painted, view.camera
+        pixels, depth = camera.project(painted.surface.vertices, (view.width(), view.height()))
+        corners = [np.array([p.x(), p.y()], dtype=float) for p in (start, end)]
+        ids = find_in_rectangle(np.where(depth[:, None] > 0.0, pixels, np.inf), *corners)
+        tree = palpate.AabbTree(painted.surface.vertices, painted.surface.triangles)
+        return keep_visible(
+            ids, painted.surface.vertices, painted.normals, tree, np.asarray(camera.eye())
+        )

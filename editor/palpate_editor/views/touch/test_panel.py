@@ -1,0 +1,318 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The Test stage: the organ in the real 1 kHz loop, under the mouse or a scripted press."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import (
+    QFileDialog,
+    QHBoxLayout,
+    QLineEdit,
+    QPushButton,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from palpate_editor.document import Organ
+from palpate_editor.views.stages.facts import Facts, write_label
+from palpate_editor.views.stages.stage_panel import StagePanel
+from palpate_editor.views.theme import fixed_font
+from palpate_editor.views.touch.force_plot import ForcePlot
+from palpate_editor.views.touch.live_costs import LiveCosts
+from palpate_editor.views.touch.place_tool import PlaceTool
+from palpate_editor.views.touch.press_form import PressForm, write_command
+from palpate_editor.views.touch.results import Outcome, keep_record
+from palpate_editor.views.touch.runner import HandWish, PressWish, Runner
+from palpate_editor.views.words import quantity, tr
+
+HAND, PRESS = 0, 1
+"""Tabs."""
+
+
+class TestPanel(StagePanel):
+    """Starts, pauses and ends runs, and says what they felt."""
+
+    __test__ = False
+    stage = "test"
+    run_changed = Signal(bool)
+    """A run has begun, is paused, goes on or has ended; whether there is one."""
+
+    def __init__(self, desk: Any, parent: QWidget | None = None):
+        self.plot, self.costs = ForcePlot(), LiveCosts()
+        self.outcome: Outcome | None = None
+        super().__init__(
+            desk,
+            tr("Feel the organ in the loop a device will run, 1000 times a second."),
+            parent,
+        )
+        self.runner = Runner(desk, self.plot, self.costs, self)
+        self.runner.changed.connect(self._show_state)
+        self.runner.ended.connect(self._take_outcome)
+        self._place_tool = PlaceTool(desk.session.organ.tool.radius, self)
+        self._place_tool.picked.connect(self._take_place)
+        self._place_tool.left.connect(self._end_pick)
+        desk.session.changed.connect(self._on_changed)
+        desk.stage_shown.connect(self._on_stage)
+        desk.theme_changed.connect(self.plot.use_theme)
+        self.plot.failed.connect(desk.tell)
+        self.plot.said.connect(self._say)
+        self.press_form.refused.connect(desk.tell)
+        self._show_command()
+        self._show_outcome()
+        self._show_state()
+
+    # ------------------------------------------------------------ looks
+
+    def build(self) -> None:
+        self.tabs = QTabWidget(self)
+        self.tabs.setObjectName("test_tabs")
+        self.tabs.setDocumentMode(True)
+        self.tabs.addTab(self._build_hand(), tr("By hand"))
+        self.tabs.addTab(self._build_press(), tr("Scripted press"))
+        self.tabs.currentChanged.connect(self._on_tab)
+        self.form.addWidget(self.tabs)
+        self.form.addLayout(self._build_buttons())
+        self.state = write_label("", "lead", self)
+        self.state.setWordWrap(True)
+        self.form.addWidget(self.state)
+        results = self.section(tr("Last run"))
+        self.facts = Facts(self)
+        results.add(self.facts)
+        self.save_button = QPushButton(tr("Save record…"), self)
+        self.save_button.setObjectName("save_record")
+        self.save_button.setProperty("small", True)
+        self.save_button.setToolTip(
+            tr("Every tick of the run and, beside it, the organ: to replay and to compare")
+        )
+        self.save_button.clicked.connect(self.choose_record)
+        row = QHBoxLayout()
+        row.addStretch(1)
+        row.addWidget(self.save_button)
+        results.body.addLayout(row)
+
+    def _build_hand(self) -> QWidget:
+        page = QWidget(self)
+        column = QVBoxLayout(page)
+        column.setContentsMargins(0, 10, 0, 4)
+        words = write_label(
+            tr(
+                "The mouse is the hand: move over the organ, hold the left button to press, and "
+                "turn the wheel to press deeper. The right button, or Ctrl, takes hold and pulls."
+            ),
+            "lead",
+            page,
+        )
+        words.setWordWrap(True)
+        column.addWidget(words)
+        column.addStretch(1)
+        return page
+
+    def _build_press(self) -> QWidget:
+        page = QWidget(self)
+        column = QVBoxLayout(page)
+        column.setContentsMargins(0, 10, 0, 4)
+        self.press_form = PressForm(page)
+        self.press_form.changed.connect(self._show_command)
+        self.press_form.pick_toggled.connect(self._on_pick)
+        column.addWidget(self.press_form)
+        self.command = QLineEdit(page)
+        self.command.setObjectName("press_command")
+        self.command.setReadOnly(True)
+        self.command.setFont(fixed_font(self.font()))
+        self.command.setToolTip(tr("The same press from a command line, once published"))
+        column.addWidget(self.command)
+        column.addStretch(1)
+        return page
+
+    def _build_buttons(self) -> QHBoxLayout:
+        self.start_button = self.main_button(tr("Start"), "start_test")
+        self.start_button.clicked.connect(self._on_start)
+        self.pause_button = QPushButton(tr("Pause"), self)
+        self.pause_button.setObjectName("pause_test")
+        self.pause_button.clicked.connect(self._on_pause)
+        self.reset_button = QPushButton(tr("Reset"), self)
+        self.reset_button.setObjectName("reset_test")
+        self.reset_button.setToolTip(tr("The same run again, from rest"))
+        self.reset_button.clicked.connect(self.reset)
+        row = QHBoxLayout()
+        row.setSpacing(8)
+        row.addWidget(self.start_button, 2)
+        row.addWidget(self.pause_button, 1)
+        row.addWidget(self.reset_button, 1)
+        return row
+
+    # ------------------------------------------------------------ what keys and buttons do
+
+    @property
+    def running(self) -> bool:
+        return self.runner.running
+
+    def toggle(self) -> None:
+        """Starts what is chosen; pauses it and goes on when it runs."""
+        if self.runner.running:
+            self.runner.toggle_pause()
+        elif not self.runner.waiting:
+            self.start()
+
+    def start(self) -> None:
+        """Begins with what the tab in front says."""
+        if self.tabs.currentIndex() == PRESS:
+            self.press()
+        else:
+            self._end_pick()
+            self.runner.start(HandWish())
+
+    def press(self) -> None:
+        """Begins the scripted press."""
+        self._end_pick()
+        self.tabs.setCurrentIndex(PRESS)
+        form = self.press_form
+        self.runner.start(PressWish(form.script(), form.place))
+
+    def reset(self) -> None:
+        """The same run from the beginning."""
+        self.runner.reset()
+
+    def stop(self) -> None:
+        """Ends the run; before the window closes, and when another organ comes."""
+        self._end_pick()
+        self.runner.stop()
+
+    def _on_start(self) -> None:
+        if self.runner.running or self.runner.waiting:
+            self.stop()
+        else:
+            self.start()
+
+    def _on_pause(self) -> None:
+        self.runner.toggle_pause()
+
+    def _on_tab(self, index: int) -> None:
+        del index
+        self.stop()
+
+    def _on_stage(self, stage: str) -> None:
+        if stage != self.stage:
+            self.stop()
+
+    def _on_changed(self, before: Organ, after: Organ) -> None:
+        if before.surface is not after.surface:
+            self.press_form.show_place(None)
+        self._show_command()
+
+    # ------------------------------------------------------------ the place
+
+    def _on_pick(self, on: bool) -> None:
+        view = self.desk.view
+        if on:
+            self.runner.stop()
+            self._place_tool.radius = self.desk.session.organ.tool.radius
+            view.tool = self._place_tool
+            self.desk.set_hint(tr("Click on the organ where the tip shall press, Esc to leave"))
+        elif view.tool is self._place_tool:
+            view.tool = None
+            view.show_ring(None)
+            self.desk.set_hint("")
+
+    def _take_place(self, point: np.ndarray) -> None:
+        self.press_form.show_place(point)
+
+    def _end_pick(self) -> None:
+        self.press_form.pick.setChecked(False)
+
+    # ------------------------------------------------------------ what is said
+
+    def _say(self, sentence: str) -> None:
+        self.desk.tell(sentence, "info")
+
+    def _command_words(self) -> list[str]:
+        session, form = self.desk.session, self.press_form
+        stem = session.path.stem if session.path else session.organ.name or "organ"
+        return write_command(f"{stem}.palpate", form.script(), form.place)
+
+    def _show_command(self) -> None:
+        self.command.setText(" ".join(self._command_words()))
+        self.command.setCursorPosition(0)
+
+    def _show_state(self) -> None:
+        runner = self.runner
+        busy = runner.running or runner.waiting
+        self.start_button.setText(tr("Stop") if busy else tr("Start"))
+        self.pause_button.setText(tr("Go on") if runner.paused else tr("Pause"))
+        self.pause_button.setEnabled(runner.running)
+        self.reset_button.setEnabled(runner.running)
+        words = (
+            tr("Compiling the organ…")
+            if runner.waiting
+            else tr("Paused: Space goes on.")
+            if runner.paused
+            else tr("Running: Space pauses, R begins anew.")
+            if runner.running
+            else tr("Space starts.")
+        )
+        self.state.setText(words)
+        self.run_changed.emit(runner.running)
+
+    def _take_outcome(self, outcome: Outcome) -> None:
+        self.outcome = outcome
+        self._show_outcome()
+        if outcome.device == "script":
+            self.desk.log_command(self._command_words())
+
+    def _show_outcome(self) -> None:
+        outcome = self.outcome
+        self.save_button.setEnabled(outcome is not None)
+        if outcome is None:
+            self.facts.show_facts([(tr("Nothing felt yet"), "")])
+            return
+        felt = outcome.felt
+        facts = [
+            (tr("Run"), outcome.name),
+            (tr("Peak force"), quantity(felt["peak_force_N"], "N", 3)),
+        ]
+        if "patch_stiffness_N_per_m" in felt:
+            stiffness, pull = felt["patch_stiffness_N_per_m"], felt["pull_force_N"]
+            facts.append((tr("Patch stiffness"), quantity(stiffness, "N/m", 3)))
+            if pull is not None:
+                facts.append((tr("Pull force"), quantity(pull, "N", 3)))
+        rate, report = outcome.scene.rate, outcome.report
+        for name, cost in ((tr("Tick"), report.cost), (tr("Lateness"), report.lateness)):
+            share = f"{100 * cost.median * rate:.0f} %, p99 {100 * cost.p99 * rate:.0f} %"
+            facts.append((name, share))
+        facts.append((tr("Missed ticks"), f"{report.missed_ticks} / {report.ticks}"))
+        self.facts.show_facts(facts)
+
+    # ------------------------------------------------------------ the record
+
+    def choose_record(self) -> None:
+        """Asks for a file and keeps the last run in it."""
+        if self.outcome is None:
+            self.desk.tell(tr("There is no run to save yet."))
+            return
+        first = (self.desk.session.organ.name or "organ") + ".prec"
+        chosen, _ = QFileDialog.getSaveFileName(
+            self, tr("Save record"), first, tr("Record (*.prec)")
+        )
+        if chosen:
+            self.save_record(Path(chosen))
+
+    def save_record(self, path: Path) -> None:
+        """Keeps the last run, with the organ beside it."""
+        path = path if path.suffix else path.with_suffix(".prec")
+        try:
+            scene = keep_record(self.outcome, path)
+        except (OSError, ValueError) as problem:
+            self.desk.refuse(problem)
+            return
+        self.desk.tell(
+            tr("Kept in {record}, with the organ beside it in {scene}.").format(
+                record=path.name, scene=scene.name
+            ),
+            "info",
+        )
+        self.desk.log_command(["palpate", "replay", str(path)])

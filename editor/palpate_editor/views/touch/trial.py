@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One live run in the window: the 1 kHz loop in C++, and its newest frame in every picture."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import palpate
+from palpate.live import LiveRun
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from palpate_editor.views.words import tr
+
+FRAME = 16
+"""[ms] between two looks at the loop."""
+LEAST_TOP = 1e-3
+"""[m] displacement at the top of the legend of an organ that hardly moves."""
+TOPS = (1.0, 2.0, 5.0, 10.0)
+
+
+class Trial(QObject):
+    """Runs a scene with a hand, and shows the tissue, the tool and the force in the view."""
+
+    framed = Signal(object)
+    """A palpate.live.Frame has been shown."""
+    ended = Signal(object)
+    """The LoopReport of a run that ended by itself: a script's end, an alarm, a fault."""
+
+    def __init__(
+        self,
+        view: Any,
+        scene: palpate.Scene,
+        device: palpate.HapticDevice,
+        record: Path,
+        duration: float = 0.0,
+        parent: QObject | None = None,
+    ):
+        """`duration` [s] ends the run by itself; 0 for never."""
+        super().__init__(parent)
+        self.view, self.scene, self.device, self.record = view, scene, device, record
+        options = palpate.LoopOptions()
+        options.duration = duration
+        self.run = LiveRun(scene, device, record=record, options=options)
+        self.report: palpate.LoopReport | None = None
+        self._rest = np.array(scene.tissue.rest_position)
+        self._top = LEAST_TOP
+        self._timer = QTimer(self, interval=FRAME)
+        self._timer.timeout.connect(self._look)
+
+    def start(self) -> None:
+        self.run.start()
+        self.view.show_selection(None)
+        self._timer.start()
+
+    @property
+    def paused(self) -> bool:
+        return bool(self.run.paused)
+
+    def pause(self) -> None:
+        self.run.pause()
+
+    def resume(self) -> None:
+        self.run.resume()
+
+    def finish(self) -> palpate.LoopReport:
+        """Stops the loop and its recorder; what is left stands in the record."""
+        self._timer.stop()
+        if self.report is None:
+            self.report = self.run.finish()
+        return self.report
+
+    def clear_view(self) -> None:
+        """The organ at rest again, without tool and arrow."""
+        self.view.move_surface(self._rest)
+        self.view.show_values(None)
+        self.view.show_tool(None)
+        self.view.show_force(None)
+        self.view.hud.show_rows(())
+
+    def _look(self) -> None:
+        frame = self.run.take_frame()
+        if frame is not None:
+            self._show(frame)
+            self.framed.emit(frame)
+        if not self.run.running:
+            self.ended.emit(self.finish())
+
+    def _show(self, frame: Any) -> None:
+        position = np.asarray(frame.position)
+        moved = np.linalg.norm(position - self._rest, axis=1)
+        self._top = max(self._top, round_up(float(moved.max(initial=0.0))))
+        self.view.move_surface(position)
+        self.view.show_values(1e3 * moved, tr("displacement [mm]"), (0.0, 1e3 * self._top))
+        self.view.show_tool(frame.tool_position, self.scene.tool.radius)
+        size = float(np.linalg.norm(frame.force))
+        self.view.show_force(frame.tool_position if size > 0.0 else None, frame.force)
+        share = frame.cost * self.scene.rate
+        self.view.hud.show_rows(
+            [
+                (tr("Force"), f"{size:.2f} N"),
+                (tr("Time"), f"{frame.time:.1f} s"),
+                (tr("Tick"), f"{100 * share:.0f} %"),
+            ]
+        )
+
+
+def round_up(value: float) -> float:
+    """The smallest of 1, 2 or 5 times a power of ten that is not less."""
+    if not value > 0.0 or not np.isfinite(value):
+        return LEAST_TOP
+    power = 10.0 ** np.floor(np.log10(value))
+    return float(next(top * power for top in TOPS if top * power >= value * (1 - 1e-9)))
+
+
+def describe_end(report: palpate.LoopReport) -> str | None:
+    """Why a run did not end well, in a sentence; None where it did."""
+    if report.alarm.kind != palpate.AlarmKind.none:
+        return tr(
+            "The tissue blew up after {time:.2f} s ({what}): the run was stopped. Softer springs, "
+            "more damping or a larger mass hold it together."
+        ).format(time=report.alarm.time, what=report.alarm.kind.name.replace("_", " "))
+    if report.fault != palpate.DeviceFault.none:
+        return tr("The device failed ({what}): the run was stopped.").format(
+            what=report.fault.name.replace("_", " ")
+        )
+    return None
