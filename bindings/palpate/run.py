@@ -14,11 +14,13 @@ from typing import Any
 import numpy as np
 
 import palpate
+from palpate.live import LiveRun
 from palpate.press import Moments, Place, PressScript, measure_press, write_script
 from palpate.scene_file import hash_file, open_scene
 from palpate.verb import Refusal, Report
 
 KERNEL = "reference, double, symplectic Euler"
+PUBLISHED = ".palpate"
 GRACE = 20.0
 """[s] A live run may take this much longer than its script before it is given up as stuck."""
 
@@ -44,27 +46,38 @@ def describe_build(scene_path: Path, record_path: Path, device: str) -> dict[str
     }
 
 
-def run_script(
-    scene: palpate.Scene, place: Place, script: PressScript, record_path: Path, scene_path: Path
-) -> Run:
-    """Runs a script through the live 1 kHz loop and its recorder; reads the record back.
+def read_scene(path: Path) -> palpate.Scene:
+    """The compiled scene of a scene file or of a published one, by its ending .palpate.
+
+    Raises FileError, Refusal or OSError.
+    """
+    if is_published(path):
+        return palpate.scenario.read(path).scene
+    return open_scene(path)[1]
+
+
+def is_published(path: Path) -> bool:
+    return path.suffix.lower() == PUBLISHED
+
+
+def run_device(
+    scene: palpate.Scene,
+    device: palpate.HapticDevice,
+    duration: float,
+    record_path: Path,
+    scene_path: Path,
+) -> palpate.LoopReport:
+    """Runs a device for a time [s] through the live 1 kHz loop and its recorder.
 
     Raises RuntimeError where the loop did not end, the tissue blew up or the device failed.
     """
-    frames, moments = write_script(place, scene.tool.radius, script)
-    device = palpate.ScriptedDevice(frames)
     header = describe_build(scene_path, record_path, device.name())
-    recorder = palpate.Recorder(str(record_path), json.dumps(header))
-    options = palpate.LoopOptions()
-    options.duration = moments.end
-    loop = palpate.Loop(scene, device, options, recorder.log())
-    loop.start()
-    ended = loop.wait(moments.end + GRACE)
-    loop.stop()
-    recorder.finish()
-    costs = loop.report()
+    options = palpate.LoopOptions(duration=duration)
+    with LiveRun(scene, device, record=record_path, header=header, options=options) as run:
+        ended = run.wait(duration + GRACE)
+    costs = run.finish()
     if not ended:
-        raise RuntimeError(f"the loop did not end within {moments.end + GRACE:.0f} s")
+        raise RuntimeError(f"the loop did not end within {duration + GRACE:.0f} s")
     if costs.alarm.kind != palpate.AlarmKind.none:
         raise RuntimeError(
             f"the tissue blew up at {costs.alarm.time:.3f} s ({costs.alarm.kind.name}: "
@@ -72,14 +85,34 @@ def run_script(
         )
     if costs.fault != palpate.DeviceFault.none:
         raise RuntimeError(f"the device failed: {costs.fault.name}")
-    record = palpate.read_record(str(record_path))
-    report = {
+    return costs
+
+
+def describe_costs(costs: palpate.LoopReport) -> Report:
+    """What a run of the loop cost, as a verb reports it."""
+    return {
         "ticks": costs.ticks,
         "tick_median_us": 1e6 * costs.cost.median,
         "tick_p99_us": 1e6 * costs.cost.p99,
         "lateness_p99_us": 1e6 * costs.lateness.p99,
         "missed_ticks": costs.missed_ticks,
         "realtime": "real-time priority" if costs.realtime else costs.realtime_note,
+    }
+
+
+def run_script(
+    scene: palpate.Scene, place: Place, script: PressScript, record_path: Path, scene_path: Path
+) -> Run:
+    """Runs a press through the live 1 kHz loop and its recorder; reads the record back.
+
+    Raises RuntimeError where the loop did not end, the tissue blew up or the device failed.
+    """
+    frames, moments = write_script(place, scene.tool.radius, script)
+    device = palpate.ScriptedDevice(frames)
+    costs = run_device(scene, device, moments.end, record_path, scene_path)
+    record = palpate.read_record(str(record_path))
+    report = {
+        **describe_costs(costs),
         "substeps": scene.substeps,
         **measure_press(record, place, scene.tool.radius, moments),
     }
@@ -107,7 +140,7 @@ def open_record(
             f"SHA-256 {found[:12]}...",
             f"{header['scene_sha256'][:12]}..., the scene of {path.name}",
         )
-    return record, where, open_scene(where)[1]
+    return record, where, read_scene(where)
 
 
 def run_replay(path: Path, scene_path: Path | None = None) -> Report:
@@ -180,10 +213,15 @@ def picture_of_record(
         legend="displacement [mm]",
         tool=(np.asarray(world.tool.position), scene.tool.radius),
         force=force[tick],
-        title=title or where.name.removesuffix(".json").removesuffix(".scene"),
+        title=title or name_scene(where),
         **look,
     )
     return float(times[tick])
+
+
+def name_scene(path: Path) -> str:
+    """What a scene is called after its file."""
+    return path.name.removesuffix(".json").removesuffix(".scene").removesuffix(PUBLISHED)
 
 
 def plot_runs(out: Path, runs: dict[str, Run], title: str) -> None:

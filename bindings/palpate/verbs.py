@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The verbs that need no authoring: doctor, press, replay, render, bench."""
+"""The verbs that need no authoring: doctor, press, play, replay, render, bench."""
 
 from __future__ import annotations
 
@@ -15,16 +15,20 @@ import numpy as np
 
 import palpate
 from palpate.mesh_file import read_mesh_file
-from palpate.press import Place, PressScript, find_place, find_top
+from palpate.play import PLAY
+from palpate.press import Place, PressScript, find_place, find_top, write_script
 from palpate.run import (
+    is_published,
     picture_of_record,
     picture_of_rest,
     plot_runs,
+    read_scene,
     run_replay,
     run_script,
 )
-from palpate.scene_file import compile_scene, open_scene
+from palpate.scene_file import compile_scene
 from palpate.scene_parts import SceneFile
+from palpate.script_file import write_script_file
 from palpate.verb import Refusal, Report, Verb, quantity
 
 # ---------------------------------------------------------------- doctor
@@ -119,7 +123,7 @@ def describe_doctor(report: Report) -> str:
 
 
 def add_press(word: argparse.ArgumentParser) -> None:
-    word.add_argument("scene", type=Path, help="scene file made by `palpate material`")
+    word.add_argument("scene", type=Path, help="scene file, or published .palpate file")
     word.add_argument("--depth", type=quantity("m"), default=6e-3, help="of the press (6mm)")
     word.add_argument("--pull", type=quantity("m"), default=0.0, help="beyond the surface (0mm)")
     word.add_argument("--speed", type=quantity("m/s"), default=0.03, help="mean (30mm/s)")
@@ -132,6 +136,9 @@ def add_press(word: argparse.ArgumentParser) -> None:
     )
     word.add_argument("--record", type=Path, help="write the run as a .prec record")
     word.add_argument("--plot", type=Path, help="write the force plot as PNG")
+    word.add_argument(
+        "--script", type=Path, help="write the way of the hand as a script for `palpate play`"
+    )
 
 
 def read_point(text: str) -> np.ndarray:
@@ -145,9 +152,11 @@ def read_point(text: str) -> np.ndarray:
 
 
 def run_press(call: argparse.Namespace) -> Report:
-    _, scene = open_scene(call.scene)
+    scene = read_scene(call.scene)
     place: Place = find_top(scene) if call.at is None else find_place(scene, call.at)
     script = PressScript(call.depth, call.pull, call.speed, call.hold)
+    if call.script:
+        write_script_file(call.script, write_script(place, scene.tool.radius, script)[0])
     with tempfile.TemporaryDirectory() as folder:
         path = call.record or Path(folder) / "press.prec"
         run = run_script(scene, place, script, path, call.scene)
@@ -156,6 +165,7 @@ def run_press(call: argparse.Namespace) -> Report:
     report = {"scene": str(call.scene), **run.report}
     report["record"] = str(call.record) if call.record else None
     report["plot"] = str(call.plot) if call.plot else None
+    report["script"] = str(call.script) if call.script else None
     return report
 
 
@@ -180,7 +190,9 @@ def describe_press(report: Report) -> str:
 
 def add_replay(word: argparse.ArgumentParser) -> None:
     word.add_argument("record", type=Path, help=".prec record")
-    word.add_argument("--scene", type=Path, help="scene file; default: the one the record names")
+    word.add_argument(
+        "--scene", type=Path, help="scene file or published file; default: the one the record names"
+    )
 
 
 def run_replay_verb(call: argparse.Namespace) -> Report:
@@ -201,7 +213,9 @@ def describe_replay(report: Report) -> str:
 
 
 def add_render(word: argparse.ArgumentParser) -> None:
-    word.add_argument("file", type=Path, help="scene file, record, or OBJ of `palpate import`")
+    word.add_argument(
+        "file", type=Path, help="scene, published file, record, or OBJ of `palpate import`"
+    )
     word.add_argument("--out", "-o", type=Path, required=True, help="PNG to write")
     word.add_argument("--time", type=quantity("s"), help="of a record; default: at its peak force")
     word.add_argument("--size", type=read_size, default=(1280, 720), metavar="WxH")
@@ -236,14 +250,14 @@ def run_render(call: argparse.Namespace) -> Report:
         return {"picture": str(call.out), "time_s": moment}
     if call.file.suffix == ".obj":
         mesh = read_mesh_file(call.file)
-    elif call.file.suffix == ".json":
-        mesh = open_scene(call.file)[1].tissue
+    elif call.file.suffix == ".json" or is_published(call.file):
+        mesh = read_scene(call.file).tissue
     else:
         raise Refusal(
             call.file,
             "",
             f"a name ending in {call.file.suffix!r}",
-            ".json (scene), .prec (record) or .obj",
+            ".palpate (published), .json (scene), .prec (record) or .obj",
         )
     picture_of_rest(call.out, mesh, call.file.stem, look)
     return {"picture": str(call.out), "time_s": None}
@@ -307,6 +321,7 @@ VERBS = [
         run_press,
         describe_press,
     ),
+    PLAY,
     Verb(
         "replay",
         "run a record again and compare it bit by bit",

@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Playing a published scenario: the runs, their records, and the verb. Knows no Qt.
+
+The window stands in palpate.player, which is loaded only when it is asked for.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+import palpate
+from palpate.live import LiveRun
+from palpate.run import PUBLISHED, describe_build, describe_costs, is_published, run_device
+from palpate.script_file import read_script_file
+from palpate.verb import Refusal, Report, Verb, WrongCall, quantity
+
+SCRIPT = "script:"
+EXTRA = 'pip install "palpate[player]"'
+TAIL = 0.5
+"""[s] that a scripted run goes on after its last key frame."""
+
+
+@dataclass
+class Play:
+    """A scenario, whose hand it is, and where its records go."""
+
+    path: Path
+    scenario: palpate.scenario.Scenario
+    frames: list[palpate.KeyFrame] | None = None
+    """Of a script; None where the mouse is the hand."""
+    duration: float = 0.0
+    """[s] of a run; 0 for one that lasts until it is stopped."""
+    record: Path | None = None
+    """Of the first run; without it each run gets a name of its own."""
+    records: list[Path] = field(default_factory=list)
+    """Of the runs so far."""
+
+    def build_device(self) -> palpate.HapticDevice:
+        if self.frames is None:
+            return palpate.PointerDevice()
+        return palpate.ScriptedDevice(self.frames)
+
+    def begin(self, device: palpate.HapticDevice) -> LiveRun:
+        """A run that has not started yet, and the file its record will be.
+
+        Raises OSError where no record can be written.
+        """
+        path = self.name_record()
+        header = describe_build(self.path, path, device.name())
+        options = palpate.LoopOptions(duration=self.duration)
+        run = LiveRun(self.scenario.scene, device, record=path, header=header, options=options)
+        self.records.append(path)
+        return run
+
+    def name_record(self) -> Path:
+        """Where the next record goes: as asked for, numbered from the second run on."""
+        if self.record is None:
+            name = f"{self.path.stem}-{time.strftime('%Y%m%d-%H%M%S')}.prec"
+            return find_free(find_record_folder(self.path) / name)
+        if not self.records:
+            return self.record
+        return find_free(self.record.with_stem(f"{self.record.stem}-{len(self.records) + 1}"))
+
+    def force_limit(self) -> float:
+        """[N] More than this no device is sent."""
+        limits = palpate.SafetyLimits()
+        return min(self.scenario.scene.coupling.force_max, limits.force_max)
+
+
+def find_record_folder(scenario: Path) -> Path:
+    """Beside the scenario or, where one may not write there, in the user's own folder."""
+    beside = scenario.resolve().parent
+    if os.access(beside, os.W_OK):
+        return beside
+    home = os.environ.get("XDG_DATA_HOME") or Path.home() / ".local" / "share"
+    folder = Path(home) / "palpate" / "records"
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+def find_free(path: Path) -> Path:
+    """The path, or one with a number behind its name where there is such a file already."""
+    free, number = path, 2
+    while free.exists():
+        free, number = path.with_stem(f"{path.stem}-{number}"), number + 1
+    return free
+
+
+def open_play(
+    path: Path, device: str = "pointer", record: Path | None = None, duration: float | None = None
+) -> Play:
+    """What `palpate play` was asked to play. Raises FileError, Refusal, WrongCall or OSError."""
+    if not is_published(path):
+        raise Refusal(
+            path, "", f"a name ending in {path.suffix!r}", f"a published file, {PUBLISHED}"
+        )
+    frames = None
+    if device.startswith(SCRIPT):
+        frames = read_script_file(Path(device.removeprefix(SCRIPT)))
+    elif device != "pointer":
+        raise WrongCall(f"--device: got {device!r}, expected pointer or script:FILE")
+    if duration is None:
+        duration = 0.0 if frames is None else frames[-1].time + TAIL
+    if record is not None and record.exists() and record.samefile(path):
+        raise WrongCall("--record: is the scenario itself")
+    return Play(path, palpate.scenario.read(path), frames, duration, record)
+
+
+def play_headless(play: Play) -> Report:
+    """Runs a script through the real 1 kHz loop and says what it felt and what it cost."""
+    path = play.name_record()
+    device = play.build_device()
+    costs = run_device(play.scenario.scene, device, play.duration, path, play.path)
+    return {**describe_play(play), "record": str(path), **describe_run(play, path, costs)}
+
+
+def describe_play(play: Play) -> Report:
+    return {"scenario": str(play.path), "title": play.scenario.title, "task": play.scenario.task}
+
+
+def describe_run(play: Play, record: Path, costs: palpate.LoopReport) -> Report:
+    """What a run felt, from its record, and what it cost."""
+    rows = palpate.read_record(record)
+    force = np.linalg.norm(np.asarray(rows.felt["force"], dtype=float), axis=1)
+    touched = np.asarray(rows.felt["touched"]) != 0
+    return {
+        **describe_costs(costs),
+        "lateness_max_us": 1e6 * costs.lateness.max,
+        "record_gaps": costs.record_gaps,
+        "peak_force_N": float(force.max(initial=0.0)),
+        "mean_force_in_touch_N": float(force[touched].mean()) if touched.any() else None,
+        "time_in_touch_s": float(touched.sum()) / play.scenario.scene.rate,
+    }
+
+
+# ---------------------------------------------------------------- the verb
+
+
+def add_play(word: argparse.ArgumentParser) -> None:
+    word.add_argument("file", type=Path, help=f"published scenario, {PUBLISHED}")
+    word.add_argument(
+        "--device",
+        default="pointer",
+        metavar="pointer|script:FILE",
+        help="whose hand: the mouse, or a script such as `palpate press --script` writes",
+    )
+    word.add_argument("--headless", action="store_true", help="no window; needs a script")
+    word.add_argument(
+        "--record", type=Path, help="write the run as this .prec; default: beside the scenario"
+    )
+    word.add_argument(
+        "--duration", type=quantity("s"), help="of a run; default: of the script, or no end"
+    )
+    word.add_argument("--language", choices=("en", "tr"), help="default: that of the system")
+    word.add_argument("--theme", choices=("dark", "light"), default="dark")
+
+
+def run_play(call: argparse.Namespace) -> Report:
+    if call.duration is not None and not 0.0 < call.duration <= 24 * 3600.0:
+        raise WrongCall(f"--duration: got {call.duration:g} s, expected more than 0, at most a day")
+    if call.headless and not call.device.startswith(SCRIPT):
+        raise WrongCall("--headless has no mouse: give --device script:FILE")
+    play = open_play(call.file, call.device, call.record, call.duration)
+    if call.headless:
+        return play_headless(play)
+    require_display()
+    try:
+        from palpate.player import play_in_window
+    except ImportError as problem:
+        raise RuntimeError(f"the window needs PySide6 ({problem}): {EXTRA}") from None
+    return play_in_window(play, language=call.language, theme=call.theme)
+
+
+def require_display() -> None:
+    """Qt would end the whole program where it finds no display. Raises RuntimeError."""
+    chosen = os.environ.get("QT_QPA_PLATFORM")
+    display = os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")
+    if sys.platform.startswith("linux") and not (chosen or display):
+        raise RuntimeError("there is no display to open a window on; --headless needs none")
+
+
+def describe_play_report(report: Report) -> str:
+    lines = [report["title"] or report["scenario"]]
+    if report.get("ticks"):
+        lines += [
+            f"peak force   {report['peak_force_N']:.3f} N, "
+            f"{report['time_in_touch_s']:.1f} s in touch",
+            f"ticks        {report['ticks']}; {report['missed_ticks']} missed",
+            f"tick         {report['tick_median_us']:.0f} us median, "
+            f"{report['tick_p99_us']:.0f} us p99",
+            f"lateness     {report['lateness_p99_us']:.0f} us p99; {report['realtime']}",
+        ]
+    lines.append(f"record       {report['record'] or 'none: nothing was played'}")
+    lines.append("not validated, not a medical device")
+    return "\n".join(lines)
+
+
+PLAY = Verb(
+    "play",
+    "play a published scenario: feel the organ with the mouse, or run a script",
+    "palpate play spleen.palpate --device script:press.json --headless",
+    add_play,
+    run_play,
+    describe_play_report,
+)
