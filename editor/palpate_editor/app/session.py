@@ -9,8 +9,9 @@ from PySide6.QtCore import QCoreApplication, QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from palpate_editor.document import EMPTY, Organ
-from palpate_editor.document.files import read_organ, write_organ
+from palpate_editor.document.files import write_organ
 from palpate_editor.edits import Edit
+from palpate_editor.open_organ import open_organ
 
 REMEMBERED = 200
 """Steps that can be undone. They share what they did not change, so most cost little."""
@@ -30,6 +31,7 @@ class Session(QObject):
         self.path: Path | None = None
         self.tested: Organ | None = None
         """The organ that was felt last, as it was then."""
+        self._laying = False
         self.history = QUndoStack(self)
         self.history.setUndoLimit(REMEMBERED)
         self.history.cleanChanged.connect(self._tell_title)
@@ -59,14 +61,20 @@ class Session(QObject):
         self._lay_down(EMPTY, None)
 
     def open(self, path: Path) -> None:
-        """Reads a working file. Raises FileError or OSError, and then nothing has changed."""
-        self._lay_down(read_organ(path), path)
+        """Reads a working file, or the organ out of a published file or a scene file.
+
+        Only a working file is saved where it came from. Raises FileError, Refusal or OSError, and
+        then nothing has changed.
+        """
+        organ = open_organ(path)
+        if path.suffix == ".organ":
+            self._lay_down(organ, path)
+        else:
+            self.restore(organ, None)
 
     def restore(self, organ: Organ, path: Path | None) -> None:
-        """Puts back what a crash left unsaved: it belongs to `path` but is not what is there."""
-        self._lay_down(organ, path)
-        self.history.resetClean()
-        self.title_changed.emit()
+        """Puts an unsaved organ on the desk: it belongs to `path` but is not what is there."""
+        self._lay_down(organ, path, saved=False)
 
     def save(self, path: Path | None = None) -> None:
         """Writes the organ to its file or to another, whole or not at all.
@@ -90,14 +98,20 @@ class Session(QObject):
         """Whether the organ was felt as it is now."""
         return self.tested is self.organ
 
-    def _lay_down(self, organ: Organ, path: Path | None) -> None:
+    def _lay_down(self, organ: Organ, path: Path | None, saved: bool = True) -> None:
+        # nobody is told before all of it is true: half way, the new organ would pass for saved
+        self._laying = True
         self.history.clear()
+        if not saved:
+            self.history.resetClean()
+        self._laying = False
         self.path, self.tested = path, None
         self.show(organ)
         self.title_changed.emit()
 
     def _tell_title(self) -> None:
-        self.title_changed.emit()
+        if not self._laying:
+            self.title_changed.emit()
 
 
 class _Applied(QUndoCommand):

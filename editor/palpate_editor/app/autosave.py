@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Keeping what is unsaved where a crash cannot reach it."""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+from datetime import datetime
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from palpate_editor.app.recovery import Recovery, RecoveryFile
+from palpate_editor.app.session import Session
+from palpate_editor.document import Organ
+
+DELAY = 1000
+"""[ms] An edit is on the disk at the latest so long after it was made, if the disk keeps up."""
+
+
+class Autosave(QObject):
+    """Writes the unsaved organ of a session into a recovery file, beside the window.
+
+    Documents are values, so a thread may write one while the next is being made. The file goes when
+    the organ is saved; it stays when the process is killed.
+    """
+
+    saved = Signal(object)
+    """When [datetime]."""
+    failed = Signal(str)
+    """Why not, in a sentence."""
+    _written = Signal(str)
+    """What went wrong in the thread, or empty."""
+
+    def __init__(
+        self, session: Session, folder: Path, delay: int = DELAY, parent: QObject | None = None
+    ):
+        super().__init__(parent)
+        self.session = session
+        self.file = RecoveryFile(folder)
+        self.thread_pool = ThreadPoolExecutor(1, thread_name_prefix="autosave")
+        self.busy = False
+        self.kept: Organ | None = None
+        """The organ that the recovery file has."""
+        self.timer = QTimer(self, singleShot=True, interval=delay)
+        self.timer.timeout.connect(self.keep)
+        self._written.connect(self._end_write)
+        session.changed.connect(self._on_changed)
+        session.title_changed.connect(self._on_title_changed)
+
+    def keep(self) -> None:
+        """Writes what is unsaved now, in the thread."""
+        if self.session.saved or self.session.organ is self.kept:
+            return
+        if self.busy:  # _end_write comes back to this
+            return
+        self.busy, self.kept = True, self.session.organ
+        self.thread_pool.submit(self._write, self.kept, self.session.path, self.session.name)
+
+    def restore(self, recovery: Recovery) -> None:
+        """Puts what a crash left on the desk. It is removed once this editor has a copy of it.
+
+        Raises FileError or OSError, and then nothing has changed.
+        """
+        organ = recovery.read()
+        self.file.write(organ, recovery.document, recovery.name)
+        self.kept = organ
+        self.session.restore(organ, recovery.document)
+        recovery.remove()
+
+    def finish(self) -> None:
+        """The window closes, with everything saved or let go on purpose."""
+        self.timer.stop()
+        self.thread_pool.shutdown(wait=True)
+        self.file.remove()
+
+    def _write(self, organ: Organ, path: Path | None, name: str) -> None:
+        try:
+            self.file.write(organ, path, name)
+        except OSError as problem:  # a FileError is one
+            self._written.emit(str(problem))
+        else:
+            self._written.emit("")
+
+    def _end_write(self, problem: str) -> None:
+        self.busy = False
+        if problem:
+            self.kept = None
+            self.failed.emit(problem)
+            return
+        if self.session.saved:  # saved while this was being written
+            self._discard()
+        else:
+            self.saved.emit(datetime.now())
+            self._on_changed()
+
+    def _on_changed(self, *_: object) -> None:
+        unsaved = not self.session.saved and self.session.organ is not self.kept
+        if unsaved and not self.timer.isActive():
+            self.timer.start()
+
+    def _on_title_changed(self) -> None:
+        if self.session.saved:
+            self._discard()
+        else:
+            self._on_changed()
+
+    def _discard(self) -> None:
+        """Nothing is unsaved: nothing is to be recovered."""
+        self.timer.stop()
+        if not self.busy:
+            self.kept = None
+            self.file.remove()

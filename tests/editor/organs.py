@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Organs small enough for a test, whole enough for every edit."""
+
+from __future__ import annotations
+
+from dataclasses import fields, replace
+
+import numpy as np
+from palpate.scene_parts import HandPart, MaterialPart, ModelPart, ToolPart
+from palpate_editor.document import Decimation, Organ, Repairs, Source, Surface
+from palpate_meshes.generate import ellipsoid, sheet
+
+SOURCE = Source(
+    file="dalağı.stl",
+    folder="/organs",
+    sha256="0123456789abcdef" * 4,
+    format="STL",
+    parts_available=("left", "right"),
+    parts=("left",),
+    unit="mm",
+    unit_guessed=True,
+    unit_reason="120 units from corner to corner: above 60, so millimetres",
+    up="z",
+    up_guessed=True,
+    up_reason="the format states none; medical programs have z up",
+    repairs=Repairs(welded_vertices=12, degenerate_triangles=1),
+    notes=("a colour was ignored",),
+)
+
+
+def surface_of(vertices: int = 60) -> Surface:
+    return Surface(*ellipsoid(vertices=vertices))
+
+
+def open_surface() -> Surface:
+    return Surface(*sheet())
+
+
+def make_organ(vertices: int = 60, imported: int | None = 150) -> Organ:
+    """A closed organ in which every field has a value of its own."""
+    surface = surface_of(vertices)
+    whole = surface if imported is None else surface_of(imported)
+    rng = np.random.default_rng(3)
+    decimation = Decimation(
+        vertices_before=len(whole.vertices),
+        triangles_before=len(whole.triangles),
+        vertices=len(surface.vertices),
+        triangles=len(surface.triangles),
+        smallest_angle_deg=31.25,
+        mean_distance=1.25e-4,
+        max_distance=1.0 / 3.0 * 1e-3,
+    )
+    return Organ(
+        name="dalak",
+        source=SOURCE,
+        imported=whole,
+        surface=surface,
+        decimation=None if imported is None else decimation,
+        material=MaterialPart(density=1050.0, damping_ratio=0.3),
+        model=ModelPart(stiffness=120.0, home_stiffness=1e6, drag=8.0),
+        fixed=np.arange(vertices) < 5,
+        stiffness_scale=1.0 + rng.random(vertices),
+        tool=ToolPart(radius=0.012),
+        hand=HandPart(coupling=900.0, gravity=(0.0, 0.0, -9.81)),
+        title="Press the spleen",
+        task="Bas ve bırak.",
+    )
+
+
+def two_shells() -> Surface:
+    """A large and a small ellipsoid side by side."""
+    large, small = surface_of(60), surface_of(50)
+    away = 0.3 * small.vertices + [0.5, 0.0, 0.0]
+    return Surface(
+        np.concatenate((away, large.vertices)),
+        np.concatenate((small.triangles, large.triangles + len(away))),
+    )
+
+
+def same(one: Organ, other: Organ) -> bool:
+    """Whether two organs are equal in every number and letter, bit for bit."""
+    return all(same_value(getattr(one, f.name), getattr(other, f.name)) for f in fields(Organ))
+
+
+def same_value(a: object, b: object) -> bool:
+    if isinstance(a, Surface) and isinstance(b, Surface):
+        return same_value(a.vertices, b.vertices) and same_value(a.triangles, b.triangles)
+    if isinstance(a, np.ndarray) and isinstance(b, np.ndarray):
+        return a.dtype == b.dtype and a.shape == b.shape and a.tobytes() == b.tobytes()
+    return type(a) is type(b) and a == b
+
+
+def untitled(organ: Organ) -> Organ:
+    return replace(organ, title="", task="")

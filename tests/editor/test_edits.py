@@ -1,0 +1,296 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every edit, held to the same laws; then each to its own."""
+
+from __future__ import annotations
+
+from dataclasses import fields, is_dataclass, replace
+
+import numpy as np
+import pytest
+from organs import SOURCE, make_organ, open_surface, same, surface_of, two_shells
+from palpate.scene_parts import MaterialPart, ModelPart
+from palpate_editor import authoring, edits
+from palpate_editor.app.session import Session
+from palpate_editor.compile import mesh_of
+from palpate_editor.document import EMPTY, Decimation, Organ, Surface
+from palpate_editor.document.constants import CONSTANTS
+from palpate_editor.edits import EVERY_EDIT, EditError
+from palpate_editor.edits.orient import METRES, TURNS
+
+SPLEEN = make_organ()
+IN_PIECES = replace(make_organ().with_surface(two_shells()), imported=None)
+INSIDE_OUT = replace(
+    SPLEEN, surface=Surface(SPLEEN.surface.vertices, SPLEEN.surface.triangles[:, ::-1])
+)
+COARSE = surface_of(50)
+DECIMATION = Decimation(150, 296, 50, 96, 30.0, 1e-4, 2e-4)
+
+EXAMPLES = [
+    (edits.ImportMesh("liver", SOURCE, surface_of(80)), SPLEEN),
+    (edits.SetUnit("cm"), SPLEEN),
+    (edits.SetUp("y"), SPLEEN),
+    (edits.KeepLargestShell(), IN_PIECES),
+    (edits.TurnOutward(), INSIDE_OUT),
+    (edits.Decimate(SPLEEN.imported, COARSE, DECIMATION), SPLEEN),
+    (edits.UseImported(), SPLEEN),
+    (edits.SetChoice("kind", "molecular"), SPLEEN),
+    (edits.SetConstant("model", "stiffness", 33.0), SPLEEN),
+    (edits.SetGravity((0.0, 9.81, 0.0)), SPLEEN),
+    (edits.SetMaterial(MaterialPart(density=900.0), ModelPart(stiffness=10.0)), SPLEEN),
+    (edits.FixVertices(np.array([20, 30])), SPLEEN),
+    (edits.FixLowest(0.3), SPLEEN),
+    (edits.PaintStiffness(np.array([1, 2]), 2.5), SPLEEN),
+    (edits.SetName("karaciğer"), SPLEEN),
+    (edits.SetTask("Title", "Task"), SPLEEN),
+]
+ids = [type(edit).__name__ for edit, _ in EXAMPLES]
+every = pytest.mark.parametrize(("edit", "organ"), EXAMPLES, ids=ids)
+
+
+def test_every_edit_has_an_example_here():
+    assert {type(edit) for edit, _ in EXAMPLES} == set(EVERY_EDIT)
+    offered = {getattr(edits, name) for name in edits.__all__}
+    made_by_hand = {kind for kind in offered if is_dataclass(kind)}
+    assert made_by_hand == set(EVERY_EDIT)
+
+
+@every
+def test_undo_gives_back_the_very_same_organ(edit, organ):
+    session = Session(organ)
+
+    session.apply(edit)
+    after = session.organ
+    session.history.undo()
+    undone = session.organ
+    session.history.redo()
+
+    assert after is not organ
+    assert undone is organ
+    assert session.organ is after
+
+
+@every
+def test_an_edit_leaves_the_organ_it_was_given_as_it_was(edit, organ):
+    before = replace(organ, fixed=organ.fixed.copy(), stiffness_scale=organ.stiffness_scale.copy())
+
+    edit(organ)
+
+    assert same(organ, before)
+
+
+@every
+def test_an_edit_shares_with_the_old_organ_what_it_did_not_change(edit, organ):
+    after = edit(organ)
+
+    changed = {
+        f.name for f in fields(Organ) if getattr(after, f.name) is not getattr(organ, f.name)
+    }
+    assert changed
+    if not {"surface", "imported"} & changed:
+        assert len(changed) <= 2
+
+
+@every
+def test_an_edit_is_a_frozen_value_with_a_title(edit, organ):
+    assert edit.title[0].isupper()
+    with pytest.raises(AttributeError):
+        edit.title = "other"
+
+
+@every
+def test_what_an_edit_made_cannot_be_written(edit, organ):
+    after = edit(organ)
+
+    for array in (after.fixed, after.stiffness_scale, after.surface.vertices):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 0
+
+
+NEEDS_A_SURFACE = [
+    edits.SetUnit("cm"),
+    edits.SetUp("y"),
+    edits.KeepLargestShell(),
+    edits.TurnOutward(),
+    edits.UseImported(),
+    edits.FixVertices(np.array([0])),
+    edits.FixLowest(0.1),
+    edits.PaintStiffness(np.array([0]), 2.0),
+]
+
+
+@pytest.mark.parametrize("edit", NEEDS_A_SURFACE, ids=lambda e: type(e).__name__)
+def test_an_edit_of_a_surface_says_so_where_there_is_none(edit):
+    with pytest.raises(EditError, match="import a mesh file first"):
+        edit(EMPTY)
+
+
+REFUSED = [
+    (edits.SetUnit("parsec"), SPLEEN, "The unit must be one of m, cm"),
+    (edits.SetUp("w"), SPLEEN, "The axis must be one of z, y"),
+    (edits.SetUnit("mm"), replace(SPLEEN, source=None), "not read from a file"),
+    (edits.KeepLargestShell(), SPLEEN, "one piece already"),
+    (edits.TurnOutward(), SPLEEN, "outwards already"),
+    (edits.TurnOutward(), EMPTY.with_surface(open_surface()), "no outside"),
+    (edits.Decimate(surface_of(150), COARSE, DECIMATION), SPLEEN, "changed since"),
+    (edits.UseImported(), make_organ(imported=None), "in use already"),
+    (edits.SetChoice("kind", "jelly"), SPLEEN, "one of mass_spring, molecular, got jelly"),
+    (edits.SetChoice("colour", "red"), SPLEEN, "colour must be one of none"),
+    (edits.SetConstant("model", "colour", 1.0), SPLEEN, "no number model.colour"),
+    (edits.SetConstant("model", "stiffness", 0.0), SPLEEN, "more than 0 N/m, got 0 N/m"),
+    (edits.SetConstant("model", "stiffness", np.nan), SPLEEN, "Stiffness must be"),
+    (edits.SetConstant("model", "stiffness", None), SPLEEN, "got none"),
+    (edits.SetConstant("material", "wall_thickness", -1e-3), SPLEEN, "more than 0 mm, got -1 mm"),
+    (edits.SetConstant("material", "poisson_ratio", 0.6), SPLEEN, "at most 0.5"),
+    (edits.SetGravity((0.0, 0.0, np.inf)), SPLEEN, "three finite numbers"),
+    (edits.SetGravity((0.0, 0.0)), SPLEEN, "three finite numbers"),
+    (edits.SetMaterial(MaterialPart(density=0.0), ModelPart()), SPLEEN, "Density must be"),
+    (edits.SetMaterial(MaterialPart(), ModelPart(kind="jelly")), SPLEEN, "kind must be one of"),
+    (edits.FixVertices(np.array([], int)), SPLEEN, "No vertices are selected"),
+    (edits.FixVertices(np.array([-1])), SPLEEN, "Vertex numbers -1 to -1"),
+    (edits.FixVertices(np.array([60])), SPLEEN, "those from 0 to 59"),
+    (edits.FixVertices(np.array([0.5])), SPLEEN, "whole numbers"),
+    (edits.FixVertices(np.array([0, 1])), SPLEEN, "fixed already"),
+    (edits.FixVertices(np.array([40]), False), SPLEEN, "None of them is fixed"),
+    (edits.FixLowest(0.0), SPLEEN, "more than 0 and at most 1"),
+    (edits.FixLowest(np.nan), SPLEEN, "more than 0 and at most 1"),
+    (edits.PaintStiffness(np.array([0]), 0.0), SPLEEN, "between 0.05 and 20, got 0"),
+    (edits.PaintStiffness(np.array([0, 1]), np.array([1.0, np.nan])), SPLEEN, "got nan"),
+    (edits.PaintStiffness(np.array([0, 1]), np.ones(3)), SPLEEN, "3 factors for 2 vertices"),
+    (edits.PaintStiffness(np.arange(2), SPLEEN.stiffness_scale[:2]), SPLEEN, "already"),
+    (edits.SetName("x" * 201), SPLEEN, "201 bytes of text, at most 200"),
+    (edits.SetName("\udcff"), SPLEEN, "cannot be written"),
+    (edits.SetTask("x" * 201), SPLEEN, "title: 201 bytes"),
+    (edits.SetTask(task="ı" * 10001), SPLEEN, "task: 20002 bytes"),
+]
+
+
+@pytest.mark.parametrize(
+    ("edit", "organ", "sentence"), REFUSED, ids=[f"{i}-{r[2][:20]}" for i, r in enumerate(REFUSED)]
+)
+def test_a_refused_edit_changes_nothing_and_says_why(edit, organ, sentence):
+    session = Session(organ)
+
+    with pytest.raises(EditError) as refusal:
+        session.apply(edit)
+
+    assert sentence in str(refusal.value)
+    assert refusal.value.sentence.template.format(**refusal.value.sentence.values) == str(
+        refusal.value
+    )
+    assert session.organ is organ
+    assert session.history.count() == 0
+
+
+def test_every_number_of_the_table_can_be_set_and_is_refused_beyond_its_range():
+    for constant in CONSTANTS:
+        allowed = constant.least + 0.25 if np.isfinite(constant.least) else -3.0
+        after = edits.SetConstant(constant.part, constant.field, allowed)(SPLEEN)
+        assert getattr(getattr(after, constant.part), constant.field) == allowed
+        if np.isfinite(constant.least):
+            with pytest.raises(EditError):
+                edits.SetConstant(constant.part, constant.field, constant.least - 1.0)(SPLEEN)
+
+
+def test_another_unit_scales_both_surfaces_and_the_distances_of_the_decimation():
+    after = edits.SetUnit("cm")(SPLEEN)
+
+    assert after.surface.vertices == pytest.approx(10.0 * SPLEEN.surface.vertices)
+    assert after.imported.vertices == pytest.approx(10.0 * SPLEEN.imported.vertices)
+    assert after.decimation.mean_distance == pytest.approx(1.25e-3)
+    assert (after.source.unit, after.source.unit_guessed) == ("cm", False)
+
+
+@pytest.mark.parametrize(
+    ("unit", "up"), [(unit, "z") for unit in METRES] + [("m", up) for up in TURNS if up != "z"]
+)
+def test_unit_and_axis_set_later_are_those_of_an_import_with_them(tmp_path, unit, up):
+    path = tmp_path / "organ.stl"
+    authoring.write_mesh(path, mesh_of(surface_of(50)))
+    plain = edits.import_file(path, unit="m", up="z")(EMPTY)
+
+    later = edits.SetUp(up)(edits.SetUnit(unit)(plain))
+    at_once = edits.import_file(path, unit=unit, up=up)(EMPTY)
+
+    assert later.surface.triangles.tolist() == at_once.surface.triangles.tolist()
+    assert later.surface.vertices == pytest.approx(at_once.surface.vertices, rel=1e-12)
+    assert (later.source.unit, later.source.up) == (unit, up)
+
+
+def test_the_largest_piece_is_kept_with_what_was_painted_on_it():
+    painted = edits.FixVertices(np.array([50, 51]))(edits.FixVertices(np.array([0]))(IN_PIECES))
+
+    after = edits.KeepLargestShell()(painted)
+
+    assert len(after.surface.vertices) == 60
+    assert np.flatnonzero(after.fixed).tolist() == [0, 1]
+    assert after.imported is after.surface or after.imported.vertices.shape == (60, 3)
+
+
+def test_decimation_carries_over_what_was_painted():
+    stiff = np.flatnonzero(SPLEEN.surface.vertices[:, 0] > 0.0)
+    painted = replace(SPLEEN, stiffness_scale=np.ones(60), fixed=SPLEEN.surface.vertices[:, 2] < 0)
+    painted = edits.PaintStiffness(stiff, 4.0)(painted)
+
+    edit = edits.decimate_organ(painted, 50)
+    after = edit(painted)
+
+    x = after.surface.vertices
+    far = np.abs(x) > 0.4 * np.abs(x).max(axis=0)
+    assert (after.stiffness_scale[(x[:, 0] > 0) & far[:, 0]] > 3.0).all()
+    assert (after.stiffness_scale[(x[:, 0] < 0) & far[:, 0]] < 2.0).all()
+    assert after.fixed[(x[:, 2] < 0) & far[:, 2]].all()
+    assert not after.fixed[(x[:, 2] > 0) & far[:, 2]].any()
+    assert (after.decimation.vertices_before, after.decimation.vertices) == (150, 50)
+
+
+def test_decimation_starts_from_the_imported_surface_every_time():
+    once = edits.decimate_organ(SPLEEN, 50)(SPLEEN)
+
+    again = edits.decimate_organ(once, 120)(once)
+
+    assert again.vertex_count == 120
+    assert again.imported is SPLEEN.imported
+
+
+@pytest.mark.parametrize("count", [-1, 3, 151])
+def test_a_count_that_cannot_be_had_is_refused(count):
+    with pytest.raises(EditError, match=f"{count} vertices cannot be had"):
+        edits.decimate_organ(SPLEEN, count)
+
+
+def test_the_lowest_part_is_fixed_beside_what_is_fixed_already():
+    height = SPLEEN.surface.vertices[:, 2]
+
+    after = edits.FixLowest(0.1)(SPLEEN)
+
+    limit = height.min() + 0.1 * np.ptp(height)
+    assert after.fixed.tolist() == ((height <= limit) | SPLEEN.fixed).tolist()
+
+
+def test_pasting_a_material_keeps_what_was_painted():
+    after = edits.SetMaterial(MaterialPart(), ModelPart(fixed=(1,), stiffness_scale=(2.0,)))(SPLEEN)
+
+    assert after.fixed is SPLEEN.fixed and after.stiffness_scale is SPLEEN.stiffness_scale
+    assert (after.model.fixed, after.model.stiffness_scale) == ((), ())
+
+
+def test_importing_keeps_the_name_that_was_given_and_takes_the_files_otherwise():
+    edit = edits.ImportMesh("liver", SOURCE, surface_of(80))
+
+    assert edit(SPLEEN).name == "dalak"
+    assert edit(EMPTY).name == "liver"
+    assert not edit(SPLEEN).fixed.any()
+
+
+def test_an_import_knows_its_file(shared_data):
+    path = shared_data("organs/VH_F_Spleen.glb")
+
+    organ = edits.import_file(path)(EMPTY)
+
+    source = organ.source
+    assert (source.file, source.format) == ("VH_F_Spleen.glb", "GLB")
+    assert source.folder == str(path.resolve().parent)
+    assert len(source.parts_available) == len(source.parts) == 5
+    assert source.repairs.welded_vertices == 291
+    assert len(organ.surface.vertices) == 4274
+    assert organ.surface is organ.imported
