@@ -13,7 +13,8 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
 GOOD, NEAR, OVER = QColor("#2f9e6e"), QColor("#d9912b"), QColor("#d64545")
 """Colours of a share that is well inside, near and beyond its limit."""
-NEAR_SHARE, OVER_SHARE = 0.6, 1.0
+NEAR_SHARE, NEAR_MARGIN, OVER_SHARE = 0.6, 0.95, 1.0
+"""[-] from where a share is near its limit, that of the stability margin, and where it is over."""
 REMEMBERED = 60
 """Frames a number is the median of, about a second."""
 NOTHING = "–"
@@ -22,8 +23,9 @@ NOTHING = "–"
 class Meter(QWidget):
     """A bar that shows a share of a limit, full at the limit."""
 
-    def __init__(self, parent: QWidget | None = None):
+    def __init__(self, near: float, parent: QWidget | None = None):
         super().__init__(parent)
+        self.near = near
         self.share: float | None = None
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
@@ -48,13 +50,13 @@ class Meter(QWidget):
         if self.share is not None and self.share > 0.0:
             bar = self.rect()
             bar.setWidth(max(self.height(), round(bar.width() * min(self.share, 1.0))))
-            painter.setBrush(colour_of(self.share))
+            painter.setBrush(colour_of(self.share, self.near))
             painter.drawRoundedRect(bar, round_, round_)
         painter.end()
 
 
-def colour_of(share: float) -> QColor:
-    return GOOD if share < NEAR_SHARE else NEAR if share < OVER_SHARE else OVER
+def colour_of(share: float, near: float) -> QColor:
+    return GOOD if share < near else NEAR if share < OVER_SHARE else OVER
 
 
 class LiveCosts(QWidget):
@@ -87,8 +89,11 @@ class LiveCosts(QWidget):
         )
         self._add(
             "margin",
-            self.tr("Step"),
-            self.tr("The time step beside the longest stable one: at 100 % the tissue blows up."),
+            self.tr("Stability"),
+            self.tr(
+                "The time step as a share of the longest stable one: beyond 100 % the tissue "
+                "blows up. Substeps are chosen so that it stays below."
+            ),
         )
         self._add(
             "missed",
@@ -100,7 +105,8 @@ class LiveCosts(QWidget):
 
     def _add(self, name: str, title: str, tip: str) -> None:
         row = len(self._numbers)
-        words, number, meter = QLabel(title, self), QLabel(NOTHING, self), Meter(self)
+        near = NEAR_MARGIN if name == "margin" else NEAR_SHARE
+        words, number, meter = QLabel(title, self), QLabel(NOTHING, self), Meter(near, self)
         number.setObjectName(f"live_{name}")
         number.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         widest = number.fontMetrics().horizontalAdvance("0.000 ms  000 %")

@@ -20,7 +20,7 @@ from palpate_editor.views.touch.force_plot import ForcePlot
 from palpate_editor.views.touch.live_costs import LiveCosts
 from palpate_editor.views.touch.results import Outcome, read_felt
 from palpate_editor.views.touch.trial import Trial, describe_end
-from palpate_editor.views.words import tr
+from palpate_editor.views.words import say, tr
 
 
 @dataclass(frozen=True)
@@ -116,14 +116,13 @@ class Runner(QObject):
             return
         if found.organ is not organ:
             return
-        if found.compiled.scene is None:
+        if found.scene is None:
             self.wish = None
-            self.desk.tell(
-                tr("The organ cannot be tested yet: {why}").format(why=found.compiled.refusal)
-            )
+            faults = [say(p.sentence) for p in found.problems if p.severity == "error"]
+            self.desk.tell(" ".join([tr("The organ cannot be tested yet."), *faults[:1]]))
             self.changed.emit()
             return
-        self._begin(organ, found.compiled.scene, self.wish)
+        self._begin(organ, found.scene, self.wish)
 
     def _begin(self, organ: Organ, scene: palpate.Scene, wish: HandWish | PressWish) -> None:
         self._count += 1

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLineEdit,
     QPushButton,
+    QSizePolicy,
     QTabWidget,
     QVBoxLayout,
     QWidget,
@@ -59,6 +60,7 @@ class TestPanel(StagePanel):
         desk.session.changed.connect(self._on_changed)
         desk.stage_shown.connect(self._on_stage)
         desk.theme_changed.connect(self.plot.use_theme)
+        self.plot.use_theme(desk.theme)
         self.plot.failed.connect(desk.tell)
         self.plot.said.connect(self._say)
         self.press_form.refused.connect(desk.tell)
@@ -75,6 +77,7 @@ class TestPanel(StagePanel):
         self.tabs.addTab(self._build_hand(), tr("By hand"))
         self.tabs.addTab(self._build_press(), tr("Scripted press"))
         self.tabs.currentChanged.connect(self._on_tab)
+        self._fit_tabs(HAND)
         self.form.addWidget(self.tabs)
         self.form.addLayout(self._build_buttons())
         self.state = write_label("", "lead", self)
@@ -193,8 +196,16 @@ class TestPanel(StagePanel):
         self.runner.toggle_pause()
 
     def _on_tab(self, index: int) -> None:
-        del index
         self.stop()
+        self._fit_tabs(index)
+
+    def _fit_tabs(self, shown: int) -> None:
+        """As high as the page in front, not as the highest."""
+        for i in range(self.tabs.count()):
+            height = QSizePolicy.Policy.Preferred if i == shown else QSizePolicy.Policy.Ignored
+            self.tabs.widget(i).setSizePolicy(QSizePolicy.Policy.Preferred, height)
+        self.tabs.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
+        self.tabs.updateGeometry()
 
     def _on_stage(self, stage: str) -> None:
         if stage != self.stage:

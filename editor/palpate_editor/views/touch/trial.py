@@ -15,6 +15,10 @@ from palpate_editor.views.words import tr
 
 FRAME = 16
 """[ms] between two looks at the loop."""
+SMALLEST_FORCE = 0.01
+"""[N] Less is noise of a tip that slides along, and gets no arrow."""
+ARROW, LONGEST = 0.25, 0.75
+"""[-] of the organ's diagonal that the arrow of 1 N is long, and that any is at most."""
 LEAST_TOP = 1e-3
 """[m] displacement at the top of the legend of an organ that hardly moves."""
 TOPS = (1.0, 2.0, 5.0, 10.0)
@@ -46,6 +50,9 @@ class Trial(QObject):
         self.report: palpate.LoopReport | None = None
         self._rest = np.array(scene.tissue.rest_position)
         self._top = LEAST_TOP
+        diagonal = float(palpate.compute_diagonal(self._rest))
+        view.force_scale = ARROW * diagonal
+        self._most = LONGEST / ARROW
         self._timer = QTimer(self, interval=FRAME)
         self._timer.timeout.connect(self._look)
 
@@ -95,7 +102,7 @@ class Trial(QObject):
         self.view.show_values(1e3 * moved, tr("displacement [mm]"), (0.0, 1e3 * self._top))
         self.view.show_tool(frame.tool_position, self.scene.tool.radius)
         size = float(np.linalg.norm(frame.force))
-        self.view.show_force(frame.tool_position if size > 0.0 else None, frame.force)
+        self._show_force(frame, size)
         share = frame.cost * self.scene.rate
         self.view.hud.show_rows(
             [
@@ -103,6 +110,16 @@ class Trial(QObject):
                 (tr("Time"), f"{frame.time:.1f} s"),
                 (tr("Tick"), f"{100 * share:.0f} %"),
             ]
+        )
+
+    def _show_force(self, frame: Any, size: float) -> None:
+        """The arrow begins at the tip's skin, not inside it, and stays in sight."""
+        if size < SMALLEST_FORCE:
+            self.view.show_force(None)
+            return
+        away = frame.force / size
+        self.view.show_force(
+            frame.tool_position + away * self.scene.tool.radius, away * min(size, self._most)
         )
 
 
