@@ -3,7 +3,8 @@
 
     python save_again_and_again.py FILE OLD NEW MOMENTS...        prints one JSON list
 
-Every child writes OLD's and NEW's contents over FILE in turn. After each kill the list gains what
+FILE is a published one where its name ends in .palpate, else the container of a working one. Every
+child writes OLD's and NEW's contents over FILE in turn. After each kill the list gains what
 FILE is, "old", "new" or what is wrong with it, and whether the kill came in the middle of a file:
 then part of one stands beside FILE, and is removed.
 """
@@ -19,16 +20,29 @@ from pathlib import Path
 
 import palpate.scenario as scenario
 
+Content = scenario.Scenario | scenario.Container
 
-def save_for_ever(path: str, contents: list[scenario.Scenario], started: int) -> None:
-    scenario.write(path, contents[0])
+
+def read(path: str, published: bool) -> Content:
+    return scenario.read(path) if published else scenario.read_container(path, "organ", 1)
+
+
+def save(path: str, content: Content) -> None:
+    if isinstance(content, scenario.Scenario):
+        scenario.write(path, content)
+    else:
+        scenario.write_container(path, content)
+
+
+def save_for_ever(path: str, contents: list[Content], started: int) -> None:
+    save(path, contents[0])
     os.write(started, b".")
     while True:
         for content in reversed(contents):
-            scenario.write(path, content)
+            save(path, content)
 
 
-def kill_while_saving(path: str, contents: list[scenario.Scenario], moment: float) -> None:
+def kill_while_saving(path: str, contents: list[Content], moment: float) -> None:
     ours, theirs = os.pipe()
     child = os.fork()
     if child == 0:
@@ -49,13 +63,14 @@ def remove_parts(path: Path) -> bool:
 
 
 def main(path: str, old: str, new: str, *moments: str) -> list[tuple[str, bool]]:
-    contents = [scenario.read(old), scenario.read(new)]
+    published = path.endswith(".palpate")
+    contents = [read(old, published), read(new, published)]
     whole = {Path(old).read_bytes(): "old", Path(new).read_bytes(): "new"}
     found = []
     for moment in moments:
         kill_while_saving(path, contents, float(moment))
         try:
-            scenario.read(path)
+            read(path, published)
             words = whole.get(Path(path).read_bytes(), "neither")
         except OSError as problem:
             words = str(problem)

@@ -7,17 +7,16 @@ import copy
 import io
 import json
 import zipfile
-from dataclasses import asdict, fields
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
 import jsonschema
-import numpy as np
 import palpate
 import pytest
 from hostile_scenarios import entries_of, pack, remove, set_in
 from palpate import scenario, scene_parts
-from surfaces import ellipsoid, organ_scene
+from surfaces import organ_scene
 
 SCHEMAS = Path(palpate.__file__).parent / "schemas"
 KEPT = Path(__file__).resolve().parents[1] / "scenes" / "published"
@@ -43,38 +42,6 @@ def published() -> bytes:
     return scenario.pack_container(scenario.pack(made))
 
 
-def organ_content() -> Json:
-    """An organ as the scene file knows it, without what an .organ file keeps in arrays."""
-    parts = asdict(scene_parts.SceneFile(scene_parts.OrganPart("spleen", "spleen.obj", "0" * 64)))
-    for name in ("fixed", "stiffness_scale"):
-        del parts["model"][name]
-    parts["hand"]["gravity"] = list(parts["hand"]["gravity"])
-    return {
-        "name": parts["organ"]["name"],
-        "title": "Push and pull",
-        "task": "Press the spleen.",
-        "source": {"file": "spleen.stl", "sha256": "0" * 64, "unit": 1e-3, "part": None},
-        "edits": ["decimate to 600 vertices"],
-        **{name: parts[name] for name in ("material", "model", "tool", "hand")},
-    }
-
-
-def working_file(path: Path) -> Path:
-    mesh = ellipsoid((0.03, 0.02, 0.02), 1)
-    arrays = {
-        "mesh/vertices": mesh.vertices,
-        "mesh/triangles": mesh.triangles,
-        "fixed": np.array([3, 5], np.int32),
-        "stiffness_scale": np.ones(len(mesh.vertices)),
-        "source/spleen.stl": np.frombuffer(b"solid", np.uint8),
-    }
-    content = json.dumps(organ_content())
-    scenario.write_container(
-        path, scenario.Container(format="organ", version=1, content=content, arrays=arrays)
-    )
-    return path
-
-
 def test_a_published_file_satisfies_its_schema():
     validator("palpate").validate(manifest_of(published()))
 
@@ -84,17 +51,6 @@ def test_every_kept_file_of_this_version_satisfies_the_schema(kept):
     manifest = manifest_of(kept)
     if manifest["version"] == manifest_of(published())["version"]:
         validator("palpate").validate(manifest)
-
-
-def test_a_working_file_satisfies_its_schema(tmp_path):
-    validator("organ").validate(manifest_of(working_file(tmp_path / "spleen.organ")))
-
-
-def test_a_working_file_without_a_source_satisfies_its_schema(tmp_path):
-    manifest = manifest_of(working_file(tmp_path / "spleen.organ"))
-    manifest["content"]["source"] = None
-
-    validator("organ").validate(manifest)
 
 
 @pytest.mark.parametrize(

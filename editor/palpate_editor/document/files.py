@@ -15,8 +15,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from palpate import FileError, scenario
+from palpate.error import FileError
 from palpate.json_part import json_kind, read_part, read_value
+from palpate.scenario import Container, read_container, write_container
 from palpate.scene_parts import HandPart, MaterialPart, ModelPart, ToolPart
 from palpate.verb import Refusal
 
@@ -40,11 +41,9 @@ def write_organ(path: Path, organ: Organ) -> None:
     """Leaves `path` as it was or writes all of the new file. Raises FileError."""
     content, arrays = pack_organ(organ)
     try:
-        scenario.write_container(
+        write_container(
             os.fspath(path),
-            scenario.Container(
-                format=FORMAT, version=VERSION, content=json.dumps(content), arrays=arrays
-            ),
+            Container(format=FORMAT, version=VERSION, content=json.dumps(content), arrays=arrays),
         )
     except ValueError as problem:
         raise FileError(str(path), "", str(problem), "an organ that a file can hold") from None
@@ -52,7 +51,7 @@ def write_organ(path: Path, organ: Organ) -> None:
 
 def read_organ(path: Path) -> Organ:
     """Reads a file of this or an older version. Raises FileError for whatever is wrong."""
-    found = scenario.read_container(os.fspath(path), FORMAT, VERSION)
+    found = read_container(os.fspath(path), FORMAT, VERSION)
     return unpack_organ(json.loads(found.content), found.arrays, found.version, str(path))
 
 
