@@ -31,7 +31,6 @@ class QuantityBox(QAbstractSpinBox):
         self.unit, self.scale = unit, scale
         """`scale` is one shown unit in SI."""
         self.shown: float | None = None
-        self.setButtonSymbols(QAbstractSpinBox.ButtonSymbols.NoButtons)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.setMinimumWidth(92)
@@ -156,7 +155,7 @@ class QuantityRow(QWidget):
         self.unit.setProperty("role", "name")
         self.unit.setMinimumWidth(44)
         layout.addWidget(self.unit)
-        box.entered.connect(self.entered)
+        box.entered.connect(self.tell)
 
     def show_value(self, value: float | None) -> None:
         """None shows the default, faint and locked."""
@@ -166,6 +165,9 @@ class QuantityRow(QWidget):
             self.tick.blockSignals(False)
             self.box.setEnabled(value is not None)
         self.box.show_value(self.default if value is None else value)
+
+    def tell(self, value: float) -> None:
+        self.entered.emit(value)
 
     def switch(self, on: bool) -> None:
         self.entered.emit(self.default if on else None)

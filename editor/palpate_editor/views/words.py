@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 from PySide6.QtCore import QCoreApplication
 
@@ -18,12 +19,19 @@ def tr(text: str) -> str:
     return QCoreApplication.translate(CONTEXT, text)
 
 
-def say(text: object) -> str:
+def say(text: Any) -> Any:
     """A sentence of another room in the language of the window, where it knows how it was made."""
     if isinstance(text, Phrase):
         values = {key: say(value) for key, value in text.values.items()}
-        return tr(text.template).format(**values) if values else tr(text.template)
-    return text if isinstance(text, int | float) else str(text)  # type: ignore[return-value]
+        template = QCoreApplication.translate("phrases", text.template)
+        return template.format(**values) if values else template
+    # names of constants are values of many sentences; any other text stays as it is
+    return QCoreApplication.translate("constants", text) if isinstance(text, str) else text
+
+
+def edit_title(title: str) -> str:
+    """What an edit is called."""
+    return QCoreApplication.translate("edits", title)
 
 
 def number(value: float, digits: int = 4) -> str:

@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is good and bad about the organ on the desk, worked out beside the window.
+
+Inspecting a surface and building a tissue take up to seconds for a large organ, so both are done
+in a thread after every change; what did not change is not done again.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import palpate
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from palpate_editor import authoring, check
+from palpate_editor.app.session import Session
+from palpate_editor.compile import mesh_of
+from palpate_editor.document import Organ, Surface
+from palpate_editor.document.problems import Problem, TissueFacts
+from palpate_editor.document.rules import compute_tick_share
+from palpate_editor.views.jobs import Jobs, Progress
+
+PATIENCE = 60
+"""[ms] without a change before work begins: a stroke of the keyboard is not yet a decision."""
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """A surface beside the imported one."""
+
+    imported_angle: float
+    """[degree] smallest of the imported surface."""
+    distances: np.ndarray | None
+    """[m] (n,) from each vertex to the imported surface; None where they are one."""
+
+
+@dataclass(frozen=True, eq=False)
+class Assessment:
+    """All that the window says about one organ."""
+
+    checked: check.Assessment
+    comparison: Comparison | None
+    """None where there is no surface."""
+    tick_share: float | None
+    """[-] of a tick that the tissue takes on the reference machine."""
+
+    @property
+    def organ(self) -> Organ:
+        return self.checked.organ
+
+    @property
+    def scene(self) -> palpate.Scene | None:
+        return self.checked.scene
+
+    @property
+    def report(self) -> authoring.MeshReport | None:
+        """Of the surface."""
+        return self.checked.report
+
+    @property
+    def tissue(self) -> TissueFacts | None:
+        """What came of building the tissue; None where there is nothing to build it on."""
+        return self.checked.facts.tissue
+
+    @property
+    def problems(self) -> tuple[Problem, ...]:
+        return self.checked.problems
+
+    def of_stage(self, stage: str) -> list[Problem]:
+        return [problem for problem in self.problems if problem.stage == stage]
+
+
+def assess(organ: Organ, tested: bool, before: Assessment | None) -> Assessment:
+    """Finds everything out, on any thread; what `before` knows is used again where it holds."""
+    checked = check.assess(organ, tested=tested, before=before.checked if before else None)
+    share = compute_tick_share(organ, checked.facts)
+    same = (
+        before is not None
+        and before.organ.surface is organ.surface
+        and before.organ.imported is organ.imported
+    )
+    comparison = before.comparison if before is not None and same else compare(organ)
+    return Assessment(checked, comparison, share)
+
+
+def compare(organ: Organ) -> Comparison | None:
+    surface = organ.surface
+    if surface is None:
+        return None
+    source = surface if organ.imported is None else organ.imported
+    angle = float(np.degrees(palpate.compute_smallest_angle(mesh_of(source))))
+    return Comparison(angle, None if source is surface else measure_distances(surface, source))
+
+
+def measure_distances(surface: Surface, source: Surface) -> np.ndarray:
+    """[m] (n,) how far each vertex of the surface is from the source."""
+    tree = palpate.AabbTree(source.vertices, source.triangles)
+    x = source.vertices
+    return np.array([palpate.find_closest_point(tree, x, p).distance for p in surface.vertices])
+
+
+@dataclass(frozen=True, eq=False)
+class AssessWork:
+    """The work of one assessment."""
+
+    organ: Organ
+    tested: bool
+    before: Assessment | None
+
+    def __call__(self, progress: Progress) -> Assessment:
+        progress("", 0.0)
+        return assess(self.organ, self.tested, self.before)
+
+
+class Assessor(QObject):
+    """Keeps the newest assessment of a session's organ."""
+
+    assessed = Signal()
+
+    def __init__(self, session: Session, jobs: Jobs, parent: QObject | None = None):
+        super().__init__(parent)
+        self.session, self.jobs = session, jobs
+        self.assessment: Assessment | None = None
+        self.busy = False
+        self.assessed_tested = False
+        self.timer = QTimer(self, singleShot=True, interval=PATIENCE)
+        self.timer.timeout.connect(self.begin)
+        session.changed.connect(self.on_changed)
+        self.timer.start()
+
+    def on_changed(self, before: Organ, after: Organ) -> None:
+        del before, after
+        self.timer.start()
+
+    def begin(self) -> None:
+        """Starts assessing the organ on the desk, unless that is under way."""
+        if self.busy:
+            return
+        self.busy = True
+        self.assessed_tested = self.session.is_tested
+        work = AssessWork(self.session.organ, self.assessed_tested, self.assessment)
+        self.jobs.start_unseen("assessment", work, self.finish, self.give_up)
+
+    def finish(self, assessment: Assessment) -> None:
+        self.busy = False
+        self.assessment = assessment
+        if not self.is_current:
+            self.begin()
+        self.assessed.emit()
+
+    def give_up(self, problem: BaseException) -> None:
+        self.busy = False
+        raise problem
+
+    @property
+    def is_current(self) -> bool:
+        """Whether the organ on the desk is the one that was assessed, and as felt as it is."""
+        return (
+            self.assessment is not None
+            and self.assessment.organ is self.session.organ
+            and self.assessed_tested == self.session.is_tested
+        )

@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the menus do that no panel does: looking, colouring, repeating, copying."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import asdict
+from pathlib import Path
+
+import numpy as np
+from palpate.scene_parts import MaterialPart, ModelPart
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QGuiApplication
+
+from palpate_editor.edits import (
+    FixLowest,
+    FixVertices,
+    KeepLargestShell,
+    SetChoice,
+    SetMaterial,
+    TurnOutward,
+    UseImported,
+)
+from palpate_editor.views.command_lines import render_words
+from palpate_editor.views.desk import Desk
+from palpate_editor.views.display import Display
+from palpate_editor.views.files import Files
+from palpate_editor.views.words import tr
+
+LOWEST = 0.1
+"""[-] of the height that the menu fixes; the form takes any share."""
+CLIPBOARD = "palpate material"
+"""Names our JSON on the clipboard."""
+STEEPEST = math.radians(89.0)
+
+
+class Deeds(QObject):
+    """Slots of the menus."""
+
+    decimate_wanted = Signal()
+    reimport_wanted = Signal()
+
+    def __init__(self, desk: Desk, display: Display, files: Files, parent: QObject | None = None):
+        super().__init__(parent)
+        self.desk, self.display, self.files = desk, display, files
+
+    # ------------------------------------------------------------ looking
+
+    def look(self, azimuth: float, elevation: float) -> None:
+        """From a direction [rad]."""
+        self.desk.view.look_from(azimuth, elevation)
+
+    def look_front(self) -> None:
+        self.look(math.radians(-90.0), 0.0)
+
+    def look_behind(self) -> None:
+        self.look(math.radians(90.0), 0.0)
+
+    def look_right(self) -> None:
+        self.look(0.0, 0.0)
+
+    def look_left(self) -> None:
+        self.look(math.pi, 0.0)
+
+    def look_above(self) -> None:
+        self.look(math.radians(-90.0), STEEPEST)
+
+    def look_below(self) -> None:
+        self.look(math.radians(-90.0), -STEEPEST)
+
+    def frame_all(self) -> None:
+        self.desk.view.frame_all()
+
+    def switch_wireframe(self) -> None:
+        self.desk.view.wireframe = not self.desk.view.wireframe
+
+    def colour_auto(self) -> None:
+        self.display.use_colouring("auto")
+
+    def colour_plain(self) -> None:
+        self.display.use_colouring("plain")
+
+    def colour_stiffness(self) -> None:
+        self.display.use_colouring("stiffness")
+
+    def colour_distance(self) -> None:
+        self.display.use_colouring("distance")
+
+    # ------------------------------------------------------------ pictures
+
+    def ask_picture(self) -> None:
+        name = f"{self.desk.stem()}.png"
+        self.files.ask(tr("Save a picture"), [tr("Pictures (*.png)")], self.save_picture, save=name)
+
+    def save_picture(self, name: str) -> None:
+        """Writes what the viewport shows, with its legend."""
+        path = Path(name)
+        picture = self.desk.view.grab_picture()
+        if not picture.save(str(path)):
+            self.desk.tell(tr("{file} could not be written.").format(file=path))
+            return
+        document = self.desk.session.path
+        source = document if document is not None else f"{self.desk.stem()}.obj"
+        self.desk.log_command(render_words(source, path, self.desk.view, self.desk.theme))
+        self.desk.tell(tr("Saved as {file}.").format(file=path.name), "info")
+
+    # ------------------------------------------------------------ mesh
+
+    def reimport(self) -> None:
+        self.reimport_wanted.emit()
+
+    def turn_outward(self) -> None:
+        self.desk.apply(TurnOutward())
+
+    def keep_largest(self) -> None:
+        self.desk.apply(KeepLargestShell())
+
+    def decimate(self) -> None:
+        self.desk.show_stage("decimate")
+        self.decimate_wanted.emit()
+
+    def use_imported(self) -> None:
+        self.desk.apply(UseImported())
+
+    # ------------------------------------------------------------ material
+
+    def use_mss(self) -> None:
+        self.use_kind("mass_spring")
+
+    def use_mms(self) -> None:
+        self.use_kind("molecular")
+
+    def use_kind(self, kind: str) -> None:
+        if self.desk.session.organ.model.kind == kind:
+            return
+        if self.desk.apply(SetChoice("kind", kind)):
+            self.desk.log_material()
+
+    def fix_lowest(self) -> None:
+        if self.desk.apply(FixLowest(LOWEST)):
+            self.desk.log_material()
+
+    def free_all(self) -> None:
+        self.desk.apply(FixVertices(np.flatnonzero(self.desk.session.organ.fixed), False))
+
+    def copy_material(self) -> None:
+        """The constants as JSON, for this window, another one or an e-mail."""
+        organ = self.desk.session.organ
+        model = asdict(organ.model) | {"fixed": [], "stiffness_scale": []}
+        data = {"format": CLIPBOARD, "material": asdict(organ.material), "model": model}
+        QGuiApplication.clipboard().setText(json.dumps(data, indent=2))
+        self.desk.tell(tr("The material is on the clipboard."), "info")
+
+    def paste_material(self) -> None:
+        edit = read_material(QGuiApplication.clipboard().text())
+        if edit is None:
+            self.desk.tell(tr("There is no material on the clipboard: copy one first."), "warning")
+        elif self.desk.apply(edit):
+            self.desk.log_material()
+
+    # ------------------------------------------------------------ checks
+
+    def check(self) -> None:
+        """Looks at the organ anew and says how it stands."""
+        assessment = self.desk.assessment
+        if assessment is None or not self.desk.assessor.is_current:
+            self.desk.tell(tr("The organ is being looked at: one moment."), "info")
+            return
+        errors = len(assessment.checked.errors)
+        warnings = sum(p.severity == "warning" for p in assessment.problems)
+        path = self.desk.session.path
+        self.desk.log_command(["palpate", "check", path or f"{self.desk.stem()}.organ"])
+        if not errors and not warnings:
+            self.desk.tell(tr("All is well with this organ."), "info")
+            return
+        self.desk.tell(
+            tr("{errors} to mend, {warnings} to think about: they stand under Problems.").format(
+                errors=errors, warnings=warnings
+            ),
+            "warning",
+        )
+
+
+def read_material(text: str) -> SetMaterial | None:
+    """The material of a clipboard's text; None where there is none."""
+    try:
+        data = json.loads(text)
+        if data.get("format") != CLIPBOARD:
+            return None
+        model = data["model"] | {"fixed": (), "stiffness_scale": ()}
+        return SetMaterial(MaterialPart(**data["material"]), ModelPart(**model))
+    except (ValueError, AttributeError, KeyError, TypeError):
+        return None

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What every panel and tool of the window works with: one session, one view, one voice."""
+
+from __future__ import annotations
+
+import logging
+import shlex
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from palpate.viewport import View
+from PySide6.QtCore import QObject, Signal
+
+from palpate_editor.app.session import Session
+from palpate_editor.app.settings import Settings
+from palpate_editor.edits import Edit, EditError
+from palpate_editor.views.assessment import Assessment, Assessor
+from palpate_editor.views.command_lines import import_words, material_words
+from palpate_editor.views.jobs import Jobs
+from palpate_editor.views.sentences import sentence_of
+from palpate_editor.views.theme import COLOURS, Colours
+
+if TYPE_CHECKING:
+    from palpate_editor.views.publishing import Publishing
+    from palpate_editor.views.tasks import Tasks
+
+LOG = logging.getLogger(__name__)
+
+
+class Desk(QObject):
+    """Shared by everything in one main window."""
+
+    told = Signal(str, str)
+    """A sentence and how grave it is: error, warning or info."""
+    command_logged = Signal(str)
+    hinted = Signal(str)
+    theme_changed = Signal(str)
+    stage_shown = Signal(str)
+    stage_wanted = Signal(str)
+    import_wanted = Signal()
+    """Somebody would like to choose a mesh file."""
+    distance_wanted = Signal(bool)
+    assessed = Signal()
+    """`assessment` is that of the organ on the desk."""
+
+    def __init__(
+        self, session: Session, view: View, settings: Settings, parent: QObject | None = None
+    ):
+        super().__init__(parent)
+        self.session, self.view, self.settings = session, view, settings
+        self.jobs = Jobs(self)
+        self.assessor = Assessor(session, self.jobs, self)
+        self.assessor.assessed.connect(self.assessed)
+        self.theme = "dark"
+        self.stage = "import"
+        self.tasks: Tasks
+        self.publishing: Publishing
+        """Both made by the window, which knows what they need."""
+
+    @property
+    def colours(self) -> Colours:
+        return COLOURS[self.theme]
+
+    @property
+    def assessment(self) -> Assessment | None:
+        """What is known of the organ on the desk; None until it has been looked at."""
+        return self.assessor.assessment
+
+    def apply(self, edit: Edit) -> bool:
+        """Applies an edit; a refusal becomes a sentence in the window, and False."""
+        try:
+            self.session.apply(edit)
+        except EditError as refusal:
+            self.refuse(refusal)
+            return False
+        return True
+
+    def tell(self, sentence: str, severity: str = "error") -> None:
+        """Says a sentence in the message bar."""
+        LOG.log(logging.WARNING if severity == "error" else logging.INFO, "%s", sentence)
+        self.told.emit(sentence, severity)
+
+    def refuse(self, problem: BaseException) -> None:
+        """Says what went wrong, whatever it was."""
+        if not isinstance(problem, EditError):
+            LOG.info("refused", exc_info=problem)
+        self.tell(sentence_of(problem), "error")
+
+    def log_command(self, words: Sequence[object]) -> None:
+        """The command line that does what was just done."""
+        self.command_logged.emit(shlex.join(str(word) for word in words))
+
+    def stem(self) -> str:
+        """What files made from this organ are called."""
+        session = self.session
+        return session.path.stem if session.path else session.organ.name or "organ"
+
+    def log_material(self) -> None:
+        self.log_command(material_words(self.session.organ, self.stem()))
+
+    def log_source(self) -> None:
+        """After the file has been understood anew."""
+        source = self.session.organ.source
+        if source is not None:
+            path = Path(source.folder) / source.file
+            whole = source.parts == source.parts_available
+            parts = () if whole else source.parts
+            self.log_command(import_words(path, parts, source.unit, source.up, self.stem()))
+
+    def show_distance(self, on: bool) -> None:
+        self.distance_wanted.emit(on)
+
+    def set_hint(self, text: str) -> None:
+        self.hinted.emit(text)
+
+    def use_theme(self, theme: str) -> None:
+        self.theme = theme
+        self.view.use_theme(theme)
+        self.theme_changed.emit(theme)
+
+    def show_stage(self, stage: str) -> None:
+        """Asks the window for a stage."""
+        self.stage_wanted.emit(stage)

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the viewport shows of the document: its surface, and one property of it as colours."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+
+from palpate_editor.document import Organ
+from palpate_editor.views.desk import Desk
+from palpate_editor.views.words import tr
+
+COLOURINGS = ("auto", "plain", "stiffness", "distance")
+
+
+class Display(QObject):
+    """Draws the document anew whenever it, the stage or the choice of colours changes."""
+
+    colouring_changed = Signal(str)
+
+    def __init__(self, desk: Desk, parent: QObject | None = None):
+        super().__init__(parent)
+        self.desk = desk
+        self.colouring = "auto"
+        self.with_distance = True
+        self.held = False
+        """While the organ is being felt it belongs to the run."""
+        self.drawn: Organ | None = None
+        desk.session.changed.connect(self.on_changed)
+        desk.stage_shown.connect(self.on_stage)
+        desk.assessed.connect(self.refresh_values)
+        desk.distance_wanted.connect(self.use_distance)
+
+    def on_changed(self, before: Organ, after: Organ) -> None:
+        del before, after
+        self.refresh()
+
+    def on_stage(self, stage: str) -> None:
+        del stage
+        self.refresh_values()
+
+    def use_colouring(self, colouring: str) -> None:
+        """auto follows the stage."""
+        self.colouring = colouring
+        self.colouring_changed.emit(colouring)
+        self.refresh_values()
+
+    def use_distance(self, on: bool) -> None:
+        self.with_distance = on
+        self.refresh_values()
+
+    def hold(self, held: bool) -> None:
+        """A run takes the viewport, or gives it back."""
+        self.held = held
+        if not held:
+            self.drawn = None
+            self.refresh()
+
+    # ------------------------------------------------------------ drawing
+
+    def refresh(self) -> None:
+        """Draws what the document says."""
+        if self.held:
+            return
+        organ, view = self.desk.session.organ, self.desk.view
+        before = self.drawn
+        if organ.surface is None:
+            if before is None or before.surface is not None:
+                view.show_surface(np.zeros((0, 3)), np.zeros((0, 3), np.int32))
+        elif before is None or before.surface is not organ.surface:
+            view.show_surface(organ.surface.vertices, organ.surface.triangles)
+        self.drawn = organ
+        self.refresh_values()
+
+    def refresh_values(self) -> None:
+        """Draws the colours and what is fixed."""
+        organ, view = self.desk.session.organ, self.desk.view
+        if self.held or organ.surface is None or self.drawn is not organ:
+            return
+        shown = self.choose()
+        if shown == "stiffness":
+            view.show_values(organ.stiffness_scale, tr("Stiffness, times the organ's"))
+        elif shown == "distance":
+            assessment = self.desk.assessment
+            assert assessment is not None and assessment.comparison is not None
+            view.show_values(
+                1e3 * assessment.comparison.distances, tr("Distance to the source [mm]")
+            )
+        else:
+            view.show_values(None)
+        marks_fixed = self.desk.stage in ("material", "test", "publish")
+        view.show_selection(organ.fixed.astype(float) if marks_fixed else None)
+
+    def choose(self) -> str:
+        """Which property is shown now."""
+        organ, assessment = self.desk.session.organ, self.desk.assessment
+        painted = bool((organ.stiffness_scale != 1.0).any())
+        known = (
+            assessment is not None
+            and assessment.organ.surface is organ.surface
+            and assessment.organ.imported is organ.imported
+            and assessment.comparison is not None
+            and assessment.comparison.distances is not None
+        )
+        if self.colouring == "distance" or (
+            self.colouring == "auto" and self.desk.stage == "decimate" and self.with_distance
+        ):
+            return "distance" if known else "plain"
+        if self.colouring == "stiffness":
+            return "stiffness"
+        if self.colouring == "auto" and self.desk.stage == "material" and painted:
+            return "stiffness"
+        return "plain"

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The editor as a program: one session, its window, its recovery, its language."""
+
+from __future__ import annotations
+
+import gc
+import logging
+from pathlib import Path
+
+from palpate import FileError
+from palpate.translation import install
+from PySide6.QtCore import QLocale, QObject, QTimer
+from PySide6.QtWidgets import QApplication, QMessageBox
+
+from palpate_editor.app.autosave import Autosave
+from palpate_editor.app.recovery import Recovery, find_recoveries, find_recovery_folder
+from palpate_editor.app.session import Session
+from palpate_editor.app.settings import Settings
+from palpate_editor.views.sentences import ExceptHook
+from palpate_editor.views.window import MainWindow
+from palpate_editor.views.words import tr
+
+LOG = logging.getLogger(__name__)
+SWEEP = 2000
+"""[ms] between two collections of reference cycles."""
+
+
+class Editor(QObject):
+    """Keeps the session while windows come and go with the language."""
+
+    def __init__(
+        self,
+        app: QApplication,
+        settings: Settings,
+        *,
+        theme: str | None = None,
+        language: str | None = None,
+        recovery_folder: Path | None = None,
+    ):
+        super().__init__(app)
+        self.app, self.settings, self.theme = app, settings, theme
+        # points and not commas in numbers, whatever the desktop says: units are SI everywhere
+        QLocale.setDefault(QLocale(QLocale.Language.English, QLocale.Country.UnitedStates))
+        self.language = install(app, language or settings.language)
+        self.session = Session(parent=self)
+        self.folder = recovery_folder or find_recovery_folder()
+        self.autosave = Autosave(self.session, self.folder, parent=self)
+        self.hook = ExceptHook(self)
+        self.hook.install()
+        self.recoveries: list[Recovery] = []
+        self.question: QMessageBox | None = None
+        # widgets must die in the window's thread: a collection in a worker would end them there
+        gc.disable()
+        self.sweeper = QTimer(self, interval=SWEEP)
+        self.sweeper.timeout.connect(self.sweep)
+        self.sweeper.start()
+        self.window = self.build_window()
+
+    def build_window(self) -> MainWindow:
+        window = MainWindow(self.session, self.settings, self.theme)
+        window.actions_by_name.check(f"language_{self.language}")
+        window.looks.language_wanted.connect(self.use_language)
+        self.autosave.saved.connect(window.status.show_autosaved)
+        self.autosave.failed.connect(window.desk.tell)
+        self.hook.caught.connect(window.desk.tell)
+        window.closed.connect(self.finish)
+        return window
+
+    def show(self) -> None:
+        self.window.show()
+        self.recoveries = find_recoveries(self.folder)
+        if self.recoveries:
+            self.ask_recovery()
+
+    def sweep(self) -> None:
+        gc.collect()
+
+    # ------------------------------------------------------------ language
+
+    def use_language(self, language: str) -> None:
+        """The same session in a window of another language, once the menu has closed."""
+        if language == self.language:
+            return
+        self.language = install(self.app, language)
+        QTimer.singleShot(0, self.rebuild)
+
+    def rebuild(self) -> None:
+        old, stage = self.window, self.window.desk.stage
+        old.closed.disconnect(self.finish)
+        self.theme = None
+        old.may_close = True
+        old.close()
+        self.window = self.build_window()
+        self.window.show_stage(stage)
+        self.window.show()
+        old.deleteLater()
+
+    # ------------------------------------------------------------ recovery
+
+    def ask_recovery(self) -> None:
+        """What a crash left behind: take it up again, or let it go."""
+        newest = self.recoveries[0]
+        box = QMessageBox(self.window)
+        box.setObjectName("recovery")
+        box.setIcon(QMessageBox.Icon.Information)
+        box.setWindowTitle(tr("Unsaved work was found"))
+        box.setText(
+            tr("The editor ended without saving {name}, changed at {time}.").format(
+                name=newest.name or tr("an organ without a name"),
+                time=f"{newest.time:%Y-%m-%d %H:%M}",
+            )
+        )
+        box.setInformativeText(tr("Nothing is lost: take it up where you were?"))
+        buttons = QMessageBox.StandardButton
+        box.setStandardButtons(buttons.Open | buttons.Discard | buttons.Cancel)
+        box.button(buttons.Open).setText(tr("Take it up"))
+        box.button(buttons.Discard).setText(tr("Throw it away"))
+        box.button(buttons.Cancel).setText(tr("Ask me later"))
+        box.setDefaultButton(buttons.Open)
+        box.finished.connect(self.answer_recovery)
+        box.finished.connect(box.deleteLater)
+        self.question = box
+        box.open()
+
+    def answer_recovery(self, button: int) -> None:
+        self.question = None
+        newest = self.recoveries.pop(0)
+        desk = self.window.desk
+        if button == QMessageBox.StandardButton.Open:
+            try:
+                self.autosave.restore(newest)
+            except (FileError, OSError) as problem:
+                desk.refuse(problem)
+                return
+            desk.view.frame_all()
+            desk.show_stage("material")
+            desk.tell(tr("Here is what was not saved. Save it to keep it."), "info")
+        elif button == QMessageBox.StandardButton.Discard:
+            newest.remove()
+            if self.recoveries:
+                self.ask_recovery()
+
+    def finish(self) -> None:
+        """The last window has closed."""
+        self.sweeper.stop()
+        self.autosave.finish()
+        self.hook.remove()
+        gc.enable()

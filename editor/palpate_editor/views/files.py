@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files of the window: new, open, save, recent, dropped; and never losing what is unsaved."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from palpate import FileError
+from palpate.verb import Refusal
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+
+from palpate_editor.views.desk import Desk
+from palpate_editor.views.words import tr
+
+DOCUMENTS = (".organ", ".palpate")
+MESHES = (".obj", ".stl", ".ply", ".glb", ".gltf", ".3ds", ".fbx", ".dae", ".off")
+
+
+def is_document(path: Path) -> bool:
+    return path.suffix.lower() in DOCUMENTS or path.name.endswith(".scene.json")
+
+
+def is_mesh(path: Path) -> bool:
+    return path.suffix.lower() in MESHES
+
+
+class Files(QObject):
+    """Asks for files with dialogs that do not block, and does what they are for."""
+
+    def __init__(self, desk: Desk, window: QWidget):
+        super().__init__(window)
+        self.desk, self.window = desk, window
+        self.after: Callable[[], None] | None = None
+        """What waits for the answer about unsaved changes; a bound method."""
+        self.wanted: Path | None = None
+        self.dialog: QFileDialog | None = None
+        self.question: QMessageBox | None = None
+        desk.import_wanted.connect(self.ask_import)
+
+    # ------------------------------------------------------------ dialogs
+
+    def ask(
+        self, title: str, filters: list[str], chosen: Callable[[str], None], save: str = ""
+    ) -> QFileDialog:
+        """Shows a file dialog; `save` is the name proposed where a file is to be written."""
+        dialog = QFileDialog(self.window, title)
+        dialog.setNameFilters(filters)
+        folder = self.desk.settings.last_folder
+        if folder is not None:
+            dialog.setDirectory(str(folder))
+        if save:
+            dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+            dialog.setDefaultSuffix(Path(save).suffix.lstrip("."))
+            dialog.selectFile(save)
+        else:
+            dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
+        dialog.fileSelected.connect(chosen)
+        dialog.fileSelected.connect(self.remember_folder)
+        dialog.finished.connect(dialog.deleteLater)
+        self.dialog = dialog
+        dialog.open()
+        return dialog
+
+    def remember_folder(self, name: str) -> None:
+        self.desk.settings.last_folder = Path(name).parent
+
+    def ask_open(self) -> None:
+        self.guard(self.show_open_dialog)
+
+    def show_open_dialog(self) -> None:
+        names = " ".join(f"*{ending}" for ending in (*DOCUMENTS, ".scene.json", *MESHES))
+        filters = [
+            tr("Organs and meshes ({names})").format(names=names),
+            tr("Organ documents (*.organ)"),
+            tr("Published scenarios (*.palpate)"),
+            tr("All files (*)"),
+        ]
+        self.ask(tr("Open"), filters, self.load_name)
+
+    def ask_import(self) -> None:
+        names = " ".join(f"*{ending}" for ending in MESHES)
+        filters = [tr("Meshes ({names})").format(names=names), tr("All files (*)")]
+        self.ask(tr("Import a mesh"), filters, self.import_name)
+
+    # ------------------------------------------------------------ opening
+
+    def load_name(self, name: str) -> None:
+        self.load(Path(name))
+
+    def import_name(self, name: str) -> None:
+        self.desk.tasks.import_mesh(Path(name))
+
+    def open(self, path: Path) -> None:
+        """Opens a document or imports a mesh, after asking about unsaved changes."""
+        self.wanted = path
+        self.guard(self.load_wanted)
+
+    def load_wanted(self) -> None:
+        if self.wanted is not None:
+            self.load(self.wanted)
+
+    def load(self, path: Path) -> None:
+        """Opens a document, or imports a mesh into a new one."""
+        if not path.is_file():
+            self.desk.tell(tr("{file} is not there any more.").format(file=path))
+            return
+        if is_mesh(path):
+            if self.desk.session.organ.surface is not None:
+                self.desk.session.start_anew()
+            self.desk.tasks.import_mesh(path)
+            self.desk.settings.add_recent(path)
+            return
+        if not is_document(path):
+            self.desk.tell(
+                tr("{file}: the editor opens .organ and .palpate files and imports {meshes}.")
+                .format(file=path.name, meshes=", ".join(MESHES))
+            )  # fmt: skip
+            return
+        try:
+            self.desk.session.open(path)
+        except (FileError, Refusal, OSError, ValueError) as problem:
+            self.desk.refuse(problem)
+            return
+        self.desk.settings.add_recent(path)
+        self.desk.view.frame_all()
+        self.desk.log_command(["palpate", "editor", path])
+        self.desk.show_stage(
+            "material" if self.desk.session.organ.surface is not None else "import"
+        )
+
+    def drop(self, paths: list[Path]) -> None:
+        """Files were dropped on the window: the first one that can be used is."""
+        usable = [path for path in paths if is_mesh(path) or is_document(path)]
+        if not usable:
+            names = ", ".join(path.name for path in paths) or tr("Nothing")
+            self.desk.tell(
+                tr("{file}: the editor opens .organ and .palpate files and imports {meshes}.")
+                .format(file=names, meshes=", ".join(MESHES))
+            )  # fmt: skip
+            return
+        if is_mesh(usable[0]):
+            # it comes into the document on the desk, and can be undone
+            self.desk.tasks.import_mesh(usable[0])
+            self.desk.settings.add_recent(usable[0])
+        else:
+            self.open(usable[0])
+
+    def start_anew(self) -> None:
+        self.guard(self.show_empty)
+
+    def show_empty(self) -> None:
+        self.desk.session.start_anew()
+        self.desk.show_stage("import")
+
+    # ------------------------------------------------------------ saving
+
+    def save(self) -> None:
+        session = self.desk.session
+        if session.path is None or session.path.suffix != ".organ":
+            self.ask_save()
+            return
+        self.write(session.path)
+
+    def ask_save(self) -> None:
+        name = f"{self.desk.stem()}.organ"
+        self.ask(tr("Save as"), [tr("Organ documents (*.organ)")], self.write_name, save=name)
+        if self.dialog is not None:
+            self.dialog.rejected.connect(self.forget_after)
+
+    def write_name(self, name: str) -> None:
+        path = Path(name)
+        self.write(path if path.suffix == ".organ" else path.with_name(path.name + ".organ"))
+
+    def write(self, path: Path) -> bool:
+        try:
+            self.desk.session.save(path)
+        except (FileError, OSError, ValueError) as problem:
+            self.desk.refuse(problem)
+            self.after = None
+            return False
+        self.desk.settings.add_recent(path)
+        self.desk.log_command(["palpate", "check", path])
+        self.desk.tell(tr("Saved as {file}.").format(file=path.name), "info")
+        self.go_on()
+        return True
+
+    # ------------------------------------------------------------ unsaved changes
+
+    def guard(self, then: Callable[[], None]) -> None:
+        """Calls `then` at once, or after asking where something is unsaved; a bound method."""
+        self.after = then
+        if self.desk.session.saved:
+            self.go_on()
+            return
+        name = self.desk.session.name or tr("This organ")
+        box = QMessageBox(self.window)
+        box.setObjectName("unsaved")
+        box.setIcon(QMessageBox.Icon.Question)
+        box.setWindowTitle(tr("Unsaved changes"))
+        box.setText(tr("{name} has changes that are not saved.").format(name=name))
+        box.setInformativeText(tr("Save them before going on?"))
+        buttons = QMessageBox.StandardButton
+        box.setStandardButtons(buttons.Save | buttons.Discard | buttons.Cancel)
+        box.button(buttons.Save).setText(tr("Save"))
+        box.button(buttons.Discard).setText(tr("Do not save"))
+        box.button(buttons.Cancel).setText(tr("Cancel"))
+        box.setDefaultButton(buttons.Save)
+        box.finished.connect(self.answer)
+        box.finished.connect(box.deleteLater)
+        self.question = box
+        box.open()
+
+    def answer(self, button: int) -> None:
+        self.question = None
+        if button == QMessageBox.StandardButton.Save:
+            self.save()
+        elif button == QMessageBox.StandardButton.Discard:
+            self.go_on()
+        else:
+            self.after = None
+
+    def go_on(self) -> None:
+        then, self.after = self.after, None
+        if then is not None:
+            then()
+
+    def forget_after(self) -> None:
+        self.after = None

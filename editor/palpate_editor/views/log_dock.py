@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What was done, as command lines, and all problems of the organ, in two tabs."""
+
+from __future__ import annotations
+
+from datetime import datetime
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QFont
+from PySide6.QtWidgets import (
+    QHeaderView,
+    QPlainTextEdit,
+    QTabWidget,
+    QTreeWidget,
+    QTreeWidgetItem,
+    QWidget,
+)
+
+from palpate_editor.views.desk import Desk
+from palpate_editor.views.icons import icon
+from palpate_editor.views.stage_bar import STAGES, stage_title
+from palpate_editor.views.theme import fixed_font
+from palpate_editor.views.words import say, tr
+
+LINES = 2000
+"""Kept in the log."""
+SIGNS = {"error": ("cross", "bad"), "warning": ("warning", "warning"), "note": ("info", "faint")}
+STAGE = Qt.ItemDataRole.UserRole
+
+
+class LogDock(QTabWidget):
+    """Log and problems."""
+
+    def __init__(self, desk: Desk, parent: QWidget | None = None):
+        super().__init__(parent)
+        self.desk = desk
+        self.setDocumentMode(True)
+        self.log = QPlainTextEdit(self)
+        self.log.setObjectName("log")
+        self.log.setReadOnly(True)
+        self.log.setMaximumBlockCount(LINES)
+        self.log.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
+        self.log.setFont(fixed_font(QFont(self.font())))
+        self.log.setPlaceholderText(tr("What you do appears here as a command line."))
+        self.problems = QTreeWidget(self)
+        self.problems.setObjectName("problems")
+        self.problems.setRootIsDecorated(False)
+        self.problems.setIconSize(QSize(16, 16))
+        self.problems.setHeaderLabels([tr("Stage"), tr("Found"), tr("Expected")])
+        header = self.problems.header()
+        header.setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
+        header.setSectionResizeMode(2, QHeaderView.ResizeMode.Stretch)
+        self.problems.itemActivated.connect(self.go)
+        self.problems.itemClicked.connect(self.go)
+        self.addTab(self.problems, tr("Problems"))
+        self.addTab(self.log, tr("Log"))
+        desk.command_logged.connect(self.add_command)
+        desk.told.connect(self.add_sentence)
+        desk.assessed.connect(self.fill_problems)
+        desk.theme_changed.connect(self.on_theme)
+
+    def add_command(self, line: str) -> None:
+        self.log.appendPlainText(f"{datetime.now():%H:%M:%S}  $ {line}")
+
+    def add_sentence(self, sentence: str, severity: str) -> None:
+        sign = {"error": "✗", "warning": "!", "info": "·"}[severity]
+        self.log.appendPlainText(f"{datetime.now():%H:%M:%S}  {sign} {sentence}")
+
+    def on_theme(self, theme: str) -> None:
+        del theme
+        self.fill_problems()
+
+    def fill_problems(self) -> None:
+        assessment = self.desk.assessment
+        problems = [] if assessment is None else sorted(assessment.problems, key=rank)
+        self.problems.clear()
+        for problem in problems:
+            words = [stage_title(problem.stage), say(problem.found), say(problem.expected)]
+            item = QTreeWidgetItem(words)
+            sign, colour = SIGNS[problem.severity]
+            item.setIcon(0, icon(sign, getattr(self.desk.colours, colour)))
+            item.setData(0, STAGE, problem.stage)
+            for column in (1, 2):
+                item.setToolTip(column, words[column])
+            self.problems.addTopLevelItem(item)
+        title = tr("Problems") if not problems else f"{tr('Problems')} ({len(problems)})"
+        self.setTabText(0, title)
+
+    def go(self, item: QTreeWidgetItem) -> None:
+        self.desk.show_stage(item.data(0, STAGE))
+
+
+def rank(problem: object) -> tuple[int, int]:
+    """The gravest first, then as the stages follow each other."""
+    severity = ("error", "warning", "note").index(problem.severity)  # type: ignore[attr-defined]
+    return severity, STAGES.index(problem.stage)  # type: ignore[attr-defined]

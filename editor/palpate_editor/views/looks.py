@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Theme and language of the window: chosen once, kept, changed without losing anything."""
+
+from __future__ import annotations
+
+from palpate.translation import LANGUAGES
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QApplication
+
+from palpate_editor.views.action_set import ActionSet
+from palpate_editor.views.desk import Desk
+from palpate_editor.views.theme import prefers_dark, use_theme
+
+
+class Looks(QObject):
+    """Slots of View > Theme and View > Language."""
+
+    language_wanted = Signal(str)
+    """The window must be made anew in another language."""
+
+    def __init__(self, desk: Desk, asked: str | None):
+        super().__init__(desk)
+        self.desk, self.asked = desk, asked
+        """`asked` is the theme of the command line, for this window alone."""
+        desk.theme = self.find_theme()
+
+    def find_theme(self) -> str:
+        chosen = self.asked or self.desk.settings.theme
+        if chosen != "system":
+            return chosen
+        app = QApplication.instance()
+        return "dark" if not isinstance(app, QApplication) or prefers_dark(app) else "light"
+
+    def begin(self, actions: ActionSet) -> None:
+        """Dresses the window for the first time and marks what is in force."""
+        actions.check(f"theme_{self.asked or self.desk.settings.theme}")
+        code = self.desk.settings.language
+        if code in LANGUAGES:
+            actions.check(f"language_{code}")
+        actions.check("colour_auto")
+        actions.actions["wireframe"].setChecked(self.desk.view.wireframe)
+        self.dress()
+
+    def dress(self) -> None:
+        app = QApplication.instance()
+        assert isinstance(app, QApplication)
+        theme = self.find_theme()
+        use_theme(app, theme)
+        self.desk.use_theme(theme)
+
+    def use_theme(self, theme: str) -> None:
+        self.asked = None
+        self.desk.settings.theme = theme
+        self.dress()
+
+    def theme_system(self) -> None:
+        self.use_theme("system")
+
+    def theme_dark(self) -> None:
+        self.use_theme("dark")
+
+    def theme_light(self) -> None:
+        self.use_theme("light")
+
+    def language_en(self) -> None:
+        self.use_language("en")
+
+    def language_tr(self) -> None:
+        self.use_language("tr")
+
+    def use_language(self, language: str) -> None:
+        self.desk.settings.language = language
+        self.language_wanted.emit(language)

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Making the file a trainee gets, and playing it as the trainee will."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QObject, QProcess, Signal
+
+from palpate_editor.document import Organ
+from palpate_editor.views.desk import Desk
+from palpate_editor.views.files import Files
+from palpate_editor.views.jobs import Progress
+from palpate_editor.views.words import tr
+
+
+@dataclass(frozen=True, eq=False)
+class PublishWork:
+    """Checks, compiles and writes a published file."""
+
+    organ: Organ
+    path: Path
+
+    def __call__(self, progress: Progress) -> Any:
+        progress(tr("Publishing {file}").format(file=self.path.name), 0.2)
+        from palpate_editor.publish import publish
+
+        report = publish(self.organ, self.path)
+        progress(tr("Done"), 1.0)
+        return report
+
+
+class Publishing(QObject):
+    """Publishes and plays."""
+
+    published = Signal(object)
+    """The path."""
+
+    def __init__(self, desk: Desk, files: Files, parent: QObject | None = None):
+        super().__init__(parent)
+        self.desk, self.files = desk, files
+        self.path: Path | None = None
+        """The file published last from this window."""
+        self.wanted = Path()
+        self.players: list[QProcess] = []
+
+    def ask(self) -> None:
+        """Asks for the file; refuses with the red checks where there are some."""
+        assessment = self.desk.assessment
+        if self.desk.session.organ.surface is None:
+            self.desk.tell(tr("There is nothing to publish yet: import a mesh first."))
+            return
+        errors = [] if assessment is None else assessment.checked.errors
+        if errors:
+            self.desk.show_stage("publish")
+            self.desk.tell(
+                tr("Not published: {count} checks are red, they stand at the right.").format(
+                    count=len(errors)
+                )
+            )
+            return
+        name = f"{self.desk.stem()}.palpate"
+        filters = [tr("Published scenarios (*.palpate)")]
+        self.files.ask(tr("Publish"), filters, self.publish_name, save=name)
+
+    def publish_name(self, name: str) -> None:
+        path = Path(name)
+        self.publish(path if path.suffix == ".palpate" else path.with_name(path.name + ".palpate"))
+
+    def publish(self, path: Path) -> None:
+        if self.desk.tasks.is_busy():
+            return
+        self.wanted = path
+        title = tr("Publishing {file}").format(file=path.name)
+        work = PublishWork(self.desk.session.organ, path)
+        self.desk.jobs.start(title, work, self.on_published, self.desk.refuse)
+
+    def on_published(self, report: Any) -> None:
+        del report
+        self.path = self.wanted
+        document = self.desk.session.path
+        source = document if document is not None else f"{self.desk.stem()}.organ"
+        self.desk.log_command(["palpate", "publish", source, "-o", self.path])
+        self.desk.tell(tr("Published as {file}.").format(file=self.path.name), "info")
+        self.published.emit(self.path)
+
+    # ------------------------------------------------------------ playing
+
+    def play(self) -> None:
+        """Starts the player in a process of its own."""
+        if self.path is None or not self.path.is_file():
+            self.desk.tell(tr("Publish first: the player plays the published file."), "warning")
+            return
+        player = QProcess(self)
+        player.setProcessChannelMode(QProcess.ProcessChannelMode.MergedChannels)
+        player.errorOccurred.connect(self.on_error)
+        player.finished.connect(self.on_finished)
+        self.players.append(player)
+        player.start(sys.executable, ["-m", "palpate.cli", "play", str(self.path)])
+        self.desk.log_command(["palpate", "play", self.path])
+
+    def on_error(self, error: QProcess.ProcessError) -> None:
+        if error == QProcess.ProcessError.FailedToStart:
+            self.desk.tell(tr("The player could not be started."))
+
+    def on_finished(self, code: int, status: QProcess.ExitStatus) -> None:
+        ended = [p for p in self.players if p.state() == QProcess.ProcessState.NotRunning]
+        for player in ended:
+            self.players.remove(player)
+            words = bytes(player.readAll().data()).decode(errors="replace").strip()
+            player.deleteLater()
+            if code != 0 or status != QProcess.ExitStatus.NormalExit:
+                last = words.splitlines()[-1] if words else tr("it said nothing")
+                self.desk.tell(tr("The player ended: {words}").format(words=last))
+
+    def finish(self) -> None:
+        """The players go on without us."""
+        for player in self.players:
+            player.errorOccurred.disconnect()
+            player.finished.disconnect()

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The dock of the stages: one panel at a time, and over it the options of the tool in use."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QScrollArea, QStackedWidget, QVBoxLayout, QWidget
+
+from palpate_editor.views.desk import Desk
+from palpate_editor.views.stage_bar import Verdict
+from palpate_editor.views.stages.stage_panel import StagePanel
+
+
+class StageDock(QWidget):
+    """Holds all panels and keeps the one that is seen up to date."""
+
+    def __init__(self, desk: Desk, panels: list[StagePanel], parent: QWidget | None = None):
+        super().__init__(parent)
+        self.desk = desk
+        self.panels = {panel.stage: panel for panel in panels}
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        self.options = QVBoxLayout()
+        self.options.setContentsMargins(16, 10, 16, 4)
+        self.options_holder = QWidget(self)
+        self.options_holder.setLayout(self.options)
+        self.options_holder.hide()
+        column.addWidget(self.options_holder)
+        self.stack = QStackedWidget(self)
+        column.addWidget(self.stack, 1)
+        for panel in panels:
+            area = QScrollArea(self)
+            area.setWidgetResizable(True)
+            area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+            area.setWidget(panel)
+            self.stack.addWidget(area)
+        self.shown_options: QWidget | None = None
+        self.setMinimumWidth(340)
+
+    def show_stage(self, stage: str) -> None:
+        self.stack.setCurrentIndex(list(self.panels).index(stage))
+
+    def show_tool(self, tool: Any) -> None:
+        """Shows a tool's options, or none."""
+        if self.shown_options is not None:
+            self.options.removeWidget(self.shown_options)
+            self.shown_options.hide()
+            self.shown_options = None
+        options = tool.options() if tool is not None else None
+        if options is not None:
+            self.options.addWidget(options)
+            options.show()
+            self.shown_options = options
+        self.options_holder.setVisible(options is not None)
+
+    def show_organ(self) -> None:
+        for panel in self.panels.values():
+            panel.show_organ(self.desk.session.organ)
+
+    def show_assessment(self) -> None:
+        for panel in self.panels.values():
+            panel.show_assessment()
+            panel.show_checks()
+
+    def verdict(self, stage: str) -> Verdict:
+        """How a stage stands."""
+        assessment = self.desk.assessment
+        if assessment is None or (assessment.organ.surface is None and stage != "import"):
+            return Verdict()
+        found = assessment.of_stage(stage)
+        errors = sum(problem.severity == "error" for problem in found)
+        warnings = sum(problem.severity == "warning" for problem in found)
+        known = stage != "test" or self.desk.session.is_tested
+        return Verdict(errors, warnings, known)

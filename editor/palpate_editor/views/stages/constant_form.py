@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fields for the numbers and laws of a document, made from the one table of constants."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtWidgets import QComboBox, QGridLayout, QWidget
+
+from palpate_editor.document import Organ
+from palpate_editor.document.constants import CHOICES, Constant, find_constant
+from palpate_editor.edits import SetChoice, SetConstant
+from palpate_editor.views.desk import Desk
+from palpate_editor.views.quantity_box import QuantityBox, QuantityRow
+from palpate_editor.views.stages.facts import write_label
+from palpate_editor.views.words import say, tr
+
+LABEL_WIDTH = 122
+"""[px] so that all sections line up."""
+WALL = 2e-3
+"""[m] that a hollow organ begins with."""
+
+
+def choice_words(value: str) -> str:
+    """What a law is called."""
+    words = {
+        "mass_spring": tr("Mass–spring (MSS)"),
+        "molecular": tr("Molecular (MMS)"),
+        "gradient": tr("Energy gradient (Eq 9, 11)"),
+        "eq10": tr("Opposite edge (Eq 10)"),
+        "axis": tr("Along the link"),
+        "isotropic": tr("In all directions"),
+    }
+    return words.get(value, value)
+
+
+class ConstantField(QuantityRow):
+    """One number of the document."""
+
+    def __init__(self, desk: Desk, constant: Constant, parent: QWidget | None = None):
+        box = QuantityBox(constant.unit, constant.scale)
+        super().__init__(box, self.tick_words(constant), parent)
+        self.desk, self.constant = desk, constant
+        self.label = write_label(say(constant.label), "name", parent)
+        self.label.setMinimumWidth(LABEL_WIDTH)
+        self.label.setBuddy(box)
+        box.setObjectName(constant.key)
+        box.setAccessibleName(say(constant.label))
+        box.setToolTip(f"{say(constant.label)}: {say(constant.describe_range())}")
+        if constant.field == "wall_thickness":
+            self.default = WALL
+        self.entered.connect(self.enter)
+
+    @staticmethod
+    def tick_words(constant: Constant) -> str | None:
+        if not constant.optional:
+            return None
+        return tr("hollow") if constant.field == "wall_thickness" else tr("own value")
+
+    def enter(self, value: float | None) -> None:
+        edit = SetConstant(self.constant.part, self.constant.field, value)
+        if self.desk.apply(edit):
+            self.desk.log_material()
+        else:
+            self.box.mark(True)
+
+    def show_organ(self, organ: Organ) -> None:
+        shown = organ.model.kind in self.constant.kinds
+        self.label.setVisible(shown)
+        self.setVisible(shown)
+        self.show_value(getattr(getattr(organ, self.constant.part), self.constant.field))
+
+
+class ChoiceField(QComboBox):
+    """One law of the model."""
+
+    def __init__(self, desk: Desk, field: str, label: str, parent: QWidget | None = None):
+        super().__init__(parent)
+        self.desk, self.field = desk, field
+        self.values = CHOICES[f"model.{field}"]
+        self.addItems([choice_words(value) for value in self.values])
+        self.setObjectName(f"model.{field}")
+        self.setAccessibleName(label)
+        self.label = write_label(label, "name", parent)
+        self.label.setMinimumWidth(LABEL_WIDTH)
+        self.activated.connect(self.enter)
+
+    def enter(self, row: int) -> None:
+        value = self.values[row]
+        if value == getattr(self.desk.session.organ.model, self.field):
+            return
+        if self.desk.apply(SetChoice(self.field, value)):
+            self.desk.log_material()
+        self.show_organ(self.desk.session.organ)
+
+    def show_organ(self, organ: Organ) -> None:
+        value = getattr(organ.model, self.field)
+        if value in self.values:
+            self.setCurrentIndex(self.values.index(value))
+        shown = self.field != "angle_law" or organ.model.kind == "molecular"
+        self.label.setVisible(shown)
+        self.setVisible(shown)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Scrolling the form must not change laws on the way."""
+        event.ignore()
+
+
+def build_grid(
+    desk: Desk, keys: Sequence[str], parent: QWidget
+) -> tuple[QGridLayout, list[ConstantField]]:
+    """Labels and fields of some constants, one under the other."""
+    grid = QGridLayout()
+    grid.setHorizontalSpacing(12)
+    grid.setVerticalSpacing(6)
+    grid.setColumnStretch(1, 1)
+    fields = []
+    for row, key in enumerate(keys):
+        constant = find_constant(*key.split("."))
+        assert constant is not None, key
+        field = ConstantField(desk, constant, parent)
+        grid.addWidget(field.label, row, 0)
+        grid.addWidget(field, row, 1)
+        fields.append(field)
+    return grid, fields

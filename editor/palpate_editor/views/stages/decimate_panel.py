@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Stage 3: as many vertices as a thousand ticks a second allow, and what that costs in shape."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QHBoxLayout, QLabel, QPushButton, QSpinBox
+
+from palpate_editor.document import Organ
+from palpate_editor.edits import UseImported
+from palpate_editor.views.stages.facts import set_tone, write_label
+from palpate_editor.views.stages.stage_panel import StagePanel
+from palpate_editor.views.words import count, number, quantity, tr
+
+LEAST, STEP = 12, 100
+PRESETS = (600, 1200, 2400, 5400)
+GOOD_ANGLE = 15.0
+"""[degree] below it a warning is given."""
+
+
+class DecimatePanel(StagePanel):
+    """Chooses how coarse the model is."""
+
+    stage = "decimate"
+
+    def build(self) -> None:
+        section = self.section(tr("Target"))
+        row = QHBoxLayout()
+        row.setSpacing(8)
+        row.addWidget(write_label(tr("Vertices"), "name", self))
+        self.target = QSpinBox(self)
+        self.target.setObjectName("target_vertices")
+        self.target.setRange(LEAST, 10_000_000)
+        self.target.setSingleStep(STEP)
+        self.target.setValue(PRESETS[0])
+        self.target.setKeyboardTracking(False)
+        row.addWidget(self.target, 1)
+        self.button = self.main_button(tr("Decimate"), "decimate")
+        self.button.clicked.connect(self.decimate)
+        row.addWidget(self.button)
+        section.body.addLayout(row)
+        presets = QHBoxLayout()
+        presets.setSpacing(5)
+        self.presets: list[QPushButton] = []
+        for vertices in PRESETS:
+            button = QPushButton(count(vertices), self)
+            button.setProperty("small", True)
+            button.setProperty("vertices", vertices)
+            button.clicked.connect(self.use_preset)
+            presets.addWidget(button)
+            self.presets.append(button)
+        presets.addStretch(1)
+        section.body.addLayout(presets)
+        self.build_table()
+        self.undo_button = QPushButton(tr("Use the imported surface"), self)
+        self.undo_button.setObjectName("use_imported")
+        self.undo_button.clicked.connect(self.use_imported)
+        self.form.addWidget(self.undo_button)
+
+    def build_table(self) -> None:
+        self.result = self.section(tr("Before and after"))
+        self.grid = QGridLayout()
+        self.grid.setHorizontalSpacing(14)
+        self.grid.setVerticalSpacing(5)
+        self.grid.setColumnStretch(0, 1)
+        for column, title in enumerate((tr("Before"), tr("After")), start=1):
+            self.grid.addWidget(write_label(title, "name", self), 0, column)
+        names = (tr("Vertices"), tr("Triangles"), tr("Smallest angle"))
+        names += (tr("Mean distance to the source"), tr("Largest distance"))
+        self.cells: list[tuple[QLabel, QLabel]] = []
+        for row, name in enumerate(names, start=1):
+            before, after = write_label("", "value", self), write_label("", "value", self)
+            self.grid.addWidget(write_label(name, "name", self), row, 0)
+            self.grid.addWidget(before, row, 1)
+            self.grid.addWidget(after, row, 2)
+            self.cells.append((before, after))
+        self.result.body.addLayout(self.grid)
+        self.coloured = QCheckBox(tr("Show the distance as colours"), self)
+        self.coloured.setObjectName("distance_colours")
+        self.coloured.setChecked(True)
+        self.coloured.toggled.connect(self.desk.show_distance)
+        self.result.add(self.coloured)
+
+    # ------------------------------------------------------------ showing
+
+    def show_organ(self, organ: Organ) -> None:
+        there = organ.imported is not None
+        self.button.setEnabled(there)
+        self.result.setVisible(there)
+        self.undo_button.setVisible(organ.decimation is not None)
+        self.coloured.setVisible(organ.decimation is not None)
+        imported = organ.imported
+        if imported is None:
+            return
+        most = len(imported.vertices)
+        self.target.setMaximum(most)
+        for button in self.presets:
+            button.setEnabled(int(button.property("vertices")) <= most)
+        done = organ.decimation
+        after = len(organ.surface.vertices) if organ.surface else 0
+        triangles = len(organ.surface.triangles) if organ.surface else 0
+        self.write(0, count(most), count(after))
+        self.write(1, count(len(imported.triangles)), count(triangles))
+        self.write(3, "", quantity(1e3 * done.mean_distance, "mm", 3) if done else "–")
+        self.write(4, "", quantity(1e3 * done.max_distance, "mm", 3) if done else "–")
+
+    def show_assessment(self) -> None:
+        assessment = self.desk.assessment
+        if assessment is None or assessment.report is None or assessment.comparison is None:
+            return
+        angle = assessment.report.smallest_angle_deg
+        before = assessment.comparison.imported_angle
+        self.write(2, degrees(before), degrees(angle))
+        if angle is not None:
+            set_tone(self.cells[2][1], "good" if angle >= GOOD_ANGLE else "warning")
+
+    def write(self, row: int, before: str, after: str) -> None:
+        self.cells[row][0].setText(before)
+        self.cells[row][1].setText(after)
+
+    def good_news(self) -> list[str]:
+        organ, assessment = self.desk.session.organ, self.desk.assessment
+        if organ.surface is None or assessment is None or assessment.report is None:
+            return []
+        angle = assessment.report.smallest_angle_deg
+        news = []
+        if angle is not None and angle >= GOOD_ANGLE:
+            news.append(tr("Triangles are well shaped."))
+        if assessment.tick_share is not None:
+            share = f"{100 * assessment.tick_share:.0f} %"
+            news.append(tr("About {share} of a millisecond for every tick.").format(share=share))
+        return news
+
+    # ------------------------------------------------------------ doing
+
+    def use_preset(self) -> None:
+        button = self.sender()
+        if isinstance(button, QPushButton):
+            self.target.setValue(int(button.property("vertices")))
+            self.decimate()
+
+    def decimate(self) -> None:
+        self.target.interpretText()
+        self.desk.tasks.decimate(self.target.value())
+
+    def use_imported(self) -> None:
+        self.desk.apply(UseImported())
+
+
+def degrees(angle: float | None) -> str:
+    return "–" if angle is None else f"{number(angle, 3)}°"

@@ -1,0 +1,280 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Stage 1: which file, which parts of it, how long its unit is and where it is up."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QComboBox,
+    QGridLayout,
+    QHBoxLayout,
+    QLineEdit,
+    QListWidget,
+    QListWidgetItem,
+    QPushButton,
+)
+
+from palpate_editor.document import Organ, Source
+from palpate_editor.edits import SetName, SetUnit, SetUp
+from palpate_editor.views.stages.facts import Facts, write_label
+from palpate_editor.views.stages.stage_panel import StagePanel
+from palpate_editor.views.tasks import Reading
+from palpate_editor.views.words import count, number, quantity, tr
+
+UNITS = ("m", "cm", "mm", "in")
+UPS = ("z", "y", "x", "-z", "-y", "-x")
+PART_ROWS = 7
+
+
+class ImportPanel(StagePanel):
+    """Chooses and understands a mesh file."""
+
+    stage = "import"
+
+    def build(self) -> None:
+        self.reading: Reading | None = None
+        """The file read last in this window; it may not be the one on the desk."""
+        self.shown_source: Source | None = None
+        self.build_file()
+        self.build_parts()
+        self.build_meaning()
+        found = self.section(tr("What was found"))
+        self.facts = found.add(Facts(self))
+        self.notes = found.add(write_label("", "note", self))
+        self.notes.setWordWrap(True)
+
+    def build_file(self) -> None:
+        section = self.section(tr("File"))
+        row = QHBoxLayout()
+        self.file = write_label("", "value", self)
+        self.file.setWordWrap(True)
+        self.choose_button = QPushButton(tr("Choose…"), self)
+        self.choose_button.setObjectName("choose_file")
+        self.choose_button.clicked.connect(self.choose)
+        row.addWidget(self.file, 1)
+        row.addWidget(self.choose_button)
+        section.body.addLayout(row)
+        name_row = QGridLayout()
+        name_row.setHorizontalSpacing(14)
+        name_row.addWidget(write_label(tr("Name of the organ"), "name", self), 0, 0)
+        self.name = QLineEdit(self)
+        self.name.setObjectName("organ_name")
+        self.name.editingFinished.connect(self.set_name)
+        name_row.addWidget(self.name, 0, 1)
+        section.body.addLayout(name_row)
+
+    def build_parts(self) -> None:
+        self.parts_section = self.section(tr("Parts to use"))
+        self.parts = QListWidget(self)
+        self.parts.setObjectName("parts")
+        self.parts.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
+        self.parts.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.parts.itemChanged.connect(self.on_part)
+        self.parts_section.add(self.parts)
+        row = QHBoxLayout()
+        self.all_button = QPushButton(tr("All"), self)
+        self.none_button = QPushButton(tr("None"), self)
+        for button, slot in ((self.all_button, self.tick_all), (self.none_button, self.tick_none)):
+            button.setProperty("small", True)
+            button.clicked.connect(slot)
+            row.addWidget(button)
+        row.addStretch(1)
+        self.import_button = self.main_button(tr("Import these parts"), "import_parts")
+        self.import_button.clicked.connect(self.import_parts)
+        row.addWidget(self.import_button)
+        self.parts_section.body.addLayout(row)
+
+    def build_meaning(self) -> None:
+        section = self.section(tr("Meaning of the file"))
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(14)
+        grid.setVerticalSpacing(5)
+        grid.setColumnStretch(1, 1)
+        self.unit, self.up = QComboBox(self), QComboBox(self)
+        self.unit_reason, self.up_reason = write_label("", "note"), write_label("", "note")
+        self.unit.addItems([self.unit_name(unit) for unit in UNITS])
+        self.up.addItems(list(UPS))
+        self.unit.activated.connect(self.set_unit)
+        self.up.activated.connect(self.set_up)
+        rows = (
+            (tr("Unit"), self.unit, self.unit_reason),
+            (tr("Axis up"), self.up, self.up_reason),
+        )
+        for i, (name, box, reason) in enumerate(rows):
+            grid.addWidget(write_label(name, "name", self), 2 * i, 0)
+            grid.addWidget(box, 2 * i, 1)
+            reason.setWordWrap(True)
+            grid.addWidget(reason, 2 * i + 1, 1)
+        self.unit.setObjectName("unit")
+        self.up.setObjectName("up")
+        section.body.addLayout(grid)
+        self.meaning = section
+
+    @staticmethod
+    def unit_name(unit: str) -> str:
+        return {
+            "m": tr("metre (m)"),
+            "cm": tr("centimetre (cm)"),
+            "mm": tr("millimetre (mm)"),
+            "in": tr("inch (in)"),
+        }.get(unit, unit)
+
+    # ------------------------------------------------------------ showing
+
+    def show_reading(self, reading: Reading) -> None:
+        """A file was read: its parts can be chosen, whether or not it was imported."""
+        self.reading = reading
+        self.fill_parts(dict(reading.parts), reading.chosen)
+        self.file.setText(reading.path.name)
+        self.file.setToolTip(str(reading.path))
+
+    def show_organ(self, organ: Organ) -> None:
+        source = organ.source
+        if not self.name.hasFocus():
+            self.name.setText(organ.name)
+        self.name.setEnabled(organ.surface is not None)
+        self.meaning.setVisible(source is not None)
+        self.facts.parentWidget().setVisible(organ.surface is not None)
+        if source is not self.shown_source:
+            self.show_source(source)
+        if source is not None:
+            self.unit.setCurrentText(self.unit_name(source.unit))
+            self.up.setCurrentText(source.up)
+            self.unit_reason.setText(self.reason(source.unit_guessed, source.unit_reason))
+            self.up_reason.setText(self.reason(source.up_guessed, source.up_reason))
+            self.notes.setText("\n".join(source.notes))
+            self.notes.setVisible(bool(source.notes))
+        elif self.reading is None:
+            self.file.setText(tr("No file yet: choose one, or drop it anywhere on this window."))
+            self.parts_section.hide()
+
+    def show_source(self, source: Source | None) -> None:
+        self.shown_source = source
+        if source is None:
+            self.reading = None
+            return
+        self.file.setText(source.file)
+        self.file.setToolTip(str(Path(source.folder) / source.file))
+        known = self.reading is not None and self.reading.path.name == source.file
+        counts = dict(self.reading.parts) if known and self.reading else {}
+        self.fill_parts({n: counts.get(n, 0) for n in source.parts_available}, source.parts)
+
+    @staticmethod
+    def reason(guessed: bool, reason: str) -> str:
+        return tr("Guessed: {reason}").format(reason=reason) if guessed else reason
+
+    def fill_parts(self, counts: dict[str, int], chosen: tuple[str, ...]) -> None:
+        self.parts.blockSignals(True)
+        self.parts.clear()
+        for name, triangles in counts.items():
+            label = f"{name}   {count(triangles)} △" if triangles else name
+            item = QListWidgetItem(label)
+            item.setData(Qt.ItemDataRole.UserRole, name)
+            item.setToolTip(name)
+            item.setFlags(Qt.ItemFlag.ItemIsUserCheckable | Qt.ItemFlag.ItemIsEnabled)
+            ticked = not chosen or name in chosen
+            item.setCheckState(Qt.CheckState.Checked if ticked else Qt.CheckState.Unchecked)
+            self.parts.addItem(item)
+        self.parts.blockSignals(False)
+        rows = max(2, min(PART_ROWS, len(counts)))
+        self.parts.setFixedHeight(rows * max(26, self.parts.sizeHintForRow(0)) + 6)
+        self.parts_section.setVisible(len(counts) > 1)
+        self.on_part()
+
+    def show_assessment(self) -> None:
+        assessment = self.desk.assessment
+        report = assessment.report if assessment else None
+        if report is None:
+            self.facts.show_facts([])
+            return
+        size = " × ".join(number(length, 3) for length in report.size_mm)
+        self.facts.show_facts(
+            [
+                (tr("Vertices"), count(report.vertices)),
+                (tr("Triangles"), count(report.triangles)),
+                (tr("Size"), f"{size} mm"),
+                (tr("Volume"), quantity(report.volume_ml, "ml", 4)),
+                (tr("Pieces"), count(report.shells)),
+                (tr("Smallest angle"), quantity(report.smallest_angle_deg, "°", 3)),
+            ]
+        )
+
+    def good_news(self) -> list[str]:
+        source = self.desk.session.organ.source
+        if source is None:
+            return []
+        used = tr("{used} of {all} parts are in use.").format(
+            used=len(source.parts), all=len(source.parts_available)
+        )
+        return [used]
+
+    # ------------------------------------------------------------ doing
+
+    def chosen_parts(self) -> list[str]:
+        items = [self.parts.item(i) for i in range(self.parts.count())]
+        return [
+            str(item.data(Qt.ItemDataRole.UserRole))
+            for item in items
+            if item.checkState() == Qt.CheckState.Checked
+        ]
+
+    def on_part(self) -> None:
+        self.import_button.setEnabled(bool(self.chosen_parts()))
+
+    def tick_all(self) -> None:
+        self.tick(Qt.CheckState.Checked)
+
+    def tick_none(self) -> None:
+        self.tick(Qt.CheckState.Unchecked)
+
+    def tick(self, state: Qt.CheckState) -> None:
+        for i in range(self.parts.count()):
+            self.parts.item(i).setCheckState(state)
+
+    def choose(self) -> None:
+        self.desk.import_wanted.emit()
+
+    def path(self) -> Path | None:
+        """The file the shown parts are in."""
+        if self.reading is not None and self.reading.path.name == self.file.text():
+            return self.reading.path
+        source = self.desk.session.organ.source
+        return Path(source.folder) / source.file if source is not None else None
+
+    def import_parts(self) -> None:
+        path, parts = self.path(), self.chosen_parts()
+        if path is None:
+            return
+        if not path.is_file():
+            self.desk.tell(
+                tr("{file} is no longer where it was: choose it anew.").format(file=path.name)
+            )
+            return
+        whole = len(parts) == self.parts.count()
+        source = self.desk.session.organ.source
+        same = source is not None and source.file == path.name
+        unit = source.unit if same and source and not source.unit_guessed else None
+        up = source.up if same and source and not source.up_guessed else None
+        self.desk.tasks.import_mesh(path, () if whole else parts, unit, up)
+
+    def set_unit(self, row: int) -> None:
+        if not self.desk.apply(SetUnit(UNITS[row])):
+            self.show_organ(self.desk.session.organ)
+            return
+        self.desk.view.frame_all()
+        self.desk.log_source()
+
+    def set_up(self, row: int) -> None:
+        if not self.desk.apply(SetUp(UPS[row])):
+            self.show_organ(self.desk.session.organ)
+            return
+        self.desk.view.frame_all()
+        self.desk.log_source()
+
+    def set_name(self) -> None:
+        name = self.name.text().strip()
+        if name != self.desk.session.organ.name and self.desk.session.organ.surface is not None:
+            self.desk.apply(SetName(name))

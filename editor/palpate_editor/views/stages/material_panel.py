@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Stage 4: every number of tissue, tip and hand, and at once what comes of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QHBoxLayout, QPushButton, QVBoxLayout
+
+from palpate_editor.document import Organ
+from palpate_editor.edits import FixLowest, FixVertices, SetGravity
+from palpate_editor.views.stages.constant_form import ChoiceField, ConstantField, build_grid
+from palpate_editor.views.stages.facts import Fact, Facts, Section, write_label
+from palpate_editor.views.stages.stage_panel import StagePanel
+from palpate_editor.views.words import count, number, quantity, tr
+
+WEIGHT = (0.0, 0.0, -9.81)
+"""[m/s²]"""
+GOOD_MARGIN = 1.05
+"""[-] below it the margin is shown as a warning."""
+FULL = 0.7
+"""[-] of a tick that may be spent on the tissue before it is shown as a warning."""
+
+TISSUE = ("material.density", "material.damping_ratio", "material.wall_thickness")
+LINKS = (
+    "model.stiffness",
+    "model.bend_stiffness",
+    "model.stretch_coupling",
+    "model.home_stiffness",
+    "model.drag",
+    "model.pressure",
+)
+TIP = ("tool.radius", "tool.stiffness")
+HAND = ("hand.coupling", "hand.hold_stiffness", "hand.force_max", "hand.rate")
+ELASTICITY = ("material.young_modulus", "material.poisson_ratio")
+
+
+class MaterialPanel(StagePanel):
+    """Edits the constants."""
+
+    stage = "material"
+
+    def build(self) -> None:
+        self.tool_options = QVBoxLayout()
+        self.form.addLayout(self.tool_options)
+        self.fields: list[ConstantField | ChoiceField] = []
+        self.kind = ChoiceField(self.desk, "kind", tr("Model"), self)
+        row = QHBoxLayout()
+        row.setSpacing(12)
+        row.addWidget(self.kind.label)
+        row.addWidget(self.kind, 1)
+        self.form.addLayout(row)
+        self.facts = self.section(tr("What comes of it")).add(Facts(self))
+        self.range = write_label("", "note", self)
+        self.range.setWordWrap(True)
+        self.form.addWidget(self.range)
+        self.add_constants(self.section(tr("Springs and bonds")), LINKS, self.build_laws())
+        self.add_constants(self.section(tr("Tissue")), TISSUE)
+        self.build_support(self.section(tr("What holds it")))
+        self.add_constants(self.section(tr("Tip of the tool")), TIP)
+        self.add_constants(self.section(tr("Hand")), HAND)
+        elasticity = self.section(tr("Elasticity"))
+        self.add_constants(elasticity, ELASTICITY)
+        note = elasticity.add(
+            write_label(
+                tr(
+                    "Springs and bonds take the stiffness above. Young's modulus sets the home "
+                    "springs of a hollow organ where they have no own value."
+                ),
+                "note",
+                self,
+            )
+        )
+        note.setWordWrap(True)
+        self.fields.append(self.kind)
+
+    def build_laws(self) -> list[ChoiceField]:
+        return [
+            ChoiceField(self.desk, "damping_law", tr("Damping"), self),
+            ChoiceField(self.desk, "angle_law", tr("Law of angles"), self),
+        ]
+
+    def add_constants(
+        self, section: Section, keys: tuple[str, ...], laws: Sequence[ChoiceField] = ()
+    ) -> None:
+        grid, fields = build_grid(self.desk, keys, self)
+        for law in laws:
+            row = grid.rowCount()
+            grid.addWidget(law.label, row, 0)
+            grid.addWidget(law, row, 1)
+        section.body.addLayout(grid)
+        self.fields += [*fields, *laws]
+
+    def build_support(self, section: Section) -> None:
+        row = QHBoxLayout()
+        row.setSpacing(8)
+        self.share = QDoubleSpinBox(self)
+        self.share.setObjectName("lowest_share")
+        self.share.setRange(0.5, 100.0)
+        self.share.setDecimals(1)
+        self.share.setValue(10.0)
+        self.share.setSuffix("\N{NO-BREAK SPACE}%")
+        self.lowest = QPushButton(tr("Fix the lowest"), self)
+        self.lowest.setObjectName("fix_lowest")
+        self.lowest.clicked.connect(self.fix_lowest)
+        self.free = QPushButton(tr("Free all"), self)
+        self.free.setObjectName("free_all")
+        self.free.clicked.connect(self.free_all)
+        row.addWidget(self.lowest)
+        row.addWidget(self.share, 1)
+        row.addWidget(self.free)
+        section.body.addLayout(row)
+        self.fixed = section.add(write_label("", "note", self))
+        self.fixed.setWordWrap(True)
+        self.gravity = QCheckBox(tr("The organ has weight (9.81 m/s² downwards)"), self)
+        self.gravity.setObjectName("gravity")
+        self.gravity.clicked.connect(self.set_gravity)
+        section.add(self.gravity)
+
+    # ------------------------------------------------------------ showing
+
+    def show_organ(self, organ: Organ) -> None:
+        for field in self.fields:
+            field.show_organ(organ)
+        there = organ.surface is not None
+        self.lowest.setEnabled(there)
+        self.free.setEnabled(bool(organ.fixed.any()))
+        fixed, painted = int(organ.fixed.sum()), int((organ.stiffness_scale != 1.0).sum())
+        self.fixed.setText(
+            tr("{fixed} of {all} vertices are fixed; {painted} have a stiffness of their own.")
+            .format(fixed=count(fixed), all=count(organ.vertex_count), painted=count(painted))
+        )  # fmt: skip
+        self.fixed.setVisible(there)
+        self.gravity.setChecked(any(organ.hand.gravity))
+
+    def show_assessment(self) -> None:
+        assessment = self.desk.assessment
+        if assessment is None:
+            return
+        for field in self.fields:
+            if isinstance(field, ConstantField) and field.constant.field == "home_stiffness":
+                tissue = assessment.tissue
+                field.default = (tissue.default_home if tissue else None) or 0.0
+                field.show_organ(self.desk.session.organ)
+        tissue = assessment.tissue
+        self.facts.parentWidget().setVisible(assessment.organ.surface is not None)
+        span = tissue.coupling_range if tissue else None
+        self.range.setVisible(span is not None)
+        if span is not None:
+            self.range.setText(
+                tr("Every triangle can take a stretch-bend of {low} to {high} N.").format(
+                    low=number(span[0], 3), high=number(span[1], 3)
+                )
+            )
+        if tissue is None or assessment.scene is None:
+            self.facts.show_facts([(tr("No tissue yet"), tr("see the checks below"), "bad")])
+            return
+        self.facts.show_facts(self.result_rows())
+
+    def result_rows(self) -> list[Fact]:
+        assessment = self.desk.assessment
+        assert assessment is not None and assessment.tissue is not None
+        tissue, share = assessment.tissue, assessment.tick_share
+        mass, step = tissue.total_mass, tissue.stable_step
+        rows: list[Fact] = [
+            (tr("Total mass"), quantity(None if mass is None else 1e3 * mass, "g")),
+            (tr("Links"), count(tissue.links)),
+            (tr("Substeps a tick"), count(tissue.substeps)),
+            (tr("Longest stable step"), quantity(None if step is None else 1e3 * step, "ms", 3)),
+        ]
+        if tissue.margin is not None:
+            tone = "good" if tissue.margin >= GOOD_MARGIN else "warning"
+            rows.append((tr("Stability margin"), f"{number(tissue.margin, 3)} ×", tone))
+        if share is not None:
+            tone = "good" if share <= FULL else "warning"
+            words = tr("about {share} % of its time").format(share=f"{100 * share:.0f}")
+            rows.append((tr("A tick takes"), words, tone))
+        return rows
+
+    def good_news(self) -> list[str]:
+        assessment = self.desk.assessment
+        if assessment is None or assessment.scene is None:
+            return []
+        return [tr("The tissue can be built and stays stable.")]
+
+    # ------------------------------------------------------------ doing
+
+    def fix_lowest(self) -> None:
+        self.share.interpretText()
+        if self.desk.apply(FixLowest(self.share.value() / 100.0)):
+            self.desk.log_material()
+
+    def free_all(self) -> None:
+        ids = np.flatnonzero(self.desk.session.organ.fixed)
+        self.desk.apply(FixVertices(ids, False))
+
+    def set_gravity(self, on: bool) -> None:
+        self.desk.apply(SetGravity(WEIGHT if on else (0.0, 0.0, 0.0)))

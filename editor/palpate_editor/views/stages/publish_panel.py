@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Stage 6: what the trainee reads, what is still in the way, and the published file."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QLineEdit, QPlainTextEdit, QPushButton
+
+from palpate_editor.document import Organ
+from palpate_editor.document.problems import Problem
+from palpate_editor.edits import SetTask
+from palpate_editor.views.stage_bar import stage_title
+from palpate_editor.views.stages.facts import Facts, write_label
+from palpate_editor.views.stages.stage_panel import StagePanel
+from palpate_editor.views.words import count, quantity, tr
+
+TASK_HEIGHT = 130
+"""[px]"""
+
+
+class TaskEdit(QPlainTextEdit):
+    """Text that is entered when the cursor leaves it."""
+
+    def __init__(self, panel: PublishPanel):
+        super().__init__(panel)
+        self.panel = panel
+
+    def focusOutEvent(self, event: object) -> None:
+        super().focusOutEvent(event)  # type: ignore[arg-type]
+        self.panel.set_task()
+
+
+class PublishPanel(StagePanel):
+    """Names the scenario and publishes it."""
+
+    stage = "publish"
+
+    def build(self) -> None:
+        section = self.section(tr("What the trainee reads"))
+        section.add(write_label(tr("Title"), "name", self))
+        self.title = QLineEdit(self)
+        self.title.setObjectName("title")
+        self.title.setPlaceholderText(tr("Palpate the spleen"))
+        self.title.editingFinished.connect(self.set_title)
+        section.add(self.title)
+        section.add(write_label(tr("Task"), "name", self))
+        self.task = TaskEdit(self)
+        self.task.setObjectName("task")
+        self.task.setTabChangesFocus(True)
+        self.task.setFixedHeight(TASK_HEIGHT)
+        self.task.setPlaceholderText(
+            tr("Press the lower edge gently, then say where the tissue is harder.")
+        )
+        section.add(self.task)
+        self.facts = self.section(tr("What is published")).add(Facts(self))
+        self.button = self.main_button(tr("Publish…"), "publish")
+        self.button.clicked.connect(self.publish)
+        self.form.addWidget(self.button)
+        self.play_button = QPushButton(tr("Play the published file"), self)
+        self.play_button.setObjectName("play")
+        self.play_button.clicked.connect(self.play)
+        self.form.addWidget(self.play_button)
+        self.published = write_label("", "note", self)
+        self.published.setWordWrap(True)
+        self.form.addWidget(self.published)
+
+    # ------------------------------------------------------------ showing
+
+    def show_organ(self, organ: Organ) -> None:
+        if not self.title.hasFocus():
+            self.title.setText(organ.title)
+        if not self.task.hasFocus() and self.task.toPlainText() != organ.task:
+            self.task.setPlainText(organ.task)
+        path = self.desk.publishing.path
+        self.play_button.setEnabled(path is not None)
+        self.published.setVisible(path is not None)
+        if path is not None:
+            self.published.setText(tr("Published as {file}.").format(file=path))
+
+    def show_assessment(self) -> None:
+        assessment, organ = self.desk.assessment, self.desk.session.organ
+        tissue = assessment.tissue if assessment else None
+        self.facts.parentWidget().setVisible(organ.surface is not None)
+        self.button.setEnabled(organ.surface is not None)
+        if organ.surface is None:
+            return
+        kinds = {"mass_spring": tr("Mass–spring"), "molecular": tr("Molecular")}
+        mass = tissue.total_mass if tissue else None
+        self.facts.show_facts(
+            [
+                (tr("Organ"), organ.name),
+                (tr("Model"), kinds.get(organ.model.kind, organ.model.kind)),
+                (tr("Vertices"), count(organ.vertex_count)),
+                (tr("Total mass"), quantity(None if mass is None else 1e3 * mass, "g")),
+                (tr("Fixed vertices"), count(int(organ.fixed.sum()))),
+            ]
+        )
+
+    def problems(self) -> list[Problem]:
+        assessment = self.desk.assessment
+        if assessment is None:
+            return []
+        others = [p for p in assessment.problems if p.severity == "error" and p.stage != self.stage]
+        return others + assessment.of_stage(self.stage)
+
+    def words_of(self, problem: Problem) -> str:
+        words = super().words_of(problem)
+        return words if problem.stage == self.stage else f"{stage_title(problem.stage)}: {words}"
+
+    def good_news(self) -> list[str]:
+        assessment = self.desk.assessment
+        if assessment is None or assessment.organ.surface is None:
+            return []
+        if any(p.severity == "error" for p in assessment.problems):
+            return []
+        return [tr("Nothing stands in the way of publishing.")]
+
+    # ------------------------------------------------------------ doing
+
+    def set_title(self) -> None:
+        title = self.title.text().strip()
+        if title != self.desk.session.organ.title:
+            self.desk.apply(SetTask(scenario_title=title))
+
+    def set_task(self) -> None:
+        task = self.task.toPlainText().strip()
+        if task != self.desk.session.organ.task:
+            self.desk.apply(SetTask(task=task))
+
+    def publish(self) -> None:
+        self.set_title()
+        self.set_task()
+        self.desk.publishing.ask()
+
+    def play(self) -> None:
+        self.desk.publishing.play()

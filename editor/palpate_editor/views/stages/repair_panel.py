@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Stage 2: what is good and bad about the surface, and what was mended when it was read."""
+
+from __future__ import annotations
+
+from palpate_editor.document import Organ, Repairs
+from palpate_editor.edits import KeepLargestShell
+from palpate_editor.views.stages.facts import Facts
+from palpate_editor.views.stages.stage_panel import StagePanel
+from palpate_editor.views.words import count, quantity, tr
+
+
+class RepairPanel(StagePanel):
+    """Reports on the surface."""
+
+    stage = "repair"
+
+    def build(self) -> None:
+        self.facts = self.section(tr("The surface now")).add(Facts(self))
+        self.largest = self.main_button(tr("Keep the largest piece"), "keep_largest")
+        self.largest.clicked.connect(self.keep_largest)
+        self.form.addWidget(self.largest)
+        self.repairs = self.section(tr("Mended when it was read")).add(Facts(self))
+
+    def show_organ(self, organ: Organ) -> None:
+        repairs = organ.source.repairs if organ.source else Repairs()
+        rows = [(name, count(value)) for name, value in repair_rows(repairs) if value]
+        self.repairs.show_facts(rows or [(tr("Nothing needed mending"), "")])
+        self.repairs.parentWidget().setVisible(organ.source is not None)
+
+    def show_assessment(self) -> None:
+        assessment = self.desk.assessment
+        report = assessment.report if assessment else None
+        self.facts.parentWidget().setVisible(report is not None)
+        self.largest.setVisible(report is not None and report.shells > 1)
+        if report is None:
+            return
+        loops = report.border_loops
+        holes = (
+            tr("none, it is closed")
+            if not loops
+            else tr("{count} kept open, of {sizes} vertices").format(
+                count=len(loops), sizes=", ".join(map(str, loops))
+            )
+        )
+        outward = {True: tr("outwards"), False: tr("inwards"), None: tr("cannot be told")}
+        crossing = report.self_intersecting_faces
+        self.facts.show_facts(
+            [
+                (tr("Holes"), holes, "warning" if loops else "good"),
+                (tr("Pieces"), count(report.shells), "good" if report.shells == 1 else "warning"),
+                (tr("Handles"), "–" if report.genus is None else count(report.genus)),
+                (
+                    tr("Triangles face"),
+                    outward[report.outward],
+                    "bad" if report.outward is False else "good",
+                ),
+                (
+                    tr("Edges shared by more than two"),
+                    count(report.non_manifold_edges),
+                    "bad" if report.non_manifold_edges else "good",
+                ),
+                (
+                    tr("Crossing triangles"),
+                    tr("too many to count") if crossing is None else count(crossing),
+                    "good" if crossing == 0 else "warning",
+                ),
+                (tr("Volume"), quantity(report.volume_ml, "ml")),
+            ]
+        )
+
+    def good_news(self) -> list[str]:
+        assessment = self.desk.assessment
+        report = assessment.report if assessment else None
+        if report is None:
+            return []
+        news = []
+        if not report.border_loops:
+            news.append(tr("The surface is closed: it can be a solid organ."))
+        if not report.non_manifold_edges:
+            news.append(tr("No edge has more than two triangles."))
+        if report.outward:
+            news.append(tr("All triangles face outwards."))
+        if report.self_intersecting_faces == 0:
+            news.append(tr("The surface does not cross itself."))
+        return news
+
+    def keep_largest(self) -> None:
+        self.desk.apply(KeepLargestShell())
+
+
+def repair_rows(repairs: Repairs) -> list[tuple[str, int]]:
+    """What was done, in words."""
+    return [
+        (tr("Vertices welded"), repairs.welded_vertices),
+        (tr("Triangles there twice, removed"), repairs.duplicate_triangles),
+        (tr("Triangles of no area, removed"), repairs.degenerate_triangles),
+        (tr("Vertices of no triangle, removed"), repairs.unused_vertices),
+        (tr("Vertices split"), repairs.split_vertices),
+        (tr("Triangles turned round"), repairs.turned_triangles),
+    ]

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What all stage panels share: title, form, checks, and the way to the next stage."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+
+from palpate_editor.document import Organ
+from palpate_editor.document.problems import Problem
+from palpate_editor.views.desk import Desk
+from palpate_editor.views.stage_bar import STAGES, stage_title
+from palpate_editor.views.stages.facts import CheckRow, Section, write_label
+from palpate_editor.views.theme import title_font
+from palpate_editor.views.words import say, tr
+
+TONES = {"error": "bad", "warning": "warning", "note": "faint"}
+
+
+class StagePanel(QWidget):
+    """The panel of one stage. Subclasses build the form and say what stands in it."""
+
+    stage = ""
+
+    def __init__(self, desk: Desk, lead: str, parent: QWidget | None = None):
+        super().__init__(parent)
+        self.setObjectName("stage_page")
+        self.desk = desk
+        self.column = QVBoxLayout(self)
+        self.column.setContentsMargins(16, 12, 16, 14)
+        self.column.setSpacing(8)
+        title = write_label(stage_title(self.stage), "title", self)
+        title.setFont(title_font(self.font(), 1.45))
+        self.column.addWidget(title)
+        self.lead = write_label(lead, "lead", self)
+        self.lead.setWordWrap(True)
+        self.column.addWidget(self.lead)
+        self.form = QVBoxLayout()
+        self.form.setSpacing(8)
+        self.column.addLayout(self.form)
+        self.build()
+        self.checks = Section(tr("Checks"), self)
+        self.rows: list[CheckRow] = []
+        self.column.addWidget(self.checks)
+        self.column.addStretch(1)
+        self.column.addLayout(self.build_way())
+
+    def build(self) -> None:
+        """Fills the form; once."""
+
+    def show_organ(self, organ: Organ) -> None:
+        """Writes what the document says; after every change."""
+
+    def show_assessment(self) -> None:
+        """Writes what was found out about the document; a little later."""
+
+    def good_news(self) -> list[str]:
+        """What holds, in sentences; shown with a tick among the checks."""
+        return []
+
+    def problems(self) -> list[Problem]:
+        """Those shown among the checks."""
+        assessment = self.desk.assessment
+        return [] if assessment is None else assessment.of_stage(self.stage)
+
+    def words_of(self, problem: Problem) -> str:
+        """A problem in words: what was found, and what was expected instead."""
+        found, expected = say(problem.found), say(problem.expected)
+        return tr("{found}.\nExpected: {expected}.").format(
+            found=found[:1].upper() + found[1:], expected=expected
+        )
+
+    # ------------------------------------------------------------ shared parts
+
+    def build_way(self) -> QHBoxLayout:
+        row = QHBoxLayout()
+        row.setContentsMargins(0, 10, 0, 0)
+        place = STAGES.index(self.stage)
+        self.next_button: QPushButton | None = None
+        if place + 1 < len(STAGES):
+            following = STAGES[place + 1]
+            self.next_button = QPushButton(
+                tr("Next: {stage}").format(stage=stage_title(following)) + "  \N{RIGHTWARDS ARROW}"
+            )
+            self.next_button.setObjectName(f"next_{self.stage}")
+            self.next_button.clicked.connect(self.go_on)
+            row.addStretch(1)
+            row.addWidget(self.next_button)
+        return row
+
+    def go_on(self) -> None:
+        self.desk.show_stage(STAGES[STAGES.index(self.stage) + 1])
+
+    def section(self, title: str) -> Section:
+        made = Section(title, self)
+        self.form.addWidget(made)
+        return made
+
+    def main_button(self, text: str, name: str) -> QPushButton:
+        button = QPushButton(text, self)
+        button.setObjectName(name)
+        button.setProperty("main", True)
+        button.setCursor(Qt.CursorShape.PointingHandCursor)
+        return button
+
+    def show_checks(self) -> None:
+        """All problems of the stage, then what is good."""
+        colours = self.desk.colours
+        entries = [
+            (TONES[p.severity], self.words_of(p), p.fix, tr("Fix") if p.fix else "")
+            for p in self.problems()
+        ]
+        entries += [("good", sentence, None, "") for sentence in self.good_news()]
+        while len(self.rows) < len(entries):
+            row = CheckRow(self)
+            row.fix_wanted.connect(self.desk.apply)
+            self.rows.append(row)
+            self.checks.add(row)
+        for i, row in enumerate(self.rows):
+            row.setVisible(i < len(entries))
+            if i < len(entries):
+                tone, words, fix, title = entries[i]
+                row.show_check(tone, words, colours, fix, title)
+        self.checks.setVisible(bool(entries))

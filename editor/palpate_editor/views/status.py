@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The status bar: what the tool does, what is under the pointer, how fast, how much, how safe."""
+
+from __future__ import annotations
+
+from datetime import datetime
+
+from PySide6.QtCore import QElapsedTimer, QPointF, QTimer
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QStatusBar, QWidget
+
+from palpate_editor.document import Organ
+from palpate_editor.views.desk import Desk
+from palpate_editor.views.jobs import Job
+from palpate_editor.views.words import count, tr
+
+SOON = 500
+"""[ms] work that is done by then shows no progress."""
+PICK_EVERY = 40
+"""[ms] between two looks at what is under the pointer."""
+SECOND = 1000
+
+
+class Busy(QWidget):
+    """Progress and cancel of the work under way."""
+
+    def __init__(self, desk: Desk, parent: QWidget | None = None):
+        super().__init__(parent)
+        self.desk = desk
+        row = QHBoxLayout(self)
+        row.setContentsMargins(4, 0, 4, 0)
+        row.setSpacing(8)
+        self.words, self.bar = QLabel(self), QProgressBar(self)
+        self.bar.setFixedWidth(150)
+        self.bar.setRange(0, 100)
+        self.bar.setTextVisible(False)
+        self.button = QPushButton(tr("Cancel"), self)
+        self.button.setObjectName("cancel_job")
+        self.button.setProperty("small", True)
+        self.button.clicked.connect(self.cancel)
+        row.addWidget(self.words)
+        row.addWidget(self.bar)
+        row.addWidget(self.button)
+        self.timer = QTimer(self, singleShot=True, interval=SOON)
+        self.timer.timeout.connect(self.show)
+        desk.jobs.started.connect(self.begin)
+        desk.jobs.stopped.connect(self.end)
+        self.hide()
+
+    def begin(self, job: Job) -> None:
+        self.words.setText(job.title)
+        self.bar.setValue(0)
+        job.progressed.connect(self.tell)
+        self.timer.start()
+
+    def tell(self, words: str, share: float) -> None:
+        self.words.setText(words)
+        self.bar.setValue(round(100 * share))
+
+    def end(self, job: Job) -> None:
+        del job
+        self.timer.stop()
+        self.hide()
+
+    def cancel(self) -> None:
+        job = self.desk.jobs.current
+        self.desk.jobs.cancel()
+        if job is not None:
+            self.desk.tell(
+                tr("{work}: cancelled, nothing has changed.").format(work=job.title), "info"
+            )
+
+
+class Status(QStatusBar):
+    """Fills the bar under the window."""
+
+    def __init__(self, desk: Desk, parent: QWidget | None = None):
+        super().__init__(parent)
+        self.desk = desk
+        self.setSizeGripEnabled(False)
+        self.hint = QLabel(self)
+        self.hint.setObjectName("hint")
+        self.hint.setMinimumWidth(80)
+        self.addWidget(self.hint, 1)
+        self.busy = Busy(desk, self)
+        self.addPermanentWidget(self.busy)
+        self.place, self.counts, self.rate = QLabel(self), QLabel(self), QLabel(self)
+        self.unit, self.saved = QLabel("mm", self), QLabel(self)
+        self.unit.setToolTip(tr("Lengths are shown in millimetres"))
+        for label in (self.place, self.counts, self.rate, self.unit, self.saved):
+            self.addPermanentWidget(label)
+        self.frames, self.clock = 0, QElapsedTimer()
+        self.clock.start()
+        self.pointer: QPointF | None = None
+        self.picker = QTimer(self, singleShot=True, interval=PICK_EVERY)
+        self.picker.timeout.connect(self.pick)
+        self.second = QTimer(self, interval=SECOND)
+        self.second.timeout.connect(self.show_rate)
+        self.second.start()
+        desk.hinted.connect(self.hint.setText)
+        desk.view.hover.connect(self.on_hover)
+        desk.view.frame_drawn.connect(self.on_frame)
+        desk.session.changed.connect(self.on_changed)
+        self.show_counts(desk.session.organ)
+
+    def on_changed(self, before: Organ, after: Organ) -> None:
+        del before
+        self.show_counts(after)
+
+    def show_counts(self, organ: Organ) -> None:
+        if organ.surface is None:
+            self.counts.setText("")
+            self.place.setText("")
+            return
+        self.counts.setText(
+            tr("{vertices} vertices  {triangles} triangles").format(
+                vertices=count(organ.vertex_count), triangles=count(len(organ.surface.triangles))
+            )
+        )
+
+    def on_hover(self, point: QPointF) -> None:
+        self.pointer = point
+        if not self.picker.isActive():
+            self.picker.start()
+
+    def pick(self) -> None:
+        """What is under the pointer now."""
+        if self.pointer is None or self.desk.session.organ.surface is None:
+            return
+        found = self.desk.view.pick(self.pointer)
+        if found is None:
+            self.place.setText("")
+            return
+        x, y, z = (f"{1e3 * value:.1f}".replace("-", "−") for value in found.point)
+        self.place.setText(
+            tr("triangle {number}   x {x}  y {y}  z {z} mm").format(
+                number=found.triangle, x=x, y=y, z=z
+            )
+        )
+
+    def on_frame(self) -> None:
+        self.frames += 1
+
+    def show_rate(self) -> None:
+        """Frames of the last second; nothing is drawn where nothing moves."""
+        elapsed = self.clock.restart()
+        rate = self.frames * 1000.0 / max(1, elapsed)
+        self.rate.setText(
+            tr("{rate} fps").format(rate=f"{rate:.0f}") if rate >= 1.0 else tr("idle")
+        )
+        self.frames = 0
+
+    def show_autosaved(self, when: datetime) -> None:
+        self.saved.setText(tr("autosaved {time}").format(time=f"{when:%H:%M}"))

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What an empty window says: where to begin."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+
+from palpate_editor.document import Organ
+from palpate_editor.views.desk import Desk
+from palpate_editor.views.icons import draw_icon
+from palpate_editor.views.stages.facts import write_label
+from palpate_editor.views.theme import title_font
+from palpate_editor.views.words import tr
+
+RECENT = 4
+WIDTH = 440
+
+
+class Welcome(QFrame):
+    """A card over the empty viewport."""
+
+    open_wanted = Signal()
+    recent_wanted = Signal(object)
+
+    def __init__(self, desk: Desk, view: QWidget):
+        super().__init__(view)
+        self.desk = desk
+        self.setProperty("role", "card")
+        self.setObjectName("welcome")
+        column = QVBoxLayout(self)
+        column.setContentsMargins(30, 26, 30, 22)
+        column.setSpacing(10)
+        self.sign = QLabel(self)
+        self.sign.setAlignment(Qt.AlignmentFlag.AlignHCenter)
+        column.addWidget(self.sign)
+        title = write_label(tr("Drop an organ here"), "title", self)
+        title.setFont(title_font(self.font(), 1.55))
+        title.setAlignment(Qt.AlignmentFlag.AlignHCenter)
+        column.addWidget(title)
+        lead = write_label(
+            tr("A mesh from a scan or a modeller (OBJ, STL, PLY, glTF, FBX …), or an .organ file."),
+            "lead",
+            self,
+        )
+        lead.setWordWrap(True)
+        lead.setAlignment(Qt.AlignmentFlag.AlignHCenter)
+        column.addWidget(lead)
+        row = QHBoxLayout()
+        row.setContentsMargins(0, 8, 0, 4)
+        self.import_button = QPushButton(tr("Import a mesh…"), self)
+        self.import_button.setProperty("main", True)
+        self.import_button.clicked.connect(desk.import_wanted)
+        self.open_button = QPushButton(tr("Open…"), self)
+        self.open_button.clicked.connect(self.open_wanted)
+        row.addStretch(1)
+        row.addWidget(self.import_button)
+        row.addWidget(self.open_button)
+        row.addStretch(1)
+        column.addLayout(row)
+        self.recent = QVBoxLayout()
+        self.recent.setSpacing(1)
+        column.addLayout(self.recent)
+        self.setFixedWidth(WIDTH)
+        view.installEventFilter(self)
+        desk.session.changed.connect(self.on_changed)
+        desk.theme_changed.connect(self.on_theme)
+        self.refresh()
+
+    def on_changed(self, before: Organ, after: Organ) -> None:
+        del before, after
+        self.refresh()
+
+    def on_theme(self, theme: str) -> None:
+        del theme
+        self.refresh()
+
+    def refresh(self) -> None:
+        empty = self.desk.session.organ.surface is None
+        self.setVisible(empty)
+        if empty:
+            self.sign.setPixmap(draw_icon("import", self.desk.colours.accent_text, 46, 1.2))
+            self.fill_recent()
+            self.place()
+
+    def fill_recent(self) -> None:
+        while self.recent.count():
+            widget = self.recent.takeAt(0).widget()
+            if widget is not None:
+                widget.hide()
+                widget.deleteLater()
+        for file in self.desk.settings.recent_files()[:RECENT]:
+            button = QPushButton(file.path.name, self)
+            button.setProperty("link", True)
+            button.setProperty("path", str(file.path))
+            button.setToolTip(str(file.path))
+            button.setEnabled(file.exists)
+            button.clicked.connect(self.open_recent)
+            self.recent.addWidget(button)
+
+    def open_recent(self) -> None:
+        button = self.sender()
+        if isinstance(button, QPushButton):
+            self.recent_wanted.emit(Path(str(button.property("path"))))
+
+    def place(self) -> None:
+        self.adjustSize()
+        room = self.parentWidget().size()
+        self.move((room.width() - self.width()) // 2, max(8, (room.height() - self.height()) // 2))
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize and not self.isHidden():
+            self.place()
+        return super().eventFilter(watched, event)

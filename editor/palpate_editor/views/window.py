@@ -1,0 +1,308 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The main window: viewport in the middle, stages above, panels around it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from palpate.viewport import make_view
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
+from PySide6.QtWidgets import QMainWindow, QToolBar, QVBoxLayout, QWidget
+
+from palpate_editor.app.session import Session
+from palpate_editor.app.settings import Settings
+from palpate_editor.document import Organ
+from palpate_editor.views.action_set import ActionSet
+from palpate_editor.views.deeds import Deeds
+from palpate_editor.views.desk import Desk
+from palpate_editor.views.display import Display
+from palpate_editor.views.docks import Docks, build_history
+from palpate_editor.views.files import Files
+from palpate_editor.views.help import HelpWindow
+from palpate_editor.views.log_dock import LogDock
+from palpate_editor.views.looks import Looks
+from palpate_editor.views.message_bar import MessageBar
+from palpate_editor.views.orders import build_orders
+from palpate_editor.views.palette import CommandPalette
+from palpate_editor.views.publishing import Publishing
+from palpate_editor.views.recent_menu import RecentMenu
+from palpate_editor.views.scene_tree import SceneTree
+from palpate_editor.views.stage_bar import STAGES, StageBar
+from palpate_editor.views.stage_dock import StageDock
+from palpate_editor.views.stages.decimate_panel import DecimatePanel
+from palpate_editor.views.stages.import_panel import ImportPanel
+from palpate_editor.views.stages.material_panel import MaterialPanel
+from palpate_editor.views.stages.publish_panel import PublishPanel
+from palpate_editor.views.stages.repair_panel import RepairPanel
+from palpate_editor.views.status import Status
+from palpate_editor.views.tasks import Tasks
+from palpate_editor.views.tool_strip import ToolStrip
+from palpate_editor.views.touch import TestPanel, build_tools
+from palpate_editor.views.welcome import Welcome
+from palpate_editor.views.words import tr
+
+SIZE = (1440, 900)
+"""[px] of a window that nobody has resized yet."""
+
+
+class MainWindow(QMainWindow):
+    """One organ and all that can be done to it."""
+
+    closed = Signal()
+
+    def __init__(self, session: Session, settings: Settings, theme: str | None = None):
+        super().__init__()
+        self.setObjectName("main_window")
+        self.session, self.settings = session, settings
+        self.resize(*SIZE)
+        self.setAcceptDrops(True)
+        self.may_close = False
+        self.view = make_view(self)
+        self.desk = Desk(session, self.view, settings, self)
+        self.looks = Looks(self.desk, theme)
+        self.desk.tasks = Tasks(self.desk, self)
+        self.files = Files(self.desk, self)
+        self.publishing = Publishing(self.desk, self.files, self)
+        self.desk.publishing = self.publishing
+        self.display = Display(self.desk, self)
+        self.deeds = Deeds(self.desk, self.display, self.files, self)
+        self.build_centre()
+        self.build_panels()
+        self.build_bars()
+        self.actions_by_name = ActionSet(self, build_orders(self))
+        self.fill_menus()
+        self.connect_all()
+        self.help = HelpWindow(self)
+        self.docks.restore(settings)
+        self.looks.begin(self.actions_by_name)
+        self.show_stage("import")
+        self.show_organ(session.organ)
+        self.show_title()
+
+    # ------------------------------------------------------------ building
+
+    def build_centre(self) -> None:
+        centre = QWidget(self)
+        column = QVBoxLayout(centre)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        self.messages = MessageBar(self.desk.colours, centre)
+        column.addWidget(self.messages)
+        column.addWidget(self.view, 1)
+        self.setCentralWidget(centre)
+        self.welcome = Welcome(self.desk, self.view)
+
+    def build_panels(self) -> None:
+        desk = self.desk
+        self.import_panel = ImportPanel(
+            desk, tr("Bring in a surface and say what its numbers mean."), self
+        )
+        self.decimate_panel = DecimatePanel(
+            desk, tr("Fewer vertices tick faster. The shape shown is what will be felt."), self
+        )
+        self.material_panel = MaterialPanel(
+            desk, tr("What the organ is made of, and what touches it."), self
+        )
+        self.publish_panel = PublishPanel(
+            desk, tr("Write one file that a trainee can open and feel."), self
+        )
+        self.repair_panel = RepairPanel(
+            desk, tr("A tissue needs a clean surface. Holes stay open, and are named."), self
+        )
+        self.test_panel = TestPanel(desk, self)
+        self.stage_dock = StageDock(
+            desk,
+            [self.import_panel, self.repair_panel, self.decimate_panel]
+            + [self.material_panel, self.test_panel, self.publish_panel],
+            self,
+        )
+        self.log = LogDock(desk, self)
+        self.docks = Docks(self)
+        self.docks.build(
+            {
+                "scene": SceneTree(desk, self),
+                "history": build_history(self, self.session.history),
+                "stage": self.stage_dock,
+                "log": self.log,
+                "force": self.test_panel.plot,
+                "costs": self.test_panel.costs,
+            }
+        )
+
+    def build_bars(self) -> None:
+        bar = QToolBar(tr("Stages"), self)
+        bar.setObjectName("stage_tools")
+        bar.setMovable(False)
+        self.stage_bar = StageBar(self.desk.colours, bar)
+        bar.addWidget(self.stage_bar)
+        self.addToolBar(Qt.ToolBarArea.TopToolBarArea, bar)
+        self.tools = ToolStrip(self.desk, build_tools(self.desk), self)
+        self.addToolBar(Qt.ToolBarArea.LeftToolBarArea, self.tools)
+        self.status = Status(self.desk, self)
+        self.setStatusBar(self.status)
+
+    def fill_menus(self) -> None:
+        actions = self.actions_by_name
+        self.recent = RecentMenu(actions.menu("recent"), self.settings, self)
+        self.recent.wanted.connect(self.files.open)
+        actions.adopt(list(self.tools.choices.values()), "edit")
+        for tool in self.tools.tools:
+            if hasattr(tool, "actions"):
+                actions.adopt(tool.actions(), "edit")
+        toggles = [dock.toggleViewAction() for dock in self.docks.docks.values()]
+        actions.adopt(toggles, "docks")
+
+    def connect_all(self) -> None:
+        desk, session = self.desk, self.session
+        session.changed.connect(self.on_changed)
+        session.title_changed.connect(self.show_title)
+        session.history.canUndoChanged.connect(self.show_history)
+        session.history.canRedoChanged.connect(self.show_history)
+        desk.assessed.connect(self.show_assessment)
+        desk.told.connect(self.messages.tell)
+        desk.stage_wanted.connect(self.show_stage)
+        desk.theme_changed.connect(self.on_theme)
+        desk.tasks.read.connect(self.import_panel.show_reading)
+        desk.jobs.started.connect(self.on_job)
+        desk.jobs.stopped.connect(self.on_job)
+        self.publishing.published.connect(self.on_published)
+        self.stage_bar.chosen.connect(self.show_stage)
+        self.tools.chosen.connect(self.stage_dock.show_tool)
+        self.test_panel.run_changed.connect(self.display.hold)
+        self.deeds.decimate_wanted.connect(self.decimate_panel.decimate)
+        self.deeds.reimport_wanted.connect(self.import_panel.import_parts)
+        self.welcome.open_wanted.connect(self.files.ask_open)
+        self.welcome.recent_wanted.connect(self.files.open)
+
+    # ------------------------------------------------------------ stages
+
+    def on_stage_action(self) -> None:
+        """One of Ctrl+1 to Ctrl+6."""
+        self.show_stage(self.sender().objectName().removeprefix("stage_"))
+
+    def show_stage(self, stage: str) -> None:
+        """Any stage, at any time."""
+        self.desk.stage = stage
+        self.stage_bar.show_stage(stage)
+        self.stage_dock.show_stage(stage)
+        self.docks.show("stage")
+        self.actions_by_name.check(f"stage_{stage}")
+        if stage == "test":
+            self.docks.show("force")
+        self.desk.stage_shown.emit(stage)
+
+    def toggle_run(self) -> None:
+        if self.desk.stage != "test":
+            self.show_stage("test")
+        self.test_panel.toggle()
+
+    # ------------------------------------------------------------ showing
+
+    def on_changed(self, before: Organ, after: Organ) -> None:
+        if before.surface is None or after.surface is None or before.source is not after.source:
+            self.messages.dismiss()
+        self.show_organ(after)
+
+    def show_organ(self, organ: Organ) -> None:
+        there = organ.surface is not None
+        self.actions_by_name.show_organ(there)
+        self.tools.show_organ(there)
+        self.stage_dock.show_organ()
+        self.display.refresh()
+        self.show_history()
+        self.show_assessment()
+
+    def show_assessment(self) -> None:
+        self.stage_dock.show_assessment()
+        for stage in STAGES:
+            self.stage_bar.show_verdict(stage, self.stage_dock.verdict(stage))
+
+    def show_history(self) -> None:
+        history, actions = self.session.history, self.actions_by_name.actions
+        for name, can, text in (
+            ("undo", history.canUndo(), history.undoText()),
+            ("redo", history.canRedo(), history.redoText()),
+        ):
+            title = tr("&Undo") if name == "undo" else tr("&Redo")
+            actions[name].setEnabled(can)
+            actions[name].setText(f"{title}: {text}" if can and text else title)
+
+    def show_title(self) -> None:
+        name = self.session.name or tr("untitled")
+        self.setWindowTitle(f"{name}[*] - Palpate Editor")
+        self.setWindowModified(not self.session.saved)
+
+    def on_job(self) -> None:
+        busy = self.desk.jobs.current is not None
+        for button in (self.import_panel.import_button, self.decimate_panel.button):
+            button.setDisabled(busy or self.session.organ.imported is None and button is
+                               self.decimate_panel.button)  # fmt: skip
+        if not busy:
+            self.stage_dock.show_organ()
+
+    def on_published(self, path: Path) -> None:
+        del path
+        self.publish_panel.show_organ(self.session.organ)
+
+    def on_theme(self) -> None:
+        colours = self.desk.colours
+        self.messages.use_colours(colours)
+        self.stage_bar.use_colours(colours)
+        self.tools.use_colours(colours)
+        self.actions_by_name.use_colours(colours)
+        self.stage_dock.show_assessment()
+
+    # ------------------------------------------------------------ extras
+
+    def show_palette(self) -> None:
+        self.palette_dialog = CommandPalette(self.actions_by_name.walk(), self)
+        self.palette_dialog.place()
+        self.palette_dialog.open()
+        self.palette_dialog.query.setFocus()
+
+    def show_help(self) -> None:
+        self.help.show_stage(self.desk.stage)
+
+    def show_keys(self) -> None:
+        self.help.show_keys(self.actions_by_name.walk())
+
+    def show_about(self) -> None:
+        self.help.show_about()
+
+    def switch_full(self) -> None:
+        self.setWindowState(self.windowState() ^ Qt.WindowState.WindowFullScreen)
+
+    def reset_layout(self) -> None:
+        self.docks.reset()
+
+    # ------------------------------------------------------------ dropping and closing
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if any(url.isLocalFile() for url in event.mimeData().urls()):
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        urls = event.mimeData().urls()
+        event.acceptProposedAction()
+        self.files.drop([Path(url.toLocalFile()) for url in urls if url.isLocalFile()])
+
+    def quit(self) -> None:
+        self.close()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        if not self.may_close:
+            event.ignore()
+            self.files.guard(self.close_now)
+            return
+        self.docks.keep(self.settings)
+        self.test_panel.stop()
+        self.desk.jobs.finish()
+        self.publishing.finish()
+        event.accept()
+        self.closed.emit()
+
+    def close_now(self) -> None:
+        """Nothing is unsaved, or it was let go on purpose."""
+        self.may_close = True
+        self.close()
