@@ -46,6 +46,9 @@ def open_desk(qtbot, organ: Organ, settings) -> Iterator[Desk]:
     with qtbot.waitExposed(view):
         view.show()
     yield desk
+    # nobody may start work on a desk that is about to go
+    desk.assessor.timer.stop()
+    desk.assessor.busy = True
     desk.jobs.finish()
 
 

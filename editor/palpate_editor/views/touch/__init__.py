@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from palpate_editor.views.touch.brushes import FixTool, StiffnessTool
+from palpate_editor.views.touch.brushes import BrushKeys, FixTool, StiffnessTool
 from palpate_editor.views.touch.colours import show_painted
 from palpate_editor.views.touch.force_plot import ForcePlot
 from palpate_editor.views.touch.live_costs import LiveCosts
@@ -29,4 +29,6 @@ __all__ = [
 def build_tools(desk: Any) -> list[Any]:
     """The tools of a window in the order of its tool strip; the brushes share one size."""
     brush = Brush()
-    return [SelectTool(desk), FixTool(desk, brush), StiffnessTool(desk, brush)]
+    fix, stiffness = FixTool(desk, brush), StiffnessTool(desk, brush)
+    stiffness.keys = BrushKeys([fix, stiffness], desk)
+    return [SelectTool(desk), fix, stiffness]

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtGui import QAction, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from palpate_editor.document import Organ
@@ -38,6 +38,8 @@ class BrushTool(QObject):
     left = Signal()
     """The person wants to go back to looking around."""
     brush_changed = Signal()
+    activated = Signal(bool)
+    """It has the mouse now, or no longer."""
 
     def __init__(self, desk: Any, brush: Brush, parent: QObject | None = None):
         super().__init__(parent or desk)
@@ -80,6 +82,7 @@ class BrushTool(QObject):
         self.active = True
         self.desk.view.tool = self
         self.show_organ(self.desk.session.organ)
+        self.activated.emit(True)
 
     def deactivate(self) -> None:
         """Gives the mouse back; a stroke under way is dropped."""
@@ -89,6 +92,11 @@ class BrushTool(QObject):
         if self.desk.view.tool is self:
             self.desk.view.tool = None
         show_painted(self.desk.view, self.desk.session.organ)
+        self.activated.emit(False)
+
+    def actions(self) -> list[QAction]:
+        """For menus and the command palette."""
+        return []
 
     def options(self) -> QWidget:
         """Size, value and manner of the brush, for the stage's panel."""
@@ -97,8 +105,10 @@ class BrushTool(QObject):
         return self._options
 
     def show_organ(self, organ: Organ) -> None:
-        """Colours the view with what the document says."""
+        """Colours the view with what the document says, or a stroke under way will say."""
         show_painted(self.desk.view, organ)
+        if self._stroke is not None:
+            self.show_stroke(self._stroke)
 
     def find_painted(self) -> PaintedSurface | None:
         """The surface to paint on; None while there is no organ."""

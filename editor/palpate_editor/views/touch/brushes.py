@@ -3,21 +3,59 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtGui import QAction, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
 from palpate_editor.document import Organ
 from palpate_editor.edits import FixVertices, PaintStiffness
 from palpate_editor.views.touch.brush_options import BrushOptions
 from palpate_editor.views.touch.brush_tool import BrushTool
-from palpate_editor.views.touch.colours import show_fixed, show_painted, show_stiffness
+from palpate_editor.views.touch.colours import show_fixed, show_stiffness
 from palpate_editor.views.touch.painted_surface import PaintedSurface
 from palpate_editor.views.touch.stroke import FixStroke, SmoothStroke, StiffnessStroke
 from palpate_editor.views.words import tr
+
+
+class BrushKeys(QObject):
+    """Two actions that size whichever brush has the mouse, wherever the keyboard's focus is."""
+
+    def __init__(self, tools: Sequence[BrushTool], parent: QObject | None = None):
+        super().__init__(parent)
+        self.tools = tools
+        self.actions = [
+            self._add("brush_smaller", tr("Smaller brush"), "[", self.shrink),
+            self._add("brush_larger", tr("Larger brush"), "]", self.grow),
+        ]
+        for tool in tools:
+            tool.activated.connect(self._take_active)
+        self._take_active(False)
+
+    def _add(self, name: str, title: str, key: str, slot: Callable[[], None]) -> QAction:
+        action = QAction(title, self)
+        action.setObjectName(name)
+        action.setShortcut(key)
+        action.triggered.connect(slot)
+        return action
+
+    def grow(self) -> None:
+        self._size(1.0)
+
+    def shrink(self) -> None:
+        self._size(-1.0)
+
+    def _size(self, notches: float) -> None:
+        for tool in self.tools:
+            if tool.active:
+                tool.grow(notches)
+
+    def _take_active(self, on: bool) -> None:
+        for action in self.actions:
+            action.setEnabled(on)
 
 
 class FixTool(BrushTool):
@@ -55,6 +93,8 @@ class StiffnessTool(BrushTool):
     """Paints local stiffness; Ctrl gives back the organ's own, Shift evens out."""
 
     name, shortcut = "stiffness", "B"
+    keys: BrushKeys | None = None
+    """Those of all brushes, where there is a menu for them."""
 
     def title(self) -> str:
         return tr("Stiffness")
@@ -76,8 +116,12 @@ class StiffnessTool(BrushTool):
         show_stiffness(self.desk.view, stroke.values, always=True)
 
     def show_organ(self, organ: Organ) -> None:
-        show_painted(self.desk.view, organ)
-        show_stiffness(self.desk.view, organ.stiffness_scale, always=True)
+        super().show_organ(organ)
+        if self._stroke is None:
+            show_stiffness(self.desk.view, organ.stiffness_scale, always=True)
+
+    def actions(self) -> list[QAction]:
+        return self.keys.actions if self.keys is not None else []
 
     def build_options(self) -> QWidget:
         return BrushOptions(self, has_factor=True)

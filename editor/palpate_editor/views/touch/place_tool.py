@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QObject, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
 
 
@@ -21,6 +21,28 @@ class PlaceTool(QObject):
         super().__init__(parent)
         self.radius = radius
         """[m] of the ring that shows where it would be."""
+        self.before: Any = None
+
+    def take(self, view: Any) -> None:
+        """Has the mouse from now on, and the Escape key before any menu."""
+        self.before = view.tool
+        view.tool = self
+        view.installEventFilter(self)
+        view.setFocus()
+
+    def give_back(self, view: Any) -> None:
+        """Whoever had the mouse before has it again."""
+        view.removeEventFilter(self)
+        view.show_ring(None)
+        if view.tool is self:
+            view.tool = self.before
+        self.before = None
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ShortcutOverride and event.key() == Qt.Key.Key_Escape:
+            event.accept()
+            return True
+        return super().eventFilter(watched, event)
 
     def press(self, view: Any, event: QMouseEvent) -> bool:
         if event.button() != Qt.MouseButton.LeftButton:
@@ -48,7 +70,6 @@ class PlaceTool(QObject):
 
     def key(self, view: Any, event: QKeyEvent) -> bool:
         if event.key() == Qt.Key.Key_Escape:
-            view.show_ring(None)
             self.left.emit()
             return True
         return False

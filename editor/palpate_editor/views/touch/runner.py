@@ -53,6 +53,7 @@ class Runner(QObject):
         self.trial: Trial | None = None
         self._organ: Organ | None = None
         self._script: tuple[Place, Moments] | None = None
+        self._tool_before: Any = None
         self._name, self._count = "", 0
         self._folder = tempfile.TemporaryDirectory(prefix="palpate-test-")
         desk.session.changed.connect(self._on_changed)
@@ -146,6 +147,7 @@ class Runner(QObject):
         self._organ = organ
         self.trial.framed.connect(self._take_frame)
         self.trial.ended.connect(self._end)
+        self._tool_before = view.tool
         if isinstance(wish, HandWish):
             view.tool = PointerHand(view, device, scene)
         self.plot.begin(self._name)
@@ -165,7 +167,7 @@ class Runner(QObject):
         trial, self.trial, self.wish = self.trial, None, None
         view = self.desk.view
         if isinstance(view.tool, PointerHand):
-            view.tool = None
+            view.tool = self._tool_before
         trial.clear_view()
         trial.deleteLater()
         self.costs.show_report(report, trial.scene.rate)

@@ -26,7 +26,7 @@ CONTROL, ALT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModif
 class SelectTool(QObject):
     """A click takes the nearest vertex, a drag all that are seen in a rectangle."""
 
-    name, shortcut = "select", "A"
+    name, shortcut = "select", "V"
     stages: tuple[str, ...] = ("material",)
     left = Signal()
     selection_changed = Signal()
@@ -59,7 +59,7 @@ class SelectTool(QObject):
         self.active = True
         self.desk.view.tool = self
         self.desk.set_hint(self.hint())
-        self._show()
+        self.show_organ(self.desk.session.organ)
 
     def deactivate(self) -> None:
         """Gives the mouse back; the selection is kept for the next time."""
@@ -106,10 +106,10 @@ class SelectTool(QObject):
             self._painted = None
             self.selection_changed.emit()
         if self.active:
-            self._show()
+            self.show_organ(self.desk.session.organ)
 
-    def _show(self) -> None:
-        organ = self.desk.session.organ
+    def show_organ(self, organ: Organ) -> None:
+        """Highlights the selection, and what is fixed beside it."""
         if organ.surface is not None:
             show_fixed(self.desk.view, organ.fixed, self.selected)
             show_stiffness(self.desk.view, organ.stiffness_scale)
@@ -170,7 +170,7 @@ class SelectTool(QObject):
     def _take(self, selected: NDArray[np.bool_]) -> None:
         self.selected = selected
         if self.active:
-            self._show()
+            self.show_organ(self.desk.session.organ)
         self.selection_changed.emit()
 
     # ------------------------------------------------------------ events of the view

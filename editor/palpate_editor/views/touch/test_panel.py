@@ -223,11 +223,10 @@ class TestPanel(StagePanel):
         if on:
             self.runner.stop()
             self._place_tool.radius = self.desk.session.organ.tool.radius
-            view.tool = self._place_tool
+            self._place_tool.take(view)
             self.desk.set_hint(tr("Click on the organ where the tip shall press, Esc to leave"))
-        elif view.tool is self._place_tool:
-            view.tool = None
-            view.show_ring(None)
+        else:
+            self._place_tool.give_back(view)
             self.desk.set_hint("")
 
     def _take_place(self, point: np.ndarray) -> None:
