@@ -13,6 +13,9 @@ namespace {
 // its direction noise
 constexpr double kNoArm = 1e-9;
 
+// cosine between arm and normal from which a contact counts in full
+constexpr double kFullFacing = 0.25;
+
 }  // namespace
 
 /// With the closest point x, the centre a, D = |a - x| and the depth d = r - D > 0:
@@ -25,7 +28,8 @@ constexpr double kNoArm = 1e-9;
 ///
 /// The side is (a - x)·N >= 0. A triangle seen from behind is dropped, never pushed the other
 /// way: in a narrow dent the closest point of a wall lies on its edge and the centre is behind
-/// its plane, though outside.
+/// its plane, though outside. Seen nearly edge-on it fades, in proportion to the cosine: dropped
+/// at its full force, the wall of a dent would chatter for ever between seen and not seen.
 bool find_contact(const Tool& tool, double rest_area, const Vec3& centre, const Vec3& a,
                   const Vec3& b, const Vec3& c, Contact& contact) noexcept {
   const Box box = bound_triangle(a, b, c);
@@ -37,8 +41,11 @@ bool find_contact(const Tool& tool, double rest_area, const Vec3& centre, const 
 
   const Vec3 normal = (b - a).cross(c - a);
   const Vec3 arm = centre - closest.point;
+  double share = 1.0;
   if (closest.distance > kNoArm * tool.radius) {
-    if (arm.dot(normal) < 0.0) return false;
+    const double facing = arm.dot(normal) / (closest.distance * normal.norm());
+    if (!(facing > 0.0)) return false;
+    share = std::min(1.0, facing / kFullFacing);
     contact.direction = arm / closest.distance;
   } else {
     // the centre lies on the surface itself: the limit of the law as it comes down from outside
@@ -47,7 +54,7 @@ bool find_contact(const Tool& tool, double rest_area, const Vec3& centre, const 
     contact.direction = normal / length;
   }
   // a stretched triangle stands for the area it has now: thinned out, the wall would let through
-  const double k = tool.stiffness * std::max(rest_area, 0.5 * normal.norm());
+  const double k = share * tool.stiffness * std::max(rest_area, 0.5 * normal.norm());
   const double z = std::max(kBarrierFloor, 1.0 - depth / tool.radius);
   contact.weights = closest.weights;
   contact.distance = closest.distance;

@@ -119,10 +119,31 @@ TEST_CASE("a contact pushes with pressure times area times the barrier, from the
   REQUIRE(find_contact(tool, 8e-6, {0.001, 0.001, 0.0001}, a, b, c, contact));
   CHECK(contact.force == doctest::Approx(160.0 * 0.0029 / 0.1));
 
-  // 3 mm away in the plane beside the corner b: 1 mm of depth along x
-  REQUIRE(find_contact(tool, 8e-6, {0.006, 0, 0}, a, b, c, contact));
-  CHECK(contact.direction == Vec3(1, 0, 0));
+  // beside the corner b: 0.5 mm of depth along 3-0-4
+  REQUIRE(find_contact(tool, 8e-6, {0.0055, 0, 0.002}, a, b, c, contact));
+  CHECK(contact.direction.isApprox(Vec3(0.6, 0, 0.8)));
   CHECK(contact.weights == Vec3(0, 1, 0));
+  CHECK(contact.force == doctest::Approx(160.0 * 0.0005 / (5.0 / 6.0)));
+}
+
+TEST_CASE("a triangle seen ever more edge-on fades to nothing, without a jump") {
+  const Tool tool{.radius = 0.003, .stiffness = 2e7};
+  const Vec3 a(0, 0, 0), b(0.004, 0, 0), c(0, 0.004, 0);
+  // 2 mm beside the corner b, at this sine above the plane
+  const auto force_at = [&](double sine) {
+    Contact contact;
+    const Vec3 arm(std::sqrt(1.0 - sine * sine), 0, sine);
+    const bool found = find_contact(tool, 8e-6, b + 0.002 * arm, a, b, c, contact);
+    return found ? contact.force : 0.0;
+  };
+  const double full = 160.0 * 0.001 / (2.0 / 3.0);
+
+  CHECK(force_at(0.5) == doctest::Approx(full));
+  CHECK(force_at(0.25) == doctest::Approx(full));
+  CHECK(force_at(0.125) == doctest::Approx(0.5 * full));
+  CHECK(force_at(1e-6) == doctest::Approx(4e-6 * full));
+  CHECK(force_at(0.0) == 0.0);
+  CHECK(force_at(-0.1) == 0.0);
 }
 
 TEST_CASE("what only meets, stands off or lies behind is no contact") {
