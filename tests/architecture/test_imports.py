@@ -25,7 +25,13 @@ EDITS = (
     "palpate",
     "numpy",
 )
-DESK = ("palpate_editor.app", "palpate_editor.compile", "palpate_editor.check", *EDITS)
+DESK = (
+    "palpate_editor.app",
+    "palpate_editor.compile",
+    "palpate_editor.check",
+    "palpate_editor.open_organ",
+    *EDITS,
+)
 
 ARROWS = {
     "bindings/palpate/render": (*RENDER, "matplotlib"),
