@@ -16,7 +16,10 @@ from importlib.metadata import entry_points, version
 from palpate import FileError
 from palpate.verb import Refusal, Verb, WrongCall
 
-EDITOR_VERBS = ("inspect", "import", "decimate", "material", "check", "demo", "editor")
+EDITOR_VERBS = (
+    *("inspect", "import", "decimate", "material", "check", "repair", "publish"),
+    *("demo", "editor"),
+)
 """Verbs of the palpate-editor distribution, to say what to install where it is missing."""
 
 

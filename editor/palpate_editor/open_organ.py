@@ -48,7 +48,7 @@ def read_authored(path: Path) -> Organ:
             str(path), "authored", "no document of an editor", "a file that `palpate publish` wrote"
         )
     version = authored.get("version")
-    if not isinstance(version, int) or not 1 <= version <= VERSION:
+    if type(version) is not int or not 1 <= version <= VERSION:  # true is no version
         raise FileError(
             str(path),
             "authored.version",

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From a designer's document to the file that a trainee opens."""
+
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import replace
+from pathlib import Path
+
+from palpate import FileError, Scene, scenario
+from palpate.scene_file import hash_file
+from palpate.verb import Report
+
+from palpate_editor.check import Assessment, assess, describe_model, describe_problem
+from palpate_editor.document import Organ
+from palpate_editor.document.files import FORMAT, VERSION, pack_organ
+from palpate_editor.document.problems import Problem
+
+
+class PublishError(Exception):
+    """An organ that nobody should be given: all that is wrong with it."""
+
+    def __init__(self, problems: tuple[Problem, ...]):
+        self.problems = problems
+        words = "; ".join(f"{p.where}: found {p.found}, expected {p.expected}" for p in problems)
+        super().__init__(words)
+
+
+def publish(organ: Organ, path: Path, assessment: Assessment | None = None) -> Report:
+    """Checks, compiles and writes, whole or not at all: a second for a large one, on any thread.
+
+    The document itself goes into the file, so that it can be opened again and worked on; where the
+    mesh file lay on the designer's machine does not.
+
+    Args:
+        organ: What is published.
+        path: A name ending in .palpate.
+        assessment: Of the very same organ, if there is one.
+
+    Raises PublishError with every error there is; FileError where the disk refuses.
+    """
+    if assessment is None or assessment.organ is not organ or assessment.scene is None:
+        assessment = assess(organ)
+    if assessment.errors or assessment.scene is None:
+        raise PublishError(assessment.errors)
+    write_scenario(organ, assessment.scene, path)
+    return {
+        "out": str(path),
+        "title": organ.title,
+        "task": organ.task,
+        "vertices": organ.vertex_count,
+        "description": describe_model(assessment.scene),
+        "bytes": path.stat().st_size,
+        "sha256": hash_file(path),
+        "problems": list(map(describe_problem, assessment.problems)),
+    }
+
+
+def write_scenario(organ: Organ, scene: Scene, path: Path) -> None:
+    source = organ.source and replace(organ.source, folder="")
+    content, arrays = pack_organ(replace(organ, source=source))
+    made = scenario.Scenario(
+        scene=scene,
+        title=organ.title,
+        task=organ.task,
+        authored=json.dumps({"format": FORMAT, "version": VERSION, "content": content}),
+        authored_arrays=arrays,
+    )
+    try:
+        scenario.write(os.fspath(path), made)
+    except ValueError as problem:
+        raise FileError(str(path), "", str(problem), "an organ that a file can hold") from None

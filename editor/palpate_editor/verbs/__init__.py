@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The designer's verbs: all that the window does, but painting, without a window."""
+
+from __future__ import annotations
+
+from palpate_editor.verbs import demo, mesh, publish, tissue
+
+VERBS = [*mesh.VERBS, *tissue.VERBS, *publish.VERBS, *demo.VERBS]

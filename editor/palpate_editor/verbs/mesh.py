@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The verbs about surfaces: inspect, import, decimate."""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import asdict
+from pathlib import Path
+
+from palpate.verb import Refusal, Report, Verb
+
+from palpate_editor import authoring
+from palpate_editor.compile import mesh_of
+from palpate_editor.document import EMPTY, Decimation, Organ
+from palpate_editor.edits import EditError, decimate_organ, import_file
+from palpate_editor.verbs.files import open_any, write_any
+
+UNITS = ("m", "cm", "mm", "in")
+UPS = ("x", "y", "z", "-x", "-y", "-z")
+
+
+def add_source(word: argparse.ArgumentParser) -> None:
+    word.add_argument(
+        "--part",
+        action="append",
+        default=[],
+        metavar="NAME",
+        help="part of the file to use, may be repeated; default: all, welded",
+    )
+    word.add_argument("--unit", choices=UNITS, help="of the file; default: stated or guessed")
+    word.add_argument("--up", choices=UPS, help="axis of the file; default: stated or z")
+
+
+# ---------------------------------------------------------------- inspect
+
+
+def add_inspect(word: argparse.ArgumentParser) -> None:
+    word.add_argument("file", type=Path, help="mesh file")
+    add_source(word)
+
+
+def run_inspect(call: argparse.Namespace) -> Report:
+    scene = authoring.read_mesh(call.file)
+    joined = authoring.join_parts(scene, parts=call.part, unit=call.unit, up=call.up)
+    return {
+        **authoring.inspect_mesh(joined.mesh).as_dict(),
+        "unit": joined.unit,
+        "unit_guessed": joined.unit_guessed,
+        "unit_reason": joined.unit_reason,
+        "up": joined.up,
+        "up_guessed": joined.up_guessed,
+        "up_reason": joined.up_reason,
+        "format": scene.format,
+        "parts": [
+            {"name": part.name, "triangles": len(part.mesh.triangles)} for part in scene.parts
+        ],
+        "parts_used": list(joined.parts),
+        "welded_vertices": joined.welded_vertices,
+        "notes": list(scene.notes),
+    }
+
+
+def describe_inspect(report: Report) -> str:
+    def known(value: object, unit: str = "") -> str:
+        return "unknown" if value is None else f"{value:.4g}{unit}"
+
+    loops = report["border_loops"]
+    guess = "guessed" if report["unit_guessed"] else "stated"
+    lines = [
+        f"{report['vertices']} vertices, {report['triangles']} triangles, "
+        f"{report['shells']} shell(s), genus {known(report['genus'])}",
+        "closed"
+        if report["closed"]
+        else f"open: {len(loops)} border loop(s) of {', '.join(map(str, loops))} vertices",
+        f"outward: {'unknown' if report['outward'] is None else report['outward']}",
+        f"{report['non_manifold_edges']} non-manifold edges, "
+        f"{known(report['self_intersecting_faces'])} self-intersecting faces, smallest angle "
+        f"{known(report['smallest_angle_deg'], ' degrees')}",
+        f"size {' x '.join(f'{length:.1f}' for length in report['size_mm'])} mm, volume "
+        f"{known(report['volume_ml'], ' ml')}",
+        f"unit {report['unit']} ({guess}: {report['unit_reason']})",
+        f"up {report['up']} ({report['up_reason']})",
+        "parts: " + ", ".join(f"{p['name']} ({p['triangles']})" for p in report["parts"]),
+    ]
+    return "\n".join(lines + [f"note: {note}" for note in report["notes"]])
+
+
+# ---------------------------------------------------------------- import
+
+
+def add_import(word: argparse.ArgumentParser) -> None:
+    word.add_argument("file", type=Path, help="OBJ, STL, PLY, GLB, 3DS, FBX or DAE")
+    add_source(word)
+    word.add_argument("--vertices", type=int, help="decimate to exactly this many")
+    word.add_argument(
+        "--out", "-o", type=Path, required=True, help=".organ, or a mesh file in metres, z up"
+    )
+
+
+def run_import(call: argparse.Namespace) -> Report:
+    organ = import_file(call.file, parts=call.part, unit=call.unit, up=call.up)(EMPTY)
+    assert organ.source is not None
+    source = organ.source
+    repaired = asdict(source.repairs)
+    report = {
+        "out": str(call.out),
+        "unit": source.unit,
+        "unit_guessed": source.unit_guessed,
+        "unit_reason": source.unit_reason,
+        "up": source.up,
+        "up_reason": source.up_reason,
+        "parts_used": list(source.parts),
+        "welded_vertices": repaired.pop("welded_vertices"),
+        "repaired": repaired,
+    }
+    if call.vertices is not None:
+        organ, report["decimated"] = decimate_to(organ, call.vertices)
+    assert organ.surface is not None
+    report["mesh"] = authoring.inspect_mesh(mesh_of(organ.surface)).as_dict()
+    write_any(call.out, organ)
+    return report
+
+
+def decimate_to(organ: Organ, vertices: int) -> tuple[Organ, Report]:
+    try:
+        edit = decimate_organ(organ, vertices)
+    except EditError as refused:
+        raise Refusal(None, "--vertices", str(vertices), str(refused)) from None
+    return edit(organ), report_decimation(edit.decimation)
+
+
+def report_decimation(decimation: Decimation) -> Report:
+    report = asdict(decimation)
+    for name in ("mean_distance", "max_distance"):
+        report[f"{name}_mm"] = 1e3 * report.pop(name)
+    return report
+
+
+def describe_import(report: Report) -> str:
+    mesh = report["mesh"]
+    loops = mesh["border_loops"]
+    done = ", ".join(
+        f"{count} {name.replace('_', ' ')}" for name, count in report["repaired"].items() if count
+    )
+    lines = [
+        f"parts {', '.join(report['parts_used'])}; {report['welded_vertices']} vertices welded",
+        f"unit {report['unit']}: {report['unit_reason']}; up {report['up']}: {report['up_reason']}",
+        f"repaired: {done or 'nothing to do'}",
+        "closed"
+        if not loops
+        else f"{len(loops)} hole(s) of {', '.join(map(str, loops))} vertices, kept open",
+    ]
+    if "decimated" in report:
+        lines.append(describe_decimate(report["decimated"]))
+    lines.append(
+        f"wrote {report['out']}: {mesh['vertices']} vertices, {mesh['triangles']} triangles"
+    )
+    return "\n".join(lines)
+
+
+# ---------------------------------------------------------------- decimate
+
+
+def add_decimate(word: argparse.ArgumentParser) -> None:
+    word.add_argument("file", type=Path, help=".organ, or OBJ written by `palpate import`")
+    word.add_argument("--vertices", type=int, required=True, help="exactly this many")
+    word.add_argument("--out", "-o", type=Path, required=True, help=".organ or mesh file")
+
+
+def run_decimate(call: argparse.Namespace) -> Report:
+    organ, report = decimate_to(open_any(call.file), call.vertices)
+    write_any(call.out, organ)
+    return {"out": str(call.out), **report}
+
+
+def describe_decimate(report: Report) -> str:
+    return (
+        f"decimated {report['vertices_before']} / {report['triangles_before']} to "
+        f"{report['vertices']} / {report['triangles']}; smallest angle "
+        f"{report['smallest_angle_deg']:.1f} degrees; {report['mean_distance_mm']:.3f} mm from the "
+        f"source on average, {report['max_distance_mm']:.3f} mm at most"
+    )
+
+
+VERBS = [
+    Verb(
+        "inspect",
+        "say what is good and bad about a mesh file",
+        "palpate inspect VH_F_Spleen.glb --json",
+        add_inspect,
+        run_inspect,
+        describe_inspect,
+    ),
+    Verb(
+        "import",
+        "read a mesh file, weld, repair, orient, and write it in metres, z up",
+        "palpate import VH_F_Spleen.glb -o spleen.organ",
+        add_import,
+        run_import,
+        describe_import,
+    ),
+    Verb(
+        "decimate",
+        "reduce a surface to an exact vertex count with well-shaped triangles",
+        "palpate decimate spleen.organ --vertices 600 -o spleen.organ",
+        add_decimate,
+        run_decimate,
+        describe_decimate,
+    ),
+]

@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The verbs before a trainee gets an organ: check, repair, publish."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from palpate.verb import Refusal, Report, Verb
+
+from palpate_editor.check import assess, check_file, describe_problem
+from palpate_editor.document.problems import Problem
+from palpate_editor.edits import SetTask
+from palpate_editor.publish import PublishError, publish
+from palpate_editor.verbs.files import apply, open_any, write_any
+
+# ---------------------------------------------------------------- check
+
+
+def add_check(word: argparse.ArgumentParser) -> None:
+    word.add_argument("file", type=Path, help=".organ, .palpate or .scene.json")
+
+
+def run_check(call: argparse.Namespace) -> Report:
+    return check_file(call.file)
+
+
+def describe_problems(problems: list[Report]) -> list[str]:
+    lines = [
+        f"  {p['severity']:7} {p['where']}: found {p['found']}, expected {p['expected']}"
+        + (f" (palpate repair --problem {p['problem']})" if p["fix"] else "")
+        for p in problems
+    ]
+    return lines or ["  no problems"]
+
+
+def describe_check(report: Report) -> str:
+    heading = f"{report['file']}: {report['description']}"
+    return "\n".join([heading, *describe_problems(report["problems"])])
+
+
+def has_errors(report: Report) -> bool:
+    return any(p["severity"] == "error" for p in report["problems"])
+
+
+# ---------------------------------------------------------------- repair
+
+
+def add_repair(word: argparse.ArgumentParser) -> None:
+    word.add_argument("file", type=Path, help=".organ, or OBJ written by `palpate import`")
+    word.add_argument(
+        "--problem",
+        action="append",
+        default=[],
+        metavar="NAME",
+        help="of `palpate check --json`, may be repeated; default: all errors that can be mended",
+    )
+    word.add_argument("--out", "-o", type=Path, required=True, help=".organ or mesh file")
+
+
+def run_repair(call: argparse.Namespace) -> Report:
+    organ = open_any(call.file)
+    done: list[str] = []
+    tried: set[tuple[str, str]] = set()
+    assessment = assess(organ)
+    # one at a time: what mends one problem may mend, or change, another
+    while problem := find_next(assessment.problems, call.problem, tried):
+        assert problem.fix is not None
+        tried.add((problem.key, problem.where))
+        organ = apply(problem.fix, organ, call.file, problem.where)
+        done.append(problem.fix.title)
+        assessment = assess(organ, before=assessment)
+    if not done and call.problem:
+        raise Refusal(
+            call.file, "--problem", ", ".join(call.problem), "problems it has, that can be mended"
+        )
+    write_any(call.out, organ)
+    return {
+        "out": str(call.out),
+        "done": done,
+        "problems": list(map(describe_problem, assessment.problems)),
+    }
+
+
+def find_next(
+    problems: tuple[Problem, ...], wanted: list[str], tried: set[tuple[str, str]]
+) -> Problem | None:
+    for problem in problems:
+        chosen = problem.key in wanted if wanted else problem.severity == "error"
+        if chosen and problem.fix and (problem.key, problem.where) not in tried:
+            return problem
+    return None
+
+
+def describe_repair(report: Report) -> str:
+    done = ", ".join(report["done"]) or "nothing to mend"
+    heading = f"wrote {report['out']}: {done}; what is left:"
+    return "\n".join([heading, *describe_problems(report["problems"])])
+
+
+# ---------------------------------------------------------------- publish
+
+
+def add_publish(word: argparse.ArgumentParser) -> None:
+    word.add_argument("file", type=Path, help=".organ, .palpate or .scene.json")
+    word.add_argument("--title", help="what the trainee chooses it by; default: the document's")
+    word.add_argument("--task", help="what the trainee is asked to do; default: the document's")
+    word.add_argument("--out", "-o", type=Path, required=True, help=".palpate file to write")
+
+
+def run_publish(call: argparse.Namespace) -> Report:
+    if call.out.suffix != ".palpate":
+        raise Refusal(call.out, "", f"a name ending in {call.out.suffix!r}", ".palpate")
+    organ = open_any(call.file)
+    if call.title is not None or call.task is not None:
+        organ = apply(SetTask(call.title, call.task), organ, call.file, "--title, --task")
+    try:
+        return {"published": True, **publish(organ, call.out)}
+    except PublishError as refused:
+        problems = list(map(describe_problem, refused.problems))
+        return {"published": False, "out": None, "problems": problems}
+
+
+def describe_publish(report: Report) -> str:
+    problems = describe_problems(report["problems"])
+    if not report["published"]:
+        return "\n".join(["not published:", *problems])
+    lines = [f"wrote {report['out']}: {report['title']}; {report['description']}"]
+    return "\n".join(lines + (problems if report["problems"] else []))
+
+
+VERBS = [
+    Verb(
+        "check",
+        "list every problem of an organ",
+        "palpate check spleen.organ",
+        add_check,
+        run_check,
+        describe_check,
+        failed=has_errors,
+    ),
+    Verb(
+        "repair",
+        "mend those problems of an organ that can be mended without a choice",
+        "palpate repair spleen.organ --problem shells -o spleen.organ",
+        add_repair,
+        run_repair,
+        describe_repair,
+    ),
+    Verb(
+        "publish",
+        "check an organ and write the file that a trainee opens",
+        "palpate publish spleen.organ --title Spleen -o spleen.palpate",
+        add_publish,
+        run_publish,
+        describe_publish,
+        failed=lambda report: not report["published"],
+    ),
+]

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The verb that gives a surface its tissue, a tool and a hand: material."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+from dataclasses import asdict
+from pathlib import Path
+
+import palpate
+from palpate.verb import Refusal, Report, Verb, quantity
+
+from palpate_editor.check import describe_model
+from palpate_editor.compile import compile_organ
+from palpate_editor.document import Organ
+from palpate_editor.document.constants import CHOICES, CONSTANTS, Constant
+from palpate_editor.document.files import write_organ
+from palpate_editor.edits import FixLowest, SetChoice, SetConstant, SetGravity
+from palpate_editor.verbs.files import apply, open_any, write_scene
+
+OPTIONS = {
+    "model.stiffness": ("--stiffness", "N/m"),
+    "model.bend_stiffness": ("--bend", "J"),
+    "model.stretch_coupling": ("--stretch-bend", "N"),
+    "model.home_stiffness": ("--home", "N/m3"),
+    "model.drag": ("--drag", "1/s"),
+    "model.pressure": ("--pressure", "Pa"),
+    "material.wall_thickness": ("--wall", "m"),
+    "material.density": ("--density", "kg/m3"),
+    "material.damping_ratio": ("--damping", ""),
+    "material.young_modulus": ("--young", "Pa"),
+    "material.poisson_ratio": ("--poisson", ""),
+    "tool.radius": ("--tool-radius", "m"),
+    "tool.stiffness": ("--tool-stiffness", "N/m3"),
+    "hand.coupling": ("--coupling", "N/m"),
+    "hand.force_max": ("--force-max", "N"),
+    "hand.hold_stiffness": ("--grip", "N/m"),
+    "hand.rate": ("--rate", ""),
+}
+"""Constant -> its option, and the unit that must stand with the number."""
+
+KINDS = {"mss": "mass_spring", "mms": "molecular"}
+LAWS = {"model.angle_law": "--angle-law", "model.damping_law": "--damping-law"}
+NONE = "none"
+"""The word for a constant that is not given: no wall, the builder's own home springs."""
+
+
+def read_constant(constant: Constant, unit: str) -> Callable[[str], float | str]:
+    number: Callable[[str], float] = quantity(unit) if unit else float
+
+    def read(text: str) -> float | str:
+        return NONE if constant.optional and text == NONE else number(text)
+
+    read.__name__ = getattr(number, "__name__", "number")
+    return read
+
+
+def add_material(word: argparse.ArgumentParser) -> None:
+    word.add_argument("file", type=Path, help=".organ, .scene.json, or OBJ of `palpate import`")
+    word.add_argument(
+        "--out", "-o", type=Path, required=True, help=".organ, or scene file to write"
+    )
+    word.add_argument("--kind", choices=tuple(KINDS), help="mass-spring or molecular")
+    plain = Organ()
+    for constant in CONSTANTS:
+        option, unit = OPTIONS[constant.key]
+        default = getattr(getattr(plain, constant.part), constant.field)
+        usual = constant.absent if default is None else f"{default:g} {unit}".strip()
+        also = f"; '{NONE}': {constant.absent}" if constant.optional else ""
+        word.add_argument(
+            option,
+            dest=constant.key,
+            type=read_constant(constant, unit),
+            metavar=unit.upper() or "NUMBER",
+            help=f"{constant.label} ({usual}){also}",
+        )
+    for key, option in LAWS.items():
+        word.add_argument(option, dest=key, choices=CHOICES[key])
+    word.add_argument(
+        "--gravity", type=read_vector, metavar="X,Y,Z", help="[m/s²] of the organ (0,0,0)"
+    )
+    word.add_argument(
+        "--fix-lowest",
+        type=float,
+        default=0.0,
+        metavar="SHARE",
+        help="hold this share of the height, from below (0.1)",
+    )
+
+
+def read_vector(text: str) -> tuple[float, ...]:
+    try:
+        numbers = tuple(float(word) for word in text.split(","))
+    except ValueError:
+        numbers = ()
+    if len(numbers) != 3:
+        raise argparse.ArgumentTypeError(f"got {text!r}, expected X,Y,Z")
+    return numbers
+
+
+def set_constants(call: argparse.Namespace, organ: Organ) -> Organ:
+    """The organ with what the call names; the rest as it is in the file."""
+    if call.kind is not None:
+        organ = apply(SetChoice("kind", KINDS[call.kind]), organ, call.file, "--kind")
+    for key, option in LAWS.items():
+        law = getattr(call, key)
+        if law is not None:
+            edit = SetChoice(key.removeprefix("model."), law)
+            organ = apply(edit, organ, call.file, option)
+    for constant in CONSTANTS:
+        value = getattr(call, constant.key)
+        if value is not None:
+            edit = SetConstant(constant.part, constant.field, None if value == NONE else value)
+            organ = apply(edit, organ, call.file, OPTIONS[constant.key][0])
+    if call.gravity is not None:
+        organ = apply(SetGravity(call.gravity), organ, call.file, "--gravity")
+    if call.fix_lowest != 0.0:
+        organ = apply(FixLowest(call.fix_lowest), organ, call.file, "--fix-lowest")
+    return organ
+
+
+def run_material(call: argparse.Namespace) -> Report:
+    organ = set_constants(call, open_any(call.file))
+    try:
+        compiled = compile_organ(organ)
+    except ValueError as problem:
+        raise Refusal(call.file, "", str(problem), "constants a tissue can have") from None
+    if call.out.suffix == ".organ":
+        write_organ(call.out, organ)
+    else:
+        write_scene(call.out, organ, call.file if call.file.suffix == ".obj" else None)
+    tissue = compiled.tissue
+    parts = {name: asdict(getattr(organ, name)) for name in ("material", "model", "tool", "hand")}
+    parts["model"] |= {"fixed": len(tissue.fixed), "stiffness_scale": None}
+    return {
+        "out": str(call.out),
+        "scene": parts,
+        "particles": len(tissue.mass),
+        "springs": len(tissue.springs.ends),
+        "bonds": len(tissue.bonds.ends),
+        "angles": 3 * len(tissue.angles.corners),
+        "fixed": len(tissue.fixed),
+        "total_mass_g": 1e3 * palpate.compute_total_mass(tissue),
+        "stable_step_ms": 1e3 * palpate.stable_step(tissue),
+        "substeps": compiled.substeps,
+        "description": describe_model(compiled),
+    }
+
+
+def describe_material(report: Report) -> str:
+    return (
+        f"wrote {report['out']}: {report['description']}, {report['fixed']} fixed, stable step "
+        f"{report['stable_step_ms']:.3f} ms"
+    )
+
+
+VERBS = [
+    Verb(
+        "material",
+        "give an organ its tissue, a tool and a hand; what is not named stays as it is",
+        "palpate material spleen.organ --kind mms --stiffness 60N/m --home 1.5e5N/m3 "
+        "-o spleen.organ",
+        add_material,
+        run_material,
+        describe_material,
+    ),
+]
