@@ -23,6 +23,8 @@ from palpate_editor.views.jobs import Jobs, Progress
 
 PATIENCE = 60
 """[ms] without a change before work begins: a stroke of the keyboard is not yet a decision."""
+MOST_POINTS = 20_000
+"""Of a large source that are measured; the colours would not look different with more."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +34,8 @@ class Comparison:
     imported_angle: float
     """[degree] smallest of the imported surface."""
     distances: np.ndarray | None
-    """[m] (n,) from each vertex to the imported surface; None where they are one."""
+    """[m] (n,) at each vertex, how far the imported surface lies from this one around it; None
+    where they are one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,10 +97,17 @@ def compare(organ: Organ) -> Comparison | None:
 
 
 def measure_distances(surface: Surface, source: Surface) -> np.ndarray:
-    """[m] (n,) how far each vertex of the surface is from the source."""
-    tree = palpate.AabbTree(source.vertices, source.triangles)
-    x = source.vertices
-    return np.array([palpate.find_closest_point(tree, x, p).distance for p in surface.vertices])
+    """[m] (n,) the largest distance of those points of the source that lie over the triangles of a
+    vertex. The vertices themselves lie on the source, so their own distance would say nothing.
+    """
+    x, triangles = surface.vertices, surface.triangles
+    tree = palpate.AabbTree(x, triangles)
+    points = source.vertices[:: max(1, len(source.vertices) // MOST_POINTS)]
+    found = [palpate.find_closest_point(tree, x, point) for point in points]
+    corners = triangles[[near.triangle for near in found]]
+    distances = np.zeros(len(x))
+    np.maximum.at(distances, corners.ravel(), np.repeat([near.distance for near in found], 3))
+    return distances
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,7 +145,7 @@ class Assessor(QObject):
 
     def begin(self) -> None:
         """Starts assessing the organ on the desk, unless that is under way."""
-        if self.busy:
+        if self.busy or self.jobs.closed:
             return
         self.busy = True
         self.assessed_tested = self.session.is_tested

@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, Signal
 
 from palpate_editor.document import Organ
 from palpate_editor.views.desk import Desk
+from palpate_editor.views.touch.colours import show_fixed, show_stiffness
 from palpate_editor.views.words import tr
 
 COLOURINGS = ("auto", "plain", "stiffness", "distance")
@@ -79,7 +80,7 @@ class Display(QObject):
             return
         shown = self.choose()
         if shown == "stiffness":
-            view.show_values(organ.stiffness_scale, tr("Stiffness, times the organ's"))
+            show_stiffness(view, organ.stiffness_scale, always=True)
         elif shown == "distance":
             assessment = self.desk.assessment
             assert assessment is not None and assessment.comparison is not None
@@ -88,8 +89,12 @@ class Display(QObject):
             )
         else:
             view.show_values(None)
-        marks_fixed = self.desk.stage in ("material", "test", "publish")
-        view.show_selection(organ.fixed.astype(float) if marks_fixed else None)
+        if self.desk.stage in ("material", "test", "publish"):
+            show_fixed(view, organ.fixed, None)
+        else:
+            view.show_selection(None)
+        if view.tool is not None and hasattr(view.tool, "show_organ"):
+            view.tool.show_organ(organ)  # a selection, or a stroke that goes on
 
     def choose(self) -> str:
         """Which property is shown now."""

@@ -11,7 +11,7 @@ from palpate_editor.app.settings import LAYOUT_VERSION, Settings
 from palpate_editor.views.words import tr
 
 AREA = Qt.DockWidgetArea
-SIDE, STAGE, BELOW = 250, 372, 220
+SIDE, STAGE, BELOW = 262, 396, 226
 """[px] widths of the docks at the left and right, height of those below."""
 
 
@@ -24,7 +24,7 @@ class Docks:
         # the stage's form needs all the height there is
         window.setCorner(Qt.Corner.BottomRightCorner, AREA.RightDockWidgetArea)
         window.setCorner(Qt.Corner.TopRightCorner, AREA.RightDockWidgetArea)
-        window.setCorner(Qt.Corner.BottomLeftCorner, AREA.LeftDockWidgetArea)
+        window.setCorner(Qt.Corner.BottomLeftCorner, AREA.BottomDockWidgetArea)
         window.setDockNestingEnabled(True)
         self.start: QByteArray | None = None
 
@@ -57,10 +57,10 @@ class Docks:
         window.resizeDocks(
             [docks["scene"], docks["stage"]], [SIDE, STAGE], Qt.Orientation.Horizontal
         )
-        window.resizeDocks([docks["scene"], docks["history"]], [430, 210], Qt.Orientation.Vertical)
+        window.resizeDocks([docks["scene"], docks["history"]], [400, 190], Qt.Orientation.Vertical)
         window.resizeDocks([docks["log"]], [BELOW], Qt.Orientation.Vertical)
         below = [docks[name] for name in ("log", "force", "costs") if name in docks]
-        window.resizeDocks(below, [340, 330, 200][: len(below)], Qt.Orientation.Horizontal)
+        window.resizeDocks(below, [460, 420, 180][: len(below)], Qt.Orientation.Horizontal)
 
     def show(self, name: str) -> None:
         if name in self.docks:

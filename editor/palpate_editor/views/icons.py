@@ -15,6 +15,7 @@ SCALE = 3
 PATHS = {
     "orbit": "M12 12m-2.2 0a2.2 2.2 0 1 0 4.4 0a2.2 2.2 0 1 0-4.4 0 M3 12c0-3 4-5.2 9-5.2s9 2.2 "
     "9 5.2-4 5.2-9 5.2 M15 14.6l-3 2.6 3 2.7",
+    "select": "M5 4l6 16 2.300-6.700L20 11z",
     "fix": "M12 3a5 5 0 0 1 5 5c0 3.4-5 9-5 9s-5-5.600-5-9a5 5 0 0 1 5-5z M12 8m-1.600 0a1.600 "
     "1.600 0 1 0 3.200 0a1.600 1.600 0 1 0-3.200 0 M5 21h14",
     "stiffness": "M20.500 3.500c-5 2-9 6-10.500 9l1.500 1.500c3-1.500 7-5.500 9-10.500z M9.500 "
@@ -68,6 +69,12 @@ def draw_icon(name: str, colour: str, size: int = 20, width: float = 1.7) -> QPi
     painter.end()
     pixmap.setDevicePixelRatio(SCALE)
     return pixmap
+
+
+@cache
+def plain_icon(name: str, colour: str) -> QIcon:
+    """An icon of one colour, for lists, whose open branches count as switched on."""
+    return QIcon(draw_icon(name, colour))
 
 
 @cache

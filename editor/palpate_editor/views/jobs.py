@@ -108,6 +108,7 @@ class Jobs(QObject):
         super().__init__(parent)
         self.current: Job | None = None
         self.alive: list[Job] = []
+        self.closed = False
 
     def start(
         self,
@@ -120,7 +121,7 @@ class Jobs(QObject):
 
         `done` and `refused` must be bound methods of objects of the window's thread.
         """
-        if self.current is not None:
+        if self.current is not None or self.closed:
             return None
         self.current = job = self._launch(title, work, done, refused)
         self.started.emit(job)
@@ -133,8 +134,10 @@ class Jobs(QObject):
         work: Work,
         done: Callable[[Any], None],
         refused: Callable[[BaseException], None],
-    ) -> Job:
+    ) -> Job | None:
         """Starts work nobody waits for, such as compiling what is shown beside a form."""
+        if self.closed:
+            return None
         job = self._launch(title, work, done, refused)
         job.start()
         return job
@@ -148,7 +151,8 @@ class Jobs(QObject):
             self.stopped.emit(job)
 
     def finish(self, seconds: float = 5.0) -> None:
-        """Cancels everything and waits for it; before the window goes away."""
+        """Cancels everything, waits for it and begins nothing more; before the window goes away."""
+        self.closed = True
         for job in self.alive:
             job.cancel()
         for job in self.alive:

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from palpate_editor.views.desk import Desk
-from palpate_editor.views.icons import icon
+from palpate_editor.views.icons import plain_icon
 from palpate_editor.views.stage_bar import STAGES, stage_title
 from palpate_editor.views.theme import fixed_font
 from palpate_editor.views.words import say, tr
@@ -79,7 +79,7 @@ class LogDock(QTabWidget):
             words = [stage_title(problem.stage), say(problem.found), say(problem.expected)]
             item = QTreeWidgetItem(words)
             sign, colour = SIGNS[problem.severity]
-            item.setIcon(0, icon(sign, getattr(self.desk.colours, colour)))
+            item.setIcon(0, plain_icon(sign, getattr(self.desk.colours, colour)))
             item.setData(0, STAGE, problem.stage)
             for column in (1, 2):
                 item.setToolTip(column, words[column])

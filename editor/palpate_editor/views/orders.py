@@ -313,6 +313,20 @@ def simulate_orders(w: MainWindow) -> list[Order]:
             needs_organ=True,
         ),
         Order(
+            "record",
+            "simulate",
+            tr("Save the r&ecord…"),
+            test.choose_record,
+            ("Ctrl+Alt+P",),
+            line_before=True,
+        ),
+        Order(
+            "forces", "simulate", tr("E&xport the forces…"), test.plot.choose_csv, ("Ctrl+Alt+X",)
+        ),
+        Order(
+            "clear_plot", "simulate", tr("Clear the force plo&t"), test.plot.clear, ("Ctrl+Alt+C",)
+        ),
+        Order(
             "check",
             "simulate",
             tr("&Check the organ"),

@@ -22,6 +22,8 @@ from PySide6.QtWidgets import (
 from palpate_editor.views.words import tr
 
 WIDTH, ROWS = 620, 11
+SLACK = 22
+"""Points of score behind the best that are still listed."""
 ACTION, PATH, KEYS = (Qt.ItemDataRole.UserRole + i for i in range(3))
 
 
@@ -110,6 +112,7 @@ class CommandPalette(QDialog):
         self.query.installEventFilter(self)
         self.list = QListWidget(self)
         self.list.setItemDelegate(Row(self.list))
+        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.setUniformItemSizes(True)
         self.list.setVerticalScrollMode(QListWidget.ScrollMode.ScrollPerPixel)
         self.list.itemClicked.connect(self.run_item)
@@ -136,6 +139,9 @@ class CommandPalette(QDialog):
             if best is not None:
                 found.append((not action.isEnabled(), -best, order, path, name, action))
         found.sort(key=lambda entry: entry[:3])
+        # far worse than the best is not what was meant
+        least = max((-entry[1] for entry in found), default=0) - SLACK
+        found = [entry for entry in found if not query or -entry[1] >= least]
         self.list.clear()
         for disabled, _, _, path, name, action in found:
             item = QListWidgetItem(name)

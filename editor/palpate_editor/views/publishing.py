@@ -10,7 +10,9 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QProcess, Signal
 
+from palpate_editor.check import Assessment
 from palpate_editor.document import Organ
+from palpate_editor.publish import publish
 from palpate_editor.views.desk import Desk
 from palpate_editor.views.files import Files
 from palpate_editor.views.jobs import Progress
@@ -23,12 +25,11 @@ class PublishWork:
 
     organ: Organ
     path: Path
+    assessment: Assessment | None
 
     def __call__(self, progress: Progress) -> Any:
         progress(tr("Publishing {file}").format(file=self.path.name), 0.2)
-        from palpate_editor.publish import publish
-
-        report = publish(self.organ, self.path)
+        report = publish(self.organ, self.path, self.assessment)
         progress(tr("Done"), 1.0)
         return report
 
@@ -75,7 +76,8 @@ class Publishing(QObject):
             return
         self.wanted = path
         title = tr("Publishing {file}").format(file=path.name)
-        work = PublishWork(self.desk.session.organ, path)
+        known = self.desk.assessment
+        work = PublishWork(self.desk.session.organ, path, known.checked if known else None)
         self.desk.jobs.start(title, work, self.on_published, self.desk.refuse)
 
     def on_published(self, report: Any) -> None:

@@ -33,9 +33,10 @@ class QuantityBox(QAbstractSpinBox):
         self.shown: float | None = None
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
-        self.setMinimumWidth(92)
+        self.setMinimumWidth(70)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.editingFinished.connect(self.enter)
+        self.lineEdit().setTextMargins(5, 0, 5, 0)
         self.lineEdit().textEdited.connect(self.forgive)
 
     # ------------------------------------------------------------ value
@@ -153,7 +154,7 @@ class QuantityRow(QWidget):
         layout.addWidget(box, 1)
         self.unit = QLabel(box.unit, self)
         self.unit.setProperty("role", "name")
-        self.unit.setMinimumWidth(44)
+        self.unit.setMinimumWidth(48)
         layout.addWidget(self.unit)
         box.entered.connect(self.tell)
 

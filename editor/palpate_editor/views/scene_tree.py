@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QHeaderView, QTreeWidget, QTreeWidgetItem, QWidget
 
 from palpate_editor.document import Organ
 from palpate_editor.views.desk import Desk
-from palpate_editor.views.icons import icon
+from palpate_editor.views.icons import plain_icon
 from palpate_editor.views.words import count, number, quantity, tr
 
 STAGE = Qt.ItemDataRole.UserRole
@@ -30,6 +30,7 @@ class SceneTree(QTreeWidget):
         header = self.header()
         header.setStretchLastSection(True)
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
+        self.setMinimumWidth(230)
         self.itemClicked.connect(self.go)
         self.itemActivated.connect(self.go)
         desk.session.changed.connect(self.on_changed)
@@ -79,7 +80,7 @@ class SceneTree(QTreeWidget):
         self, above: QTreeWidgetItem | None, name: str, value: str, sign: str, stage: str
     ) -> QTreeWidgetItem:
         item = QTreeWidgetItem([name, value])
-        item.setIcon(0, icon(sign, self.desk.colours.faint))
+        item.setIcon(0, plain_icon(sign, self.desk.colours.faint))
         item.setData(0, STAGE, stage)
         item.setToolTip(1, value)
         item.setForeground(1, self.palette().placeholderText())

@@ -13,6 +13,7 @@ from palpate.verb import Refusal
 from PySide6.QtCore import QObject, Signal
 
 from palpate_editor.edits import EditError
+from palpate_editor.publish import PublishError
 from palpate_editor.views.words import say, tr
 
 LOG = logging.getLogger(__name__)
@@ -22,6 +23,9 @@ def sentence_of(problem: BaseException) -> str:
     """What to tell a person about an exception."""
     if isinstance(problem, EditError):
         return say(problem.sentence)
+    if isinstance(problem, PublishError):
+        found = "; ".join(f"{say(p.found)} ({say(p.expected)})" for p in problem.problems)
+        return tr("Not published: {problems}.").format(problems=found)
     if isinstance(problem, Refusal | FileError | ValueError):
         return str(problem)
     if isinstance(problem, OSError):

@@ -12,6 +12,9 @@ from palpate_editor.views.desk import Desk
 from palpate_editor.views.stage_bar import Verdict
 from palpate_editor.views.stages.stage_panel import StagePanel
 
+SCROLL_BAR = 14
+"""[px]"""
+
 
 class StageDock(QWidget):
     """Holds all panels and keeps the one that is seen up to date."""
@@ -38,7 +41,12 @@ class StageDock(QWidget):
             area.setWidget(panel)
             self.stack.addWidget(area)
         self.shown_options: QWidget | None = None
-        self.setMinimumWidth(340)
+        self.fit()
+
+    def fit(self) -> None:
+        """As wide as the widest panel needs to be, and its scroll bar."""
+        widest = max(panel.minimumSizeHint().width() for panel in self.panels.values())
+        self.setMinimumWidth(widest + SCROLL_BAR)
 
     def show_stage(self, stage: str) -> None:
         self.stack.setCurrentIndex(list(self.panels).index(stage))

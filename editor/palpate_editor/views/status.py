@@ -112,7 +112,7 @@ class Status(QStatusBar):
             self.place.setText("")
             return
         self.counts.setText(
-            tr("{vertices} vertices  {triangles} triangles").format(
+            tr("{vertices} vertices · {triangles} triangles").format(
                 vertices=count(organ.vertex_count), triangles=count(len(organ.surface.triangles))
             )
         )

@@ -124,6 +124,7 @@ def use_theme(app: QApplication, name: str) -> Colours:
     sheet = SHEET.read_text(encoding="utf-8")
     for field in sorted(Colours.__dataclass_fields__, key=len, reverse=True):
         sheet = sheet.replace(f"@{field}", getattr(colours, field))
+    sheet = sheet.replace("@folder", SHEET.parent.as_posix()).replace("@name", name)
     app.setStyleSheet(sheet)
     return colours
 

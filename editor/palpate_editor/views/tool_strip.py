@@ -14,7 +14,7 @@ from palpate_editor.views.icons import icon
 from palpate_editor.views.theme import Colours
 from palpate_editor.views.words import tr
 
-SIGNS = {"orbit": "orbit", "select": "tick", "fix": "fix", "stiffness": "stiffness"}
+SIGNS = {"orbit": "orbit", "select": "select", "fix": "fix", "stiffness": "stiffness"}
 
 
 class ToolStrip(QToolBar):
@@ -39,6 +39,7 @@ class ToolStrip(QToolBar):
             self.add(tool.name, tool.title(), (tool.shortcut,))
             tool.left.connect(self.use_orbit)
         self.choices["orbit"].setChecked(True)
+        desk.stage_shown.connect(self.on_stage)
         self.group.triggered.connect(self.on_action)
 
     def add(self, name: str, title: str, keys: tuple[str, ...]) -> None:
@@ -70,6 +71,10 @@ class ToolStrip(QToolBar):
             wanted.activate()
         self.show_hint()
         self.chosen.emit(wanted)
+
+    def on_stage(self, stage: str) -> None:
+        del stage
+        self.show_hint()
 
     def show_hint(self) -> None:
         self.desk.set_hint(orbit_hint() if self.current is None else self.current.hint())

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from palpate.viewport import make_view
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QShowEvent
 from PySide6.QtWidgets import QMainWindow, QToolBar, QVBoxLayout, QWidget
 
 from palpate_editor.app.session import Session
@@ -74,7 +74,7 @@ class MainWindow(QMainWindow):
         self.fill_menus()
         self.connect_all()
         self.help = HelpWindow(self)
-        self.docks.restore(settings)
+        self.fresh = not self.docks.restore(settings)
         self.looks.begin(self.actions_by_name)
         self.show_stage("import")
         self.show_organ(session.organ)
@@ -168,7 +168,7 @@ class MainWindow(QMainWindow):
         desk.jobs.stopped.connect(self.on_job)
         self.publishing.published.connect(self.on_published)
         self.stage_bar.chosen.connect(self.show_stage)
-        self.tools.chosen.connect(self.stage_dock.show_tool)
+        self.tools.chosen.connect(self.on_tool)
         self.test_panel.run_changed.connect(self.display.hold)
         self.deeds.decimate_wanted.connect(self.decimate_panel.decimate)
         self.deeds.reimport_wanted.connect(self.import_panel.import_parts)
@@ -212,6 +212,10 @@ class MainWindow(QMainWindow):
         self.display.refresh()
         self.show_history()
         self.show_assessment()
+
+    def on_tool(self, tool: object) -> None:
+        self.stage_dock.show_tool(tool)
+        self.display.refresh_values()
 
     def show_assessment(self) -> None:
         self.stage_dock.show_assessment()
@@ -275,6 +279,13 @@ class MainWindow(QMainWindow):
 
     def reset_layout(self) -> None:
         self.docks.reset()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """The docks only take their sizes in a window that has one."""
+        super().showEvent(event)
+        if self.fresh:
+            self.fresh = False
+            self.docks.arrange()
 
     # ------------------------------------------------------------ dropping and closing
 

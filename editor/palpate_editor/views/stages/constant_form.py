@@ -16,7 +16,7 @@ from palpate_editor.views.quantity_box import QuantityBox, QuantityRow
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.words import say, tr
 
-LABEL_WIDTH = 122
+LABEL_WIDTH = 112
 """[px] so that all sections line up."""
 WALL = 2e-3
 """[m] that a hollow organ begins with."""

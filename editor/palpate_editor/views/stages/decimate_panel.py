@@ -32,6 +32,8 @@ class DecimatePanel(StagePanel):
         self.target.setRange(LEAST, 10_000_000)
         self.target.setSingleStep(STEP)
         self.target.setValue(PRESETS[0])
+        self.target.lineEdit().setTextMargins(5, 0, 5, 0)
+        self.target.setGroupSeparatorShown(True)
         self.target.setKeyboardTracking(False)
         row.addWidget(self.target, 1)
         self.button = self.main_button(tr("Decimate"), "decimate")

@@ -98,6 +98,7 @@ class MaterialPanel(StagePanel):
         self.share = QDoubleSpinBox(self)
         self.share.setObjectName("lowest_share")
         self.share.setRange(0.5, 100.0)
+        self.share.lineEdit().setTextMargins(5, 0, 5, 0)
         self.share.setDecimals(1)
         self.share.setValue(10.0)
         self.share.setSuffix("\N{NO-BREAK SPACE}%")

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A fresh editor on settings and recovery of its own, driven as a person drives it."""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from palpate.viewport.gl_view import build_format
+from palpate_editor.app.settings import Settings
+from palpate_editor.views.editor import Editor
+from palpate_editor.views.window import MainWindow
+from PySide6.QtCore import QEvent, QSettings, Qt
+from PySide6.QtGui import QSurfaceFormat
+from PySide6.QtWidgets import QApplication
+
+PATIENCE = 60_000
+"""[ms] A loaded machine may take long; nothing is judged by it."""
+
+
+@pytest.fixture(scope="session")
+def qapp_cls() -> type[QApplication]:
+    """Before the application: what its windows are drawn with, and dialogs a test can reach."""
+    QSurfaceFormat.setDefaultFormat(build_format())
+    QApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
+    return QApplication
+
+
+@pytest.fixture(autouse=True)
+def end_widgets_in_the_window_thread(qapp: QApplication) -> Iterator[None]:
+    """The cyclic collector may otherwise run in a worker, and end widgets there."""
+    gc.disable()
+    yield
+    qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    qapp.processEvents()
+    gc.collect()
+
+
+@pytest.fixture
+def settings(tmp_path: Path) -> Settings:
+    """Of nobody: nothing chosen yet."""
+    return Settings(QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat))
+
+
+@pytest.fixture
+def make_editor(
+    qtbot, qapp: QApplication, settings: Settings, tmp_path: Path
+) -> Iterator[Callable[..., Editor]]:
+    """make_editor(theme=..., language=...) shows a window and waits until it is drawn."""
+    made: list[Editor] = []
+
+    def make(**wishes: str) -> Editor:
+        folder = tmp_path / "recovery"
+        folder.mkdir(exist_ok=True)
+        editor = Editor(qapp, settings, recovery_folder=folder, **wishes)
+        made.append(editor)
+        editor.show()
+        qtbot.waitExposed(editor.window)
+        settle(qtbot, editor.window)
+        return editor
+
+    yield make
+    for editor in made:
+        end(editor)
+
+
+def end(editor: Editor) -> None:
+    """Closes its window without a question."""
+    window = editor.window
+    window.may_close = True
+    window.close()
+    window.deleteLater()
+    editor.deleteLater()
+
+
+@pytest.fixture
+def editor(make_editor: Callable[..., Editor]) -> Editor:
+    return make_editor(theme="dark", language="en")
+
+
+@pytest.fixture
+def window(editor: Editor) -> MainWindow:
+    """An empty main window, shown."""
+    return editor.window
+
+
+@pytest.fixture
+def spleen(shared_data: Callable[[str], Path]) -> Path:
+    return shared_data("organs/VH_F_Spleen.glb")
+
+
+@pytest.fixture
+def spleen_window(qtbot, window: MainWindow, spleen: Path) -> MainWindow:
+    """A window with a real organ in it, decimated to 600 vertices and fixed at its lowest part."""
+    window.files.open(spleen)
+    settle(qtbot, window)
+    window.desk.tasks.decimate(600)
+    settle(qtbot, window)
+    window.deeds.fix_lowest()
+    settle(qtbot, window)
+    return window
+
+
+def settle(qtbot, window: MainWindow) -> None:
+    """Waits until no work is under way and the organ on the desk has been looked at."""
+    qtbot.waitUntil(lambda: window.desk.jobs.current is None, timeout=PATIENCE)
+    qtbot.waitUntil(
+        lambda: window.desk.assessor.is_current and not window.desk.assessor.busy, timeout=PATIENCE
+    )
