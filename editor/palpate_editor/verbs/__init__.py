@@ -4,5 +4,6 @@
 from __future__ import annotations
 
 from palpate_editor.verbs import demo, mesh, publish, tissue
+from palpate_editor.views.verb import EDITOR
 
-VERBS = [*mesh.VERBS, *tissue.VERBS, *publish.VERBS, *demo.VERBS]
+VERBS = [*mesh.VERBS, *tissue.VERBS, *publish.VERBS, *demo.VERBS, EDITOR]
