@@ -15,6 +15,7 @@ from palpate_editor.document import EMPTY
 from palpate_editor.edits import FixVertices, PaintStiffness, SetConstant
 from palpate_editor.views.touch import TestPanel
 from palpate_editor.views.touch.press_form import write_command
+from palpate_editor.views.words import count
 from PySide6.QtCore import QEvent, QPoint, Qt
 from touch_desk import build_organ, drag, hover, middle, open_desk, send_mouse
 
@@ -74,7 +75,7 @@ def test_a_scripted_press_in_the_window_feels_what_the_command_line_feels(
     panel.press_form.show_place(np.array([0.01, -0.02, 0.02]))
     panel.press_form._take_pull(4e-3)
     outcome = press(panel, qtbot)
-    panel.save_record(tmp_path / "kept.prec")
+    panel.results.save_record(tmp_path / "kept.prec")
 
     script, place = panel.press_form.script(), panel.press_form.place
     words = write_command(str(tmp_path / "kept.palpate"), script, place)
@@ -90,7 +91,7 @@ def test_a_scripted_press_in_the_window_feels_what_the_command_line_feels(
 
 def test_a_kept_record_replays_to_the_same_bits(panel, qtbot, tmp_path, capsys):
     press(panel, qtbot)
-    panel.save_record(tmp_path / "kept.prec")
+    panel.results.save_record(tmp_path / "kept.prec")
     assert main(["replay", str(tmp_path / "kept.prec"), "--json"]) == 0
     report = json.loads(capsys.readouterr().out)
     assert report["equal"] and report["ticks"] > 500
@@ -98,9 +99,9 @@ def test_a_kept_record_replays_to_the_same_bits(panel, qtbot, tmp_path, capsys):
 
 def test_the_panel_says_what_a_press_felt_and_the_plot_holds_every_tick(panel, qtbot):
     outcome = press(panel, qtbot)
-    words = panel.facts.words()
+    words = panel.results.facts.words()
     assert words["Peak force"].startswith(f"{outcome.felt['peak_force_N']:.3g}")
-    assert words["Missed ticks"].endswith(f"/ {outcome.report.ticks}")
+    assert words["Missed ticks"].endswith(f"/ {count(outcome.report.ticks)}")
     trace = panel.plot.traces[-1]
     assert len(trace) == len(outcome.record.hand)
     assert trace.find_peak()[1] == pytest.approx(outcome.felt["peak_force_N"], rel=1e-6)

@@ -13,9 +13,10 @@ from palpate.render.theme import THEMES
 from palpate.whole_file import write_whole
 from PySide6.QtCore import QEvent, QPoint, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QColor
-from PySide6.QtWidgets import QFileDialog, QMenu, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QMenu, QVBoxLayout, QWidget
 
 from palpate_editor.views.touch.force_trace import ForceTrace, write_csv
+from palpate_editor.views.touch.save_dialog import ask_save
 
 FRAME = 33
 """[ms] between two drawings, about 30 a second."""
@@ -114,11 +115,16 @@ class ForcePlot(QWidget):
         if not self.traces:
             self.failed.emit(self.tr("There is no run to export yet: press the organ first."))
             return
-        chosen, _ = QFileDialog.getSaveFileName(
-            self, self.tr("Export forces"), "forces.csv", self.tr("Table (*.csv)")
+        ask_save(
+            self,
+            self.tr("Export forces"),
+            "forces.csv",
+            self.tr("Table (*.csv)"),
+            self._take_csv_name,
         )
-        if chosen:
-            self.export_csv(Path(chosen))
+
+    def _take_csv_name(self, name: str) -> None:
+        self.export_csv(Path(name))
 
     def export_csv(self, path: Path) -> None:
         """Writes all runs in the plot, whole or not at all."""

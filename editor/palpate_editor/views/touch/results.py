@@ -4,17 +4,17 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 import palpate
 from numpy.typing import NDArray
-from palpate import scenario
 from palpate.press import Moments, Place, measure_press
 from palpate.run import describe_build
 
 from palpate_editor.document import Organ
+from palpate_editor.publish import write_scenario
 
 SCENE_SUFFIX = ".palpate"
 
@@ -62,7 +62,7 @@ def keep_record(outcome: Outcome, path: Path) -> Path:
     scene = path.with_suffix(SCENE_SUFFIX)
     organ = outcome.organ
     title = organ.title or organ.name or path.stem
-    scenario.write(str(scene), scenario.Scenario(scene=outcome.scene, title=title, task=organ.task))
+    write_scenario(replace(organ, title=title), outcome.scene, scene)
     header = describe_build(scene, path, outcome.device)
     record = palpate.Record(
         header=json.dumps(header),

@@ -3,13 +3,11 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
-    QFileDialog,
     QHBoxLayout,
     QLineEdit,
     QPushButton,
@@ -20,16 +18,17 @@ from PySide6.QtWidgets import (
 )
 
 from palpate_editor.document import Organ
-from palpate_editor.views.stages.facts import Facts, write_label
+from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.stages.stage_panel import StagePanel
 from palpate_editor.views.theme import fixed_font
 from palpate_editor.views.touch.force_plot import ForcePlot
 from palpate_editor.views.touch.live_costs import LiveCosts
 from palpate_editor.views.touch.place_tool import PlaceTool
 from palpate_editor.views.touch.press_form import PressForm, write_command
-from palpate_editor.views.touch.results import Outcome, keep_record
+from palpate_editor.views.touch.results import Outcome
+from palpate_editor.views.touch.results_box import ResultsBox
 from palpate_editor.views.touch.runner import HandWish, PressWish, Runner
-from palpate_editor.views.words import quantity, tr
+from palpate_editor.views.words import tr
 
 HAND, PRESS = 0, 1
 """Tabs."""
@@ -45,7 +44,6 @@ class TestPanel(StagePanel):
 
     def __init__(self, desk: Any, parent: QWidget | None = None):
         self.plot, self.costs = ForcePlot(), LiveCosts()
-        self.outcome: Outcome | None = None
         super().__init__(
             desk,
             tr("Feel the organ in the loop a device will run, 1000 times a second."),
@@ -65,7 +63,6 @@ class TestPanel(StagePanel):
         self.plot.said.connect(self._say)
         self.press_form.refused.connect(desk.tell)
         self._show_command()
-        self._show_outcome()
         self._show_state()
 
     # ------------------------------------------------------------ looks
@@ -84,19 +81,7 @@ class TestPanel(StagePanel):
         self.state.setWordWrap(True)
         self.form.addWidget(self.state)
         results = self.section(tr("Last run"))
-        self.facts = Facts(self)
-        results.add(self.facts)
-        self.save_button = QPushButton(tr("Save record…"), self)
-        self.save_button.setObjectName("save_record")
-        self.save_button.setProperty("small", True)
-        self.save_button.setToolTip(
-            tr("Every tick of the run and, beside it, the organ: to replay and to compare")
-        )
-        self.save_button.clicked.connect(self.choose_record)
-        row = QHBoxLayout()
-        row.addStretch(1)
-        row.addWidget(self.save_button)
-        results.body.addLayout(row)
+        self.results = results.add(ResultsBox(self.desk, self))
 
     def _build_hand(self) -> QWidget:
         page = QWidget(self)
@@ -155,6 +140,11 @@ class TestPanel(StagePanel):
     def running(self) -> bool:
         return self.runner.running
 
+    @property
+    def outcome(self) -> Outcome | None:
+        """The last run that is over."""
+        return self.results.outcome
+
     def toggle(self) -> None:
         """Starts what is chosen; pauses it and goes on when it runs."""
         if self.runner.running:
@@ -186,6 +176,10 @@ class TestPanel(StagePanel):
         self._end_pick()
         self.runner.stop()
 
+    def choose_record(self) -> None:
+        """Asks for a file and keeps the last run in it."""
+        self.results.choose_record()
+
     def _on_start(self) -> None:
         if self.runner.running or self.runner.waiting:
             self.stop()
@@ -215,6 +209,11 @@ class TestPanel(StagePanel):
         if before.surface is not after.surface:
             self.press_form.show_place(None)
         self._show_command()
+
+    def good_news(self) -> list[str]:
+        if not self.desk.session.is_tested:
+            return []
+        return [tr("The organ was felt as it is now.")]
 
     # ------------------------------------------------------------ the place
 
@@ -269,60 +268,6 @@ class TestPanel(StagePanel):
         self.run_changed.emit(runner.running)
 
     def _take_outcome(self, outcome: Outcome) -> None:
-        self.outcome = outcome
-        self._show_outcome()
+        self.results.show_outcome(outcome)
         if outcome.device == "script":
             self.desk.log_command(self._command_words())
-
-    def _show_outcome(self) -> None:
-        outcome = self.outcome
-        self.save_button.setEnabled(outcome is not None)
-        if outcome is None:
-            self.facts.show_facts([(tr("Nothing felt yet"), "")])
-            return
-        felt = outcome.felt
-        facts = [
-            (tr("Run"), outcome.name),
-            (tr("Peak force"), quantity(felt["peak_force_N"], "N", 3)),
-        ]
-        if "patch_stiffness_N_per_m" in felt:
-            stiffness, pull = felt["patch_stiffness_N_per_m"], felt["pull_force_N"]
-            facts.append((tr("Patch stiffness"), quantity(stiffness, "N/m", 3)))
-            if pull is not None:
-                facts.append((tr("Pull force"), quantity(pull, "N", 3)))
-        rate, report = outcome.scene.rate, outcome.report
-        for name, cost in ((tr("Tick"), report.cost), (tr("Lateness"), report.lateness)):
-            share = f"{100 * cost.median * rate:.0f} %, p99 {100 * cost.p99 * rate:.0f} %"
-            facts.append((name, share))
-        facts.append((tr("Missed ticks"), f"{report.missed_ticks} / {report.ticks}"))
-        self.facts.show_facts(facts)
-
-    # ------------------------------------------------------------ the record
-
-    def choose_record(self) -> None:
-        """Asks for a file and keeps the last run in it."""
-        if self.outcome is None:
-            self.desk.tell(tr("There is no run to save yet."))
-            return
-        first = (self.desk.session.organ.name or "organ") + ".prec"
-        chosen, _ = QFileDialog.getSaveFileName(
-            self, tr("Save record"), first, tr("Record (*.prec)")
-        )
-        if chosen:
-            self.save_record(Path(chosen))
-
-    def save_record(self, path: Path) -> None:
-        """Keeps the last run, with the organ beside it."""
-        path = path if path.suffix else path.with_suffix(".prec")
-        try:
-            scene = keep_record(self.outcome, path)
-        except (OSError, ValueError) as problem:
-            self.desk.refuse(problem)
-            return
-        self.desk.tell(
-            tr("Kept in {record}, with the organ beside it in {scene}.").format(
-                record=path.name, scene=scene.name
-            ),
-            "info",
-        )
-        self.desk.log_command(["palpate", "replay", str(path)])
