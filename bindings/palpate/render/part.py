@@ -73,9 +73,9 @@ class Part:
             selection=np.zeros(vertex_count, np.float32),
             openness=np.ones(vertex_count, np.float32),
         )
-        streams = [(buffer, f"{WIDTHS[name]}f", name) for name, buffer in self._streams.items()]
-        self._surface = context.vertex_array(surface, streams, self._indices)
         self._context = context
+        self._arrays: dict[moderngl.Program, moderngl.VertexArray] = {}
+        self._bind(surface)
         self._depth: moderngl.VertexArray | None = None
 
     def update(self, **streams: NDArray[np.float32]) -> None:
@@ -97,8 +97,11 @@ class Part:
         for name, array in streams.items():
             self._streams[name].write(array)
 
-    def draw(self) -> None:
-        self._surface.render()
+    def draw(self, surface: moderngl.Program) -> None:
+        """Draws with a program that wants all streams."""
+        if surface not in self._arrays:
+            self._bind(surface)
+        self._arrays[surface].render()
 
     def draw_depth(self, program: moderngl.Program) -> None:
         """Draws with a program that wants positions alone."""
@@ -109,6 +112,10 @@ class Part:
 
     def release(self) -> None:
         """Gives back the memory of the graphics card."""
-        for thing in (self._surface, self._depth, self._indices, *self._streams.values()):
+        for thing in (*self._arrays.values(), self._depth, self._indices, *self._streams.values()):
             if thing is not None:
                 thing.release()
+
+    def _bind(self, surface: moderngl.Program) -> None:
+        streams = [(buffer, f"{WIDTHS[name]}f", name) for name, buffer in self._streams.items()]
+        self._arrays[surface] = self._context.vertex_array(surface, streams, self._indices)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from importlib.resources import files
 
 import moderngl
@@ -10,13 +11,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 
-def build_program(context: moderngl.Context, name: str, geometry: bool = False) -> moderngl.Program:
-    """The program of name.vert, name.frag and, where asked for, name.geom."""
+def build_program(
+    context: moderngl.Context,
+    name: str,
+    geometry: bool = False,
+    defines: Mapping[str, int] | None = None,
+) -> moderngl.Program:
+    """The program of name.vert, name.frag and, where asked for, name.geom.
+
+    `defines` are constants that the fragment shader is compiled with.
+    """
     folder = files("palpate.render") / "shaders"
+    fragment = (folder / f"{name}.frag").read_text(encoding="utf-8")
+    for key, value in (defines or {}).items():
+        fragment = fragment.replace("core\n", f"core\n#define {key} {value}\n", 1)
     return context.program(
         vertex_shader=(folder / f"{name}.vert").read_text(encoding="utf-8"),
         geometry_shader=(folder / f"{name}.geom").read_text(encoding="utf-8") if geometry else None,
-        fragment_shader=(folder / f"{name}.frag").read_text(encoding="utf-8"),
+        fragment_shader=fragment,
     )
 
 

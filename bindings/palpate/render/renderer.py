@@ -15,7 +15,7 @@ from palpate.render.ground import Ground
 from palpate.render.part import Look, Part
 from palpate.render.program import build_program, write_matrix
 from palpate.render.shadow import ShadowMap
-from palpate.render.theme import DARK, SELECTED, Theme
+from palpate.render.theme import DARK, SELECTED, Colour, Theme
 
 KEY = (-0.55, 0.75, 0.62)
 FILL = (0.85, 0.10, 0.45)
@@ -25,6 +25,9 @@ looks at is never in the dark."""
 GHOST = 0.3
 """[-] opacity of what shines through."""
 COLOURS_UNIT, SHADOW_UNIT = 0, 1
+GAMMA = 2.2
+SHADOW_TAPS = 24
+"""Comparisons that blur the edge of a shadow."""
 
 
 @dataclass(frozen=True)
@@ -54,18 +57,19 @@ class Renderer:
         self.wire_width = 1.0
         """[px]"""
         self._centre, self._radius = np.zeros(3), 1.0
-        self._surface = build_program(context, "surface", geometry=True)
+        self._bare = self._build_surface(0)
+        self._shaded: moderngl.Program | None = None
         self._backdrop = context.vertex_array(build_program(context, "background"), [])
-        self._colours = context.texture((LUT_SIZE, 1), 3, alignment=1)
+        self._colours = context.texture((LUT_SIZE, 1), 3, dtype="f4")
         self._colours.filter = (moderngl.LINEAR, moderngl.LINEAR)
         self._colours.repeat_x = self._colours.repeat_y = False
         self._shadow = ShadowMap(context)
         self._range = (0.0, 1.0)
-        self._colours.write(COLOUR_MAPS["viridis"]().tobytes())
+        self._write_colours("viridis")
 
     def add(self, vertex_count: int, triangles: ArrayLike, look: Look) -> Part:
         """A new part; its streams are empty until Part.update. Raises ValueError."""
-        part = Part(self.context, self._surface, vertex_count, triangles, look)
+        part = Part(self.context, self._bare, vertex_count, triangles, look)
         self.parts.append(part)
         return part
 
@@ -75,17 +79,26 @@ class Renderer:
 
     def use_legend(self, legend: Legend) -> None:
         """Paints values as a legend says; costs nothing per vertex."""
-        self._colours.write(COLOUR_MAPS[legend.colour_map]().tobytes())
+        self._write_colours(legend.colour_map)
         self._range = (legend.low, legend.high)
 
     def use_bounds(self, centre: ArrayLike, radius: float) -> None:
         """The ball [m] that holds all that is in sight."""
         self._centre, self._radius = np.asarray(centre, dtype=float), radius
 
-    def draw(self, camera: Camera, size: tuple[int, int], tile: Tile | None = None) -> None:
-        """Draws a picture of `size` pixels, or a tile of it, into the framebuffer in use."""
+    def draw(
+        self,
+        camera: Camera,
+        size: tuple[int, int],
+        tile: Tile | None = None,
+        shadows_anew: bool = True,
+    ) -> None:
+        """Draws a picture of `size` pixels, or a tile of it, into the framebuffer in use.
+
+        Without `shadows_anew`, shadows fall as in the last call: for further tiles of a picture.
+        """
         screen = self.context.fbo
-        if self.shadow_softness > 0.0:
+        if self.shadow_softness > 0.0 and shadows_anew:
             self._shadow.draw(self.parts, self._centre, self._radius, lamp(camera, KEY))
             screen.use()
         tile = tile or Tile(0, 0, *size)
@@ -97,8 +110,9 @@ class Renderer:
         world_to_clip = cut(size, tile) @ seen
         if self.ground is not None and camera.elevation > 0.0:
             self.ground.draw(self.theme, world_to_clip)
-        self._light(camera, world_to_clip)
-        self._draw_parts()
+        program = self._choose_surface()
+        self._light(program, camera, world_to_clip)
+        self._draw_parts(program)
 
     def release(self) -> None:
         """Gives back all memory of the graphics card, that of the parts included."""
@@ -108,8 +122,24 @@ class Renderer:
         if self.ground is not None:
             self.ground.release()
         self._shadow.release()
-        for thing in (self._backdrop, self._colours, self._surface):
-            thing.release()
+        for thing in (self._backdrop, self._colours, self._bare, self._shaded):
+            if thing is not None:
+                thing.release()
+
+    def _write_colours(self, name: str) -> None:
+        colours = (COLOUR_MAPS[name]() / 255.0) ** GAMMA
+        self._colours.write(colours.astype(np.float32).tobytes())
+
+    def _build_surface(self, taps: int) -> moderngl.Program:
+        return build_program(self.context, "surface", geometry=True, defines={"SHADOW_TAPS": taps})
+
+    def _choose_surface(self) -> moderngl.Program:
+        """With shadows only where they are asked for: they are most of the work."""
+        if self.shadow_softness <= 0.0:
+            return self._bare
+        if self._shaded is None:
+            self._shaded = self._build_surface(SHADOW_TAPS)
+        return self._shaded
 
     def _draw_backdrop(self, size: tuple[int, int], tile: Tile) -> None:
         self.context.enable_only(moderngl.NOTHING)
@@ -124,29 +154,33 @@ class Renderer:
         )
         self._backdrop.render(moderngl.TRIANGLES, vertices=3)
 
-    def _light(self, camera: Camera, world_to_clip: NDArray[np.float64]) -> None:
+    def _light(
+        self, program: moderngl.Program, camera: Camera, world_to_clip: NDArray[np.float64]
+    ) -> None:
         """What all parts of one frame share."""
-        program = self._surface
         write_matrix(program, "world_to_clip", world_to_clip)
         program["eye"].value = tuple(camera.eye())
         for name, direction in (("to_key", KEY), ("to_fill", FILL), ("to_rim", RIM)):
             program[name].value = tuple(lamp(camera, direction))
         program["ambient"].value = self.theme.ambient
         program["value_range"].value = self._range
-        program["highlight"].value = SELECTED
-        program["colours"].value, program["shadow"].value = COLOURS_UNIT, SHADOW_UNIT
+        program["highlight"].value = decode(SELECTED)
+        program["colours"].value = COLOURS_UNIT
         self._colours.use(COLOURS_UNIT)
+        if program is self._bare:
+            return
+        program["shadow"].value = SHADOW_UNIT
         self._shadow.texture.use(SHADOW_UNIT)
         # the map is two radii wide
         program["shadow_softness"].value = self.shadow_softness / 2
         write_matrix(program, "world_to_shadow", self._shadow.world_to_texture)
 
-    def _draw_parts(self) -> None:
+    def _draw_parts(self, program: moderngl.Program) -> None:
         """First what may hide, then ghosts of what is hidden behind it, then what is not."""
         self.context.enable_only(moderngl.DEPTH_TEST)
         for part in self.parts:
             if not part.look.seen_through:
-                self._draw_part(part, 1.0)
+                self._draw_part(program, part, 1.0)
         screen, through = self.context.fbo, [p for p in self.parts if p.look.seen_through]
         # back faces would shine through the ghost itself
         self.context.enable_only(moderngl.DEPTH_TEST | moderngl.BLEND | moderngl.CULL_FACE)
@@ -158,19 +192,25 @@ class Renderer:
         )
         self.context.depth_func, screen.depth_mask = ">", False
         for part in through:
-            self._draw_part(part, GHOST)
+            self._draw_part(program, part, GHOST)
         self.context.depth_func, screen.depth_mask = "<", True
         self.context.enable_only(moderngl.DEPTH_TEST)
         for part in through:
-            self._draw_part(part, 1.0)
+            self._draw_part(program, part, 1.0)
 
-    def _draw_part(self, part: Part, opacity: float) -> None:
-        program, look = self._surface, part.look
-        program["mapped"].value, program["colour"].value = look.mapped, look.colour
+    def _draw_part(self, program: moderngl.Program, part: Part, opacity: float) -> None:
+        look = part.look
+        program["mapped"].value, program["colour"].value = look.mapped, decode(look.colour)
         program["gloss"].value, program["softness"].value = look.gloss, look.softness
         program["wire_width"].value = self.wire_width if look.wired else 0.0
         program["opacity"].value = opacity
-        part.draw()
+        part.draw(program)
+
+
+def decode(colour: Colour) -> Colour:
+    """sRGB to linear light, as the shader turns it back."""
+    red, green, blue = (part**GAMMA for part in colour)
+    return red, green, blue
 
 
 def lamp(camera: Camera, direction: tuple[float, float, float]) -> NDArray[np.float64]:

@@ -16,19 +16,21 @@ uniform vec3 to_fill;
 uniform vec3 to_rim;
 uniform float ambient;        // light from all around, of the theme
 
-uniform sampler2D colours;    // 256 by 1
+uniform sampler2D colours;    // 256 by 1, linear light, like the colours below
 uniform vec2 value_range;
 uniform bool mapped;          // whether the colour map or `colour` paints this part
-uniform vec3 colour;          // sRGB
-uniform vec3 highlight;       // sRGB, of what is selected
+uniform vec3 colour;
+uniform vec3 highlight;       // of what is selected
 uniform float gloss;          // 0 dull, 1 wet or polished
 uniform float softness;       // how far light creeps around into the shade, as in flesh
 uniform float wire_width;     // [px], 0 for no wireframe
 uniform float opacity;        // 0 to 1
 
+// SHADOW_TAPS, 0 for no shadow, is defined by the program: were it a uniform, a processor that
+// computes many fragments in step would make all comparisons and then not use them.
 uniform mat4 world_to_shadow;
 uniform sampler2DShadow shadow;
-uniform float shadow_softness;  // radius of the blur, in texture coordinates; 0 for no shadow
+uniform float shadow_softness;  // radius of the blur, in texture coordinates
 
 out vec4 result;
 
@@ -38,8 +40,6 @@ const vec3 RIM = vec3(0.80, 0.90, 1.00);
 const vec3 SKY = vec3(0.94, 0.97, 1.00);
 const vec3 FLOOR = vec3(0.50, 0.44, 0.41);
 
-vec3 decode(vec3 srgb) { return pow(srgb, vec3(2.2)); }
-
 // Screens end at white: what is brighter rolls off instead of being cut.
 vec3 encode(vec3 light) {
   vec3 over = max(light - 0.8, 0.0);
@@ -48,34 +48,37 @@ vec3 encode(vec3 light) {
 }
 
 vec3 paint(bool outside) {
-  vec3 c = decode(colour);
+  vec3 c = colour;
   if (mapped) {
     float t = clamp((fragment.value - value_range.x) / (value_range.y - value_range.x), 0.0, 1.0);
     // texel centres, so that both ends of the range get their very colour
-    c = decode(texture(colours, vec2((t * 255.0 + 0.5) / 256.0, 0.5)).rgb);
+    c = texture(colours, vec2((t * 255.0 + 0.5) / 256.0, 0.5)).rgb;
   }
   // the inner side of an open surface is paler and duller, so it is never taken for the outer one
   float grey = dot(c, vec3(0.2126, 0.7152, 0.0722));
   if (!outside) c = mix(vec3(0.55 * grey + 0.16), c, 0.45) * vec3(1.0, 0.93, 0.88);
-  return mix(c, decode(highlight), 0.85 * smoothstep(0.0, 1.0, fragment.selection));
+  return mix(c, highlight, 0.85 * smoothstep(0.0, 1.0, fragment.selection));
 }
 
 // Share of the key light that arrives: a disc of comparisons in the shadow map, each of them
 // already smoothed over four texels.
 float lit(vec3 n) {
-  if (shadow_softness <= 0.0) return 1.0;
+#if SHADOW_TAPS == 0
+  return 1.0;
+#else
   float facing = dot(n, to_key);
   vec3 at = (world_to_shadow * vec4(fragment.position, 1.0)).xyz;
   at.z -= 0.002 + 0.008 * (1.0 - clamp(facing, 0.0, 1.0));
   float sum = 0.0;
-  for (int i = 0; i < 24; ++i) {
+  for (int i = 0; i < SHADOW_TAPS; ++i) {
     // a sunflower fills the disc evenly
-    float radius = sqrt((float(i) + 0.5) / 24.0), angle = 2.399963 * float(i);
+    float radius = sqrt((float(i) + 0.5) / float(SHADOW_TAPS)), angle = 2.399963 * float(i);
     vec2 offset = shadow_softness * radius * vec2(cos(angle), sin(angle));
     sum += texture(shadow, at + vec3(offset, 0.0));
   }
   // where light only grazes, the flat triangles of a coarse mesh would shade their own smooth normals
-  return mix(1.0, sum / 24.0, smoothstep(0.05, 0.45, facing));
+  return mix(1.0, sum / float(SHADOW_TAPS), smoothstep(0.05, 0.45, facing));
+#endif
 }
 
 // 1 on an edge of the triangle, 0 away from it; edges that would run together fade away.
@@ -105,7 +108,8 @@ void main() {
   vec3 wrap = softness * vec3(1.0, 0.45, 0.35);
   vec3 key = max((vec3(dot(n, to_key)) + wrap) / (1.0 + wrap), 0.0) * mix(0.12, 1.0, shade);
   float fill = max(0.5 + 0.5 * dot(n, to_fill), 0.0);
-  float edge = pow(1.0 - clamp(dot(n, v), 0.0, 1.0), 3.0);
+  float graze = 1.0 - clamp(dot(n, v), 0.0, 1.0);
+  float edge = graze * graze * graze;
   float rim = edge * max(0.25 + 0.75 * dot(n, to_rim), 0.0);
 
   vec3 light = 1.1 * KEY * key * mix(0.6, 1.0, open);
@@ -113,8 +117,8 @@ void main() {
   light += ambient * mix(FLOOR, SKY, 0.5 + 0.5 * n.z) * open;
   vec3 c = albedo * light;
 
-  float sharp = pow(max(dot(n, normalize(to_key + v)), 0.0), 90.0);
-  float broad = pow(max(dot(n, normalize(to_key + v)), 0.0), 14.0);
+  float mirror = max(dot(n, normalize(to_key + v)), 0.0);
+  float sharp = pow(mirror, 90.0), broad = pow(mirror, 14.0);
   float window = pow(max(dot(n, normalize(to_fill + v)), 0.0), 50.0);
   c += gloss * shade * KEY * (0.30 * sharp + 0.085 * broad) + gloss * 0.06 * FILL * window * open;
   c += RIM * rim * open * (0.10 + 0.35 * albedo) * 1.3;
