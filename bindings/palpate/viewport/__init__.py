@@ -8,9 +8,10 @@ from palpate.viewport.fbo_view import FboView
 from palpate.viewport.gl_view import GLView
 from palpate.viewport.hud import Hud
 from palpate.viewport.legend_bar import LegendBar
-from palpate.viewport.make_view import make_view
+from palpate.viewport.make_view import View, make_view
 from palpate.viewport.pointer_hand import Grip, PointerHand
-from palpate.viewport.view_base import View, ViewBase, ViewTool
+from palpate.viewport.view_base import ViewBase
+from palpate.viewport.view_tool import ViewTool
 
 __all__ = [
     "FboView",

@@ -1,21 +1,39 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where frames are drawn before they are shown: as fine or as coarse as there is time for."""
+"""Where frames are drawn before they are shown: at once, and then as finely as there is time for.
+
+A graphics card draws every frame in full. A processor that stands in for one would need most of a
+second for it, so it draws a smaller frame without shadows while things move, and once they rest
+the fine one, tile by tile, each short enough not to be noticed.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import Any
 
 import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from palpate.render import Camera, Renderer
+from palpate.render import Camera, Tile
+from palpate.render.studio import cut_tiles
+from palpate.viewport.scenery import Scenery
 
+SOFTWARE = ("llvmpipe", "softpipe", "swrast")
+QUICK_PIXELS = 320_000
+"""Of a frame that a processor draws while things move; it is stretched to the view."""
+TILE = 192
+"""[px] Sides of what is drawn between two events of the window: some 30 ms on a processor."""
+SAMPLES = 4
+SHADOW_SOFTNESS = 0.035
+WIRE_WIDTH = 1.05
+"""[px]"""
 COPY_VERTEX = """#version 330 core
+uniform bool upside_down;
 out vec2 place;
 void main() {
   place = vec2(gl_VertexID == 1 ? 2.0 : 0.0, gl_VertexID == 2 ? 2.0 : 0.0);
   gl_Position = vec4(2.0 * place - 1.0, 0.0, 1.0);
+  if (upside_down) place.y = 1.0 - place.y;
 }"""
 COPY_FRAGMENT = """#version 330 core
 in vec2 place;
@@ -23,77 +41,139 @@ uniform sampler2D frame;
 out vec4 result;
 void main() { result = vec4(texture(frame, place).rgb, 1.0); }"""
 
+Size = tuple[int, int]
 
-@dataclass(frozen=True)
-class Quality:
-    """How finely a frame is drawn."""
 
-    samples: int
-    """Per pixel, at edges."""
-    shadow_softness: float
-    """[-] as Renderer.shadow_softness."""
-    most_pixels: float = float("inf")
-    """Larger frames are drawn smaller and stretched."""
+class Target:
+    """A framebuffer of some size; drawn in with several samples and looked at with one."""
+
+    def __init__(self, context: moderngl.Context, size: Size, samples: int):
+        self._context, self.size = context, size
+        samples = min(samples, context.max_samples)
+        self.texture = context.texture(size, 4, alignment=1)
+        self.texture.filter = (moderngl.LINEAR, moderngl.LINEAR)
+        self.texture.repeat_x = self.texture.repeat_y = False
+        depth = context.depth_renderbuffer(size, samples=samples)
+        self._things: list[Any] = [depth, self.texture]
+        if samples:
+            colour = context.renderbuffer(size, 4, samples=samples)
+            self.drawn = context.framebuffer([colour], depth)
+            self.frame = context.framebuffer([self.texture])
+            self._things += [colour, self.drawn]
+        else:
+            self.drawn = self.frame = context.framebuffer([self.texture], depth)
+        self._things.append(self.frame)
+
+    def resolve(self) -> None:
+        if self.drawn is not self.frame:
+            self._context.copy_framebuffer(self.frame, self.drawn)
+
+    def release(self) -> None:
+        for thing in self._things:
+            thing.release()
 
 
 class Canvas:
-    """A framebuffer of our own on a context, which must be current in every call."""
+    """The frames of one view on a context, which must be current in every call."""
 
     def __init__(self, context: moderngl.Context):
         self._context = context
         self._program = context.program(vertex_shader=COPY_VERTEX, fragment_shader=COPY_FRAGMENT)
         self._copy = context.vertex_array(self._program, [])
-        self._key: tuple[int, int, int] | None = None
-        self._things: list = []
-        self.size = (0, 0)
-        """[px] of the frame last drawn."""
+        name = context.info["GL_RENDERER"].lower()
+        self.is_software = any(word in name for word in SOFTWARE)
+        self._targets: dict[str, Target] = {}
+        self._key: object = None
+        self._tiles: list[Tile] | None = None
+        self._is_fine = False
 
-    def draw(
-        self, renderer: Renderer, camera: Camera, size: tuple[int, int], quality: Quality
-    ) -> None:
-        """Draws a frame of `size` pixels or, where the quality says so, a smaller one."""
-        shrink = min(1.0, (quality.most_pixels / (size[0] * size[1])) ** 0.5)
-        self.size = (max(1, round(shrink * size[0])), max(1, round(shrink * size[1])))
-        self._make(self.size, min(quality.samples, self._context.max_samples))
-        self._drawn.use()
-        renderer.draw(camera, self.size)
-        if self._drawn is not self._frame:
-            self._context.copy_framebuffer(self._frame, self._drawn)
+    def draw(self, scenery: Scenery, camera: Camera, size: Size, ratio: float) -> bool:
+        """Draws a frame of `size` pixels, `ratio` of them for each of the window's.
 
-    def paste(self, target: moderngl.Framebuffer, size: tuple[int, int]) -> None:
-        """Shows the frame in a framebuffer of `size` pixels, stretched to fill it."""
-        target.use()
-        target.viewport = (0, 0, *size)
-        self._context.enable_only(moderngl.NOTHING)
-        self._texture.use(0)
-        self._program["frame"].value = 0
-        self._copy.render(moderngl.TRIANGLES, vertices=3)
+        False, at no cost, where nothing has changed since the last one.
+        """
+        key = (scenery.version, describe(camera), size)
+        if key == self._key:
+            return False
+        self._key, self._tiles, self._is_fine = key, None, not self.is_software
+        shrink = 1.0
+        if self.is_software:
+            shrink = min(1.0, (QUICK_PIXELS / (size[0] * size[1])) ** 0.5)
+        small = (max(1, round(shrink * size[0])), max(1, round(shrink * size[1])))
+        target = self._use("whole", small, SAMPLES if self._is_fine else 0)
+        renderer = scenery.prepare(
+            SHADOW_SOFTNESS if self._is_fine else 0.0, WIRE_WIDTH * ratio * shrink
+        )
+        target.drawn.use()
+        renderer.draw(camera, small)
+        target.resolve()
+        return True
+
+    def refine(self, scenery: Scenery, camera: Camera, size: Size, ratio: float) -> bool:
+        """Draws the next tile of the fine frame of what was drawn last; False once it is whole."""
+        if self._is_fine or self._key != (scenery.version, describe(camera), size):
+            return False
+        first = self._tiles is None
+        if self._tiles is None:
+            self._tiles = list(cut_tiles(size, TILE))
+        tile = self._tiles.pop()
+        small = self._use("tile", (TILE, TILE), SAMPLES)
+        renderer = scenery.prepare(SHADOW_SOFTNESS, WIRE_WIDTH * ratio)
+        small.drawn.use()
+        renderer.draw(camera, size, tile, shadows_anew=first)
+        small.resolve()
+        fine = self._use("fine", size, 0)
+        place = (tile.left, tile.bottom, TILE, TILE)
+        self._stretch(small.texture, fine.frame, place)
+        self._is_fine = not self._tiles
+        return not self._is_fine
+
+    def paste(self, target: moderngl.Framebuffer, size: Size) -> None:
+        """Shows the best frame there is in a framebuffer of `size` pixels."""
+        self._stretch(self._best().texture, target, (0, 0, *size))
 
     def read(self, pixels: NDArray[np.uint8]) -> None:
-        """Copies the frame to (h, w, 4), the lowest row first."""
-        self._frame.read_into(pixels, components=4, alignment=1)
+        """Copies the best frame there is to (h, w, 4), stretched, the top row first."""
+        size = (pixels.shape[1], pixels.shape[0])
+        screen = self._use("screen", size, 0)
+        self._stretch(self._best().texture, screen.frame, (0, 0, *size), upside_down=True)
+        screen.frame.read_into(pixels, components=4, alignment=1)
 
     def release(self) -> None:
-        for thing in (*self._things, self._copy, self._program):
+        for thing in (*self._targets.values(), self._copy, self._program):
             thing.release()
-        self._things, self._key = [], None
+        self._targets.clear()
+        self._key = None
 
-    def _make(self, size: tuple[int, int], samples: int) -> None:
-        if self._key == (*size, samples):
-            return
-        for thing in self._things:
-            thing.release()
-        context = self._context
-        self._texture = context.texture(size, 4, alignment=1)
-        self._texture.filter = (moderngl.LINEAR, moderngl.LINEAR)
-        self._texture.repeat_x = self._texture.repeat_y = False
-        depth = context.depth_renderbuffer(size, samples=samples)
-        if samples:
-            colour = context.renderbuffer(size, 4, samples=samples)
-            self._drawn = context.framebuffer([colour], depth)
-            self._frame = context.framebuffer([self._texture])
-            self._things = [self._drawn, self._frame, colour, depth, self._texture]
-        else:
-            self._drawn = self._frame = context.framebuffer([self._texture], depth)
-            self._things = [self._frame, depth, self._texture]
-        self._key = (*size, samples)
+    def _best(self) -> Target:
+        return self._targets["fine" if self._is_fine and self.is_software else "whole"]
+
+    def _use(self, name: str, size: Size, samples: int) -> Target:
+        old = self._targets.get(name)
+        if old is None or old.size != size:
+            if old is not None:
+                old.release()
+            self._targets[name] = Target(self._context, size, samples)
+        return self._targets[name]
+
+    def _stretch(
+        self,
+        texture: moderngl.Texture,
+        target: moderngl.Framebuffer,
+        place: tuple[int, int, int, int],
+        upside_down: bool = False,
+    ) -> None:
+        target.use()
+        target.viewport = place
+        self._context.enable_only(moderngl.NOTHING)
+        texture.use(0)
+        self._program["frame"].value = 0
+        self._program["upside_down"].value = upside_down
+        self._copy.render(moderngl.TRIANGLES, vertices=3)
+
+
+def describe(camera: Camera) -> tuple[float, ...]:
+    """All that says what a camera sees."""
+    x, y, z = (float(part) for part in camera.target)
+    angles = (camera.azimuth, camera.elevation, camera.field_of_view)
+    return (*angles, camera.distance, x, y, z)

@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 import moderngl
 import numpy as np
 from PySide6.QtCore import QCoreApplication, QEvent, QPointF, QRect, Qt, Signal
@@ -24,8 +27,8 @@ class FboView(ViewBase, QWidget):
     def __init__(self, parent: QWidget | None = None):
         super().__init__(parent)
         self._context: moderngl.Context | None = None
-        self._canvas: Canvas | None = None
         self._pixels = np.zeros((1, 1, 4), np.uint8)
+        self._image = QImage()
         self.problem = ""
         """Why nothing can be drawn, in a sentence; empty where it can."""
         self.set_up()
@@ -40,7 +43,8 @@ class FboView(ViewBase, QWidget):
             self._explain(painter)
         else:
             with self._context:
-                painter.drawImage(self.rect(), self._draw())
+                self._draw()
+            painter.drawImage(self.rect(), self._image)
         painter.end()
         self.frame_drawn.emit()
 
@@ -68,19 +72,28 @@ class FboView(ViewBase, QWidget):
         with self._context:
             self._canvas = Canvas(self._context)
             self.scenery.build(self._context)
-            self.take_measure(self._context)
 
-    def _draw(self) -> QImage:
-        """The frame, whose pixels live until the next one."""
+    @contextmanager
+    def in_context(self) -> Iterator[None]:
+        assert self._context is not None
+        with self._context:
+            yield
+
+    def refined(self) -> None:
+        self._image = QImage()
+        super().refined()
+
+    def _draw(self) -> None:
+        """Brings the image up to date; its pixels live until the next one."""
         assert self._canvas is not None
-        renderer, quality = self.prepare_frame()
-        self._canvas.draw(renderer, self.camera, self.pixels(), quality)
-        width, height = self._canvas.size
+        changed = self.draw_frame(self._canvas)
+        if not changed and not self._image.isNull():
+            return
+        width, height = self.pixels()
         if self._pixels.shape[:2] != (height, width):
             self._pixels = np.empty((height, width, 4), np.uint8)
         self._canvas.read(self._pixels)
-        frame = QImage(self._pixels.data, width, height, QImage.Format.Format_RGBX8888)
-        return frame.flipped(Qt.Orientation.Vertical)
+        self._image = QImage(self._pixels.data, width, height, QImage.Format.Format_RGBX8888)
 
     def _explain(self, painter: QPainter) -> None:
         theme = self.scenery.theme

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from types import TracebackType
 
 import moderngl
@@ -59,7 +61,6 @@ class GLView(ViewBase, QOpenGLWidget):
         super().__init__(parent)
         self.setFormat(build_format())
         self._context: moderngl.Context | None = None
-        self._canvas: Canvas | None = None
         self.set_up()
 
     def initializeGL(self) -> None:
@@ -69,19 +70,24 @@ class GLView(ViewBase, QOpenGLWidget):
         self._context = moderngl.create_context(require=GL_VERSION, context=QtLoader())
         self._canvas = Canvas(self._context)
         self.scenery.build(self._context)
-        self.take_measure(self._context)
 
     def paintGL(self) -> None:
         if self._context is None or self._canvas is None:
             return
-        size = self.pixels()
-        renderer, quality = self.prepare_frame()
-        self._canvas.draw(renderer, self.camera, size, quality)
+        self.draw_frame(self._canvas)
         screen = self._context.detect_framebuffer(self.defaultFramebufferObject())
-        self._canvas.paste(screen, size)
+        self._canvas.paste(screen, self.pixels())
         # moderngl leaves 1 behind, with which Qt's own text comes out garbled
         self.context().functions().glPixelStorei(GL_UNPACK_ALIGNMENT, 4)
         self.frame_drawn.emit()
+
+    @contextmanager
+    def in_context(self) -> Iterator[None]:
+        self.makeCurrent()
+        try:
+            yield
+        finally:
+            self.doneCurrent()
 
     def _let_go(self) -> None:
         """The context is about to be destroyed, as when a dock moves to another window."""

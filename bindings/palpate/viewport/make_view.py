@@ -8,8 +8,9 @@ from PySide6.QtWidgets import QWidget
 
 from palpate.viewport.fbo_view import FboView
 from palpate.viewport.gl_view import GLView, build_format
-from palpate.viewport.view_base import View
 
+View = GLView | FboView
+"""Either host: both are a ViewBase and a QWidget."""
 WITHOUT_GL = ("offscreen", "minimal", "minimalegl", "vnc", "linuxfb")
 """Platforms where a QOpenGLWidget shows nothing, even where a context can be made."""
 

@@ -59,7 +59,18 @@ def measure_pixel(camera: Camera, point: ArrayLike, height: float) -> float:
     return 2.0 * max(depth, 0.0) * math.tan(camera.field_of_view / 2) / height
 
 
-def fit(camera: Camera, points: Array, size: tuple[int, int]) -> None:
-    """All points into the view, with a margin around them."""
-    x, y = MARGIN * size[0], MARGIN * size[1]
-    camera.fit(points, size, (x, y, size[0] - x, size[1] - y))
+def fit(
+    camera: Camera,
+    points: Array,
+    size: tuple[int, int],
+    margins: tuple[int, int, int, int] = (0, 0, 0, 0),
+) -> None:
+    """All points into what margins (left, top, right, bottom) [px] leave of a view, and some room
+    around them; into the whole view where they leave next to nothing.
+    """
+    left, top, right, bottom = margins
+    width, height = size[0] - left - right, size[1] - top - bottom
+    if width < size[0] / 4 or height < size[1] / 4:
+        (left, top), (width, height) = (0, 0), size
+    x, y = MARGIN * width, MARGIN * height
+    camera.fit(points, size, (left + x, top + y, left + width - x, top + height - y))

@@ -75,9 +75,11 @@ class Scenery:
     """
 
     def __init__(self) -> None:
+        self.version = 0
+        """Grows with every change of what is to be seen."""
         self.theme = DARK
         self.legend: Legend | None = None
-        self.wireframe = True
+        self._wireframe = True
         self.vertices: Array = np.zeros((0, 3))
         """[m] (n, 3) of the surface as it is shown; its own copy."""
         self.triangles: NDArray[np.int32] = np.zeros((0, 3), np.int32)
@@ -102,6 +104,7 @@ class Scenery:
         if len(faces) and (faces.min() < 0 or faces.max() >= len(x)):
             raise ValueError(f"triangles must name vertices 0 to {len(x) - 1}")
         self._drop("surface")
+        self.version += 1
         self.vertices, self.triangles = x, faces
         self._tree, self.legend = None, None
         if not len(faces):
@@ -123,6 +126,7 @@ class Scenery:
         np.copyto(self.vertices, vertices)
         if normals is None:
             normals = palpate.compute_vertex_normals(self.vertices, self.triangles)
+        self.version += 1
         surface.write("position", self.vertices)
         surface.write("normal", normals)
         self._tree_is_stale = True
@@ -131,6 +135,7 @@ class Scenery:
         """One number per vertex in the colours of a legend; None for the colour of tissue."""
         surface = self._things.get("surface")
         self.legend = legend if values is not None else None
+        self.version += 1
         if surface is not None:
             if values is not None:
                 surface.write("value", values)
@@ -139,12 +144,14 @@ class Scenery:
     def show_selection(self, weights: ArrayLike | None) -> None:
         """0 to 1 per vertex, what is highlighted."""
         surface = self._things.get("surface")
+        self.version += 1
         if surface is not None:
             surface.write("selection", 0.0 if weights is None else weights)
 
     def write_openness(self, openness: ArrayLike) -> None:
         """0 to 1 per vertex, the share of the sky it sees."""
         self._things["surface"].write("openness", openness)
+        self.version += 1
 
     def show_tool(self, centre: ArrayLike | None, radius: float) -> None:
         if centre is None:
@@ -175,6 +182,15 @@ class Scenery:
         thing = self._use("ring", len(ring.vertices), ring.triangles, RING)
         thing.write("normal", ring.normals)
         thing.write("position", ring.vertices)
+
+    @property
+    def wireframe(self) -> bool:
+        return self._wireframe
+
+    @wireframe.setter
+    def wireframe(self, shown: bool) -> None:
+        self._wireframe = shown
+        self.version += 1
 
     # ------------------------------------------------------------ what is asked
 
@@ -236,16 +252,19 @@ class Scenery:
 
     def use_theme(self, name: str) -> None:
         self.theme = THEMES[name]
+        self.version += 1
 
     def _use(self, name: str, count: int, triangles: NDArray[np.integer], look: Look) -> Thing:
         if name not in self._things:
             self._things[name] = Thing(count, triangles, look)
         self._things[name].visible = True
+        self.version += 1
         return self._things[name]
 
     def _hide(self, name: str) -> None:
-        if name in self._things:
+        if name in self._things and self._things[name].visible:
             self._things[name].visible = False
+            self.version += 1
 
     def _drop(self, name: str) -> None:
         if name in self._things:

@@ -3,38 +3,28 @@
 
 from __future__ import annotations
 
-from typing import Any, Protocol
+from contextlib import AbstractContextManager
 
-import moderngl
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import QImage, QKeyEvent, QMouseEvent, QResizeEvent, QWheelEvent
-from PySide6.QtWidgets import QWidget
 
 import palpate
-from palpate.render import Camera, Renderer, build_legend
+from palpate.render import Camera, build_legend
 from palpate.viewport import navigation
-from palpate.viewport.canvas import Quality
+from palpate.viewport.canvas import Canvas
 from palpate.viewport.hud import Hud
 from palpate.viewport.legend_bar import LegendBar
 from palpate.viewport.scenery import Scenery
+from palpate.viewport.view_tool import ViewTool
 
 Array = NDArray[np.float64]
 
 EDGE = 16
 """[px] between the view's sides and what is written over it."""
-
-
-class ViewTool(Protocol):
-    """Gets a view's events first; True means that the event was meant for it."""
-
-    def press(self, view: ViewBase, event: QMouseEvent) -> bool: ...
-    def move(self, view: ViewBase, event: QMouseEvent) -> bool: ...
-    def release(self, view: ViewBase, event: QMouseEvent) -> bool: ...
-    def wheel(self, view: ViewBase, event: QWheelEvent) -> bool: ...
-    def leave(self, view: ViewBase) -> None: ...
-    def key(self, view: ViewBase, event: QKeyEvent) -> bool: ...
+REST_MS = 200
+"""[ms] without a change, after which the fine frame is begun."""
 
 
 class ViewBase:
@@ -58,7 +48,11 @@ class ViewBase:
         self.legend, self.hud = LegendBar(self), Hud(self)
         self._dragged_from: QPointF | None = None
         self._framed = True
-        self._is_software = False
+        self._margins = (0, 0, 0, 0)
+        self._canvas: Canvas | None = None
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.timeout.connect(self._refine)
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMinimumSize(160, 120)
@@ -126,6 +120,7 @@ class ViewBase:
 
     @property
     def wireframe(self) -> bool:
+        """Whether edges are drawn."""
         return self.scenery.wireframe
 
     @wireframe.setter
@@ -141,7 +136,13 @@ class ViewBase:
         self.update()
 
     def grab_picture(self) -> QImage:
-        """What the view shows, legend and numbers included."""
+        """What the view shows, drawn as finely as can be, legend and numbers included."""
+        self.grab()
+        if self._canvas is not None:
+            with self.in_context():
+                while self._canvas.refine(*self.shot()):
+                    pass
+            self.refined()
         return self.grab().toImage()
 
     # ------------------------------------------------------------ camera
@@ -149,8 +150,14 @@ class ViewBase:
     def frame_all(self) -> None:
         """Comes as near as it can with all of the surface in sight."""
         self._framed = True
-        navigation.fit(self.camera, self.scenery.points(), self._size())
+        navigation.fit(self.camera, self.scenery.points(), self._size(), self._margins)
         self.update()
+
+    def keep_free(self, left: int = 0, top: int = 0, right: int = 0, bottom: int = 0) -> None:
+        """Pixels at the sides that frame_all leaves for what is written over the view."""
+        self._margins = (left, top, right, bottom)
+        if self._framed:
+            self.frame_all()
 
     def look_from(self, azimuth: float, elevation: float) -> None:
         """Turns to angles [rad] as Camera has them."""
@@ -177,11 +184,9 @@ class ViewBase:
         where = QPointF(self.width() / 2, self.height() / 2) if at is None else at
         origin, direction = self.ray_at(where)
         hit = self.scenery.pick(origin, direction)
-        point = (
-            np.asarray(hit.point)
-            if hit is not None
-            else navigation.meet_target_plane(self.camera, origin, direction)
-        )
+        point = navigation.meet_target_plane(self.camera, origin, direction)
+        if hit is not None:
+            point = np.asarray(hit.point)
         navigation.zoom_to(self.camera, point, factor, self.scenery.radius)
         self._framed = False
         self.update()
@@ -211,16 +216,35 @@ class ViewBase:
         ratio = self.devicePixelRatioF()
         return max(1, round(self.width() * ratio)), max(1, round(self.height() * ratio))
 
-    def take_measure(self, context: moderngl.Context) -> None:
-        """Learns what the context draws with. It must be current."""
-        name = context.info["GL_RENDERER"].lower()
-        self._is_software = any(word in name for word in ("llvmpipe", "softpipe", "swrast"))
+    def shot(self) -> tuple[Scenery, Camera, tuple[int, int], float]:
+        """What a canvas wants to know of a frame."""
+        return self.scenery, self.camera, self.pixels(), self.devicePixelRatioF()
 
-    def prepare_frame(self) -> tuple[Renderer, Quality]:
-        """The renderer with all that is shown, and how finely to draw it."""
-        quality = Quality(0, 0.0) if self._is_software else Quality(4, 0.035)
-        ratio = self.devicePixelRatioF()
-        return self.scenery.prepare(quality.shadow_softness, 1.05 * ratio), quality
+    def in_context(self) -> AbstractContextManager[None]:
+        """Makes the view's OpenGL context current; there must be one."""
+        raise NotImplementedError
+
+    def draw_frame(self, canvas: Canvas) -> bool:
+        """Draws a frame where something has changed, and has the fine one begun when it rests."""
+        drawn = canvas.draw(*self.shot())
+        if drawn and canvas.is_software:
+            self._rest.start(REST_MS)
+        return drawn
+
+    def refined(self) -> None:
+        """The fine frame is whole."""
+        self.update()
+
+    def _refine(self) -> None:
+        """One tile; the next one once the window has had its turn."""
+        if self._canvas is None or not self.isVisible():
+            return
+        with self.in_context():
+            more = self._canvas.refine(*self.shot())
+        if more:
+            self._rest.start(0)
+        else:
+            self.refined()
 
     # ------------------------------------------------------------ Qt's events
 
@@ -276,10 +300,3 @@ class ViewBase:
 
     def _size(self) -> tuple[int, int]:
         return max(1, self.width()), max(1, self.height())
-
-
-class View(ViewBase, QWidget):
-    """What make_view gives, for annotations: either host."""
-
-    frame_drawn: Any
-    hover: Any
