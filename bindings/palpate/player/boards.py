@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What stands in the middle while nothing runs: the start, the menu, and how it went."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QButtonGroup, QFrame, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+
+from palpate.player.cards import Table, build_label
+from palpate.player.words import format_clock, format_number, say_gestures, say_keys, translate
+from palpate.translation import LANGUAGES
+
+
+class Board(QFrame):
+    """A card with a headline, a few lines, and buttons."""
+
+    def __init__(self, parent: QWidget):
+        super().__init__(parent)
+        self.setObjectName("board")
+        self.rows = QVBoxLayout(self)
+        self.rows.setContentsMargins(36, 30, 36, 30)
+        self.rows.setSpacing(14)
+        self.headline = build_label("headline", self, wrap=True)
+        self.rows.addWidget(self.headline)
+        self.hide()
+
+    def add_button(self, main: bool = False) -> QPushButton:
+        button = QPushButton(self)
+        if main:
+            button.setObjectName("main")
+        button.setCursor(Qt.CursorShape.PointingHandCursor)
+        self.rows.addWidget(button)
+        return button
+
+    def say(self) -> None:
+        """Sets all words anew."""
+
+    def focus(self) -> None:
+        """Gives the keyboard to the button one most likely wants."""
+
+
+class Choice(QWidget):
+    """Buttons in a row of which one is down."""
+
+    chosen = Signal(str)
+
+    def __init__(self, parent: QWidget, codes: Sequence[str]):
+        super().__init__(parent)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(10)
+        group = QButtonGroup(self)
+        self.buttons: dict[str, QPushButton] = {}
+        for code in codes:
+            button = QPushButton(self)
+            button.setCheckable(True)
+            button.setProperty("code", code)
+            button.setCursor(Qt.CursorShape.PointingHandCursor)
+            group.addButton(button)
+            row.addWidget(button)
+            self.buttons[code] = button
+        group.buttonClicked.connect(self._tell)
+
+    def choose(self, code: str) -> None:
+        self.buttons[code].setChecked(True)
+
+    def _tell(self, button: QPushButton) -> None:
+        self.chosen.emit(button.property("code"))
+
+
+class StartBoard(Board):
+    """The task, how a hand moves, and the way in."""
+
+    def __init__(self, parent: QWidget, title: str, task: str):
+        super().__init__(parent)
+        self.headline.setText(title)
+        self.task = build_label("body", self, wrap=True)
+        self.task.setText(task)
+        self.task.setVisible(bool(task))
+        self.rows.addWidget(self.task)
+        self.rows.addSpacing(6)
+        self.gestures = Table(self, say_gestures)
+        self.rows.addWidget(self.gestures)
+        self.rows.addSpacing(6)
+        self.start = self.add_button(main=True)
+        self.languages = Choice(self, list(LANGUAGES))
+        self.rows.addWidget(self.languages)
+        self.say()
+
+    def say(self) -> None:
+        self.gestures.say()
+        self.start.setText(translate("Player", "Start"))
+        for code, name in LANGUAGES.items():
+            self.languages.buttons[code].setText(name)
+
+    def focus(self) -> None:
+        self.start.setFocus()
+
+
+class MenuBoard(Board):
+    """What Esc opens."""
+
+    def __init__(self, parent: QWidget):
+        super().__init__(parent)
+        self.resume = self.add_button(main=True)
+        self.restart = self.add_button()
+        self.full_screen = self.add_button()
+        self.languages = Choice(self, list(LANGUAGES))
+        self.themes = Choice(self, ["dark", "light"])
+        self.rows.addWidget(self.languages)
+        self.rows.addWidget(self.themes)
+        self.quit = self.add_button()
+        self.keys = Table(self, say_keys)
+        self.rows.addSpacing(4)
+        self.rows.addWidget(self.keys)
+        self.say()
+
+    def say(self) -> None:
+        self.headline.setText(translate("Player", "Paused"))
+        self.resume.setText(translate("Player", "Resume"))
+        self.restart.setText(translate("Player", "Restart"))
+        self.full_screen.setText(translate("Player", "Full screen on or off"))
+        self.quit.setText(translate("Player", "Quit"))
+        for code, name in LANGUAGES.items():
+            self.languages.buttons[code].setText(name)
+        self.themes.buttons["dark"].setText(translate("Player", "Dark"))
+        self.themes.buttons["light"].setText(translate("Player", "Light"))
+        self.keys.say()
+
+    def focus(self) -> None:
+        self.resume.setFocus()
+
+
+class EndBoard(Board):
+    """How the run went, and where its record is."""
+
+    def __init__(self, parent: QWidget):
+        super().__init__(parent)
+        self.trouble = build_label("body", self, wrap=True)
+        self.facts = build_label("body", self, wrap=True)
+        self.record = build_label("caption", self, wrap=True)
+        for label in (self.trouble, self.facts, self.record):
+            self.rows.addWidget(label)
+        self.restart = self.add_button(main=True)
+        self.quit = self.add_button()
+        self._time, self._peak, self._path, self._trouble = 0.0, 0.0, "", ""
+        self.say()
+
+    def tell(self, time: float, peak: float, record: str, trouble: str) -> None:
+        """[s] of the run and [N] of its peak; `trouble` is a sentence, or empty."""
+        self._time, self._peak, self._path, self._trouble = time, peak, record, trouble
+        self.say()
+
+    def say(self) -> None:
+        trouble = self._trouble
+        self.headline.setText(
+            translate("Player", "The run was ended") if trouble else translate("Player", "Finished")
+        )
+        self.trouble.setText(trouble)
+        self.trouble.setVisible(bool(trouble))
+        facts = translate("Player", "Time %1. Peak force %2 N.")
+        facts = facts.replace("%1", format_clock(self._time))
+        self.facts.setText(facts.replace("%2", format_number(self._peak, 2)))
+        self.record.setText(translate("Player", "Record: %1").replace("%1", self._path))
+        self.restart.setText(translate("Player", "Restart"))
+        self.quit.setText(translate("Player", "Quit"))
+
+    def focus(self) -> None:
+        self.restart.setFocus()

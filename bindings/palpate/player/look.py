@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Colours and letters of the trainee's window, after the theme of its pictures."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtGui import QColor, QPalette
+
+from palpate.render.theme import THEMES, Colour
+
+
+@dataclass(frozen=True)
+class Look:
+    """What pictures need no words for: signals and buttons."""
+
+    accent: Colour
+    """Of what may be pressed, and of a force that is far from its limit."""
+    warm: Colour
+    """Of what wants attention."""
+    hot: Colour
+    """Of what went wrong, and of a force at its limit."""
+    on_accent: Colour
+    """Text on the accent."""
+
+
+LOOKS = {
+    "dark": Look((0.25, 0.78, 0.72), (0.98, 0.72, 0.25), (1.0, 0.38, 0.33), (0.03, 0.09, 0.09)),
+    "light": Look((0.00, 0.48, 0.46), (0.72, 0.42, 0.0), (0.80, 0.13, 0.10), (1.0, 1.0, 1.0)),
+}
+PANEL = 0.66
+"""[-] opacity of a card over the picture."""
+SOLID = 0.90
+"""[-] of one that is read while all else waits."""
+
+
+def to_colour(colour: Colour, opacity: float = 1.0) -> QColor:
+    return QColor.fromRgbF(*colour, opacity)
+
+
+def as_css(colour: Colour, opacity: float = 1.0) -> str:
+    red, green, blue = (round(255 * part) for part in colour)
+    return f"rgba({red}, {green}, {blue}, {opacity:.3f})"
+
+
+def mix(a: Colour, b: Colour, share: float) -> Colour:
+    """`share` 0 gives a, 1 gives b."""
+    first, second, third = (x + share * (y - x) for x, y in zip(a, b, strict=True))
+    return first, second, third
+
+
+def build_palette(name: str) -> QPalette:
+    """For what the style sheet does not reach."""
+    theme, look = THEMES[name], LOOKS[name]
+    palette = QPalette()
+    for role, colour in (
+        (QPalette.ColorRole.Window, theme.corner),
+        (QPalette.ColorRole.Base, theme.panel),
+        (QPalette.ColorRole.Button, theme.panel),
+        (QPalette.ColorRole.WindowText, theme.text),
+        (QPalette.ColorRole.Text, theme.text),
+        (QPalette.ColorRole.ButtonText, theme.text),
+        (QPalette.ColorRole.Highlight, look.accent),
+        (QPalette.ColorRole.HighlightedText, look.on_accent),
+    ):
+        palette.setColor(role, to_colour(colour))
+    return palette
+
+
+def build_style(name: str, letter: float) -> str:
+    """The style sheet, for text `letter` pixels high."""
+    theme, look = THEMES[name], LOOKS[name]
+    text, faint = as_css(theme.text), as_css(theme.faint)
+    raised = as_css(mix(theme.panel, theme.text, 0.10), 0.9)
+    over = as_css(mix(theme.panel, theme.text, 0.20), 0.95)
+    return f"""
+    QFrame#card {{ background: {as_css(theme.panel, PANEL)}; border-radius: 14px; }}
+    QFrame#board {{ background: {as_css(theme.panel, SOLID)}; border-radius: 20px;
+        border: 1px solid {as_css(theme.text, 0.10)}; }}
+    QLabel {{ color: {text}; font-size: {letter:.0f}px; background: transparent; }}
+    QLabel#title {{ font-size: {1.30 * letter:.0f}px; font-weight: 600; }}
+    QLabel#headline {{ font-size: {1.9 * letter:.0f}px; font-weight: 600; }}
+    QLabel#clock {{ font-size: {1.9 * letter:.0f}px; font-weight: 600; }}
+    QLabel#caption {{ color: {faint}; font-size: {0.80 * letter:.0f}px; }}
+    QLabel#body {{ color: {text}; font-size: {1.0 * letter:.0f}px; }}
+    QLabel#keys {{ color: {faint}; font-size: {0.88 * letter:.0f}px; }}
+    QFrame#notice {{ background: {as_css(theme.panel, 0.75)}; border-radius: 10px;
+        border: 1px solid {as_css(look.warm, 0.8)}; }}
+    QLabel#notice_text {{ color: {as_css(look.warm)}; font-size: {0.92 * letter:.0f}px;
+        font-weight: 600; }}
+    QFrame#alarm {{ background: {as_css(look.hot, 0.95)}; border-radius: 12px; }}
+    QLabel#alarm_text {{ color: white; font-size: {1.05 * letter:.0f}px; font-weight: 600; }}
+    QFrame#warning {{ background: {as_css(theme.panel, 0.85)}; border-radius: 12px;
+        border: 1px solid {as_css(look.warm)}; }}
+    QLabel#warning_text {{ color: {as_css(look.warm)}; font-size: {letter:.0f}px; }}
+    QPushButton {{ color: {text}; background: {raised};
+        border: 1px solid {as_css(theme.text, 0.08)}; border-radius: 10px;
+        padding: {0.55 * letter:.0f}px {1.1 * letter:.0f}px;
+        font-size: {letter:.0f}px; }}
+    QPushButton:hover, QPushButton:focus {{ background: {over};
+        border: 1px solid {as_css(look.accent)}; }}
+    QPushButton#main {{ color: {as_css(look.on_accent)}; background: {as_css(look.accent)};
+        font-weight: 600; border: 1px solid transparent; }}
+    QPushButton#main:hover, QPushButton#main:focus {{ border: 1px solid {text}; }}
+    QPushButton:checked {{ border: 1px solid {as_css(look.accent)}; color: {as_css(look.accent)};
+        font-weight: 600; }}
+    """

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is written over the trainee's picture, and where it stands."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject
+from PySide6.QtWidgets import QFrame
+
+from palpate.play import Play
+from palpate.player.boards import Board, EndBoard, MenuBoard, StartBoard
+from palpate.player.cards import Banner, ClockCard, KeyLine, Notice, TaskCard
+from palpate.player.force_bar import ForceBar
+from palpate.player.words import format_clock, say_keys, translate
+from palpate.viewport import View
+
+EDGE = 20
+"""[px] to the sides of the window."""
+SIDE = 9.4
+"""[-] width of what stands on the right, in heights of a letter."""
+
+
+class Overlays(QObject):
+    """All panels of the window. They are children of the view and let the mouse through."""
+
+    def __init__(self, view: View, play: Play):
+        super().__init__(view)
+        self._view = view
+        scenario = play.scenario
+        title = scenario.title or play.path.stem
+        self.task = TaskCard(view, title, scenario.task)
+        self.clock = ClockCard(view)
+        self.force = ForceBar(view, play.force_limit())
+        self.notice = Notice(view)
+        self.keys = KeyLine(view, say_keys)
+        self.warning, self.alarm = Banner(view, "warning"), Banner(view, "alarm")
+        self.pause = Banner(view, "warning")
+        self.start = StartBoard(view, title, scenario.task)
+        self.menu, self.end = MenuBoard(view), EndBoard(view)
+        self._letter = 16.0
+        self.start_anew()
+        view.installEventFilter(self)
+
+    def start_anew(self) -> None:
+        """As before a run."""
+        self.clock.clock.setText(format_clock(0.0))
+        self.force.start_anew()
+        self.alarm.tell("")
+        self.warning.tell("")
+        self.show_pause(False)
+
+    def show_pause(self, paused: bool) -> None:
+        self.pause.tell(translate("Player", "Paused. Space goes on.") if paused else "")
+        self.place()
+
+    def show_board(self, board: Board | None) -> None:
+        """One of the boards, or none; what else there is to read steps back for it."""
+        for other in (self.start, self.menu, self.end):
+            other.setVisible(other is board)
+        self.task.setVisible(board is not self.start)
+        self.pause.setVisible(board is None and bool(self.pause.label.text()))
+        self.place()
+
+    def use_look(self, theme: str, letter: float) -> None:
+        self._letter = letter
+        self.force.use_look(theme, letter)
+        side = round(SIDE * letter) + EDGE
+        self._view.keep_free(left=side // 3, right=side, bottom=2 * EDGE)
+        self.place()
+
+    def say(self) -> None:
+        """Sets all words anew, in the language of the program."""
+        paused = bool(self.pause.label.text())
+        for panel in (self.clock, self.notice, self.keys, self.start, self.menu, self.end):
+            panel.say()
+        self.force.update()
+        self.show_pause(paused)
+        self.show_board(next((b for b in (self.start, self.menu, self.end) if b.isVisible()), None))
+
+    def place(self) -> None:
+        """Everything to where it belongs, for the size the window has now."""
+        width, height, m = self._view.width(), self._view.height(), self._letter
+        self._put(self.task, min(26.0 * m, 0.34 * width), EDGE, EDGE)
+        self._put(self.clock, SIDE * m, width - EDGE - SIDE * m, EDGE)
+        top = self.clock.geometry().bottom() + 12
+        notice_top = height - EDGE - self.notice.sizeHint().height()
+        self.notice.adjustSize()
+        self.notice.move(EDGE, notice_top)
+        self.force.setGeometry(
+            round(width - EDGE - SIDE * m),
+            top,
+            round(SIDE * m),
+            max(0, min(round(24.0 * m), height - EDGE - top)),
+        )
+        self._place_keys(width, notice_top)
+        self._place_banners(width, m)
+        for board in (self.start, self.menu, self.end):
+            self._centre(board, min(34.0 * m, 0.9 * width), width, height)
+
+    def _place_keys(self, width: int, top: int) -> None:
+        """In the middle where there is room, else beside the notice, else not at all: the menu
+        tells of the keys too."""
+        self.keys.ensurePolished()
+        self.keys.adjustSize()
+        beside = self.notice.geometry().right() + 2 * EDGE
+        x = max(beside, (width - self.keys.width()) // 2)
+        self.keys.move(x, top + (self.notice.height() - self.keys.height()) // 2)
+        self.keys.setVisible(x + self.keys.width() < width - EDGE)
+
+    def _place_banners(self, width: int, m: float) -> None:
+        y = EDGE
+        wide = min(44.0 * m, width - 2 * (EDGE + SIDE * m) - 2 * EDGE)
+        for banner in (self.alarm, self.warning, self.pause):
+            if banner.label.text():
+                letters = banner.fontMetrics().horizontalAdvance(banner.label.text())
+                needed = min(max(wide, 12 * m), letters * m / 9 + 4 * m)
+                self._put(banner, needed, (width - needed) / 2, y)
+                y = banner.geometry().bottom() + 10
+                banner.raise_()
+
+    def _put(self, panel: QFrame, width: float, x: float, y: float) -> None:
+        """At a place, as wide as said and as high as its text needs."""
+        panel.ensurePolished()
+        layout = panel.layout()
+        layout.activate()
+        high = layout.totalHeightForWidth(round(width)) if layout.hasHeightForWidth() else -1
+        high = high if high > 0 else panel.sizeHint().height()
+        panel.setGeometry(round(x), round(y), round(width), high)
+
+    def _centre(self, board: Board, wide: float, width: int, height: int) -> None:
+        self._put(board, wide, (width - wide) / 2, 0)
+        board.move(board.x(), max(0, (height - board.height()) // 2))
+        board.raise_()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize:
+            self.place()
+        return super().eventFilter(watched, event)

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Opens the trainee's window and comes back when it is closed."""
+
+from __future__ import annotations
+
+import signal
+import sys
+from types import FrameType, TracebackType
+
+from PySide6.QtCore import QLocale
+from PySide6.QtGui import QSurfaceFormat
+from PySide6.QtWidgets import QApplication
+
+from palpate import translation
+from palpate.play import Play
+from palpate.player.trainee_window import TraineeWindow
+from palpate.verb import Report
+from palpate.viewport.gl_view import build_format
+
+
+def play_in_window(play: Play, language: str | None = None, theme: str = "dark") -> Report:
+    """Shows the window until it is closed. Raises OSError where a record was lost."""
+    app = QApplication.instance()
+    if app is None:
+        QSurfaceFormat.setDefaultFormat(build_format())
+        app = QApplication(["palpate"])
+    app.setApplicationName("palpate")
+    app.setStyle("Fusion")
+    code = translation.install(app, language)
+    QLocale.setDefault(QLocale(code))
+    window = TraineeWindow(play, theme, code)
+    window.show()
+    if play.frames is not None:  # a script needs nobody to be ready
+        window.restart()
+    with Watch(window):
+        app.exec()
+    return window.report()
+
+
+class Watch:
+    """While it is entered, Ctrl-C closes the window and a defect becomes a sentence in it."""
+
+    def __init__(self, window: TraineeWindow):
+        self._window = window
+        self._usual = sys.excepthook
+        self._interrupt = signal.getsignal(signal.SIGINT)
+
+    def __enter__(self) -> None:
+        sys.excepthook = self._tell
+        signal.signal(signal.SIGINT, self._close)
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        sys.excepthook = self._usual
+        signal.signal(signal.SIGINT, self._interrupt)
+
+    def _tell(
+        self, kind: type[BaseException], error: BaseException, trace: TracebackType | None
+    ) -> None:
+        del kind, trace
+        self._window.tell_unexpected(error)
+
+    def _close(self, number: int, frame: FrameType | None) -> None:
+        del number, frame
+        self._window.close()

@@ -1,0 +1,267 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The window of the trainee: the organ, the tool, the force, the time, and no way to get lost."""
+
+from __future__ import annotations
+
+import enum
+
+import numpy as np
+from PySide6.QtCore import QCoreApplication, QEvent, QLocale, Qt, QTimer
+from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+import palpate
+from palpate import translation
+from palpate.live import Frame, LiveRun
+from palpate.play import Play, describe_play, describe_run
+from palpate.player.boards import Board
+from palpate.player.look import build_palette, build_style
+from palpate.player.overlays import Overlays
+from palpate.player.words import format_clock, say_slow, say_trouble, translate
+from palpate.verb import Report
+from palpate.viewport import PointerHand, make_view
+
+FRAME_MS = 16
+SLOW = 0.02
+"""[-] share of missed ticks in a second that the trainee is told of."""
+ARROW = 0.8
+"""[-] length of the arrow that stands for a full column of force, in radii of the organ."""
+
+
+class Phase(enum.Enum):
+    """Where a trainee is."""
+
+    ready = enum.auto()
+    running = enum.auto()
+    paused = enum.auto()
+    over = enum.auto()
+
+
+class TraineeWindow(QWidget):
+    """Plays a scenario. Space pauses, R starts again, F11 fills the screen, Esc opens the menu."""
+
+    def __init__(self, play: Play, theme: str = "dark", language: str = translation.SOURCE):
+        super().__init__()
+        self.play, self.scene = play, play.scenario.scene
+        self.phase = Phase.ready
+        self.run: LiveRun | None = None
+        self.hand: PointerHand | None = None
+        self.theme, self.language = theme, language
+        self._time = self._force = 0.0
+        self._second, self._missed = 0, 0
+        self._costs: palpate.LoopReport | None = None
+        self._problem: OSError | None = None
+        self.view = make_view(self)
+        self.view.wireframe = False
+        self.view.show_surface(self.scene.tissue.rest_position, self.scene.tissue.triangles)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.addWidget(self.view)
+        self.over = Overlays(self.view, play)
+        self._connect()
+        self._timer = QTimer(self)
+        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
+        self._timer.setInterval(FRAME_MS)
+        self._timer.timeout.connect(self.follow)
+        self.setWindowTitle(f"{play.scenario.title or play.path.stem} \N{EN DASH} Palpate")
+        self.resize(1280, 800)
+        self.use_theme(theme)
+        self.over.start.languages.choose(language)
+        self.over.menu.languages.choose(language)
+        self._show_board(self.over.start)
+
+    def _connect(self) -> None:
+        start, menu, end = self.over.start, self.over.menu, self.over.end
+        start.start.clicked.connect(self.restart)
+        menu.resume.clicked.connect(self.resume)
+        for board in (menu, end):
+            board.restart.clicked.connect(self.restart)
+            board.quit.clicked.connect(self.close)
+        menu.full_screen.clicked.connect(self.toggle_full_screen)
+        start.languages.chosen.connect(self.use_language)
+        menu.languages.chosen.connect(self.use_language)
+        menu.themes.chosen.connect(self.use_theme)
+
+    # ------------------------------------------------------------ the run
+
+    def restart(self) -> None:
+        """Ends the run, if there is one, keeps its record, and begins another."""
+        self._finish()
+        device = self.play.build_device()
+        try:
+            self.run = self.play.begin(device)
+        except OSError as problem:
+            words = translate("Player", "No record can be written, so nothing was started: %1")
+            self.over.alarm.tell(words.replace("%1", str(problem)))
+            self.over.place()
+            return
+        self._time, self._force, self._second, self._missed = 0.0, 0.0, 0, 0
+        self.over.start_anew()
+        self.view.move_surface(self.scene.tissue.rest_position)
+        self.view.show_force(None)
+        self.view.show_tool(None)
+        if isinstance(device, palpate.PointerDevice):
+            if self.hand is not None:
+                self.hand.deleteLater()
+            self.hand = self.view.tool = PointerHand(self.view, device, self.scene)
+        self.phase = Phase.running
+        self._show_board(None)
+        self.run.start()
+        self._timer.start()
+
+    def pause(self) -> None:
+        if self.phase is Phase.running and self.run is not None:
+            self.run.pause()
+            self.phase = Phase.paused
+            self.over.show_pause(True)
+
+    def resume(self) -> None:
+        if self.phase is Phase.paused and self.run is not None:
+            self._show_board(None)
+            self.over.show_pause(False)
+            self.phase = Phase.running
+            self.run.resume()
+
+    def open_menu(self) -> None:
+        """Pauses too: nobody reads a menu and presses an organ."""
+        self.pause()
+        if self.phase is Phase.paused:
+            self._show_board(self.over.menu)
+
+    def follow(self) -> None:
+        """Shows what the haptic thread did since the last frame; ends the run where it ended."""
+        run = self.run
+        if run is None:
+            return
+        frame = run.take_frame()
+        if frame is not None:
+            self._show(frame)
+        self.over.force.show_force(self._force)
+        trouble = say_trouble(run.report())
+        if trouble or not run.running:
+            self._end(trouble)
+
+    def _show(self, frame: Frame) -> None:
+        self._time = frame.time
+        self.view.move_surface(frame.position)
+        self.view.show_tool(frame.tool_position, self.scene.tool.radius)
+        self.view.force_scale = ARROW * self.view.scenery.radius / self.over.force.range
+        self.view.show_force(frame.tool_position, frame.force)
+        self._force = float(np.linalg.norm(frame.force))
+        self.over.clock.clock.setText(format_clock(frame.time))
+        if int(frame.time) != self._second:
+            self._second = int(frame.time)
+            missed, self._missed = frame.missed_ticks - self._missed, frame.missed_ticks
+            due = round(self.scene.rate)
+            self.over.warning.tell(say_slow(missed, due) if missed > SLOW * due else "")
+            self.over.place()
+
+    def _end(self, trouble: str) -> None:
+        self._finish()
+        self.phase = Phase.over
+        record = str(self.play.records[-1])
+        self.over.end.tell(self._time, self.over.force.peak, record, trouble)
+        self._show_board(self.over.end)
+
+    def _finish(self) -> None:
+        """Stops the run and completes its record."""
+        self._timer.stop()
+        run, self.run = self.run, None
+        if run is None:
+            return
+        try:
+            self._costs = run.finish()
+        except OSError as problem:
+            self._problem = problem
+            words = translate("Player", "The record could not be completed: %1")
+            self.over.alarm.tell(words.replace("%1", str(problem)))
+
+    def report(self) -> Report:
+        """What was played, for the command line. Raises OSError where a record was lost."""
+        if self._problem is not None:
+            raise self._problem
+        records = [str(path) for path in self.play.records]
+        report = {**describe_play(self.play), "records": records, "record": None}
+        if self._costs is None or not records:
+            return report
+        last = self.play.records[-1]
+        return {**report, "record": str(last), **describe_run(self.play, last, self._costs)}
+
+    # ------------------------------------------------------------ how it looks
+
+    def use_theme(self, name: str) -> None:
+        """dark or light."""
+        self.theme = name
+        self.over.menu.themes.choose(name)
+        self.view.use_theme(name)
+        self.setPalette(build_palette(name))
+        self._use_letters()
+
+    def use_language(self, code: str) -> None:
+        """One of palpate.translation.LANGUAGES."""
+        self.language = code
+        QLocale.setDefault(QLocale(code))
+        app = QCoreApplication.instance()
+        assert app is not None
+        translation.install(app, code)
+        for board in (self.over.start, self.over.menu):
+            board.languages.choose(code)
+        self.over.say()
+
+    def toggle_full_screen(self) -> None:
+        if self.isFullScreen():
+            self.showNormal()
+        else:
+            self.showFullScreen()
+
+    def tell_unexpected(self, problem: BaseException) -> None:
+        """A defect of this program, in a sentence."""
+        words = translate("Player", "Something went wrong that should not: %1. Press R to restart.")
+        self.over.alarm.tell(words.replace("%1", f"{type(problem).__name__}: {problem}"))
+        self.over.place()
+
+    def _use_letters(self) -> None:
+        """Text grows with the window, so that it is read from where one stands."""
+        letter = min(max(self.height() / 46, 13.0), 30.0)
+        self.setStyleSheet(build_style(self.theme, letter))
+        self.over.use_look(self.theme, letter)
+
+    def _show_board(self, board: Board | None) -> None:
+        self.over.show_board(board)
+        if board is None:
+            self.view.setFocus()
+        else:
+            board.focus()
+
+    # ------------------------------------------------------------ Qt's events
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        key = event.key()
+        if event.isAutoRepeat():
+            return
+        if key == Qt.Key.Key_F11:
+            self.toggle_full_screen()
+        elif key == Qt.Key.Key_Escape:
+            if self.over.menu.isVisible():
+                self.resume()
+            else:
+                self.open_menu()
+        elif key == Qt.Key.Key_R:
+            self.restart()
+        elif key == Qt.Key.Key_Space:
+            {Phase.running: self.pause, Phase.paused: self.resume}.get(self.phase, self.restart)()
+        else:
+            super().keyPressEvent(event)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._use_letters()
+
+    def changeEvent(self, event: QEvent) -> None:
+        if event.type() == QEvent.Type.LanguageChange:
+            self.over.say()
+        super().changeEvent(event)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        self._finish()
+        super().closeEvent(event)

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Sentences of the trainee's window that depend on what happened."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QCoreApplication, QLocale
+
+import palpate
+
+translate = QCoreApplication.translate
+
+
+def say_notice() -> str:
+    """Stands on every screen."""
+    return translate("Player", "Not validated. Not a medical device.")
+
+
+def say_trouble(report: palpate.LoopReport) -> str:
+    """Why a run has come to nothing; empty where it has not."""
+    if report.fault is not palpate.DeviceFault.none:
+        return say_fault(report.fault)
+    if report.alarm.kind is not palpate.AlarmKind.none:
+        words = translate(
+            "Player",
+            "The tissue became unstable after %1 s (%2), so the force was switched off. "
+            "Press R to start again.",
+        )
+        seconds = format_number(report.alarm.time, 1)
+        return words.replace("%1", seconds).replace("%2", say_alarm(report.alarm.kind))
+    return ""
+
+
+def say_fault(fault: palpate.DeviceFault) -> str:
+    if fault is palpate.DeviceFault.sample_not_finite:
+        return translate(
+            "Player",
+            "The device reported a position that is not a number, so its force was switched off. "
+            "Check its cable, then press R to start again.",
+        )
+    return translate(
+        "Player",
+        "The computed force was not a number, so the force was switched off. "
+        "Press R to start again.",
+    )
+
+
+def say_alarm(kind: palpate.AlarmKind) -> str:
+    return {
+        palpate.AlarmKind.not_finite: translate("Player", "a position is not a number"),
+        palpate.AlarmKind.moved_far: translate("Player", "a point moved too far at once"),
+        palpate.AlarmKind.overstretched: translate("Player", "a link was stretched too far"),
+        palpate.AlarmKind.collapsed: translate("Player", "a triangle collapsed"),
+        palpate.AlarmKind.energy: translate("Player", "energy came from nowhere"),
+    }.get(kind, kind.name)
+
+
+def say_slow(missed: int, due: int) -> str:
+    words = translate(
+        "Player",
+        "This computer is too slow just now: %1 of the last %2 force updates were missed.",
+    )
+    return words.replace("%1", str(missed)).replace("%2", str(due))
+
+
+def say_gestures() -> list[tuple[str, str]]:
+    """What a hand can do and how."""
+    return [
+        (translate("Player", "Move"), translate("Player", "stroke along the surface")),
+        (translate("Player", "Left button"), translate("Player", "press")),
+        (translate("Player", "Wheel"), translate("Player", "deeper or higher")),
+        (translate("Player", "Right button"), translate("Player", "take hold and pull")),
+        (translate("Player", "Beside the organ"), translate("Player", "turn the view")),
+    ]
+
+
+def say_keys() -> list[tuple[str, str]]:
+    return [
+        (translate("Player", "Space"), translate("Player", "pause")),
+        ("R", translate("Player", "restart")),
+        ("F11", translate("Player", "full screen")),
+        ("Esc", translate("Player", "menu")),
+    ]
+
+
+def format_number(value: float, decimals: int) -> str:
+    """As the language of the window writes it."""
+    return QLocale().toString(value, "f", decimals)
+
+
+def format_clock(seconds: float) -> str:
+    """Minutes, seconds and tenths, cut off and not rounded."""
+    tenths = int(10.0 * max(0.0, seconds) + 1e-6)
+    return f"{tenths // 600}:{tenths // 10 % 60:02d}{QLocale().decimalPoint()}{tenths % 10}"
