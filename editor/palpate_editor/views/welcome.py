@@ -99,6 +99,7 @@ class Welcome(QFrame):
             button.setEnabled(file.exists)
             button.clicked.connect(self.open_recent)
             self.recent.addWidget(button)
+            button.show()
 
     def open_recent(self) -> None:
         button = self.sender()

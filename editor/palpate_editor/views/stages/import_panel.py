@@ -261,6 +261,9 @@ class ImportPanel(StagePanel):
         self.desk.tasks.import_mesh(path, () if whole else parts, unit, up)
 
     def set_unit(self, row: int) -> None:
+        source = self.desk.session.organ.source
+        if source is None or (source.unit == UNITS[row] and not source.unit_guessed):
+            return
         if not self.desk.apply(SetUnit(UNITS[row])):
             self.show_organ(self.desk.session.organ)
             return
@@ -268,6 +271,9 @@ class ImportPanel(StagePanel):
         self.desk.log_source()
 
     def set_up(self, row: int) -> None:
+        source = self.desk.session.organ.source
+        if source is None or (source.up == UPS[row] and not source.up_guessed):
+            return
         if not self.desk.apply(SetUp(UPS[row])):
             self.show_organ(self.desk.session.organ)
             return

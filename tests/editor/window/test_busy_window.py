@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Long work runs beside the window: it goes on living, and can be cancelled."""
+
+from __future__ import annotations
+
+import threading
+import time
+
+import pytest
+from conftest import PATIENCE, settle
+from hands import child, click
+from palpate_editor import authoring
+from palpate_editor.edits import decimate as decimate_room
+from palpate_editor.edits import import_mesh as import_room
+from palpate_editor.views import assessment, tasks
+from PySide6.QtCore import QTimer
+
+pytestmark = pytest.mark.window
+
+HEAVY_PART = "VH_M_left_cardiac_atrium"
+"""Of the heart: 16967 vertices, the largest surface among the shared organs that is clean."""
+
+
+class Heartbeat:
+    """Counts how often the window's thread got round to its events, phase by phase."""
+
+    def __init__(self, window):
+        self.beats: dict[str, int] = {}
+        self.phase = "idle"
+        self.last = time.perf_counter()
+        self.longest = 0.0
+        self.timer = QTimer(window, interval=5)
+        self.timer.timeout.connect(self.beat)
+        self.timer.start()
+
+    def beat(self) -> None:
+        now = time.perf_counter()
+        self.longest = max(self.longest, now - self.last)
+        self.last = now
+        self.beats[self.phase] = self.beats.get(self.phase, 0) + 1
+
+
+def record_threads(monkeypatch, module, names, seen, heartbeat) -> None:
+    """Notes on which thread the heavy functions of a module run, and what phase that is."""
+    for name in names:
+        real = getattr(module, name)
+
+        def watched(*args, real=real, name=name, **options):
+            seen[name] = threading.get_ident()
+            heartbeat.phase = name
+            try:
+                return real(*args, **options)
+            finally:
+                heartbeat.phase = "idle"
+
+        monkeypatch.setattr(module, name, watched)
+
+
+def test_the_window_lives_through_a_heavy_import_and_decimation(
+    qtbot, window, shared_data, monkeypatch
+):
+    heart = shared_data("organs/VH_M_Heart.glb")
+    heartbeat, seen = Heartbeat(window), {}
+    record_threads(monkeypatch, tasks, ["import_file", "decimate_organ"], seen, heartbeat)
+    record_threads(monkeypatch, assessment, ["assess", "measure_distances"], seen, heartbeat)
+
+    window.desk.tasks.import_mesh(heart, [HEAVY_PART])
+    settle(qtbot, window)
+    window.desk.tasks.decimate(4000)
+    settle(qtbot, window)
+
+    assert window.session.organ.decimation.vertices == 4000
+    assert set(seen) == {"import_file", "decimate_organ", "assess", "measure_distances"}
+    assert threading.get_ident() not in seen.values()
+    # each takes many times longer than a beat: the window's thread was never kept waiting for one
+    for phase in ("import_file", "decimate_organ", "assess"):
+        assert heartbeat.beats.get(phase, 0) >= 3, (phase, heartbeat.beats)
+    print(f"longest gap between two beats: {1e3 * heartbeat.longest:.0f} ms; {heartbeat.beats}")
+
+
+def test_the_heavy_functions_are_the_ones_the_work_calls():
+    """What the test above watches is what does the work."""
+    assert tasks.import_file is import_room.import_file
+    assert tasks.decimate_organ is decimate_room.decimate_organ
+    assert decimate_room.authoring is authoring
+
+
+def test_cancelling_lets_the_window_go_on_and_changes_nothing(qtbot, spleen_window, monkeypatch):
+    window, held = spleen_window, threading.Event()
+    before = window.session.organ
+    real = tasks.decimate_organ
+
+    def slow(organ, vertices):
+        assert held.wait(PATIENCE / 1000)
+        return real(organ, vertices)
+
+    monkeypatch.setattr(tasks, "decimate_organ", slow)
+    window.desk.tasks.decimate(1200)
+    job = window.desk.jobs.current
+    button = child(window, "cancel_job")
+    qtbot.waitUntil(button.isVisible, timeout=PATIENCE)  # after half a second, not before
+    assert "Decimating to 1200 vertices" in window.status.busy.words.text()
+
+    click(button)
+
+    assert window.desk.jobs.current is None
+    assert "cancelled" in window.messages.text
+    with qtbot.waitSignal(job.ended, timeout=PATIENCE):
+        held.set()
+    assert window.session.organ is before
+
+
+def test_a_second_long_work_is_refused_with_a_sentence(qtbot, spleen_window, monkeypatch):
+    window, held = spleen_window, threading.Event()
+    real = tasks.decimate_organ
+    monkeypatch.setattr(tasks, "decimate_organ", lambda *a: held.wait(PATIENCE / 1000) and real(*a))
+    window.desk.tasks.decimate(1200)
+
+    window.desk.tasks.decimate(700)
+
+    assert "still under way" in window.messages.text
+    held.set()
+    settle(qtbot, window)
+    assert window.session.organ.vertex_count == 1200
+
+
+def test_work_that_changed_organ_meanwhile_is_refused(qtbot, spleen_window, spleen, monkeypatch):
+    window, held = spleen_window, threading.Event()
+    real = tasks.decimate_organ
+    monkeypatch.setattr(tasks, "decimate_organ", lambda *a: held.wait(PATIENCE / 1000) and real(*a))
+    window.desk.tasks.decimate(1200)
+    window.session.history.setIndex(0)
+
+    held.set()
+    settle(qtbot, window)
+
+    assert window.session.organ.surface is None
+    assert "decimate it anew" in window.messages.text
+
+
+def test_a_failure_inside_work_is_a_sentence(qtbot, spleen_window, monkeypatch):
+    window = spleen_window
+
+    def fail(organ, vertices):
+        raise KeyError("surprise")
+
+    monkeypatch.setattr(tasks, "decimate_organ", fail)
+    window.desk.tasks.decimate(1200)
+    settle(qtbot, window)
+
+    assert "Something went wrong in the editor itself" in window.messages.text
+    assert "Traceback" not in window.messages.text
+
+
+def test_closing_waits_for_work_that_is_under_way(qtbot, spleen_window):
+    window = spleen_window
+    window.desk.tasks.decimate(1200)
+    job = window.desk.jobs.current
+
+    window.may_close = True
+    window.close()
+
+    assert not job.thread.is_alive()
+    assert window.desk.jobs.start("late", print, print, print) is None

@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files of the window: dropped, recent, missing, foreign, hostile; every refusal is a sentence."""
+
+from __future__ import annotations
+
+import pytest
+from conftest import settle
+from hands import CONTROL, choose_file, click, drop, log_of, press
+from palpate_editor.views.help import stage_help
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QPushButton
+
+pytestmark = pytest.mark.window
+
+
+def test_a_mesh_that_is_dropped_comes_in(qtbot, window, spleen):
+    drop(window, spleen)
+    settle(qtbot, window)
+
+    assert window.session.organ.source.file == "VH_F_Spleen.glb"
+    assert window.welcome.isHidden()
+    window.session.history.undo()
+    assert not window.welcome.isHidden()
+
+
+def test_a_file_that_is_nothing_to_us_is_refused_with_a_sentence(window, tmp_path):
+    stranger = tmp_path / "letter.txt"
+    stranger.write_text("Dear surgeon")
+
+    drop(window, stranger)
+
+    assert "letter.txt" in window.messages.text
+    assert ".organ" in window.messages.text
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["assimp_invalid_malformed.obj", "assimp_invalid_empty.obj", "assimp_OFF_invalid.off"]
+    + ["assimp_glTF2_IndexOutOfRange_IndexOutOfRange.gltf", "assimp_PLY_points.ply"],
+)
+def test_a_hostile_mesh_is_a_sentence_in_the_window(qtbot, window, shared_data, name):
+    drop(window, shared_data(f"hostile/{name}"))
+    settle(qtbot, window)
+
+    assert name in window.messages.text
+    assert "Traceback" not in window.messages.text
+    assert window.session.organ.surface is None
+
+
+def test_a_damaged_document_is_a_sentence_and_changes_nothing(qtbot, spleen_window, tmp_path):
+    window, organ = spleen_window, spleen_window.session.organ
+    window.files.write(tmp_path / "good.organ")
+    broken = tmp_path / "broken.organ"
+    broken.write_bytes((tmp_path / "good.organ").read_bytes()[:-200])
+
+    window.files.open(broken)
+
+    assert "broken.organ" in window.messages.text
+    assert window.session.organ is organ
+
+
+def test_a_heart_of_too_many_parts_can_be_imported_in_part(qtbot, window, shared_data):
+    drop(window, shared_data("organs/VH_M_Heart.glb"))
+    settle(qtbot, window)
+    assert "Choose fewer of its parts" in window.messages.text
+    panel = window.import_panel
+    assert panel.parts.count() == 14
+
+    click(panel.none_button)
+    assert not panel.import_button.isEnabled()
+    row = next(i for i in range(14) if "aortic_valve" in panel.parts.item(i).text())
+    panel.parts.item(row).setCheckState(Qt.CheckState.Checked)
+    click(panel.import_button)
+    settle(qtbot, window)
+
+    assert window.session.organ.source.parts == ("VH_M_aortic_valve",)
+    assert "--part VH_M_aortic_valve" in log_of(window)
+
+
+def test_another_unit_makes_another_size_and_can_be_undone(qtbot, spleen_window):
+    window, panel = spleen_window, spleen_window.import_panel
+    window.show_stage("import")
+    before = window.session.organ
+
+    panel.unit.setFocus()
+    QTest.keyClick(panel.unit, Qt.Key.Key_Down)
+    settle(qtbot, window)
+
+    assert window.session.organ.source.unit == "cm"
+    assert window.session.organ.surface.vertices.max() == pytest.approx(
+        before.surface.vertices.max() / 100
+    )
+    words = panel.facts.words()
+    assert words["Size"].endswith("mm")
+    press(window, Qt.Key.Key_Z, CONTROL)
+    assert window.session.organ is before
+
+
+def test_recent_files_are_listed_and_missing_ones_are_grey(qtbot, window, spleen, tmp_path):
+    gone = tmp_path / "gone.organ"
+    gone.write_bytes(b"")
+    window.settings.add_recent(gone)
+    window.settings.add_recent(spleen)
+    gone.unlink()
+
+    window.recent.fill()
+
+    first, second = window.recent.menu.actions()[:2]
+    assert first.isEnabled() and "VH_F_Spleen.glb" in first.text()
+    assert not second.isEnabled() and "gone.organ" in second.text()
+    first.trigger()
+    settle(qtbot, window)
+    assert window.session.organ.vertex_count == 4274
+
+
+def test_the_welcome_offers_recent_files(qtbot, window, spleen):
+    window.settings.add_recent(spleen)
+    window.welcome.refresh()
+    button = next(b for b in window.welcome.findChildren(QPushButton) if b.property("path"))
+
+    click(button)
+    settle(qtbot, window)
+
+    assert window.session.organ.vertex_count == 4274
+
+
+def test_a_disk_that_refuses_is_a_sentence(spleen_window, tmp_path):
+    window = spleen_window
+
+    window.files.write(tmp_path / "no" / "such" / "folder" / "spleen.organ")
+
+    assert "spleen.organ" in window.messages.text
+    assert window.isWindowModified()
+
+
+def test_a_picture_is_what_the_viewport_shows(qtbot, spleen_window, tmp_path):
+    window = spleen_window
+
+    press(window, Qt.Key.Key_F12)
+    choose_file(qtbot, window, tmp_path / "spleen.png")
+
+    assert (tmp_path / "spleen.png").stat().st_size > 10_000
+    assert "palpate render" in log_of(window)
+
+
+def test_what_nobody_caught_is_a_sentence(editor):
+    window = editor.window
+
+    editor.hook.on_exception(ZeroDivisionError, ZeroDivisionError("division by zero"), None)
+
+    assert "division by zero" in window.messages.text
+    assert "save it" in window.messages.text
+
+
+def test_help_says_something_about_every_stage(window):
+    for stage in window.stage_bar.steps:
+        window.show_stage(stage)
+        press(window, Qt.Key.Key_F1)
+        assert stage_help(stage)[0][:40] in window.help.text.toPlainText()
+    window.help.hide()
+    press(window, Qt.Key.Key_F1, Qt.KeyboardModifier.ShiftModifier)
+    assert "Ctrl+Shift+P" in window.help.text.toPlainText()
