@@ -69,19 +69,38 @@ def build_ground(
     context: moderngl.Context, sky: Sky, centre: NDArray[np.float64], radius: float, height: float
 ) -> Ground:
     """The floor at a height [m] under a ball, shaded by what the sky's maps show."""
-    reach = REACH * radius
+    points, up = lay_floor(centre, radius, height)
+    return shade_floor(context, centre, radius, height, sky.measure(points, up, FOCUS))
+
+
+def lay_floor(
+    centre: NDArray[np.float64], radius: float, height: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Points [m] (cells², 3) of the floor, and their normals."""
     line = np.linspace(-1.0, 1.0, CELLS)
     x, y = np.meshgrid(line, line)
-    points = np.stack([x, y, np.zeros_like(x)], axis=-1).reshape(-1, 3) * reach
+    points = np.stack([x, y, np.zeros_like(x)], axis=-1).reshape(-1, 3) * REACH * radius
     points += [centre[0], centre[1], height]
-    up = np.tile([0.0, 0.0, 1.0], (len(points), 1))
-    open_sky = sky.measure(points, up, FOCUS)
+    return points, np.tile([0.0, 0.0, 1.0], (len(points), 1))
+
+
+def shade_floor(
+    context: moderngl.Context,
+    centre: NDArray[np.float64],
+    radius: float,
+    height: float,
+    open_sky: NDArray[np.float64],
+) -> Ground:
+    """The floor, of whose points (cells²,) some share of the sky is seen."""
+    line = np.linspace(-1.0, 1.0, CELLS)
+    x, y = np.meshgrid(line, line)
     darkness = blur(1.0 - open_sky.reshape(CELLS, CELLS))
     # far away the few lamps of a sky leave streaks, fainter than what is cut off here
     darkness = np.clip((darkness - FAINTEST) / (1.0 - FAINTEST), 0.0, 1.0)
     # the shadow ends before the floor does
     fade = np.clip(3.0 * (1.0 - np.hypot(x, y)), 0.0, 1.0)
-    return Ground(context, np.array([centre[0], centre[1], height]), reach, darkness * fade)
+    middle = np.array([centre[0], centre[1], height])
+    return Ground(context, middle, REACH * radius, darkness * fade)
 
 
 def blur(grid: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -53,25 +53,28 @@ class Sky:
         seen, most = np.zeros(len(points)), np.zeros(len(points))
         for lamp, view, depths in zip(self._directions, self._views, self._maps, strict=True):
             weight = np.maximum(normals @ lamp, 0.0) ** focus
-            seen += weight * self._is_lit(lifted, view, depths)
+            seen += weight * find_lit(lifted, view, depths)
             most += weight
         return np.divide(seen, most, out=np.ones(len(points)), where=most > 0.0)
 
-    @staticmethod
-    def _is_lit(points: Array, view: Array, depths: NDArray[np.float32]) -> NDArray[np.float64]:
-        """0 to 1, the mean of the four nearest pixels of the map."""
-        clip = points @ view[:3, :3].T + view[:3, 3]
-        x, y = ((0.5 + 0.5 * clip[:, axis]) * MAP_PIXELS - 0.5 for axis in (0, 1))
-        # nothing stands before a place whose depth is 1: so too where the floor lies deeper yet
-        depth = np.minimum(0.5 + 0.5 * clip[:, 2], 1.0)
-        i, j = np.floor(x).astype(int), np.floor(y).astype(int)
-        lit = np.zeros(len(points))
-        for dj in (0, 1):
-            for di in (0, 1):
-                row = np.clip(j + dj, 0, MAP_PIXELS - 1)
-                column = np.clip(i + di, 0, MAP_PIXELS - 1)
-                share = np.abs(1 - di - (x - i)) * np.abs(1 - dj - (y - j))
-                # what lies beyond the map is in nobody's shadow: the ball holds all that casts one
-                inside = (row == j + dj) & (column == i + di)
-                lit += share * ((depth <= depths[row, column]) | ~inside)
-        return lit
+
+def find_lit(points: Array, view: Array, depths: NDArray[np.float32]) -> NDArray[np.float64]:
+    """Whether the light of a lamp arrives at points, 0 to 1: the mean of the four nearest pixels of
+    its depth map (p, p), which `view`, world to clip space, was drawn with.
+    """
+    pixels = len(depths)
+    clip = points @ view[:3, :3].T + view[:3, 3]
+    x, y = ((0.5 + 0.5 * clip[:, axis]) * pixels - 0.5 for axis in (0, 1))
+    # nothing stands before a place whose depth is 1: so too where the floor lies deeper yet
+    depth = np.minimum(0.5 + 0.5 * clip[:, 2], 1.0)
+    i, j = np.floor(x).astype(int), np.floor(y).astype(int)
+    lit = np.zeros(len(points))
+    for dj in (0, 1):
+        for di in (0, 1):
+            row = np.clip(j + dj, 0, pixels - 1)
+            column = np.clip(i + di, 0, pixels - 1)
+            share = np.abs(1 - di - (x - i)) * np.abs(1 - dj - (y - j))
+            # what lies beyond the map is in nobody's shadow: the ball holds all that casts one
+            inside = (row == j + dj) & (column == i + di)
+            lit += share * ((depth <= depths[row, column]) | ~inside)
+    return lit

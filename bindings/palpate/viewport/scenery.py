@@ -10,9 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 import palpate
-from palpate.render import Legend, Look, Part, Renderer, build_arrow, build_sphere
+from palpate.render import Legend, Look, Renderer, build_arrow, build_sphere
 from palpate.render.theme import DARK, FORCE, SELECTED, STEEL, THEMES
 from palpate.viewport.ring import build_ring
+from palpate.viewport.sky_light import SkyLight
+from palpate.viewport.thing import Thing
 
 Array = NDArray[np.float64]
 
@@ -26,45 +28,6 @@ ARROW_RADIUS = 0.0065
 """[-] of the surface's diagonal."""
 ROOM = 1.6
 """[-] radius of all that may be in sight in radii of the surface: tools stand beside it."""
-
-
-class Thing:
-    """A surface as float32 streams, and the part that shows it while there is a context."""
-
-    def __init__(self, vertex_count: int, triangles: NDArray[np.integer], look: Look):
-        self.triangles, self.look, self.visible = triangles, look, True
-        self.streams = {
-            "position": np.zeros((vertex_count, 3), np.float32),
-            "normal": np.zeros((vertex_count, 3), np.float32),
-            "value": np.zeros(vertex_count, np.float32),
-            "selection": np.zeros(vertex_count, np.float32),
-            "openness": np.ones(vertex_count, np.float32),
-        }
-        self.part: Part | None = None
-        self._stale = set(self.streams)
-
-    def write(self, name: str, values: ArrayLike) -> None:
-        """Copies into a stream; nothing is allocated."""
-        np.copyto(self.streams[name], values, casting="same_kind")
-        self._stale.add(name)
-
-    def show_in(self, renderer: Renderer) -> None:
-        """Brings the part up to date. The context must be current."""
-        if not self.visible:
-            self.hide_from(renderer)
-            return
-        if self.part is None:
-            count = len(self.streams["position"])
-            self.part = renderer.add(count, self.triangles, self.look)
-            self._stale = set(self.streams)
-        self.part.look = self.look
-        self.part.update(**{name: self.streams[name] for name in self._stale})
-        self._stale.clear()
-
-    def hide_from(self, renderer: Renderer) -> None:
-        if self.part is not None:
-            renderer.remove(self.part)
-            self.part = None
 
 
 class Scenery:
@@ -88,6 +51,9 @@ class Scenery:
         self._things: dict[str, Thing] = {}
         self._gone: list[Thing] = []
         self._renderer: Renderer | None = None
+        self._sky: SkyLight | None = None
+        self.is_lit = True
+        """Whether all the light that there is has been gathered."""
         self._tree: palpate.AabbTree | None = None
         self._tree_is_stale = False
 
@@ -113,6 +79,7 @@ class Scenery:
         self.centre = (used.min(axis=0) + used.max(axis=0)) / 2
         self.radius = max(1e-9, float(np.linalg.norm(used - self.centre, axis=1).max()))
         self._things["surface"] = Thing(len(x), faces, PLAIN)
+        self.is_lit = False
         self.move_surface(x)
 
     def move_surface(self, vertices: ArrayLike, normals: ArrayLike | None = None) -> None:
@@ -147,11 +114,6 @@ class Scenery:
         self.version += 1
         if surface is not None:
             surface.write("selection", 0.0 if weights is None else weights)
-
-    def write_openness(self, openness: ArrayLike) -> None:
-        """0 to 1 per vertex, the share of the sky it sees."""
-        self._things["surface"].write("openness", openness)
-        self.version += 1
 
     def show_tool(self, centre: ArrayLike | None, radius: float) -> None:
         if centre is None:
@@ -218,6 +180,7 @@ class Scenery:
     def build(self, context: moderngl.Context) -> None:
         """Starts anew on a context, which must be current; what was on another one is forgotten."""
         self._renderer = Renderer(context, self.theme)
+        self._sky, self.is_lit = None, False
         self._gone.clear()
         for thing in self._things.values():
             thing.part = None
@@ -228,6 +191,10 @@ class Scenery:
         assert renderer is not None, "build() comes first"
         for thing in self._gone:
             thing.hide_from(renderer)
+            self._forget_sky()
+            if renderer.ground is not None:
+                renderer.ground.release()
+                renderer.ground = None
         self._gone.clear()
         renderer.theme = self.theme
         renderer.shadow_softness, renderer.wire_width = shadow_softness, wire_width
@@ -244,11 +211,49 @@ class Scenery:
     def release(self) -> None:
         """Gives back the graphics card's memory. The context must be current."""
         if self._renderer is not None:
+            self._forget_sky()
             self._renderer.release()
             self._renderer = None
         self._gone.clear()
         for thing in self._things.values():
             thing.part = None
+
+    def gather_light(self) -> bool:
+        """Looks at the sky over the surface in one more direction; False when there is no more to
+        do. The context must be current, and the surface must have been drawn.
+
+        Goes on only while the surface stands where it was shown: what it is pressed in for a
+        moment would stay dark.
+        """
+        surface, renderer = self._things.get("surface"), self._renderer
+        if self.is_lit or surface is None or surface.part is None or renderer is None:
+            return False
+        if self._sky is None:
+            x = self.vertices.copy()
+            normals = np.asarray(palpate.compute_vertex_normals(x, self.triangles))
+            ball = (self.centre, self.radius)
+            self._sky = SkyLight(renderer.context, surface.part, (x, normals), ball)
+        if not self.is_at_rest():
+            return True
+        if self._sky.step():
+            return True
+        surface.write("openness", self._sky.result())
+        if renderer.ground is not None:
+            renderer.ground.release()
+        renderer.ground = self._sky.build_ground()
+        self._forget_sky()
+        self.is_lit = True
+        self.version += 1
+        return False
+
+    def is_at_rest(self) -> bool:
+        """Whether the surface stands where it stood when light was first gathered."""
+        return self._sky is None or np.array_equal(self._sky.vertices, self.vertices)
+
+    def _forget_sky(self) -> None:
+        if self._sky is not None:
+            self._sky.release()
+            self._sky = None
 
     def use_theme(self, name: str) -> None:
         self.theme = THEMES[name]

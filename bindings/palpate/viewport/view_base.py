@@ -7,8 +7,8 @@ from contextlib import AbstractContextManager
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer
-from PySide6.QtGui import QImage, QKeyEvent, QMouseEvent, QResizeEvent, QWheelEvent
+from PySide6.QtCore import QPoint, QPointF, QTimer
+from PySide6.QtGui import QImage, QResizeEvent
 
 import palpate
 from palpate.render import Camera, build_legend
@@ -17,7 +17,7 @@ from palpate.viewport.canvas import Canvas
 from palpate.viewport.hud import Hud
 from palpate.viewport.legend_bar import LegendBar
 from palpate.viewport.scenery import Scenery
-from palpate.viewport.view_tool import ViewTool
+from palpate.viewport.view_events import ViewEvents
 
 Array = NDArray[np.float64]
 
@@ -25,36 +25,32 @@ EDGE = 16
 """[px] between the view's sides and what is written over it."""
 REST_MS = 200
 """[ms] without a change, after which the fine frame is begun."""
+LIGHT_MS = 30
+"""[ms] between two looks at the sky, each of some 10 ms on a processor."""
 
 
-class ViewBase:
-    """A mixin of QWidget. Positions are in pixels of the widget, from its upper left corner.
-
-    The mouse turns the camera with the left button (with any button while a tool has the left one),
-    moves it with the middle one or with Shift, and zooms to the cursor with the wheel.
-    """
+class ViewBase(ViewEvents):
+    """A mixin of QWidget. Positions are in pixels of the widget, from its upper left corner."""
 
     force_scale: float
     """[m/N] of the arrow that show_force draws."""
-    tool: ViewTool | None
-    """Gets mouse and keys before the camera does."""
 
     def set_up(self) -> None:
         """The rest of __init__, after that of the widget."""
         self.scenery = Scenery()
         self.camera = Camera()
-        self.tool = None
+        self.listen()
         self.force_scale = 0.01
         self.legend, self.hud = LegendBar(self), Hud(self)
-        self._dragged_from: QPointF | None = None
         self._framed = True
         self._margins = (0, 0, 0, 0)
         self._canvas: Canvas | None = None
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.timeout.connect(self._refine)
-        self.setMouseTracking(True)
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self._light = QTimer(self)
+        self._light.setInterval(LIGHT_MS)
+        self._light.timeout.connect(self._gather_light)
         self.setMinimumSize(160, 120)
 
     # ------------------------------------------------------------ what is shown
@@ -140,6 +136,9 @@ class ViewBase:
         self.grab()
         if self._canvas is not None:
             with self.in_context():
+                while self.scenery.is_at_rest() and self.scenery.gather_light():
+                    pass
+                self._canvas.draw(*self.shot())
                 while self._canvas.refine(*self.shot()):
                     pass
             self.refined()
@@ -229,11 +228,24 @@ class ViewBase:
         drawn = canvas.draw(*self.shot())
         if drawn and canvas.is_software:
             self._rest.start(REST_MS)
+        if not self.scenery.is_lit and not self._light.isActive():
+            self._light.start()
         return drawn
 
     def refined(self) -> None:
         """The fine frame is whole."""
         self.update()
+
+    def _gather_light(self) -> None:
+        """One look at the sky, while the view is seen."""
+        if self._canvas is None or not self.isVisible():
+            self._light.stop()
+            return
+        with self.in_context():
+            more = self.scenery.gather_light()
+        if not more:
+            self._light.stop()
+            self.update()
 
     def _refine(self) -> None:
         """One tile; the next one once the window has had its turn."""
@@ -245,48 +257,6 @@ class ViewBase:
             self._rest.start(0)
         else:
             self.refined()
-
-    # ------------------------------------------------------------ Qt's events
-
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        if self.tool is None or not self.tool.press(self, event):
-            self._dragged_from = event.position()
-
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        at = event.position()
-        if self._dragged_from is not None and event.buttons() != Qt.MouseButton.NoButton:
-            way = at - self._dragged_from
-            self._dragged_from = at
-            shifted = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
-            if event.buttons() & Qt.MouseButton.MiddleButton or shifted:
-                self.pan(way.x(), way.y())
-            else:
-                self.orbit(way.x(), way.y())
-        elif self.tool is None or not self.tool.move(self, event):
-            self._dragged_from = None
-        if event.buttons() == Qt.MouseButton.NoButton:
-            self.hover.emit(at)
-
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        dragged, self._dragged_from = self._dragged_from is not None, None
-        if not dragged and self.tool is not None:
-            self.tool.release(self, event)
-        self.update()
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        if self.tool is None or not self.tool.wheel(self, event):
-            notches = event.angleDelta().y() / 120
-            self.zoom(navigation.ZOOM**notches, event.position())
-        event.accept()
-
-    def leaveEvent(self, event: QEvent) -> None:
-        if self.tool is not None:
-            self.tool.leave(self)
-        super().leaveEvent(event)  # type: ignore[misc]
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if self.tool is None or not self.tool.key(self, event):
-            super().keyPressEvent(event)  # type: ignore[misc]
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)  # type: ignore[misc]

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""One surface of a view, in main memory and on the graphics card."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from palpate.render import Look, Part, Renderer
+
+
+class Thing:
+    """A surface as float32 streams, and the part that shows it while there is a context."""
+
+    def __init__(self, vertex_count: int, triangles: NDArray[np.integer], look: Look):
+        self.triangles, self.look, self.visible = triangles, look, True
+        self.streams = {
+            "position": np.zeros((vertex_count, 3), np.float32),
+            "normal": np.zeros((vertex_count, 3), np.float32),
+            "value": np.zeros(vertex_count, np.float32),
+            "selection": np.zeros(vertex_count, np.float32),
+            "openness": np.ones(vertex_count, np.float32),
+        }
+        self.part: Part | None = None
+        self._stale = set(self.streams)
+
+    def write(self, name: str, values: ArrayLike) -> None:
+        """Copies into a stream; nothing is allocated."""
+        np.copyto(self.streams[name], values, casting="same_kind")
+        self._stale.add(name)
+
+    def show_in(self, renderer: Renderer) -> None:
+        """Brings the part up to date. The context must be current."""
+        if not self.visible:
+            self.hide_from(renderer)
+            return
+        if self.part is None:
+            count = len(self.streams["position"])
+            self.part = renderer.add(count, self.triangles, self.look)
+            self._stale = set(self.streams)
+        self.part.look = self.look
+        self.part.update(**{name: self.streams[name] for name in self._stale})
+        self._stale.clear()
+
+    def hide_from(self, renderer: Renderer) -> None:
+        if self.part is not None:
+            renderer.remove(self.part)
+            self.part = None

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""How mouse and keys reach a view's tool or its camera."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
+
+from palpate.viewport.navigation import ZOOM
+from palpate.viewport.view_tool import ViewTool
+
+
+class ViewEvents:
+    """The part of a view that Qt calls.
+
+    What the tool does not take moves the camera: left and right button turn it, the middle one, or
+    Shift with any, moves it, the wheel comes nearer to what lies under the pointer.
+    """
+
+    tool: ViewTool | None
+    """Gets mouse and keys before the camera does."""
+
+    def listen(self) -> None:
+        """From now on events come in."""
+        self.tool = None
+        self._dragged_from: QPointF | None = None
+        self.setMouseTracking(True)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if self.tool is None or not self.tool.press(self, event):
+            self._dragged_from = event.position()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        at = event.position()
+        if self._dragged_from is not None and event.buttons() != Qt.MouseButton.NoButton:
+            way = at - self._dragged_from
+            self._dragged_from = at
+            shifted = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+            if event.buttons() & Qt.MouseButton.MiddleButton or shifted:
+                self.pan(way.x(), way.y())
+            else:
+                self.orbit(way.x(), way.y())
+        elif self.tool is None or not self.tool.move(self, event):
+            self._dragged_from = None
+        if event.buttons() == Qt.MouseButton.NoButton:
+            self.hover.emit(at)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        dragged, self._dragged_from = self._dragged_from is not None, None
+        if not dragged and self.tool is not None:
+            self.tool.release(self, event)
+        self.update()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        if self.tool is None or not self.tool.wheel(self, event):
+            notches = event.angleDelta().y() / 120
+            self.zoom(ZOOM**notches, event.position())
+        event.accept()
+
+    def leaveEvent(self, event: QEvent) -> None:
+        if self.tool is not None:
+            self.tool.leave(self)
+        super().leaveEvent(event)  # type: ignore[misc]
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if self.tool is None or not self.tool.key(self, event):
+            super().keyPressEvent(event)  # type: ignore[misc]
