@@ -8,7 +8,7 @@ from collections.abc import Callable
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from palpate.player.words import say_notice, translate
+from palpate.player.words import format_clock, say_notice, translate
 
 
 def build_label(name: str, parent: QWidget, wrap: bool = False) -> QLabel:
@@ -55,10 +55,18 @@ class ClockCard(Card):
         super().__init__(parent)
         self.caption, self.clock = self.add("caption"), self.add("clock")
         self.rows.setSpacing(0)
+        self.time = 0.0
+        """[s]"""
         self.say()
+
+    def show_time(self, time: float) -> None:
+        """[s] of the run."""
+        self.time = time
+        self.clock.setText(format_clock(time))
 
     def say(self) -> None:
         self.caption.setText(translate("Player", "Time"))
+        self.show_time(self.time)
 
 
 class Notice(QFrame):

@@ -30,7 +30,7 @@ LOOKS = {
 }
 PANEL = 0.66
 """[-] opacity of a card over the picture."""
-SOLID = 0.90
+SOLID = 0.95
 """[-] of one that is read while all else waits."""
 
 

@@ -10,11 +10,13 @@ from palpate.play import Play
 from palpate.player.boards import Board, EndBoard, MenuBoard, StartBoard
 from palpate.player.cards import Banner, ClockCard, KeyLine, Notice, TaskCard
 from palpate.player.force_bar import ForceBar
-from palpate.player.words import format_clock, say_keys, translate
+from palpate.player.words import say_keys, translate
 from palpate.viewport import View
 
 EDGE = 20
 """[px] to the sides of the window."""
+LEAST_BANNER = 18.0
+"""[-] width of a sentence, in heights of a letter."""
 SIDE = 9.4
 """[-] width of what stands on the right, in heights of a letter."""
 
@@ -42,7 +44,7 @@ class Overlays(QObject):
 
     def start_anew(self) -> None:
         """As before a run."""
-        self.clock.clock.setText(format_clock(0.0))
+        self.clock.show_time(0.0)
         self.force.start_anew()
         self.alarm.tell("")
         self.warning.tell("")
@@ -56,7 +58,7 @@ class Overlays(QObject):
         """One of the boards, or none; what else there is to read steps back for it."""
         for other in (self.start, self.menu, self.end):
             other.setVisible(other is board)
-        self.task.setVisible(board is not self.start)
+        self.task.setVisible(board is None or board is self.end)
         self.pause.setVisible(board is None and bool(self.pause.label.text()))
         self.place()
 
@@ -107,15 +109,22 @@ class Overlays(QObject):
         self.keys.setVisible(x + self.keys.width() < width - EDGE)
 
     def _place_banners(self, width: int, m: float) -> None:
-        y = EDGE
-        wide = min(44.0 * m, width - 2 * (EDGE + SIDE * m) - 2 * EDGE)
+        """On top, between what stands left and right; under the task where that is too narrow."""
+        left = self.task.geometry().right() if self.task.isVisible() else 0
+        right, y = width - EDGE - SIDE * m, EDGE
+        if right - left < LEAST_BANNER * m:
+            left, y = 0, self.task.geometry().bottom() + EDGE // 2
+        room = right - left - 2 * EDGE
         for banner in (self.alarm, self.warning, self.pause):
-            if banner.label.text():
-                letters = banner.fontMetrics().horizontalAdvance(banner.label.text())
-                needed = min(max(wide, 12 * m), letters * m / 9 + 4 * m)
-                self._put(banner, needed, (width - needed) / 2, y)
-                y = banner.geometry().bottom() + 10
-                banner.raise_()
+            if not banner.label.text():
+                continue
+            banner.ensurePolished()
+            banner.label.ensurePolished()
+            text = banner.label.fontMetrics().horizontalAdvance(banner.label.text())
+            wide = min(room, text + 4 * m)
+            self._put(banner, wide, left + EDGE + (room - wide) / 2, y)
+            y = banner.geometry().bottom() + EDGE // 2
+            banner.raise_()
 
     def _put(self, panel: QFrame, width: float, x: float, y: float) -> None:
         """At a place, as wide as said and as high as its text needs."""

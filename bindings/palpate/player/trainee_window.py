@@ -17,7 +17,7 @@ from palpate.play import Play, describe_play, describe_run
 from palpate.player.boards import Board
 from palpate.player.look import build_palette, build_style
 from palpate.player.overlays import Overlays
-from palpate.player.words import format_clock, say_slow, say_trouble, translate
+from palpate.player.words import say_slow, say_trouble, translate
 from palpate.verb import Report
 from palpate.viewport import PointerHand, make_view
 
@@ -148,7 +148,7 @@ class TraineeWindow(QWidget):
         self.view.force_scale = ARROW * self.view.scenery.radius / self.over.force.range
         self.view.show_force(frame.tool_position, frame.force)
         self._force = float(np.linalg.norm(frame.force))
-        self.over.clock.clock.setText(format_clock(frame.time))
+        self.over.clock.show_time(frame.time)
         if int(frame.time) != self._second:
             self._second = int(frame.time)
             missed, self._missed = frame.missed_ticks - self._missed, frame.missed_ticks

@@ -8,14 +8,36 @@ from contextlib import contextmanager
 
 import moderngl
 import numpy as np
-from PySide6.QtCore import QCoreApplication, QEvent, QPointF, QRect, Qt, Signal
+from PySide6.QtCore import QCoreApplication, QPointF, QRect, Qt, Signal
 from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from palpate.render import RenderError
 from palpate.render.context import create_context
 from palpate.viewport.canvas import Canvas
+from palpate.viewport.scenery import Scenery
 from palpate.viewport.view_base import ViewBase
+
+
+class Held:
+    """The OpenGL of a view, given back once, however the view goes: a widget in a window is not
+    told beforehand that it will be deleted.
+    """
+
+    def __init__(self, context: moderngl.Context, canvas: Canvas, scenery: Scenery):
+        self._context: moderngl.Context | None = context
+        self._canvas, self._scenery = canvas, scenery
+
+    def release(self) -> None:
+        context, self._context = self._context, None
+        if context is not None:
+            with context:
+                self._scenery.release()
+                self._canvas.release()
+            context.release()
+
+    def __del__(self) -> None:
+        self.release()
 
 
 class FboView(ViewBase, QWidget):
@@ -27,6 +49,7 @@ class FboView(ViewBase, QWidget):
     def __init__(self, parent: QWidget | None = None):
         super().__init__(parent)
         self._context: moderngl.Context | None = None
+        self._held: Held | None = None
         self._pixels = np.zeros((1, 1, 4), np.uint8)
         self._image = QImage()
         self.problem = ""
@@ -48,20 +71,11 @@ class FboView(ViewBase, QWidget):
         painter.end()
         self.frame_drawn.emit()
 
-    def event(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.DeferredDelete:
-            self.close_context()
-        return super().event(event)
-
     def close_context(self) -> None:
         """Gives back all OpenGL; the next frame opens it anew."""
-        if self._context is not None:
-            with self._context:
-                self.scenery.release()
-                if self._canvas is not None:
-                    self._canvas.release()
-            self._context.release()
-        self._context = self._canvas = None
+        if self._held is not None:
+            self._held.release()
+        self._held = self._context = self._canvas = None
 
     def _open(self) -> None:
         try:
@@ -72,6 +86,8 @@ class FboView(ViewBase, QWidget):
         with self._context:
             self._canvas = Canvas(self._context)
             self.scenery.build(self._context)
+        self._held = Held(self._context, self._canvas, self.scenery)
+        self.destroyed.connect(self._held.release)
 
     @contextmanager
     def in_context(self) -> Iterator[None]:

@@ -1,0 +1,194 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="tr" sourcelanguage="en">
+<context>
+    <name>Player</name>
+    <message>
+        <source>Time %1. Peak force %2 N.</source>
+        <translation>Süre %1. En yüksek kuvvet %2 N.</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Başla</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Duraklatıldı</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Devam et</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Yeniden başlat</translation>
+    </message>
+    <message>
+        <source>Full screen on or off</source>
+        <translation>Tam ekranı aç ya da kapat</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Çık</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Koyu</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Açık</translation>
+    </message>
+    <message>
+        <source>The run was ended</source>
+        <translation>Deneme sonlandırıldı</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>Tamamlandı</translation>
+    </message>
+    <message>
+        <source>Record: %1</source>
+        <translation>Kayıt: %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Süre</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kuvvet</translation>
+    </message>
+    <message>
+        <source>peak %1 N</source>
+        <translation>en yüksek %1 N</translation>
+    </message>
+    <message>
+        <source>limit %1 N</source>
+        <translation>sınır %1 N</translation>
+    </message>
+    <message>
+        <source>Paused. Space goes on.</source>
+        <translation>Duraklatıldı. Boşluk tuşu devam ettirir.</translation>
+    </message>
+    <message>
+        <source>Something went wrong that should not: %1. Press R to restart.</source>
+        <translation>Olmaması gereken bir hata oluştu: %1. Yeniden başlatmak için R tuşuna basın.</translation>
+    </message>
+    <message>
+        <source>No record can be written, so nothing was started: %1</source>
+        <translation>Kayıt yazılamıyor, bu nedenle hiçbir şey başlatılmadı: %1</translation>
+    </message>
+    <message>
+        <source>The record could not be completed: %1</source>
+        <translation>Kayıt tamamlanamadı: %1</translation>
+    </message>
+    <message>
+        <source>Not validated. Not a medical device.</source>
+        <translation>Doğrulanmamıştır. Tıbbi cihaz değildir.</translation>
+    </message>
+    <message>
+        <source>The computed force was not a number, so the force was switched off. Press R to start again.</source>
+        <translation>Hesaplanan kuvvet bir sayı değildi, bu nedenle kuvvet kapatıldı. Yeniden başlamak için R tuşuna basın.</translation>
+    </message>
+    <message>
+        <source>This computer is too slow just now: %1 of the last %2 force updates were missed.</source>
+        <translation>Bu bilgisayar şu anda çok yavaş: son %2 kuvvet güncellemesinden %1 tanesi kaçırıldı.</translation>
+    </message>
+    <message>
+        <source>The tissue became unstable after %1 s (%2), so the force was switched off. Press R to start again.</source>
+        <translation>Doku %1 s sonra kararsızlaştı (%2), bu nedenle kuvvet kapatıldı. Yeniden başlamak için R tuşuna basın.</translation>
+    </message>
+    <message>
+        <source>The device reported a position that is not a number, so its force was switched off. Check its cable, then press R to start again.</source>
+        <translation>Cihaz sayı olmayan bir konum bildirdi, bu nedenle kuvveti kapatıldı. Kablosunu denetleyin, sonra yeniden başlamak için R tuşuna basın.</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Hareket</translation>
+    </message>
+    <message>
+        <source>stroke along the surface</source>
+        <translation>yüzeyi okşar</translation>
+    </message>
+    <message>
+        <source>Left button</source>
+        <translation>Sol düğme</translation>
+    </message>
+    <message>
+        <source>press</source>
+        <translation>bastırır</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Tekerlek</translation>
+    </message>
+    <message>
+        <source>deeper or higher</source>
+        <translation>daha derin ya da daha yüksek</translation>
+    </message>
+    <message>
+        <source>Right button</source>
+        <translation>Sağ düğme</translation>
+    </message>
+    <message>
+        <source>take hold and pull</source>
+        <translation>tutar ve çeker</translation>
+    </message>
+    <message>
+        <source>Beside the organ</source>
+        <translation>Organın yanında</translation>
+    </message>
+    <message>
+        <source>turn the view</source>
+        <translation>görünümü döndürür</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Boşluk</translation>
+    </message>
+    <message>
+        <source>pause</source>
+        <translation>duraklat</translation>
+    </message>
+    <message>
+        <source>restart</source>
+        <translation>yeniden başlat</translation>
+    </message>
+    <message>
+        <source>full screen</source>
+        <translation>tam ekran</translation>
+    </message>
+    <message>
+        <source>menu</source>
+        <translation>menü</translation>
+    </message>
+    <message>
+        <source>a position is not a number</source>
+        <translation>bir konum sayı değil</translation>
+    </message>
+    <message>
+        <source>a point moved too far at once</source>
+        <translation>bir nokta bir anda çok uzağa gitti</translation>
+    </message>
+    <message>
+        <source>a link was stretched too far</source>
+        <translation>bir bağ aşırı gerildi</translation>
+    </message>
+    <message>
+        <source>a triangle collapsed</source>
+        <translation>bir üçgen çöktü</translation>
+    </message>
+    <message>
+        <source>energy came from nowhere</source>
+        <translation>enerji yoktan arttı</translation>
+    </message>
+</context>
+<context>
+    <name>Viewport</name>
+    <message>
+        <source>The organ cannot be drawn on this machine: %1</source>
+        <translation>Organ bu makinede çizilemiyor: %1</translation>
+    </message>
+</context>
+</TS>
