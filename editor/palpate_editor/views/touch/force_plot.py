@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from html import escape
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +14,7 @@ from palpate.render.theme import THEMES
 from palpate.whole_file import write_whole
 from PySide6.QtCore import QEvent, QPoint, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QColor
-from PySide6.QtWidgets import QMenu, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QMenu, QVBoxLayout, QWidget
 
 from palpate_editor.views.touch.force_trace import ForceTrace, write_csv
 from palpate_editor.views.touch.save_dialog import ask_save
@@ -26,8 +27,8 @@ COMPARED = 3
 """Earlier runs kept beside the newest."""
 LEAST_FORCE = 0.5
 """[N] at the top of the axis: noise of a resting hand should not fill the plot."""
-HEADROOM = 1.4
-"""[-] of the axis above the highest force, for the legend and the peak's label."""
+HEADROOM = 1.28
+"""[-] of the axis above the highest force, for the peak's label."""
 AXIS_WIDTH = 48
 """[px] so that the plot does not jump when the labels gain a digit."""
 
@@ -48,7 +49,10 @@ class ForcePlot(QWidget):
         self._plot.setMenuEnabled(False)
         self._plot.hideButtons()
         self._plot.getAxis("left").setWidth(AXIS_WIDTH)
-        self._legend = self._plot.addLegend(offset=(-8, 2), labelTextSize="9pt", colCount=4)
+        self._key = QLabel(self)
+        self._key.setObjectName("force_key")
+        self._key.setTextFormat(Qt.TextFormat.RichText)
+        self._key.setAlignment(Qt.AlignmentFlag.AlignRight)
         self._curves: list[pg.PlotDataItem] = []
         self._peak_mark = pg.ScatterPlotItem(size=9)
         self._peak_text = pg.TextItem(anchor=(0.5, 1.25))
@@ -56,8 +60,10 @@ class ForcePlot(QWidget):
         for item in (self._peak_mark, self._peak_text, self._empty_text):
             self._plot.addItem(item, ignoreBounds=True)
         layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self._plot)
+        layout.setContentsMargins(0, 4, 0, 0)
+        layout.setSpacing(0)
+        layout.addWidget(self._key)
+        layout.addWidget(self._plot, 1)
         self._plot.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self._plot.customContextMenuRequested.connect(self._show_menu)
         self._build_actions()
@@ -148,11 +154,11 @@ class ForcePlot(QWidget):
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_timer"):
-            self.use_theme("dark" if self.palette().base().color().lightness() < 128 else "light")
+            self.use_theme("dark" if self.palette().window().color().lightness() < 128 else "light")
 
     def _dress(self) -> None:
         theme = THEMES[self._theme]
-        self._plot.setBackground(self.palette().base().color())
+        self._plot.setBackground(self.palette().window().color())
         text, faint = to_colour(theme.text), to_colour(theme.faint)
         labels = {"left": self.tr("Force [N]"), "bottom": self.tr("Time [s]")}
         for side, label in labels.items():
@@ -161,8 +167,6 @@ class ForcePlot(QWidget):
             axis.setTextPen(pg.mkPen(text))
             axis.setLabel(label, siPrefixEnableRanges=(), color=text.name())
         self._plot.showGrid(x=True, y=True, alpha=0.18)
-        self._legend.setLabelTextColor(text)
-        self._legend.setBrush(pg.mkBrush(*(round(255 * c) for c in theme.panel), 170))
         self._peak_text.setColor(text)
         self._empty_text.setColor(faint)
         self._empty_text.setText(self.tr("Press the organ: the force appears here"))
@@ -173,9 +177,8 @@ class ForcePlot(QWidget):
         for curve in self._curves:
             self._plot.removeItem(curve)
         self._curves = []
-        colours = [QColor.fromRgbF(*colour) for colour in RUN_COLOURS[self._theme]]
         for age, trace in enumerate(reversed(self.traces)):
-            colour = QColor(colours[age % len(colours)])
+            colour = self._colour(age)
             colour.setAlphaF(1.0 if age == 0 else 0.55)
             pen = pg.mkPen(colour, width=2 if age == 0 else 1)
             curve = pg.PlotDataItem(pen=pen, autoDownsample=True, clipToView=True)
@@ -184,9 +187,22 @@ class ForcePlot(QWidget):
             self._curves.append(curve)
             if age:
                 curve.setData(trace.time, trace.size)
-            self._legend.addItem(curve, describe_trace(trace))
-        self._peak_mark.setBrush(pg.mkBrush(colours[0]))
+        self._peak_mark.setBrush(pg.mkBrush(self._colour(0)))
         self._peak_mark.setPen(pg.mkPen(to_colour(THEMES[self._theme].text)))
+
+    def _colour(self, age: int) -> QColor:
+        """Of a run; the newest has age 0."""
+        colours = RUN_COLOURS[self._theme]
+        return to_colour(colours[age % len(colours)])
+
+    def _write_key(self) -> str:
+        """The runs and their peaks over the plot, where no curve runs through them."""
+        items = [
+            f'<span style="color:{self._colour(age).name()}">\N{BLACK CIRCLE}</span>&nbsp;'
+            f"{escape(describe_trace(trace))}"
+            for age, trace in enumerate(reversed(self.traces))
+        ]
+        return "&nbsp;&nbsp;&nbsp; ".join(items) + "&nbsp;&nbsp;"
 
     def _draw_if_new(self) -> None:
         if self._new and self.isVisible():
@@ -200,12 +216,11 @@ class ForcePlot(QWidget):
     def _draw(self) -> None:
         empty = not any(len(trace) for trace in self.traces)
         self._empty_text.setVisible(empty)
-        self._legend.setVisible(not empty)
+        self._key.setText(self._write_key())
         peak = None
         if self.traces:
             newest = self.traces[-1]
             self._curves[0].setData(newest.time, newest.size)
-            self._legend.getLabel(self._curves[0]).setText(describe_trace(newest))
             peak = newest.find_peak()
         self._peak_mark.setData(*([[peak[0]], [peak[1]]] if peak else [[], []]))
         self._peak_text.setVisible(peak is not None)

@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 
 FIRST_ROOM = 1024
 """[rows] a trace begins with."""
-SMALLEST_PEAK = 1e-3
+SMALLEST_PEAK = 0.01
 """[N] Below this nothing was felt, and there is no peak to mark."""
 
 

@@ -32,6 +32,9 @@ class Meter(QWidget):
     def sizeHint(self) -> QSize:
         return QSize(70, 10)
 
+    def minimumSizeHint(self) -> QSize:
+        return QSize(44, 10)
+
     def show_share(self, share: float | None) -> None:
         """[-] 1 is the limit; None for nothing to show."""
         self.share = share
@@ -110,7 +113,7 @@ class LiveCosts(QWidget):
         words, number, meter = QLabel(title, self), QLabel(NOTHING, self), Meter(near, self)
         number.setObjectName(f"live_{name}")
         number.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        widest = number.fontMetrics().horizontalAdvance("0.000 ms  000 %")
+        widest = number.fontMetrics().horizontalAdvance("0.000 ms 000 %")
         number.setMinimumWidth(widest)
         for column, widget in enumerate((words, number, meter)):
             widget.setToolTip(tip)

@@ -182,12 +182,15 @@ class Runner(QObject):
             self.desk.tell(problem)
         elif self.desk.session.organ is self._organ:
             self.desk.session.mark_tested()
+            self.desk.assessor.begin()
         self.changed.emit()
         if outcome is not None:
             self.ended.emit(outcome)
 
     def _read_outcome(self, trial: Trial, report: palpate.LoopReport) -> Outcome | None:
         try:
+            if trial.problem is not None:
+                raise trial.problem
             record = palpate.read_record(str(trial.record))
         except OSError as problem:
             self.desk.refuse(problem)

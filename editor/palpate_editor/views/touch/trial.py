@@ -48,6 +48,8 @@ class Trial(QObject):
         options.duration = duration
         self.run = LiveRun(scene, device, record=record, options=options)
         self.report: palpate.LoopReport | None = None
+        self.problem: OSError | None = None
+        """Why the record is not whole."""
         self._rest = np.array(scene.tissue.rest_position)
         self._top = LEAST_TOP
         diagonal = float(palpate.compute_diagonal(self._rest))
@@ -75,7 +77,10 @@ class Trial(QObject):
         """Stops the loop and its recorder; what is left stands in the record."""
         self._timer.stop()
         if self.report is None:
-            self.report = self.run.finish()
+            try:
+                self.report = self.run.finish()
+            except OSError as problem:  # a full disk: the run itself was good
+                self.problem, self.report = problem, self.run.report()
         return self.report
 
     def clear_view(self) -> None:
