@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The main job from end to end: mesh file, two tissues, touch, record, replay, pictures."""
+"""The main job from end to end: mesh file, two tissues, touch, replay, pictures, publish, play."""
 
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 import tomllib
@@ -12,33 +13,41 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import palpate
-from palpate.press import PressScript, find_top
+from palpate.press import PressScript, find_top, write_script
 from palpate.run import Run, picture_of_record, plot_runs, run_script
-from palpate.scene_file import hash_file, open_scene, write_scene_file
-from palpate.scene_parts import HandPart, MaterialPart, ModelPart, OrganPart, SceneFile, ToolPart
+from palpate.scene_file import open_scene
+from palpate.scene_parts import HandPart, MaterialPart, ModelPart, ToolPart
+from palpate.script_file import write_script_file
 from palpate.verb import Refusal, Report
 from palpate.whole_file import write_whole
 
-from palpate_editor.authoring import decimate, import_mesh, write_mesh
-from palpate_editor.check import describe_model
-from palpate_editor.edits.fix import find_lowest
+from palpate_editor.authoring import write_mesh
+from palpate_editor.check import describe_model, measure_surface
+from palpate_editor.compile import compile_organ, mesh_of
+from palpate_editor.document import EMPTY, Organ
+from palpate_editor.document.constants import SHORT_KINDS
+from palpate_editor.document.defaults import CONSTANTS, TABLES
+from palpate_editor.document.files import write_organ
+from palpate_editor.edits import EditError, FixLowest, SetTask, decimate_organ, import_file
+from palpate_editor.publish import publish
+from palpate_editor.scene_files import write_scene
 
-CONSTANTS = Path(__file__).with_name("demo.toml")
-KINDS = {"mss": "mass_spring", "mms": "molecular"}
 SOURCE_VERTICES = 2400
 """Of the generated organ, so that there is something to decimate."""
+PUBLISHED = "mss"
+"""The tissue that is published: the one that fits a millisecond with the most vertices."""
+TASK = "Press the organ with the tip and feel how it gives way. Take hold of it and pull gently."
+Say = Callable[[str], None]
 
 
 def read_constants(path: Path) -> dict[str, dict[str, float]]:
     """The tables of a constants file. Raises Refusal or OSError."""
     try:
-        tables = tomllib.loads(path.read_text())
+        tables = tomllib.loads(path.read_text(encoding="utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as problem:
         raise Refusal(path, "", str(problem), "TOML like the demo.toml that is installed") from None
-    wanted = tomllib.loads(CONSTANTS.read_text())
-    for table, values in wanted.items():
+    for table, values in TABLES.items():
         found = tables.get(table)
         if not isinstance(found, dict) or set(found) != set(values):
             raise Refusal(
@@ -47,32 +56,10 @@ def read_constants(path: Path) -> dict[str, dict[str, float]]:
                 "no such table" if found is None else ", ".join(sorted(found)),
                 ", ".join(sorted(values)),
             )
+        for name, value in found.items():
+            if isinstance(value, bool) or not isinstance(value, int | float):
+                raise Refusal(path, f"[{table}] {name}", repr(value), "a number")
     return tables
-
-
-def describe_scene(
-    organ: Path, name: str, kind: str, mesh: palpate.SurfaceMesh, constants: dict[str, Any]
-) -> SceneFile:
-    """The demo's scene of one kind of tissue on a mesh that lies beside the scene file."""
-    closed = palpate.is_closed(np.asarray(mesh.triangles))
-    material = MaterialPart(**constants["material"])
-    if closed:
-        material = replace(material, wall_thickness=None)
-    surroundings = constants["surroundings"]
-    return SceneFile(
-        organ=OrganPart(name, organ.name, hash_file(organ)),
-        material=material,
-        model=ModelPart(
-            kind=KINDS[kind],
-            drag=surroundings["drag"],
-            fixed=tuple(
-                find_lowest(np.asarray(mesh.vertices), surroundings["fix_lowest"]).tolist()
-            ),
-            **constants[kind],
-        ),
-        tool=ToolPart(**constants["tool"]),
-        hand=HandPart(**constants["hand"]),
-    )
 
 
 def generate_source(folder: Path) -> Path:
@@ -92,12 +79,12 @@ def run_demo(
     parts: tuple[str, ...] = (),
     unit: str | None = None,
     up: str | None = None,
-    say: Callable[[str], None] = lambda line: None,
+    say: Say = lambda line: None,
 ) -> Report:
     """Runs the whole main job into the folder `out` and returns its summary.
 
-    Raises FileError or Refusal where the mesh or the constants are refused, RuntimeError where the
-    simulation failed.
+    Raises FileError or Refusal where the mesh or the constants are refused, PublishError where the
+    organ is not fit for a trainee, RuntimeError where the simulation failed.
     """
     values = read_constants(constants)
     out.mkdir(parents=True, exist_ok=True)
@@ -105,51 +92,121 @@ def run_demo(
         source, unit = generate_source(out), "m"
     else:
         source = mesh
-    say(f"import    {source.name}")
-    imported = import_mesh(source, parts=parts, unit=unit, up=up)
-    loops = imported.report.border_loops
-    border = f", {len(loops)} hole(s) kept open" if loops else ", closed"
-    say(
-        f"          {imported.report.vertices} vertices, {imported.report.triangles} triangles"
-        f"{border}; unit {imported.joined.unit}: {imported.joined.unit_reason}"
-    )
-    small = decimate(imported.mesh, vertices)
-    organ = out / "organ.obj"
-    write_mesh(organ, small.mesh)
-    say(
-        f"decimate  {vertices} vertices, {len(small.mesh.triangles)} triangles, smallest angle "
-        f"{small.smallest_angle_deg:.0f} degrees, {1e3 * small.max_distance:.2f} mm at most from "
-        "the source"
-    )
-
-    name = mesh.stem if mesh else "spleen"
+    organ = make_organ(source, vertices, parts, unit, up, say)
+    organ = replace(organ, name=mesh.stem if mesh else "spleen")
+    assert organ.surface is not None
+    write_mesh(out / "organ.obj", mesh_of(organ.surface))
     summary: Report = {
-        "organ": name,
-        "vertices": len(small.mesh.vertices),
-        "triangles": len(small.mesh.triangles),
-        "border_loops": [
-            len(loop) for loop in palpate.find_border_loops(np.asarray(small.mesh.triangles))
-        ],
+        "organ": organ.name,
+        "vertices": organ.vertex_count,
+        "triangles": len(organ.surface.triangles),
+        "border_loops": list(measure_surface(organ.surface)[1].border_loops),
         "picture": "picture.png",
         "force_plot": "force_plot.png",
-        "mesh": organ.name,
+        "mesh": "organ.obj",
     }
+    script = PressScript(**values["script"])
     runs: dict[str, Run] = {}
-    for kind in KINDS:
+    for kind in SHORT_KINDS:
         scene_path = out / f"{kind}.scene.json"
-        write_scene_file(scene_path, describe_scene(organ, name, kind, small.mesh, values))
-        runs[kind], summary[kind] = touch(kind, scene_path, PressScript(**values["script"]), say)
-
-    title = (
-        f"{name}, {summary['vertices']} vertices: pressed {1e3 * values['script']['depth']:g} mm"
-    )
-    picture_of_record(out / "picture.png", out / "mss.prec", runs["mss"].moments.held, {}, title)
-    plot_runs(out / "force_plot.png", {"mass-spring": runs["mss"], "molecular": runs["mms"]}, name)
-    write_whole(
-        out / "summary.json", (json.dumps(summary, indent=2, allow_nan=False) + "\n").encode()
-    )
+        write_scene(scene_path, dress(organ, kind, values), out / "organ.obj")
+        runs[kind], summary[kind] = touch(kind, scene_path, script, say)
+    draw(out, summary, runs, script)
+    summary |= hand_over(out, dress(organ, PUBLISHED, values), script, say)
+    write_whole(out / "summary.json", print_json(summary))
     say(f"wrote     {out / 'summary.json'}, {out / 'picture.png'}, {out / 'force_plot.png'}")
     return summary
+
+
+def make_organ(
+    source: Path, vertices: int, parts: tuple[str, ...], unit: str | None, up: str | None, say: Say
+) -> Organ:
+    """A mesh file as an organ of exactly so many vertices."""
+    say(f"import    {source.name}")
+    organ = import_file(source, parts=parts, unit=unit, up=up)(EMPTY)
+    assert organ.imported is not None and organ.source is not None
+    loops = measure_surface(organ.imported)[1].border_loops
+    border = f", {len(loops)} hole(s) kept open" if loops else ", closed"
+    say(
+        f"          {len(organ.imported.vertices)} vertices, {len(organ.imported.triangles)} "
+        f"triangles{border}; unit {organ.source.unit}: {organ.source.unit_reason}"
+    )
+    try:
+        edit = decimate_organ(organ, vertices)
+    except EditError as refused:
+        raise Refusal(source, "--vertices", str(vertices), str(refused)) from None
+    made = edit.decimation
+    say(
+        f"decimate  {made.vertices} vertices, {made.triangles} triangles, smallest angle "
+        f"{made.smallest_angle_deg:.0f} degrees, {1e3 * made.max_distance:.2f} mm at most from "
+        "the source"
+    )
+    return edit(organ)
+
+
+def dress(organ: Organ, kind: str, constants: dict[str, Any]) -> Organ:
+    """The organ with the tissue, tool and hand of a constants file, resting on a table."""
+    assert organ.surface is not None
+    material = MaterialPart(**constants["material"])
+    if palpate.is_closed(organ.surface.triangles):
+        material = replace(material, wall_thickness=None)
+    surroundings = constants["surroundings"]
+    model = ModelPart(kind=SHORT_KINDS[kind], drag=surroundings["drag"], **constants[kind])
+    dressed = replace(
+        organ,
+        material=material,
+        model=model,
+        tool=ToolPart(**constants["tool"]),
+        hand=HandPart(**constants["hand"]),
+    )
+    return FixLowest(surroundings["fix_lowest"])(dressed)
+
+
+def draw(out: Path, summary: Report, runs: dict[str, Run], script: PressScript) -> None:
+    """The picture of the press at its deepest, and the plot of both tissues' forces."""
+    name = summary["organ"]
+    title = f"{name}, {summary['vertices']} vertices: pressed {1e3 * script.depth:g} mm"
+    record = out / summary["mss"]["record"]
+    picture_of_record(out / summary["picture"], record, runs["mss"].moments.held, {}, title)
+    plotted = {"mass-spring": runs["mss"], "molecular": runs["mms"]}
+    plot_runs(out / summary["force_plot"], plotted, name)
+
+
+def hand_over(out: Path, organ: Organ, script: PressScript, say: Say) -> Report:
+    """Publishes the organ and plays the file as a trainee's program does, in a new process."""
+    organ = SetTask(f"{organ.name}: press and pull", TASK)(organ)
+    working, published = out / f"{organ.name}.organ", out / f"{organ.name}.palpate"
+    write_organ(working, organ)
+    report = publish(organ, published)
+    say(f"publish   {published.name}: {report['bytes'] / 1e3:.0f} kB, {organ.title}")
+
+    scene = compile_organ(organ)
+    hand = out / "press.script.json"
+    write_script_file(hand, write_script(find_top(scene), scene.tool.radius, script)[0])
+    record = out / "play.prec"
+    played = run_elsewhere(
+        "play", published, "--headless", "--device", f"script:{hand}", "--record", record
+    )
+    replay = replay_elsewhere(record)
+    write_whole(out / "play.replay.json", print_json(replay))
+    say(
+        f"play      peak {played['peak_force_N']:.2f} N, {played['missed_ticks']} ticks missed; "
+        f"replay {'equal' if replay['equal'] else 'DIFFERS'}"
+    )
+    return {
+        "working": working.name,
+        "published": published.name,
+        "published_sha256": report["sha256"],
+        "play": {
+            "script": hand.name,
+            "record": record.name,
+            "replay": "play.replay.json",
+            "ticks": played["ticks"],
+            "missed_ticks": played["missed_ticks"],
+            "peak_force_N": played["peak_force_N"],
+            "replay_equal": replay["equal"],
+        },
+    }
 
 
 def touch(
@@ -161,9 +218,7 @@ def touch(
     record = scene_path.with_name(f"{kind}.prec")
     run = run_script(scene, find_top(scene), script, record, scene_path)
     replay = replay_elsewhere(record)
-    write_whole(
-        scene_path.with_name(f"{kind}.replay.json"), (json.dumps(replay, indent=2) + "\n").encode()
-    )
+    write_whole(scene_path.with_name(f"{kind}.replay.json"), print_json(replay))
     report = {
         **run.report,
         "total_mass_g": 1e3 * palpate.compute_total_mass(scene.tissue),
@@ -183,18 +238,41 @@ def touch(
     return run, report
 
 
-def replay_elsewhere(record: Path) -> Report:
-    """The verb `replay` in a new process, which shares nothing with the run but the files."""
+def run_elsewhere(verb: str, *words: object) -> Report:
+    """A verb in a new process, which shares nothing with this one but the files."""
     done = subprocess.run(
-        [sys.executable, "-m", "palpate.cli", "replay", str(record), "--json"],
+        [sys.executable, "-m", "palpate.cli", verb, *map(str, words), "--json"],
         capture_output=True,
         text=True,
         check=False,
     )
     if done.returncode not in (0, 1) or not done.stdout:
-        raise RuntimeError(f"the replay of {record.name} failed: {done.stderr.strip()}")
+        raise RuntimeError(f"`palpate {verb} {words[0]}` failed: {done.stderr.strip()}")
     report = json.loads(done.stdout)
     if "error" in report:
         raise Refusal(**report["error"])
+    return report
+
+
+def replay_elsewhere(record: Path) -> Report:
+    report = run_elsewhere("replay", record)
     report["record"], report["scene"] = Path(report["record"]).name, Path(report["scene"]).name
     return report
+
+
+def print_json(report: Report) -> bytes:
+    return (json.dumps(report, indent=2, allow_nan=False) + "\n").encode()
+
+
+def can_show_windows() -> bool:
+    """Whether somebody sits before a display here."""
+    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+def open_editor(file: Path) -> None:
+    """Opens the editor on a file, and does not wait for it."""
+    subprocess.Popen(
+        [sys.executable, "-m", "palpate.cli", "editor", str(file)],
+        stdin=subprocess.DEVNULL,
+        start_new_session=True,
+    )

@@ -7,6 +7,7 @@ import math
 
 from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.constants import CHOICES
+from palpate_editor.document.defaults import FIXED_SHARE, WALL_THICKNESS
 from palpate_editor.document.problems import Facts, Problem
 from palpate_editor.document.rules import EDGES_PER_RADIUS, SIZE_LEAST, SIZE_MOST
 from palpate_editor.edits import (
@@ -22,10 +23,6 @@ from palpate_editor.edits import (
 )
 from palpate_editor.edits.orient import METRES
 
-WALL = 2e-3
-"""[m] A hollow organ's wall, where nothing better is known."""
-LOWEST = 0.1
-"""[-] of the height that is fixed where nothing holds an organ."""
 AWAY = 0.1
 """[-] of an admissible range: how far from its end a mended constant is put."""
 
@@ -56,8 +53,8 @@ def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
     return {
         "inward": TurnOutward(),
         "shells": KeepLargestShell(),
-        "open_solid": SetConstant("material", "wall_thickness", WALL),
-        "loose": FixLowest(LOWEST),
+        "open_solid": SetConstant("material", "wall_thickness", WALL_THICKNESS),
+        "loose": FixLowest(FIXED_SHARE),
     }.get(problem.key)
 
 

@@ -5,19 +5,14 @@ from __future__ import annotations
 
 import json
 import os
-from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 from palpate import FileError, scenario
-from palpate.mesh_file import read_mesh_file
-from palpate.scene_file import hash_file, read_scene_file
 from palpate.verb import Refusal
 
-from palpate_editor.compile import surface_of
 from palpate_editor.document import Organ
 from palpate_editor.document.files import FORMAT, VERSION, read_organ, unpack_organ
-from palpate_editor.edits.name import MOST_NAME_BYTES
+from palpate_editor.scene_files import read_scene
 
 
 def open_organ(path: Path) -> Organ:
@@ -56,38 +51,3 @@ def read_authored(path: Path) -> Organ:
             f"at most {VERSION}, what this editor knows",
         )
     return unpack_organ(authored.get("content"), found.authored_arrays, version, str(path))
-
-
-def read_scene(path: Path) -> Organ:
-    """The organ of a scene file and its mesh, which is taken to be used as it was imported."""
-    scene = read_scene_file(path)
-    mesh_path = path.parent / scene.organ.mesh
-    if mesh_path.is_file() and hash_file(mesh_path) != scene.organ.sha256:
-        raise Refusal(
-            path,
-            "organ.sha256",
-            f"{mesh_path.name} with another SHA-256",
-            "the mesh the scene was made with",
-        )
-    surface = surface_of(read_mesh_file(mesh_path))
-    count = len(surface.vertices)
-    fixed = np.zeros(count, bool)
-    ids = scene.model.fixed
-    if ids and not (min(ids) >= 0 and max(ids) < count):
-        found, expected = f"{min(ids)} to {max(ids)}", f"vertices 0 to {count - 1}"
-        raise Refusal(path, "model.fixed", found, expected)
-    fixed[list(ids)] = True
-    scale = np.array(scene.model.stiffness_scale or (1.0,) * count)
-    if len(scale) != count:
-        raise Refusal(path, "model.stiffness_scale", f"{len(scale)} numbers", f"{count} or none")
-    return Organ(
-        name=scene.organ.name.encode()[:MOST_NAME_BYTES].decode(errors="ignore"),
-        imported=surface,
-        surface=surface,
-        material=scene.material,
-        model=replace(scene.model, fixed=(), stiffness_scale=()),
-        fixed=fixed,
-        stiffness_scale=scale,
-        tool=scene.tool,
-        hand=scene.hand,
-    )

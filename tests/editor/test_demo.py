@@ -10,7 +10,9 @@ from pathlib import Path
 import palpate
 import pytest
 from palpate.cli import main
-from palpate_editor.demo import CONSTANTS
+from palpate_editor import demo as demo_module
+from palpate_editor.document.defaults import CONSTANTS
+from palpate_editor.open_organ import open_organ
 
 FIELDS = {
     "tick_median_us",
@@ -25,7 +27,7 @@ FIELDS = {
 
 
 def demo(out: Path, *words: str) -> dict:
-    assert main(["demo", "--out", str(out), *words]) == 0
+    assert main(["demo", "--no-window", "--out", str(out), *words]) == 0
     return json.loads((out / "summary.json").read_text())
 
 
@@ -52,6 +54,20 @@ def check_summary(out: Path, summary: dict) -> None:
         assert 50.0 <= summary[kind]["patch_stiffness_N_per_m"] <= 400.0
         assert summary[kind]["pull_force_N"] > 0.02
         assert (out / summary[kind]["record"]).is_file()
+    check_published(out, summary)
+
+
+def check_published(out: Path, summary: dict) -> None:
+    """The demo goes to the end: the file a trainee gets was played, and feels like the press."""
+    published = out / summary["published"]
+    assert (published.name, published.suffix) == (summary["published"], ".palpate")
+    assert hashlib.sha256(published.read_bytes()).hexdigest() == summary["published_sha256"]
+    assert len(palpate.scenario.read(published).scene.tissue.mass) == summary["vertices"]
+    assert open_organ(out / summary["working"]).title == open_organ(published).title != ""
+    assert summary["play"]["replay_equal"] is True
+    assert (out / summary["play"]["record"]).is_file()
+    pressed, pulled = summary["mss"]["peak_force_N"], summary["mss"]["pull_force_N"]
+    assert summary["play"]["peak_force_N"] == pytest.approx(max(pressed, pulled), rel=0.02)
 
 
 def test_the_demo_leaves_its_pictures_records_and_a_summary(own):
@@ -96,7 +112,7 @@ def test_two_organs_give_different_forces_pictures_and_files(own, spleen):
 
     for kind in ("mss", "mms"):
         assert one[kind]["peak_force_N"] != other[kind]["peak_force_N"]
-    for name in ("picture.png", "force_plot.png", "organ.obj", "mss.prec", "mms.prec"):
+    for name in ("picture.png", "force_plot.png", "organ.obj", "mss.prec", "mms.prec", "play.prec"):
         digests = {
             hashlib.sha256((out / name).read_bytes()).hexdigest() for out in (own_out, spleen_out)
         }
@@ -166,3 +182,34 @@ def test_constants_with_an_unknown_name_are_refused(tmp_path, capsys):
     )
 
     assert json.loads(capsys.readouterr().out)["error"]["where"] == "[script]"
+
+
+def test_a_constant_that_is_no_number_is_refused(tmp_path, capsys):
+    constants = tmp_path / "bad.toml"
+    constants.write_text(CONSTANTS.read_text().replace("drag = 8.0", 'drag = "8"'))
+
+    assert (
+        main(["demo", "--constants", str(constants), "--out", str(tmp_path / "o"), "--json"]) == 1
+    )
+
+    assert json.loads(capsys.readouterr().out)["error"]["where"] == "[surroundings] drag"
+
+
+@pytest.mark.parametrize(("display", "words", "opened"), [
+    (":0", [], ["spleen.organ"]), (":0", ["--no-window"], []), ("", [], []),
+])  # fmt: skip
+def test_the_editor_opens_on_the_result_where_there_is_a_display(
+    own, tmp_path, monkeypatch, capsys, display, words, opened
+):
+    out, summary = own
+    seen = []
+    monkeypatch.setenv("DISPLAY", display)
+    monkeypatch.setenv("WAYLAND_DISPLAY", "")
+    monkeypatch.setattr("palpate_editor.verbs.demo.run_demo", lambda *_: summary)
+    monkeypatch.setattr(demo_module.subprocess, "Popen", lambda words, **_: seen.append(words))
+
+    assert main(["demo", "--out", str(out), *words]) == 0
+
+    assert [Path(call[-1]).name for call in seen] == opened
+    assert all(call[1:4] == ["-m", "palpate.cli", "editor"] for call in seen)
+    assert summary["published"] in capsys.readouterr().out

@@ -62,6 +62,8 @@ class Constant:
         return phrase(template, low=low, high=high, unit=self.unit)
 
 
+SHORT_KINDS = {"mss": "mass_spring", "mms": "molecular"}
+"""What the command line calls them."""
 MOLECULAR = ("molecular",)
 ANY = -math.inf
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from palpate.scene_parts import HandPart, MaterialPart, ModelPart, ToolPart
 
+from palpate_editor.document.defaults import HAND, MATERIAL, MODEL, TOOL
 from palpate_editor.document.surface import Surface, freeze
 
 
@@ -81,15 +82,15 @@ class Organ:
     """What a tissue is built on."""
     decimation: Decimation | None = None
     """None where the imported surface is used as it is."""
-    material: MaterialPart = field(default_factory=MaterialPart)
-    model: ModelPart = field(default_factory=ModelPart)
+    material: MaterialPart = MATERIAL
+    model: ModelPart = MODEL
     """Its `fixed` and `stiffness_scale` are not used: the arrays below stand for them."""
     fixed: np.ndarray = field(default_factory=lambda: np.empty(0, bool))
     """(n,) bool per vertex of the surface, held at rest; read-only"""
     stiffness_scale: np.ndarray = field(default_factory=lambda: np.empty(0))
     """[-] (n,) factor of the stiffness at each vertex; read-only"""
-    tool: ToolPart = field(default_factory=ToolPart)
-    hand: HandPart = field(default_factory=HandPart)
+    tool: ToolPart = TOOL
+    hand: HandPart = HAND
     title: str = ""
     """Of the published scenario."""
     task: str = ""

@@ -13,11 +13,12 @@ from palpate.verb import Refusal, Report, Verb, quantity
 
 from palpate_editor.check import describe_model
 from palpate_editor.compile import compile_organ
-from palpate_editor.document import Organ
-from palpate_editor.document.constants import CHOICES, CONSTANTS, Constant
+from palpate_editor.document import EMPTY, Organ
+from palpate_editor.document.constants import CHOICES, CONSTANTS, SHORT_KINDS, Constant
 from palpate_editor.document.files import write_organ
 from palpate_editor.edits import FixLowest, SetChoice, SetConstant, SetGravity
-from palpate_editor.verbs.files import apply, open_any, write_scene
+from palpate_editor.scene_files import write_scene
+from palpate_editor.verbs.files import apply, open_any
 
 OPTIONS = {
     "model.stiffness": ("--stiffness", "N/m"),
@@ -40,7 +41,6 @@ OPTIONS = {
 }
 """Constant -> its option, and the unit that must stand with the number."""
 
-KINDS = {"mss": "mass_spring", "mms": "molecular"}
 LAWS = {"model.angle_law": "--angle-law", "model.damping_law": "--damping-law"}
 NONE = "none"
 """The word for a constant that is not given: no wall, the builder's own home springs."""
@@ -61,11 +61,10 @@ def add_material(word: argparse.ArgumentParser) -> None:
     word.add_argument(
         "--out", "-o", type=Path, required=True, help=".organ, or scene file to write"
     )
-    word.add_argument("--kind", choices=tuple(KINDS), help="mass-spring or molecular")
-    plain = Organ()
+    word.add_argument("--kind", choices=tuple(SHORT_KINDS), help="mass-spring or molecular")
     for constant in CONSTANTS:
         option, unit = OPTIONS[constant.key]
-        default = getattr(getattr(plain, constant.part), constant.field)
+        default = getattr(getattr(EMPTY, constant.part), constant.field)
         usual = constant.absent if default is None else f"{default:g} {unit}".strip()
         also = f"; '{NONE}': {constant.absent}" if constant.optional else ""
         word.add_argument(
@@ -102,7 +101,7 @@ def read_vector(text: str) -> tuple[float, ...]:
 def set_constants(call: argparse.Namespace, organ: Organ) -> Organ:
     """The organ with what the call names; the rest as it is in the file."""
     if call.kind is not None:
-        organ = apply(SetChoice("kind", KINDS[call.kind]), organ, call.file, "--kind")
+        organ = apply(SetChoice("kind", SHORT_KINDS[call.kind]), organ, call.file, "--kind")
     for key, option in LAWS.items():
         law = getattr(call, key)
         if law is not None:
