@@ -16,15 +16,17 @@ from palpate.scene_parts import ModelPart
 from palpate.verb import Report
 
 from palpate_editor import authoring
-from palpate_editor.compile import compile_organ, compute_stability_margin, mesh_of
+from palpate_editor.compile import (
+    compile_organ,
+    compute_stability_margin,
+    is_built_alike,
+    mesh_of,
+)
 from palpate_editor.document import Organ, Surface
 from palpate_editor.document.problems import Facts, Problem, SurfaceFacts, TissueFacts
 from palpate_editor.document.rules import find_problems
 from palpate_editor.fixes import find_fix
 from palpate_editor.open_organ import open_organ
-
-BUILT_FROM = ("surface", "material", "model", "fixed", "stiffness_scale", "tool", "hand")
-"""What of an organ the tissue depends on."""
 
 measured: WeakKeyDictionary[Surface, tuple[authoring.MeshReport, SurfaceFacts]] = (
     WeakKeyDictionary()
@@ -61,9 +63,7 @@ def assess(
         before: An earlier assessment; what it built is used again where nothing it depends on has
             changed.
     """
-    if before is not None and all(
-        getattr(organ, name) is getattr(before.organ, name) for name in BUILT_FROM
-    ):
+    if before is not None and is_built_alike(organ, before.organ):
         scene, tissue = before.scene, before.facts.tissue
     else:
         scene, tissue = build(organ)

@@ -45,6 +45,22 @@ def compile_organ(organ: Organ) -> palpate.Scene:
     return compile_scene(parts_of(organ), mesh_of(organ.surface))
 
 
+BUILT_FROM = ("surface", "material", "model", "fixed", "stiffness_scale", "tool", "hand")
+"""What of an organ its scene depends on."""
+
+
+def is_built_alike(one: Organ, other: Organ) -> bool:
+    """Whether two organs are known to make the same scene: they differ at most in words."""
+    return all(is_alike(getattr(one, name), getattr(other, name)) for name in BUILT_FROM)
+
+
+def is_alike(one: object, other: object) -> bool:
+    if one is other:
+        return True
+    # arrays that an edit made anew are taken to differ; parts of a few numbers are compared
+    return not isinstance(one, np.ndarray | Surface) and one == other
+
+
 def compute_stability_margin(scene: palpate.Scene, stable_step: float | None = None) -> float:
     """How many times longer the tissue's steps could be before they may become unstable at rest.
 

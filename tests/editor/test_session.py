@@ -146,10 +146,20 @@ def test_starting_anew_leaves_an_empty_desk(session, tmp_path):
 
 
 def test_a_test_counts_for_the_organ_that_was_felt_and_for_no_other(session):
+    before = session.is_tested
     session.mark_tested()
     felt = session.is_tested
-    session.apply(SetName("one"))
+    session.apply(PaintStiffness(np.array([9]), 2.5))
     changed = session.is_tested
     session.history.undo()
 
-    assert (felt, changed, session.is_tested) == (True, False, True)
+    assert (before, felt, changed, session.is_tested) == (False, True, False, True)
+
+
+def test_words_about_an_organ_that_was_felt_leave_it_felt(session):
+    session.mark_tested()
+
+    session.apply(SetTask("Title", "Task"))
+    session.apply(SetName("one"))
+
+    assert session.is_tested

@@ -8,6 +8,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication, QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
+from palpate_editor.compile import is_built_alike
 from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.files import write_organ
 from palpate_editor.edits import Edit
@@ -95,8 +96,8 @@ class Session(QObject):
 
     @property
     def is_tested(self) -> bool:
-        """Whether the organ was felt as it is now."""
-        return self.tested is self.organ
+        """Whether the organ was felt as it is now; words about it may be others."""
+        return self.tested is not None and is_built_alike(self.tested, self.organ)
 
     def _lay_down(self, organ: Organ, path: Path | None, saved: bool = True) -> None:
         # nobody is told before all of it is true: half way, the new organ would pass for saved
