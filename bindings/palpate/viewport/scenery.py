@@ -23,6 +23,7 @@ PLAIN = Look(gloss=0.55, softness=0.3)
 PAINTED = Look(mapped=True, gloss=0.4, softness=0.0)
 TOOL = Look(STEEL, gloss=1.0, softness=0.0, seen_through=True)
 ARROW = Look(FORCE, gloss=0.3, softness=0.0, seen_through=True, casts_shadow=False)
+BALL = build_sphere(np.zeros(3), 1.0)
 RING = Look(SELECTED, gloss=0.0, softness=0.0, seen_through=True, casts_shadow=False)
 ARROW_RADIUS = 0.0065
 """[-] of the surface's diagonal."""
@@ -119,10 +120,9 @@ class Scenery:
         if centre is None:
             self._hide("tool")
             return
-        ball = build_sphere(np.zeros(3), 1.0)
-        thing = self._use("tool", len(ball.vertices), ball.triangles, TOOL)
-        thing.write("normal", ball.normals)
-        thing.write("position", radius * ball.vertices + np.asarray(centre, dtype=float))
+        thing = self._use("tool", len(BALL.vertices), BALL.triangles, TOOL)
+        thing.write("normal", BALL.normals)
+        thing.place(BALL.vertices, radius, centre)
 
     def show_force(self, start: ArrayLike | None, end: ArrayLike | None = None) -> None:
         """An arrow between two points [m]; none where they are the same."""

@@ -29,6 +29,13 @@ class Thing:
         np.copyto(self.streams[name], values, casting="same_kind")
         self._stale.add(name)
 
+    def place(self, vertices: ArrayLike, scale: float, centre: ArrayLike) -> None:
+        """Positions are `vertices`, made larger and moved to `centre` [m]."""
+        position = self.streams["position"]
+        np.multiply(vertices, np.float32(scale), out=position)
+        position += np.asarray(centre, dtype=np.float32)
+        self._stale.add("position")
+
     def show_in(self, renderer: Renderer) -> None:
         """Brings the part up to date. The context must be current."""
         if not self.visible:
