@@ -39,7 +39,10 @@ void validate_surface(const std::string& file, const ImportedMesh& organ,
 
 ImportedMesh import_mesh(const std::filesystem::path& path, const ReadOptions& read,
                          const JoinOptions& join) {
-  const ImportedScene scene = read_mesh(path, read);
+  return import_scene(read_mesh(path, read), join);
+}
+
+ImportedMesh import_scene(const ImportedScene& scene, const JoinOptions& join) {
   ImportedMesh organ{};
   organ.joined = join_parts(scene, join);
   organ.repaired = repair_mesh(organ.joined.mesh);

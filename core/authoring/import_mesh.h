@@ -25,4 +25,7 @@ struct ImportedMesh {
 ImportedMesh import_mesh(const std::filesystem::path& path, const ReadOptions& read,
                          const JoinOptions& join = {});
 
+/// The same for a file that has been read.
+ImportedMesh import_scene(const ImportedScene& scene, const JoinOptions& join = {});
+
 }  // namespace palpate::authoring

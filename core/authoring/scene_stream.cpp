@@ -2,9 +2,45 @@
 #include "palpate/authoring/scene_stream.h"
 
 #include <cstring>
+#include <string_view>
 
 namespace palpate::authoring {
 namespace {
+
+/// Bytes of the UTF-8 letter that `text` begins with, 0 where that is none.
+std::size_t measure_letter(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  const std::size_t size = first < 0x80   ? 1
+                           : first < 0xc2 ? 0  // a continuation, or a letter written too long
+                           : first < 0xe0 ? 2
+                           : first < 0xf0 ? 3
+                           : first < 0xf5 ? 4
+                                          : 0;
+  if (size == 0 || size > text.size()) return 0;
+  for (std::size_t i = 1; i < size; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  }
+  const bool overlong = (first == 0xe0 && byte(1) < 0xa0) || (first == 0xf0 && byte(1) < 0x90);
+  const bool surrogate = first == 0xed && byte(1) >= 0xa0;
+  const bool beyond = first == 0xf4 && byte(1) >= 0x90;
+  return overlong || surrogate || beyond ? 0 : size;
+}
+
+/// A name out of a file of any age and alphabet, with a question mark for what is no letter.
+std::string make_utf8(std::string_view text) {
+  std::string letters;
+  while (!text.empty()) {
+    const std::size_t size = measure_letter(text);
+    if (size == 0) {
+      letters += '?';
+    } else {
+      letters += text.substr(0, size);
+    }
+    text.remove_prefix(size == 0 ? 1 : size);
+  }
+  return letters;
+}
 
 class Reader {
  public:
@@ -19,7 +55,7 @@ class Reader {
 
   std::string take_text() {
     const auto size = take<std::uint32_t>();
-    return {take_bytes(size, 1), size};
+    return make_utf8({take_bytes(size, 1), size});
   }
 
   template <class T>

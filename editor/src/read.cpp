@@ -84,7 +84,7 @@ void bind_read(py::module_& m) {
         return join_parts(scene, {parts, unit, up});
       },
       "scene"_a, py::kw_only(), "parts"_a = std::vector<std::string>(), "unit"_a = Text(),
-      "up"_a = Text(),
+      "up"_a = Text(), py::call_guard<py::gil_scoped_release>(),
       "Take the named parts (all when empty) together, weld them, turn them to metres and z up.");
 }
 
@@ -102,6 +102,15 @@ void bind_import(py::module_& m) {
       "memory_limit"_a = ReadOptions().memory_limit, "reader"_a,
       py::call_guard<py::gil_scoped_release>(),
       "Read, join, repair, orient and check. Raises FileError for what no model can use.");
+  m.def(
+      "import_scene",
+      [](const ImportedScene& scene, const std::vector<std::string>& parts, const Text& unit,
+         const Text& up) {
+        return import_scene(scene, {parts, unit, up});
+      },
+      "scene"_a, py::kw_only(), "parts"_a = std::vector<std::string>(), "unit"_a = Text(),
+      "up"_a = Text(), py::call_guard<py::gil_scoped_release>(),
+      "What import_mesh does with a file that has been read.");
 }
 
 }  // namespace palpate::authoring

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import fields, is_dataclass, replace
 
 import numpy as np
@@ -14,6 +15,7 @@ from palpate_editor.app.session import Session
 from palpate_editor.compile import mesh_of
 from palpate_editor.document import EMPTY, Decimation, Organ, Surface
 from palpate_editor.document.constants import CONSTANTS
+from palpate_editor.document.files import write_organ
 from palpate_editor.edits import EVERY_EDIT, EditError
 from palpate_editor.edits.orient import METRES, TURNS
 
@@ -294,3 +296,14 @@ def test_an_import_knows_its_file(shared_data):
     assert source.repairs.welded_vertices == 291
     assert len(organ.surface.vertices) == 4274
     assert organ.surface is organ.imported
+
+
+def test_a_file_whose_name_is_no_text_can_be_imported_and_saved(tmp_path):
+    path = tmp_path / os.fsdecode(b"dala\xf0.stl")
+    authoring.write_mesh(tmp_path / "plain.stl", mesh_of(surface_of(50)))
+    (tmp_path / "plain.stl").rename(path)
+
+    organ = edits.import_file(path)(EMPTY)
+    write_organ(tmp_path / "a.organ", organ)
+
+    assert (organ.name, organ.source.file) == ("dala?", "dala?.stl")

@@ -258,3 +258,16 @@ def test_a_pancreas_keeps_its_hole_and_says_so_also_as_stl(shared_data, tmp_path
 def test_nested_parts_taken_together_are_refused_with_what_to_do(name, shared_data):
     with pytest.raises(palpate.FileError, match="--part"):
         import_mesh(shared_data(f"organs/{name}.glb"))
+
+
+@pytest.mark.parametrize(
+    ("name", "read"),
+    [("dalağı 🫀".encode(), "dalağı 🫀"), (b"dala\xf0\xfd", "dala??"),
+     (b"\xc0\xaf\xed\xa0\x80", "?????"), (b"a\xf4\x90\x80\x80\xe0\x9fb", "a??????b"),
+     (b"\xe2\x82", "??")],
+)  # fmt: skip
+def test_a_name_that_is_no_text_gets_a_question_mark_for_every_odd_byte(tmp_path, name, read):
+    path = tmp_path / "a.obj"
+    path.write_bytes(b"o " + name + b"\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+
+    assert [part.name for part in read_mesh(path).parts] == [read]

@@ -54,14 +54,15 @@ def import_file(
 
     Raises FileError, ValueError (a wrong part, unit or axis) or OSError.
     """
-    bytes_read = path.read_bytes()
     scene = authoring.read_mesh(path, **limits)
-    imported = authoring.import_mesh(path, parts=parts, unit=unit, up=up, **limits)
+    imported = authoring.import_scene(scene, parts=parts, unit=unit, up=up)
     joined, repaired = imported.joined, imported.repaired
+    with path.open("rb") as file:
+        sha256 = hashlib.file_digest(file, "sha256").hexdigest()
     source = Source(
-        file=path.name,
-        folder=str(path.resolve().parent),
-        sha256=hashlib.sha256(bytes_read).hexdigest(),
+        file=make_writable(path.name),
+        folder=make_writable(str(path.resolve().parent)),
+        sha256=sha256,
         format=scene.format,
         parts_available=tuple(part.name for part in scene.parts),
         parts=tuple(joined.parts),
@@ -83,5 +84,12 @@ def import_file(
     )
     mesh = imported.mesh
     return ImportMesh(
-        path.stem, source, Surface(np.asarray(mesh.vertices), np.asarray(mesh.triangles))
+        make_writable(path.stem),
+        source,
+        Surface(np.asarray(mesh.vertices), np.asarray(mesh.triangles)),
     )
+
+
+def make_writable(name: str) -> str:
+    """A file's name with a question mark for what is no letter: bytes of another age's alphabet."""
+    return name.encode(errors="replace").decode()
