@@ -58,7 +58,7 @@ class Publishing(QObject):
         if errors:
             self.desk.show_stage("publish")
             self.desk.tell(
-                tr("Not published: {count} checks are red, they stand at the right.").format(
+                tr("Not published: red checks stand at the right ({count}).").format(
                     count=len(errors)
                 )
             )

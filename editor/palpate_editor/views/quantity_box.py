@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QValidator, QWheelEvent
 from PySide6.QtWidgets import (
     QAbstractSpinBox,
@@ -31,6 +31,8 @@ class QuantityBox(QAbstractSpinBox):
         self.unit, self.scale = unit, scale
         """`scale` is one shown unit in SI."""
         self.shown: float | None = None
+        self.refused = ""
+        """The text that was refused."""
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.setMinimumWidth(70)
@@ -51,8 +53,10 @@ class QuantityBox(QAbstractSpinBox):
 
     def enter(self) -> None:
         """Takes what was typed; anything that is no number goes back to what was."""
-        value = read_number(self.lineEdit().text())
-        if value is None:
+        text = self.lineEdit().text()
+        value = read_number(text)
+        if value is None or (self.property("refused") and text == self.refused):
+            # leaving a field that was refused goes back to what is
             self.revert()
             return
         value = float(f"{value * self.scale:.12g}")
@@ -65,6 +69,7 @@ class QuantityBox(QAbstractSpinBox):
 
     def mark(self, refused: bool) -> None:
         """Shows that what stands here was refused."""
+        self.refused = self.lineEdit().text() if refused else ""
         self.setProperty("refused", refused)
         self.style().unpolish(self)
         self.style().polish(self)
@@ -102,6 +107,15 @@ class QuantityBox(QAbstractSpinBox):
             super().wheelEvent(event)
         else:
             event.ignore()
+
+    def event(self, event: QEvent) -> bool:
+        """Escape goes back to what was, before it may mean anything else to the window."""
+        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+            shown = "" if self.shown is None else write_number(self.shown / self.scale)
+            if event.key() == Qt.Key.Key_Escape and self.lineEdit().text() != shown:
+                event.accept()
+                return True
+        return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape:

@@ -75,9 +75,9 @@ LIGHT = Colours(
     disabled="#9aa2ae",
     accent="#1b66c4",
     accent_text="#1457ad",
-    good="#1a7f4b",
-    warning="#9a5b00",
-    bad="#c2281d",
+    good="#137040",
+    warning="#8a5000",
+    bad="#b8241a",
     curve="#d1381f",
 )
 COLOURS = {"dark": DARK, "light": LIGHT}

@@ -162,7 +162,7 @@ def test_publishing_is_refused_with_the_red_checks(qtbot, spleen_window):
 
     action(window, "publish").trigger()
 
-    assert "1 checks are red" in window.messages.text
+    assert "red checks stand at the right (1)" in window.messages.text
     assert window.desk.stage == "publish"
     rows = [row.words.text() for row in window.publish_panel.rows if not row.isHidden()]
     assert any(row.startswith("No title.") for row in rows)

@@ -107,7 +107,7 @@ class StagePanel(QWidget):
         """All problems of the stage, then what is good."""
         colours = self.desk.colours
         entries = [
-            (TONES[p.severity], self.words_of(p), p.fix, tr("Fix") if p.fix else "")
+            (TONES[p.severity], self.words_of(p), p.fix, tr("Fix it") if p.fix else "")
             for p in self.problems()
         ]
         entries += [("good", sentence, None, "") for sentence in self.good_news()]

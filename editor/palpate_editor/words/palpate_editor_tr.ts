@@ -1,0 +1,2251 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
+<!DOCTYPE TS>
+<TS version="2.1" language="tr" sourcelanguage="en">
+<context>
+    <name>Editor</name>
+    <message>
+        <source>&amp;About Palpate</source>
+        <translation>Palpate &amp;hakkında</translation>
+    </message>
+    <message>
+        <source>&amp;Above</source>
+        <translation>&amp;Üstten</translation>
+    </message>
+    <message>
+        <source>&amp;Back to rest</source>
+        <translation>&amp;Dinlenmeye dön</translation>
+    </message>
+    <message>
+        <source>&amp;Behind</source>
+        <translation>&amp;Arkadan</translation>
+    </message>
+    <message>
+        <source>&amp;Check the organ</source>
+        <translation>Organı &amp;denetle</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>&amp;Renkler</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the material</source>
+        <translation>Malzemeyi &amp;kopyala</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Koyu</translation>
+    </message>
+    <message>
+        <source>&amp;Decimate</source>
+        <translation>&amp;Sadeleştir</translation>
+    </message>
+    <message>
+        <source>&amp;Distance to the source</source>
+        <translation>Kaynağa &amp;uzaklık</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Düzen</translation>
+    </message>
+    <message>
+        <source>&amp;Feel it / pause</source>
+        <translation>&amp;Dokun / duraklat</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Dosya</translation>
+    </message>
+    <message>
+        <source>&amp;Find an action…</source>
+        <translation>&amp;Bir işlem bul…</translation>
+    </message>
+    <message>
+        <source>&amp;Forget them</source>
+        <translation>&amp;Bunları unut</translation>
+    </message>
+    <message>
+        <source>&amp;Free all</source>
+        <translation>&amp;Hepsini serbest bırak</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>Ö&amp;nden</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>&amp;Tam ekran</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Yardım</translation>
+    </message>
+    <message>
+        <source>&amp;Help on this stage</source>
+        <translation>Bu aşama için &amp;yardım</translation>
+    </message>
+    <message>
+        <source>&amp;Import a mesh…</source>
+        <translation>Ağ &amp;içe aktar…</translation>
+    </message>
+    <message>
+        <source>&amp;Import again</source>
+        <translation>Yeniden &amp;içe aktar</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard and mouse</source>
+        <translation>&amp;Klavye ve fare</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Dil</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Soldan</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Açık</translation>
+    </message>
+    <message>
+        <source>&amp;Look from</source>
+        <translation>&amp;Bakış yönü</translation>
+    </message>
+    <message>
+        <source>&amp;Mass–spring model</source>
+        <translation>&amp;Kütle–yay modeli</translation>
+    </message>
+    <message>
+        <source>&amp;Mesh</source>
+        <translation>&amp;Ağ</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Yeni</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Aç…</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Paneller</translation>
+    </message>
+    <message>
+        <source>&amp;Paste the material</source>
+        <translation>Malzemeyi &amp;yapıştır</translation>
+    </message>
+    <message>
+        <source>&amp;Publish</source>
+        <translation>Ya&amp;yımla</translation>
+    </message>
+    <message>
+        <source>&amp;Publish…</source>
+        <translation>&amp;Yayımla…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Çık</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Yinele</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>Düzeni &amp;sıfırla</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>S&amp;ağdan</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Kaydet</translation>
+    </message>
+    <message>
+        <source>&amp;Simulate</source>
+        <translation>&amp;Benzetim</translation>
+    </message>
+    <message>
+        <source>&amp;Stage</source>
+        <translation>&amp;Aşama</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Tema</translation>
+    </message>
+    <message>
+        <source>&amp;Tissue</source>
+        <translation>&amp;Doku</translation>
+    </message>
+    <message>
+        <source>&amp;Turn outwards</source>
+        <translation>&amp;Dışa çevir</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Geri al</translation>
+    </message>
+    <message>
+        <source>&amp;Use the imported surface</source>
+        <translation>İçe aktarılan yüzeyi k&amp;ullan</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Görünüm</translation>
+    </message>
+    <message>
+        <source>&amp;Wireframe</source>
+        <translation>Tel &amp;kafes</translation>
+    </message>
+    <message>
+        <source>A file rarely says how long its unit is. The editor guesses by the size of the organ and says why; correct it where it is wrong, and everything follows.</source>
+        <translation>Bir dosya birimini nadiren belirtir. Düzenleyici, organın boyutundan tahmin eder ve nedenini söyler; yanlışsa düzeltin, gerisi kendiliğinden uyar.</translation>
+    </message>
+    <message>
+        <source>A mesh from a scan or a modeller (OBJ, STL, PLY, glTF, FBX …), or an .organ file.</source>
+        <translation>Bir taramadan ya da modelleyiciden bir ağ (OBJ, STL, PLY, glTF, FBX …) veya bir .organ dosyası.</translation>
+    </message>
+    <message>
+        <source>A published file holds the finished model and everything needed to feel it; it also holds your document, so it can be opened here again.</source>
+        <translation>Yayımlanmış dosya, bitmiş modeli ve ona dokunmak için gereken her şeyi içerir; belgenizi de içerdiğinden burada yeniden açılabilir.</translation>
+    </message>
+    <message>
+        <source>A scripted press gives numbers that can be compared from one day to the next.</source>
+        <translation>Betikli bası, bir günden ötekine karşılaştırılabilen sayılar verir.</translation>
+    </message>
+    <message>
+        <source>A tick takes</source>
+        <translation>Bir adım süresi</translation>
+    </message>
+    <message>
+        <source>A tissue needs a clean surface. Holes stay open, and are named.</source>
+        <translation>Doku temiz bir yüzey ister. Delikler açık kalır ve belirtilir.</translation>
+    </message>
+    <message>
+        <source>About {share} of a millisecond for every tick.</source>
+        <translation>Her adım için bir milisaniyenin yaklaşık {share} kadarı.</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Sonra</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Tümü</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tüm dosyalar (*)</translation>
+    </message>
+    <message>
+        <source>All is well</source>
+        <translation>Her şey yolunda</translation>
+    </message>
+    <message>
+        <source>All is well with this organ.</source>
+        <translation>Bu organda her şey yolunda.</translation>
+    </message>
+    <message>
+        <source>All triangles face outwards.</source>
+        <translation>Tüm üçgenler dışa bakıyor.</translation>
+    </message>
+    <message>
+        <source>Along the link</source>
+        <translation>Bağlantı boyunca</translation>
+    </message>
+    <message>
+        <source>As it was opened</source>
+        <translation>Açıldığı hâli</translation>
+    </message>
+    <message>
+        <source>As the &amp;desktop</source>
+        <translation>&amp;Masaüstü gibi</translation>
+    </message>
+    <message>
+        <source>As the &amp;stage needs</source>
+        <translation>&amp;Aşamaya göre</translation>
+    </message>
+    <message>
+        <source>Ask me later</source>
+        <translation>Sonra sor</translation>
+    </message>
+    <message>
+        <source>Axis up</source>
+        <translation>Yukarı eksen</translation>
+    </message>
+    <message>
+        <source>Be&amp;low</source>
+        <translation>&amp;Alttan</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Önce</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Önce ve sonra</translation>
+    </message>
+    <message>
+        <source>Bring in a surface and say what its numbers mean.</source>
+        <translation>Bir yüzey getirin ve sayılarının ne anlama geldiğini söyleyin.</translation>
+    </message>
+    <message>
+        <source>Brush radius</source>
+        <translation>Fırça yarıçapı</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Elle</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Vazgeç</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Denetimler</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Seç…</translation>
+    </message>
+    <message>
+        <source>Clear the force plo&amp;t</source>
+        <translation>Kuvvet &amp;çizimini temizle</translation>
+    </message>
+    <message>
+        <source>Clear the plot</source>
+        <translation>Çizimi temizle</translation>
+    </message>
+    <message>
+        <source>Click on the organ where the tip shall press, Esc to leave</source>
+        <translation>Ucun basacağı yere organın üzerinde tıklayın, çıkmak için Esc</translation>
+    </message>
+    <message>
+        <source>Click or drag to select, Ctrl to add, Alt to remove, L takes what is linked, Ctrl+A all, Ctrl+I the others, Esc to leave</source>
+        <translation>Seçmek için tıklayın ya da sürükleyin; Ctrl ekler, Alt çıkarır, L bağlı olanları alır, Ctrl+A tümü, Ctrl+I ötekiler, Esc çıkar</translation>
+    </message>
+    <message>
+        <source>Command palette</source>
+        <translation>Komut paleti</translation>
+    </message>
+    <message>
+        <source>Compiling the organ…</source>
+        <translation>Organ derleniyor…</translation>
+    </message>
+    <message>
+        <source>Computing one tick of the simulation, median of the last second, and its share of the millisecond it may take.</source>
+        <translation>Benzetimin bir adımının hesabı, son saniyenin ortancası ve kullanabileceği milisaniyedeki payı.</translation>
+    </message>
+    <message>
+        <source>Connected only</source>
+        <translation>Yalnız bağlı olanlar</translation>
+    </message>
+    <message>
+        <source>Cost</source>
+        <translation>Maliyet</translation>
+    </message>
+    <message>
+        <source>Cost of a tick</source>
+        <translation>Bir adımın maliyeti</translation>
+    </message>
+    <message>
+        <source>Crossing triangles</source>
+        <translation>Kesişen üçgenler</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Sönüm</translation>
+    </message>
+    <message>
+        <source>Decimate</source>
+        <translation>Sadeleştir</translation>
+    </message>
+    <message>
+        <source>Decimating</source>
+        <translation>Sadeleştiriliyor</translation>
+    </message>
+    <message>
+        <source>Decimating always starts from the imported surface, so you can try several counts. What you have painted is carried over.</source>
+        <translation>Sadeleştirme her zaman içe aktarılan yüzeyden başlar, böylece birkaç sayı deneyebilirsiniz. Boyadıklarınız aktarılır.</translation>
+    </message>
+    <message>
+        <source>Decimating to {count} vertices</source>
+        <translation>{count} köşeye sadeleştiriliyor</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Derinlik</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Kapat</translation>
+    </message>
+    <message>
+        <source>Distance to the source [mm]</source>
+        <translation>Kaynağa uzaklık [mm]</translation>
+    </message>
+    <message>
+        <source>Do not save</source>
+        <translation>Kaydetme</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Bitti</translation>
+    </message>
+    <message>
+        <source>Doubled points are welded, doubled and empty triangles removed, and triangles turned so that all face outwards. What was done stands in the panel.</source>
+        <translation>Yinelenen noktalar kaynaştırılır, yinelenen ve boş üçgenler silinir, üçgenler hepsi dışa bakacak biçimde çevrilir. Yapılanlar panelde yazar.</translation>
+    </message>
+    <message>
+        <source>Drag to fix, Ctrl to free, [ ] or Ctrl+wheel for the size, Esc to leave</source>
+        <translation>Sabitlemek için sürükleyin, Ctrl serbest bırakır, boyut için [ ] ya da Ctrl+tekerlek, Esc çıkar</translation>
+    </message>
+    <message>
+        <source>Drag to paint, Ctrl to erase, Shift to smooth, [ ] or Ctrl+wheel for the size, Esc to leave</source>
+        <translation>Boyamak için sürükleyin, Ctrl siler, Shift yumuşatır, boyut için [ ] ya da Ctrl+tekerlek, Esc çıkar</translation>
+    </message>
+    <message>
+        <source>Drag to turn, Shift+drag to move, wheel to zoom</source>
+        <translation>Döndürmek için sürükleyin, taşımak için Shift+sürükleyin, yakınlaştırmak için tekerlek</translation>
+    </message>
+    <message>
+        <source>Drop a mesh file on the window, or choose one. Files with several parts, such as a whole heart, can be used in part: tick what you need and import again.</source>
+        <translation>Pencereye bir ağ dosyası bırakın ya da seçin. Bütün bir kalp gibi birkaç parçalı dosyalar kısmen kullanılabilir: gerekenleri işaretleyip yeniden içe aktarın.</translation>
+    </message>
+    <message>
+        <source>Drop an organ here</source>
+        <translation>Buraya bir organ bırakın</translation>
+    </message>
+    <message>
+        <source>E&amp;xport the forces…</source>
+        <translation>Kuvvetleri &amp;dışa aktar…</translation>
+    </message>
+    <message>
+        <source>Edges shared by more than two</source>
+        <translation>İkiden çok üçgenli kenar</translation>
+    </message>
+    <message>
+        <source>Elasticity</source>
+        <translation>Esneklik</translation>
+    </message>
+    <message>
+        <source>Energy gradient (Eq 9, 11)</source>
+        <translation>Enerji gradyanı (Denk. 9, 11)</translation>
+    </message>
+    <message>
+        <source>Even out</source>
+        <translation>Eşitle</translation>
+    </message>
+    <message>
+        <source>Every number has its unit beside it. Type a value, or use the arrow keys. Mass, substeps and the stability margin follow at once.</source>
+        <translation>Her sayının yanında birimi vardır. Bir değer yazın ya da ok tuşlarını kullanın. Kütle, alt adımlar ve kararlılık payı hemen güncellenir.</translation>
+    </message>
+    <message>
+        <source>Every tick of the run and, beside it, the organ: to replay and to compare</source>
+        <translation>Çalışmanın her adımı ve yanında organ: yeniden oynatmak ve karşılaştırmak için</translation>
+    </message>
+    <message>
+        <source>Every triangle can take a stretch-bend of {low} to {high} N.</source>
+        <translation>Her üçgen {low} ile {high} N arası gerilme–eğilme kaldırabilir.</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Beklenen</translation>
+    </message>
+    <message>
+        <source>Export as CSV…</source>
+        <translation>CSV olarak dışa aktar…</translation>
+    </message>
+    <message>
+        <source>Export forces</source>
+        <translation>Kuvvetleri dışa aktar</translation>
+    </message>
+    <message>
+        <source>Fade towards the rim</source>
+        <translation>Kenara doğru azalır</translation>
+    </message>
+    <message>
+        <source>Feel the organ in the loop a device will run, 1000 times a second.</source>
+        <translation>Organa, bir cihazın saniyede 1000 kez çalıştıracağı döngüde dokunun.</translation>
+    </message>
+    <message>
+        <source>Fewer vertices tick faster. The shape shown is what will be felt.</source>
+        <translation>Daha az köşe daha hızlı çalışır. Gösterilen biçim, hissedilecek olandır.</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Dosya</translation>
+    </message>
+    <message>
+        <source>Fix</source>
+        <translation>Sabitle</translation>
+    </message>
+    <message>
+        <source>Fix it</source>
+        <translation>Düzelt</translation>
+    </message>
+    <message>
+        <source>Fix the &amp;lowest part</source>
+        <translation>En &amp;alt kısmı sabitle</translation>
+    </message>
+    <message>
+        <source>Fix the lowest</source>
+        <translation>En altı sabitle</translation>
+    </message>
+    <message>
+        <source>Fix the selected vertices</source>
+        <translation>Seçili köşeleri sabitle</translation>
+    </message>
+    <message>
+        <source>Fix what is attached to the body, and paint places that are harder: choose a brush at the left, and drag over the organ.</source>
+        <translation>Vücuda bağlı olanı sabitleyin ve daha sert yerleri boyayın: soldan bir fırça seçip organın üzerinde sürükleyin.</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>Sabit</translation>
+    </message>
+    <message>
+        <source>Fixed vertices</source>
+        <translation>Sabit köşeler</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kuvvet</translation>
+    </message>
+    <message>
+        <source>Force [N]</source>
+        <translation>Kuvvet [N]</translation>
+    </message>
+    <message>
+        <source>Forces exported to {file}</source>
+        <translation>Kuvvetler {file} dosyasına aktarıldı</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Bulunan</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Serbest</translation>
+    </message>
+    <message>
+        <source>Free all</source>
+        <translation>Hepsini serbest bırak</translation>
+    </message>
+    <message>
+        <source>Free the selected vertices</source>
+        <translation>Seçili köşeleri serbest bırak</translation>
+    </message>
+    <message>
+        <source>Front side only</source>
+        <translation>Yalnız ön yüz</translation>
+    </message>
+    <message>
+        <source>Give every vertex the organ's own stiffness</source>
+        <translation>Her köşeye organın kendi katılığını ver</translation>
+    </message>
+    <message>
+        <source>Give the selected vertices this stiffness, times the organ's own</source>
+        <translation>Seçili köşelere, organınkinin şu katı katılık ver</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Sürdür</translation>
+    </message>
+    <message>
+        <source>Guessed: {reason}</source>
+        <translation>Tahmin: {reason}</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>El</translation>
+    </message>
+    <message>
+        <source>Hand {count}</source>
+        <translation>El {count}</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Kulp sayısı</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Yardım</translation>
+    </message>
+    <message>
+        <source>Here is what was not saved. Save it to keep it.</source>
+        <translation>Kaydedilmemiş olan burada. Saklamak için kaydedin.</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Geçmiş</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Bekleme</translation>
+    </message>
+    <message>
+        <source>Hold the selected vertices at rest</source>
+        <translation>Seçili köşeleri yerinde tut</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Delikler</translation>
+    </message>
+    <message>
+        <source>Holes are never closed behind your back: an open surface can be a hollow organ or a sheet, and then needs the thickness of its wall.</source>
+        <translation>Delikler sizden habersiz kapatılmaz: açık bir yüzey içi boş bir organ ya da bir zar olabilir; o zaman duvar kalınlığı gerekir.</translation>
+    </message>
+    <message>
+        <source>How far the tip goes below the surface</source>
+        <translation>Ucun yüzeyin ne kadar altına ineceği</translation>
+    </message>
+    <message>
+        <source>How late a tick starts, median of the last second, as a share of the millisecond.</source>
+        <translation>Bir adımın ne kadar geç başladığı, son saniyenin ortancası, milisaniyenin payı olarak.</translation>
+    </message>
+    <message>
+        <source>How much of the way to that stiffness one stroke goes</source>
+        <translation>Bir fırça darbesinin o katılığa ne kadar yaklaştıracağı</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>İçe aktar</translation>
+    </message>
+    <message>
+        <source>Import a mesh</source>
+        <translation>Ağ içe aktar</translation>
+    </message>
+    <message>
+        <source>Import a mesh…</source>
+        <translation>Ağ içe aktar…</translation>
+    </message>
+    <message>
+        <source>Import these parts</source>
+        <translation>Bu parçaları içe aktar</translation>
+    </message>
+    <message>
+        <source>Imported</source>
+        <translation>İçe aktarılan</translation>
+    </message>
+    <message>
+        <source>Importing again keeps your constants but forgets what was painted.</source>
+        <translation>Yeniden içe aktarmak sabitlerinizi korur ama boyananları unutur.</translation>
+    </message>
+    <message>
+        <source>Importing {file}</source>
+        <translation>{file} içe aktarılıyor</translation>
+    </message>
+    <message>
+        <source>In all directions</source>
+        <translation>Her yönde</translation>
+    </message>
+    <message>
+        <source>Invert the selection</source>
+        <translation>Seçimi tersine çevir</translation>
+    </message>
+    <message>
+        <source>Keep the &amp;largest piece</source>
+        <translation>En &amp;büyük parçayı tut</translation>
+    </message>
+    <message>
+        <source>Keep the largest piece</source>
+        <translation>En büyük parçayı tut</translation>
+    </message>
+    <message>
+        <source>Kept in {record}, with the organ beside it in {scene}.</source>
+        <translation>{record} içinde saklandı, organ yanında {scene} dosyasında.</translation>
+    </message>
+    <message>
+        <source>Keyboard and mouse</source>
+        <translation>Klavye ve fare</translation>
+    </message>
+    <message>
+        <source>Larger brush</source>
+        <translation>Daha büyük fırça</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>En büyük uzaklık</translation>
+    </message>
+    <message>
+        <source>Last run</source>
+        <translation>Son çalışma</translation>
+    </message>
+    <message>
+        <source>Lateness</source>
+        <translation>Gecikme</translation>
+    </message>
+    <message>
+        <source>Law of angles</source>
+        <translation>Açı yasası</translation>
+    </message>
+    <message>
+        <source>Leave alone what faces away from you</source>
+        <translation>Size dönük olmayana dokunma</translation>
+    </message>
+    <message>
+        <source>Left drag beside the organ, or with Orbit</source>
+        <translation>Organın yanında ya da Yörünge ile sol sürükleme</translation>
+    </message>
+    <message>
+        <source>Lengths are shown in millimetres</source>
+        <translation>Uzunluklar milimetre olarak gösterilir</translation>
+    </message>
+    <message>
+        <source>Let every vertex move</source>
+        <translation>Her köşeyi serbest bırak</translation>
+    </message>
+    <message>
+        <source>Let the selected vertices move</source>
+        <translation>Seçili köşeleri serbest bırak</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Bağlantılar</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Günlük</translation>
+    </message>
+    <message>
+        <source>Longest stable step</source>
+        <translation>En uzun kararlı adım</translation>
+    </message>
+    <message>
+        <source>M&amp;aterial</source>
+        <translation>&amp;Malzeme</translation>
+    </message>
+    <message>
+        <source>M&amp;olecular model</source>
+        <translation>M&amp;oleküler model</translation>
+    </message>
+    <message>
+        <source>Mass–spring</source>
+        <translation>Kütle–yay</translation>
+    </message>
+    <message>
+        <source>Mass–spring (MSS)</source>
+        <translation>Kütle–yay (MSS)</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Malzeme</translation>
+    </message>
+    <message>
+        <source>Mean distance to the source</source>
+        <translation>Kaynağa ortalama uzaklık</translation>
+    </message>
+    <message>
+        <source>Mean speed of the press and the pull</source>
+        <translation>Bası ve çekmenin ortalama hızı</translation>
+    </message>
+    <message>
+        <source>Meaning of the file</source>
+        <translation>Dosyanın anlamı</translation>
+    </message>
+    <message>
+        <source>Mended when it was read</source>
+        <translation>Okunurken onarılanlar</translation>
+    </message>
+    <message>
+        <source>Meshes ({names})</source>
+        <translation>Ağlar ({names})</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Kaçan</translation>
+    </message>
+    <message>
+        <source>Missed ticks</source>
+        <translation>Kaçan adımlar</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Model</translation>
+    </message>
+    <message>
+        <source>Molecular</source>
+        <translation>Moleküler</translation>
+    </message>
+    <message>
+        <source>Molecular (MMS)</source>
+        <translation>Moleküler (MMS)</translation>
+    </message>
+    <message>
+        <source>Name of the organ</source>
+        <translation>Organın adı</translation>
+    </message>
+    <message>
+        <source>Never reach through a wall or a gap</source>
+        <translation>Duvarın ya da boşluğun ötesine geçme</translation>
+    </message>
+    <message>
+        <source>Next: {stage}</source>
+        <translation>Sonraki: {stage}</translation>
+    </message>
+    <message>
+        <source>No edge has more than two triangles.</source>
+        <translation>Hiçbir kenarda ikiden çok üçgen yok.</translation>
+    </message>
+    <message>
+        <source>No file yet: choose one, or drop it anywhere on this window.</source>
+        <translation>Henüz dosya yok: bir tane seçin ya da bu pencerede herhangi bir yere bırakın.</translation>
+    </message>
+    <message>
+        <source>No organ yet</source>
+        <translation>Henüz organ yok</translation>
+    </message>
+    <message>
+        <source>No tissue yet</source>
+        <translation>Henüz doku yok</translation>
+    </message>
+    <message>
+        <source>No vertices are selected: click or drag on the organ.</source>
+        <translation>Seçili köşe yok: organın üzerinde tıklayın ya da sürükleyin.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Hiçbiri</translation>
+    </message>
+    <message>
+        <source>Not looked at yet</source>
+        <translation>Henüz bakılmadı</translation>
+    </message>
+    <message>
+        <source>Not published: red checks stand at the right ({count}).</source>
+        <translation>Yayımlanmadı: sağda kırmızı denetimler var ({count}).</translation>
+    </message>
+    <message>
+        <source>Not published: {problems}.</source>
+        <translation>Yayımlanmadı: {problems}.</translation>
+    </message>
+    <message>
+        <source>Not validated, not a medical device.</source>
+        <translation>Doğrulanmamıştır, tıbbi cihaz değildir.</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Hiçbir şey</translation>
+    </message>
+    <message>
+        <source>Nothing felt yet</source>
+        <translation>Henüz bir şey hissedilmedi</translation>
+    </message>
+    <message>
+        <source>Nothing is lost: take it up where you were?</source>
+        <translation>Hiçbir şey kaybolmadı: kaldığınız yerden sürdürülsün mü?</translation>
+    </message>
+    <message>
+        <source>Nothing needed mending</source>
+        <translation>Onarılacak bir şey yoktu</translation>
+    </message>
+    <message>
+        <source>Nothing stands in the way of publishing.</source>
+        <translation>Yayımlamanın önünde engel yok.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Aç</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Son açılanlar</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Aç…</translation>
+    </message>
+    <message>
+        <source>Opposite edge (Eq 10)</source>
+        <translation>Karşı kenar (Denk. 10)</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Yörünge</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Organ</translation>
+    </message>
+    <message>
+        <source>Organ documents (*.organ)</source>
+        <translation>Organ belgeleri (*.organ)</translation>
+    </message>
+    <message>
+        <source>Organs and meshes ({names})</source>
+        <translation>Organlar ve ağlar ({names})</translation>
+    </message>
+    <message>
+        <source>P&amp;lay the published file</source>
+        <translation>Yayımlananı &amp;oynat</translation>
+    </message>
+    <message>
+        <source>Palpate the spleen</source>
+        <translation>Dalağı elle muayene edin</translation>
+    </message>
+    <message>
+        <source>Parts to use</source>
+        <translation>Kullanılacak parçalar</translation>
+    </message>
+    <message>
+        <source>Patch stiffness</source>
+        <translation>Bölge katılığı</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Duraklat</translation>
+    </message>
+    <message>
+        <source>Paused: Space goes on.</source>
+        <translation>Duraklatıldı: Boşluk tuşu sürdürür.</translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation>Tepe kuvveti</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>Seç</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Resimler (*.png)</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Parça sayısı</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Yer</translation>
+    </message>
+    <message>
+        <source>Play the published file</source>
+        <translation>Yayımlanan dosyayı oynat</translation>
+    </message>
+    <message>
+        <source>Press from above, over the middle of the organ</source>
+        <translation>Organın ortasının üstünden, yukarıdan bas</translation>
+    </message>
+    <message>
+        <source>Press the lower edge gently, then say where the tissue is harder.</source>
+        <translation>Alt kenara hafifçe bastırın, sonra dokunun nerede daha sert olduğunu söyleyin.</translation>
+    </message>
+    <message>
+        <source>Press the organ: the force appears here</source>
+        <translation>Organa basın: kuvvet burada görünür</translation>
+    </message>
+    <message>
+        <source>Press {count}</source>
+        <translation>Bası {count}</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Sorunlar</translation>
+    </message>
+    <message>
+        <source>Problems and log</source>
+        <translation>Sorunlar ve günlük</translation>
+    </message>
+    <message>
+        <source>Publish</source>
+        <translation>Yayımla</translation>
+    </message>
+    <message>
+        <source>Publish first: the player plays the published file.</source>
+        <translation>Önce yayımlayın: oynatıcı yayımlanan dosyayı oynatır.</translation>
+    </message>
+    <message>
+        <source>Published as {file}.</source>
+        <translation>{file} olarak yayımlandı.</translation>
+    </message>
+    <message>
+        <source>Published scenarios (*.palpate)</source>
+        <translation>Yayımlanmış senaryolar (*.palpate)</translation>
+    </message>
+    <message>
+        <source>Publishing {file}</source>
+        <translation>{file} yayımlanıyor</translation>
+    </message>
+    <message>
+        <source>Publish…</source>
+        <translation>Yayımla…</translation>
+    </message>
+    <message>
+        <source>Pull</source>
+        <translation>Çekme</translation>
+    </message>
+    <message>
+        <source>Pull force</source>
+        <translation>Çekme kuvveti</translation>
+    </message>
+    <message>
+        <source>Reading {file}</source>
+        <translation>{file} okunuyor</translation>
+    </message>
+    <message>
+        <source>Record (*.prec)</source>
+        <translation>Kayıt (*.prec)</translation>
+    </message>
+    <message>
+        <source>Red checks of any stage stand in the way. Each says what was found and what was expected.</source>
+        <translation>Herhangi bir aşamanın kırmızı denetimi engeldir. Her biri bulunanı ve bekleneni söyler.</translation>
+    </message>
+    <message>
+        <source>Repair</source>
+        <translation>Onar</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Sıfırla</translation>
+    </message>
+    <message>
+        <source>Right or middle drag while a brush is on</source>
+        <translation>Fırça etkinken sağ ya da orta sürükleme</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Çalıştır</translation>
+    </message>
+    <message>
+        <source>Running: Space pauses, R begins anew.</source>
+        <translation>Çalışıyor: Boşluk tuşu duraklatır, R baştan başlatır.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Kaydet</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>&amp;Farklı kaydet…</translation>
+    </message>
+    <message>
+        <source>Save a &amp;picture…</source>
+        <translation>&amp;Resim kaydet…</translation>
+    </message>
+    <message>
+        <source>Save a picture</source>
+        <translation>Resim kaydet</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Farklı kaydet</translation>
+    </message>
+    <message>
+        <source>Save record</source>
+        <translation>Kaydı sakla</translation>
+    </message>
+    <message>
+        <source>Save record…</source>
+        <translation>Kaydı sakla…</translation>
+    </message>
+    <message>
+        <source>Save the r&amp;ecord…</source>
+        <translation>Kaydı &amp;sakla…</translation>
+    </message>
+    <message>
+        <source>Save them before going on?</source>
+        <translation>Sürdürmeden önce kaydedilsin mi?</translation>
+    </message>
+    <message>
+        <source>Saved as {file}.</source>
+        <translation>{file} olarak kaydedildi.</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Senaryo</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Sahne</translation>
+    </message>
+    <message>
+        <source>Scripted &amp;press</source>
+        <translation>Betikli &amp;bası</translation>
+    </message>
+    <message>
+        <source>Scripted press</source>
+        <translation>Betikli bası</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Seç</translation>
+    </message>
+    <message>
+        <source>Select a vertex first: then L takes all that is linked.</source>
+        <translation>Önce bir köşe seçin: sonra L bağlı olanların tümünü alır.</translation>
+    </message>
+    <message>
+        <source>Select all vertices</source>
+        <translation>Tüm köşeleri seç</translation>
+    </message>
+    <message>
+        <source>Select nothing</source>
+        <translation>Seçimi bırak</translation>
+    </message>
+    <message>
+        <source>Select what is linked</source>
+        <translation>Bağlı olanları seç</translation>
+    </message>
+    <message>
+        <source>Set stiffness</source>
+        <translation>Katılık ver</translation>
+    </message>
+    <message>
+        <source>Shift / Ctrl with a brush</source>
+        <translation>Fırça ile Shift / Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift and drag, or middle drag</source>
+        <translation>Shift ile ya da orta düğmeyle sürükleme</translation>
+    </message>
+    <message>
+        <source>Show &amp;all</source>
+        <translation>&amp;Tümünü göster</translation>
+    </message>
+    <message>
+        <source>Show the distance as colours</source>
+        <translation>Uzaklığı renklerle göster</translation>
+    </message>
+    <message>
+        <source>Show the last seconds</source>
+        <translation>Son saniyeleri göster</translation>
+    </message>
+    <message>
+        <source>Show whole runs</source>
+        <translation>Bütün çalışmaları göster</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Boyut</translation>
+    </message>
+    <message>
+        <source>Smaller brush</source>
+        <translation>Daha küçük fırça</translation>
+    </message>
+    <message>
+        <source>Smallest angle</source>
+        <translation>En küçük açı</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>Yumuşak kenar</translation>
+    </message>
+    <message>
+        <source>Soft-tissue organ models that surgeons in training can feel.</source>
+        <translation>Eğitimdeki cerrahların dokunabildiği yumuşak doku organ modelleri.</translation>
+    </message>
+    <message>
+        <source>Something went wrong in the editor itself ({what}). Your work is still here: save it, and please report this.</source>
+        <translation>Düzenleyicinin kendisinde bir şey ters gitti ({what}). Çalışmanız duruyor: kaydedin ve lütfen bunu bildirin.</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Kaynak</translation>
+    </message>
+    <message>
+        <source>Space starts.</source>
+        <translation>Boşluk tuşu başlatır.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Hız</translation>
+    </message>
+    <message>
+        <source>Springs and bonds</source>
+        <translation>Yaylar ve bağlar</translation>
+    </message>
+    <message>
+        <source>Springs and bonds take the stiffness above. Young's modulus sets the home springs of a hollow organ where they have no own value.</source>
+        <translation>Yaylar ve bağlar yukarıdaki katılığı alır. Young modülü, kendi değeri yoksa içi boş bir organın yuva yaylarını belirler.</translation>
+    </message>
+    <message>
+        <source>Stability</source>
+        <translation>Kararlılık</translation>
+    </message>
+    <message>
+        <source>Stability margin</source>
+        <translation>Kararlılık payı</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>Aşama</translation>
+    </message>
+    <message>
+        <source>Stages</source>
+        <translation>Aşamalar</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Başlat</translation>
+    </message>
+    <message>
+        <source>Stiff&amp;ness</source>
+        <translation>&amp;Katılık</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Katılık</translation>
+    </message>
+    <message>
+        <source>Stiffness in the middle of the brush, times the organ's</source>
+        <translation>Fırçanın ortasındaki katılık, organınkinin katı olarak</translation>
+    </message>
+    <message>
+        <source>Stiffness map</source>
+        <translation>Katılık haritası</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Durdur</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Güç</translation>
+    </message>
+    <message>
+        <source>Substeps a tick</source>
+        <translation>Adım başına alt adım</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Yüzey</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tablo (*.csv)</translation>
+    </message>
+    <message>
+        <source>Take it up</source>
+        <translation>Sürdür</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Hedef</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Görev</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Dene</translation>
+    </message>
+    <message>
+        <source>The device failed ({what}): the run was stopped.</source>
+        <translation>Cihaz arızalandı ({what}): çalışma durduruldu.</translation>
+    </message>
+    <message>
+        <source>The editor ended without saving {name}, changed at {time}.</source>
+        <translation>Düzenleyici, {time} tarihinde değişen {name} kaydedilmeden kapandı.</translation>
+    </message>
+    <message>
+        <source>The editor is free software under the GNU General Public License 3 or later; what it publishes is yours.</source>
+        <translation>Düzenleyici, GNU Genel Kamu Lisansı 3 veya sonrası altında özgür yazılımdır; yayımladıkları sizindir.</translation>
+    </message>
+    <message>
+        <source>The forces were not exported: {problem}</source>
+        <translation>Kuvvetler dışa aktarılamadı: {problem}</translation>
+    </message>
+    <message>
+        <source>The loop has a millisecond for every tick. Fewer vertices leave more of it free; 600 to 2400 are usual. The colours show how far the new surface is from the file.</source>
+        <translation>Döngünün her adım için bir milisaniyesi vardır. Daha az köşe daha çok zaman bırakır; 600–2400 olağandır. Renkler yeni yüzeyin dosyadan ne kadar uzak olduğunu gösterir.</translation>
+    </message>
+    <message>
+        <source>The mass–spring model has springs along all edges. The molecular model adds angles and their coupling to stretch; a triangle can only take a certain range of it.</source>
+        <translation>Kütle–yay modelinde tüm kenarlarda yay vardır. Moleküler model açıları ve gerilmeyle bağlaşımlarını ekler; bir üçgen bunun ancak belli bir aralığını kaldırır.</translation>
+    </message>
+    <message>
+        <source>The material is on the clipboard.</source>
+        <translation>Malzeme panoda.</translation>
+    </message>
+    <message>
+        <source>The mouse is the hand: move over the organ, hold the left button to press, and turn the wheel to press deeper. The right button, or Ctrl, takes hold and pulls.</source>
+        <translation>Fare eldir: organın üzerinde gezdirin, basmak için sol düğmeyi tutun, daha derine basmak için tekerleği çevirin. Sağ düğme ya da Ctrl tutar ve çeker.</translation>
+    </message>
+    <message>
+        <source>The organ cannot be tested yet.</source>
+        <translation>Organ henüz denenemez.</translation>
+    </message>
+    <message>
+        <source>The organ has weight (9.81 m/s² downwards)</source>
+        <translation>Organın ağırlığı var (aşağı doğru 9.81 m/s²)</translation>
+    </message>
+    <message>
+        <source>The organ is being looked at: one moment.</source>
+        <translation>Organa bakılıyor: bir an.</translation>
+    </message>
+    <message>
+        <source>The organ was felt as it is now.</source>
+        <translation>Organ şimdiki hâliyle hissedildi.</translation>
+    </message>
+    <message>
+        <source>The player could not be started.</source>
+        <translation>Oynatıcı başlatılamadı.</translation>
+    </message>
+    <message>
+        <source>The player ended: {words}</source>
+        <translation>Oynatıcı kapandı: {words}</translation>
+    </message>
+    <message>
+        <source>The run was stopped because the organ was changed. Start it again.</source>
+        <translation>Organ değiştiği için çalışma durduruldu. Yeniden başlatın.</translation>
+    </message>
+    <message>
+        <source>The same press from a command line, once published</source>
+        <translation>Yayımlandıktan sonra aynı bası komut satırından</translation>
+    </message>
+    <message>
+        <source>The same run again, from rest</source>
+        <translation>Aynı çalışma yeniden, dinlenmeden</translation>
+    </message>
+    <message>
+        <source>The surface does not cross itself.</source>
+        <translation>Yüzey kendisiyle kesişmiyor.</translation>
+    </message>
+    <message>
+        <source>The surface is closed: it can be a solid organ.</source>
+        <translation>Yüzey kapalı: dolu bir organ olabilir.</translation>
+    </message>
+    <message>
+        <source>The surface now</source>
+        <translation>Şimdiki yüzey</translation>
+    </message>
+    <message>
+        <source>The time step as a share of the longest stable one: beyond 100 % the tissue blows up. Substeps are chosen so that it stays below.</source>
+        <translation>En uzun kararlı adımın payı olarak zaman adımı: % 100'ün ötesinde doku patlar. Alt adımlar bunun altında kalacak biçimde seçilir.</translation>
+    </message>
+    <message>
+        <source>The tissue blew up after {time:.2f} s ({what}): the run was stopped. Softer springs, more damping or a larger mass hold it together.</source>
+        <translation>Doku {time:.2f} s sonra patladı ({what}): çalışma durduruldu. Daha yumuşak yaylar, daha çok sönüm ya da daha büyük kütle onu bir arada tutar.</translation>
+    </message>
+    <message>
+        <source>The tissue can be built and stays stable.</source>
+        <translation>Doku kurulabiliyor ve kararlı kalıyor.</translation>
+    </message>
+    <message>
+        <source>The very loop that a haptic device will run, with your mouse as the hand. The left button presses, the right one takes hold, the wheel goes deeper.</source>
+        <translation>Bir haptik cihazın çalıştıracağı döngünün kendisi; fareniz el yerine geçer. Sol düğme basar, sağ düğme tutar, tekerlek derine iner.</translation>
+    </message>
+    <message>
+        <source>Then click on the organ where the tip shall press</source>
+        <translation>Sonra ucun basacağı yere organın üzerinde tıklayın</translation>
+    </message>
+    <message>
+        <source>Then it grips and pulls this far above</source>
+        <translation>Sonra tutar ve bu kadar yukarı çeker</translation>
+    </message>
+    <message>
+        <source>There is no material on the clipboard: copy one first.</source>
+        <translation>Panoda malzeme yok: önce bir tane kopyalayın.</translation>
+    </message>
+    <message>
+        <source>There is no organ to test yet: import a mesh file first.</source>
+        <translation>Henüz denenecek organ yok: önce bir ağ dosyası içe aktarın.</translation>
+    </message>
+    <message>
+        <source>There is no run to export yet: press the organ first.</source>
+        <translation>Henüz dışa aktarılacak çalışma yok: önce organa basın.</translation>
+    </message>
+    <message>
+        <source>There is no run to save yet.</source>
+        <translation>Henüz kaydedilecek çalışma yok.</translation>
+    </message>
+    <message>
+        <source>There is nothing to publish yet: import a mesh first.</source>
+        <translation>Henüz yayımlanacak bir şey yok: önce bir ağ içe aktarın.</translation>
+    </message>
+    <message>
+        <source>This needs more memory than the machine has.</source>
+        <translation>Bu, makinedekinden çok bellek istiyor.</translation>
+    </message>
+    <message>
+        <source>This organ</source>
+        <translation>Bu organ</translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation>At</translation>
+    </message>
+    <message>
+        <source>Tick</source>
+        <translation>Adım</translation>
+    </message>
+    <message>
+        <source>Ticks left out because the one before took too long, of all ticks.</source>
+        <translation>Önceki çok uzun sürdüğü için atlanan adımlar, tüm adımlar içinde.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zaman</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Zaman [s]</translation>
+    </message>
+    <message>
+        <source>Time at the deepest and highest point</source>
+        <translation>En derin ve en yüksek noktada bekleme</translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <translation>Uç</translation>
+    </message>
+    <message>
+        <source>Tip of the tool</source>
+        <translation>Aletin ucu</translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation>Doku</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Başlık</translation>
+    </message>
+    <message>
+        <source>Tool and hand</source>
+        <translation>Alet ve el</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Araçlar</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Tepe</translation>
+    </message>
+    <message>
+        <source>Total mass</source>
+        <translation>Toplam kütle</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Üçgenler</translation>
+    </message>
+    <message>
+        <source>Triangles are well shaped.</source>
+        <translation>Üçgenler düzgün biçimli.</translation>
+    </message>
+    <message>
+        <source>Triangles face</source>
+        <translation>Üçgenlerin yönü</translation>
+    </message>
+    <message>
+        <source>Triangles of no area, removed</source>
+        <translation>Silinen alansız üçgenler</translation>
+    </message>
+    <message>
+        <source>Triangles there twice, removed</source>
+        <translation>Silinen yinelenmiş üçgenler</translation>
+    </message>
+    <message>
+        <source>Triangles turned round</source>
+        <translation>Çevrilen üçgenler</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Birim</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Kaydedilmemiş değişiklikler</translation>
+    </message>
+    <message>
+        <source>Unsaved work was found</source>
+        <translation>Kaydedilmemiş çalışma bulundu</translation>
+    </message>
+    <message>
+        <source>Use the imported surface</source>
+        <translation>İçe aktarılan yüzeyi kullan</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Köşeler</translation>
+    </message>
+    <message>
+        <source>Vertices of no triangle, removed</source>
+        <translation>Silinen üçgensiz köşeler</translation>
+    </message>
+    <message>
+        <source>Vertices split</source>
+        <translation>Bölünen köşeler</translation>
+    </message>
+    <message>
+        <source>Vertices welded</source>
+        <translation>Kaynaştırılan köşeler</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Hacim</translation>
+    </message>
+    <message>
+        <source>Welding, repairing and inspecting {file}</source>
+        <translation>{file} kaynaştırılıyor, onarılıyor ve inceleniyor</translation>
+    </message>
+    <message>
+        <source>What comes of it</source>
+        <translation>Ortaya çıkan</translation>
+    </message>
+    <message>
+        <source>What holds it</source>
+        <translation>Onu tutan</translation>
+    </message>
+    <message>
+        <source>What is published</source>
+        <translation>Yayımlanan</translation>
+    </message>
+    <message>
+        <source>What the organ is made of, and what touches it.</source>
+        <translation>Organın neden yapıldığı ve ona neyin dokunduğu.</translation>
+    </message>
+    <message>
+        <source>What the trainee reads</source>
+        <translation>Eğitim görenin okuduğu</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Bulunanlar</translation>
+    </message>
+    <message>
+        <source>What would you like to do?</source>
+        <translation>Ne yapmak istersiniz?</translation>
+    </message>
+    <message>
+        <source>What you do appears here as a command line.</source>
+        <translation>Yaptıklarınız burada komut satırı olarak görünür.</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Tekerlek</translation>
+    </message>
+    <message>
+        <source>Write one file that a trainee can open and feel.</source>
+        <translation>Eğitim görenin açıp dokunabileceği tek bir dosya yazın.</translation>
+    </message>
+    <message>
+        <source>about {share} % of its time</source>
+        <translation>zamanının yaklaşık % {share} kadarı</translation>
+    </message>
+    <message>
+        <source>an organ without a name</source>
+        <translation>adsız bir organ</translation>
+    </message>
+    <message>
+        <source>autosaved {time}</source>
+        <translation>otomatik kayıt {time}</translation>
+    </message>
+    <message>
+        <source>back to Orbit</source>
+        <translation>Yörünge'ye dön</translation>
+    </message>
+    <message>
+        <source>brush {mm:.1f} mm ({px:.0f} px)</source>
+        <translation>fırça {mm:.1f} mm ({px:.0f} px)</translation>
+    </message>
+    <message>
+        <source>cannot be told</source>
+        <translation>söylenemez</translation>
+    </message>
+    <message>
+        <source>centimetre (cm)</source>
+        <translation>santimetre (cm)</translation>
+    </message>
+    <message>
+        <source>displacement [mm]</source>
+        <translation>yer değiştirme [mm]</translation>
+    </message>
+    <message>
+        <source>hollow</source>
+        <translation>içi boş</translation>
+    </message>
+    <message>
+        <source>idle</source>
+        <translation>boşta</translation>
+    </message>
+    <message>
+        <source>inch (in)</source>
+        <translation>inç (in)</translation>
+    </message>
+    <message>
+        <source>inwards</source>
+        <translation>içe</translation>
+    </message>
+    <message>
+        <source>it said nothing</source>
+        <translation>bir şey söylemedi</translation>
+    </message>
+    <message>
+        <source>metre (m)</source>
+        <translation>metre (m)</translation>
+    </message>
+    <message>
+        <source>millimetre (mm)</source>
+        <translation>milimetre (mm)</translation>
+    </message>
+    <message>
+        <source>move</source>
+        <translation>taşıma</translation>
+    </message>
+    <message>
+        <source>none, it is closed</source>
+        <translation>yok, kapalı</translation>
+    </message>
+    <message>
+        <source>outwards</source>
+        <translation>dışa</translation>
+    </message>
+    <message>
+        <source>own value</source>
+        <translation>kendi değeri</translation>
+    </message>
+    <message>
+        <source>see the checks below</source>
+        <translation>aşağıdaki denetimlere bakın</translation>
+    </message>
+    <message>
+        <source>size of the brush</source>
+        <translation>fırçanın boyutu</translation>
+    </message>
+    <message>
+        <source>smooth / erase</source>
+        <translation>yumuşat / sil</translation>
+    </message>
+    <message>
+        <source>stiffness factor</source>
+        <translation>katılık çarpanı</translation>
+    </message>
+    <message>
+        <source>the same everywhere</source>
+        <translation>her yerde aynı</translation>
+    </message>
+    <message>
+        <source>the top</source>
+        <translation>tepe</translation>
+    </message>
+    <message>
+        <source>too many to count</source>
+        <translation>sayılamayacak kadar çok</translation>
+    </message>
+    <message>
+        <source>triangle {number}   x {x}  y {y}  z {z} mm</source>
+        <translation>üçgen {number}   x {x}  y {y}  z {z} mm</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>döndürme</translation>
+    </message>
+    <message>
+        <source>untitled</source>
+        <translation>adsız</translation>
+    </message>
+    <message>
+        <source>zoom to the pointer</source>
+        <translation>imlece yakınlaştırma</translation>
+    </message>
+    <message>
+        <source>{count} kept open, of {sizes} vertices</source>
+        <translation>{count} açık bırakıldı, {sizes} köşeli</translation>
+    </message>
+    <message>
+        <source>{count} to mend</source>
+        <translation>onarılacak: {count}</translation>
+    </message>
+    <message>
+        <source>{count} to think about</source>
+        <translation>düşünülecek: {count}</translation>
+    </message>
+    <message>
+        <source>{errors} to mend, {warnings} to think about: they stand under Problems.</source>
+        <translation>Onarılacak {errors}, düşünülecek {warnings}: Sorunlar altında yazıyor.</translation>
+    </message>
+    <message>
+        <source>{file} could not be written.</source>
+        <translation>{file} yazılamadı.</translation>
+    </message>
+    <message>
+        <source>{file} imported: {vertices} vertices, {triangles} triangles.</source>
+        <translation>{file} içe aktarıldı: {vertices} köşe, {triangles} üçgen.</translation>
+    </message>
+    <message>
+        <source>{file} is no longer where it was: choose it anew.</source>
+        <translation>{file} artık yerinde değil: yeniden seçin.</translation>
+    </message>
+    <message>
+        <source>{file} is not there any more.</source>
+        <translation>{file} artık yok.</translation>
+    </message>
+    <message>
+        <source>{file}: the editor opens .organ and .palpate files and imports {meshes}.</source>
+        <translation>{file}: düzenleyici .organ ve .palpate dosyalarını açar, {meshes} dosyalarını içe aktarır.</translation>
+    </message>
+    <message>
+        <source>{fixed} of {all} vertices are fixed; {painted} have a stiffness of their own.</source>
+        <translation>{all} köşenin {fixed} tanesi sabit; {painted} tanesinin kendi katılığı var.</translation>
+    </message>
+    <message>
+        <source>{found}.
+Expected: {expected}.</source>
+        <translation>{found}.
+Beklenen: {expected}.</translation>
+    </message>
+    <message>
+        <source>{median:.0f} % of a tick, p99 {p99:.0f} %</source>
+        <translation>bir adımın % {median:.0f} kadarı, p99 % {p99:.0f}</translation>
+    </message>
+    <message>
+        <source>{name} has changes that are not saved.</source>
+        <translation>{name} kaydedilmemiş değişiklikler içeriyor.</translation>
+    </message>
+    <message>
+        <source>{name} must lie between {low:g} and {high:g} {unit}, got {got:g}.</source>
+        <translation>{name}, {low:g} ile {high:g} {unit} arasında olmalı; verilen {got:g}.</translation>
+    </message>
+    <message>
+        <source>{problem} Choose fewer of its parts at the right.</source>
+        <translation>{problem} Sağda daha az parça seçin.</translation>
+    </message>
+    <message>
+        <source>{rate} fps</source>
+        <translation>{rate} kare/s</translation>
+    </message>
+    <message>
+        <source>{some} of {all} vertices fixed</source>
+        <translation>{all} köşenin {some} tanesi sabit</translation>
+    </message>
+    <message>
+        <source>{some} of {all} vertices painted</source>
+        <translation>{all} köşenin {some} tanesi boyalı</translation>
+    </message>
+    <message>
+        <source>{some} of {all} vertices selected</source>
+        <translation>{all} köşenin {some} tanesi seçili</translation>
+    </message>
+    <message>
+        <source>{used} of {all} parts are in use.</source>
+        <translation>{all} parçanın {used} tanesi kullanılıyor.</translation>
+    </message>
+    <message>
+        <source>{vertices} vertices</source>
+        <translation>{vertices} köşe</translation>
+    </message>
+    <message>
+        <source>{vertices} vertices · {triangles} triangles</source>
+        <translation>{vertices} köşe · {triangles} üçgen</translation>
+    </message>
+    <message>
+        <source>{work} is still under way: wait for it, or cancel it below.</source>
+        <translation>{work}: hâlâ sürüyor; bekleyin ya da aşağıdan vazgeçin.</translation>
+    </message>
+    <message>
+        <source>{work}: cancelled, nothing has changed.</source>
+        <translation>{work}: vazgeçildi, hiçbir şey değişmedi.</translation>
+    </message>
+</context>
+<context>
+    <name>constants</name>
+    <message>
+        <source>Bend stiffness</source>
+        <translation>Eğilme katılığı</translation>
+    </message>
+    <message>
+        <source>Contact stiffness</source>
+        <translation>Temas katılığı</translation>
+    </message>
+    <message>
+        <source>Damping ratio</source>
+        <translation>Sönüm oranı</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Yoğunluk</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>Sürükleme</translation>
+    </message>
+    <message>
+        <source>Grip stiffness</source>
+        <translation>Tutma katılığı</translation>
+    </message>
+    <message>
+        <source>Hand coupling</source>
+        <translation>El bağlaşımı</translation>
+    </message>
+    <message>
+        <source>Home springs</source>
+        <translation>Yuva yayları</translation>
+    </message>
+    <message>
+        <source>Largest force</source>
+        <translation>En büyük kuvvet</translation>
+    </message>
+    <message>
+        <source>Poisson's ratio</source>
+        <translation>Poisson oranı</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Basınç</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Katılık</translation>
+    </message>
+    <message>
+        <source>Stretch-bend</source>
+        <translation>Gerilme–eğilme</translation>
+    </message>
+    <message>
+        <source>Tick rate</source>
+        <translation>Adım hızı</translation>
+    </message>
+    <message>
+        <source>Tip radius</source>
+        <translation>Uç yarıçapı</translation>
+    </message>
+    <message>
+        <source>Wall thickness</source>
+        <translation>Duvar kalınlığı</translation>
+    </message>
+    <message>
+        <source>Young's modulus</source>
+        <translation>Young modülü</translation>
+    </message>
+    <message>
+        <source>by kind</source>
+        <translation>türe göre</translation>
+    </message>
+    <message>
+        <source>solid</source>
+        <translation>dolu</translation>
+    </message>
+</context>
+<context>
+    <name>edits</name>
+    <message>
+        <source>Choose a law</source>
+        <translation>Yasa seç</translation>
+    </message>
+    <message>
+        <source>Decimate</source>
+        <translation>Sadeleştirme</translation>
+    </message>
+    <message>
+        <source>Fix the lowest part</source>
+        <translation>En alt kısmı sabitle</translation>
+    </message>
+    <message>
+        <source>Fix vertices</source>
+        <translation>Köşeleri sabitle</translation>
+    </message>
+    <message>
+        <source>Free vertices</source>
+        <translation>Köşeleri serbest bırak</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>İçe aktarma</translation>
+    </message>
+    <message>
+        <source>Keep the largest piece</source>
+        <translation>En büyük parçayı tut</translation>
+    </message>
+    <message>
+        <source>Name the organ</source>
+        <translation>Organa ad ver</translation>
+    </message>
+    <message>
+        <source>Paint stiffness</source>
+        <translation>Katılık boya</translation>
+    </message>
+    <message>
+        <source>Paste material</source>
+        <translation>Malzeme yapıştır</translation>
+    </message>
+    <message>
+        <source>Set Bend stiffness</source>
+        <translation>Eğilme katılığını ayarla</translation>
+    </message>
+    <message>
+        <source>Set Contact stiffness</source>
+        <translation>Temas katılığını ayarla</translation>
+    </message>
+    <message>
+        <source>Set Damping ratio</source>
+        <translation>Sönüm oranını ayarla</translation>
+    </message>
+    <message>
+        <source>Set Density</source>
+        <translation>Yoğunluğu ayarla</translation>
+    </message>
+    <message>
+        <source>Set Drag</source>
+        <translation>Sürüklemeyi ayarla</translation>
+    </message>
+    <message>
+        <source>Set Grip stiffness</source>
+        <translation>Tutma katılığını ayarla</translation>
+    </message>
+    <message>
+        <source>Set Hand coupling</source>
+        <translation>El bağlaşımını ayarla</translation>
+    </message>
+    <message>
+        <source>Set Home springs</source>
+        <translation>Yuva yaylarını ayarla</translation>
+    </message>
+    <message>
+        <source>Set Largest force</source>
+        <translation>En büyük kuvveti ayarla</translation>
+    </message>
+    <message>
+        <source>Set Poisson's ratio</source>
+        <translation>Poisson oranını ayarla</translation>
+    </message>
+    <message>
+        <source>Set Pressure</source>
+        <translation>Basıncı ayarla</translation>
+    </message>
+    <message>
+        <source>Set Stiffness</source>
+        <translation>Katılığı ayarla</translation>
+    </message>
+    <message>
+        <source>Set Stretch-bend</source>
+        <translation>Gerilme–eğilmeyi ayarla</translation>
+    </message>
+    <message>
+        <source>Set Tick rate</source>
+        <translation>Adım hızını ayarla</translation>
+    </message>
+    <message>
+        <source>Set Tip radius</source>
+        <translation>Uç yarıçapını ayarla</translation>
+    </message>
+    <message>
+        <source>Set Wall thickness</source>
+        <translation>Duvar kalınlığını ayarla</translation>
+    </message>
+    <message>
+        <source>Set Young's modulus</source>
+        <translation>Young modülünü ayarla</translation>
+    </message>
+    <message>
+        <source>Set gravity</source>
+        <translation>Yerçekimini ayarla</translation>
+    </message>
+    <message>
+        <source>Set the axis that points up</source>
+        <translation>Yukarı ekseni ayarla</translation>
+    </message>
+    <message>
+        <source>Set the unit of the file</source>
+        <translation>Dosyanın birimini ayarla</translation>
+    </message>
+    <message>
+        <source>Set title and task</source>
+        <translation>Başlık ve görevi ayarla</translation>
+    </message>
+    <message>
+        <source>Turn triangles outward</source>
+        <translation>Üçgenleri dışa çevir</translation>
+    </message>
+    <message>
+        <source>Use the imported surface</source>
+        <translation>İçe aktarılan yüzeyi kullan</translation>
+    </message>
+</context>
+<context>
+    <name>phrases</name>
+    <message>
+        <source>A factor of stiffness must lie between {least:g} and {most:g}, got {got:g}.</source>
+        <translation>Katılık çarpanı {least:g} ile {most:g} arasında olmalı; verilen {got:g}.</translation>
+    </message>
+    <message>
+        <source>A surface with holes has no outside to turn to.</source>
+        <translation>Delikli bir yüzeyin dönülecek dışı yoktur.</translation>
+    </message>
+    <message>
+        <source>Gravity is three finite numbers.</source>
+        <translation>Yerçekimi üç sonlu sayıdır.</translation>
+    </message>
+    <message>
+        <source>No vertices are selected.</source>
+        <translation>Seçili köşe yok.</translation>
+    </message>
+    <message>
+        <source>None of them is fixed.</source>
+        <translation>Hiçbiri sabit değil.</translation>
+    </message>
+    <message>
+        <source>The axis must be one of {known}, got {got}.</source>
+        <translation>Eksen şunlardan biri olmalı: {known}; verilen {got}.</translation>
+    </message>
+    <message>
+        <source>The imported surface is in use already.</source>
+        <translation>İçe aktarılan yüzey zaten kullanılıyor.</translation>
+    </message>
+    <message>
+        <source>The organ has changed since it was decimated: decimate it anew.</source>
+        <translation>Organ sadeleştirildiğinden beri değişti: yeniden sadeleştirin.</translation>
+    </message>
+    <message>
+        <source>The share of the height must be more than 0 and at most 1, got {got:g}.</source>
+        <translation>Yükseklik payı 0'dan büyük ve en çok 1 olmalı; verilen {got:g}.</translation>
+    </message>
+    <message>
+        <source>The surface is one piece already.</source>
+        <translation>Yüzey zaten tek parça.</translation>
+    </message>
+    <message>
+        <source>The triangles face outwards already.</source>
+        <translation>Üçgenler zaten dışa bakıyor.</translation>
+    </message>
+    <message>
+        <source>The unit must be one of {known}, got {got}.</source>
+        <translation>Birim şunlardan biri olmalı: {known}; verilen {got}.</translation>
+    </message>
+    <message>
+        <source>There is no number {name}.</source>
+        <translation>{name} diye bir sayı yok.</translation>
+    </message>
+    <message>
+        <source>There is no organ yet: import a mesh file first.</source>
+        <translation>Henüz organ yok: önce bir ağ dosyası içe aktarın.</translation>
+    </message>
+    <message>
+        <source>They are fixed already.</source>
+        <translation>Zaten sabitler.</translation>
+    </message>
+    <message>
+        <source>They have this stiffness already.</source>
+        <translation>Zaten bu katılıktalar.</translation>
+    </message>
+    <message>
+        <source>This organ was not read from a file.</source>
+        <translation>Bu organ bir dosyadan okunmadı.</translation>
+    </message>
+    <message>
+        <source>Vertex numbers {low} to {high}: this organ has those from 0 to {most}.</source>
+        <translation>Köşe numaraları {low}–{high}: bu organda 0–{most} var.</translation>
+    </message>
+    <message>
+        <source>Vertices are chosen by whole numbers.</source>
+        <translation>Köşeler tam sayılarla seçilir.</translation>
+    </message>
+    <message>
+        <source>a closed surface, or a hollow organ or sheet that has them</source>
+        <translation>kapalı bir yüzey ya da delikleri olan içi boş bir organ veya zar</translation>
+    </message>
+    <message>
+        <source>a closed surface, or the thickness of its wall</source>
+        <translation>kapalı bir yüzey ya da duvar kalınlığı</translation>
+    </message>
+    <message>
+        <source>a mesh file</source>
+        <translation>bir ağ dosyası</translation>
+    </message>
+    <message>
+        <source>a smallest angle of {angle:.1f} degrees</source>
+        <translation>en küçük açı {angle:.1f} derece</translation>
+    </message>
+    <message>
+        <source>a solid with holes</source>
+        <translation>delikleri olan dolu bir cisim</translation>
+    </message>
+    <message>
+        <source>a surface that does not cross itself</source>
+        <translation>kendisiyle kesişmeyen bir yüzey</translation>
+    </message>
+    <message>
+        <source>a test, so that you know what the trainee will feel</source>
+        <translation>eğitim görenin ne hissedeceğini bilmeniz için bir deneme</translation>
+    </message>
+    <message>
+        <source>a unit that you have confirmed</source>
+        <translation>onayladığınız bir birim</translation>
+    </message>
+    <message>
+        <source>an axis that you have confirmed</source>
+        <translation>onayladığınız bir eksen</translation>
+    </message>
+    <message>
+        <source>an organ of {size:.4g} mm from corner to corner</source>
+        <translation>köşeden köşeye {size:.4g} mm bir organ</translation>
+    </message>
+    <message>
+        <source>any finite number</source>
+        <translation>herhangi bir sonlu sayı</translation>
+    </message>
+    <message>
+        <source>at least half the mean edge of {edge:.1f} mm</source>
+        <translation>en az {edge:.1f} mm olan ortalama kenarın yarısı</translation>
+    </message>
+    <message>
+        <source>at least {least:g}: decimate anew</source>
+        <translation>en az {least:g}: yeniden sadeleştirin</translation>
+    </message>
+    <message>
+        <source>at least {low:g} {unit}</source>
+        <translation>en az {low:g} {unit}</translation>
+    </message>
+    <message>
+        <source>at most two triangles at every edge</source>
+        <translation>her kenarda en çok iki üçgen</translation>
+    </message>
+    <message>
+        <source>at most {share:.0%}: fewer vertices, softer links or more mass</source>
+        <translation>en çok {share:.0%}: daha az köşe, daha yumuşak bağlantılar ya da daha çok kütle</translation>
+    </message>
+    <message>
+        <source>every vertex fixed</source>
+        <translation>her köşe sabit</translation>
+    </message>
+    <message>
+        <source>more than {low:g} {unit}</source>
+        <translation>{low:g} {unit} değerinden büyük</translation>
+    </message>
+    <message>
+        <source>more than {low:g}, at most {high:g} {unit}</source>
+        <translation>{low:g} değerinden büyük, en çok {high:g} {unit}</translation>
+    </message>
+    <message>
+        <source>neither home springs nor fixed vertices</source>
+        <translation>ne yuva yayı ne de sabit köşe</translation>
+    </message>
+    <message>
+        <source>never felt as it is now</source>
+        <translation>şimdiki hâliyle hiç hissedilmedi</translation>
+    </message>
+    <message>
+        <source>no surface</source>
+        <translation>yüzey yok</translation>
+    </message>
+    <message>
+        <source>no task</source>
+        <translation>görev yok</translation>
+    </message>
+    <message>
+        <source>no title</source>
+        <translation>başlık yok</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>hiç</translation>
+    </message>
+    <message>
+        <source>one of {allowed}</source>
+        <translation>şunlardan biri: {allowed}</translation>
+    </message>
+    <message>
+        <source>one piece</source>
+        <translation>tek parça</translation>
+    </message>
+    <message>
+        <source>outwards</source>
+        <translation>dışa</translation>
+    </message>
+    <message>
+        <source>so many triangles on top of each other that counting was given up</source>
+        <translation>üst üste öyle çok üçgen var ki saymaktan vazgeçildi</translation>
+    </message>
+    <message>
+        <source>some that can move</source>
+        <translation>hareket edebilen birkaç köşe</translation>
+    </message>
+    <message>
+        <source>something that holds the organ in its place</source>
+        <translation>organı yerinde tutan bir şey</translation>
+    </message>
+    <message>
+        <source>triangles that face inwards</source>
+        <translation>içe bakan üçgenler</translation>
+    </message>
+    <message>
+        <source>what the trainee chooses it by</source>
+        <translation>eğitim görenin onu seçeceği ad</translation>
+    </message>
+    <message>
+        <source>what the trainee is asked to do</source>
+        <translation>eğitim görenden ne istendiği</translation>
+    </message>
+    <message>
+        <source>{count} edges with more than two triangles</source>
+        <translation>ikiden çok üçgenli {count} kenar</translation>
+    </message>
+    <message>
+        <source>{count} factors for {ids} vertices.</source>
+        <translation>{ids} köşe için {count} çarpan.</translation>
+    </message>
+    <message>
+        <source>{count} holes, of {sizes} edges</source>
+        <translation>{count} delik, {sizes} kenarlı</translation>
+    </message>
+    <message>
+        <source>{count} pieces that nothing holds together</source>
+        <translation>hiçbir şeyin bir arada tutmadığı {count} parça</translation>
+    </message>
+    <message>
+        <source>{count} triangles that cross others</source>
+        <translation>başkalarıyla kesişen {count} üçgen</translation>
+    </message>
+    <message>
+        <source>{count} vertices, {substeps} steps a tick: about {share:.0%} of the time there is</source>
+        <translation>{count} köşe, adım başına {substeps} alt adım: eldeki zamanın yaklaşık {share:.0%} kadarı</translation>
+    </message>
+    <message>
+        <source>{field} must be one of {allowed}, got {got}.</source>
+        <translation>{field} şunlardan biri olmalı: {allowed}; verilen {got}.</translation>
+    </message>
+    <message>
+        <source>{label} must be {range}, got {got}.</source>
+        <translation>{label}: olması gereken {range}; verilen {got}.</translation>
+    </message>
+    <message>
+        <source>{least:g} to {most:g} mm</source>
+        <translation>{least:g}–{most:g} mm</translation>
+    </message>
+    <message>
+        <source>{low:g} to {high:g} {unit}</source>
+        <translation>{low:g}–{high:g} {unit}</translation>
+    </message>
+    <message>
+        <source>{radius:.1f} mm</source>
+        <translation>{radius:.1f} mm</translation>
+    </message>
+    <message>
+        <source>{unit}, guessed ({why})</source>
+        <translation>{unit}, tahmin ({why})</translation>
+    </message>
+    <message>
+        <source>{up}, guessed ({why})</source>
+        <translation>{up}, tahmin ({why})</translation>
+    </message>
+    <message>
+        <source>{value}</source>
+        <translation>{value}</translation>
+    </message>
+    <message>
+        <source>{vertices} vertices cannot be had: {why}</source>
+        <translation>{vertices} köşe elde edilemiyor: {why}</translation>
+    </message>
+    <message>
+        <source>{what}: letters that cannot be written.</source>
+        <translation>{what}: yazılamayan harfler.</translation>
+    </message>
+    <message>
+        <source>{what}: {count} bytes of text, at most {most}.</source>
+        <translation>{what}: {count} baytlık metin, en çok {most}.</translation>
+    </message>
+    <message>
+        <source>{words}</source>
+        <translation>{words}</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Numbers with units: typed, stepped, refused; and what comes of them at once."""
+
+from __future__ import annotations
+
+import pytest
+from conftest import settle
+from hands import child, click, type_into
+from palpate_editor.document.constants import CONSTANTS
+from palpate_editor.views.quantity_box import QuantityBox, read_number, write_number
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+pytestmark = pytest.mark.window
+
+
+@pytest.fixture
+def panel(spleen_window):
+    spleen_window.show_stage("material")
+    return spleen_window.material_panel
+
+
+def test_every_constant_can_be_edited_with_its_unit_beside_it(panel):
+    fields = {field.constant.key: field for field in panel.fields if hasattr(field, "constant")}
+
+    assert set(fields) == {constant.key for constant in CONSTANTS}
+    for constant in CONSTANTS:
+        assert fields[constant.key].unit.text() == constant.unit
+
+
+def test_a_typed_number_is_in_the_unit_shown(panel):
+    type_into(child(panel, "tool.radius"), "4.5")
+
+    assert panel.desk.session.organ.tool.radius == pytest.approx(4.5e-3)
+    assert "--tool-radius=0.0045m" in panel.window().log.log.toPlainText()
+
+
+def test_a_number_that_is_refused_stays_in_red_with_a_sentence(panel):
+    box = child(panel, "material.density")
+
+    type_into(box, "-5")
+
+    assert panel.desk.session.organ.material.density == 1060.0
+    assert "Density must be more than 0 kg/m³" in panel.window().messages.text
+    assert box.property("refused")
+    QTest.keyClick(box, Qt.Key.Key_Escape)
+    assert box.lineEdit().text() == "1060"
+    assert not box.property("refused")
+
+
+def test_arrow_keys_step_by_a_tenth_of_the_decade(panel):
+    box = child(panel, "model.stiffness")
+    type_into(box, "150")
+
+    QTest.keyClick(box, Qt.Key.Key_Up)
+
+    assert panel.desk.session.organ.model.stiffness == 160.0
+
+
+def test_the_wheel_over_a_field_without_the_cursor_changes_nothing(panel, qtbot):
+    from PySide6.QtCore import QPoint, QPointF
+    from PySide6.QtGui import QWheelEvent
+    from PySide6.QtWidgets import QApplication
+
+    box, before = child(panel, "model.stiffness"), panel.desk.session.organ
+    middle = QPointF(box.rect().center())
+    event = QWheelEvent(
+        middle, box.mapToGlobal(middle), QPoint(), QPoint(0, 120), Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier, Qt.ScrollPhase.NoScrollPhase, False,
+    )  # fmt: skip
+    QApplication.sendEvent(box, event)
+
+    assert panel.desk.session.organ is before
+
+
+def test_mass_substeps_and_margin_follow_at_once(panel, qtbot):
+    window, words = panel.window(), panel.facts.words
+    before = words()
+
+    type_into(child(panel, "material.density"), "2120")
+    settle(qtbot, window)
+
+    grams = float(words()["Total mass"].split("\u00a0")[0])
+    assert grams == pytest.approx(2 * float(before["Total mass"].split("\u00a0")[0]), rel=1e-3)
+    type_into(child(panel, "model.stiffness"), "5000")
+    settle(qtbot, window)
+    assert int(words()["Substeps a tick"]) > int(before["Substeps a tick"])
+    assert words()["Stability margin"].endswith("×")
+
+
+def test_a_wall_makes_the_organ_hollow_and_lighter(panel, qtbot):
+    window, before = panel.window(), panel.facts.words()["Total mass"]
+    field = next(f for f in panel.fields if f.objectName() == "" and hasattr(f, "constant")
+                 and f.constant.field == "wall_thickness")  # fmt: skip
+
+    click(field.tick)
+    settle(qtbot, window)
+
+    assert window.session.organ.material.wall_thickness == 2e-3
+    assert panel.facts.words()["Total mass"] != before
+    window.session.history.undo()
+    assert not field.tick.isChecked()
+
+
+def test_fields_of_the_molecular_model_show_with_it_alone(panel):
+    bend = child(panel, "model.bend_stiffness")
+    assert not bend.isVisible()
+
+    panel.kind.setCurrentIndex(1)
+    panel.kind.activated.emit(1)
+
+    assert bend.isVisible()
+    assert panel.desk.session.organ.model.kind == "molecular"
+
+
+def test_a_coupling_that_no_triangle_can_take_says_which_it_can(panel, qtbot):
+    window = panel.window()
+    window.deeds.use_mms()
+
+    type_into(child(panel, "model.stretch_coupling"), "50")
+    settle(qtbot, window)
+
+    assert panel.range.isVisible()
+    assert "stretch-bend of" in panel.range.text()
+    row = next(r for r in panel.rows if r.isVisible() and r.fix is not None)
+    click(row.button)
+    settle(qtbot, window)
+    assert panel.desk.assessment.scene is not None
+
+
+def test_gravity_gives_the_organ_weight(panel):
+    click(child(panel, "gravity"))
+
+    assert panel.desk.session.organ.hand.gravity == (0.0, 0.0, -9.81)
+
+
+def test_numbers_are_read_as_people_write_them():
+    assert read_number("1,5") == 1.5
+    assert read_number("3e7") == 3e7
+    assert read_number("12 000") == 12000.0
+    assert read_number("−2") == -2.0
+    assert read_number("many") is None
+    assert read_number("1e999") is None
+    assert write_number(3.0e7) == "3e7"
+    assert write_number(0.0025) == "0.0025"
+
+
+def test_a_box_takes_letters_of_numbers_only(qtbot):
+    box = QuantityBox("N/m")
+    qtbot.addWidget(box)
+    box.show_value(50.0)
+    got = []
+    box.entered.connect(got.append)
+
+    box.lineEdit().selectAll()
+    QTest.keyClicks(box.lineEdit(), "a1x2e2")
+    QTest.keyClick(box.lineEdit(), Qt.Key.Key_Return)
+
+    assert got == [1200.0]

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The window speaks English and Turkish, whole."""
+
+from __future__ import annotations
+
+import re
+from string import Formatter
+
+import pytest
+from hands import action
+from palpate.translation import read_words
+from palpate_editor.document import EMPTY, phrase
+from palpate_editor.edits import EditError, SetConstant
+from palpate_editor.views.sentences import sentence_of
+from palpate_editor.views.words import number, quantity
+from PySide6.QtWidgets import QAbstractButton, QLabel
+from spoken import find_spoken
+
+pytestmark = pytest.mark.window
+
+TURKISH = read_words("palpate_editor", "tr")
+
+
+def test_every_text_of_the_editor_has_its_turkish():
+    missing = sorted(find_spoken() - set(TURKISH))
+
+    assert missing == []
+
+
+def test_no_turkish_is_left_of_a_text_that_is_gone():
+    assert sorted(set(TURKISH) - find_spoken()) == []
+
+
+def fields_of(text: str) -> list[str]:
+    """Names and formats of what is filled in, %1 too."""
+    named = [f"{name}:{spec}" for _, name, spec, _ in Formatter().parse(text) if name]
+    return sorted(named + re.findall(r"%\d", text))
+
+
+def test_a_translation_fills_in_what_the_english_does():
+    wrong = [said for said, words in TURKISH.items() if fields_of(words) != fields_of(said[1])]
+
+    assert wrong == []
+
+
+def test_a_sentence_of_an_edit_is_said_in_turkish(make_editor):
+    make_editor(language="tr")
+    with pytest.raises(EditError) as refused:
+        SetConstant("material", "density", -1.0)(EMPTY)
+
+    sentence = sentence_of(refused.value)
+
+    assert sentence == "Yoğunluk: olması gereken 0 kg/m³ değerinden büyük; verilen -1 kg/m³."
+
+
+def test_a_phrase_within_a_phrase_is_translated_too(make_editor):
+    make_editor(language="tr")
+
+    assert "Henüz organ yok" in sentence_of(
+        EditError(phrase("There is no organ yet: import a mesh file first."))
+    )
+
+
+def test_the_window_is_turkish_and_back_with_the_same_organ(qtbot, make_editor):
+    editor = make_editor(language="tr")
+    window, session = editor.window, editor.session
+    assert window.menuBar().actions()[0].text() == "&Dosya"
+    assert window.stage_bar.steps["decimate"].text() == "Sadeleştir"
+    window.show_stage("material")
+
+    action(window, "language_en").trigger()
+    qtbot.waitUntil(lambda: editor.window is not window)
+
+    assert editor.window.menuBar().actions()[0].text() == "&File"
+    assert editor.window.session is session
+    assert editor.window.desk.stage == "material"
+    assert editor.settings.language == "en"
+
+
+def test_no_text_is_cut_off_in_either_language(qtbot, make_editor):
+    for language in ("en", "tr"):
+        window = make_editor(language=language).window
+        for stage in window.stage_bar.steps:
+            window.show_stage(stage)
+            qtbot.wait(1)
+            panel = window.stage_dock.panels[stage]
+            for widget in [*panel.findChildren(QLabel), *panel.findChildren(QAbstractButton)]:
+                if widget.isVisible() and not (isinstance(widget, QLabel) and widget.wordWrap()):
+                    assert widget.width() >= widget.minimumSizeHint().width(), (
+                        language, stage, widget.text(),
+                    )  # fmt: skip
+
+
+def test_numbers_are_written_for_people():
+    assert number(12345.678) == "12\u202f346"
+    assert number(0.00250) == "0.0025"
+    assert number(-3.5) == "−3.5"
+    assert number(3.0e7) == "3×10⁷"
+    assert number(-2.5e-7) == "−2.5×10⁻⁷"
+    assert number(float("nan")) == "–"
+    assert quantity(0.05, "N/m") == "0.05\u00a0N/m"
+    assert quantity(None, "g") == "–"
