@@ -95,11 +95,11 @@ class Renderer:
     ) -> None:
         """Draws a picture of `size` pixels, or a tile of it, into the framebuffer in use.
 
-        Without `shadows_anew`, shadows fall as in the last call: for further tiles of a picture.
+        Without `shadows_anew`, shadows fall as cast_shadows left them: for tiles of one picture.
         """
         screen = self.context.fbo
-        if self.shadow_softness > 0.0 and shadows_anew:
-            self._shadow.draw(self.parts, self._centre, self._radius, lamp(camera, KEY))
+        if shadows_anew:
+            self.cast_shadows(camera)
             screen.use()
         tile = tile or Tile(0, 0, *size)
         screen.viewport = (0, 0, tile.width, tile.height)
@@ -113,6 +113,11 @@ class Renderer:
         program = self._choose_surface()
         self._light(program, camera, world_to_clip)
         self._draw_parts(program)
+
+    def cast_shadows(self, camera: Camera) -> None:
+        """Finds what lies in the shade, if there is any; leaves its own framebuffer in use."""
+        if self.shadow_softness > 0.0:
+            self._shadow.draw(self.parts, self._centre, self._radius, lamp(camera, KEY))
 
     def release(self) -> None:
         """Gives back all memory of the graphics card, that of the parts included."""

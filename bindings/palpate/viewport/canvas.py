@@ -8,6 +8,7 @@ the fine one, tile by tile, each short enough not to be noticed.
 
 from __future__ import annotations
 
+import time
 from typing import Any
 
 import moderngl
@@ -21,8 +22,10 @@ from palpate.viewport.scenery import Scenery
 SOFTWARE = ("llvmpipe", "softpipe", "swrast")
 QUICK_PIXELS = 320_000
 """Of a frame that a processor draws while things move; it is stretched to the view."""
-TILE = 192
-"""[px] Sides of what is drawn between two events of the window: some 30 ms on a processor."""
+TILES = (64, 96, 128, 192, 256)
+"""[px] Sides of what is drawn between two events of the window."""
+TILE_TIME = 0.030
+"""[s] that this may take; the size of the tiles follows."""
 SAMPLES = 4
 SHADOW_SOFTNESS = 0.035
 WIRE_WIDTH = 1.05
@@ -86,6 +89,7 @@ class Canvas:
         self._key: object = None
         self._tiles: list[Tile] | None = None
         self._is_fine = False
+        self._tile_size, self._slowest = 1, 0.0
 
     def draw(self, scenery: Scenery, camera: Camera, size: Size, ratio: float) -> bool:
         """Draws a frame of `size` pixels, `ratio` of them for each of the window's.
@@ -113,19 +117,27 @@ class Canvas:
         """Draws the next tile of the fine frame of what was drawn last; False once it is whole."""
         if self._is_fine or self._key != (scenery.version, describe(camera), size):
             return False
-        first = self._tiles is None
-        if self._tiles is None:
-            self._tiles = list(cut_tiles(size, TILE))
-        tile = self._tiles.pop()
-        small = self._use("tile", (TILE, TILE), SAMPLES)
+        begun = time.perf_counter()
         renderer = scenery.prepare(SHADOW_SOFTNESS, WIRE_WIDTH * ratio)
+        side = TILES[self._tile_size]
+        if self._tiles is None:
+            self._tiles = list(cut_tiles(size, side))
+            renderer.cast_shadows(camera)
+            self._context.finish()
+            return True
+        tile = self._tiles.pop()
+        small = self._use("tile", (side, side), SAMPLES)
         small.drawn.use()
-        renderer.draw(camera, size, tile, shadows_anew=first)
+        renderer.draw(camera, size, tile, shadows_anew=False)
         small.resolve()
         fine = self._use("fine", size, 0)
-        place = (tile.left, tile.bottom, TILE, TILE)
-        self._stretch(small.texture, fine.frame, place)
+        self._stretch(small.texture, fine.frame, (tile.left, tile.bottom, side, side))
+        # drivers put work off, and then it would count for somebody else
+        self._context.finish()
+        self._slowest = max(self._slowest, time.perf_counter() - begun)
         self._is_fine = not self._tiles
+        if self._is_fine:
+            self._choose_tile_size()
         return not self._is_fine
 
     def paste(self, target: moderngl.Framebuffer, size: Size) -> None:
@@ -144,6 +156,14 @@ class Canvas:
             thing.release()
         self._targets.clear()
         self._key = None
+
+    def _choose_tile_size(self) -> None:
+        """For the next fine frame, by what the tiles of this one took."""
+        if self._slowest > TILE_TIME:
+            self._tile_size = max(0, self._tile_size - 1)
+        elif self._slowest < TILE_TIME / 3:
+            self._tile_size = min(len(TILES) - 1, self._tile_size + 1)
+        self._slowest = 0.0
 
     def _best(self) -> Target:
         return self._targets["fine" if self._is_fine and self.is_software else "whole"]

@@ -22,6 +22,8 @@ SPEED = 0.05
 HOLD_DELAY = 0.08
 """[s] between the arrival of the tip and its grip, for the device glides after its orders."""
 STEP_MS = 8
+LONGEST_STEP = 3e-3
+"""[m] of the tip over the surface at once: on a longer way it would cut through the organ."""
 SMALLEST_PRESS, LARGEST_PRESS = 2e-3, 6e-3
 """[m]"""
 
@@ -63,14 +65,15 @@ class PointerHand(QObject):
         self._deepest, self._highest = 0.8 * reach, 0.8 * reach
         top = find_top(scene)
         self._base, self._outward = np.array(top.point), np.array(top.outward)
-        self._grabbed = self._base
+        self._goal = self._grabbed = self._base
+        self._is_coming = False
         self.grip = Grip.hovering
         self._depth = self._wanted = self._hover_depth = -self._clearance
         self._buttons = 0
         self._still = QElapsedTimer()
         self._timer = QTimer(self)
         self._timer.setInterval(STEP_MS)
-        self._timer.timeout.connect(self._advance)
+        self._timer.timeout.connect(self.advance)
         self._last_step = QElapsedTimer()
         self._send()
 
@@ -94,7 +97,7 @@ class PointerHand(QObject):
         if event.modifiers() & Qt.KeyboardModifier.ShiftModifier:  # moves the camera
             return False
         self._go_over(hit)
-        self._grabbed = self._base
+        self._grabbed = self._goal
         holds = button == Qt.MouseButton.RightButton or bool(
             event.modifiers() & Qt.KeyboardModifier.ControlModifier
         )
@@ -115,8 +118,9 @@ class PointerHand(QObject):
         if hit is not None:
             self._go_over(hit)
         else:  # beside the organ, at the depth where the pointer left it
-            self._base = self._meet(view, event, self._base)
-        self._send()
+            reach = self._outward * (self._radius - self._depth)
+            self._goal = self._meet(view, event, self.position) - reach
+        self._move_on()
         return hit is not None
 
     def release(self, view: ViewBase, event: QMouseEvent) -> bool:
@@ -132,8 +136,8 @@ class PointerHand(QObject):
         notches = event.angleDelta().y() / 120
         if self.grip is Grip.holding:
             # away from the viewer or nearer: what is held need not move along its normal
-            self._base = self._base + view.camera.basis()[2] * (self._notch * notches)
-            self._send()
+            self._goal = self._goal + view.camera.basis()[2] * (self._notch * notches)
+            self._move_on()
             return True
         if self.grip is Grip.hovering and view.pick(event.position()) is None:
             return False
@@ -158,11 +162,16 @@ class PointerHand(QObject):
             self._go_to(max(self._wanted, SMALLEST_PRESS))
         return True
 
+    def is_moving(self) -> bool:
+        """Whether the tip is on its way to where the pointer wants it."""
+        return self._timer.isActive()
+
     def settle(self) -> None:
-        """Goes at once where button and wheel want the tip, for scripts that have no time."""
+        """Goes at once where the pointer wants the tip, for scripts that have no time."""
+        while self._walk():
+            self._send()
         self._depth = self._wanted
-        if self.grip is Grip.holding:
-            self._buttons = palpate.kAttachButton
+        self._buttons = palpate.kAttachButton if self.grip is Grip.holding else 0
         self._timer.stop()
         self._send()
 
@@ -181,36 +190,69 @@ class PointerHand(QObject):
         return hit if np.cross(b - a, c - a) @ direction < 0.0 else None
 
     def _go_over(self, hit: palpate.SurfacePoint) -> None:
-        outward = np.asarray(hit.weights) @ self._normals[self._triangles[hit.triangle]]
+        self._goal, self._is_coming = np.array(hit.point), True
+
+    def _find_outward(self, at: palpate.SurfacePoint) -> Array:
+        """The smooth normal at a point of the surface at rest."""
+        outward = np.asarray(at.weights) @ self._normals[self._triangles[at.triangle]]
         length = float(np.linalg.norm(outward))
-        if length > 0.0:
-            self._outward = outward / length
-        self._base = np.array(hit.point)
+        return outward / length if length > 0.0 else self._outward
+
+    def _walk(self) -> bool:
+        """A step of the tip towards its goal; False once it is there.
+
+        A tip that hovers, or is on its way to where it shall press, goes around the organ: where it
+        would come below the surface, it follows the surface. Then it moves freely.
+        """
+        way = self._goal - self._base
+        length = float(np.linalg.norm(way))
+        arrives = length <= LONGEST_STEP
+        base = self._goal if arrives else self._base + way * (LONGEST_STEP / length)
+        if self.grip is Grip.hovering or self._is_coming:
+            near = palpate.find_closest_point(self._tree, self._x, base)
+            outward = self._find_outward(near)
+            if (base - np.asarray(near.point)) @ outward <= 0.0:
+                base, self._outward = np.array(near.point), outward
+        blocked = np.linalg.norm(base - self._base) < 1e-6
+        self._base = base
+        there = bool(arrives or blocked)
+        self._is_coming = self._is_coming and not there
+        return not there
 
     def _meet(self, view: ViewBase, event: QMouseEvent, point: Array) -> Array:
         """[m] Under the pointer, in the plane through a point that is parallel to the screen."""
         return meet_plane(*view.ray_at(event.position()), point, view.camera.basis()[2])
 
     def _drag(self, view: ViewBase, event: QMouseEvent) -> None:
-        at = self._meet(view, event, self._base)
-        self._base = at
-        self._send()
+        self._goal = self._meet(view, event, self._goal)
+        self._move_on()
 
     def _let_go(self) -> None:
         self.grip = Grip.hovering
         self._buttons = 0
-        self._base = self._grabbed
+        self._goal = self._grabbed
         self._go_to(self._hover_depth)
 
     def _go_to(self, depth: float) -> None:
         self._wanted = min(max(depth, -self._highest), self._deepest)
+        self._move_on()
+
+    def _move_on(self) -> None:
+        """Sets the tip in motion; a short way is done at once."""
+        self._walk()
+        self._send()
         self._still.start()
         if not self._timer.isActive():
             self._last_step.start()
             self._timer.start()
 
-    def _advance(self) -> None:
-        """One step of the tip towards its depth, and of the grip once it is there."""
+    def advance(self) -> None:
+        """A step over the surface; then one to the depth; then, after a while, the grip."""
+        if self._walk():
+            self._still.start()
+            self._last_step.start()
+            self._send()
+            return
         most = SPEED * 1e-3 * max(1, self._last_step.restart())
         way = self._wanted - self._depth
         self._depth += min(max(way, -most), most)

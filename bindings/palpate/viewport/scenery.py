@@ -47,6 +47,7 @@ class Scenery:
         self.vertices: Array = np.zeros((0, 3))
         """[m] (n, 3) of the surface as it is shown; its own copy."""
         self.triangles: NDArray[np.int32] = np.zeros((0, 3), np.int32)
+        self._used: NDArray[np.intp] = np.zeros(0, np.intp)
         self.centre, self.radius = np.zeros(3), 1.0
         """[m] the ball around the surface as it was shown first."""
         self._things: dict[str, Thing] = {}
@@ -73,10 +74,13 @@ class Scenery:
         self._drop("surface")
         self.version += 1
         self.vertices, self.triangles = x, faces
+        in_use = np.zeros(len(x), dtype=bool)
+        in_use[faces] = True
+        self._used = np.flatnonzero(in_use)
         self._tree, self.legend = None, None
         if not len(faces):
             return
-        used = x[np.unique(faces)]
+        used = x[self._used]
         self.centre = (used.min(axis=0) + used.max(axis=0)) / 2
         self.radius = max(1e-9, float(np.linalg.norm(used - self.centre, axis=1).max()))
         self._things["surface"] = Thing(len(x), faces, PLAIN)
@@ -158,7 +162,7 @@ class Scenery:
 
     def points(self) -> Array:
         """[m] The vertices that some triangle uses, or one point where there is nothing."""
-        return self.vertices[np.unique(self.triangles)] if len(self.triangles) else np.zeros((1, 3))
+        return self.vertices[self._used] if len(self._used) else np.zeros((1, 3))
 
     def pick(self, origin: Array, direction: Array) -> palpate.SurfacePoint | None:
         """Where a ray first meets the surface from its outer side."""

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from contextlib import AbstractContextManager
+from contextlib import AbstractContextManager, nullcontext
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -220,8 +220,8 @@ class ViewBase(ViewEvents):
         return self.scenery, self.camera, self.pixels(), self.devicePixelRatioF()
 
     def in_context(self) -> AbstractContextManager[None]:
-        """Makes the view's OpenGL context current; there must be one."""
-        raise NotImplementedError
+        """Makes the view's OpenGL context current, where it is not always so."""
+        return nullcontext()
 
     def draw_frame(self, canvas: Canvas) -> bool:
         """Draws a frame where something has changed, and has the fine one begun when it rests."""
