@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A published scenario and a script for it, as the tests of playing use them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import palpate
+from palpate import scenario
+from palpate.script_file import write_script_file
+from surfaces import organ_scene, press_frames
+
+TITLE, TASK = "Spleen: find the firm spot", "Stroke gently. Stay below 2 N."
+
+
+def publish(folder: Path, title: str = TITLE, task: str = TASK) -> Path:
+    path = folder / "spleen.palpate"
+    scenario.write(path, scenario.Scenario(scene=organ_scene(2), title=title, task=task))
+    return path
+
+
+def publish_unstable(folder: Path) -> Path:
+    """An organ that blows up as soon as it is touched: its substeps are far too few."""
+    scene = organ_scene(2, stiffness=400.0)
+    scene.rate = 1000.0 / (4.0 * scene.substeps)
+    scene.substeps = scene.substeps_max = 1
+    path = folder / "unstable.palpate"
+    scenario.write(path, scenario.Scenario(scene=scene, title="Unstable"))
+    return path
+
+
+def write_press(folder: Path) -> Path:
+    path = folder / "press.json"
+    write_script_file(path, press_frames())
+    return path
+
+
+def read_peak(record: Path) -> float:
+    """[N]"""
+    rows = palpate.read_record(record)
+    return float((rows.felt["force"].astype(float) ** 2).sum(axis=1).max() ** 0.5)
