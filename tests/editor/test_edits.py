@@ -44,6 +44,7 @@ EXAMPLES = [
     (edits.PaintStiffness(np.array([1, 2]), 2.5), SPLEEN),
     (edits.SetName("karaciğer"), SPLEEN),
     (edits.SetTask("Title", "Task"), SPLEEN),
+    (edits.prepare(edits.UseImported(), SPLEEN), SPLEEN),
 ]
 ids = [type(edit).__name__ for edit, _ in EXAMPLES]
 every = pytest.mark.parametrize(("edit", "organ"), EXAMPLES, ids=ids)
@@ -282,6 +283,14 @@ def test_importing_keeps_the_name_that_was_given_and_takes_the_files_otherwise()
     assert edit(SPLEEN).name == "dalak"
     assert edit(EMPTY).name == "liver"
     assert not edit(SPLEEN).fixed.any()
+
+
+def test_work_done_beforehand_is_used_for_the_organ_it_was_done_for_and_no_other():
+    prepared = edits.prepare(edits.SetName("liver"), SPLEEN)
+    other = edits.SetTask(task="other")(SPLEEN)
+
+    assert prepared(SPLEEN) is prepared.after
+    assert (prepared(other).name, prepared(other).task) == ("liver", "other")
 
 
 def test_an_import_knows_its_file(shared_data):

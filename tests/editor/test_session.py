@@ -11,6 +11,8 @@ from palpate_editor.app.session import Session
 from palpate_editor.document import EMPTY
 from palpate_editor.document.files import write_organ
 from palpate_editor.edits import EditError, PaintStiffness, SetName, SetTask
+from palpate_editor.publish import publish
+from palpate_editor.scene_files import write_scene
 
 
 @pytest.fixture
@@ -91,6 +93,29 @@ def test_a_save_that_fails_leaves_everything_unsaved(session, tmp_path):
         session.save(tmp_path / "nowhere" / "a.organ")
 
     assert session.path is None and not session.saved
+
+
+def test_what_was_edited_while_a_thread_was_saving_is_unsaved(session, tmp_path):
+    session.apply(SetName("one"))
+    written = session.organ
+    session.apply(SetName("two"))
+
+    session.mark_saved(written, tmp_path / "a.organ")
+
+    assert session.path == tmp_path / "a.organ" and not session.saved
+
+
+@pytest.mark.parametrize("name", ["a.palpate", "a.scene.json"])
+def test_what_is_no_working_file_is_not_saved_over(session, tmp_path, name):
+    publish(session.organ, tmp_path / "a.palpate")
+    write_scene(tmp_path / "a.scene.json", session.organ, None)
+
+    session.open(tmp_path / name)
+
+    assert session.organ.vertex_count == 60
+    assert session.path is None and session.saved
+    with pytest.raises(ValueError, match="no file yet"):
+        session.save()
 
 
 def test_opening_forgets_the_history_and_counts_as_saved(session, tmp_path):

@@ -59,23 +59,24 @@ class Session(QObject):
 
     def start_anew(self) -> None:
         """An empty desk."""
-        self._lay_down(EMPTY, None)
+        self.lay_down(EMPTY, None)
 
     def open(self, path: Path) -> None:
-        """Reads a working file, or the organ out of a published file or a scene file.
+        """Reads any file that has an organ. Raises FileError, Refusal or OSError, and then nothing
+        has changed. A window reads in a thread and calls lay_down."""
+        self.lay_down(open_organ(path), path)
 
-        Only a working file is saved where it came from. Raises FileError, Refusal or OSError, and
-        then nothing has changed.
+    def lay_down(self, organ: Organ, path: Path | None) -> None:
+        """Puts the organ of a file on the desk, with an empty history.
+
+        Only a working file is saved where it came from: what came out of a published file or a
+        scene file still stands there, and has no working file yet.
         """
-        organ = open_organ(path)
-        if path.suffix == ".organ":
-            self._lay_down(organ, path)
-        else:
-            self.restore(organ, None)
+        self._replace(organ, path if path and path.suffix == ".organ" else None)
 
     def restore(self, organ: Organ, path: Path | None) -> None:
         """Puts an unsaved organ on the desk: it belongs to `path` but is not what is there."""
-        self._lay_down(organ, path, saved=False)
+        self._replace(organ, path, saved=False)
 
     def save(self, path: Path | None = None) -> None:
         """Writes the organ to its file or to another, whole or not at all.
@@ -86,8 +87,14 @@ class Session(QObject):
         if target is None:
             raise ValueError("save: found no file yet, expected a path")
         write_organ(target, self.organ)
-        self.path = target
-        self.history.setClean()
+        self.mark_saved(self.organ, target)
+
+    def mark_saved(self, organ: Organ, path: Path) -> None:
+        """The organ stands in the file. A window writes in a thread and then calls this; what was
+        edited meanwhile is still unsaved."""
+        self.path = path
+        if organ is self.organ:
+            self.history.setClean()
         self.title_changed.emit()
 
     def mark_tested(self) -> None:
@@ -99,7 +106,7 @@ class Session(QObject):
         """Whether the organ was felt as it is now; words about it may be others."""
         return self.tested is not None and is_built_alike(self.tested, self.organ)
 
-    def _lay_down(self, organ: Organ, path: Path | None, saved: bool = True) -> None:
+    def _replace(self, organ: Organ, path: Path | None, saved: bool = True) -> None:
         # nobody is told before all of it is true: half way, the new organ would pass for saved
         self._laying = True
         self.history.clear()

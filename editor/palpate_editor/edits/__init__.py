@@ -14,6 +14,7 @@ from palpate_editor.edits.import_mesh import ImportMesh, import_file
 from palpate_editor.edits.name import SetName, SetTask
 from palpate_editor.edits.orient import SetUnit, SetUp
 from palpate_editor.edits.paint import PaintStiffness
+from palpate_editor.edits.prepare import Prepared, prepare
 from palpate_editor.edits.repair import KeepLargestShell, TurnOutward
 from palpate_editor.edits.set_constant import SetChoice, SetConstant, SetGravity, SetMaterial
 
@@ -27,6 +28,7 @@ __all__ = [
     "ImportMesh",
     "KeepLargestShell",
     "PaintStiffness",
+    "Prepared",
     "SetChoice",
     "SetConstant",
     "SetGravity",
@@ -39,6 +41,7 @@ __all__ = [
     "UseImported",
     "decimate_organ",
     "import_file",
+    "prepare",
 ]
 
 EVERY_EDIT: tuple[type, ...] = (
@@ -58,5 +61,6 @@ EVERY_EDIT: tuple[type, ...] = (
     PaintStiffness,
     SetName,
     SetTask,
+    Prepared,
 )
 """Tests hold every one of them to the same laws."""
