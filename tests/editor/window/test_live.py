@@ -12,7 +12,7 @@ import pytest
 from palpate.cli import main
 from palpate_editor.compile import compile_organ
 from palpate_editor.document import EMPTY
-from palpate_editor.edits import FixVertices, PaintStiffness, SetConstant
+from palpate_editor.edits import FixVertices, PaintStiffness, SetChoice, SetConstant
 from palpate_editor.views.touch import TestPanel
 from palpate_editor.views.touch.press_form import write_command
 from palpate_editor.views.words import count
@@ -256,6 +256,18 @@ def test_without_an_organ_a_sentence_says_what_to_do(qtbot, settings):
 # ---------------------------------------------------------------- what goes wrong
 
 
+def test_an_organ_that_cannot_be_compiled_is_refused_with_the_reason(panel, qtbot):
+    told = []
+    panel.desk.told.connect(lambda words, severity: told.append(words))
+    panel.desk.session.apply(SetChoice("kind", "molecular"))
+    panel.desk.session.apply(SetConstant("model", "stretch_coupling", 50.0))
+    panel.toggle()
+    qtbot.waitUntil(lambda: not panel.runner.waiting, timeout=LONG)
+    assert not panel.running
+    assert len(told) == 1 and told[0].startswith("The organ cannot be tested yet: found ")
+    assert "50 N" in told[0] and ", expected " in told[0]
+
+
 def test_an_organ_that_blows_up_ends_the_run_with_a_sentence(panel, qtbot):
     desk, told = panel.desk, []
     desk.told.connect(lambda words, severity: told.append((words, severity)))
@@ -270,6 +282,16 @@ def test_an_organ_that_blows_up_ends_the_run_with_a_sentence(panel, qtbot):
     assert len(told) == 1 and told[0][1] == "error"
     assert told[0][0].startswith("The tissue blew up after")
     assert not panel.desk.session.is_tested
+
+
+def test_a_device_that_fails_ends_the_run_with_a_sentence(panel, qtbot):
+    told = []
+    panel.desk.told.connect(lambda words, severity: told.append((words, severity)))
+    start_hand(panel, qtbot)
+    with qtbot.waitSignal(panel.runner.ended, timeout=LONG):
+        panel.runner.trial.device.set(palpate.HapticSample(position=[np.nan, 0.0, 0.0]))
+    assert told == [("The device failed (sample not finite): the run was stopped.", "error")]
+    assert not panel.running
 
 
 def scene_that_blows_up(organ) -> palpate.Scene:

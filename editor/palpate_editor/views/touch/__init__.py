@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from palpate_editor.views.touch.brushes import BrushKeys, FixTool, StiffnessTool
+from palpate_editor.views.touch.brush_keys import BrushKeys
+from palpate_editor.views.touch.brushes import FixTool, StiffnessTool
 from palpate_editor.views.touch.colours import show_painted
 from palpate_editor.views.touch.force_plot import ForcePlot
 from palpate_editor.views.touch.live_costs import LiveCosts

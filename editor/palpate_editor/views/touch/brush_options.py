@@ -74,10 +74,10 @@ class RatioSlider(QWidget):
 class BrushOptions(QWidget):
     """What a brush tool shows on top of its stage."""
 
-    def __init__(self, tool: Any, has_factor: bool, parent: QWidget | None = None):
+    def __init__(self, tool: Any, parent: QWidget | None = None):
         super().__init__(parent)
         self.setObjectName(f"{tool.name}_options")
-        self.tool = tool
+        self.tool, has_factor = tool, tool.paint.has_factor
         form = QFormLayout(self)
         form.setContentsMargins(0, 0, 0, 0)
         form.setHorizontalSpacing(12)

@@ -4,17 +4,21 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QAction, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from palpate_editor.document import Organ
+from palpate_editor.edits import Edit
+from palpate_editor.views.touch.brush_keys import BrushKeys
+from palpate_editor.views.touch.brush_options import BrushOptions
 from palpate_editor.views.touch.colours import show_painted
 from palpate_editor.views.touch.painted_surface import FIRST_RADIUS, PaintedSurface, Spot
-from palpate_editor.views.touch.stroke import Brush
+from palpate_editor.views.touch.stroke import Brush, Stroke
 from palpate_editor.views.words import tr
 
 GROWTH = 1.15
@@ -28,12 +32,37 @@ MOST_STAMPS = 64
 NOTCH = 120.0
 """of QWheelEvent.angleDelta."""
 
+Keys = Qt.KeyboardModifier
+
+
+class Paint(Protocol):
+    """What a brush puts on the organ."""
+
+    name: str
+    shortcut: str
+    has_factor: bool
+    """Whether there is a stiffness to choose, or only yes and no."""
+
+    def title(self) -> str: ...
+    def hint(self) -> str: ...
+
+    def begin(self, organ: Organ, surface: PaintedSurface, brush: Brush, keys: Keys) -> Stroke:
+        """A stroke with these keys held down."""
+
+    def show_stroke(self, view: Any, stroke: Any) -> None: ...
+
+    def show_organ(self, view: Any, organ: Organ) -> None:
+        """Colours the view with what the document says while the tool is in use."""
+
+    def find_painted(self, organ: Organ) -> NDArray[np.bool_]:
+        """(n,) the vertices that carry this paint."""
+
+    def erase(self, ids: NDArray[np.intp]) -> Edit: ...
+
 
 class BrushTool(QObject):
-    """What painting tools share: the ring, the stroke, its size. Subclasses say what is painted."""
+    """A view's tool that paints: the ring, the stroke, its size."""
 
-    name = ""
-    shortcut = ""
     stages: tuple[str, ...] = ("material",)
     left = Signal()
     """The person wants to go back to looking around."""
@@ -41,39 +70,24 @@ class BrushTool(QObject):
     activated = Signal(bool)
     """It has the mouse now, or no longer."""
 
-    def __init__(self, desk: Any, brush: Brush, parent: QObject | None = None):
+    def __init__(self, desk: Any, brush: Brush, paint: Paint, parent: QObject | None = None):
         super().__init__(parent or desk)
-        self.desk, self.brush = desk, brush
+        self.desk, self.brush, self.paint = desk, brush, paint
+        self.name, self.shortcut = paint.name, paint.shortcut
+        self.keys: BrushKeys | None = None
+        """Those of all brushes, where there is a menu for them."""
         self.active = False
         self._painted: PaintedSurface | None = None
-        self._stroke: Any | None = None
+        self._stroke: Stroke | None = None
         self._last: QPointF | None = None
         self._options: QWidget | None = None
         desk.session.changed.connect(self._take_organ)
 
-    # ------------------------------------------------------------ what subclasses say
-
     def title(self) -> str:
-        raise NotImplementedError
+        return self.paint.title()
 
     def hint(self) -> str:
-        raise NotImplementedError
-
-    def begin_stroke(self, organ: Organ, painted: PaintedSurface, event: QMouseEvent) -> Any:
-        raise NotImplementedError
-
-    def show_stroke(self, stroke: Any) -> None:
-        raise NotImplementedError
-
-    def build_options(self) -> QWidget:
-        raise NotImplementedError
-
-    def count_painted(self) -> tuple[int, int]:
-        """How many vertices carry this paint, and how many there are."""
-        raise NotImplementedError
-
-    def erase_all(self) -> None:
-        raise NotImplementedError
+        return self.paint.hint()
 
     # ------------------------------------------------------------ coming and going
 
@@ -81,6 +95,7 @@ class BrushTool(QObject):
         """Takes the mouse over the organ."""
         self.active = True
         self.desk.view.tool = self
+        self.find_painted()
         self.show_organ(self.desk.session.organ)
         self.activated.emit(True)
 
@@ -96,19 +111,31 @@ class BrushTool(QObject):
 
     def actions(self) -> list[QAction]:
         """For menus and the command palette."""
-        return []
+        return self.keys.actions if self.keys is not None else []
 
     def options(self) -> QWidget:
         """Size, value and manner of the brush, for the stage's panel."""
         if self._options is None:
-            self._options = self.build_options()
+            self._options = BrushOptions(self)
         return self._options
 
     def show_organ(self, organ: Organ) -> None:
         """Colours the view with what the document says, or a stroke under way will say."""
-        show_painted(self.desk.view, organ)
+        if organ.surface is None:
+            return
+        self.paint.show_organ(self.desk.view, organ)
         if self._stroke is not None:
-            self.show_stroke(self._stroke)
+            self.paint.show_stroke(self.desk.view, self._stroke)
+
+    def count_painted(self) -> tuple[int, int]:
+        """How many vertices carry this paint, and how many there are."""
+        painted = self.paint.find_painted(self.desk.session.organ)
+        return int(painted.sum()), len(painted)
+
+    def erase_all(self) -> None:
+        """Takes this paint off the whole organ."""
+        ids = np.flatnonzero(self.paint.find_painted(self.desk.session.organ))
+        self.desk.apply(self.paint.erase(ids))
 
     def find_painted(self) -> PaintedSurface | None:
         """The surface to paint on; None while there is no organ."""
@@ -181,10 +208,11 @@ class BrushTool(QObject):
         spot = self._show_ring(event.position())
         if spot is None:
             return False
-        self._stroke = self.begin_stroke(self.desk.session.organ, self._painted, event)
+        organ, keys = self.desk.session.organ, event.modifiers()
+        self._stroke = self.paint.begin(organ, self._painted, self.brush, keys)
         self._last = event.position()
         self._stamp(spot)
-        self.show_stroke(self._stroke)
+        self.paint.show_stroke(self.desk.view, self._stroke)
         return True
 
     def move(self, view: Any, event: QMouseEvent) -> bool:
@@ -194,7 +222,7 @@ class BrushTool(QObject):
         if self._stroke is None:
             return False
         self._paint_way(event.position(), spot)
-        self.show_stroke(self._stroke)
+        self.paint.show_stroke(self.desk.view, self._stroke)
         return True
 
     def release(self, view: Any, event: QMouseEvent) -> bool:

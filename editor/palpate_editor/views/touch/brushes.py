@@ -3,65 +3,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Qt
-from PySide6.QtGui import QAction, QMouseEvent
-from PySide6.QtWidgets import QWidget
 
 from palpate_editor.document import Organ
 from palpate_editor.edits import FixVertices, PaintStiffness
-from palpate_editor.views.touch.brush_options import BrushOptions
-from palpate_editor.views.touch.brush_tool import BrushTool
-from palpate_editor.views.touch.colours import show_fixed, show_stiffness
+from palpate_editor.views.touch.brush_tool import BrushTool, Keys
+from palpate_editor.views.touch.colours import show_fixed, show_painted, show_stiffness
 from palpate_editor.views.touch.painted_surface import PaintedSurface
-from palpate_editor.views.touch.stroke import FixStroke, SmoothStroke, StiffnessStroke
+from palpate_editor.views.touch.stroke import (
+    Brush,
+    FixStroke,
+    SmoothStroke,
+    StiffnessStroke,
+    Stroke,
+)
 from palpate_editor.views.words import tr
 
-
-class BrushKeys(QObject):
-    """Two actions that size whichever brush has the mouse, wherever the keyboard's focus is."""
-
-    def __init__(self, tools: Sequence[BrushTool], parent: QObject | None = None):
-        super().__init__(parent)
-        self.tools = tools
-        self.actions = [
-            self._add("brush_smaller", tr("Smaller brush"), "[", self.shrink),
-            self._add("brush_larger", tr("Larger brush"), "]", self.grow),
-        ]
-        for tool in tools:
-            tool.activated.connect(self._take_active)
-        self._take_active(False)
-
-    def _add(self, name: str, title: str, key: str, slot: Callable[[], None]) -> QAction:
-        action = QAction(title, self)
-        action.setObjectName(name)
-        action.setShortcut(key)
-        action.triggered.connect(slot)
-        return action
-
-    def grow(self) -> None:
-        self._size(1.0)
-
-    def shrink(self) -> None:
-        self._size(-1.0)
-
-    def _size(self, notches: float) -> None:
-        for tool in self.tools:
-            if tool.active:
-                tool.grow(notches)
-
-    def _take_active(self, on: bool) -> None:
-        for action in self.actions:
-            action.setEnabled(on)
+CONTROL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 
 
-class FixTool(BrushTool):
-    """Paints vertices that must not move; Ctrl frees them."""
+class FixPaint:
+    """Vertices that must not move; Ctrl frees them."""
 
-    name, shortcut = "fix", "X"
+    name, shortcut, has_factor = "fix", "X", False
 
     def title(self) -> str:
         return tr("Fix")
@@ -69,32 +37,27 @@ class FixTool(BrushTool):
     def hint(self) -> str:
         return tr("Drag to fix, Ctrl to free, [ ] or Ctrl+wheel for the size, Esc to leave")
 
-    def begin_stroke(self, organ: Organ, painted: PaintedSurface, event: QMouseEvent) -> FixStroke:
-        del painted
-        free = bool(event.modifiers() & Qt.KeyboardModifier.ControlModifier)
-        return FixStroke(organ.fixed, not free)
+    def begin(self, organ: Organ, surface: PaintedSurface, brush: Brush, keys: Keys) -> Stroke:
+        del surface, brush
+        return FixStroke(organ.fixed, not keys & CONTROL)
 
-    def show_stroke(self, stroke: FixStroke) -> None:
-        show_fixed(self.desk.view, stroke.values, None)
+    def show_stroke(self, view: Any, stroke: FixStroke) -> None:
+        show_fixed(view, stroke.values, None)
 
-    def build_options(self) -> QWidget:
-        return BrushOptions(self, has_factor=False)
+    def show_organ(self, view: Any, organ: Organ) -> None:
+        show_painted(view, organ)
 
-    def count_painted(self) -> tuple[int, int]:
-        fixed = self.desk.session.organ.fixed
-        return int(fixed.sum()), len(fixed)
+    def find_painted(self, organ: Organ) -> NDArray[np.bool_]:
+        return organ.fixed
 
-    def erase_all(self) -> None:
-        """Frees every vertex."""
-        self.desk.apply(FixVertices(np.flatnonzero(self.desk.session.organ.fixed), False))
+    def erase(self, ids: NDArray[np.intp]) -> FixVertices:
+        return FixVertices(ids, False)
 
 
-class StiffnessTool(BrushTool):
-    """Paints local stiffness; Ctrl gives back the organ's own, Shift evens out."""
+class StiffnessPaint:
+    """Local stiffness; Ctrl gives back the organ's own, Shift evens out."""
 
-    name, shortcut = "stiffness", "B"
-    keys: BrushKeys | None = None
-    """Those of all brushes, where there is a menu for them."""
+    name, shortcut, has_factor = "stiffness", "B", True
 
     def title(self) -> str:
         return tr("Stiffness")
@@ -105,32 +68,35 @@ class StiffnessTool(BrushTool):
             "Esc to leave"
         )
 
-    def begin_stroke(self, organ: Organ, painted: PaintedSurface, event: QMouseEvent) -> Any:
-        if event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
-            return SmoothStroke(organ.stiffness_scale, painted.neighbours)
-        erase = bool(event.modifiers() & Qt.KeyboardModifier.ControlModifier)
-        factor = 1.0 if erase else self.brush.factor
-        return StiffnessStroke(organ.stiffness_scale, factor, self.brush.strength)
+    def begin(self, organ: Organ, surface: PaintedSurface, brush: Brush, keys: Keys) -> Stroke:
+        if keys & SHIFT:
+            return SmoothStroke(organ.stiffness_scale, surface.neighbours)
+        factor = 1.0 if keys & CONTROL else brush.factor
+        return StiffnessStroke(organ.stiffness_scale, factor, brush.strength)
 
-    def show_stroke(self, stroke: Any) -> None:
-        show_stiffness(self.desk.view, stroke.values, always=True)
+    def show_stroke(self, view: Any, stroke: StiffnessStroke | SmoothStroke) -> None:
+        show_stiffness(view, stroke.values, always=True)
 
-    def show_organ(self, organ: Organ) -> None:
-        super().show_organ(organ)
-        if self._stroke is None:
-            show_stiffness(self.desk.view, organ.stiffness_scale, always=True)
+    def show_organ(self, view: Any, organ: Organ) -> None:
+        show_fixed(view, organ.fixed, None)
+        show_stiffness(view, organ.stiffness_scale, always=True)
 
-    def actions(self) -> list[QAction]:
-        return self.keys.actions if self.keys is not None else []
+    def find_painted(self, organ: Organ) -> NDArray[np.bool_]:
+        return organ.stiffness_scale != 1.0
 
-    def build_options(self) -> QWidget:
-        return BrushOptions(self, has_factor=True)
+    def erase(self, ids: NDArray[np.intp]) -> PaintStiffness:
+        return PaintStiffness(ids, 1.0)
 
-    def count_painted(self) -> tuple[int, int]:
-        scale = self.desk.session.organ.stiffness_scale
-        return int((scale != 1.0).sum()), len(scale)
 
-    def erase_all(self) -> None:
-        """Gives every vertex the stiffness of the organ."""
-        painted = np.flatnonzero(self.desk.session.organ.stiffness_scale != 1.0)
-        self.desk.apply(PaintStiffness(painted, 1.0))
+class FixTool(BrushTool):
+    """Paints with FixPaint."""
+
+    def __init__(self, desk: Any, brush: Brush, parent: QObject | None = None):
+        super().__init__(desk, brush, FixPaint(), parent)
+
+
+class StiffnessTool(BrushTool):
+    """Paints with StiffnessPaint."""
+
+    def __init__(self, desk: Any, brush: Brush, parent: QObject | None = None):
+        super().__init__(desk, brush, StiffnessPaint(), parent)

@@ -18,11 +18,14 @@ from PySide6.QtWidgets import QLabel, QMenu, QVBoxLayout, QWidget
 
 from palpate_editor.views.touch.force_trace import ForceTrace, write_csv
 from palpate_editor.views.touch.save_dialog import ask_save
+from palpate_editor.views.words import tr
 
 FRAME = 33
 """[ms] between two drawings, about 30 a second."""
-SPAN = 10.0
-"""[s] shown at once."""
+SPANS = (2.0, 5.0, 10.0)
+"""[s] shown at once: the least that holds a run, and at most its last ten seconds."""
+NEAR_SIDE = 0.08
+"""[-] of the span within which the peak's label is turned inwards."""
 COMPARED = 3
 """Earlier runs kept beside the newest."""
 LEAST_FORCE = 0.5
@@ -43,6 +46,7 @@ class ForcePlot(QWidget):
     def __init__(self, parent: QWidget | None = None):
         super().__init__(parent)
         self.setObjectName("force_plot")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.traces: list[ForceTrace] = []
         """Oldest first; the last one is the newest."""
         self._plot = pg.PlotWidget(self)
@@ -74,13 +78,13 @@ class ForcePlot(QWidget):
         self._dress()
 
     def _build_actions(self) -> None:
-        self.clear_action = QAction(self.tr("Clear the plot"), self)
+        self.clear_action = QAction(tr("Clear the plot"), self)
         self.clear_action.triggered.connect(self.clear)
-        self.export_action = QAction(self.tr("Export as CSV…"), self)
+        self.export_action = QAction(tr("Export as CSV…"), self)
         self.export_action.triggered.connect(self.choose_csv)
-        self.fit_action = QAction(self.tr("Show the last seconds"), self)
+        self.fit_action = QAction(tr("Show the last seconds"), self)
         self.fit_action.triggered.connect(self.show_last)
-        self.all_action = QAction(self.tr("Show whole runs"), self)
+        self.all_action = QAction(tr("Show whole runs"), self)
         self.all_action.triggered.connect(self.show_all)
 
     # ------------------------------------------------------------ feeding
@@ -119,13 +123,13 @@ class ForcePlot(QWidget):
     def choose_csv(self) -> None:
         """Asks for a file and writes the runs into it."""
         if not self.traces:
-            self.failed.emit(self.tr("There is no run to export yet: press the organ first."))
+            self.failed.emit(tr("There is no run to export yet: press the organ first."))
             return
         ask_save(
             self,
-            self.tr("Export forces"),
+            tr("Export forces"),
             "forces.csv",
-            self.tr("Table (*.csv)"),
+            tr("Table (*.csv)"),
             self._take_csv_name,
         )
 
@@ -138,11 +142,9 @@ class ForcePlot(QWidget):
         try:
             write_whole(path, write_csv(self.traces).encode())
         except OSError as problem:
-            self.failed.emit(
-                self.tr("The forces were not exported: %1").replace("%1", str(problem))
-            )
+            self.failed.emit(tr("The forces were not exported: {problem}").format(problem=problem))
             return
-        self.said.emit(self.tr("Forces exported to %1").replace("%1", str(path)))
+        self.said.emit(tr("Forces exported to {file}").format(file=path))
 
     # ------------------------------------------------------------ drawing
 
@@ -160,7 +162,7 @@ class ForcePlot(QWidget):
         theme = THEMES[self._theme]
         self._plot.setBackground(self.palette().window().color())
         text, faint = to_colour(theme.text), to_colour(theme.faint)
-        labels = {"left": self.tr("Force [N]"), "bottom": self.tr("Time [s]")}
+        labels = {"left": tr("Force [N]"), "bottom": tr("Time [s]")}
         for side, label in labels.items():
             axis = self._plot.getAxis(side)
             axis.setPen(pg.mkPen(faint))
@@ -169,7 +171,7 @@ class ForcePlot(QWidget):
         self._plot.showGrid(x=True, y=True, alpha=0.18)
         self._peak_text.setColor(text)
         self._empty_text.setColor(faint)
-        self._empty_text.setText(self.tr("Press the organ: the force appears here"))
+        self._empty_text.setText(tr("Press the organ: the force appears here"))
         self._rebuild_curves()
         self._draw()
 
@@ -231,16 +233,19 @@ class ForcePlot(QWidget):
 
     def show_last(self) -> None:
         """The newest seconds of the newest run, and a little room above its force."""
-        last = float(self.traces[-1].time[-1]) if self.traces and len(self.traces[-1]) else 0.0
-        end = max(last, *(float(t.time[-1]) for t in self.traces if len(t))) if last else SPAN
-        if self._timer.isActive() or end > SPAN:
-            end = max(last, SPAN)
-        self._show_span(max(0.0, end - SPAN), end)
+        ends = [float(trace.time[-1]) for trace in self.traces if len(trace)]
+        # a run that is over is compared whole; one that goes on has the axis to itself
+        newest = self.traces[-1].time if self.traces else np.empty(0)
+        last = float(newest[-1]) if len(newest) else 0.0
+        longest = last if self._timer.isActive() else max(ends, default=last)
+        span = next((span for span in SPANS if longest <= span), SPANS[-1])
+        end = max(last, span)
+        self._show_span(end - span, end)
 
     def show_all(self) -> None:
         """All runs from beginning to end."""
         ends = [float(trace.time[-1]) for trace in self.traces if len(trace)]
-        self._show_span(0.0, max(ends, default=SPAN))
+        self._show_span(0.0, max(ends, default=SPANS[0]))
 
     def _show_span(self, start: float, end: float) -> None:
         top = LEAST_FORCE
@@ -249,7 +254,13 @@ class ForcePlot(QWidget):
             top = max(top, float(seen.max(initial=0.0)))
         self._plot.setXRange(start, end, padding=0.01)
         self._plot.setYRange(0.0, HEADROOM * top, padding=0.0)
+        self._turn_label(start, end)
         self._empty_text.setPos((start + end) / 2, HEADROOM / 2 * top)
+
+    def _turn_label(self, start: float, end: float) -> None:
+        place = (self._peak_text.pos().x() - start) / max(end - start, 1e-9)
+        side = 0.0 if place < NEAR_SIDE else 1.0 if place > 1.0 - NEAR_SIDE else 0.5
+        self._peak_text.setAnchor((side, 1.25))
 
     def _show_menu(self, place: QPoint) -> None:
         menu = QMenu(self)

@@ -11,6 +11,8 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
+from palpate_editor.views.words import tr
+
 GOOD, NEAR, OVER = QColor("#2f9e6e"), QColor("#d9912b"), QColor("#d64545")
 """Colours of a share that is well inside, near and beyond its limit."""
 NEAR_SHARE, NEAR_MARGIN, OVER_SHARE = 0.6, 0.95, 1.0
@@ -78,31 +80,29 @@ class LiveCosts(QWidget):
         self._numbers: dict[str, QLabel] = {}
         self._add(
             "cost",
-            self.tr("Tick"),
-            self.tr(
+            tr("Tick"),
+            tr(
                 "Computing one tick of the simulation, median of the last second, and its "
                 "share of the millisecond it may take."
             ),
         )
         self._add(
             "lateness",
-            self.tr("Lateness"),
-            self.tr(
-                "How late a tick starts, median of the last second, as a share of the millisecond."
-            ),
+            tr("Lateness"),
+            tr("How late a tick starts, median of the last second, as a share of the millisecond."),
         )
         self._add(
             "margin",
-            self.tr("Stability"),
-            self.tr(
+            tr("Stability"),
+            tr(
                 "The time step as a share of the longest stable one: beyond 100 % the tissue "
                 "blows up. Substeps are chosen so that it stays below."
             ),
         )
         self._add(
             "missed",
-            self.tr("Missed"),
-            self.tr("Ticks left out because the one before took too long, of all ticks."),
+            tr("Missed"),
+            tr("Ticks left out because the one before took too long, of all ticks."),
         )
         self._grid.setRowStretch(len(self._numbers), 1)
         self.clear()

@@ -93,7 +93,7 @@ def list_costs(outcome: Outcome) -> list[Fact]:
     """Shares of the millisecond, and the ticks that were left out."""
     rate, report = outcome.scene.rate, outcome.report
     facts: list[Fact] = []
-    for name, cost in ((tr("Tick"), report.cost), (tr("Lateness"), report.lateness)):
+    for name, cost in ((tr("Cost"), report.cost), (tr("Lateness"), report.lateness)):
         shares = tr("{median:.0f} % of a tick, p99 {p99:.0f} %").format(
             median=100 * cost.median * rate, p99=100 * cost.p99 * rate
         )

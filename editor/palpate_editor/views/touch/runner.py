@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import tempfile
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,7 @@ from palpate.viewport import PointerHand
 from PySide6.QtCore import QObject, Signal
 
 from palpate_editor.document import Organ
+from palpate_editor.document.problems import Problem
 from palpate_editor.views.touch.force_plot import ForcePlot
 from palpate_editor.views.touch.live_costs import LiveCosts
 from palpate_editor.views.touch.results import Outcome, read_felt
@@ -119,8 +121,7 @@ class Runner(QObject):
             return
         if found.scene is None:
             self.wish = None
-            faults = [say(p.sentence) for p in found.problems if p.severity == "error"]
-            self.desk.tell(" ".join([tr("The organ cannot be tested yet."), *faults[:1]]))
+            self.desk.tell(describe_refusal(found.problems))
             self.changed.emit()
             return
         self._begin(organ, found.scene, self.wish)
@@ -211,3 +212,13 @@ class Runner(QObject):
             self.desk.tell(
                 tr("The run was stopped because the organ was changed. Start it again."), "info"
             )
+
+
+def describe_refusal(problems: Sequence[Problem]) -> str:
+    """Why an organ has no scene: the first thing that stands in its way."""
+    red = [p for p in problems if p.severity == "error" and p.stage != "publish"]
+    if not red:
+        return tr("The organ cannot be tested yet.")
+    return tr("The organ cannot be tested yet: found {found}, expected {expected}.").format(
+        found=say(red[0].found), expected=say(red[0].expected)
+    )

@@ -9,12 +9,13 @@ overlap, and the result does not depend on how often the mouse was asked.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from palpate_editor.brush import Neighbours, smooth
-from palpate_editor.edits import FixVertices, PaintStiffness
+from palpate_editor.edits import Edit, FixVertices, PaintStiffness
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -39,6 +40,16 @@ class Brush:
     """Whether the brush fades towards its rim."""
     front_only: bool = True
     connected: bool = True
+
+
+class Stroke(Protocol):
+    """What is being painted."""
+
+    def add(self, ids: Indices, weights: Array) -> None:
+        """One stamp of the brush: vertices and how strongly it means them."""
+
+    def edit(self) -> Edit | None:
+        """What to apply to the organ; None where nothing changed."""
 
 
 class FixStroke:

@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
+import shlex
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QHBoxLayout,
-    QLineEdit,
     QPushButton,
     QSizePolicy,
     QTabWidget,
@@ -108,10 +108,11 @@ class TestPanel(StagePanel):
         self.press_form.changed.connect(self._show_command)
         self.press_form.pick_toggled.connect(self._on_pick)
         column.addWidget(self.press_form)
-        self.command = QLineEdit(page)
+        self.command = write_label("", "note", page)
         self.command.setObjectName("press_command")
-        self.command.setReadOnly(True)
+        self.command.setWordWrap(True)
         self.command.setFont(fixed_font(self.font()))
+        self.command.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.command.setToolTip(tr("The same press from a command line, once published"))
         column.addWidget(self.command)
         column.addStretch(1)
@@ -245,8 +246,7 @@ class TestPanel(StagePanel):
         return write_command(f"{stem}.palpate", form.script(), form.place)
 
     def _show_command(self) -> None:
-        self.command.setText(" ".join(self._command_words()))
-        self.command.setCursorPosition(0)
+        self.command.setText(shlex.join(self._command_words()))
 
     def _show_state(self) -> None:
         runner = self.runner

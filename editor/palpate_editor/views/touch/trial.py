@@ -96,7 +96,8 @@ class Trial(QObject):
         if frame is not None:
             self._show(frame)
             self.framed.emit(frame)
-        if not self.run.running:
+        # after an alarm or a fault the loop goes on with no force until it is stopped
+        if not self.run.running or describe_end(self.run.report()) is not None:
             self.ended.emit(self.finish())
 
     def _show(self, frame: Any) -> None:
