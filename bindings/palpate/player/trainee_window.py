@@ -97,6 +97,7 @@ class TraineeWindow(QWidget):
             return
         self._time, self._force, self._second, self._missed = 0.0, 0.0, 0, 0
         self.over.start_anew()
+        self._tell_loss()
         self.view.move_surface(self.scene.tissue.rest_position)
         self.view.show_force(None)
         self.view.show_tool(None)
@@ -173,8 +174,13 @@ class TraineeWindow(QWidget):
             self._costs = run.finish()
         except OSError as problem:
             self._problem = problem
+            self._tell_loss()
+
+    def _tell_loss(self) -> None:
+        """Of a record, until the window is closed: somebody may count on it."""
+        if self._problem is not None:
             words = translate("Player", "The record could not be completed: %1")
-            self.over.alarm.tell(words.replace("%1", str(problem)))
+            self.over.alarm.tell(words.replace("%1", str(self._problem)))
 
     def report(self) -> Report:
         """What was played, for the command line. Raises OSError where a record was lost."""

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What tests of windows ask for; Qt is loaded only where they do."""
+
+from __future__ import annotations
+
+import gc
+from pathlib import Path
+
+import pytest
+
+
+@pytest.fixture
+def open_window(qtbot, tmp_path):
+    """open_window(play or path) is a shown window; English when all is over."""
+    from palpate import translation
+    from palpate.play import Play, open_play
+    from palpate.player import TraineeWindow
+    from published import publish
+    from PySide6.QtCore import QLocale
+    from PySide6.QtWidgets import QApplication
+
+    made = []
+
+    def open_it(play: Play | Path | None = None, **options) -> TraineeWindow:
+        if not isinstance(play, Play):
+            play = open_play(play or publish(tmp_path))
+        window = TraineeWindow(play, **options)
+        window.resize(960, 640)
+        window.show()
+        qtbot.waitExposed(window)
+        made.append(window)
+        return window
+
+    yield open_it
+    for window in made:
+        window.close()
+        window.deleteLater()
+    QApplication.sendPostedEvents(None, 52)
+    translation.install(QApplication.instance(), "en")
+    QLocale.setDefault(QLocale("en"))
+    gc.collect()

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a person does with the trainee's window, and reads in it."""
+
+from __future__ import annotations
+
+from palpate.player import TraineeWindow
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel, QPushButton
+from windows import LEFT, move
+
+
+def texts(window: TraineeWindow) -> list[str]:
+    """Everything that can be read now."""
+    found = [*window.findChildren(QLabel), *window.findChildren(QPushButton)]
+    return [thing.text() for thing in found if thing.isVisible() and thing.text()]
+
+
+def middle(window: TraineeWindow) -> QPoint:
+    """A pixel of the organ."""
+    return window.view.world_to_pixel(window.view.scenery.centre).toPoint()
+
+
+def press_and_wait(window: TraineeWindow, qtbot) -> None:
+    """With a real mouse, until the force of it is on the screen."""
+    move(window.view, middle(window))
+    QTest.mousePress(window.view, LEFT, Qt.KeyboardModifier.NoModifier, middle(window))
+    qtbot.waitUntil(lambda: window.over.force.force > 0.0, timeout=20_000)
