@@ -55,7 +55,7 @@ WRONG = {
     "inward": (on(Surface(surface_of().vertices, surface_of().triangles[:, ::-1])), "repair",
                "error", "face inwards"),
     "shells": (on(two_shells()), "repair", "warning", "2 pieces"),
-    "holes": (on(open_surface()), "repair", "note", "1 holes"),
+    "holes": (on(open_surface()), "repair", "note", "a hole of "),
     "self_intersections": (on(crossed()), "repair", "warning", "triangles that cross others"),
     "angles": (on(needles()), "decimate", "warning", "a smallest angle of"),
     "too_slow": (on(surface_of(2000), with_part("model", stiffness=1e6)), "decimate", "warning",

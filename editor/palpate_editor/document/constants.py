@@ -49,17 +49,18 @@ class Constant:
     def describe_range(self) -> Phrase:
         """In the unit shown: "above 0 mm", "0 to 1", "any finite number"."""
         low, high = self.least / self.scale, self.most / self.scale
+        unit = f" {self.unit}" if self.unit else ""
         if math.isinf(low) and math.isinf(high):
             return phrase("any finite number")
         if math.isinf(high):
-            template = "more than {low:g} {unit}" if self.above else "at least {low:g} {unit}"
-            return phrase(template, low=low, unit=self.unit)
+            template = "more than {low:g}{unit}" if self.above else "at least {low:g}{unit}"
+            return phrase(template, low=low, unit=unit)
         template = (
-            "more than {low:g}, at most {high:g} {unit}"
+            "more than {low:g}, at most {high:g}{unit}"
             if self.above
-            else "{low:g} to {high:g} {unit}"
+            else "{low:g} to {high:g}{unit}"
         )
-        return phrase(template, low=low, high=high, unit=self.unit)
+        return phrase(template, low=low, high=high, unit=unit)
 
 
 SHORT_KINDS = {"mss": "mass_spring", "mms": "molecular"}

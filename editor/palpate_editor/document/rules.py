@@ -101,11 +101,13 @@ def find_repair_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
             phrase("one piece"),
         )
     if found.border_loops:
-        sizes = ", ".join(map(str, found.border_loops))
+        sizes, count = ", ".join(map(str, found.border_loops)), len(found.border_loops)
         yield problem(
             "holes",
             "note",
-            phrase("{count} holes, of {sizes} edges", count=len(found.border_loops), sizes=sizes),
+            phrase("a hole of {sizes} edges", sizes=sizes)
+            if count == 1
+            else phrase("{count} holes, of {sizes} edges", count=count, sizes=sizes),
             phrase("a closed surface, or a hollow organ or sheet that has them"),
         )
     if found.self_intersecting_faces is None:

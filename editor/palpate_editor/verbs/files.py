@@ -34,9 +34,17 @@ def write_any(path: Path, organ: Organ) -> None:
     authoring.write_mesh(path, mesh_of(organ.surface))
 
 
+class EditRefusal(Refusal):
+    """An edit that cannot be done, in the edit's own words."""
+
+    def __init__(self, file: Path, where: str, sentence: str):
+        super().__init__(file, where, sentence, "an edit that can be done")
+        self.args = (f"{file}: {where}: {sentence}",)
+
+
 def apply(edit: Edit, organ: Organ, file: Path, where: str) -> Organ:
     """The edit done, or refused as a verb refuses."""
     try:
         return edit(organ)
     except EditError as refused:
-        raise Refusal(file, where, str(refused), "an edit that can be done") from None
+        raise EditRefusal(file, where, str(refused)) from None

@@ -7,13 +7,13 @@ import argparse
 from dataclasses import asdict
 from pathlib import Path
 
-from palpate.verb import Refusal, Report, Verb
+from palpate.verb import Report, Verb
 
 from palpate_editor import authoring
 from palpate_editor.compile import mesh_of
 from palpate_editor.document import EMPTY, Decimation, Organ
 from palpate_editor.edits import EditError, decimate_organ, import_file
-from palpate_editor.verbs.files import open_any, write_any
+from palpate_editor.verbs.files import EditRefusal, open_any, write_any
 
 UNITS = ("m", "cm", "mm", "in")
 UPS = ("x", "y", "z", "-x", "-y", "-z")
@@ -114,18 +114,18 @@ def run_import(call: argparse.Namespace) -> Report:
         "repaired": repaired,
     }
     if call.vertices is not None:
-        organ, report["decimated"] = decimate_to(organ, call.vertices)
+        organ, report["decimated"] = decimate_to(organ, call.vertices, call.file)
     assert organ.surface is not None
     report["mesh"] = authoring.inspect_mesh(mesh_of(organ.surface)).as_dict()
     write_any(call.out, organ)
     return report
 
 
-def decimate_to(organ: Organ, vertices: int) -> tuple[Organ, Report]:
+def decimate_to(organ: Organ, vertices: int, file: Path) -> tuple[Organ, Report]:
     try:
         edit = decimate_organ(organ, vertices)
     except EditError as refused:
-        raise Refusal(None, "--vertices", str(vertices), str(refused)) from None
+        raise EditRefusal(file, "--vertices", str(refused)) from None
     return edit(organ), report_decimation(edit.decimation)
 
 
@@ -168,7 +168,7 @@ def add_decimate(word: argparse.ArgumentParser) -> None:
 
 
 def run_decimate(call: argparse.Namespace) -> Report:
-    organ, report = decimate_to(open_any(call.file), call.vertices)
+    organ, report = decimate_to(open_any(call.file), call.vertices, call.file)
     write_any(call.out, organ)
     return {"out": str(call.out), **report}
 

@@ -27,11 +27,17 @@ def run_check(call: argparse.Namespace) -> Report:
 
 def describe_problems(problems: list[Report]) -> list[str]:
     lines = [
-        f"  {p['severity']:7} {p['where']}: found {p['found']}, expected {p['expected']}"
-        + (f" (palpate repair --problem {p['problem']})" if p["fix"] else "")
+        f"  {p['severity']:7} {p['where']}: found {p['found']}, expected {p['expected']}" + hint(p)
         for p in problems
     ]
     return lines or ["  no problems"]
+
+
+def hint(problem: Report) -> str:
+    """Which call mends it."""
+    if problem["problem"] in ("no_title", "no_task"):
+        return f" (palpate publish --{problem['where']})"
+    return f" (palpate repair --problem {problem['problem']})" if problem["fix"] else ""
 
 
 def describe_check(report: Report) -> str:

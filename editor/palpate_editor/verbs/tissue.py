@@ -11,7 +11,7 @@ from pathlib import Path
 import palpate
 from palpate.verb import Refusal, Report, Verb, quantity
 
-from palpate_editor.check import describe_model
+from palpate_editor.check import describe_model, split_refusal
 from palpate_editor.compile import compile_organ
 from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.constants import CHOICES, CONSTANTS, SHORT_KINDS, Constant
@@ -124,7 +124,7 @@ def run_material(call: argparse.Namespace) -> Report:
     try:
         compiled = compile_organ(organ)
     except ValueError as problem:
-        raise Refusal(call.file, "", str(problem), "constants a tissue can have") from None
+        raise Refusal(call.file, *split_refusal(str(problem))) from None
     if call.out.suffix == ".organ":
         write_organ(call.out, organ)
     else:
