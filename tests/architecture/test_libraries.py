@@ -15,6 +15,7 @@ from tree import CHECKOUT
 SYSTEM = {"libc.so.6", "libm.so.6", "libgcc_s.so.1", "libstdc++.so.6", "ld-linux-x86-64.so.2",
           "ld-linux-aarch64.so.1", "libpthread.so.0"}  # fmt: skip
 RECORDS = {"libz.so.1", "libcrypto.so.3"}
+VECTORS = {"libhwy.so.1"}
 SCENARIO = {"libzip.so.4"}
 OPENMESH = {"libOpenMeshCore.so.9.0", "libOpenMeshTools.so.9.0"}
 EXACT_NUMBERS = {"libgmp.so.10", "libmpfr.so.6"}
@@ -25,8 +26,8 @@ READER = AUTHORING.parent / "palpate-read-mesh"
 ARCHIVE = CHECKOUT / "build/release/core/libpalpate_sim.a"
 
 ALLOWED = {
-    SIM: SYSTEM | RECORDS | SCENARIO,
-    AUTHORING: SYSTEM | RECORDS | OPENMESH | EXACT_NUMBERS,
+    SIM: SYSTEM | RECORDS | VECTORS | SCENARIO,
+    AUTHORING: SYSTEM | RECORDS | VECTORS | OPENMESH | EXACT_NUMBERS,
     READER: SYSTEM | {"libassimp.so.5"},
 }
 

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "palpate/sim/dynamics/guard.h"
+#include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/dynamics/step.h"
 #include "scenes/tissues.h"
 
@@ -18,6 +19,13 @@ void* operator new(std::size_t size) {
   if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
   throw std::bad_alloc();
 }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  ++allocations;
+  const auto unit = static_cast<std::size_t>(alignment);
+  if (void* p = std::aligned_alloc(unit, (size + unit - 1) / unit * unit)) return p;
+  throw std::bad_alloc();
+}
+void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
 void operator delete(void* p) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
@@ -54,4 +62,24 @@ TEST_CASE("no explicit step and no look for alarms allocates") {
 
   CHECK(after == before);
   CHECK(alarms == 0);
+}
+
+TEST_CASE("no packed step allocates") {
+  TissueModel model = scenes::make_molecular_organ(1, {.damping_ratio = 0.2, .drag = 1.0});
+  model.pressure = 100.0;
+  const PackedModel packed = pack(model);
+  State state(model);
+  PackedState running(packed, model, state);
+  Load load(4);
+
+  const long before = allocations;
+  for (int s = 0; s < 200; ++s) {
+    load.clear();
+    load.add({s % 7, {0.2, 0.3, 0.5}, {0, 0, -0.01}});
+    step(packed, load, 1e-5, running);
+  }
+  unpack(packed, model, running, state);
+  const long after = allocations;
+
+  CHECK(after == before);
 }

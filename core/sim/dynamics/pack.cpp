@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/dynamics/packed_kernels.h"
+#include "palpate/sim/dynamics/packed_order.h"
+#include "palpate/sim/dynamics/tensions.h"
+
+namespace palpate {
+namespace {
+
+// slices may only be as even as their neighbourhood: a wider window costs more in memory than it
+// saves in padding, sooner on a large mesh (PERFORMANCE 1.1)
+constexpr int kWindow = 256, kWindowOfLarge = 64, kLarge = 100000;
+// triangles to choose from for each lane of a pack
+constexpr int kLookaheadPerLane = 12;
+
+/// Stands where a column has no number: lanes without a link or triangle.
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// `values` in blocks of `block`; one block alone where all of them that are numbers are the same.
+/// The others become `filler`, which must be harmless.
+PackedColumn make_column(std::vector<float> values, std::size_t block, float filler) {
+  const auto first = std::find_if(values.begin(), values.end(), [](float v) { return v == v; });
+  const bool same =
+      std::all_of(first, values.end(), [&](float v) { return v != v || v == *first; });
+  PackedColumn column;
+  if (same) {
+    column.values.assign(block, first == values.end() ? filler : *first);
+    return column;
+  }
+  std::replace_if(
+      values.begin(), values.end(), [](float v) { return v != v; }, filler);
+  column.values.assign(values.begin(), values.end());
+  column.stride = block;
+  return column;
+}
+
+/// Numbers the particles and lays out what each of them has.
+void pack_particles(const TissueModel& model, PackedModel& packed) {
+  const int n = particle_count(model), width = packed.width;
+  packed.particle = find_packed_order(model, n < kLarge ? kWindow : kWindowOfLarge);
+  packed.slice_count = (n + width - 1) / width;
+  const std::size_t rows = at(packed.slice_count * width);
+  packed.row.resize(at(n));
+  for (int r = 0; r < n; ++r) packed.row[at(packed.particle[at(r)])] = r;
+  packed.particle.resize(rows, -1);
+  packed.lanes.resize(at(width));
+  std::iota(packed.lanes.begin(), packed.lanes.end(), 0);
+
+  Vec3 low = model.rest_position.front(), high = low;
+  for (const Vec3& x : model.rest_position) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  packed.origin = 0.5 * (low + high);
+  packed.rest.assign(3 * rows, 0.0f);
+  packed.inverse_mass.assign(rows, 0.0f);
+  packed.home.assign(rows, 0.0f);
+  for (int r = 0; r < n; ++r) {
+    const auto i = at(packed.particle[at(r)]);
+    const Eigen::Vector3f rest = (model.rest_position[i] - packed.origin).cast<float>();
+    for (int k = 0; k < 3; ++k)
+      packed.rest[at(3 * (r - r % width) + r % width + k * width)] = rest[k];
+    packed.inverse_mass[at(r)] = static_cast<float>(1.0 / model.mass[i]);
+    if (!model.home.empty()) packed.home[at(r)] = static_cast<float>(model.home[i]);
+  }
+  for (const int i : model.fixed) packed.inverse_mass[at(packed.row[at(i)])] = 0.0f;
+}
+
+Triangle map_rows(const PackedModel& packed, const Triangle& t) {
+  return {packed.row[at(t[0])], packed.row[at(t[1])], packed.row[at(t[2])]};
+}
+
+std::vector<Triangle> map_rows(const PackedModel& packed, const std::vector<Triangle>& triangles) {
+  std::vector<Triangle> rows;
+  rows.reserve(triangles.size());
+  for (const Triangle& t : triangles) rows.push_back(map_rows(packed, t));
+  return rows;
+}
+
+/// Those rows of `links` that are chosen.
+struct ChosenLinks {
+  const Links* links;
+  std::vector<bool> chosen;
+};
+
+/// One end of a link, as the particle at its other end sees it.
+struct LinkEnd {
+  int neighbour;
+  float stiffness, rest_tension, damping;
+};
+
+std::vector<std::vector<LinkEnd>> list_ends(const PackedModel& packed,
+                                            std::span<const ChosenLinks> tables) {
+  std::vector<std::vector<LinkEnd>> ends(packed.particle.size());
+  for (const auto& [links, chosen] : tables) {
+    for (std::size_t l = 0; l < links->ends.size(); ++l) {
+      if (!chosen[l]) continue;
+      const int a = packed.row[at(links->ends[l][0])], b = packed.row[at(links->ends[l][1])];
+      const auto k = static_cast<float>(links->stiffness[l]);
+      const auto tension = static_cast<float>(links->stiffness[l] * links->rest_length[l]);
+      const auto c = static_cast<float>(links->damping[l]);
+      ends[at(a)].push_back({b, k, tension, c});
+      ends[at(b)].push_back({a, k, tension, c});
+    }
+  }
+  for (auto& row : ends) {
+    std::stable_sort(row.begin(), row.end(),
+                     [](const LinkEnd& a, const LinkEnd& b) { return a.neighbour < b.neighbour; });
+  }
+  return ends;
+}
+
+void pack_links(std::span<const ChosenLinks> tables, PackedModel& packed) {
+  const auto ends = list_ends(packed, tables);
+  const std::size_t width = at(packed.width);
+  std::vector<float> stiffness, tension, damping;
+  PackedLinks& links = packed.links;
+  links.first_slot.push_back(0);
+  for (std::size_t first = 0; first < ends.size(); first += width) {
+    std::size_t most = 0;
+    for (std::size_t r = first; r < first + width; ++r) most = std::max(most, ends[r].size());
+    for (std::size_t slot = 0; slot < most; ++slot) {
+      for (std::size_t r = first; r < first + width; ++r) {
+        const bool used = slot < ends[r].size();
+        const LinkEnd end =
+            used ? ends[r][slot] : LinkEnd{static_cast<int>(r), kNone, kNone, kNone};
+        links.neighbour.push_back(end.neighbour);
+        stiffness.push_back(end.stiffness);
+        tension.push_back(end.rest_tension);
+        damping.push_back(end.damping);
+      }
+    }
+    links.first_slot.push_back(links.first_slot.back() + static_cast<int>(most));
+  }
+  links.stiffness = make_column(std::move(stiffness), width, 0.0f);
+  links.rest_tension = make_column(std::move(tension), width, 0.0f);
+  links.damping = make_column(std::move(damping), width, 0.0f);
+
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const auto& [table, chosen] : tables) {
+    for (const double length : table->rest_length) shortest = std::min(shortest, length);
+  }
+  const double least = std::isfinite(shortest) ? kNoDirection * shortest : 1e-9;
+  links.least_square = static_cast<float>(least * least);
+}
+
+/// A side of a row of Angles.
+struct Side {
+  std::size_t row;
+  int corner;  ///< opposite
+};
+
+/// Which bonds the triangles carry: those whose every side is at rest at the same length. Their
+/// damping is spread evenly over the sides.
+struct BondShares {
+  std::vector<bool> left;  ///< bonds that no triangle carries
+  std::vector<std::array<float, 3>> stiffness, damping;
+};
+
+BondShares share_bonds(const TissueModel& model) {
+  // rest lengths computed twice from the same points may differ by their last bits
+  constexpr double kSameLength = 1e-12;
+  std::map<std::array<int, 2>, std::vector<Side>> sides;
+  const Angles& angles = model.angles;
+  for (std::size_t row = 0; row < angles.corners.size(); ++row) {
+    for (int c = 0; c < 3; ++c) {
+      const int i = angles.corners[row][at((c + 1) % 3)], j = angles.corners[row][at((c + 2) % 3)];
+      sides[{std::min(i, j), std::max(i, j)}].push_back({row, c});
+    }
+  }
+  BondShares shares;
+  shares.left.assign(model.bonds.ends.size(), true);
+  shares.stiffness.assign(angles.corners.size(), {0.0f, 0.0f, 0.0f});
+  shares.damping = shares.stiffness;
+  for (std::size_t l = 0; l < model.bonds.ends.size(); ++l) {
+    const auto found = sides.find(model.bonds.ends[l]);
+    const double length = model.bonds.rest_length[l];
+    const auto fits = [&](const Side& side) {
+      return std::abs(angles.rest_length[side.row][at(side.corner)] - length) <=
+             kSameLength * length;
+    };
+    if (found == sides.end() || !std::ranges::all_of(found->second, fits)) continue;
+    shares.left[l] = false;
+    const double count = static_cast<double>(found->second.size());
+    for (const auto& [row, c] : found->second) {
+      shares.stiffness[row][at(c)] = static_cast<float>(angles.bond_share[row][at(c)]);
+      shares.damping[row][at(c)] = static_cast<float>(model.bonds.damping[l] / count);
+    }
+  }
+  return shares;
+}
+
+/// Packs of triangles by the rows of their corners, and which triangle each lane holds.
+std::vector<int> pack_corners(const PackedModel& packed, std::span<const Triangle> triangles,
+                              PackedTriangles& packs) {
+  const int width = packed.width;
+  const std::vector<int> order = find_pack_order(triangles, width, kLookaheadPerLane * width);
+  packs.pack_count = static_cast<int>(order.size()) / width;
+  packs.corner.assign(3 * order.size(), 0);
+  for (int lane = 0; lane < static_cast<int>(order.size()); ++lane) {
+    if (order[at(lane)] < 0) continue;
+    for (int c = 0; c < 3; ++c) {
+      packs.corner[at(3 * (lane - lane % width) + lane % width + c * width)] =
+          triangles[at(order[at(lane)])][at(c)];
+    }
+  }
+  return order;
+}
+
+/// A table of Angles in the order of the packs. `filler` stands in lanes without a triangle.
+template <class Number>
+PackedColumn pack_column(const std::vector<int>& order, int width,
+                         const std::vector<std::array<Number, 3>>& table, float filler = 0.0f) {
+  std::vector<float> values(3 * order.size(), kNone);
+  for (int lane = 0; lane < static_cast<int>(order.size()); ++lane) {
+    if (order[at(lane)] < 0) continue;
+    for (int c = 0; c < 3; ++c) {
+      values[at(3 * (lane - lane % width) + lane % width + c * width)] =
+          static_cast<float>(table[at(order[at(lane)])][at(c)]);
+    }
+  }
+  return make_column(std::move(values), 3 * at(width), filler);
+}
+
+void pack_triangles(const TissueModel& model, const BondShares& shares, PackedModel& packed) {
+  const Angles& angles = model.angles;
+  if (!angles.corners.empty()) {
+    PackedTriangles& packs = packed.triangles;
+    const auto order = pack_corners(packed, map_rows(packed, angles.corners), packs);
+    const auto column = [&](const auto& table, float filler) {
+      return pack_column(order, packed.width, table, filler);
+    };
+    packs.rest_length = column(angles.rest_length, 1.0f);
+    packs.rest_cosine = column(angles.rest_cosine, 0.5f);
+    packs.bond_stiffness = column(shares.stiffness, 0.0f);
+    packs.bond_damping = column(shares.damping, 0.0f);
+    packs.bend_stiffness = column(angles.bend_stiffness, 0.0f);
+    packs.stretch_coupling = column(angles.stretch_coupling, 0.0f);
+  }
+  packed.surface = map_rows(packed, model.triangles);
+  packed.pressure = static_cast<float>(model.pressure);
+  if (model.pressure != 0.0) pack_corners(packed, packed.surface, packed.skin);
+}
+
+/// Columns of nothing but zeros need no kernel that reads them.
+void drop_zeros(PackedColumn& column) {
+  const auto is_zero = [](float value) { return value == 0.0f; };
+  if (std::all_of(column.values.begin(), column.values.end(), is_zero)) column = {};
+}
+
+const packed_kernels::Kernels& find_kernels(std::string_view target) {
+  for (const packed_kernels::Kernels* kernels : packed_kernels::available()) {
+    if (target.empty() || target == kernels->target) return *kernels;
+  }
+  std::string expected = "one of";
+  for (const std::string_view name : simd_targets()) expected += " " + std::string(name);
+  refuse("pack: target", target.empty() ? "a Palpate without vector code" : std::string(target),
+         simd_targets().empty() ? "one built with PALPATE_SIMD" : expected);
+}
+
+}  // namespace
+
+std::vector<std::string_view> simd_targets() {
+  std::vector<std::string_view> names;
+  for (const packed_kernels::Kernels* kernels : packed_kernels::available()) {
+    names.emplace_back(kernels->target);
+  }
+  return names;
+}
+
+PackedModel pack(const TissueModel& model, std::string_view target) {
+  validate(model);
+  PackedModel packed;
+  packed.kernels = &find_kernels(target);
+  packed.width = packed.kernels->width;
+  packed.drag = static_cast<float>(model.drag);
+  packed.damping_law = model.damping_law;
+  packed.angle_law = model.angle_law;
+  pack_particles(model, packed);
+  const BondShares shares = share_bonds(model);
+  const std::vector<bool> all(model.springs.ends.size(), true);
+  const ChosenLinks tables[] = {{&model.springs, all}, {&model.bonds, shares.left}};
+  pack_links(tables, packed);
+  pack_triangles(model, shares, packed);
+  drop_zeros(packed.links.damping);
+  drop_zeros(packed.triangles.bond_damping);
+  return packed;
+}
+
+}  // namespace palpate

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/dynamics/packed_order.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace palpate {
+namespace {
+
+using Neighbours = std::vector<std::vector<int>>;
+
+/// Who moves with whom: over links and the sides of triangles, ascending.
+Neighbours find_neighbours(const TissueModel& model) {
+  Neighbours neighbours(model.rest_position.size());
+  const auto join = [&](int i, int j) {
+    neighbours[static_cast<std::size_t>(i)].push_back(j);
+    neighbours[static_cast<std::size_t>(j)].push_back(i);
+  };
+  for (const Links* links : {&model.springs, &model.bonds}) {
+    for (const auto& [i, j] : links->ends) join(i, j);
+  }
+  for (const auto* triangles : {&model.angles.corners, &model.triangles}) {
+    for (const auto& [i, j, k] : *triangles) join(i, j), join(j, k), join(k, i);
+  }
+  for (std::vector<int>& row : neighbours) {
+    std::sort(row.begin(), row.end());
+    row.erase(std::unique(row.begin(), row.end()), row.end());
+  }
+  return neighbours;
+}
+
+/// Appends everything that hangs together with `start`, ring by ring, in each ring those with few
+/// neighbours first.
+void append_rings(const Neighbours& neighbours, int start, std::vector<bool>& seen,
+                  std::vector<int>& order) {
+  const auto degree = [&](int i) { return neighbours[static_cast<std::size_t>(i)].size(); };
+  seen[static_cast<std::size_t>(start)] = true;
+  order.push_back(start);
+  for (std::size_t next = order.size() - 1; next < order.size(); ++next) {
+    const auto ring = static_cast<std::ptrdiff_t>(order.size());
+    for (const int j : neighbours[static_cast<std::size_t>(order[next])]) {
+      if (seen[static_cast<std::size_t>(j)]) continue;
+      seen[static_cast<std::size_t>(j)] = true;
+      order.push_back(j);
+    }
+    std::stable_sort(order.begin() + ring, order.end(),
+                     [&](int a, int b) { return degree(a) < degree(b); });
+  }
+}
+
+/// The reverse Cuthill-McKee order [CuthillMcKee69]: each part begins at an end of it, found as
+/// the last particle of a first sweep.
+std::vector<int> find_banded_order(const Neighbours& neighbours) {
+  std::vector<bool> tried(neighbours.size(), false), seen(neighbours.size(), false);
+  std::vector<int> order, sweep;
+  for (std::size_t i = 0; i < neighbours.size(); ++i) {
+    if (seen[i]) continue;
+    sweep.clear();
+    append_rings(neighbours, static_cast<int>(i), tried, sweep);
+    append_rings(neighbours, sweep.back(), seen, order);
+  }
+  std::reverse(order.begin(), order.end());
+  return order;
+}
+
+std::vector<int> count_links(const TissueModel& model) {
+  std::vector<int> count(model.rest_position.size(), 0);
+  for (const auto& [i, j] : model.springs.ends) {
+    ++count[static_cast<std::size_t>(i)];
+    ++count[static_cast<std::size_t>(j)];
+  }
+  return count;
+}
+
+}  // namespace
+
+std::vector<int> find_packed_order(const TissueModel& model, int window) {
+  std::vector<int> order = find_banded_order(find_neighbours(model));
+  const std::vector<int> links = count_links(model);
+  const auto more_links = [&](int a, int b) {
+    return links[static_cast<std::size_t>(a)] > links[static_cast<std::size_t>(b)];
+  };
+  for (std::size_t first = 0; first < order.size(); first += static_cast<std::size_t>(window)) {
+    const std::size_t last = std::min(order.size(), first + static_cast<std::size_t>(window));
+    std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(first),
+                     order.begin() + static_cast<std::ptrdiff_t>(last), more_links);
+  }
+  return order;
+}
+
+std::vector<int> find_pack_order(std::span<const Triangle> triangles, int width, int lookahead) {
+  int rows = 0;
+  for (const Triangle& t : triangles) rows = std::max({rows, t[0] + 1, t[1] + 1, t[2] + 1});
+  std::vector<int> near(triangles.size());
+  std::iota(near.begin(), near.end(), 0);
+  const auto lowest = [&](int t) {
+    const Triangle& corners = triangles[static_cast<std::size_t>(t)];
+    return std::min({corners[0], corners[1], corners[2]});
+  };
+  std::stable_sort(near.begin(), near.end(), [&](int a, int b) { return lowest(a) < lowest(b); });
+
+  std::vector<int> order, waiting, left, pack_of_row(static_cast<std::size_t>(rows), -1);
+  std::size_t next = 0;
+  for (int pack = 0; next < near.size() || !waiting.empty(); ++pack) {
+    while (static_cast<int>(waiting.size()) < lookahead && next < near.size()) {
+      waiting.push_back(near[next++]);
+    }
+    const std::size_t full = order.size() + static_cast<std::size_t>(width);
+    left.clear();
+    for (const int t : waiting) {
+      const Triangle& corners = triangles[static_cast<std::size_t>(t)];
+      const auto taken = [&](int row) {
+        return pack_of_row[static_cast<std::size_t>(row)] == pack;
+      };
+      if (order.size() == full || std::any_of(corners.begin(), corners.end(), taken)) {
+        left.push_back(t);
+        continue;
+      }
+      for (const int row : corners) pack_of_row[static_cast<std::size_t>(row)] = pack;
+      order.push_back(t);
+    }
+    order.resize(full, -1);
+    waiting.swap(left);
+  }
+  return order;
+}
+
+}  // namespace palpate

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+
+#include "palpate/sim/model/tissue_model.h"
+
+namespace palpate {
+
+/// Particles in the sequence in which packed kernels keep them: neighbours close together, and
+/// within windows of `window` those with many links first, so that slices pad little.
+std::vector<int> find_packed_order(const TissueModel& model, int window);
+
+/// Triangles in the sequence in which packs of `width` take them: such that those of a pack share
+/// no corner, as far as can be had among the next `lookahead`. -1 where a lane stays empty.
+std::vector<int> find_pack_order(std::span<const Triangle> triangles, int width, int lookahead);
+
+}  // namespace palpate
