@@ -313,6 +313,10 @@
         <translation>Seç…</translation>
     </message>
     <message>
+        <source>Chosen so that a surface feels like an organ; not derived from tissue.</source>
+        <translation>Bir yüzey organ gibi hissettirsin diye seçildi; dokudan türetilmedi.</translation>
+    </message>
+    <message>
         <source>Clear the force plo&amp;t</source>
         <translation>Kuvvet &amp;çizimini temizle</translation>
     </message>
@@ -1273,6 +1277,10 @@
         <translation>Organ henüz denenemez.</translation>
     </message>
     <message>
+        <source>The organ cannot be tested yet: found {found}, expected {expected}.</source>
+        <translation>Organ henüz denenemez: bulunan {found}, beklenen {expected}.</translation>
+    </message>
+    <message>
         <source>The organ has weight (9.81 m/s² downwards)</source>
         <translation>Organın ağırlığı var (aşağı doğru 9.81 m/s²)</translation>
     </message>
@@ -1501,10 +1509,6 @@
         <translation>Yayımlanan</translation>
     </message>
     <message>
-        <source>What the organ is made of, and what touches it.</source>
-        <translation>Organın neden yapıldığı ve ona neyin dokunduğu.</translation>
-    </message>
-    <message>
         <source>What the trainee reads</source>
         <translation>Eğitim görenin okuduğu</translation>
     </message>
@@ -1621,10 +1625,6 @@
         <translation>katılık çarpanı</translation>
     </message>
     <message>
-        <source>the same everywhere</source>
-        <translation>her yerde aynı</translation>
-    </message>
-    <message>
         <source>the top</source>
         <translation>tepe</translation>
     </message>
@@ -1639,6 +1639,10 @@
     <message>
         <source>turn</source>
         <translation>döndürme</translation>
+    </message>
+    <message>
+        <source>uniform</source>
+        <translation>düzgün dağılım</translation>
     </message>
     <message>
         <source>untitled</source>
@@ -2092,8 +2096,8 @@ Beklenen: {expected}.</translation>
         <translation>en az {least:g}: yeniden sadeleştirin</translation>
     </message>
     <message>
-        <source>at least {low:g} {unit}</source>
-        <translation>en az {low:g} {unit}</translation>
+        <source>at least {low:g}{unit}</source>
+        <translation>en az {low:g}{unit}</translation>
     </message>
     <message>
         <source>at most two triangles at every edge</source>
@@ -2108,12 +2112,12 @@ Beklenen: {expected}.</translation>
         <translation>her köşe sabit</translation>
     </message>
     <message>
-        <source>more than {low:g} {unit}</source>
-        <translation>{low:g} {unit} değerinden büyük</translation>
+        <source>more than {low:g}{unit}</source>
+        <translation>{low:g}{unit} değerinden büyük</translation>
     </message>
     <message>
-        <source>more than {low:g}, at most {high:g} {unit}</source>
-        <translation>{low:g} değerinden büyük, en çok {high:g} {unit}</translation>
+        <source>more than {low:g}, at most {high:g}{unit}</source>
+        <translation>{low:g} değerinden büyük, en çok {high:g}{unit}</translation>
     </message>
     <message>
         <source>neither home springs nor fixed vertices</source>
@@ -2184,6 +2188,10 @@ Beklenen: {expected}.</translation>
         <translation>{ids} köşe için {count} çarpan.</translation>
     </message>
     <message>
+        <source>a hole of {sizes} edges</source>
+        <translation>{sizes} kenarlı bir delik</translation>
+    </message>
+    <message>
         <source>{count} holes, of {sizes} edges</source>
         <translation>{count} delik, {sizes} kenarlı</translation>
     </message>
@@ -2212,8 +2220,8 @@ Beklenen: {expected}.</translation>
         <translation>{least:g}–{most:g} mm</translation>
     </message>
     <message>
-        <source>{low:g} to {high:g} {unit}</source>
-        <translation>{low:g}–{high:g} {unit}</translation>
+        <source>{low:g} to {high:g}{unit}</source>
+        <translation>{low:g}–{high:g}{unit}</translation>
     </message>
     <message>
         <source>{radius:.1f} mm</source>
