@@ -20,7 +20,7 @@ from palpate.scene_file import hash_file, open_scene
 from palpate.verb import Refusal, Report
 
 KERNEL = "reference, double, symplectic Euler"
-PUBLISHED = ".palpate"
+PUBLISHED, WORKING = ".palpate", ".organ"
 GRACE = 20.0
 """[s] A live run may take this much longer than its script before it is given up as stuck."""
 
@@ -53,6 +53,10 @@ def read_scene(path: Path) -> palpate.Scene:
     """
     if is_published(path):
         return palpate.scenario.read(path).scene
+    if path.suffix.lower() == WORKING:
+        raise Refusal(
+            path, "", "a working file", f"what `palpate publish` makes of it, a {PUBLISHED} file"
+        )
     return open_scene(path)[1]
 
 

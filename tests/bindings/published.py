@@ -13,9 +13,10 @@ from surfaces import organ_scene, press_frames
 TITLE, TASK = "Spleen: find the firm spot", "Stroke gently. Stay below 2 N."
 
 
-def publish(folder: Path, title: str = TITLE, task: str = TASK) -> Path:
+def publish(folder: Path, title: str = TITLE, task: str = TASK, subdivisions: int = 2) -> Path:
     path = folder / "spleen.palpate"
-    scenario.write(path, scenario.Scenario(scene=organ_scene(2), title=title, task=task))
+    scene = organ_scene(subdivisions)
+    scenario.write(path, scenario.Scenario(scene=scene, title=title, task=task))
     return path
 
 

@@ -280,6 +280,16 @@ def test_render_draws_a_published_file_and_a_record_made_with_it(tmp_path, capsy
         assert imread(out).shape[:2] == (150, 200)
 
 
+def test_a_working_file_is_not_pressed_but_sent_to_be_published(tmp_path, capsys):
+    path = tmp_path / "spleen.organ"
+    path.write_bytes(b"PK")
+
+    code, _, err = call(capsys, "press", path)
+
+    assert code == 1
+    assert "found a working file, expected what `palpate publish` makes of it" in err
+
+
 def test_a_record_is_not_replayed_on_a_published_file_that_has_changed(tmp_path, capsys):
     path = publish(tmp_path)
     record = tmp_path / "press.prec"

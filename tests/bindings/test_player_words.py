@@ -91,7 +91,7 @@ def test_the_language_of_the_system_is_taken_where_it_is_ours():
 
 @pytest.mark.parametrize("theme", ["dark", "light"])
 def test_pictures_of_every_screen_are_left_in_the_build_folder(open_window, qtbot, tmp_path, theme):
-    play = open_play(publish(tmp_path))
+    play = open_play(publish(tmp_path, subdivisions=4))
     window = open_window(play, theme=theme)
     window.resize(1280, 800)
     window.view.grab_picture()

@@ -32,7 +32,7 @@ def look(widget: QWidget) -> np.ndarray:
 
 def keep_picture(widget: QWidget, name: str) -> None:
     """Leaves a picture in the build folder for people to look at."""
-    host = "desktop" if QApplication.platformName() == "xcb" else "offscreen"
+    host = "x11" if QApplication.platformName() == "xcb" else "offscreen"
     folder = SCREENSHOTS / host
     folder.mkdir(parents=True, exist_ok=True)
     assert widget.grab().toImage().save(str(folder / f"{name}.png"))

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 import palpate
 from palpate.render import Legend, Look, Renderer, build_arrow, build_sphere
-from palpate.render.theme import DARK, FORCE, SELECTED, STEEL, THEMES
+from palpate.render.theme import DARK, FORCE, STEEL, THEMES
 from palpate.viewport.ring import build_ring
 from palpate.viewport.sky_light import SkyLight
 from palpate.viewport.thing import Thing
@@ -24,7 +24,11 @@ PAINTED = Look(mapped=True, gloss=0.4, softness=0.0)
 TOOL = Look(STEEL, gloss=1.0, softness=0.0, seen_through=True)
 ARROW = Look(FORCE, gloss=0.3, softness=0.0, seen_through=True, casts_shadow=False)
 BALL = build_sphere(np.zeros(3), 1.0)
-RING = Look(SELECTED, gloss=0.0, softness=0.0, seen_through=True, casts_shadow=False)
+# light beside dark, so that it is seen on whatever is painted, and on what is selected
+RING = Look((0.97, 0.98, 1.0), gloss=0.0, softness=0.0, seen_through=True, casts_shadow=False)
+RIM = Look((0.05, 0.06, 0.08), gloss=0.0, softness=0.0, seen_through=True, casts_shadow=False)
+RING_THICKNESS = 0.004
+"""[-] of the surface's radius."""
 ARROW_RADIUS = 0.0065
 """[-] of the surface's diagonal."""
 ROOM = 1.6
@@ -143,11 +147,14 @@ class Scenery:
     ) -> None:
         if centre is None or not radius > 0.0:
             self._hide("ring")
+            self._hide("rim")
             return
-        ring = build_ring(centre, normal, radius, 0.004 * self.radius)
-        thing = self._use("ring", len(ring.vertices), ring.triangles, RING)
-        thing.write("normal", ring.normals)
-        thing.write("position", ring.vertices)
+        thickness = RING_THICKNESS * self.radius
+        for name, look, reach in (("ring", RING, radius), ("rim", RIM, radius + 1.7 * thickness)):
+            ring = build_ring(centre, normal, reach, thickness)
+            thing = self._use(name, len(ring.vertices), ring.triangles, look)
+            thing.write("normal", ring.normals)
+            thing.write("position", ring.vertices)
 
     @property
     def wireframe(self) -> bool:
