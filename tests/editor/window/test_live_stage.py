@@ -12,7 +12,7 @@ import pytest
 from palpate.cli import main
 from palpate_editor.compile import compile_organ
 from palpate_editor.document import EMPTY
-from palpate_editor.edits import FixVertices, PaintStiffness, SetChoice, SetConstant
+from palpate_editor.edits import FixVertices, PaintStiffness, SetChoice, SetConstant, SetTask
 from palpate_editor.views.touch import TestPanel
 from palpate_editor.views.touch.press_form import write_command
 from palpate_editor.views.words import count
@@ -224,6 +224,14 @@ def test_editing_the_organ_ends_the_run_with_a_sentence(panel, qtbot):
     panel.desk.session.apply(FixVertices(np.array([0]), True))
     assert not panel.running
     assert told == ["The run was stopped because the organ was changed. Start it again."]
+
+
+def test_words_about_the_organ_may_change_during_a_run(panel, qtbot):
+    start_hand(panel, qtbot)
+    panel.desk.session.apply(SetTask(scenario_title="The ball"))
+    assert panel.running
+    panel.stop()
+    assert panel.desk.session.is_tested
 
 
 def test_leaving_the_stage_ends_the_run(panel, qtbot):

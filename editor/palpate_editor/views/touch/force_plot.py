@@ -14,7 +14,7 @@ from palpate.render.theme import THEMES
 from palpate.whole_file import write_whole
 from PySide6.QtCore import QEvent, QPoint, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QColor
-from PySide6.QtWidgets import QLabel, QMenu, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QMenu, QSizePolicy, QVBoxLayout, QWidget
 
 from palpate_editor.views.touch.force_trace import ForceTrace, write_csv
 from palpate_editor.views.touch.save_dialog import ask_save
@@ -57,11 +57,12 @@ class ForcePlot(QWidget):
         self._key.setObjectName("force_key")
         self._key.setTextFormat(Qt.TextFormat.RichText)
         self._key.setAlignment(Qt.AlignmentFlag.AlignRight)
+        self._key.setWordWrap(True)
+        self._key.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._curves: list[pg.PlotDataItem] = []
         self._peak_mark = pg.ScatterPlotItem(size=9)
         self._peak_text = pg.TextItem(anchor=(0.5, 1.25))
-        self._empty_text = pg.TextItem(anchor=(0.5, 0.5))
-        for item in (self._peak_mark, self._peak_text, self._empty_text):
+        for item in (self._peak_mark, self._peak_text):
             self._plot.addItem(item, ignoreBounds=True)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 4, 0, 0)
@@ -170,8 +171,6 @@ class ForcePlot(QWidget):
             axis.setLabel(label, siPrefixEnableRanges=(), color=text.name())
         self._plot.showGrid(x=True, y=True, alpha=0.18)
         self._peak_text.setColor(text)
-        self._empty_text.setColor(faint)
-        self._empty_text.setText(tr("Press the organ: the force appears here"))
         self._rebuild_curves()
         self._draw()
 
@@ -199,6 +198,10 @@ class ForcePlot(QWidget):
 
     def _write_key(self) -> str:
         """The runs and their peaks over the plot, where no curve runs through them."""
+        if not any(len(trace) for trace in self.traces):
+            colour = to_colour(THEMES[self._theme].faint).name()
+            words = escape(tr("Press the organ: the force appears here"))
+            return f'<span style="color:{colour}">{words}</span>&nbsp;&nbsp;'
         items = [
             f'<span style="color:{self._colour(age).name()}">\N{BLACK CIRCLE}</span>&nbsp;'
             f"{escape(describe_trace(trace))}"
@@ -216,8 +219,6 @@ class ForcePlot(QWidget):
         self._draw()
 
     def _draw(self) -> None:
-        empty = not any(len(trace) for trace in self.traces)
-        self._empty_text.setVisible(empty)
         self._key.setText(self._write_key())
         peak = None
         if self.traces:
@@ -255,7 +256,6 @@ class ForcePlot(QWidget):
         self._plot.setXRange(start, end, padding=0.01)
         self._plot.setYRange(0.0, HEADROOM * top, padding=0.0)
         self._turn_label(start, end)
-        self._empty_text.setPos((start + end) / 2, HEADROOM / 2 * top)
 
     def _turn_label(self, start: float, end: float) -> None:
         place = (self._peak_text.pos().x() - start) / max(end - start, 1e-9)

@@ -16,6 +16,7 @@ from palpate.press import Moments, Place, PressScript, find_place, find_top, wri
 from palpate.viewport import PointerHand
 from PySide6.QtCore import QObject, Signal
 
+from palpate_editor.compile import is_built_alike
 from palpate_editor.document import Organ
 from palpate_editor.document.problems import Problem
 from palpate_editor.views.touch.force_plot import ForcePlot
@@ -181,7 +182,7 @@ class Runner(QObject):
         problem = describe_end(report)
         if problem is not None:
             self.desk.tell(problem)
-        elif self.desk.session.organ is self._organ:
+        elif is_built_alike(self.desk.session.organ, self._organ):
             self.desk.session.mark_tested()
             self.desk.assessor.begin()
         self.changed.emit()
@@ -207,7 +208,7 @@ class Runner(QObject):
 
     def _on_changed(self, before: Organ, after: Organ) -> None:
         del before
-        if self.trial is not None and after is not self._organ:
+        if self.trial is not None and not is_built_alike(after, self._organ):
             self.stop()
             self.desk.tell(
                 tr("The run was stopped because the organ was changed. Start it again."), "info"
