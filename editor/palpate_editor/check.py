@@ -11,6 +11,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 import palpate
+from palpate import scenario
 from palpate.scene_file import build_material
 from palpate.scene_parts import ModelPart
 from palpate.verb import Report
@@ -98,8 +99,8 @@ def measure_surface(surface: Surface) -> tuple[authoring.MeshReport, SurfaceFact
 
 
 def build(organ: Organ) -> tuple[palpate.Scene | None, TissueFacts | None]:
-    """The scene, or in what words it was refused."""
-    if organ.surface is None:
+    """The scene, or in what words it was refused; neither where nobody could feel it anyway."""
+    if organ.surface is None or organ.vertex_count > scenario.kMostParticles:
         return None, None
     home = find_default_home(organ)
     try:

@@ -8,8 +8,9 @@ import math
 from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.constants import CHOICES
 from palpate_editor.document.defaults import FIXED_SHARE, WALL_THICKNESS
+from palpate_editor.document.material_rules import EDGES_PER_RADIUS
 from palpate_editor.document.problems import Facts, Problem
-from palpate_editor.document.rules import EDGES_PER_RADIUS, SIZE_LEAST, SIZE_MOST
+from palpate_editor.document.rules import SIZE_LEAST, SIZE_MOST
 from palpate_editor.edits import (
     Edit,
     FixLowest,

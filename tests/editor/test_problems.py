@@ -36,6 +36,17 @@ def crossed() -> Surface:
     )
 
 
+def grid(n: int) -> Surface:
+    """A sheet of n x n vertices, 1 mm apart."""
+    x, y = np.meshgrid(1e-3 * np.arange(n), 1e-3 * np.arange(n))
+    first = (n * np.arange(n - 1)[:, None] + np.arange(n - 1)).ravel()
+    triangles = [(first, first + 1, first + n + 1), (first, first + n + 1, first + n)]
+    return Surface(
+        np.column_stack((x.ravel(), y.ravel(), np.zeros(n * n))),
+        np.concatenate([np.column_stack(corners) for corners in triangles]),
+    )
+
+
 def needles() -> Surface:
     surface = surface_of(60)
     return Surface(surface.vertices * [1.0, 1.0, 0.02], surface.triangles)
@@ -60,6 +71,7 @@ WRONG = {
     "angles": (on(needles()), "decimate", "warning", "a smallest angle of"),
     "too_slow": (on(surface_of(2000), with_part("model", stiffness=1e6)), "decimate", "warning",
                  "2000 vertices"),
+    "too_many": (on(grid(142)), "decimate", "error", "20164 vertices"),
     "constant": (with_part("material", density=-1.0), "material", "error", "-1 kg/m³"),
     "choice": (with_part("model", kind="jelly"), "material", "error", "jelly"),
     "open_solid": (on(open_surface()), "material", "error", "a solid with holes"),

@@ -2188,6 +2188,14 @@ Beklenen: {expected}.</translation>
         <translation>{ids} köşe için {count} çarpan.</translation>
     </message>
     <message>
+        <source>{count} vertices</source>
+        <translation>{count} köşe</translation>
+    </message>
+    <message>
+        <source>at most {most}: decimate</source>
+        <translation>en çok {most}: sadeleştirin</translation>
+    </message>
+    <message>
         <source>a hole of {sizes} edges</source>
         <translation>{sizes} kenarlı bir delik</translation>
     </message>

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The rules about tissue, tool and hand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from palpate_editor.document.constants import CHOICES, CONSTANTS
+from palpate_editor.document.organ import Organ
+from palpate_editor.document.phrase import phrase
+from palpate_editor.document.problems import Facts, Problem, TissueFacts
+
+EDGES_PER_RADIUS = 0.5
+"""[-] A tip much smaller than the triangles it touches feels the mesh, not the tissue."""
+
+
+def find_material_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
+    wrong = list(find_constant_problems(organ))
+    yield from wrong
+    if facts.surface is None or facts.tissue is None:
+        return
+    solid = organ.material.wall_thickness is None
+    if facts.surface.border_loops and solid:
+        yield Problem(
+            "open_solid",
+            "error",
+            "material",
+            "material.wall_thickness",
+            phrase("a solid with holes"),
+            phrase("a closed surface, or the thickness of its wall"),
+        )
+    elif facts.tissue.refusal is not None and not wrong:
+        yield from refuse_tissue(facts.tissue)
+    yield from find_support_problems(organ)
+    edge, radius = facts.surface.mean_edge, organ.tool.radius
+    if 0.0 < radius < EDGES_PER_RADIUS * edge:
+        yield Problem(
+            "small_tip",
+            "warning",
+            "material",
+            "tool.radius",
+            phrase("{radius:.1f} mm", radius=1e3 * radius),
+            phrase("at least half the mean edge of {edge:.1f} mm", edge=1e3 * edge),
+        )
+
+
+def find_constant_problems(organ: Organ) -> Iterator[Problem]:
+    for constant in CONSTANTS:
+        value = getattr(getattr(organ, constant.part), constant.field)
+        if (value is None and constant.optional) or (value is not None and constant.allows(value)):
+            continue
+        shown = "none" if value is None else f"{value / constant.scale:g} {constant.unit}".strip()
+        yield Problem(
+            "constant",
+            "error",
+            "material",
+            constant.key,
+            phrase("{value}", value=shown),
+            constant.describe_range(),
+        )
+    for key, allowed in CHOICES.items():
+        value = getattr(organ.model, key.removeprefix("model."))
+        if value not in allowed:
+            yield Problem(
+                "choice",
+                "error",
+                "material",
+                key,
+                phrase("{value}", value=value),
+                phrase("one of {allowed}", allowed=", ".join(allowed)),
+            )
+
+
+def refuse_tissue(tissue: TissueFacts) -> Iterator[Problem]:
+    assert tissue.refusal is not None
+    where, found, expected = tissue.refusal
+    yield Problem(
+        "indefinite" if tissue.coupling_range else "tissue",
+        "error",
+        "material",
+        where,
+        phrase("{words}", words=found),
+        phrase("{words}", words=expected),
+    )
+
+
+def find_support_problems(organ: Organ) -> Iterator[Problem]:
+    """What holds the organ in its place?"""
+    if organ.vertex_count and organ.fixed.all():
+        yield Problem(
+            "all_fixed",
+            "error",
+            "material",
+            "fixed",
+            phrase("every vertex fixed"),
+            phrase("some that can move"),
+        )
+    home = organ.model.home_stiffness
+    # a builder's own choice is none for a solid
+    no_home = home == 0.0 or (home is None and organ.material.wall_thickness is None)
+    if no_home and not organ.fixed.any():
+        yield Problem(
+            "loose",
+            "warning",
+            "material",
+            "fixed",
+            phrase("neither home springs nor fixed vertices"),
+            phrase("something that holds the organ in its place"),
+        )
