@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import fields, replace
 
 import numpy as np
@@ -60,6 +61,7 @@ def make_organ(vertices: int = 60, imported: int | None = 150) -> Organ:
         model=ModelPart(stiffness=120.0, home_stiffness=1e6, drag=8.0),
         fixed=np.arange(vertices) < 5,
         stiffness_scale=1.0 + rng.random(vertices),
+        regions={"hilum": np.array([1, 4, 7]), "alt uç": np.array([], int)},
         tool=ToolPart(radius=0.012),
         hand=HandPart(coupling=900.0, gravity=(0.0, 0.0, -9.81)),
         title="Press the spleen",
@@ -87,6 +89,8 @@ def same_value(a: object, b: object) -> bool:
         return same_value(a.vertices, b.vertices) and same_value(a.triangles, b.triangles)
     if isinstance(a, np.ndarray) and isinstance(b, np.ndarray):
         return a.dtype == b.dtype and a.shape == b.shape and a.tobytes() == b.tobytes()
+    if isinstance(a, Mapping) and isinstance(b, Mapping):
+        return list(a) == list(b) and all(same_value(a[key], b[key]) for key in a)
     return type(a) is type(b) and a == b
 
 

@@ -240,3 +240,13 @@ def test_the_folder_is_the_users_own(monkeypatch, tmp_path):
 
     assert folder == tmp_path / "palpate" / "recovery" and folder.is_dir()
     assert folder.stat().st_mode & 0o077 == 0
+
+
+def test_a_home_that_cannot_be_written_keeps_nobody_from_working(monkeypatch, tmp_path):
+    (tmp_path / "file").write_bytes(b"")
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "file"))
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+
+    folder = find_recovery_folder()
+
+    assert folder.is_dir() and folder.parent == tmp_path

@@ -70,6 +70,22 @@ def test_what_is_painted_must_have_one_number_for_every_vertex():
         replace(make_organ(), stiffness_scale=np.ones(59))
 
 
+@pytest.mark.parametrize("ids", [[2, 1], [1, 1], [-1], [60]])
+def test_a_region_is_vertices_of_the_surface_in_order(ids):
+    with pytest.raises(ValueError, match="ascend from 0 to 59"):
+        replace(make_organ(), regions={"hilum": ids})
+
+
+def test_regions_cannot_be_written():
+    organ = make_organ()
+
+    with pytest.raises(TypeError):
+        organ.regions["kapı"] = [1]
+    with pytest.raises(ValueError, match="read-only"):
+        organ.regions["hilum"][0] = 0
+    assert replace(organ, title="x").regions is organ.regions
+
+
 def test_organs_and_surfaces_are_compared_by_identity():
     organ = make_organ()
 

@@ -42,6 +42,8 @@ EXAMPLES = [
     (edits.FixVertices(np.array([20, 30])), SPLEEN),
     (edits.FixLowest(0.3), SPLEEN),
     (edits.PaintStiffness(np.array([1, 2]), 2.5), SPLEEN),
+    (edits.SetRegion("kapı", np.array([9, 3])), SPLEEN),
+    (edits.RemoveRegion("hilum"), SPLEEN),
     (edits.SetName("karaciğer"), SPLEEN),
     (edits.SetTask("Title", "Task"), SPLEEN),
     (edits.prepare(edits.UseImported(), SPLEEN), SPLEEN),
@@ -160,6 +162,10 @@ REFUSED = [
     (edits.PaintStiffness(np.array([0, 1]), np.array([1.0, np.nan])), SPLEEN, "got nan"),
     (edits.PaintStiffness(np.array([0, 1]), np.ones(3)), SPLEEN, "3 factors for 2 vertices"),
     (edits.PaintStiffness(np.arange(2), SPLEEN.stiffness_scale[:2]), SPLEEN, "already"),
+    (edits.SetRegion(" ", np.array([1])), SPLEEN, "needs a name"),
+    (edits.SetRegion("x" * 101, np.array([1])), SPLEEN, "101 bytes"),
+    (edits.SetRegion("x", np.array([60])), SPLEEN, "those from 0 to 59"),
+    (edits.RemoveRegion("kapı"), SPLEEN, "no region kapı"),
     (edits.SetName("x" * 201), SPLEEN, "201 bytes of text, at most 200"),
     (edits.SetName("\udcff"), SPLEEN, "cannot be written"),
     (edits.SetTask("x" * 201), SPLEEN, "title: 201 bytes"),
@@ -232,6 +238,8 @@ def test_the_largest_piece_is_kept_with_what_was_painted_on_it():
 def test_decimation_carries_over_what_was_painted():
     stiff = np.flatnonzero(SPLEEN.surface.vertices[:, 0] > 0.0)
     painted = replace(SPLEEN, stiffness_scale=np.ones(60), fixed=SPLEEN.surface.vertices[:, 2] < 0)
+    top = np.flatnonzero(SPLEEN.surface.vertices[:, 2] > 0)
+    painted = replace(painted, regions={"top": top, "nothing": []})
     painted = edits.PaintStiffness(stiff, 4.0)(painted)
 
     edit = edits.decimate_organ(painted, 50)
@@ -243,6 +251,10 @@ def test_decimation_carries_over_what_was_painted():
     assert (after.stiffness_scale[(x[:, 0] < 0) & far[:, 0]] < 2.0).all()
     assert after.fixed[(x[:, 2] < 0) & far[:, 2]].all()
     assert not after.fixed[(x[:, 2] > 0) & far[:, 2]].any()
+    held = np.zeros(50, bool)
+    held[after.regions["top"]] = True
+    assert held[(x[:, 2] > 0) & far[:, 2]].all() and not held[(x[:, 2] < 0) & far[:, 2]].any()
+    assert "nothing" not in after.regions
     assert (after.decimation.vertices_before, after.decimation.vertices) == (150, 50)
 
 
@@ -270,6 +282,21 @@ def test_the_lowest_part_is_fixed_beside_what_is_fixed_already():
     assert after.fixed.tolist() == ((height <= limit) | SPLEEN.fixed).tolist()
 
 
+def test_a_region_is_named_in_order_and_may_be_named_anew():
+    after = edits.SetRegion("hilum", np.array([5, 2, 5]))(SPLEEN)
+
+    assert after.regions["hilum"].tolist() == [2, 5]
+    assert list(after.regions) == ["hilum", "alt uç"]
+    assert SPLEEN.regions["hilum"].tolist() == [1, 4, 7]
+
+
+def test_an_organ_has_no_more_regions_than_a_file_has_room_for():
+    many = replace(SPLEEN, regions={str(i): [i % 60] for i in range(200)})
+
+    with pytest.raises(EditError, match="at most 200 regions"):
+        edits.SetRegion("one more", np.array([0]))(many)
+
+
 def test_pasting_a_material_keeps_what_was_painted():
     after = edits.SetMaterial(MaterialPart(), ModelPart(fixed=(1,), stiffness_scale=(2.0,)))(SPLEEN)
 
@@ -282,7 +309,7 @@ def test_importing_keeps_the_name_that_was_given_and_takes_the_files_otherwise()
 
     assert edit(SPLEEN).name == "dalak"
     assert edit(EMPTY).name == "liver"
-    assert not edit(SPLEEN).fixed.any()
+    assert not edit(SPLEEN).fixed.any() and not edit(SPLEEN).regions
 
 
 def test_work_done_beforehand_is_used_for_the_organ_it_was_done_for_and_no_other():

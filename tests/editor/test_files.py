@@ -91,6 +91,7 @@ def test_random_organs_come_back_bit_for_bit(tmp_path):
         organ = replace(
             organ,
             fixed=rng.random(60) < rng.random(),
+            regions={chr(0x100 + i): np.flatnonzero(rng.random(60) < 0.3) for i in range(3)},
             stiffness_scale=rng.standard_cauchy(60),
             hand=replace(organ.hand, gravity=tuple(numbers.tolist())),
             task="".join(map(chr, rng.integers(1, 0xD7FF, 40))),
@@ -127,6 +128,10 @@ def test_a_kept_file_of_every_version_is_read(version):
     assert np.flatnonzero(organ.fixed).tolist() == [0, 1, 2, 3, 4]
     assert organ.decimation.max_distance == 1.0 / 3.0 * 1e-3
     assert organ.source.repairs.welded_vertices == 12
+    assert {name: ids.tolist() for name, ids in organ.regions.items()} == {
+        "hilum": [1, 4, 7],
+        "alt uç": [],
+    }
 
 
 def test_the_kept_file_of_this_version_is_what_is_written_today(tmp_path):
@@ -211,6 +216,10 @@ DAMAGED = {
     ),
     "a vertex fixed twice": (changed_array("fixed", at((1,), 0)), "fixed: found other numbers"),
     "a fixed vertex too far": (changed_array("fixed", at((4,), 60)), "ascending ones from 0 to 59"),
+    "a region twice": (with_change("content|regions", ["a", "a"]), "regions: found a name twice"),
+    "a region without a name": (with_change("content|regions", ["a"]), "regions/1: found an unkn"),
+    "a name without a region": (with_change("content|regions", ["a", "b", "c"]), "regions/2: foun"),
+    "a region beyond": (changed_array("regions/0", at((2,), 60)), "ascending ones from 0 to 59"),
     "too few factors": (changed_array("stiffness_scale", lambda v: v[:-1]), "shape (60)"),
     "whole factors": (
         changed_array("stiffness_scale", lambda v: v.astype(np.int64)),

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import json
 import secrets
+import tempfile
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
@@ -22,10 +23,13 @@ from palpate_editor.document.files import read_organ, write_organ
 
 
 def find_recovery_folder() -> Path:
-    """The user's own, made where it is missing. Raises OSError."""
+    """The user's own, made where it is missing; one for this start alone where none can be made."""
     place = QStandardPaths.StandardLocation.GenericDataLocation
     folder = Path(QStandardPaths.writableLocation(place)) / "palpate" / "recovery"
-    folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+    try:
+        folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+    except OSError:  # a home that cannot be written keeps nobody from working
+        return Path(tempfile.mkdtemp(prefix="palpate-recovery-"))
     return folder
 
 

@@ -71,6 +71,9 @@ def pack_organ(organ: Organ) -> tuple[Json, Arrays]:
             arrays |= pack_surface("surface", organ.surface)
         arrays["fixed"] = np.flatnonzero(organ.fixed).astype(np.int32)
         arrays["stiffness_scale"] = organ.stiffness_scale
+    # a name may be of any alphabet, that of an array may not
+    content["regions"] = list(organ.regions)
+    arrays |= {f"regions/{row}": ids for row, ids in enumerate(organ.regions.values())}
     return content, arrays
 
 
@@ -90,7 +93,7 @@ def unpack_organ(content: Any, arrays: Mapping[str, Any], version: int, file: st
 
 
 def unpack(content: Any, arrays: Arrays, file: str) -> Organ:
-    known = {*WORDS, *ORIGINS, *NUMBERS}
+    known = {*WORDS, *ORIGINS, *NUMBERS, "regions"}
     if not isinstance(content, dict):
         raise Refusal(file, "", json_kind(content), "an object")
     if set(content) != known:
@@ -104,27 +107,38 @@ def unpack(content: Any, arrays: Arrays, file: str) -> Organ:
     for name, kind in NUMBERS.items():
         without = ARRAYS_OF_MODEL if kind is ModelPart else ()
         parts[name] = read_part(file, name, kind, content[name], without=without, whole=True)
-    parts |= unpack_arrays(arrays, file)
+    regions = read_value(file, "regions", tuple[str, ...], content["regions"])
+    parts |= unpack_arrays(arrays, regions, file)
     return Organ(**parts)
 
 
-def unpack_arrays(arrays: Arrays, file: str) -> Json:
+def unpack_arrays(arrays: Arrays, regions: tuple[str, ...], file: str) -> Json:
     parts: Json = {}
     for name in ("imported", "surface"):
         if f"{name}/vertices" in arrays or f"{name}/triangles" in arrays:
             parts[name] = unpack_surface(arrays, name, file)
     parts.setdefault("surface", parts.get("imported"))
-    if parts["surface"] is not None:
-        count = len(parts["surface"].vertices)
-        ids = take(arrays, "fixed", np.int32, (None,), file)
-        if ids.size and (ids.min() < 0 or ids.max() >= count or (np.diff(ids) <= 0).any()):
-            raise Refusal(file, "fixed", "other numbers", f"ascending ones from 0 to {count - 1}")
+    surface = parts["surface"]
+    count = 0 if surface is None else len(surface.vertices)
+    if surface is not None:
         parts["fixed"] = np.zeros(count, bool)
-        parts["fixed"][ids] = True
+        parts["fixed"][take_ids(arrays, "fixed", count, file)] = True
         parts["stiffness_scale"] = take(arrays, "stiffness_scale", np.float64, (count,), file)
+    if len(set(regions)) != len(regions):
+        raise Refusal(file, "regions", "a name twice", "every name once")
+    parts["regions"] = {
+        name: take_ids(arrays, f"regions/{row}", count, file) for row, name in enumerate(regions)
+    }
     if arrays:
         raise Refusal(file, sorted(arrays)[0], "an unknown array", "those of an organ")
     return parts
+
+
+def take_ids(arrays: Arrays, name: str, count: int, file: str) -> np.ndarray:
+    ids = take(arrays, name, np.int32, (None,), file)
+    if ids.size and (ids.min() < 0 or ids.max() >= count or (np.diff(ids) <= 0).any()):
+        raise Refusal(file, name, "other numbers", f"ascending ones from 0 to {count - 1}")
+    return ids
 
 
 def unpack_surface(arrays: Arrays, name: str, file: str) -> Surface:

@@ -3,13 +3,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from types import MappingProxyType
 
 import numpy as np
 from palpate.scene_parts import HandPart, MaterialPart, ModelPart, ToolPart
 
 from palpate_editor.document.defaults import HAND, MATERIAL, MODEL, TOOL
 from palpate_editor.document.surface import Surface, freeze
+
+NO_REGIONS: Mapping[str, np.ndarray] = MappingProxyType({})
 
 
 @dataclass(frozen=True)
@@ -89,6 +93,8 @@ class Organ:
     """(n,) bool per vertex of the surface, held at rest; read-only"""
     stiffness_scale: np.ndarray = field(default_factory=lambda: np.empty(0))
     """[-] (n,) factor of the stiffness at each vertex; read-only"""
+    regions: Mapping[str, np.ndarray] = field(default_factory=lambda: NO_REGIONS)
+    """Named sets of vertices: (k,) int32 each, ascending, read-only."""
     tool: ToolPart = TOOL
     hand: HandPart = HAND
     title: str = ""
@@ -101,17 +107,34 @@ class Organ:
         object.__setattr__(self, "fixed", freeze(self.fixed, np.bool_, (count,)))
         scale = freeze(self.stiffness_scale, np.float64, (count,))
         object.__setattr__(self, "stiffness_scale", scale)
+        regions = {name: freeze_region(ids, count) for name, ids in self.regions.items()}
+        if any(regions[name] is not ids for name, ids in self.regions.items()) or not isinstance(
+            self.regions, MappingProxyType
+        ):
+            object.__setattr__(self, "regions", MappingProxyType(regions))
 
     @property
     def vertex_count(self) -> int:
         return len(self.fixed)
 
     def with_surface(self, surface: Surface) -> Organ:
-        """This organ on another surface, on which nothing is fixed or stiffened yet."""
+        """This organ on another surface, on which nothing is fixed, stiffened or named yet."""
         count = len(surface.vertices)
         return replace(
-            self, surface=surface, fixed=np.zeros(count, bool), stiffness_scale=np.ones(count)
+            self,
+            surface=surface,
+            fixed=np.zeros(count, bool),
+            stiffness_scale=np.ones(count),
+            regions=NO_REGIONS,
         )
+
+
+def freeze_region(ids: np.ndarray, count: int) -> np.ndarray:
+    """Vertex numbers that cannot be written. Raises ValueError unless they ascend below `count`."""
+    frozen = freeze(ids, np.int32, (None,))
+    if frozen.size and (frozen[0] < 0 or frozen[-1] >= count or (np.diff(frozen) <= 0).any()):
+        raise ValueError(f"a region has vertices that do not ascend from 0 to {count - 1}")
+    return frozen
 
 
 EMPTY = Organ()

@@ -15,6 +15,7 @@ from palpate_editor.edits.name import SetName, SetTask
 from palpate_editor.edits.orient import SetUnit, SetUp
 from palpate_editor.edits.paint import PaintStiffness
 from palpate_editor.edits.prepare import Prepared, prepare
+from palpate_editor.edits.regions import RemoveRegion, SetRegion
 from palpate_editor.edits.repair import KeepLargestShell, TurnOutward
 from palpate_editor.edits.set_constant import SetChoice, SetConstant, SetGravity, SetMaterial
 
@@ -29,11 +30,13 @@ __all__ = [
     "KeepLargestShell",
     "PaintStiffness",
     "Prepared",
+    "RemoveRegion",
     "SetChoice",
     "SetConstant",
     "SetGravity",
     "SetMaterial",
     "SetName",
+    "SetRegion",
     "SetTask",
     "SetUnit",
     "SetUp",
@@ -59,6 +62,8 @@ EVERY_EDIT: tuple[type, ...] = (
     FixVertices,
     FixLowest,
     PaintStiffness,
+    SetRegion,
+    RemoveRegion,
     SetName,
     SetTask,
     Prepared,

@@ -1861,6 +1861,10 @@ Beklenen: {expected}.</translation>
         <translation>En büyük parçayı tut</translation>
     </message>
     <message>
+        <source>Name a region</source>
+        <translation>Bölge adlandır</translation>
+    </message>
+    <message>
         <source>Name the organ</source>
         <translation>Organa ad ver</translation>
     </message>
@@ -1871,6 +1875,10 @@ Beklenen: {expected}.</translation>
     <message>
         <source>Paste material</source>
         <translation>Malzeme yapıştır</translation>
+    </message>
+    <message>
+        <source>Remove a region</source>
+        <translation>Bölgeyi kaldır</translation>
     </message>
     <message>
         <source>Set Bend stiffness</source>
@@ -1972,8 +1980,16 @@ Beklenen: {expected}.</translation>
         <translation>Katılık çarpanı {least:g} ile {most:g} arasında olmalı; verilen {got:g}.</translation>
     </message>
     <message>
+        <source>A region needs a name.</source>
+        <translation>Bölgenin bir adı olmalı.</translation>
+    </message>
+    <message>
         <source>A surface with holes has no outside to turn to.</source>
         <translation>Delikli bir yüzeyin dönülecek dışı yoktur.</translation>
+    </message>
+    <message>
+        <source>An organ has at most {most} regions.</source>
+        <translation>Bir organda en çok {most} bölge olur.</translation>
     </message>
     <message>
         <source>Gravity is three finite numbers.</source>
@@ -2024,6 +2040,10 @@ Beklenen: {expected}.</translation>
         <translation>Henüz organ yok: önce bir ağ dosyası içe aktarın.</translation>
     </message>
     <message>
+        <source>There is no region {name}.</source>
+        <translation>{name} adlı bölge yok.</translation>
+    </message>
+    <message>
         <source>They are fixed already.</source>
         <translation>Zaten sabitler.</translation>
     </message>
@@ -2050,6 +2070,10 @@ Beklenen: {expected}.</translation>
     <message>
         <source>a closed surface, or the thickness of its wall</source>
         <translation>kapalı bir yüzey ya da duvar kalınlığı</translation>
+    </message>
+    <message>
+        <source>a hole of {sizes} edges</source>
+        <translation>{sizes} kenarlı bir delik</translation>
     </message>
     <message>
         <source>a mesh file</source>
@@ -2104,6 +2128,10 @@ Beklenen: {expected}.</translation>
         <translation>her kenarda en çok iki üçgen</translation>
     </message>
     <message>
+        <source>at most {most}: decimate</source>
+        <translation>en çok {most}: sadeleştirin</translation>
+    </message>
+    <message>
         <source>at most {share:.0%}: fewer vertices, softer links or more mass</source>
         <translation>en çok {share:.0%}: daha az köşe, daha yumuşak bağlantılar ya da daha çok kütle</translation>
     </message>
@@ -2112,12 +2140,12 @@ Beklenen: {expected}.</translation>
         <translation>her köşe sabit</translation>
     </message>
     <message>
-        <source>more than {low:g}{unit}</source>
-        <translation>{low:g}{unit} değerinden büyük</translation>
-    </message>
-    <message>
         <source>more than {low:g}, at most {high:g}{unit}</source>
         <translation>{low:g} değerinden büyük, en çok {high:g}{unit}</translation>
+    </message>
+    <message>
+        <source>more than {low:g}{unit}</source>
+        <translation>{low:g}{unit} değerinden büyük</translation>
     </message>
     <message>
         <source>neither home springs nor fixed vertices</source>
@@ -2188,18 +2216,6 @@ Beklenen: {expected}.</translation>
         <translation>{ids} köşe için {count} çarpan.</translation>
     </message>
     <message>
-        <source>{count} vertices</source>
-        <translation>{count} köşe</translation>
-    </message>
-    <message>
-        <source>at most {most}: decimate</source>
-        <translation>en çok {most}: sadeleştirin</translation>
-    </message>
-    <message>
-        <source>a hole of {sizes} edges</source>
-        <translation>{sizes} kenarlı bir delik</translation>
-    </message>
-    <message>
         <source>{count} holes, of {sizes} edges</source>
         <translation>{count} delik, {sizes} kenarlı</translation>
     </message>
@@ -2210,6 +2226,10 @@ Beklenen: {expected}.</translation>
     <message>
         <source>{count} triangles that cross others</source>
         <translation>başkalarıyla kesişen {count} üçgen</translation>
+    </message>
+    <message>
+        <source>{count} vertices</source>
+        <translation>{count} köşe</translation>
     </message>
     <message>
         <source>{count} vertices, {substeps} steps a tick: about {share:.0%} of the time there is</source>
