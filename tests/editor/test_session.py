@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import random
+
 import numpy as np
 import palpate
 import pytest
@@ -10,7 +12,15 @@ from organs import make_organ, same
 from palpate_editor.app.session import Session
 from palpate_editor.document import EMPTY
 from palpate_editor.document.files import write_organ
-from palpate_editor.edits import EditError, PaintStiffness, SetName, SetTask
+from palpate_editor.edits import (
+    EditError,
+    FixVertices,
+    PaintStiffness,
+    SetConstant,
+    SetName,
+    SetRegion,
+    SetTask,
+)
 from palpate_editor.publish import publish
 from palpate_editor.scene_files import write_scene
 
@@ -188,3 +198,32 @@ def test_words_about_an_organ_that_was_felt_leave_it_felt(session):
     session.apply(SetName("one"))
 
     assert session.is_tested
+
+
+def test_any_number_of_edits_is_undone_to_the_very_first_and_redone_to_the_very_last(qapp):
+    rng = random.Random(13)
+    session = Session(make_organ())
+    organs = [session.organ]
+    for number in range(60):
+        edit = rng.choice(
+            [
+                PaintStiffness(np.array([rng.randrange(60)]), rng.uniform(0.1, 9.0)),
+                SetName(f"organ {number}"),
+                SetConstant("model", "stiffness", rng.uniform(1.0, 1e3)),
+                FixVertices(np.array([rng.randrange(60)]), rng.random() < 0.5),
+                SetRegion(f"region {number % 5}", np.array([rng.randrange(60)])),
+            ]
+        )
+        try:
+            session.apply(edit)
+        except EditError:  # that vertex was fixed, or free, already
+            continue
+        organs.append(session.organ)
+
+    for organ in reversed(organs[:-1]):
+        session.history.undo()
+        assert session.organ is organ
+    for organ in organs[1:]:
+        session.history.redo()
+        assert session.organ is organ
+    assert len(organs) > 40 and not session.history.canRedo()
