@@ -10,10 +10,10 @@ inline constexpr int kSmallestLoop = 6;
 
 /// Collapses edges, cheapest first, until `vertex_count` are left or no edge may go any more.
 ///
-/// The price is the quadric error [GarlandHeckbert97]: squared distances to the planes of the triangles, to
-/// planes across the border, so holes keep their shape, and a little to the vertices that went, so
-/// the ones that stay are spread evenly. No triangle may turn by 90
-/// degrees or more; border vertices move along the border only. `mesh` must pass validate().
+/// The price is the quadric error [GarlandHeckbert97]: squared distances to the planes of the
+/// triangles, to planes across the border, so holes keep their shape, and a little to the vertices
+/// that went, so the ones that stay are spread evenly. No triangle may turn by 90 degrees or more;
+/// border vertices move along the border only. `mesh` must pass validate().
 SurfaceMesh collapse_edges(const SurfaceMesh& mesh, int vertex_count);
 
 }  // namespace palpate::authoring
