@@ -179,6 +179,24 @@ def test_picking_a_place_with_the_mouse_presses_there(panel, qtbot):
     assert np.linalg.norm(tip - expected) < 0.01
 
 
+def test_a_ring_marks_the_place_of_the_press(panel, qtbot, monkeypatch):
+    desk, rings, show_ring = panel.desk, [], panel.desk.view.show_ring
+
+    def look(centre, *rest):
+        rings.append(centre)
+        show_ring(centre, *rest)
+
+    monkeypatch.setattr(desk.view, "show_ring", look)
+    desk.stage = "test"
+    qtbot.waitUntil(lambda: desk.assessor.is_current, timeout=LONG)
+    panel.tabs.setCurrentIndex(1)
+    assert rings[-1][2] == pytest.approx(0.03, rel=0.02)  # the top of the ball
+    panel.press_form.show_place(np.array([0.0, -0.05, 0.0]))
+    assert rings[-1][1] == pytest.approx(-0.03, rel=0.02)
+    panel.tabs.setCurrentIndex(0)
+    assert rings[-1] is None
+
+
 # ---------------------------------------------------------------- by hand
 
 
@@ -317,3 +335,39 @@ def test_the_plot_exports_every_row_of_every_run(panel, qtbot, tmp_path):
     assert rows[0] == "run,time_s,force_x_N,force_y_N,force_z_N,force_N"
     assert len(rows) == 1 + len(panel.plot.traces[-1])
     assert rows[1].startswith("Press 1,0.0000,")
+
+
+# ---------------------------------------------------------------- in the main window
+
+
+def feel(window, qtbot):
+    """The mouse is the hand in the main window's Test stage."""
+    window.show_stage("test")
+    window.test_panel.tabs.setCurrentIndex(0)
+    window.test_panel.toggle()
+    qtbot.waitUntil(lambda: window.test_panel.running, timeout=LONG)
+    return window.test_panel.runner.trial
+
+
+def test_the_main_window_closes_in_the_middle_of_a_run(spleen_window, qtbot):
+    trial = feel(spleen_window, qtbot)
+    spleen_window.may_close = True
+    spleen_window.close()
+    assert trial.report is not None and not trial.run.running
+
+
+def test_undo_in_the_middle_of_a_run_ends_it_and_shows_the_organ_of_before(spleen_window, qtbot):
+    window = spleen_window
+    feel(window, qtbot)
+    window.session.history.undo()
+    assert not window.test_panel.running
+    assert not window.session.organ.fixed.any()
+    shown = np.asarray(window.view.scenery.vertices)
+    assert np.allclose(shown, window.session.organ.surface.vertices, atol=1e-6)
+
+
+def test_a_new_document_ends_the_run(spleen_window, qtbot):
+    trial = feel(spleen_window, qtbot)
+    spleen_window.session.start_anew()
+    assert not spleen_window.test_panel.running and not trial.run.running
+    assert spleen_window.session.organ.surface is None

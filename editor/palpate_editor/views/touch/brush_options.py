@@ -58,6 +58,11 @@ class RatioSlider(QWidget):
         layout.addWidget(row)
         layout.addWidget(self.slider)
 
+    def name(self, words: str) -> None:
+        """For those who have the screen read to them."""
+        self.slider.setAccessibleName(words)
+        self.row.box.setAccessibleName(words)
+
     def show_value(self, value: float) -> None:
         self.row.show_value(value)
         self.slider.blockSignals(True)
@@ -85,6 +90,7 @@ class BrushOptions(QWidget):
         self.radius = RatioSlider(
             QuantityRow(QuantityBox("mm", 1e-3)), SMALLEST, LARGEST, tool.set_radius
         )
+        self.radius.name(tr("Brush radius"))
         form.addRow(self._name(tr("Brush radius")), self.radius)
         self.factor = self.strength = None
         if has_factor:
@@ -92,8 +98,10 @@ class BrushOptions(QWidget):
                 QuantityRow(QuantityBox("\N{MULTIPLICATION SIGN}")), LEAST, MOST, self._take_factor
             )
             self.factor.setToolTip(tr("Stiffness in the middle of the brush, times the organ's"))
+            self.factor.name(tr("Stiffness"))
             form.addRow(self._name(tr("Stiffness")), self.factor)
             self.strength = QSlider(Qt.Orientation.Horizontal)
+            self.strength.setAccessibleName(tr("Strength"))
             self.strength.setRange(5, 100)
             self.strength.setToolTip(tr("How much of the way to that stiffness one stroke goes"))
             self.strength.valueChanged.connect(self._take_strength)

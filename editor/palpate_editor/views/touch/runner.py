@@ -132,7 +132,7 @@ class Runner(QObject):
         device, duration, self._script = palpate.PointerDevice(), 0.0, None
         self._name = tr("Hand {count}").format(count=self._count)
         if isinstance(wish, PressWish):
-            place = find_top(scene) if wish.place is None else find_place(scene, wish.place)
+            place = find_target(scene, wish.place)
             frames, moments = write_script(place, scene.tool.radius, wish.script)
             device, duration = palpate.ScriptedDevice(frames), moments.end
             self._script = place, moments
@@ -213,6 +213,11 @@ class Runner(QObject):
             self.desk.tell(
                 tr("The run was stopped because the organ was changed. Start it again."), "info"
             )
+
+
+def find_target(scene: palpate.Scene, near: NDArray[np.float64] | None) -> Place:
+    """Where a script presses: near a point [m], or at the top."""
+    return find_top(scene) if near is None else find_place(scene, near)
 
 
 def describe_refusal(problems: Sequence[Problem]) -> str:

@@ -27,7 +27,7 @@ from palpate_editor.views.touch.place_tool import PlaceTool
 from palpate_editor.views.touch.press_form import PressForm, write_command
 from palpate_editor.views.touch.results import Outcome
 from palpate_editor.views.touch.results_box import ResultsBox
-from palpate_editor.views.touch.runner import HandWish, PressWish, Runner
+from palpate_editor.views.touch.runner import HandWish, PressWish, Runner, find_target
 from palpate_editor.views.words import tr
 
 HAND, PRESS = 0, 1
@@ -44,6 +44,7 @@ class TestPanel(StagePanel):
 
     def __init__(self, desk: Any, parent: QWidget | None = None):
         self.plot, self.costs = ForcePlot(), LiveCosts()
+        self._marked = False
         super().__init__(
             desk,
             tr("Feel the organ in the loop a device will run, 1000 times a second."),
@@ -62,6 +63,8 @@ class TestPanel(StagePanel):
         self.plot.failed.connect(desk.tell)
         self.plot.said.connect(self._say)
         self.press_form.refused.connect(desk.tell)
+        self.press_form.changed.connect(self._show_marker)
+        desk.assessed.connect(self._show_marker)
         self._show_command()
         self._show_state()
 
@@ -193,6 +196,7 @@ class TestPanel(StagePanel):
     def _on_tab(self, index: int) -> None:
         self.stop()
         self._fit_tabs(index)
+        self._show_marker()
 
     def _fit_tabs(self, shown: int) -> None:
         """As high as the page in front, not as the highest."""
@@ -205,6 +209,7 @@ class TestPanel(StagePanel):
     def _on_stage(self, stage: str) -> None:
         if stage != self.stage:
             self.stop()
+        self._show_marker()
 
     def _on_changed(self, before: Organ, after: Organ) -> None:
         if before.surface is not after.surface:
@@ -228,12 +233,32 @@ class TestPanel(StagePanel):
         else:
             self._place_tool.give_back(view)
             self.desk.set_hint("")
+            self._show_marker()
 
     def _take_place(self, point: np.ndarray) -> None:
         self.press_form.show_place(point)
 
     def _end_pick(self) -> None:
         self.press_form.pick.setChecked(False)
+
+    def _show_marker(self) -> None:
+        """A ring where the script would press, while nothing else has the mouse."""
+        desk, found = self.desk, self.desk.assessment
+        wanted = (
+            desk.stage == self.stage
+            and self.tabs.currentIndex() == PRESS
+            and not self.runner.running
+            and desk.view.tool is None
+            and found is not None
+            and found.scene is not None
+            and found.organ is desk.session.organ
+        )
+        if wanted:
+            place = find_target(found.scene, self.press_form.place)
+            desk.view.show_ring(place.point, place.outward, found.scene.tool.radius)
+        elif self._marked and desk.view.tool is None:
+            desk.view.show_ring(None)
+        self._marked = wanted
 
     # ------------------------------------------------------------ what is said
 
@@ -266,6 +291,7 @@ class TestPanel(StagePanel):
         )
         self.state.setText(words)
         self.run_changed.emit(runner.running)
+        self._show_marker()
 
     def _take_outcome(self, outcome: Outcome) -> None:
         self.results.show_outcome(outcome)
