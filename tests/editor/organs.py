@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import fields, replace
+from functools import cache
 
 import numpy as np
 from palpate.scene_parts import HandPart, MaterialPart, ModelPart, ToolPart
@@ -29,8 +30,11 @@ SOURCE = Source(
 )
 
 
+generate = cache(ellipsoid)
+
+
 def surface_of(vertices: int = 60) -> Surface:
-    return Surface(*ellipsoid(vertices=vertices))
+    return Surface(*generate(vertices=vertices))
 
 
 def open_surface() -> Surface:
