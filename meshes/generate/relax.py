@@ -61,14 +61,43 @@ def compute_angles(x: np.ndarray, triangles: np.ndarray) -> np.ndarray:
     return np.stack(angles, axis=1)
 
 
+def compare_opposite(
+    x: np.ndarray, one: np.ndarray, two: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """How far the angles at the first corners of two triangles are over pi together.
+
+    Returns:
+        Minus the sine of their sum, which is the excess itself where it is small (2 where the sum
+        is over 3/2 pi); and the cosine, which grows with the sum from pi to 2 pi. Square roots are
+        the same on every machine, arcs are not.
+    """
+    sines, cosines = [], []
+    for corners in (one, two):
+        here = x[corners[:, 0]]
+        u, v = x[corners[:, 1]] - here, x[corners[:, 2]] - here
+        sine, cosine = measure(np.cross(u, v)), u[:, 0] * v[:, 0] + u[:, 1] * v[:, 1]
+        cosine = cosine + u[:, 2] * v[:, 2]
+        length = np.maximum(np.sqrt(sine * sine + cosine * cosine), np.finfo(float).tiny)
+        sines.append(sine / length)
+        cosines.append(cosine / length)
+    over = -(sines[0] * cosines[1] + cosines[0] * sines[1])
+    cosine = cosines[0] * cosines[1] - sines[0] * sines[1]
+    return np.where((over > 0.0) & (cosine > 0.0), 2.0, over), cosine
+
+
+def measure(q: np.ndarray) -> np.ndarray:
+    """Lengths of vectors (n, 3), rounded the same on every machine."""
+    x, y, z = q.T
+    return np.sqrt(x * x + y * y + z * z)
+
+
 def flip_edges(x: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, int]:
     """One pass of Delaunay flips, the worst first; edges next to a flipped one wait."""
     edges, sides, apexes = find_edges(triangles)
     inner = np.flatnonzero(sides[:, 1] >= 0)
     u, v = edges[inner].T
     a, b = apexes[inner].T
-    opposite = [compute_angles(x, np.stack([apex, u, v], axis=1))[:, 0] for apex in (a, b)]
-    excess = sum(opposite) - np.pi
+    turn, excess = compare_opposite(x, np.stack([a, u, v], axis=1), np.stack([b, u, v], axis=1))
     one, two = np.stack([a, u, b], axis=1), np.stack([b, v, a], axis=1)
     before = compute_normals(x, triangles)
     mean = before[sides[inner]].sum(axis=1)
@@ -80,7 +109,7 @@ def flip_edges(x: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, int]:
     valence = np.bincount(triangles.ravel(), minlength=len(x))
     valence[find_border_vertices(triangles)] += 2
     candidates = np.flatnonzero(
-        (excess > LEAST_EXCESS) & agrees & (valence[u] > 3) & (valence[v] > 3)
+        (turn > LEAST_EXCESS) & agrees & (valence[u] > 3) & (valence[v] > 3)
     )
 
     present = set(map(tuple, np.sort(edges, axis=1).tolist()))

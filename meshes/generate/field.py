@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Shapes as signed fields: negative inside, about a distance near the surface, lengths in mm.
+
+A field takes points (n, 3) [mm] and gives (n,) [mm]. Nothing here but + - * /, square roots and
+comparisons, which IEEE 754 rounds alike everywhere: the same organ is the same bytes on every
+machine. Sines, powers and matrix products would not be, so they are not used.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from palpate_meshes.generate.relax import measure
+
+Array = np.ndarray
+Field = Callable[[Array], Array]
+Point = Sequence[float]
+Turn = tuple[tuple[float, float, float], ...]
+
+DIGITS = 12
+"""Sines and cosines of given angles are rounded to this, where all mathematics libraries agree."""
+
+
+def smooth_min(a: Array, b: Array, k: Array | float) -> Array:
+    """The lesser, rounded off over the length k [mm] (polynomial smooth minimum)."""
+    h = np.maximum(k - np.abs(a - b), 0.0) / k
+    return np.minimum(a, b) - h * h * k * 0.25
+
+
+def join(a: Array, b: Array, k: Array | float) -> Array:
+    """Both shapes, grown together over k [mm]."""
+    return smooth_min(a, b, k)
+
+
+def cut(a: Array, b: Array, k: Array | float) -> Array:
+    """The first without the second, the rim rounded over k [mm]."""
+    return -smooth_min(-a, b, k)
+
+
+def keep(a: Array, b: Array, k: Array | float) -> Array:
+    """What is in both, the rim rounded over k [mm]."""
+    return -smooth_min(-a, -b, k)
+
+
+def turn_about(axis: Point, degrees: float) -> Turn:
+    """The rotation about an axis, as rows (Rodrigues)."""
+    length = math.sqrt(sum(a * a for a in axis))
+    x, y, z = (a / length for a in axis)
+    s = round(math.sin(math.radians(degrees)), DIGITS)
+    c = round(math.cos(math.radians(degrees)), DIGITS)
+    t = 1.0 - c
+    return (
+        (t * x * x + c, t * x * y - s * z, t * x * z + s * y),
+        (t * x * y + s * z, t * y * y + c, t * y * z - s * x),
+        (t * x * z - s * y, t * y * z + s * x, t * z * z + c),
+    )
+
+
+def apply_turn(turn: Turn, p: Array) -> Array:
+    x, y, z = p.T
+    return np.stack([r[0] * x + r[1] * y + r[2] * z for r in turn], axis=1)
+
+
+def invert_turn(turn: Turn) -> Turn:
+    (a, b, c), (d, e, f), (g, h, i) = turn
+    return ((a, d, g), (b, e, h), (c, f, i))
+
+
+def ball(p: Array, centre: Point, radius: float) -> Array:
+    return measure(p - np.asarray(centre, float)) - radius
+
+
+def ellipsoid_field(
+    p: Array, centre: Point, radii: Point, turn: Turn | None = None, square: float = 0.0
+) -> Array:
+    """An ellipsoid, or with `square` up to 1 one that is nearer to a box (quartic).
+
+    Its distance to first order: k (k - 1) over half the slope of k².
+    """
+    q = p - np.asarray(centre, float)
+    if turn is not None:
+        q = apply_turn(invert_turn(turn), q)
+    r = np.asarray(radii, float)
+    u = q / r
+    round_k = measure(u)
+    slope = measure(u / r)
+    inner = -float(r.min())
+    distance = np.where(round_k < 1e-9, inner, round_k * (round_k - 1.0) / np.maximum(slope, 1e-12))
+    if square == 0.0:
+        return distance
+    fourth = u * u
+    fourth = fourth * fourth
+    boxy_k = np.sqrt(np.sqrt(fourth[:, 0] + fourth[:, 1] + fourth[:, 2]))
+    k = (1.0 - square) * round_k + square * boxy_k
+    return np.where(round_k < 1e-9, inner, round_k * (k - 1.0) / np.maximum(slope, 1e-12))
+
+
+def rod(p: Array, a: Point, b: Point, ra: float, rb: float | None = None) -> Array:
+    """A capsule between two points whose radius [mm] goes from ra to rb."""
+    rb = ra if rb is None else rb
+    a, b = np.asarray(a, float), np.asarray(b, float)
+    way, q = b - a, p - a
+    length2 = way[0] * way[0] + way[1] * way[1] + way[2] * way[2]
+    along = q[:, 0] * way[0] + q[:, 1] * way[1] + q[:, 2] * way[2]
+    t = np.clip(along / length2, 0.0, 1.0)
+    return measure(q - t[:, None] * way) - (ra + (rb - ra) * t)
+
+
+def tube_field(p: Array, nodes: Sequence[Point], steps: int = 8) -> Array:
+    """A ball swept along a Catmull-Rom spline through rows (x, y, z, radius) [mm]."""
+    spine = draw_spline(nodes, steps)
+    nearest = np.full(len(p), np.inf)
+    for a, b in zip(spine, spine[1:], strict=False):
+        nearest = np.minimum(nearest, rod(p, a[:3], b[:3], a[3], b[3]))
+    return nearest
+
+
+def draw_spline(nodes: Sequence[Point], steps: int) -> list[list[float]]:
+    """Points on the Catmull-Rom spline through nodes of any dimension, ends included."""
+    rows = [[float(v) for v in node] for node in nodes]
+    first = [2.0 * a - b for a, b in zip(rows[0], rows[1], strict=True)]
+    last = [2.0 * a - b for a, b in zip(rows[-1], rows[-2], strict=True)]
+    rows = [first, *rows, last]
+    drawn = []
+    for p0, p1, p2, p3 in zip(rows, rows[1:], rows[2:], rows[3:], strict=False):
+        for step in range(steps):
+            t = step / steps
+            drawn.append(
+                [
+                    0.5
+                    * (
+                        2.0 * b
+                        + (c - a) * t
+                        + (2.0 * a - 5.0 * b + 4.0 * c - d) * t * t
+                        + (3.0 * b - a - 3.0 * c + d) * t * t * t
+                    )
+                    for a, b, c, d in zip(p0, p1, p2, p3, strict=True)
+                ]
+            )
+    return [*drawn, rows[-2]]
+
+
+def plane(p: Array, point: Point, outward: Point) -> Array:
+    """Half the space, on the side that `outward` turns its back to."""
+    length = math.sqrt(sum(a * a for a in outward))
+    n = [a / length for a in outward]
+    q = p - np.asarray(point, float)
+    return q[:, 0] * n[0] + q[:, 1] * n[1] + q[:, 2] * n[2]
+
+
+def ramp(x: Array, low: float, high: float) -> Array:
+    """0 below low, 1 above high, smooth between."""
+    t = np.clip((x - low) / (high - low), 0.0, 1.0)
+    return t * t * (3.0 - 2.0 * t)
+
+
+def bumps(p: Array, height: float, length: float, seed: int) -> Array:
+    """Hills of about `height` [mm], `length` [mm] apart, others for each seed (value noise)."""
+    size = 32
+    heights = np.random.default_rng(seed).random((size, size, size)) * 2.0 - 1.0
+    q = p / length + 0.5 * size
+    floor = np.floor(q)
+    t = q - floor
+    t = t * t * t * (t * (t * 6.0 - 15.0) + 10.0)
+    i, j, k = floor.astype(np.int64).T % size
+    i1, j1, k1 = (i + 1) % size, (j + 1) % size, (k + 1) % size
+    x, y, z = t.T
+
+    def along_x(jj: Array, kk: Array) -> Array:
+        return heights[i, jj, kk] * (1.0 - x) + heights[i1, jj, kk] * x
+
+    low = along_x(j, k) * (1.0 - y) + along_x(j1, k) * y
+    high = along_x(j, k1) * (1.0 - y) + along_x(j1, k1) * y
+    return height * (low * (1.0 - z) + high * z)
