@@ -68,7 +68,8 @@ class Assessment:
 
     @property
     def problems(self) -> tuple[Problem, ...]:
-        return self.checked.problems
+        """Of an organ; an empty desk has none, it has only not begun."""
+        return () if self.organ.surface is None else self.checked.problems
 
     def of_stage(self, stage: str) -> list[Problem]:
         return [problem for problem in self.problems if problem.stage == stage]

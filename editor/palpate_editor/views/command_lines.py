@@ -1,76 +1,159 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command lines that do what was done with the mouse, with its real numbers."""
+"""The command lines that do what was done with the mouse, with its real numbers.
+
+The document is named as the argument and the output: each line changes the file it is given. Only
+painting, and words, have no line of their own.
+"""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from math import degrees
 from pathlib import Path
+from typing import Any
 
 from palpate.viewport import View
 
-from palpate_editor.document import Organ
+from palpate_editor.document import Organ, Source
 from palpate_editor.document.constants import CONSTANTS
+from palpate_editor.edits import (
+    Decimate,
+    Edit,
+    FixLowest,
+    ImportMesh,
+    KeepLargestShell,
+    Prepared,
+    SetChoice,
+    SetConstant,
+    SetGravity,
+    SetMaterial,
+    SetUnit,
+    SetUp,
+    TurnOutward,
+)
+from palpate_editor.verbs.tissue import LAWS, NONE, OPTIONS
 
 KINDS = {"mass_spring": "mss", "molecular": "mms"}
-OPTIONS = {
-    "model.stiffness": ("--stiffness", "N/m"),
-    "model.bend_stiffness": ("--bend", "J"),
-    "model.stretch_coupling": ("--stretch-bend", "N"),
-    "model.home_stiffness": ("--home", "N/m3"),
-    "model.drag": ("--drag", "/s"),
-    "model.pressure": ("--pressure", "Pa"),
-    "material.wall_thickness": ("--wall", "m"),
-    "material.density": ("--density", "kg/m3"),
-    "material.damping_ratio": ("--damping", ""),
-    "tool.radius": ("--tool-radius", "m"),
-    "hand.coupling": ("--coupling", "N/m"),
-}
-"""Those constants that `palpate material` takes, and the unit it wants with them."""
+ASKED = "as asked"
+"""The reason of a unit or an axis that somebody chose."""
+
+Words = list[object]
 
 
-def import_words(
-    path: Path, parts: Sequence[str], unit: str | None, up: str | None, stem: str
-) -> list[object]:
-    words: list[object] = ["palpate", "import", path]
-    for part in parts:
-        words += ["--part", part]
-    if unit:
-        words += ["--unit", unit]
-    if up:
-        words += [f"--up={up}"]
-    return [*words, "-o", f"{stem}.obj"]
+def find_words(edit: Edit, organ: Organ, document: Path | str) -> Words | None:
+    """The command line of an edit that led to `organ`; None where only a hand can do it."""
+    if isinstance(edit, Prepared):
+        edit = edit.edit
+    find = FINDERS.get(type(edit))
+    return None if find is None else find(edit, organ, document)
 
 
-def decimate_words(stem: str, vertices: int) -> list[object]:
-    return ["palpate", "decimate", f"{stem}.obj", "--vertices", vertices] + [
-        "-o",
-        f"{stem}{vertices}.obj",
-    ]
+def import_words(edit: Any, organ: Organ, document: Path | str) -> Words | None:
+    del edit
+    return None if organ.source is None else source_words(organ.source, document)
 
 
-def material_words(organ: Organ, stem: str) -> list[object]:
-    """All constants that are not what `palpate material` takes by itself."""
-    mesh = f"{stem}{organ.vertex_count}.obj" if organ.decimation else f"{stem}.obj"
-    words: list[object] = ["palpate", "material", mesh]
-    words += ["--kind", KINDS.get(organ.model.kind, organ.model.kind)]
-    plain = Organ()
+def source_words(source: Source, document: Path | str) -> Words:
+    words: Words = ["palpate", "import", Path(source.folder) / source.file]
+    if source.parts != source.parts_available:
+        for part in source.parts:
+            words += ["--part", part]
+    if source.unit_reason == ASKED:
+        words += ["--unit", source.unit]
+    if source.up_reason == ASKED:
+        words.append(f"--up={source.up}")
+    return [*words, "-o", document]
+
+
+def decimate_words(edit: Decimate, organ: Organ, document: Path | str) -> Words:
+    del organ
+    count = edit.decimation.vertices
+    return ["palpate", "decimate", document, "--vertices", count, "-o", document]
+
+
+def repair_words(problem: str) -> Callable[[Any, Organ, Path | str], Words]:
+    def find(edit: Any, organ: Organ, document: Path | str) -> Words:
+        del edit, organ
+        return ["palpate", "repair", document, "--problem", problem, "-o", document]
+
+    return find
+
+
+def material_words(document: Path | str, options: Sequence[object]) -> Words:
+    return ["palpate", "material", document, *options, "-o", document]
+
+
+def constant_option(part: str, field: str, value: float | None) -> str:
+    """One option with its unit; joined by = so that a negative number is no option itself."""
+    option, unit = OPTIONS[f"{part}.{field}"]
+    # 1/s is written 8/s, as quantities are read
+    ending = "/s" if unit == "1/s" else unit
+    return f"{option}={NONE}" if value is None else f"{option}={value:.12g}{ending}"
+
+
+def constant_words(edit: SetConstant, organ: Organ, document: Path | str) -> Words:
+    del organ
+    return material_words(document, [constant_option(edit.part, edit.field, edit.value)])
+
+
+def choice_words(edit: SetChoice, organ: Organ, document: Path | str) -> Words:
+    del organ
+    option = "--kind" if edit.field == "kind" else LAWS[f"model.{edit.field}"]
+    return material_words(document, [option, KINDS.get(edit.value, edit.value)])
+
+
+def gravity_words(edit: SetGravity, organ: Organ, document: Path | str) -> Words:
+    del organ
+    return material_words(document, ["--gravity=" + ",".join(f"{g:g}" for g in edit.gravity)])
+
+
+def lowest_words(edit: FixLowest, organ: Organ, document: Path | str) -> Words:
+    del organ
+    return material_words(document, [f"--fix-lowest={edit.share:.12g}"])
+
+
+def all_words(edit: SetMaterial, organ: Organ, document: Path | str) -> Words:
+    """Everything that a pasted material brings."""
+    del edit
+    model = organ.model
+    options: Words = ["--kind", KINDS[model.kind]]
+    for key, option in LAWS.items():
+        options += [option, getattr(model, key.removeprefix("model."))]
     for constant in CONSTANTS:
-        option = OPTIONS.get(constant.key)
-        value = getattr(getattr(organ, constant.part), constant.field)
-        default = getattr(getattr(plain, constant.part), constant.field)
-        if option is None or value is None or value == default:
-            continue
-        # a negative number must not be taken for an option
-        words.append(f"{option[0]}={value:.9g}{option[1]}")
-    return [*words, "-o", f"{stem}.scene.json"]
+        if constant.part in ("material", "model"):
+            value = getattr(getattr(organ, constant.part), constant.field)
+            if value is not None or constant.optional:
+                options.append(constant_option(constant.part, constant.field, value))
+    return material_words(document, options)
 
 
-def render_words(file: Path | str, out: Path, view: View, theme: str) -> list[object]:
+FINDERS: dict[type, Callable[[Any, Organ, Path | str], Words | None]] = {
+    ImportMesh: import_words,
+    SetUnit: import_words,
+    SetUp: import_words,
+    Decimate: decimate_words,
+    KeepLargestShell: repair_words("shells"),
+    TurnOutward: repair_words("inward"),
+    SetConstant: constant_words,
+    SetChoice: choice_words,
+    SetGravity: gravity_words,
+    SetMaterial: all_words,
+    FixLowest: lowest_words,
+}
+
+
+def publish_words(organ: Organ, document: Path | str, out: Path) -> Words:
+    words: Words = ["palpate", "publish", document]
+    if organ.title:
+        words += [f"--title={organ.title}"]
+    if organ.task:
+        words += [f"--task={organ.task}"]
+    return [*words, "-o", out]
+
+
+def render_words(file: Path | str, out: Path, view: View, theme: str) -> Words:
     camera = view.camera
-    words: list[object] = ["palpate", "render", file, "-o", out, "--theme", theme]
-    azimuth, elevation = math.degrees(camera.azimuth), math.degrees(camera.elevation)
-    words += [f"--azimuth={azimuth:.1f}", f"--elevation={elevation:.1f}"]
-    if not view.wireframe:
-        words.append("--no-wireframe")
-    return words
+    words: Words = ["palpate", "render", file, "-o", out, "--theme", theme]
+    words += [f"--azimuth={degrees(camera.azimuth):.1f}"]
+    words += [f"--elevation={degrees(camera.elevation):.1f}"]
+    return words if view.wireframe else [*words, "--no-wireframe"]

@@ -100,10 +100,13 @@ class Deeds(QObject):
         if not picture.save(str(path)):
             self.desk.tell(tr("{file} could not be written.").format(file=path))
             return
-        document = self.desk.session.path
-        source = document if document is not None else f"{self.desk.stem()}.obj"
-        self.desk.log_command(render_words(source, path, self.desk.view, self.desk.theme))
+        words = render_words(self.published(), path, self.desk.view, self.desk.theme)
+        self.desk.log_command(words)
         self.desk.tell(tr("Saved as {file}.").format(file=path.name), "info")
+
+    def published(self) -> Path | str:
+        """A file that `palpate render` can draw."""
+        return self.desk.publishing.path or f"{self.desk.stem()}.palpate"
 
     # ------------------------------------------------------------ mesh
 
@@ -114,14 +117,14 @@ class Deeds(QObject):
         self.desk.apply(TurnOutward())
 
     def keep_largest(self) -> None:
-        self.desk.apply(KeepLargestShell())
+        self.desk.tasks.apply_slowly(KeepLargestShell())
 
     def decimate(self) -> None:
         self.desk.show_stage("decimate")
         self.decimate_wanted.emit()
 
     def use_imported(self) -> None:
-        self.desk.apply(UseImported())
+        self.desk.tasks.apply_slowly(UseImported())
 
     # ------------------------------------------------------------ material
 
@@ -134,12 +137,10 @@ class Deeds(QObject):
     def use_kind(self, kind: str) -> None:
         if self.desk.session.organ.model.kind == kind:
             return
-        if self.desk.apply(SetChoice("kind", kind)):
-            self.desk.log_material()
+        self.desk.apply(SetChoice("kind", kind))
 
     def fix_lowest(self) -> None:
-        if self.desk.apply(FixLowest(LOWEST)):
-            self.desk.log_material()
+        self.desk.apply(FixLowest(LOWEST))
 
     def free_all(self) -> None:
         self.desk.apply(FixVertices(np.flatnonzero(self.desk.session.organ.fixed), False))
@@ -156,8 +157,8 @@ class Deeds(QObject):
         edit = read_material(QGuiApplication.clipboard().text())
         if edit is None:
             self.desk.tell(tr("There is no material on the clipboard: copy one first."), "warning")
-        elif self.desk.apply(edit):
-            self.desk.log_material()
+        else:
+            self.desk.apply(edit)
 
     # ------------------------------------------------------------ checks
 
@@ -169,8 +170,7 @@ class Deeds(QObject):
             return
         errors = len(assessment.checked.errors)
         warnings = sum(p.severity == "warning" for p in assessment.problems)
-        path = self.desk.session.path
-        self.desk.log_command(["palpate", "check", path or f"{self.desk.stem()}.organ"])
+        self.desk.log_command(["palpate", "check", self.desk.document()])
         if not errors and not warnings:
             self.desk.tell(tr("All is well with this organ."), "info")
             return

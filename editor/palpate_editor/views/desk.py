@@ -16,7 +16,7 @@ from palpate_editor.app.session import Session
 from palpate_editor.app.settings import Settings
 from palpate_editor.edits import Edit, EditError
 from palpate_editor.views.assessment import Assessment, Assessor
-from palpate_editor.views.command_lines import import_words, material_words
+from palpate_editor.views.command_lines import find_words
 from palpate_editor.views.jobs import Jobs
 from palpate_editor.views.sentences import sentence_of
 from palpate_editor.views.theme import COLOURS, Colours
@@ -74,6 +74,9 @@ class Desk(QObject):
         except EditError as refusal:
             self.refuse(refusal)
             return False
+        words = find_words(edit, self.session.organ, self.document())
+        if words is not None:
+            self.log_command(words)
         return True
 
     def tell(self, sentence: str, severity: str = "error") -> None:
@@ -96,17 +99,10 @@ class Desk(QObject):
         session = self.session
         return session.path.stem if session.path else session.organ.name or "organ"
 
-    def log_material(self) -> None:
-        self.log_command(material_words(self.session.organ, self.stem()))
-
-    def log_source(self) -> None:
-        """After the file has been understood anew."""
-        source = self.session.organ.source
-        if source is not None:
-            path = Path(source.folder) / source.file
-            whole = source.parts == source.parts_available
-            parts = () if whole else source.parts
-            self.log_command(import_words(path, parts, source.unit, source.up, self.stem()))
+    def document(self) -> Path | str:
+        """The file that command lines name: that of the session, or what it would be called."""
+        path = self.session.path
+        return path if path is not None and path.suffix == ".organ" else f"{self.stem()}.organ"
 
     def show_distance(self, on: bool) -> None:
         self.distance_wanted.emit(on)

@@ -13,6 +13,7 @@ from PySide6.QtCore import QObject, QProcess, Signal
 from palpate_editor.check import Assessment
 from palpate_editor.document import Organ
 from palpate_editor.publish import publish
+from palpate_editor.views.command_lines import publish_words
 from palpate_editor.views.desk import Desk
 from palpate_editor.views.files import Files
 from palpate_editor.views.jobs import Progress
@@ -83,9 +84,8 @@ class Publishing(QObject):
     def on_published(self, report: Any) -> None:
         del report
         self.path = self.wanted
-        document = self.desk.session.path
-        source = document if document is not None else f"{self.desk.stem()}.organ"
-        self.desk.log_command(["palpate", "publish", source, "-o", self.path])
+        organ = self.desk.session.organ
+        self.desk.log_command(publish_words(organ, self.desk.document(), self.path))
         self.desk.tell(tr("Published as {file}.").format(file=self.path.name), "info")
         self.published.emit(self.path)
 

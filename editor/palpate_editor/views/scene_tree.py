@@ -73,7 +73,7 @@ class SceneTree(QTreeWidget):
         self.add(top, tr("Fixed"), count(int(organ.fixed.sum())), "fix", "material")
         scale = organ.stiffness_scale
         span = f"{number(scale.min(), 3)} – {number(scale.max(), 3)} ×"
-        words = span if (scale != 1.0).any() else tr("the same everywhere")
+        words = span if (scale != 1.0).any() else tr("uniform")
         self.add(top, tr("Stiffness map"), words, "stiffness", "material")
 
     def add(

@@ -76,7 +76,7 @@ class StageDock(QWidget):
     def verdict(self, stage: str) -> Verdict:
         """How a stage stands."""
         assessment = self.desk.assessment
-        if assessment is None or (assessment.organ.surface is None and stage != "import"):
+        if assessment is None or assessment.organ.surface is None:
             return Verdict()
         found = assessment.of_stage(stage)
         errors = sum(problem.severity == "error" for problem in found)

@@ -18,6 +18,8 @@ SOON = 500
 PICK_EVERY = 40
 """[ms] between two looks at what is under the pointer."""
 SECOND = 1000
+STILL = 5.0
+"""[1/s] fewer frames than that are a picture being refined, not a motion."""
 
 
 class Busy(QWidget):
@@ -145,7 +147,7 @@ class Status(QStatusBar):
         elapsed = self.clock.restart()
         rate = self.frames * 1000.0 / max(1, elapsed)
         self.rate.setText(
-            tr("{rate} fps").format(rate=f"{rate:.0f}") if rate >= 1.0 else tr("idle")
+            tr("{rate} fps").format(rate=f"{rate:.0f}") if rate >= STILL else tr("idle")
         )
         self.frames = 0
 

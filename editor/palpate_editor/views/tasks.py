@@ -11,12 +11,18 @@ from PySide6.QtCore import QObject, Signal
 
 from palpate_editor import authoring
 from palpate_editor.document import Organ
-from palpate_editor.edits import Decimate, ImportMesh, decimate_organ, import_file
-from palpate_editor.views.command_lines import decimate_words, import_words
+from palpate_editor.edits import (
+    Edit,
+    ImportMesh,
+    Prepared,
+    decimate_organ,
+    import_file,
+    prepare,
+)
 from palpate_editor.views.desk import Desk
 from palpate_editor.views.jobs import Progress
 from palpate_editor.views.sentences import sentence_of
-from palpate_editor.views.words import tr
+from palpate_editor.views.words import edit_title, tr
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,17 +67,29 @@ class ImportWork:
 
 @dataclass(frozen=True, eq=False)
 class DecimateWork:
-    """Makes the edit that puts a coarser surface in place."""
+    """Makes the edit that puts a coarser surface in place, and does its work."""
 
     organ: Organ
     vertices: int
 
-    def __call__(self, progress: Progress) -> Decimate:
+    def __call__(self, progress: Progress) -> Prepared:
         words = tr("Decimating to {count} vertices").format(count=self.vertices)
         progress(words, 0.15)
         edit = decimate_organ(self.organ, self.vertices)
-        progress(words, 1.0)
-        return edit
+        progress(words, 0.8)
+        return prepare(edit, self.organ)
+
+
+@dataclass(frozen=True, eq=False)
+class EditWork:
+    """Does the work of an edit that goes through a whole surface."""
+
+    organ: Organ
+    edit: Edit
+
+    def __call__(self, progress: Progress) -> Prepared:
+        progress(edit_title(self.edit.title), 0.3)
+        return prepare(self.edit, self.organ)
 
 
 class Tasks(QObject):
@@ -79,13 +97,10 @@ class Tasks(QObject):
 
     read = Signal(object)
     """A Reading, whether or not it could be imported."""
-    imported = Signal(object)
-    decimated = Signal()
 
     def __init__(self, desk: Desk, parent: QObject | None = None):
         super().__init__(parent)
         self.desk = desk
-        self.wanted: ImportWork | DecimateWork | None = None
 
     def is_busy(self) -> bool:
         """Says so where other work is under way."""
@@ -106,9 +121,9 @@ class Tasks(QObject):
     ) -> None:
         if self.is_busy():
             return
-        self.wanted = ImportWork(path, tuple(parts), unit, up)
+        work = ImportWork(path, tuple(parts), unit, up)
         title = tr("Importing {file}").format(file=path.name)
-        self.desk.jobs.start(title, self.wanted, self.on_read, self.desk.refuse)
+        self.desk.jobs.start(title, work, self.on_read, self.desk.refuse)
 
     def on_read(self, reading: Reading) -> None:
         self.read.emit(reading)
@@ -124,10 +139,6 @@ class Tasks(QObject):
         if not self.desk.apply(reading.edit):
             return
         self.desk.view.frame_all()
-        words = import_words(
-            reading.path, reading.chosen, reading.unit, reading.up, self.desk.stem()
-        )
-        self.desk.log_command(words)
         surface = reading.edit.surface
         self.desk.tell(
             tr("{file} imported: {vertices} vertices, {triangles} triangles.").format(
@@ -137,19 +148,18 @@ class Tasks(QObject):
             ),
             "info",
         )
-        self.imported.emit(reading)
 
     # ------------------------------------------------------------ decimate
 
     def decimate(self, vertices: int) -> None:
         if self.is_busy():
             return
-        self.wanted = DecimateWork(self.desk.session.organ, vertices)
-        title = tr("Decimating")
-        self.desk.jobs.start(title, self.wanted, self.on_decimated, self.desk.refuse)
+        work = DecimateWork(self.desk.session.organ, vertices)
+        self.desk.jobs.start(tr("Decimating"), work, self.desk.apply, self.desk.refuse)
 
-    def on_decimated(self, edit: Decimate) -> None:
-        if not self.desk.apply(edit):
+    def apply_slowly(self, edit: Edit) -> None:
+        """Applies an edit whose work takes long for a large organ."""
+        if self.is_busy():
             return
-        self.desk.log_command(decimate_words(self.desk.stem(), edit.decimation.vertices))
-        self.decimated.emit()
+        work = EditWork(self.desk.session.organ, edit)
+        self.desk.jobs.start(edit_title(edit.title), work, self.desk.apply, self.desk.refuse)

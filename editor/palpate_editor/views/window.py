@@ -102,7 +102,9 @@ class MainWindow(QMainWindow):
             desk, tr("Fewer vertices tick faster. The shape shown is what will be felt."), self
         )
         self.material_panel = MaterialPanel(
-            desk, tr("What the organ is made of, and what touches it."), self
+            desk,
+            tr("Chosen so that a surface feels like an organ; not derived from tissue."),
+            self,
         )
         self.publish_panel = PublishPanel(
             desk, tr("Write one file that a trainee can open and feel."), self

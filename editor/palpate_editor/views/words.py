@@ -66,4 +66,6 @@ def quantity(value: float | None, unit: str, digits: int = 4) -> str:
     """A number and its unit, held together; a dash where there is none."""
     if value is None or not math.isfinite(value):
         return "\N{EN DASH}"
-    return f"{number(value, digits)}\N{NO-BREAK SPACE}{unit}" if unit else number(value, digits)
+    # a degree sign stands at its number
+    space = "" if unit in ("", "°") else "\N{NO-BREAK SPACE}"
+    return f"{number(value, digits)}{space}{unit}"

@@ -60,9 +60,7 @@ class ConstantField(QuantityRow):
 
     def enter(self, value: float | None) -> None:
         edit = SetConstant(self.constant.part, self.constant.field, value)
-        if self.desk.apply(edit):
-            self.desk.log_material()
-        else:
+        if not self.desk.apply(edit):
             self.box.mark(True)
 
     def show_organ(self, organ: Organ) -> None:
@@ -90,8 +88,7 @@ class ChoiceField(QComboBox):
         value = self.values[row]
         if value == getattr(self.desk.session.organ.model, self.field):
             return
-        if self.desk.apply(SetChoice(self.field, value)):
-            self.desk.log_material()
+        self.desk.apply(SetChoice(self.field, value))
         self.show_organ(self.desk.session.organ)
 
     def show_organ(self, organ: Organ) -> None:

@@ -145,7 +145,7 @@ class DecimatePanel(StagePanel):
         self.desk.tasks.decimate(self.target.value())
 
     def use_imported(self) -> None:
-        self.desk.apply(UseImported())
+        self.desk.tasks.apply_slowly(UseImported())
 
 
 def degrees(angle: float | None) -> str:

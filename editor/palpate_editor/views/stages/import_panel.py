@@ -268,7 +268,6 @@ class ImportPanel(StagePanel):
             self.show_organ(self.desk.session.organ)
             return
         self.desk.view.frame_all()
-        self.desk.log_source()
 
     def set_up(self, row: int) -> None:
         source = self.desk.session.organ.source
@@ -278,7 +277,6 @@ class ImportPanel(StagePanel):
             self.show_organ(self.desk.session.organ)
             return
         self.desk.view.frame_all()
-        self.desk.log_source()
 
     def set_name(self) -> None:
         name = self.name.text().strip()

@@ -189,8 +189,7 @@ class MaterialPanel(StagePanel):
 
     def fix_lowest(self) -> None:
         self.share.interpretText()
-        if self.desk.apply(FixLowest(self.share.value() / 100.0)):
-            self.desk.log_material()
+        self.desk.apply(FixLowest(self.share.value() / 100.0))
 
     def free_all(self) -> None:
         ids = np.flatnonzero(self.desk.session.organ.fixed)

@@ -86,7 +86,7 @@ class RepairPanel(StagePanel):
         return news
 
     def keep_largest(self) -> None:
-        self.desk.apply(KeepLargestShell())
+        self.desk.tasks.apply_slowly(KeepLargestShell())
 
 
 def repair_rows(repairs: Repairs) -> list[tuple[str, int]]:

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every stage of the window on a real organ, dark and light, as pictures to look at."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import settle
+from palpate_editor.views.stage_bar import STAGES
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QApplication
+
+pytestmark = pytest.mark.window
+
+
+def colours_of(path: Path) -> np.ndarray:
+    image = QImage(str(path)).convertToFormat(QImage.Format.Format_RGB888)
+    rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
+    return rows[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(int)
+
+
+@pytest.mark.parametrize("theme", ["dark", "light"])
+def test_every_stage_is_drawn(qtbot, make_editor, spleen, checkout, theme):
+    folder = checkout / "build" / "screenshots"
+    folder.mkdir(parents=True, exist_ok=True)
+    window = make_editor(theme=theme, language="en").window
+    window.files.open(spleen)
+    settle(qtbot, window)
+    for stage in STAGES:
+        if stage == "decimate":
+            window.desk.tasks.decimate(1200)
+        if stage == "material":
+            window.deeds.fix_lowest()
+        window.messages.dismiss()
+        window.show_stage(stage)
+        settle(qtbot, window)
+        qtbot.wait(600)  # the view refines its picture while nothing moves
+        path = folder / f"editor_{stage}_{theme}.png"
+        assert window.grab().save(str(path))
+
+        picture = colours_of(path)
+        view = window.view.geometry().translated(window.centralWidget().pos())
+        shown = picture[view.top() : view.bottom(), view.left() : view.right()]
+        corner, middle = shown[-6, 6], shown[shown.shape[0] // 2, shown.shape[1] // 2]
+        assert abs(corner - middle).max() > 40, "nothing stands in the middle of the viewport"
+        assert (corner.mean() > 128) == (theme == "light")
+
+
+def test_the_empty_window_is_drawn_in_turkish(qtbot, make_editor, checkout):
+    folder = checkout / "build" / "screenshots"
+    folder.mkdir(parents=True, exist_ok=True)
+    window = make_editor(theme="dark", language="tr").window
+    qtbot.wait(600)
+
+    assert window.grab().save(str(folder / "editor_welcome_tr_dark.png"))
+    assert window.welcome.isVisible()
+    window.show_palette()
+    QApplication.processEvents()
+    assert window.palette_dialog.grab().save(str(folder / "editor_palette_tr_dark.png"))
+    window.palette_dialog.close()
