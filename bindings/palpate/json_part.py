@@ -38,14 +38,10 @@ def read_part(
     if not isinstance(section, dict):
         raise Refusal(file, name, json_kind(section), "an object")
     known = {f.name for f in fields(kind)} - set(without)
-    unknown, missing = set(section) - known, known - set(section)
+    unknown, missing = sorted(set(section) - known), sorted(known - set(section))
     if unknown:
-        raise Refusal(
-            file,
-            f"{name}.{sorted(unknown)[0]}",
-            "an unknown field",
-            "one of " + ", ".join(sorted(known)),
-        )
+        expected = "one of " + ", ".join(sorted(known))
+        raise Refusal(file, f"{name}.{unknown[0]}", "an unknown field", expected)
     hints = get_type_hints(kind)
     values = {
         key: read_value(file, f"{name}.{key}", hints[key], value, whole)
@@ -56,7 +52,7 @@ def read_part(
             raise TypeError
         return kind(**values)
     except TypeError:
-        raise Refusal(file, name, "no " + ", ".join(sorted(missing)), "every field of it") from None
+        raise Refusal(file, name, "no " + ", ".join(missing), "every field of it") from None
 
 
 def is_number(value: Any) -> bool:

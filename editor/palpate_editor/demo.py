@@ -96,15 +96,7 @@ def run_demo(
     organ = replace(organ, name=mesh.stem if mesh else "spleen")
     assert organ.surface is not None
     write_mesh(out / "organ.obj", mesh_of(organ.surface))
-    summary: Report = {
-        "organ": organ.name,
-        "vertices": organ.vertex_count,
-        "triangles": len(organ.surface.triangles),
-        "border_loops": list(measure_surface(organ.surface)[1].border_loops),
-        "picture": "picture.png",
-        "force_plot": "force_plot.png",
-        "mesh": "organ.obj",
-    }
+    summary = begin_summary(organ)
     script = PressScript(**values["script"])
     runs: dict[str, Run] = {}
     for kind in SHORT_KINDS:
@@ -116,6 +108,19 @@ def run_demo(
     write_whole(out / "summary.json", print_json(summary))
     say(f"wrote     {out / 'summary.json'}, {out / 'picture.png'}, {out / 'force_plot.png'}")
     return summary
+
+
+def begin_summary(organ: Organ) -> Report:
+    assert organ.surface is not None
+    return {
+        "organ": organ.name,
+        "vertices": organ.vertex_count,
+        "triangles": len(organ.surface.triangles),
+        "border_loops": list(measure_surface(organ.surface)[1].border_loops),
+        "picture": "picture.png",
+        "force_plot": "force_plot.png",
+        "mesh": "organ.obj",
+    }
 
 
 def make_organ(

@@ -10,7 +10,7 @@ from palpate.scenario import kMostParticles
 from palpate_editor.document.material_rules import find_material_problems
 from palpate_editor.document.organ import Organ
 from palpate_editor.document.phrase import Phrase, phrase
-from palpate_editor.document.problems import Facts, Problem
+from palpate_editor.document.problems import Facts, Problem, SurfaceFacts
 
 SIZE_LEAST, SIZE_MOST = 5e-3, 0.6
 """[m] No organ is smaller or larger from corner to corner: its unit is another."""
@@ -76,33 +76,41 @@ def find_import_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
         )
 
 
+def repair_problem(key: str, severity: str, found: Phrase, expected: Phrase) -> Problem:
+    return Problem(key, severity, "repair", "surface", found, expected)
+
+
 def find_repair_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
     found = facts.surface
     if found is None:
         return
 
-    def problem(key: str, severity: str, what: Phrase, expected: Phrase) -> Problem:
-        return Problem(key, severity, "repair", "surface", what, expected)
-
     if found.non_manifold_edges:
-        yield problem(
+        yield repair_problem(
             "non_manifold",
             "error",
             phrase("{count} edges with more than two triangles", count=found.non_manifold_edges),
             phrase("at most two triangles at every edge"),
         )
     if found.outward is False:
-        yield problem("inward", "error", phrase("triangles that face inwards"), phrase("outwards"))
+        yield repair_problem(
+            "inward", "error", phrase("triangles that face inwards"), phrase("outwards")
+        )
     if found.shells > 1:
-        yield problem(
+        yield repair_problem(
             "shells",
             "warning",
             phrase("{count} pieces that nothing holds together", count=found.shells),
             phrase("one piece"),
         )
+    yield from find_hole_problems(found)
+
+
+def find_hole_problems(found: SurfaceFacts) -> Iterator[Problem]:
+    """Where a surface ends, and where it runs through itself."""
     if found.border_loops:
         sizes, count = ", ".join(map(str, found.border_loops)), len(found.border_loops)
-        yield problem(
+        yield repair_problem(
             "holes",
             "note",
             phrase("a hole of {sizes} edges", sizes=sizes)
@@ -111,14 +119,14 @@ def find_repair_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
             phrase("a closed surface, or a hollow organ or sheet that has them"),
         )
     if found.self_intersecting_faces is None:
-        yield problem(
+        yield repair_problem(
             "self_intersections",
             "error",
             phrase("so many triangles on top of each other that counting was given up"),
             phrase("a surface that does not cross itself"),
         )
     elif found.self_intersecting_faces:
-        yield problem(
+        yield repair_problem(
             "self_intersections",
             "warning",
             phrase("{count} triangles that cross others", count=found.self_intersecting_faces),

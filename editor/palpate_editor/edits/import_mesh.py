@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -13,6 +13,9 @@ import numpy as np
 
 from palpate_editor import authoring
 from palpate_editor.document import Organ, Repairs, Source, Surface
+
+REPAIRS = tuple(f.name for f in fields(Repairs) if f.name != "welded_vertices")
+"""Those that are counted after the parts of a file were welded."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,10 +59,20 @@ def import_file(
     """
     scene = authoring.read_mesh(path, **limits)
     imported = authoring.import_scene(scene, parts=parts, unit=unit, up=up)
+    mesh = imported.mesh
+    surface = Surface(np.asarray(mesh.vertices), np.asarray(mesh.triangles))
+    return ImportMesh(make_writable(path.stem), describe_source(path, scene, imported), surface)
+
+
+def describe_source(
+    path: Path, scene: authoring.ImportedScene, imported: authoring.ImportedMesh
+) -> Source:
+    """Where a surface came from and how its file was understood. Raises OSError."""
     joined, repaired = imported.joined, imported.repaired
+    done = {name: getattr(repaired, name) for name in REPAIRS}
     with path.open("rb") as file:
         sha256 = hashlib.file_digest(file, "sha256").hexdigest()
-    source = Source(
+    return Source(
         file=make_writable(path.name),
         folder=make_writable(str(path.resolve().parent)),
         sha256=sha256,
@@ -72,21 +85,8 @@ def import_file(
         up=joined.up,
         up_guessed=joined.up_guessed,
         up_reason=joined.up_reason,
-        repairs=Repairs(
-            welded_vertices=joined.welded_vertices,
-            **{
-                name: getattr(repaired, name)
-                for name in Repairs.__dataclass_fields__
-                if name != "welded_vertices"
-            },
-        ),
+        repairs=Repairs(welded_vertices=joined.welded_vertices, **done),
         notes=tuple(scene.notes),
-    )
-    mesh = imported.mesh
-    return ImportMesh(
-        make_writable(path.stem),
-        source,
-        Surface(np.asarray(mesh.vertices), np.asarray(mesh.triangles)),
     )
 
 
