@@ -10,7 +10,7 @@ from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMainWindow, QMenu
 
 from palpate_editor.views.icons import icon
-from palpate_editor.views.orders import MENUS, Order, menu_title
+from palpate_editor.views.order import MENUS, Order, menu_title
 from palpate_editor.views.theme import Colours
 
 INSIDE = {

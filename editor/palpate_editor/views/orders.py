@@ -3,55 +3,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from palpate_editor.views.stage_bar import STAGES, stage_title
+from palpate_editor.views.order import Order
+from palpate_editor.views.view_orders import view_orders
 from palpate_editor.views.words import tr
 
 if TYPE_CHECKING:
     from palpate_editor.views.window import MainWindow
-
-MENUS = ("file", "edit", "view", "mesh", "material", "simulate", "publish", "help")
-
-
-def menu_title(menu: str) -> str:
-    return {
-        "file": tr("&File"),
-        "edit": tr("&Edit"),
-        "view": tr("&View"),
-        "mesh": tr("&Mesh"),
-        "material": tr("M&aterial"),
-        "simulate": tr("&Simulate"),
-        "publish": tr("&Publish"),
-        "help": tr("&Help"),
-        "recent": tr("Open &recent"),
-        "stages": tr("&Stage"),
-        "colours": tr("&Colours"),
-        "directions": tr("&Look from"),
-        "theme": tr("&Theme"),
-        "language": tr("&Language"),
-        "docks": tr("&Panels"),
-    }[menu]
-
-
-@dataclass(frozen=True)
-class Order:
-    """One action as it is asked for."""
-
-    name: str
-    menu: str
-    text: str
-    slot: Callable[[], None]
-    """A bound method."""
-    keys: tuple[str, ...] = ()
-    sign: str = ""
-    group: str = ""
-    """Actions of one group exclude each other."""
-    checkable: bool = False
-    needs_organ: bool = False
-    line_before: bool = False
 
 
 def build_orders(w: MainWindow) -> list[Order]:
@@ -104,102 +63,6 @@ def edit_orders(w: MainWindow) -> list[Order]:
             line_before=True,
         ),
     ]
-
-
-def view_orders(w: MainWindow) -> list[Order]:
-    looks = [
-        (tr("&Front"), w.deeds.look_front, "1"),
-        (tr("&Right"), w.deeds.look_right, "3"),
-        (tr("&Above"), w.deeds.look_above, "7"),
-        (tr("&Behind"), w.deeds.look_behind, "Ctrl+Alt+1"),
-        (tr("&Left"), w.deeds.look_left, "Ctrl+Alt+3"),
-        (tr("Be&low"), w.deeds.look_below, "Ctrl+Alt+7"),
-    ]
-    colours = [
-        ("auto", tr("As the &stage needs"), w.deeds.colour_auto),
-        ("plain", tr("&Tissue"), w.deeds.colour_plain),
-        ("stiffness", tr("Stiff&ness"), w.deeds.colour_stiffness),
-        ("distance", tr("&Distance to the source"), w.deeds.colour_distance),
-    ]
-    orders = [
-        Order(
-            f"stage_{stage}",
-            "stages",
-            stage_title(stage),
-            w.on_stage_action,
-            (f"Ctrl+{i}",),
-            group="stages",
-        )
-        for i, stage in enumerate(STAGES, start=1)
-    ]
-    orders += [
-        Order("frame", "view", tr("Show &all"), w.deeds.frame_all, ("Home", "F"), "frame"),
-        Order(
-            "wireframe",
-            "view",
-            tr("&Wireframe"),
-            w.deeds.switch_wireframe,
-            ("W",),
-            "wire",
-            checkable=True,
-        ),
-    ]
-    orders += [
-        Order(f"look_{i}", "directions", text, slot, (key,))
-        for i, (text, slot, key) in enumerate(looks)
-    ]
-    orders += [
-        Order(f"colour_{name}", "colours", text, slot, (f"Alt+{i}",), group="colours")
-        for i, (name, text, slot) in enumerate(colours, start=1)
-    ]
-    orders += [
-        Order(
-            "theme_system",
-            "theme",
-            tr("As the &desktop"),
-            w.looks.theme_system,
-            ("Ctrl+Alt+T",),
-            group="theme",
-        ),
-        Order(
-            "theme_dark", "theme", tr("&Dark"), w.looks.theme_dark, ("Ctrl+Alt+D",), group="theme"
-        ),
-        Order(
-            "theme_light",
-            "theme",
-            tr("&Light"),
-            w.looks.theme_light,
-            ("Ctrl+Alt+L",),
-            group="theme",
-        ),
-        Order(
-            "language_en",
-            "language",
-            "English",
-            w.looks.language_en,
-            ("Ctrl+Alt+E",),
-            group="language",
-        ),
-        Order(
-            "language_tr",
-            "language",
-            "Türkçe",
-            w.looks.language_tr,
-            ("Ctrl+Alt+U",),
-            group="language",
-        ),
-        Order(
-            "full",
-            "view",
-            tr("&Full screen"),
-            w.switch_full,
-            ("F11",),
-            checkable=True,
-            line_before=True,
-        ),
-        Order("reset", "view", tr("&Reset layout"), w.reset_layout, ("Ctrl+Alt+R",), "reset"),
-    ]
-    return orders
 
 
 def mesh_orders(w: MainWindow) -> list[Order]:

@@ -30,15 +30,11 @@ from palpate_editor.views.recent_menu import RecentMenu
 from palpate_editor.views.scene_tree import SceneTree
 from palpate_editor.views.stage_bar import STAGES, StageBar
 from palpate_editor.views.stage_dock import StageDock
-from palpate_editor.views.stages.decimate_panel import DecimatePanel
-from palpate_editor.views.stages.import_panel import ImportPanel
-from palpate_editor.views.stages.material_panel import MaterialPanel
-from palpate_editor.views.stages.publish_panel import PublishPanel
-from palpate_editor.views.stages.repair_panel import RepairPanel
+from palpate_editor.views.stages.panels import build_panels
 from palpate_editor.views.status import Status
 from palpate_editor.views.tasks import Tasks
 from palpate_editor.views.tool_strip import ToolStrip
-from palpate_editor.views.touch import TestPanel, build_tools
+from palpate_editor.views.touch import build_tools
 from palpate_editor.views.welcome import Welcome
 from palpate_editor.views.words import tr
 
@@ -95,30 +91,11 @@ class MainWindow(QMainWindow):
 
     def build_panels(self) -> None:
         desk = self.desk
-        self.import_panel = ImportPanel(
-            desk, tr("Bring in a surface and say what its numbers mean."), self
-        )
-        self.decimate_panel = DecimatePanel(
-            desk, tr("Fewer vertices tick faster. The shape shown is what will be felt."), self
-        )
-        self.material_panel = MaterialPanel(
-            desk,
-            tr("Chosen so that a surface feels like an organ; not derived from tissue."),
-            self,
-        )
-        self.publish_panel = PublishPanel(
-            desk, tr("Write one file that a trainee can open and feel."), self
-        )
-        self.repair_panel = RepairPanel(
-            desk, tr("A tissue needs a clean surface. Holes stay open, and are named."), self
-        )
-        self.test_panel = TestPanel(desk, self)
-        self.stage_dock = StageDock(
-            desk,
-            [self.import_panel, self.repair_panel, self.decimate_panel]
-            + [self.material_panel, self.test_panel, self.publish_panel],
-            self,
-        )
+        panels = build_panels(desk, self)
+        self.import_panel, self.decimate_panel = panels.importing, panels.decimate
+        self.material_panel, self.publish_panel = panels.material, panels.publish
+        self.test_panel = panels.test
+        self.stage_dock = StageDock(desk, panels.in_order(), self)
         self.log = LogDock(desk, self)
         self.docks = Docks(self)
         self.docks.build(
