@@ -65,7 +65,7 @@ class Job:
     def picture(self, name: str, widget=None) -> None:
         """Into the build folder, to be looked at."""
         shown = widget or self.window
-        QApplication.processEvents()
+        self.qtbot.wait(300)  # the view refines its picture while nothing moves
         self.count += 1
         path = self.folder / f"{self.theme}_{self.count:02d}_{name}.png"
         assert shown.grab().save(str(path))

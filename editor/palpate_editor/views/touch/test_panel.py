@@ -11,8 +11,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QPushButton,
-    QSizePolicy,
-    QTabWidget,
+    QTabBar,
     QVBoxLayout,
     QWidget,
 )
@@ -71,14 +70,18 @@ class TestPanel(StagePanel):
     # ------------------------------------------------------------ looks
 
     def build(self) -> None:
-        self.tabs = QTabWidget(self)
+        self.tabs = QTabBar(self)
         self.tabs.setObjectName("test_tabs")
-        self.tabs.setDocumentMode(True)
-        self.tabs.addTab(self._build_hand(), tr("By hand"))
-        self.tabs.addTab(self._build_press(), tr("Scripted press"))
+        self.tabs.setExpanding(False)
+        self.tabs.setDrawBase(False)
+        self.pages = [self._build_hand(), self._build_press()]
+        for title in (tr("By hand"), tr("Scripted press")):
+            self.tabs.addTab(title)
         self.tabs.currentChanged.connect(self._on_tab)
-        self._fit_tabs(HAND)
         self.form.addWidget(self.tabs)
+        for page in self.pages:
+            self.form.addWidget(page)
+        self._show_page(HAND)
         self.form.addLayout(self._build_buttons())
         self.state = write_label("", "lead", self)
         self.state.setWordWrap(True)
@@ -89,7 +92,7 @@ class TestPanel(StagePanel):
     def _build_hand(self) -> QWidget:
         page = QWidget(self)
         column = QVBoxLayout(page)
-        column.setContentsMargins(0, 10, 0, 4)
+        column.setContentsMargins(0, 2, 0, 4)
         words = write_label(
             tr(
                 "The mouse is the hand: move over the organ, hold the left button to press, and "
@@ -100,13 +103,12 @@ class TestPanel(StagePanel):
         )
         words.setWordWrap(True)
         column.addWidget(words)
-        column.addStretch(1)
         return page
 
     def _build_press(self) -> QWidget:
         page = QWidget(self)
         column = QVBoxLayout(page)
-        column.setContentsMargins(0, 10, 0, 4)
+        column.setContentsMargins(0, 2, 0, 4)
         self.press_form = PressForm(page)
         self.press_form.changed.connect(self._show_command)
         self.press_form.pick_toggled.connect(self._on_pick)
@@ -118,7 +120,6 @@ class TestPanel(StagePanel):
         self.command.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.command.setToolTip(tr("The same press from a command line, once published"))
         column.addWidget(self.command)
-        column.addStretch(1)
         return page
 
     def _build_buttons(self) -> QHBoxLayout:
@@ -195,16 +196,13 @@ class TestPanel(StagePanel):
 
     def _on_tab(self, index: int) -> None:
         self.stop()
-        self._fit_tabs(index)
+        self._show_page(index)
         self._show_marker()
 
-    def _fit_tabs(self, shown: int) -> None:
-        """As high as the page in front, not as the highest."""
-        for i in range(self.tabs.count()):
-            height = QSizePolicy.Policy.Preferred if i == shown else QSizePolicy.Policy.Ignored
-            self.tabs.widget(i).setSizePolicy(QSizePolicy.Policy.Preferred, height)
-        self.tabs.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
-        self.tabs.updateGeometry()
+    def _show_page(self, shown: int) -> None:
+        # not a stack of pages: that would be as high as the highest of them
+        for i, page in enumerate(self.pages):
+            page.setVisible(i == shown)
 
     def _on_stage(self, stage: str) -> None:
         if stage != self.stage:
