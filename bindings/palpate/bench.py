@@ -50,6 +50,10 @@ def bench_meshes(paths: Sequence[Path], vertices: Sequence[int], budget: float) 
                     "p99_us": 1e6 * row.p99,
                     "naive_median_us": 1e6 * row.naive_median,
                     "ratio_to_naive": row.ratio_to_naive,
+                    "ns_per_element": row.ns_per_element(),
+                    "share_of_bound": row.share_of_bound or None,
+                    "simd_target": row.simd_target,
+                    "compiler_flags": row.compiler_flags,
                     "physics": row.physics,
                 }
             )

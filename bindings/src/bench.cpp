@@ -22,8 +22,18 @@ void bind_bench(py::module_& m) {
       .def_readonly("naive_median", &BenchRow::naive_median, "[s] of the naive form.")
       .def_readonly("ratio_to_naive", &BenchRow::ratio_to_naive,
                     "[-] naive_median / median: above 1 is faster than naive.")
+      .def_readonly("elements", &BenchRow::elements,
+                    "Links, triangles or queries that the time is for; 1 for a tick.")
+      .def_readonly("share_of_bound", &BenchRow::share_of_bound,
+                    "[-] The least time this machine needs, by its measured arithmetic and memory, "
+                    "over median; 0 where no such time is stated.")
+      .def_readonly("simd_target", &BenchRow::simd_target,
+                    "'AVX3', 'AVX2', ...; empty for plain code.")
+      .def_readonly("compiler_flags", &BenchRow::compiler_flags, "Of all forms alike.")
+      .def("ns_per_element", &BenchRow::ns_per_element, "[ns]")
       .def_readonly("physics", &BenchRow::physics, "What is in it, in words.");
-  def_repr(row, {"work", "vertices", "median", "p99", "naive_median", "ratio_to_naive", "physics"});
+  def_repr(row, {"work", "vertices", "median", "p99", "naive_median", "ratio_to_naive",
+                 "share_of_bound", "simd_target", "physics"});
   py::class_<BenchOptions> options(m, "BenchOptions");
   options
       .def(py::init([](double budget, int least_runs) {

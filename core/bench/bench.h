@@ -16,7 +16,16 @@ struct BenchRow {
   double p99 = 0.0;             ///< [s]
   double naive_median = 0.0;    ///< [s] of the naive form
   double ratio_to_naive = 0.0;  ///< [-] naive_median / median: above 1 is faster than naive
-  std::string physics;          ///< what is in it, in words
+  double elements = 1.0;        ///< links, triangles or queries that the time is for; 1 for a tick
+  /// [-] the least time this machine needs, by its measured arithmetic and memory, over median; 0
+  /// where no such time is stated
+  double share_of_bound = 0.0;
+  std::string simd_target;     ///< "AVX3", "AVX2", ...; empty for plain code
+  std::string compiler_flags;  ///< of all forms alike
+  std::string physics;         ///< what is in it, in words
+
+  /// [ns]
+  double ns_per_element() const noexcept { return 1e9 * median / elements; }
 };
 
 struct BenchOptions {

@@ -7,23 +7,20 @@
 
 namespace palpate {
 
-inline constexpr std::size_t kCacheLine = 64;
-
 /// Memory that begins with a cache line, so that no vector of up to 64 bytes lies across two.
 template <class T>
 struct CacheAlignedAllocator {
   using value_type = T;
+  static constexpr std::align_val_t kCacheLine{64};
 
   CacheAlignedAllocator() = default;
   template <class U>
   CacheAlignedAllocator(const CacheAlignedAllocator<U>&) noexcept {}
 
   T* allocate(std::size_t count) {
-    return static_cast<T*>(::operator new(count * sizeof(T), std::align_val_t(kCacheLine)));
+    return static_cast<T*>(::operator new(count * sizeof(T), kCacheLine));
   }
-  void deallocate(T* memory, std::size_t) noexcept {
-    ::operator delete(memory, std::align_val_t(kCacheLine));
-  }
+  void deallocate(T* memory, std::size_t) noexcept { ::operator delete(memory, kCacheLine); }
   friend bool operator==(const CacheAlignedAllocator&, const CacheAlignedAllocator&) = default;
 };
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "palpate/sim/base/refuse.h"
+#include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/dynamics/packed_kernels.h"
 #include "palpate/sim/dynamics/packed_order.h"
 #include "palpate/sim/dynamics/tensions.h"
@@ -258,15 +259,15 @@ const packed_kernels::Kernels& find_kernels(std::string_view target) {
     if (target.empty() || target == kernels->target) return *kernels;
   }
   std::string expected = "one of";
-  for (const std::string_view name : simd_targets()) expected += " " + std::string(name);
+  for (const std::string& name : simd_targets()) expected += " " + name;
   refuse("pack: target", target.empty() ? "a Palpate without vector code" : std::string(target),
          simd_targets().empty() ? "one built with PALPATE_SIMD" : expected);
 }
 
 }  // namespace
 
-std::vector<std::string_view> simd_targets() {
-  std::vector<std::string_view> names;
+std::vector<std::string> simd_targets() {
+  std::vector<std::string> names;
   for (const packed_kernels::Kernels* kernels : packed_kernels::available()) {
     names.emplace_back(kernels->target);
   }

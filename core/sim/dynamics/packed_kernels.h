@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "palpate/sim/dynamics/packed.h"
+#include "palpate/sim/dynamics/packed_model.h"
 
 namespace palpate::packed_kernels {
 

@@ -9,7 +9,7 @@
 
 #include <hwy/highway.h>
 
-#include "palpate/sim/dynamics/packed.h"
+#include "palpate/sim/dynamics/packed_model.h"
 
 #if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();

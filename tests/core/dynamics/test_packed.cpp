@@ -112,7 +112,7 @@ TEST_CASE("packed forces are the reference's to 1e-5 on every model kind and vec
     Vec3Array expected(model.mass.size());
     compute_forces(model, load, state.position, state.velocity, expected);
     for (const int i : model.fixed) expected[i].setZero();
-    for (const auto target : simd_targets()) {
+    for (const std::string& target : simd_targets()) {
       CAPTURE(t);
       CAPTURE(target);
       const Vec3Array found = compute_packed_forces(pack(model, target), model, load, state);
@@ -137,7 +137,7 @@ TEST_CASE("after 0.1 s a packed tissue is where the reference is, to 1e-4 mm") {
     load.gravity *= 0.1;
     State reference = start;
     for (int s = 0; s < steps; ++s) step(model, load, dt, reference);
-    for (const auto target : simd_targets()) {
+    for (const std::string& target : simd_targets()) {
       CAPTURE(t);
       CAPTURE(target);
       const State packed = run_packed(pack(model, target), model, load, start, dt, steps);

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/bench/time_steps.h"
+
+#include <algorithm>
+#include <random>
+
+#include "palpate/bench/limits.h"
+#include "palpate/bench/naive.h"
+#include "palpate/bench/timing.h"
+#include "palpate/sim/dynamics/packed.h"
+#include "palpate/sim/dynamics/step.h"
+#include "palpate/sim/mesh/measure.h"
+
+namespace palpate::bench {
+namespace {
+
+constexpr int kAgreementSteps = 20;
+/// [m] Both in double, they run different operations: only rounding may differ.
+constexpr double kDoubleAgreement = 1e-9;
+/// [m] A float rounds forces to some 1e-6; what tests/core/dynamics/test_packed.cpp allows 0.1 s.
+constexpr double kFloatAgreement = 1e-7;
+
+TissueModel without_dashpots(TissueModel model) {
+  std::fill(model.springs.damping.begin(), model.springs.damping.end(), 0.0);
+  std::fill(model.bonds.damping.begin(), model.bonds.damping.end(), 0.0);
+  return model;
+}
+
+bool is_damped(const Links& links) {
+  return std::any_of(links.damping.begin(), links.damping.end(), [](double c) { return c > 0.0; });
+}
+
+/// What a step does, counted in the kernels: float operations and bytes of each element.
+struct Count {
+  double operations, bytes;
+};
+
+Count count_step(const TissueModel& model) {
+  const bool damped = is_damped(model.springs) || is_damped(model.bonds);
+  const double particles = particle_count(model);
+  const double link_ends = 2.0 * static_cast<double>(model.springs.ends.size());
+  const double triangles = static_cast<double>(model.angles.corners.size());
+  // per link end: differences 3, square 5, inverse root 5, scale 2, force 6; a dashpot 3 + 5 + 5
+  const double per_end = damped ? 34.0 : 21.0;
+  // per triangle: sides 9, squares 15, roots 15, lengths, cosines 18, tensions 45, pulls 18, sums 9
+  const double per_triangle = damped ? 173.0 : 134.0;
+  // a particle: rest, displacement, velocity and rows read and written
+  const double per_particle = damped ? 130.0 : 98.0;
+  return {per_end * link_ends + per_triangle * triangles + 30.0 * particles,
+          (damped ? 16.0 : 12.0) * link_ends + (damped ? 48.0 : 36.0) * triangles +
+              per_particle * particles};
+}
+
+BenchRow time_packed(const TissueModel& model, const Load& load, double dt, const State& start,
+                     const std::function<void()>& naively, const BenchOptions& options) {
+  const PackedModel packed = pack(model);
+  PackedState state(packed, model, start);
+  BenchRow row = time_against(
+      options, 1, [&] { step(packed, load, dt, state); }, naively);
+  row.simd_target = simd_target(packed);
+  row.share_of_bound = bound_step(model) / row.median;
+  return row;
+}
+
+/// [m] How far apart the naive form and ours are after some steps from the same start.
+double compare_ends(const TissueModel& model, const Load& load, double dt, const State& start) {
+  State naive = start, ours = start;
+  for (int s = 0; s < kAgreementSteps; ++s) step_naively(model, load, dt, naive);
+  if (simd_targets().empty()) {
+    for (int s = 0; s < kAgreementSteps; ++s) step(model, load, dt, ours);
+  } else {
+    const PackedModel packed = pack(model);
+    PackedState running(packed, model, start);
+    for (int s = 0; s < kAgreementSteps; ++s) step(packed, load, dt, running);
+    unpack(packed, model, running, ours);
+  }
+  return largest_difference(ours.position, naive.position);
+}
+
+BenchRow time_step(const std::string& work, const std::string& terms, const TissueModel& model,
+                   double dt, const BenchOptions& options) {
+  Load load;
+  load.gravity = {0.0, 0.0, -9.81};
+  const State start = shake(model);
+  const bool packed = !simd_targets().empty();
+  require_agreement(work, compare_ends(model, load, dt, start),
+                    packed ? kFloatAgreement : kDoubleAgreement);
+
+  State naive = start, ours = start;
+  const auto naively = [&] { step_naively(model, load, dt, naive); };
+  BenchRow row = packed ? time_packed(model, load, dt, start, naively, options)
+                        : time_against(
+                              options, 1, [&] { step(model, load, dt, ours); }, naively);
+  row.work = work;
+  row.elements =
+      static_cast<double>(std::max(model.springs.ends.size(), model.angles.corners.size()));
+  row.physics = terms + ", home, drag, gravity; symplectic Euler, " +
+                (packed ? "packed kernel in float" : "reference kernel in double");
+  return row;
+}
+
+}  // namespace
+
+State shake(const TissueModel& model) {
+  State state(model);
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> offset(-1.0, 1.0);
+  const double size = 1e-3 * compute_diagonal(model.rest_position);
+  for (Vec3& x : state.position) x += size * Vec3(offset(random), offset(random), offset(random));
+  for (const int i : model.fixed) {
+    state.position[static_cast<std::size_t>(i)] = model.rest_position[static_cast<std::size_t>(i)];
+  }
+  return state;
+}
+
+double bound_step(const TissueModel& model) {
+  if (simd_targets().empty()) return 0.0;
+  const Count count = count_step(model);
+  const Limits limits =
+      measure_limits(simd_targets().front(), static_cast<std::size_t>(count.bytes));
+  return compute_bound(limits, count.operations, count.bytes);
+}
+
+std::vector<BenchRow> time_steps(const Scene& mass_spring, const Scene& molecular,
+                                 const BenchOptions& options) {
+  const double mss_dt = 1.0 / mass_spring.rate / mass_spring.substeps;
+  const double mms_dt = 1.0 / molecular.rate / molecular.substeps;
+  const TissueModel& springs = mass_spring.tissue;
+  const TissueModel& bonds = molecular.tissue;
+  return {
+      time_step("mss_step", "springs", without_dashpots(springs), mss_dt, options),
+      time_step("mss_dashpot_step", "springs with dashpots", springs, mss_dt, options),
+      time_step("mms_step", "bonds, angles, stretch-bend", without_dashpots(bonds), mms_dt,
+                options),
+      time_step("mms_dashpot_step", "bonds with dashpots, angles, stretch-bend", bonds, mms_dt,
+                options),
+  };
+}
+
+}  // namespace palpate::bench

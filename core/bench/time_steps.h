@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/bench/bench.h"
+#include "palpate/sim/dynamics/state.h"
+
+namespace palpate::bench {
+
+/// A body in motion: every particle off its rest by a thousandth of the diagonal.
+State shake(const TissueModel& model);
+
+/// [s] that a step of a model takes at least on this machine, counted by hand: the roofline.
+double bound_step(const TissueModel& model);
+
+/// The steps of both scenes, without and with dashpots.
+std::vector<BenchRow> time_steps(const Scene& mass_spring, const Scene& molecular,
+                                 const BenchOptions& options);
+
+}  // namespace palpate::bench
