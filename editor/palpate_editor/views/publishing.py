@@ -19,6 +19,9 @@ from palpate_editor.views.files import Files
 from palpate_editor.views.jobs import Progress
 from palpate_editor.views.words import tr
 
+GRACE = 2000
+"""[ms] for a player to end by itself."""
+
 
 @dataclass(frozen=True, eq=False)
 class PublishWork:
@@ -119,7 +122,13 @@ class Publishing(QObject):
                 self.desk.tell(tr("The player ended: {words}").format(words=last))
 
     def finish(self) -> None:
-        """The players go on without us."""
+        """The players end with the window that started them."""
         for player in self.players:
             player.errorOccurred.disconnect()
             player.finished.disconnect()
+            player.terminate()
+        for player in self.players:
+            if not player.waitForFinished(GRACE):
+                player.kill()
+                player.waitForFinished(GRACE)
+        self.players.clear()

@@ -235,6 +235,7 @@ class MainWindow(QMainWindow):
         self.tools.use_colours(colours)
         self.actions_by_name.use_colours(colours)
         self.stage_dock.show_assessment()
+        self.stage_dock.fit()
 
     # ------------------------------------------------------------ extras
 

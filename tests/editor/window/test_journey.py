@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from conftest import settle
+from conftest import PATIENCE, settle
 from hands import CONTROL, SHIFT, action, child, choose_file, click, drop, log_of, press, type_into
 from palpate import scenario
 from palpate_editor.document.files import read_organ
@@ -155,6 +155,25 @@ def test_saving_when_asked_goes_on_to_what_was_wanted(qtbot, spleen_window, tmp_
 
     assert window.session.organ.surface is None
     assert read_organ(tmp_path / "mine.organ").model.kind == "molecular"
+
+
+def test_play_starts_the_player_in_a_process_of_its_own(qtbot, spleen_window, tmp_path):
+    window = spleen_window
+    type_into_title(window, "A spleen")
+    settle(qtbot, window)
+    assert not child(window, "play").isEnabled()
+    window.publishing.publish(tmp_path / "spleen.palpate")
+    settle(qtbot, window)
+
+    click(child(window, "play"))
+
+    player = window.publishing.players[0]
+    assert player.waitForStarted(PATIENCE)
+    assert player.processId() != 0
+    assert f"palpate play {tmp_path / 'spleen.palpate'}" in log_of(window)
+    player.kill()
+    qtbot.waitUntil(lambda: "The player ended" in window.messages.text, timeout=PATIENCE)
+    assert window.publishing.players == []
 
 
 def test_publishing_is_refused_with_the_red_checks(qtbot, spleen_window):

@@ -84,6 +84,8 @@ def test_no_text_is_cut_off_in_either_language(qtbot, make_editor):
             window.show_stage(stage)
             qtbot.wait(1)
             panel = window.stage_dock.panels[stage]
+            room = window.stage_dock.stack.currentWidget().viewport().width()
+            assert panel.width() <= room, (language, stage)
             for widget in [*panel.findChildren(QLabel), *panel.findChildren(QAbstractButton)]:
                 if widget.isVisible() and not (isinstance(widget, QLabel) and widget.wordWrap()):
                     assert widget.width() >= widget.minimumSizeHint().width(), (
