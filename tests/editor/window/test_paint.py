@@ -5,7 +5,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from palpate_editor.views.touch import FixTool, SelectTool, StiffnessTool
+from palpate_editor.views.touch import (
+    FixTool,
+    SelectTool,
+    StiffnessTool,
+    select_tool,
+    surface_keeper,
+)
 from palpate_editor.views.touch.stroke import Brush
 from PySide6.QtCore import QPoint, Qt
 from touch_desk import THIN, build_organ, click, drag, hover, middle, open_desk, turn_wheel
@@ -254,3 +260,29 @@ def test_a_selection_is_fixed_freed_and_stiffened_in_one_step_each(desk, qtbot):
     assert not desk.session.organ.fixed[chosen].any()
     assert (desk.session.organ.stiffness_scale[chosen] == 3.0).all()
     assert (desk.session.organ.stiffness_scale[~chosen] == 1.0).all()
+
+
+# ---------------------------------------------------------------- large surfaces
+
+
+def test_a_large_surface_is_painted_and_selected_by_threads_with_the_same_result(
+    qtbot, settings, monkeypatch
+):
+    found = []
+    for quick in (10**9, 0):
+        monkeypatch.setattr(surface_keeper, "QUICK", quick)
+        monkeypatch.setattr(select_tool, "QUICK_TO_SEE", quick)
+        with open_desk(qtbot, build_organ(vertices=2000), settings) as desk:
+            fix, select, at = FixTool(desk, Brush()), SelectTool(desk), middle(desk.view)
+            fix.activate()
+            qtbot.waitUntil(lambda fix=fix: fix.find_painted() is not None)
+            drag(desk.view, at, at + RIGHT)
+            fix.deactivate()
+            select.activate()
+            with qtbot.waitSignal(select.selection_changed, timeout=20000):
+                drag(desk.view, at - QPoint(90, 90), at + QPoint(90, 90))
+            found.append((desk.session.organ.fixed, select.selected))
+
+    (fixed, selected), (late_fixed, late_selected) = found
+    assert fixed.sum() > build_organ(vertices=2000).fixed.sum() and selected.sum() > 20
+    assert (fixed == late_fixed).all() and (selected == late_selected).all()

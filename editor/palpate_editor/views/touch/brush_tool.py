@@ -19,6 +19,7 @@ from palpate_editor.views.touch.brush_options import BrushOptions
 from palpate_editor.views.touch.colours import show_painted
 from palpate_editor.views.touch.painted_surface import FIRST_RADIUS, PaintedSurface, Spot
 from palpate_editor.views.touch.stroke import Brush, Stroke
+from palpate_editor.views.touch.surface_keeper import keeper_of
 from palpate_editor.views.words import tr
 
 GROWTH = 1.15
@@ -77,6 +78,7 @@ class BrushTool(QObject):
         self.keys: BrushKeys | None = None
         """Those of all brushes, where there is a menu for them."""
         self.active = False
+        self._keeper = keeper_of(desk)
         self._painted: PaintedSurface | None = None
         self._stroke: Stroke | None = None
         self._last: QPointF | None = None
@@ -138,16 +140,14 @@ class BrushTool(QObject):
         self.desk.apply(self.paint.erase(ids))
 
     def find_painted(self) -> PaintedSurface | None:
-        """The surface to paint on; None while there is no organ."""
-        surface = self.desk.session.organ.surface
-        if surface is None:
-            self._painted = None
-        elif self._painted is None or self._painted.surface is not surface:
-            self._painted = PaintedSurface(surface)
-            low, high = FIRST_RADIUS / 8 * self._painted.diagonal, self._painted.diagonal / 2
+        """The surface to paint on; None while there is none that is ready."""
+        painted = self._keeper.find()
+        if painted is not None and painted is not self._painted:
+            low, high = FIRST_RADIUS / 8 * painted.diagonal, painted.diagonal / 2
             if not low < self.brush.radius < high:
-                self.set_radius(FIRST_RADIUS * self._painted.diagonal)
-        return self._painted
+                self.set_radius(FIRST_RADIUS * painted.diagonal)
+        self._painted = painted
+        return painted
 
     def _take_organ(self, before: Organ, after: Organ) -> None:
         del before

@@ -13,13 +13,16 @@ from PySide6.QtGui import QAction, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication, QRubberBand, QWidget
 
 from palpate_editor.brush import select_linked
-from palpate_editor.document import Organ
+from palpate_editor.document import Organ, Surface
 from palpate_editor.edits import FixVertices, PaintStiffness
 from palpate_editor.views.touch.colours import show_fixed, show_painted, show_stiffness
 from palpate_editor.views.touch.painted_surface import PaintedSurface, Spot
-from palpate_editor.views.touch.selection import find_in_rectangle, keep_visible
+from palpate_editor.views.touch.selection import find_in_rectangle
+from palpate_editor.views.touch.surface_keeper import SeenWork, keeper_of
 from palpate_editor.views.words import tr
 
+QUICK_TO_SEE = 3000
+"""Vertices that are looked at between two pictures."""
 CONTROL, ALT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier
 
 
@@ -36,7 +39,10 @@ class SelectTool(QObject):
         self.desk = desk
         self.active = False
         self.selected: NDArray[np.bool_] = np.zeros(desk.session.organ.vertex_count, bool)
+        self._keeper = keeper_of(desk)
         self._painted: PaintedSurface | None = None
+        self._late: tuple[Surface, Any] | None = None
+        """What waits for a thread to find what is seen: of which surface, with which keys."""
         self._start: QPoint | None = None
         self._band: QRubberBand | None = None
         self._options: QWidget | None = None
@@ -103,7 +109,6 @@ class SelectTool(QObject):
     def _take_organ(self, before: Organ, after: Organ) -> None:
         if before.surface is not after.surface or len(self.selected) != after.vertex_count:
             self.selected = np.zeros(after.vertex_count, bool)
-            self._painted = None
             self.selection_changed.emit()
         if self.active:
             self.show_organ(self.desk.session.organ)
@@ -202,10 +207,10 @@ class SelectTool(QObject):
         start, end = self._start, event.position().toPoint()
         self._end_band()
         if drawn:
-            ids = self._find_seen(view, start, end)
-        else:
-            found = view.pick(event.position())
-            ids = np.array([] if found is None else [self._nearest(found)], dtype=np.intp)
+            self._select_seen(view, start, end, event.modifiers())
+            return True
+        found = view.pick(event.position())
+        ids = np.array([] if found is None else [self._nearest(found)], dtype=np.intp)
         self.select(ids, event.modifiers())
         return True
 
@@ -236,21 +241,27 @@ class SelectTool(QObject):
         self._start = self._band = None
 
     def _find_painted(self) -> PaintedSurface | None:
-        surface = self.desk.session.organ.surface
-        if surface is not None and (self._painted is None or self._painted.surface is not surface):
-            self._painted = PaintedSurface(surface)
-        return self._painted if surface is not None else None
+        self._painted = self._keeper.find()
+        return self._painted
 
     def _nearest(self, found: palpate.SurfacePoint) -> int:
         spot = Spot(found.triangle, np.array(found.weights), np.array(found.point), np.zeros(3))
         return self._painted.find_nearest(spot)
 
-    def _find_seen(self, view: Any, start: QPoint, end: QPoint) -> NDArray[np.intp]:
+    def _select_seen(self, view: Any, start: QPoint, end: QPoint, keys: Any) -> None:
+        """Takes what is seen in a rectangle; a little later where that is very much."""
         painted, camera = self._painted, view.camera
         pixels, depth = camera.project(painted.surface.vertices, (view.width(), view.height()))
         corners = [np.array([p.x(), p.y()], dtype=float) for p in (start, end)]
         ids = find_in_rectangle(np.where(depth[:, None] > 0.0, pixels, np.inf), *corners)
-        tree = palpate.AabbTree(painted.surface.vertices, painted.surface.triangles)
-        return keep_visible(
-            ids, painted.surface.vertices, painted.normals, tree, np.asarray(camera.eye())
-        )
+        work = SeenWork(painted, ids, np.asarray(camera.eye()))
+        if len(ids) <= QUICK_TO_SEE:
+            self.select(work(), keys)
+            return
+        self._late = painted.surface, keys
+        self.desk.jobs.start_unseen("selecting", work, self._take_late, self.desk.refuse)
+
+    def _take_late(self, ids: NDArray[np.intp]) -> None:
+        late, self._late = self._late, None
+        if late is not None and late[0] is self.desk.session.organ.surface:
+            self.select(ids, late[1])
