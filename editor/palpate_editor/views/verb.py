@@ -6,12 +6,16 @@ from __future__ import annotations
 import argparse
 import logging
 import os
+import signal
+import subprocess
 import sys
 from pathlib import Path
 
 from palpate.verb import Refusal, Report, Verb
 
 LANGUAGES = ("en", "tr")
+WITHOUT_WINDOW = "import, inspect, repair, decimate, material, check, press, publish"
+PROBE = "from PySide6.QtGui import QGuiApplication; QGuiApplication([])"
 
 
 def add_editor(word: argparse.ArgumentParser) -> None:
@@ -29,14 +33,29 @@ def has_display() -> bool:
     return any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"))
 
 
-def run_editor(call: argparse.Namespace) -> Report:
-    if call.file is not None and not call.file.is_file():
-        raise Refusal(call.file, "", "no such file", "an .organ, a .palpate or a mesh file")
+def require_display() -> None:
+    """Qt ends the whole program where it cannot reach a display. Raises RuntimeError."""
     if not has_display():
         raise RuntimeError(
             "the editor needs a display, and neither DISPLAY nor WAYLAND_DISPLAY is set; these "
-            "verbs do its work without one: inspect, import, decimate, material, check, publish"
+            f"verbs do its work without one: {WITHOUT_WINDOW}"
         )
+    if not sys.platform.startswith("linux") or os.environ.get("QT_QPA_PLATFORM"):
+        return
+    # somebody else's display, or one that is gone: only another process survives finding out
+    probe = subprocess.run([sys.executable, "-c", PROBE], capture_output=True, check=False)
+    if probe.returncode != 0:
+        name = os.environ.get("WAYLAND_DISPLAY") or os.environ.get("DISPLAY")
+        raise RuntimeError(
+            f"the display {name} cannot be reached; these verbs do the editor's work without one: "
+            f"{WITHOUT_WINDOW}"
+        )
+
+
+def run_editor(call: argparse.Namespace) -> Report:
+    if call.file is not None and not call.file.is_file():
+        raise Refusal(call.file, "", "no such file", "an .organ, a .palpate or a mesh file")
+    require_display()
     logging.basicConfig(level=logging.WARNING, format="palpate editor: %(message)s")
     return open_window(call.file, call.theme, call.language)
 
@@ -55,6 +74,8 @@ def open_window(file: Path | None, theme: str | None, language: str | None) -> R
     app.setApplicationName("Palpate Editor")
     app.setDesktopFileName("palpate-editor")
     editor = Editor(app, Settings(), theme=theme, language=language)
+    # Ctrl+C in the terminal: Qt's loop would not let Python hear it; what is unsaved is recovered
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
     editor.show()
     if file is not None:
         editor.window.files.open(file)

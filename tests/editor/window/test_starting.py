@@ -7,6 +7,7 @@ import os
 import signal
 import subprocess
 import sys
+import time
 
 import numpy as np
 import pytest
@@ -51,6 +52,34 @@ def test_without_a_display_the_verb_says_so_and_exits_1():
     assert done.returncode == 1
     assert "needs a display" in done.stderr
     assert "Traceback" not in done.stderr
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="cannot be had here: a display")
+def test_a_display_that_cannot_be_reached_is_a_sentence_too():
+    env = without_display() | {"DISPLAY": ":98765"}
+
+    done = subprocess.run(COMMAND, env=env, capture_output=True, text=True)
+
+    assert done.returncode == 1
+    assert "the display :98765 cannot be reached" in done.stderr
+
+
+def test_the_verb_opens_a_window_with_the_file_in_it(spleen, tmp_path):
+    """It goes on until it is closed; what it had open is there for a recovery."""
+    env = os.environ | {"QT_QPA_PLATFORM": "offscreen", "XDG_DATA_HOME": str(tmp_path)}
+    env |= {"XDG_CONFIG_HOME": str(tmp_path)}
+    started = subprocess.Popen([*COMMAND, str(spleen), "--theme", "light"], env=env)
+    folder = tmp_path / "palpate" / "recovery"
+
+    deadline = time.monotonic() + PATIENCE / 1000
+    while not list(folder.glob("*.organ")) and time.monotonic() < deadline:
+        assert started.poll() is None
+        time.sleep(0.05)
+    started.kill()
+    started.wait()
+
+    (kept,) = find_recoveries(folder)
+    assert kept.read().vertex_count == 4274
 
 
 def test_a_file_that_is_not_there_is_refused_before_a_window_opens(tmp_path):
