@@ -11,6 +11,10 @@ namespace {
 constexpr double kGlideTime = 15e-3;   // [s]
 constexpr double kFastestGlide = 1.0;  // [m/s]
 
+/// [s] The hand makes up no more than this at once. Where ticks are missed it falls behind instead:
+/// a longer way in one tick asks for more substeps, and those would cost the next ticks too.
+constexpr double kLongestGlide = 1.5e-3;
+
 /// Throws std::invalid_argument naming the first frame that is wrong.
 void validate(const std::vector<KeyFrame>& frames) {
   if (frames.empty()) {
@@ -80,8 +84,9 @@ HapticSample PointerDevice::read(double time) noexcept {
     position = wanted.position;
   } else if (dt > 0.0) {
     const Vec3 way = wanted.position - position;
-    const Vec3 part = way * (1.0 - std::exp(-dt / kGlideTime));
-    const double most = kFastestGlide * dt;
+    const double glide = std::min(dt, kLongestGlide);
+    const Vec3 part = way * (1.0 - std::exp(-glide / kGlideTime));
+    const double most = kFastestGlide * glide;
     const Vec3 move = part.norm() > most ? Vec3(part * (most / part.norm())) : part;
     // the last nanometre at once: a hand that rests must not creep for ever
     position = way.norm() < 1e-9 ? wanted.position : Vec3(position + move);

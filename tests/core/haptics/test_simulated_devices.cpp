@@ -140,6 +140,22 @@ TEST_CASE("a pointer's hand begins where it is first set, and glides from there 
   CHECK(device.read(0.301).velocity == Vec3::Zero());
 }
 
+TEST_CASE("a pointer's hand does not hurry after ticks that were missed") {
+  PointerDevice punctual, late;
+  HapticSample sample;
+  for (PointerDevice* device : {&punctual, &late}) {
+    device->set(sample);
+    device->read(0.0);
+  }
+  sample.position.z() = 0.004;
+  punctual.set(sample);
+  late.set(sample);
+
+  const double way = punctual.read(1.5e-3).position.z();
+  CHECK(way > 0.0);
+  CHECK(late.read(0.020).position.z() == way);
+}
+
 TEST_CASE("a pointer's hand is never faster than 1 m/s, however far the pointer jumps") {
   PointerDevice device;
   HapticSample sample;
