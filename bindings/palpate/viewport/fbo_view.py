@@ -66,7 +66,7 @@ class FboView(ViewBase, QWidget):
             self._explain(painter)
         else:
             with self._context:
-                self._draw()
+                self.paint_frame()
             painter.drawImage(self.rect(), self._image)
         painter.end()
         self.frame_drawn.emit()
@@ -99,17 +99,21 @@ class FboView(ViewBase, QWidget):
         self._image = QImage()
         super().refined()
 
-    def _draw(self) -> None:
-        """Brings the image up to date; its pixels live until the next one."""
+    def paint_frame(self) -> bool:
+        """Brings the image up to date; True where it had to be drawn. Our context must be current.
+
+        The pixels of the image live until the next one.
+        """
         assert self._canvas is not None
-        changed = self.draw_frame(self._canvas)
-        if not changed and not self._image.isNull():
-            return
+        drawn = self.draw_frame(self._canvas)
+        if not drawn and not self._image.isNull():
+            return False
         width, height = self.pixels()
         if self._pixels.shape[:2] != (height, width):
             self._pixels = np.empty((height, width, 4), np.uint8)
         self._canvas.read(self._pixels)
         self._image = QImage(self._pixels.data, width, height, QImage.Format.Format_RGBX8888)
+        return drawn
 
     def _explain(self, painter: QPainter) -> None:
         theme = self.scenery.theme

@@ -72,14 +72,19 @@ class GLView(ViewBase, QOpenGLWidget):
         self.scenery.build(self._context)
 
     def paintGL(self) -> None:
+        self.paint_frame()
+        self.frame_drawn.emit()
+
+    def paint_frame(self) -> bool:
+        """Shows the newest frame; True where it had to be drawn. Qt's context must be current."""
         if self._context is None or self._canvas is None:
-            return
-        self.draw_frame(self._canvas)
+            return False
+        drawn = self.draw_frame(self._canvas)
         screen = self._context.detect_framebuffer(self.defaultFramebufferObject())
         self._canvas.paste(screen, self.pixels())
         # moderngl leaves 1 behind, with which Qt's own text comes out garbled
         self.context().functions().glPixelStorei(GL_UNPACK_ALIGNMENT, 4)
-        self.frame_drawn.emit()
+        return drawn
 
     @contextmanager
     def in_context(self) -> Iterator[None]:

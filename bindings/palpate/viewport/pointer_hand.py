@@ -22,8 +22,13 @@ SPEED = 0.05
 HOLD_DELAY = 0.08
 """[s] between the arrival of the tip and its grip, for the device glides after its orders."""
 STEP_MS = 8
-LONGEST_STEP = 3e-3
-"""[m] of the tip over the surface at once: on a longer way it would cut through the organ."""
+WALK_SPEED = 0.25
+"""[m/s] of the tip over the surface: what comes faster may be a blow, and its ticks cost more."""
+LONGEST_STEP = 0.06
+"""[-] of the organ's half diagonal, at once, however long the window took for its last frame: on a
+longer way the tip would cut through the organ, and the device glides there within 15 ms."""
+LONGEST_PAUSE_MS = 40
+"""[ms] of depth that is made up at once."""
 SMALLEST_PRESS, LARGEST_PRESS = 2e-3, 6e-3
 """[m]"""
 
@@ -62,6 +67,7 @@ class PointerHand(QObject):
         self.press_depth = min(max(0.08 * reach, SMALLEST_PRESS), LARGEST_PRESS)
         """[m] how deep the left button presses."""
         self._clearance, self._notch = 0.03 * reach, 0.01 * reach
+        self._longest_step = LONGEST_STEP * reach
         self._deepest, self._highest = 0.8 * reach, 0.8 * reach
         top = find_top(scene)
         self._base, self._outward = np.array(top.point), np.array(top.outward)
@@ -75,6 +81,8 @@ class PointerHand(QObject):
         self._timer.setInterval(STEP_MS)
         self._timer.timeout.connect(self.advance)
         self._last_step = QElapsedTimer()
+        self._last_walk = QElapsedTimer()
+        self._last_walk.start()
         self._send()
 
     @property
@@ -168,7 +176,7 @@ class PointerHand(QObject):
 
     def settle(self) -> None:
         """Goes at once where the pointer wants the tip, for scripts that have no time."""
-        while self._walk():
+        while self._walk(self._longest_step):
             self._send()
         self._depth = self._wanted
         self._buttons = palpate.kAttachButton if self.grip is Grip.holding else 0
@@ -198,22 +206,28 @@ class PointerHand(QObject):
         length = float(np.linalg.norm(outward))
         return outward / length if length > 0.0 else self._outward
 
-    def _walk(self) -> bool:
-        """A step of the tip towards its goal; False once it is there.
+    def _measure_step(self) -> float:
+        """[m] that the tip may go since it went last, however many events came in a burst."""
+        passed = 1e-9 * self._last_walk.nsecsElapsed()
+        self._last_walk.start()
+        return min(self._longest_step, WALK_SPEED * passed)
+
+    def _walk(self, longest: float) -> bool:
+        """A step of the tip towards its goal, at most `longest` [m]; False once it is there.
 
         A tip that hovers, or is on its way to where it shall press, goes around the organ: where it
         would come below the surface, it follows the surface. Then it moves freely.
         """
         way = self._goal - self._base
         length = float(np.linalg.norm(way))
-        arrives = length <= LONGEST_STEP
-        base = self._goal if arrives else self._base + way * (LONGEST_STEP / length)
+        arrives = length <= longest
+        base = self._goal if arrives else self._base + way * (longest / length)
         if self.grip is Grip.hovering or self._is_coming:
             near = palpate.find_closest_point(self._tree, self._x, base)
             outward = self._find_outward(near)
             if (base - np.asarray(near.point)) @ outward <= 0.0:
                 base, self._outward = np.array(near.point), outward
-        blocked = np.linalg.norm(base - self._base) < 1e-6
+        blocked = np.linalg.norm(base - self._base) < 1e-3 * longest
         self._base = base
         there = bool(arrives or blocked)
         self._is_coming = self._is_coming and not there
@@ -239,7 +253,7 @@ class PointerHand(QObject):
 
     def _move_on(self) -> None:
         """Sets the tip in motion; a short way is done at once."""
-        self._walk()
+        self._walk(self._measure_step())
         self._send()
         self._still.start()
         if not self._timer.isActive():
@@ -248,12 +262,12 @@ class PointerHand(QObject):
 
     def advance(self) -> None:
         """A step over the surface; then one to the depth; then, after a while, the grip."""
-        if self._walk():
+        if self._walk(self._measure_step()):
             self._still.start()
             self._last_step.start()
             self._send()
             return
-        most = SPEED * 1e-3 * max(1, self._last_step.restart())
+        most = SPEED * 1e-3 * min(max(1, self._last_step.restart()), LONGEST_PAUSE_MS)
         way = self._wanted - self._depth
         self._depth += min(max(way, -most), most)
         if abs(way) > most:
