@@ -44,7 +44,14 @@ ARROWS = {
     "editor/palpate_editor/app": (*DESK, "PySide6.QtCore", "PySide6.QtGui"),
     "editor/palpate_editor/views": ("palpate_editor", "palpate", "numpy", *QT),
     "editor/palpate_editor": ("palpate_editor", "palpate_meshes", "palpate", "numpy"),
-    "meshes": ("palpate_meshes", "palpate_editor.authoring", "numpy", "scipy", "skimage"),
+    "meshes/generate": (
+        "palpate_meshes.generate",
+        "palpate_editor.authoring",
+        "numpy",
+        "scipy",
+        "skimage",
+    ),
+    "meshes": ("palpate_meshes", "palpate_editor", "palpate", "numpy", "scipy"),
 }
 """Folder -> what its modules may import beside the standard library; the longest match counts."""
 
