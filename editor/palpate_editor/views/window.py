@@ -14,6 +14,7 @@ from palpate_editor.app.session import Session
 from palpate_editor.app.settings import Settings
 from palpate_editor.document import Organ
 from palpate_editor.views.action_set import ActionSet
+from palpate_editor.views.axis_gizmo import AxisGizmo
 from palpate_editor.views.deeds import Deeds
 from palpate_editor.views.desk import Desk
 from palpate_editor.views.display import Display
@@ -87,6 +88,7 @@ class MainWindow(QMainWindow):
         column.addWidget(self.messages)
         column.addWidget(self.view, 1)
         self.setCentralWidget(centre)
+        self.gizmo = AxisGizmo(self.view)
         self.welcome = Welcome(self.desk, self.view)
 
     def build_panels(self) -> None:
@@ -294,6 +296,5 @@ class MainWindow(QMainWindow):
         self.closed.emit()
 
     def close_now(self) -> None:
-        """Nothing is unsaved, or it was let go on purpose."""
         self.may_close = True
         self.close()

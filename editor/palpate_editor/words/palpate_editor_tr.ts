@@ -325,6 +325,10 @@
         <translation>Çizimi temizle</translation>
     </message>
     <message>
+        <source>Click on an end to look from there</source>
+        <translation>Oradan bakmak için bir uca tıklayın</translation>
+    </message>
+    <message>
         <source>Click on the organ where the tip shall press, Esc to leave</source>
         <translation>Ucun basacağı yere organın üzerinde tıklayın, çıkmak için Esc</translation>
     </message>

@@ -143,6 +143,16 @@ def test_views_look_along_the_axes(spleen_window):
     assert view.camera.basis()[2][2] < -0.99
 
 
+def test_a_click_on_an_end_of_the_axes_looks_from_there(qtbot, spleen_window):
+    gizmo, camera = spleen_window.gizmo, spleen_window.view.camera
+    _, _, place, _ = next(end for end in gizmo.ends() if end[:2] == ("x", 1))
+
+    qtbot.mouseClick(gizmo, Qt.MouseButton.LeftButton, pos=place.toPoint())
+
+    assert camera.basis()[2] == pytest.approx([-1.0, 0.0, 0.0], abs=1e-9)
+    assert gizmo.geometry().right() < spleen_window.view.width()
+
+
 def test_a_material_is_copied_and_pasted(qtbot, spleen_window):
     window, session = spleen_window, spleen_window.session
     window.deeds.use_mms()
