@@ -1277,6 +1277,26 @@
         <translation>Fare eldir: organın üzerinde gezdirin, basmak için sol düğmeyi tutun, daha derine basmak için tekerleği çevirin. Sağ düğme ya da Ctrl tutar ve çeker.</translation>
     </message>
     <message>
+        <source>Forget</source>
+        <translation>Unut</translation>
+    </message>
+    <message>
+        <source>Forget this name; nothing else changes</source>
+        <translation>Bu adı unutur; başka hiçbir şey değişmez</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Sakla</translation>
+    </message>
+    <message>
+        <source>Keep the selection under this name</source>
+        <translation>Seçimi bu adla saklar</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Bölge</translation>
+    </message>
+    <message>
         <source>The organ cannot be tested yet.</source>
         <translation>Organ henüz denenemez.</translation>
     </message>

@@ -262,6 +262,30 @@ def test_a_selection_is_fixed_freed_and_stiffened_in_one_step_each(desk, qtbot):
     assert (desk.session.organ.stiffness_scale[~chosen] == 1.0).all()
 
 
+def test_a_selection_is_kept_under_a_name_and_taken_up_again(desk, qtbot):
+    tool = SelectTool(desk)
+    tool.activate()
+    options = tool.options()
+    qtbot.addWidget(options)
+    row = options.regions
+    start = middle(desk.view)
+    drag(desk.view, start - QPoint(40, 40), start + QPoint(40, 40))
+    chosen = np.flatnonzero(tool.selected)
+    assert not row.keep.isEnabled()
+
+    qtbot.keyClicks(row.names.lineEdit(), "upper pole")
+    qtbot.mouseClick(row.keep, Qt.MouseButton.LeftButton)
+    assert desk.session.organ.regions["upper pole"].tolist() == chosen.tolist()
+
+    tool.select_none()
+    row.names.activated.emit(row.names.findText("upper pole"))
+    assert np.flatnonzero(tool.selected).tolist() == chosen.tolist()
+    qtbot.mouseClick(row.forget, Qt.MouseButton.LeftButton)
+    assert not desk.session.organ.regions and row.names.count() == 0
+    desk.session.history.undo()
+    assert row.names.itemText(0) == "upper pole"
+
+
 # ---------------------------------------------------------------- large surfaces
 
 

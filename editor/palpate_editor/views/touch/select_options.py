@@ -8,6 +8,7 @@ from typing import Any
 from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QWidget
 
 from palpate_editor.views.quantity_box import QuantityBox, QuantityRow
+from palpate_editor.views.touch.region_row import RegionRow
 from palpate_editor.views.words import count, tr
 
 FIRST_FACTOR = 3.0
@@ -41,6 +42,8 @@ class SelectOptions(QWidget):
         )
         grid.addWidget(self.factor, 2, 0)
         grid.addWidget(self.stiffen, 2, 1)
+        self.regions = RegionRow(tool, self)
+        grid.addWidget(self.regions, 3, 0, 1, 2)
         tool.selection_changed.connect(self.show_count)
         self.show_count()
 
