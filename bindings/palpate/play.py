@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import argparse
 import os
-import sys
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,6 +15,7 @@ from pathlib import Path
 import numpy as np
 
 import palpate
+from palpate.display import require_display
 from palpate.live import LiveRun
 from palpate.run import PUBLISHED, describe_build, describe_costs, is_published, run_device
 from palpate.script_file import read_script_file
@@ -170,20 +170,12 @@ def run_play(call: argparse.Namespace) -> Report:
     play = open_play(call.file, call.device, call.record, call.duration)
     if call.headless:
         return play_headless(play)
-    require_display()
     try:
         from palpate.player import play_in_window
     except ImportError as problem:
         raise RuntimeError(f"the window needs PySide6 ({problem}): {EXTRA}") from None
+    require_display("--headless plays a script without one")
     return play_in_window(play, language=call.language, theme=call.theme)
-
-
-def require_display() -> None:
-    """Qt would end the whole program where it finds no display. Raises RuntimeError."""
-    chosen = os.environ.get("QT_QPA_PLATFORM")
-    display = os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")
-    if sys.platform.startswith("linux") and not (chosen or display):
-        raise RuntimeError("there is no display to open a window on; --headless needs none")
 
 
 def describe_play_report(report: Report) -> str:

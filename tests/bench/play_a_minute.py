@@ -123,7 +123,7 @@ class Mouse:
         view = self._window.view
         middle = view.world_to_pixel(view.scenery.centre)
         turn = 2.0 * math.pi * now / ROUND
-        reach = 0.12 * view.height()
+        reach = 0.05 * view.height()
         return QPointF(
             middle.x() + reach * math.cos(turn), middle.y() + reach * math.sin(turn)
         ).toPoint()
@@ -153,6 +153,7 @@ def play(path: Path, seconds: float, size: tuple[int, int]) -> dict[str, Any]:
         time.sleep(1e-3)
     mouse.stop()
     report = window.report() | watch.report()
+    report["trouble"] = window.over.end.trouble.text()
     report["host"] = type(window.view).__name__
     window.close()
     window.deleteLater()

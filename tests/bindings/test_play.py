@@ -162,6 +162,10 @@ def test_without_a_display_or_pyside_the_window_says_what_is_missing(tmp_path, c
     code, _, err = call(capsys, "play", path)
     assert code == 1
     assert "there is no display" in err
+    monkeypatch.setenv("DISPLAY", ":98765")
+    code, _, err = call(capsys, "play", path)
+    assert code == 1
+    assert "the display :98765 cannot be reached; --headless" in err
 
     monkeypatch.setenv("QT_QPA_PLATFORM", "offscreen")
     monkeypatch.setitem(sys.modules, "palpate.player", None)

@@ -24,6 +24,7 @@ def test_every_tick_of_a_played_run_was_run_and_recorded_or_counted_as_missed(re
     assert report["rows"] == report["ticks"]
     assert report["complete"]
     assert report["record_gaps"] == 0
+    assert report["trouble"] == ""
 
 
 def test_what_was_played_with_a_mouse_replays_bit_by_bit(report):
