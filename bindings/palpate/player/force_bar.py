@@ -47,6 +47,11 @@ class ForceBar(QWidget):
         self.range = max(self.range, choose_range(self.peak, self.limit))
         self.update()
 
+    def rest(self) -> None:
+        """No force any more; the peak stays."""
+        self.force = self._shown = 0.0
+        self.update()
+
     def start_anew(self) -> None:
         self.force = self.peak = self._shown = 0.0
         self.range = choose_range(0.0, self.limit)

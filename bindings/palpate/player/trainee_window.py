@@ -170,6 +170,7 @@ class TraineeWindow(QWidget):
         run, self.run = self.run, None
         if run is None:
             return
+        self.over.force.rest()
         try:
             self._costs = run.finish()
         except OSError as problem:
