@@ -27,6 +27,8 @@ class Display(QObject):
         self.held = False
         """While the organ is being felt it belongs to the run."""
         self.drawn: Organ | None = None
+        self.left = 0
+        """[px] kept free for the legend."""
         desk.session.changed.connect(self.on_changed)
         desk.stage_shown.connect(self.on_stage)
         desk.assessed.connect(self.refresh_values)
@@ -95,6 +97,15 @@ class Display(QObject):
             view.show_selection(None)
         if view.tool is not None and hasattr(view.tool, "show_organ"):
             view.tool.show_organ(organ)  # a selection, or a stroke that goes on
+        self.make_room()
+
+    def make_room(self) -> None:
+        """The organ stands beside the legend, not under it, until somebody turns it."""
+        legend = self.desk.view.legend
+        left = 0 if legend.isHidden() else legend.geometry().right()
+        if left != self.left:
+            self.left = left
+            self.desk.view.keep_free(left=left)
 
     def choose(self) -> str:
         """Which property is shown now."""

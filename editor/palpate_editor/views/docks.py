@@ -60,7 +60,7 @@ class Docks:
         window.resizeDocks([docks["scene"], docks["history"]], [400, 190], Qt.Orientation.Vertical)
         window.resizeDocks([docks["log"]], [BELOW], Qt.Orientation.Vertical)
         below = [docks[name] for name in ("log", "force", "costs") if name in docks]
-        window.resizeDocks(below, [540, 300, 190][: len(below)], Qt.Orientation.Horizontal)
+        window.resizeDocks(below, [440, 380, 190][: len(below)], Qt.Orientation.Horizontal)
 
     def show(self, name: str) -> None:
         if name in self.docks:

@@ -20,7 +20,7 @@ from palpate_editor.views.desk import Desk
 from palpate_editor.views.icons import plain_icon
 from palpate_editor.views.stage_bar import STAGES, stage_title
 from palpate_editor.views.theme import fixed_font
-from palpate_editor.views.words import say, tr
+from palpate_editor.views.words import say, say_found, tr
 
 LINES = 2000
 """Kept in the log."""
@@ -76,7 +76,7 @@ class LogDock(QTabWidget):
         problems = [] if assessment is None else sorted(assessment.problems, key=rank)
         self.problems.clear()
         for problem in problems:
-            words = [stage_title(problem.stage), say(problem.found), say(problem.expected)]
+            words = [stage_title(problem.stage), say_found(problem), say(problem.expected)]
             item = QTreeWidgetItem(words)
             sign, colour = SIGNS[problem.severity]
             item.setIcon(0, plain_icon(sign, getattr(self.desk.colours, colour)))

@@ -30,6 +30,7 @@ class StageDock(QWidget):
         self.options.setContentsMargins(16, 10, 16, 4)
         self.options_holder = QWidget(self)
         self.options_holder.setLayout(self.options)
+        self.options_holder.setAutoFillBackground(True)
         self.options_holder.hide()
         column.addWidget(self.options_holder)
         self.stack = QStackedWidget(self)

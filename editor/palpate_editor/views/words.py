@@ -9,6 +9,8 @@ from typing import Any
 from PySide6.QtCore import QCoreApplication
 
 from palpate_editor.document import Phrase
+from palpate_editor.document.constants import CONSTANTS
+from palpate_editor.document.problems import Problem
 
 CONTEXT = "Editor"
 THIN_SPACE = "\N{NARROW NO-BREAK SPACE}"
@@ -27,6 +29,14 @@ def say(text: Any) -> Any:
         return template.format(**values) if values else template
     # names of constants are values of many sentences; any other text stays as it is
     return QCoreApplication.translate("constants", text) if isinstance(text, str) else text
+
+
+def say_found(problem: Problem) -> str:
+    """What was found, and of what where a number alone would not tell."""
+    found = say(problem.found)
+    constant = next((c for c in CONSTANTS if c.key == problem.where), None)
+    words = found if constant is None else f"{say(constant.label)}: {found}"
+    return words[:1].upper() + words[1:]
 
 
 def edit_title(title: str) -> str:

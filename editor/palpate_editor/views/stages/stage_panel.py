@@ -12,7 +12,7 @@ from palpate_editor.views.desk import Desk
 from palpate_editor.views.stage_bar import STAGES, stage_title
 from palpate_editor.views.stages.facts import CheckRow, Section, write_label
 from palpate_editor.views.theme import title_font
-from palpate_editor.views.words import say, tr
+from palpate_editor.views.words import say, say_found, tr
 
 TONES = {"error": "bad", "warning": "warning", "note": "faint"}
 
@@ -65,9 +65,8 @@ class StagePanel(QWidget):
 
     def words_of(self, problem: Problem) -> str:
         """A problem in words: what was found, and what was expected instead."""
-        found, expected = say(problem.found), say(problem.expected)
         return tr("{found}.\nExpected: {expected}.").format(
-            found=found[:1].upper() + found[1:], expected=expected
+            found=say_found(problem), expected=say(problem.expected)
         )
 
     # ------------------------------------------------------------ shared parts
