@@ -119,7 +119,7 @@ def liver_regions(p: Array, n: Array) -> dict[str, Array]:
     below = (underside(p) > -14.0) & (n[:, 2] < 0.25)
     tail = (caudate(p) < 2.0) & (n[:, 2] < 0.7)
     bed = (gallbladder_bed(p) < 2.5) & (n[:, 2] < 0.3)
-    square = below & (p[:, 0] > -34.0) & (to_the_left(p) < 0.0) & (y < 0.0)
+    square = below & (p[:, 0] > -14.0 + 0.342 * (y - 6.0)) & (to_the_left(p) < 0.0) & (y < 0.0)
     behind = (n[:, 1] > 0.6) & (z > 5.0)
     cava = vena_cava(p) < 2.5
     line = falciform_line(p) > 0.2

@@ -13,12 +13,12 @@ MARK = "# palpate: unit m, up z"
 
 
 def write_obj(path: str | os.PathLike[str], vertices: np.ndarray, triangles: np.ndarray) -> None:
-    """Writes v and f lines with 17 digits: reading them back gives the same bits.
+    """Writes v and f lines with the fewest digits that give the same bits when read back.
 
     The file is there whole or not at all.
     """
     lines = [MARK]
-    lines += [f"v {x:.17g} {y:.17g} {z:.17g}" for x, y, z in vertices]
+    lines += [f"v {x!r} {y!r} {z!r}" for x, y, z in np.asarray(vertices, float).tolist()]
     lines += [f"f {i} {j} {k}" for i, j, k in np.asarray(triangles) + 1]
     beside = Path(f"{os.fspath(path)}.{os.getpid()}.part")
     try:

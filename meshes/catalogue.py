@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What ships: CATALOGUE.toml and tissues.toml as plain values, and the files they speak of."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from palpate.mesh_file import read_mesh_file
+
+HERE = Path(__file__).parent
+PUBLISHED = HERE / "published"
+"""One OBJ in metres per organ, its regions beside it; tools in a folder of their own."""
+CATALOGUE, TISSUES = HERE / "CATALOGUE.toml", HERE / "tissues.toml"
+
+
+@dataclass(frozen=True)
+class Published:
+    """A constant of a tissue as the literature has it."""
+
+    quantity: str
+    """young_modulus, density, ..."""
+    unit: str
+    low: float
+    high: float
+    method: str
+    source: str
+    uncertain: bool
+    """Quoted by another source or from memory, and not looked up in the original."""
+
+
+@dataclass(frozen=True)
+class Look:
+    """How a tissue takes the light; colours are sRGB, 0 to 1."""
+
+    colour: tuple[float, float, float]
+    pattern_colour: tuple[float, float, float]
+    pattern_size: float
+    """[m] Of the spots of the second colour."""
+    pattern_strength: float
+    """[-] 0 none of the second colour, 1 all of it where the pattern is brightest."""
+    vein_strength: float
+    """[-] Of fine vessels."""
+    relief: float
+    """[-] How rough the light finds the surface."""
+    gloss: float
+    """[-] 0 dull, 1 wet."""
+    roughness: float
+    """[-] 0 a mirror, 1 chalk."""
+    softness: float
+    """[-] How far light creeps into the shade."""
+    vein_colour: tuple[float, float, float] = (0.45, 0.10, 0.10)
+
+
+@dataclass(frozen=True)
+class Tissue:
+    """What an organ is made of."""
+
+    name: str
+    title: str
+    kind: str
+    """solid, hollow, sheet or rigid."""
+    note: str
+    material: dict[str, float]
+    """Fields of a scene's material, SI."""
+    model: dict[str, Any]
+    """Fields of a scene's model, SI."""
+    published: tuple[Published, ...]
+    look: Look
+
+
+@dataclass(frozen=True)
+class Entry:
+    """An organ of the catalogue."""
+
+    name: str
+    title: str
+    generator: str
+    parameters: dict[str, float]
+    tissue: str
+    vertices: int
+    triangles: int
+    border: tuple[int, ...]
+    """Vertices of every border loop."""
+    sha256: str
+    """Of the OBJ."""
+    view: tuple[float, float]
+    """[degree] Azimuth and elevation from which it is known at a glance."""
+    task: str
+    """What a trainee is asked to do with it."""
+    size_mm: tuple[tuple[float, float], ...]
+    """[mm] Least and most of the box along x, y and z."""
+    size_source: str
+    volume_ml: tuple[float, float] | None = None
+    volume_source: str = ""
+
+    @property
+    def mesh(self) -> Path:
+        return PUBLISHED / f"{self.name}.obj"
+
+    @property
+    def regions(self) -> Path:
+        return PUBLISHED / f"{self.name}.regions.json"
+
+
+def read_catalogue() -> dict[str, Entry]:
+    """Every organ, in the order of the file."""
+    tables = tomllib.loads(CATALOGUE.read_text(encoding="utf-8"))["organs"]
+    return {name: Entry(name, **freeze(table)) for name, table in tables.items()}
+
+
+def read_tissues() -> dict[str, Tissue]:
+    """Every tissue, in the order of the file."""
+    tables = tomllib.loads(TISSUES.read_text(encoding="utf-8"))
+    return {
+        name: Tissue(
+            name=name,
+            title=table["title"],
+            kind=table["kind"],
+            note=table["note"],
+            material=table["material"],
+            model=table["model"],
+            published=tuple(Published(**row) for row in table["published"]),
+            look=Look(**freeze(table["look"])),
+        )
+        for name, table in tables.items()
+    }
+
+
+def read_terms() -> dict[str, str]:
+    """Author, licence, unit and axes, which all meshes share."""
+    tables = tomllib.loads(CATALOGUE.read_text(encoding="utf-8"))
+    return {key: value for key, value in tables.items() if isinstance(value, str)}
+
+
+def freeze(value: Any) -> Any:
+    """Lists, and the lists in them, as tuples."""
+    if isinstance(value, dict):
+        return {key: freeze(item) for key, item in value.items()}
+    return tuple(map(freeze, value)) if isinstance(value, list) else value
+
+
+def find_entry(name: str) -> Entry:
+    """Raises ValueError for a name that is not in the catalogue."""
+    entries = read_catalogue()
+    if name not in entries:
+        raise ValueError(f"organ {name!r}: expected one of {', '.join(entries)}")
+    return entries[name]
+
+
+def read_organ_mesh(name: str) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices [m] and triangles of a shipped organ. Raises ValueError or OSError."""
+    mesh = read_mesh_file(find_entry(name).mesh)
+    return np.asarray(mesh.vertices), np.asarray(mesh.triangles)
+
+
+def read_regions(name: str) -> dict[str, np.ndarray]:
+    """Named vertex sets of a shipped organ, each ascending. Raises ValueError or OSError."""
+    found = json.loads(find_entry(name).regions.read_text(encoding="utf-8"))
+    return {region: np.array(ids, np.int32) for region, ids in found["regions"].items()}
+
+
+def hash_bytes(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()
