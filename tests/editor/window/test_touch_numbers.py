@@ -144,7 +144,7 @@ def test_costs_are_shares_of_the_millisecond(qtbot):
     assert costs.text("lateness").split() == ["0.050", "ms", "5", "%"]
     assert costs.text("missed") == "3 / 1000"
 
-    costs.show_margin(0.00025, 0.0005)
+    costs.show_margin(0.00025, 2.0)
     assert costs.text("margin").split() == ["0.250", "ms", "50", "%"]
     costs.clear()
     assert costs.text("cost") == costs.text("margin")

@@ -131,9 +131,9 @@ class LiveCosts(QWidget):
         for name in self._numbers:
             self._show(name, NOTHING, None)
 
-    def show_margin(self, step: float, longest: float) -> None:
-        """The time step [s] of a scene and the longest stable one [s]."""
-        share = step / longest
+    def show_margin(self, step: float, margin: float) -> None:
+        """The time step [s] of a scene, and how many times longer it could be."""
+        share = 1.0 / margin
         self._show("margin", f"{1e3 * step:.3f} ms {100 * share:4.0f} %", share)
 
     def show_frame(self, frame: Any, rate: float) -> None:

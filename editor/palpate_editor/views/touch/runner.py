@@ -154,8 +154,9 @@ class Runner(QObject):
             view.tool = PointerHand(view, device, scene)
         self.plot.begin(self._name)
         self.costs.clear()
-        step = 1.0 / scene.rate / scene.substeps
-        self.costs.show_margin(step, palpate.stable_step(scene.tissue, scene.hold_stiffness))
+        facts = self.desk.assessment.tissue
+        if facts is not None and facts.margin:
+            self.costs.show_margin(1.0 / scene.rate / scene.substeps, facts.margin)
         self.trial.start()
         self.changed.emit()
 
