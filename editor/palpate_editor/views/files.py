@@ -4,14 +4,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 
 from palpate import FileError
-from palpate.verb import Refusal
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
+from palpate_editor.document import Organ
+from palpate_editor.open_organ import open_organ
 from palpate_editor.views.desk import Desk
+from palpate_editor.views.jobs import Progress
 from palpate_editor.views.words import tr
 
 DOCUMENTS = (".organ", ".palpate")
@@ -24,6 +27,25 @@ def is_document(path: Path) -> bool:
 
 def is_mesh(path: Path) -> bool:
     return path.suffix.lower() in MESHES
+
+
+@dataclass(frozen=True, eq=False)
+class Opened:
+    """A document that was read."""
+
+    path: Path
+    organ: Organ
+
+
+@dataclass(frozen=True)
+class OpenWork:
+    """Reads a document."""
+
+    path: Path
+
+    def __call__(self, progress: Progress) -> Opened:
+        progress(tr("Opening {file}").format(file=self.path.name), 0.1)
+        return Opened(self.path, open_organ(self.path))
 
 
 class Files(QObject):
@@ -118,17 +140,18 @@ class Files(QObject):
                 .format(file=path.name, meshes=", ".join(MESHES))
             )  # fmt: skip
             return
-        try:
-            self.desk.session.open(path)
-        except (FileError, Refusal, OSError, ValueError) as problem:
-            self.desk.refuse(problem)
-            return
+        if not self.desk.tasks.is_busy():
+            title = tr("Opening {file}").format(file=path.name)
+            self.desk.jobs.start(title, OpenWork(path), self.lay_down, self.desk.refuse)
+
+    def lay_down(self, opened: Opened) -> None:
+        """Puts what was read on the desk."""
+        path = opened.path
+        self.desk.session.lay_down(opened.organ, path)
         self.desk.settings.add_recent(path)
         self.desk.view.frame_all()
         self.desk.log_command(["palpate", "editor", path])
-        self.desk.show_stage(
-            "material" if self.desk.session.organ.surface is not None else "import"
-        )
+        self.desk.show_stage("import" if opened.organ.surface is None else "material")
 
     def drop(self, paths: list[Path]) -> None:
         """Files were dropped on the window: the first one that can be used is."""

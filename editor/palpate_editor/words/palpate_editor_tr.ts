@@ -533,6 +533,14 @@
         <translation>Kuvvetler {file} dosyasına aktarıldı</translation>
     </message>
     <message>
+        <source>Forget</source>
+        <translation>Unut</translation>
+    </message>
+    <message>
+        <source>Forget this name; nothing else changes</source>
+        <translation>Bu adı unutur; başka hiçbir şey değişmez</translation>
+    </message>
+    <message>
         <source>Found</source>
         <translation>Bulunan</translation>
     </message>
@@ -657,12 +665,20 @@
         <translation>Seçimi tersine çevir</translation>
     </message>
     <message>
+        <source>Keep</source>
+        <translation>Sakla</translation>
+    </message>
+    <message>
         <source>Keep the &amp;largest piece</source>
         <translation>En &amp;büyük parçayı tut</translation>
     </message>
     <message>
         <source>Keep the largest piece</source>
         <translation>En büyük parçayı tut</translation>
+    </message>
+    <message>
+        <source>Keep the selection under this name</source>
+        <translation>Seçimi bu adla saklar</translation>
     </message>
     <message>
         <source>Kept in {record}, with the organ beside it in {scene}.</source>
@@ -865,6 +881,10 @@
         <translation>&amp;Son açılanlar</translation>
     </message>
     <message>
+        <source>Opening {file}</source>
+        <translation>{file} açılıyor</translation>
+    </message>
+    <message>
         <source>Open…</source>
         <translation>Aç…</translation>
     </message>
@@ -1003,6 +1023,10 @@
     <message>
         <source>Red checks of any stage stand in the way. Each says what was found and what was expected.</source>
         <translation>Herhangi bir aşamanın kırmızı denetimi engeldir. Her biri bulunanı ve bekleneni söyler.</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Bölge</translation>
     </message>
     <message>
         <source>Repair</source>
@@ -1275,26 +1299,6 @@
     <message>
         <source>The mouse is the hand: move over the organ, hold the left button to press, and turn the wheel to press deeper. The right button, or Ctrl, takes hold and pulls.</source>
         <translation>Fare eldir: organın üzerinde gezdirin, basmak için sol düğmeyi tutun, daha derine basmak için tekerleği çevirin. Sağ düğme ya da Ctrl tutar ve çeker.</translation>
-    </message>
-    <message>
-        <source>Forget</source>
-        <translation>Unut</translation>
-    </message>
-    <message>
-        <source>Forget this name; nothing else changes</source>
-        <translation>Bu adı unutur; başka hiçbir şey değişmez</translation>
-    </message>
-    <message>
-        <source>Keep</source>
-        <translation>Sakla</translation>
-    </message>
-    <message>
-        <source>Keep the selection under this name</source>
-        <translation>Seçimi bu adla saklar</translation>
-    </message>
-    <message>
-        <source>Region</source>
-        <translation>Bölge</translation>
     </message>
     <message>
         <source>The organ cannot be tested yet.</source>

@@ -55,6 +55,7 @@ def test_a_damaged_document_is_a_sentence_and_changes_nothing(qtbot, spleen_wind
     broken.write_bytes((tmp_path / "good.organ").read_bytes()[:-200])
 
     window.files.open(broken)
+    settle(qtbot, window)
 
     assert "broken.organ" in window.messages.text
     assert window.session.organ is organ

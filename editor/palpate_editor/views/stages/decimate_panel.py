@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QHBoxLayout, QLabel, QPushButton, QSpinBox
 
-from palpate_editor.document import Organ
+from palpate_editor.document import Decimation, Organ
 from palpate_editor.edits import UseImported
 from palpate_editor.views.stages.facts import set_tone, write_label
 from palpate_editor.views.stages.stage_panel import StagePanel
@@ -52,6 +52,8 @@ class DecimatePanel(StagePanel):
             self.presets.append(button)
         presets.addStretch(1)
         section.body.addLayout(presets)
+        self.shown: Decimation | None = None
+        """The decimation whose count stands in the field."""
         self.build_table()
         self.undo_button = QPushButton(tr("Use the imported surface"), self)
         self.undo_button.setObjectName("use_imported")
@@ -98,6 +100,10 @@ class DecimatePanel(StagePanel):
         for button in self.presets:
             button.setEnabled(int(button.property("vertices")) <= most)
         done = organ.decimation
+        if done is not self.shown:
+            self.shown = done
+            if done is not None:
+                self.target.setValue(done.vertices)
         after = len(organ.surface.vertices) if organ.surface else 0
         triangles = len(organ.surface.triangles) if organ.surface else 0
         self.write(0, count(most), count(after))
