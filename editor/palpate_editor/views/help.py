@@ -88,7 +88,7 @@ class HelpWindow(QDialog):
     def show_keys(self, actions: Iterable[tuple[str, QAction]]) -> None:
         rows = []
         for path, action in actions:
-            keys = ", ".join(k.toString(k.SequenceFormat.NativeText) for k in action.shortcuts())
+            keys = ", ".join(k.toString(k.SequenceFormat.PortableText) for k in action.shortcuts())
             if keys:
                 name = action.text().replace("&", "")
                 rows.append(

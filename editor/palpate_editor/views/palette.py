@@ -32,6 +32,8 @@ def score(query: str, text: str) -> int | None:
 
     Beginnings of words and letters in a row count more, so `de` finds Decimate before Redo.
     """
+    if not query:  # the order of the menus is as good as any
+        return 0
     total, place, last = 0, 0, -2
     text, query = text.casefold(), query.casefold().replace(" ", "")
     for letter in query:
@@ -147,8 +149,8 @@ class CommandPalette(QDialog):
             item = QListWidgetItem(name)
             item.setData(ACTION, action)
             item.setData(PATH, path)
-            keys = action.shortcut()
-            item.setData(KEYS, keys.toString(keys.SequenceFormat.NativeText))
+            keys = action.shortcut()  # as they stand on keyboards, in every language
+            item.setData(KEYS, keys.toString(keys.SequenceFormat.PortableText))
             if disabled:
                 item.setFlags(Qt.ItemFlag.NoItemFlags)
             self.list.addItem(item)
