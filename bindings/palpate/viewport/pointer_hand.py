@@ -24,7 +24,7 @@ HOLD_DELAY = 0.08
 STEP_MS = 8
 WALK_SPEED = 0.25
 """[m/s] of the tip over the surface: what comes faster may be a blow, and its ticks cost more."""
-LONGEST_STEP = 0.06
+LONGEST_STEP = 0.04
 """[-] of the organ's half diagonal, at once, however long the window took for its last frame: on a
 longer way the tip would cut through the organ, and the device glides there within 15 ms."""
 LONGEST_PAUSE_MS = 40
@@ -66,7 +66,7 @@ class PointerHand(QObject):
         reach = palpate.compute_diagonal(self._x) / 2
         self.press_depth = min(max(0.08 * reach, SMALLEST_PRESS), LARGEST_PRESS)
         """[m] how deep the left button presses."""
-        self._clearance, self._notch = 0.03 * reach, 0.01 * reach
+        self._clearance, self._notch = 0.04 * reach, 0.01 * reach
         self._longest_step = LONGEST_STEP * reach
         self._deepest, self._highest = 0.8 * reach, 0.8 * reach
         top = find_top(scene)
