@@ -6,8 +6,8 @@ from palpate.render.colour_map import Legend, build_legend
 from palpate.render.context import describe_gl, open_context
 from palpate.render.error import RenderError
 from palpate.render.force_plot import draw_force_plot, save_force_plot
-from palpate.render.part import Look, Part
-from palpate.render.picture import Picture, draw_picture, save_picture
+from palpate.render.part import Look, Part, Pattern
+from palpate.render.picture import Picture, draw_picture, save_picture, write_png
 from palpate.render.renderer import Renderer, Tile
 from palpate.render.shapes import Shape, build_arrow, build_capsule, build_sphere
 
@@ -16,6 +16,7 @@ __all__ = [
     "Legend",
     "Look",
     "Part",
+    "Pattern",
     "Picture",
     "RenderError",
     "Renderer",
@@ -31,4 +32,5 @@ __all__ = [
     "open_context",
     "save_force_plot",
     "save_picture",
+    "write_png",
 ]

@@ -11,8 +11,25 @@ from numpy.typing import ArrayLike, NDArray
 
 from palpate.render.theme import TISSUE, Colour
 
-WIDTHS = {"position": 3, "normal": 3, "value": 1, "selection": 1, "openness": 1}
+WIDTHS = {"position": 3, "normal": 3, "value": 1, "selection": 1, "openness": 1, "rest": 3}
 """The streams of a part and how many float32 each vertex has in them."""
+
+
+@dataclass(frozen=True)
+class Pattern:
+    """Spots and fine vessels all over a part; they stick to it where it is pressed."""
+
+    colour: Colour
+    """Of the spots."""
+    size: float
+    """[m] Of the spots."""
+    strength: float = 0.5
+    """[-] 0 none of the spots' colour, 1 all of it in their middle."""
+    relief: float = 0.0
+    """[-] How far the spots stand out, in parts of their size."""
+    vein_colour: Colour = (0.45, 0.10, 0.10)
+    vein_strength: float = 0.0
+    """[-]"""
 
 
 @dataclass(frozen=True)
@@ -29,6 +46,10 @@ class Look:
     """[-] 0 dull, 1 wet or polished."""
     softness: float = 0.3
     """[-] how far light creeps around into the shade, as in flesh."""
+    roughness: float = 0.3
+    """[-] 0 a mirror, 1 chalk: how wide a highlight is."""
+    pattern: Pattern | None = None
+    """Drawn where no colour map is."""
     casts_shadow: bool = True
     seen_through: bool = False
     """Whether it shines faintly through what hides it, as a tool inside a dent must."""
@@ -38,7 +59,8 @@ class Part:
     """A surface whose triangles stay and whose streams change from frame to frame.
 
     A stream is one float32 array per vertex: position [m] (n, 3), normal (n, 3), value (n,) for the
-    colour map, selection (n,) from 0 to 1, openness (n,) from 0 to 1, the share of the sky seen.
+    colour map, selection (n,) from 0 to 1, openness (n,) from 0 to 1, the share of the sky seen,
+    rest [m] (n, 3), to which patterns stick; where nobody gives it, the first position.
     Arrays are handed to OpenGL as they lie in memory, so a view into the simulation's own array is
     copied nowhere else.
     """
@@ -66,6 +88,7 @@ class Part:
             name: context.buffer(reserve=4 * width * vertex_count, dynamic=True)
             for name, width in WIDTHS.items()
         }
+        self._has_rest = True
         self.update(
             position=np.zeros((vertex_count, 3), np.float32),
             normal=np.zeros((vertex_count, 3), np.float32),
@@ -73,6 +96,7 @@ class Part:
             selection=np.zeros(vertex_count, np.float32),
             openness=np.ones(vertex_count, np.float32),
         )
+        self._has_rest = False
         self._context = context
         self._arrays: dict[moderngl.Program, moderngl.VertexArray] = {}
         self._bind(surface)
@@ -94,6 +118,9 @@ class Part:
                     f"{name} must be contiguous float32 of shape {shape}, "
                     f"got {array.dtype} of shape {array.shape}"
                 )
+        if not self._has_rest and "position" in streams:
+            streams.setdefault("rest", streams["position"])
+        self._has_rest |= "rest" in streams
         for name, array in streams.items():
             self._streams[name].write(array)
 
@@ -117,5 +144,11 @@ class Part:
                 thing.release()
 
     def _bind(self, surface: moderngl.Program) -> None:
-        streams = [(buffer, f"{WIDTHS[name]}f", name) for name, buffer in self._streams.items()]
+        # a program without patterns has no use for where the part was at rest
+        wanted = set(surface)
+        streams = [
+            (buffer, f"{WIDTHS[name]}f", name)
+            for name, buffer in self._streams.items()
+            if name in wanted
+        ]
         self._arrays[surface] = self._context.vertex_array(surface, streams, self._indices)

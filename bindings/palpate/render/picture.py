@@ -6,7 +6,7 @@ from __future__ import annotations
 import io
 import math
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import matplotlib.image
@@ -79,6 +79,8 @@ class Picture:
     wireframe: bool = True
     colour: Colour = TISSUE
     """sRGB, 0 to 1, of an organ without values."""
+    look: Look | None = None
+    """How an organ without values takes the light; without it, `colour` alone."""
     supersample: int = 2
     """Rows and columns of samples per pixel, 1 to 4; edges get four times as many."""
 
@@ -119,9 +121,14 @@ def save_picture(
     path: str | os.PathLike[str], vertices: ArrayLike, triangles: ArrayLike, **look: Any
 ) -> None:
     """Draws a picture as draw_picture does and writes it as PNG. Raises OSError as well."""
+    write_png(path, draw_picture(vertices, triangles, **look))
+
+
+def write_png(path: str | os.PathLike[str], pixels: NDArray[np.uint8]) -> None:
+    """Writes a picture (h, w, 3), whole or not at all. Raises OSError."""
     file = io.BytesIO()
     # the words say nothing that changes from day to day: the same picture is the same file
-    matplotlib.image.imsave(file, draw_picture(vertices, triangles, **look), format="png")
+    matplotlib.image.imsave(file, pixels, format="png")
     write_whole(path, file.getvalue())
 
 
@@ -170,6 +177,8 @@ def build_organ(
         # red light creeping round would be read as a value
         softness=0.3 if values is None else 0.0,
     )
+    if picture.look is not None and values is None:
+        look = replace(picture.look, wired=picture.wireframe)
     selection = picture.selection
     return Thing(
         x,

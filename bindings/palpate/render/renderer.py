@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from palpate.render.camera import Camera
 from palpate.render.colour_map import COLOUR_MAPS, LUT_SIZE, Legend
 from palpate.render.ground import Ground
-from palpate.render.part import Look, Part
+from palpate.render.part import Look, Part, Pattern
 from palpate.render.program import build_program, write_matrix
 from palpate.render.shadow import ShadowMap
 from palpate.render.theme import DARK, SELECTED, Colour, Theme
@@ -26,6 +26,8 @@ GHOST = 0.3
 """[-] opacity of what shines through."""
 COLOURS_UNIT, SHADOW_UNIT = 0, 1
 GAMMA = 2.2
+USUAL_ROUGHNESS = 0.3
+"""[-] With it, highlights are as wide as the shader has them."""
 SHADOW_TAPS = 24
 """Comparisons that blur the edge of a shadow."""
 
@@ -57,8 +59,8 @@ class Renderer:
         self.wire_width = 1.0
         """[px]"""
         self._centre, self._radius = np.zeros(3), 1.0
-        self._bare = self._build_surface(0)
-        self._shaded: moderngl.Program | None = None
+        self._surfaces: dict[tuple[bool, bool], moderngl.Program] = {}
+        self._bare = self._choose_surface(False, False)
         self._backdrop = context.vertex_array(build_program(context, "background"), [])
         self._colours = context.texture((LUT_SIZE, 1), 3, dtype="f4")
         self._colours.filter = (moderngl.LINEAR, moderngl.LINEAR)
@@ -110,9 +112,11 @@ class Renderer:
         world_to_clip = cut(size, tile) @ seen
         if self.ground is not None and camera.elevation > 0.0:
             self.ground.draw(self.theme, world_to_clip)
-        program = self._choose_surface()
-        self._light(program, camera, world_to_clip)
-        self._draw_parts(program)
+        shaded = self.shadow_softness > 0.0
+        for patterned in {has_pattern(part.look) for part in self.parts}:
+            program = self._choose_surface(shaded, patterned)
+            self._light(program, camera, world_to_clip, shaded)
+        self._draw_parts(shaded)
 
     def cast_shadows(self, camera: Camera) -> None:
         """Finds what lies in the shade, if there is any; leaves its own framebuffer in use."""
@@ -127,24 +131,20 @@ class Renderer:
         if self.ground is not None:
             self.ground.release()
         self._shadow.release()
-        for thing in (self._backdrop, self._colours, self._bare, self._shaded):
-            if thing is not None:
-                thing.release()
+        for thing in (self._backdrop, self._colours, *self._surfaces.values()):
+            thing.release()
 
     def _write_colours(self, name: str) -> None:
         colours = (COLOUR_MAPS[name]() / 255.0) ** GAMMA
         self._colours.write(colours.astype(np.float32).tobytes())
 
-    def _build_surface(self, taps: int) -> moderngl.Program:
-        return build_program(self.context, "surface", geometry=True, defines={"SHADOW_TAPS": taps})
-
-    def _choose_surface(self) -> moderngl.Program:
-        """With shadows only where they are asked for: they are most of the work."""
-        if self.shadow_softness <= 0.0:
-            return self._bare
-        if self._shaded is None:
-            self._shaded = self._build_surface(SHADOW_TAPS)
-        return self._shaded
+    def _choose_surface(self, shaded: bool, patterned: bool) -> moderngl.Program:
+        """With shadows and patterns only where they are asked for: they are most of the work."""
+        if (shaded, patterned) not in self._surfaces:
+            defines = {"SHADOW_TAPS": SHADOW_TAPS if shaded else 0, "PATTERN": int(patterned)}
+            program = build_program(self.context, "surface", geometry=True, defines=defines)
+            self._surfaces[shaded, patterned] = program
+        return self._surfaces[shaded, patterned]
 
     def _draw_backdrop(self, size: tuple[int, int], tile: Tile) -> None:
         self.context.enable_only(moderngl.NOTHING)
@@ -160,7 +160,11 @@ class Renderer:
         self._backdrop.render(moderngl.TRIANGLES, vertices=3)
 
     def _light(
-        self, program: moderngl.Program, camera: Camera, world_to_clip: NDArray[np.float64]
+        self,
+        program: moderngl.Program,
+        camera: Camera,
+        world_to_clip: NDArray[np.float64],
+        shaded: bool,
     ) -> None:
         """What all parts of one frame share."""
         write_matrix(program, "world_to_clip", world_to_clip)
@@ -172,7 +176,7 @@ class Renderer:
         program["highlight"].value = decode(SELECTED)
         program["colours"].value = COLOURS_UNIT
         self._colours.use(COLOURS_UNIT)
-        if program is self._bare:
+        if not shaded:
             return
         program["shadow"].value = SHADOW_UNIT
         self._shadow.texture.use(SHADOW_UNIT)
@@ -180,12 +184,12 @@ class Renderer:
         program["shadow_softness"].value = self.shadow_softness / 2
         write_matrix(program, "world_to_shadow", self._shadow.world_to_texture)
 
-    def _draw_parts(self, program: moderngl.Program) -> None:
+    def _draw_parts(self, shaded: bool) -> None:
         """First what may hide, then ghosts of what is hidden behind it, then what is not."""
         self.context.enable_only(moderngl.DEPTH_TEST)
         for part in self.parts:
             if not part.look.seen_through:
-                self._draw_part(program, part, 1.0)
+                self._draw_part(shaded, part, 1.0)
         screen, through = self.context.fbo, [p for p in self.parts if p.look.seen_through]
         # back faces would shine through the ghost itself
         self.context.enable_only(moderngl.DEPTH_TEST | moderngl.BLEND | moderngl.CULL_FACE)
@@ -197,19 +201,37 @@ class Renderer:
         )
         self.context.depth_func, screen.depth_mask = ">", False
         for part in through:
-            self._draw_part(program, part, GHOST)
+            self._draw_part(shaded, part, GHOST)
         self.context.depth_func, screen.depth_mask = "<", True
         self.context.enable_only(moderngl.DEPTH_TEST)
         for part in through:
-            self._draw_part(program, part, 1.0)
+            self._draw_part(shaded, part, 1.0)
 
-    def _draw_part(self, program: moderngl.Program, part: Part, opacity: float) -> None:
+    def _draw_part(self, shaded: bool, part: Part, opacity: float) -> None:
         look = part.look
+        program = self._choose_surface(shaded, has_pattern(look))
         program["mapped"].value, program["colour"].value = look.mapped, decode(look.colour)
         program["gloss"].value, program["softness"].value = look.gloss, look.softness
+        program["sharpness"].value = USUAL_ROUGHNESS / max(look.roughness, 0.02)
+        if look.pattern is not None and has_pattern(look):
+            write_pattern(program, look.pattern)
         program["wire_width"].value = self.wire_width if look.wired else 0.0
         program["opacity"].value = opacity
         part.draw(program)
+
+
+def has_pattern(look: Look) -> bool:
+    """A colour map tells values, so nothing else is painted beside it."""
+    return look.pattern is not None and not look.mapped
+
+
+def write_pattern(program: moderngl.Program, pattern: Pattern) -> None:
+    program["pattern_colour"].value = decode(pattern.colour)
+    program["vein_colour"].value = decode(pattern.vein_colour)
+    program["pattern_size"].value = pattern.size
+    program["pattern_strength"].value = pattern.strength
+    program["vein_strength"].value = pattern.vein_strength
+    program["relief"].value = pattern.relief
 
 
 def decode(colour: Colour) -> Colour:

@@ -7,6 +7,7 @@ in Fragment {
   float value;
   float selection;
   float openness;
+  vec3 rest;
   vec3 barycentric;
 } fragment;
 
@@ -23,6 +24,7 @@ uniform vec3 colour;
 uniform vec3 highlight;       // of what is selected
 uniform float gloss;          // 0 dull, 1 wet or polished
 uniform float softness;       // how far light creeps around into the shade, as in flesh
+uniform float sharpness;      // of highlights: 1 as a wet organ has them, less on dull ones
 uniform float wire_width;     // [px], 0 for no wireframe
 uniform float opacity;        // 0 to 1
 
@@ -31,6 +33,16 @@ uniform float opacity;        // 0 to 1
 uniform mat4 world_to_shadow;
 uniform sampler2DShadow shadow;
 uniform float shadow_softness;  // radius of the blur, in texture coordinates
+
+// PATTERN, 0 for none, is defined by the program for the same reason.
+#if PATTERN
+uniform vec3 pattern_colour;
+uniform vec3 vein_colour;
+uniform float pattern_size;      // [m]
+uniform float pattern_strength;  // 0 to 1
+uniform float vein_strength;     // 0 to 1
+uniform float relief;            // height of the pattern in parts of its size
+#endif
 
 out vec4 result;
 
@@ -47,8 +59,61 @@ vec3 encode(vec3 light) {
   return pow(rolled, vec3(1.0 / 2.2));
 }
 
-vec3 paint(bool outside) {
+#if PATTERN
+// A number of 0 to 1 for every point of a grid.
+float scatter(ivec2 cell) {
+  uint h = uint(cell.x) * 0x9E3779B1u ^ uint(cell.y) * 0x85EBCA77u;
+  h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
+  h = (h ^ (h >> 12)) * 0x297A2D39u;
+  return float((h ^ (h >> 15)) >> 8) / 16777215.0;
+}
+
+// Value noise: smooth between the points of the grid.
+float noise(vec2 p) {
+  ivec2 cell = ivec2(floor(p));
+  vec2 t = fract(p);
+  t = t * t * (3.0 - 2.0 * t);
+  float low = mix(scatter(cell), scatter(cell + ivec2(1, 0)), t.x);
+  float high = mix(scatter(cell + ivec2(0, 1)), scatter(cell + ivec2(1, 1)), t.x);
+  return mix(low, high, t.y);
+}
+
+// Spots and, in y, fine vessels on one plane; lengths in pattern sizes.
+vec2 draw_pattern(vec2 p) {
+  float spots = 0.55 * noise(p) + 0.30 * noise(2.3 * p + 17.0) + 0.15 * noise(5.1 * p + 31.0);
+  vec2 bent = 0.30 * p + 0.9 * vec2(noise(0.5 * p + 5.0), noise(0.5 * p + 47.0));
+  float ridge = 1.0 - abs(2.0 * noise(bent) - 1.0);
+  float twig = 1.0 - abs(2.0 * noise(2.6 * bent + 11.0) - 1.0);
+  float trunk = smoothstep(0.91, 0.985, ridge);
+  return vec2(spots, max(trunk, 0.6 * smoothstep(0.92, 0.99, twig) * smoothstep(0.5, 0.9, ridge)));
+}
+
+// The pattern on the three planes of space, each as far as the surface faces it.
+vec2 wrap_pattern(vec3 n) {
+  vec3 p = fragment.rest / pattern_size, weight = n * n * n * n;
+  weight /= weight.x + weight.y + weight.z;
+  return weight.x * draw_pattern(p.yz) + weight.y * draw_pattern(p.zx + 101.0) +
+         weight.z * draw_pattern(p.xy + 211.0);
+}
+
+// The normal where the spots stand out from the surface: bump mapping with nothing but how height
+// and place change from pixel to pixel.
+vec3 raise(vec3 n, float height) {
+  vec3 dx = dFdx(fragment.position), dy = dFdy(fragment.position);
+  vec3 across = cross(dy, n), along = cross(n, dx);
+  float area = dot(dx, across);
+  vec3 slope = sign(area) * (dFdx(height) * across + dFdy(height) * along);
+  vec3 raised = abs(area) * n - slope;
+  return dot(raised, raised) > 0.0 ? normalize(raised) : n;
+}
+#endif
+
+vec3 paint(bool outside, vec2 pattern) {
   vec3 c = colour;
+#if PATTERN
+  c = mix(c, pattern_colour, pattern_strength * smoothstep(0.32, 0.72, pattern.x));
+  c = mix(c, vein_colour, vein_strength * pattern.y);
+#endif
   if (mapped) {
     float t = clamp((fragment.value - value_range.x) / (value_range.y - value_range.x), 0.0, 1.0);
     // texel centres, so that both ends of the range get their very colour
@@ -99,7 +164,12 @@ void main() {
   vec3 n = length2 > 1e-12 ? fragment.normal * inversesqrt(length2) : v;
   if (!gl_FrontFacing) n = -n;
 
-  vec3 albedo = paint(gl_FrontFacing);
+  vec2 pattern = vec2(0.0);
+#if PATTERN
+  pattern = wrap_pattern(n);
+  n = raise(n, relief * pattern_size * pattern.x);
+#endif
+  vec3 albedo = paint(gl_FrontFacing, pattern);
   albedo *= mix(1.0, 0.22, wire() * 0.72);
 
   float open = clamp(fragment.openness, 0.0, 1.0);
@@ -118,7 +188,7 @@ void main() {
   vec3 c = albedo * light;
 
   float mirror = max(dot(n, normalize(to_key + v)), 0.0);
-  float sharp = pow(mirror, 90.0), broad = pow(mirror, 14.0);
+  float sharp = pow(mirror, 90.0 * sharpness), broad = pow(mirror, 14.0 * sharpness);
   float window = pow(max(dot(n, normalize(to_fill + v)), 0.0), 50.0);
   c += gloss * shade * KEY * (0.30 * sharp + 0.085 * broad) + gloss * 0.06 * FILL * window * open;
   c += RIM * rim * open * (0.10 + 0.35 * albedo) * 1.3;

@@ -13,6 +13,7 @@ in Corner {
   float value;
   float selection;
   float openness;
+  vec3 rest;
 } corner[];
 
 out Fragment {
@@ -21,6 +22,7 @@ out Fragment {
   float value;
   float selection;
   float openness;
+  vec3 rest;
   vec3 barycentric;
 } fragment;
 
@@ -32,6 +34,7 @@ void main() {
     fragment.value = corner[i].value;
     fragment.selection = corner[i].selection;
     fragment.openness = corner[i].openness;
+    fragment.rest = corner[i].rest;
     fragment.barycentric = vec3(i == 0, i == 1, i == 2);
     EmitVertex();
   }

@@ -6,6 +6,7 @@ in vec3 normal;       // unit, outward
 in float value;       // what the colour map shows
 in float selection;   // 0 to 1
 in float openness;    // share of the sky that is seen, 0 to 1
+in vec3 rest;         // [m] where the vertex is at rest, to which the pattern sticks
 
 uniform mat4 world_to_clip;
 
@@ -15,6 +16,7 @@ out Corner {
   float value;
   float selection;
   float openness;
+  vec3 rest;
 } corner;
 
 void main() {
@@ -24,4 +26,5 @@ void main() {
   corner.value = value;
   corner.selection = selection;
   corner.openness = openness;
+  corner.rest = rest;
 }
