@@ -91,6 +91,8 @@ class Entry:
     """Of the OBJ."""
     view: tuple[float, float]
     """[degree] Azimuth and elevation from which it is known at a glance."""
+    tip_radius: float
+    """[m] Of the tool it is touched with: half an edge of its triangles or more."""
     task: str
     """What a trainee is asked to do with it."""
     size_mm: tuple[tuple[float, float], ...]

@@ -17,7 +17,7 @@ from palpate_meshes.generate.settle import Shape, build_mesh
 
 FOLDER = PUBLISHED / "tools"
 DESCRIPTIONS = Path(__file__).with_name("tools.toml")
-JAW_VERTICES = 600
+JAW_VERTICES = 1500
 VIEW_ANGLE = 0.5773502691896258
 """[-] Tangent of 30 degrees, by which the front lens of the laparoscope is slanted."""
 
@@ -157,9 +157,9 @@ def jaw_field(p: Array) -> Array:
     """[mm] Half a tapered rod with teeth on its flat side."""
     d = rod(p, (0.0, 0.0, -22.0), (0.0, 0.0, -1.35), 2.4, 1.35)
     d = keep(d, 0.12 - p[:, 1], 0.35)
-    for tooth in range(8):
-        z = -3.0 - 2.0 * tooth
-        d = cut(d, rod(p, (-4.0, 0.0, z), (4.0, 0.0, z), 0.62), 0.25)
+    for tooth in range(7):
+        z = -3.4 - 2.2 * tooth
+        d = cut(d, rod(p, (-4.0, -0.1, z), (4.0, -0.1, z), 0.95), 0.25)
     return d
 
 

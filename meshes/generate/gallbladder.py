@@ -8,6 +8,7 @@ from palpate_meshes.generate.opening import Opening
 from palpate_meshes.generate.settle import Shape, build_mesh
 
 VERTICES = 5400
+LEAST = 1200
 BORDER = 16
 AXIS = (
     (0.0, -10.0, -42.0, 15.0),
@@ -51,7 +52,7 @@ def gallbladder(
     """
     rim = Opening((19.0, 3.0, 79.0), (-1.0, 1.0, 6.0), 8.0, border)
     shape = Shape(
-        lambda p: gallbladder_field(p, seed), (-26.0, -32.0, -66.0), (34.0, 28.0, 92.0), rim
+        lambda p: gallbladder_field(p, seed), (-26.0, -32.0, -66.0), (34.0, 28.0, 92.0), LEAST, rim
     )
     points, triangles = build_mesh(shape, vertices, seed)
     return size * points, triangles

@@ -15,6 +15,7 @@ from palpate_meshes.generate.field import (
 from palpate_meshes.generate.settle import Shape, build_mesh
 
 VERTICES = 2000
+LEAST = 900
 PELVIS = (
     (2.0, 0.0, 4.0, 8.0),
     (-8.0, 0.0, 2.5, 7.4),
@@ -40,7 +41,7 @@ def kidney(vertices: int = VERTICES, size: float = 1.0, seed: int = 0) -> tuple[
     Returns:
         Vertices [m], shape (n, 3), and triangles, shape (t, 3), counter-clockwise from outside.
     """
-    shape = Shape(lambda p: kidney_field(p, seed), (-52.0, -32.0, -72.0), (45.0, 32.0, 70.0))
+    shape = Shape(lambda p: kidney_field(p, seed), (-52.0, -32.0, -72.0), (45.0, 32.0, 70.0), LEAST)
     points, triangles = build_mesh(shape, vertices, seed)
     return size * points, triangles
 

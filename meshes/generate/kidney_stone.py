@@ -8,6 +8,7 @@ from palpate_meshes.generate.field import Array, ball, bumps, ellipsoid_field, j
 from palpate_meshes.generate.settle import Shape, build_mesh
 
 VERTICES = 120
+LEAST = 80
 KNOBS = 11
 GOLDEN = 0.6180339887498949
 """Knobs turn by this part of a circle from one to the next, so that none stand in a row."""
@@ -24,7 +25,7 @@ def kidney_stone(vertices: int = VERTICES, size: float = 1.0, seed: int = 0) -> 
     Returns:
         Vertices [m], shape (n, 3), and triangles, shape (t, 3), counter-clockwise from outside.
     """
-    shape = Shape(lambda p: stone_field(p, seed), (-8.5, -7.5, -6.5), (8.5, 7.5, 6.5))
+    shape = Shape(lambda p: stone_field(p, seed), (-8.5, -7.5, -6.5), (8.5, 7.5, 6.5), LEAST)
     points, triangles = build_mesh(shape, vertices, seed)
     return size * points, triangles
 

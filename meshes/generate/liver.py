@@ -19,6 +19,7 @@ from palpate_meshes.generate.field import (
 from palpate_meshes.generate.settle import Shape, build_mesh
 
 VERTICES = 6214
+LEAST = 800
 FURROW_DEPTH, FURROW_WIDTH = 2.6, 7.0
 """[mm] Of the falciform line; the width to either side."""
 
@@ -34,7 +35,9 @@ def liver(vertices: int = VERTICES, size: float = 1.0, seed: int = 0) -> tuple[A
     Returns:
         Vertices [m], shape (n, 3), and triangles, shape (t, 3), counter-clockwise from outside.
     """
-    shape = Shape(lambda p: liver_field(p, seed), (-125.0, -85.0, -105.0), (140.0, 95.0, 90.0))
+    shape = Shape(
+        lambda p: liver_field(p, seed), (-125.0, -85.0, -105.0), (140.0, 95.0, 90.0), LEAST
+    )
     points, triangles = build_mesh(shape, vertices, seed)
     return size * points, triangles
 

@@ -47,6 +47,8 @@ class Shape:
     """[mm] A corner of a box that holds the organ."""
     high: Point
     """[mm]"""
+    least: int = 50
+    """Vertices with which its shape can still be known."""
     opening: Opening | None = None
 
 
@@ -57,7 +59,11 @@ def build_mesh(shape: Shape, vertices: int, seed: int) -> tuple[Array, Array]:
 
     Returns:
         Vertices [m], shape (n, 3), and triangles, shape (t, 3), counter-clockwise from outside.
+
+    Raises ValueError for too few vertices.
     """
+    if vertices < shape.least:
+        raise ValueError(f"vertices must be at least {shape.least}, got {vertices}")
     points, triangles = build_dense(shape, vertices, seed)
     rim = None
     if shape.opening is not None:

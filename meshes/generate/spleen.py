@@ -18,6 +18,7 @@ from palpate_meshes.generate.field import (
 from palpate_meshes.generate.settle import Shape, build_mesh
 
 VERTICES = 600
+LEAST = 200
 LIE = turn_about((1.0, 0.0, 0.0), -28.0)
 """Along the tenth rib: the upper pole lies behind, the lower in front."""
 
@@ -33,7 +34,7 @@ def spleen(vertices: int = VERTICES, size: float = 1.0, seed: int = 0) -> tuple[
     Returns:
         Vertices [m], shape (n, 3), and triangles, shape (t, 3), counter-clockwise from outside.
     """
-    shape = Shape(lambda p: spleen_field(p, seed), (-60.0, -75.0, -85.0), (60.0, 75.0, 85.0))
+    shape = Shape(lambda p: spleen_field(p, seed), (-60.0, -75.0, -85.0), (60.0, 75.0, 85.0), LEAST)
     points, triangles = build_mesh(shape, vertices, seed)
     return size * points, triangles
 

@@ -17,6 +17,7 @@ from palpate_meshes.generate.field import (
 from palpate_meshes.generate.settle import Shape, build_mesh
 
 VERTICES = 3000
+LEAST = 700
 FLAT = 1.14
 """[-] By which it is thinner from front to back than from side to side."""
 BODY = (
@@ -59,7 +60,9 @@ def stomach(vertices: int = VERTICES, size: float = 1.0, seed: int = 0) -> tuple
     Returns:
         Vertices [m], shape (n, 3), and triangles, shape (t, 3), counter-clockwise from outside.
     """
-    shape = Shape(lambda p: stomach_field(p, seed), (-85.0, -60.0, -85.0), (90.0, 55.0, 120.0))
+    shape = Shape(
+        lambda p: stomach_field(p, seed), (-85.0, -60.0, -85.0), (90.0, 55.0, 120.0), LEAST
+    )
     points, triangles = build_mesh(shape, vertices, seed)
     return size * points, triangles
 

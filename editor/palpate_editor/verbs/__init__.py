@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from palpate_editor.verbs import demo, mesh, publish, tissue
+from palpate_editor.verbs import demo, mesh, organs, publish, tissue
 from palpate_editor.views.verb import EDITOR
 
-VERBS = [*mesh.VERBS, *tissue.VERBS, *publish.VERBS, *demo.VERBS, EDITOR]
+VERBS = [*mesh.VERBS, *tissue.VERBS, *publish.VERBS, *organs.VERBS, *demo.VERBS, EDITOR]

@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The verb that shows what comes with Palpate: organs."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from palpate.verb import Refusal, Report, Verb
+from palpate_meshes.catalogue import Entry, Tissue, read_regions, read_terms
+from palpate_meshes.tools import read_tool, read_tool_names
+
+from palpate_editor.document.files import write_organ
+from palpate_editor.publish import PublishError
+from palpate_editor.shipped import list_organs, make_organ, write_files
+
+
+def add_organs(word: argparse.ArgumentParser) -> None:
+    word.add_argument("names", nargs="*", metavar="NAME", help="organs to speak of (all)")
+    word.add_argument(
+        "--write", type=Path, metavar="DIR", help="write each as .organ to edit, .palpate to play"
+    )
+    word.add_argument(
+        "--out", "-o", type=Path, metavar="FILE", help="write one organ as this .organ"
+    )
+    word.add_argument("--vertices", type=int, metavar="N", help="of --out; another resolution")
+    word.add_argument("--pictures", type=Path, metavar="DIR", help="write a picture of each")
+    word.add_argument(
+        "--contact-sheet", type=Path, metavar="FILE", help="write all on one picture, tools too"
+    )
+
+
+def run_organs(call: argparse.Namespace) -> Report:
+    chosen = choose(call.names)
+    written: list[str] = []
+    if call.out is not None:
+        written.append(write_one(call))
+    elif call.vertices is not None:
+        raise Refusal(None, "--vertices", "no file to write", "--out FILE beside it")
+    if call.write is not None:
+        try:
+            for _, working, scenario in write_files(
+                call.write, [entry.name for entry, _ in chosen]
+            ):
+                written += [str(working), str(scenario)]
+        except PublishError as refused:
+            raise Refusal(call.write, "", str(refused), "organs that can be published") from None
+    written += draw_pictures(call, chosen)
+    return {
+        **read_terms(),
+        "organs": [describe_organ(entry, tissue) for entry, tissue in chosen],
+        "tools": [describe_tool(name) for name in read_tool_names()],
+        "written": written,
+    }
+
+
+def choose(names: list[str]) -> list[tuple[Entry, Tissue]]:
+    """The organs that are named, or all."""
+    everything = list_organs()
+    known = [entry.name for entry, _ in everything]
+    for name in names:
+        if name not in known:
+            raise Refusal(None, "NAME", name, f"one of {', '.join(known)}")
+    return [row for row in everything if not names or row[0].name in names]
+
+
+def write_one(call: argparse.Namespace) -> str:
+    if len(call.names) != 1 or call.out.suffix != ".organ":
+        raise Refusal(call.out, "--out", "another call", "one NAME, and a file ending in .organ")
+    try:
+        organ = make_organ(call.names[0], call.vertices)
+    except ValueError as problem:
+        raise Refusal(call.out, "--vertices", str(problem), "a number the shape can have") from None
+    write_organ(call.out, organ)
+    return str(call.out)
+
+
+def draw_pictures(call: argparse.Namespace, chosen: list[tuple[Entry, Tissue]]) -> list[str]:
+    """Writes what pictures were asked for; the renderer is loaded only then."""
+    if call.pictures is None and call.contact_sheet is None:
+        return []
+    from palpate.render import write_png
+
+    from palpate_editor import gallery
+
+    written = []
+    if call.pictures is not None:
+        call.pictures.mkdir(parents=True, exist_ok=True)
+        for entry, tissue in chosen:
+            path = call.pictures / f"{entry.name}.png"
+            write_png(path, gallery.draw_organ(entry, tissue, size=(1280, 960)))
+            written.append(str(path))
+    if call.contact_sheet is not None:
+        write_png(call.contact_sheet, gallery.draw_contact_sheet())
+        written.append(str(call.contact_sheet))
+    return written
+
+
+def describe_organ(entry: Entry, tissue: Tissue) -> Report:
+    return {
+        "name": entry.name,
+        "title": entry.title,
+        "mesh": str(entry.mesh),
+        "sha256": entry.sha256,
+        "generator": entry.generator,
+        "parameters": entry.parameters,
+        "vertices": entry.vertices,
+        "triangles": entry.triangles,
+        "border_loops": list(entry.border),
+        "tissue": tissue.name,
+        "kind": tissue.kind,
+        "note": tissue.note,
+        "material": tissue.material,
+        "model": tissue.model,
+        "published": [vars(row) for row in tissue.published],
+        "size_source": entry.size_source,
+        "volume_source": entry.volume_source,
+        "regions": {name: len(ids) for name, ids in read_regions(entry.name).items()},
+        "task": entry.task,
+    }
+
+
+def describe_tool(name: str) -> Report:
+    tool = read_tool(name)
+    return {
+        "name": name,
+        "title": tool.title,
+        "source": tool.source,
+        "parts": {part: len(mesh[0]) for part, mesh in tool.parts.items()},
+        "collision_shapes": len(tool.shapes),
+        "jaws": tool.jaws is not None,
+        "needle": tool.needle is not None,
+    }
+
+
+def describe_organs(report: Report) -> str:
+    rows = [describe_row(row) for row in report["organs"]]
+    tools = ", ".join(tool["name"] for tool in report["tools"])
+    lines = [*rows, f"tools: {tools}", f"{report['author']}, {report['licence']}"]
+    return "\n".join(lines + [f"wrote {path}" for path in report["written"]])
+
+
+def describe_row(row: dict[str, Any]) -> str:
+    moduli = [r for r in row["published"] if r["quantity"] == "young_modulus"]
+    low, high = min(r["low"] for r in moduli), max(r["high"] for r in moduli)
+    border = f", hole of {row['border_loops'][0]}" if row["border_loops"] else ", closed"
+    counts = f"{row['vertices']:5} vertices, {row['triangles']:5} triangles{border}"
+    chosen = row["material"]["young_modulus"]
+    return (
+        f"{row['name']:14} {counts:43} {row['kind']:7} E {1e-3 * chosen:g} kPa "
+        f"(published {1e-3 * low:g} to {1e-3 * high:g})"
+    )
+
+
+VERBS = [
+    Verb(
+        "organs",
+        "list the organs that come with Palpate; write them, draw them",
+        "palpate organs --write organs --contact-sheet organs.png",
+        add_organs,
+        run_organs,
+        describe_organs,
+    ),
+]

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a user gets: files to edit and to play, a list, pictures; and what the springs feel like."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import numpy as np
+import palpate
+import pytest
+from matplotlib.image import imread
+from palpate.cli import main
+from palpate.press import PressScript, find_top
+from palpate.run import read_scene, run_script
+from palpate_editor.check import assess
+from palpate_editor.gallery import draw_organ, draw_tool, look_of
+from palpate_editor.open_organ import open_organ
+from palpate_editor.shipped import find_mesh, list_organs, make_organ
+from palpate_meshes.catalogue import PUBLISHED, read_organ_mesh, read_regions, read_tissues
+from palpate_meshes.tools import read_tool
+
+ORGANS = [entry.name for entry, _ in list_organs()]
+SOLIDS = [entry.name for entry, tissue in list_organs() if tissue.kind == "solid"]
+LIKE_HERTZ = 0.3
+"""[-] The presets are chosen to feel like a solid of their Young's modulus, within this."""
+
+
+def run(capsys, *words):
+    code = main([*map(str, words)])
+    return code, capsys.readouterr()
+
+
+@pytest.mark.parametrize("name", ORGANS)
+def test_an_organ_as_it_ships_has_no_problem_that_a_designer_would_be_warned_of(name):
+    problems = assess(make_organ(name), tested=True).problems
+
+    assert [p.key for p in problems if p.severity != "note"] == []
+
+
+@pytest.mark.parametrize("name", ORGANS)
+def test_a_document_brings_its_anatomy_and_is_held_by_its_attachment(name):
+    organ = make_organ(name)
+
+    regions = read_regions(name)
+    assert set(organ.regions) == set(regions)
+    assert np.array_equal(np.flatnonzero(organ.fixed), regions["attachment"])
+    assert organ.title and organ.task and not organ.source.unit_guessed
+
+
+@pytest.mark.parametrize("name", ORGANS)
+def test_the_shipped_files_open_and_are_the_organs_of_the_catalogue(name):
+    organ = open_organ(PUBLISHED / f"{name}.organ")
+    scene = read_scene(PUBLISHED / f"{name}.palpate")
+
+    x, triangles = read_organ_mesh(name)
+    made = make_organ(name)
+    for vertices, faces in (
+        (organ.surface.vertices, organ.surface.triangles),
+        (np.asarray(scene.tissue.rest_position), np.asarray(scene.tissue.triangles)),
+    ):
+        assert np.array_equal(vertices, x) and np.array_equal(faces, triangles)
+    assert (organ.material, organ.model, organ.tool) == (made.material, made.model, made.tool)
+    assert {n: r.tolist() for n, r in organ.regions.items()} == {
+        n: r.tolist() for n, r in made.regions.items()
+    }
+    assert np.array_equal(np.asarray(scene.tissue.fixed), np.flatnonzero(made.fixed))
+
+
+def test_another_resolution_is_made_where_it_is_asked_for():
+    organ = make_organ("spleen", 300)
+
+    assert organ.vertex_count == 300 and organ.fixed.any()
+    assert organ.source is None
+
+
+@pytest.mark.parametrize("name", SOLIDS)
+def test_a_solid_feels_like_its_young_s_modulus_under_the_tip(tmp_path, name):
+    organ = make_organ(name)
+    path = PUBLISHED / f"{name}.palpate"
+    scene = read_scene(path)
+
+    felt = run_script(
+        scene, find_top(scene), PressScript(depth=5e-3), tmp_path / "press.prec", path
+    ).report["patch_stiffness_N_per_m"]
+
+    plane_strain = organ.material.young_modulus / (1.0 - organ.material.poisson_ratio**2)
+    hertz = 4.0 / 3.0 * plane_strain * math.sqrt(organ.tool.radius * 5e-3)
+    assert felt == pytest.approx(hertz, rel=LIKE_HERTZ)
+
+
+def test_the_list_says_where_everything_comes_from(capsys):
+    code, said = run(capsys, "organs", "--json")
+
+    report = json.loads(said.out)
+    assert code == 0 and report["licence"] == "BSD-3-Clause" and report["unit"] == "m"
+    assert [organ["name"] for organ in report["organs"]] == ORGANS
+    for organ in report["organs"]:
+        assert organ["published"] and all(row["source"] for row in organ["published"])
+        assert organ["regions"]["attachment"] > 0
+    assert [tool["name"] for tool in report["tools"]] == ["grasper", "laparoscope", "syringe"]
+
+
+def test_the_verb_writes_files_to_edit_and_to_play_and_pictures(capsys, tmp_path):
+    code, said = run(
+        capsys, "organs", "kidney_stone", "--write", tmp_path, "--pictures", tmp_path / "pictures"
+    )
+
+    assert code == 0, said.err
+    assert open_organ(tmp_path / "kidney_stone.organ").vertex_count == 120
+    assert len(read_scene(tmp_path / "kidney_stone.palpate").tissue.mass) == 120
+    assert imread(tmp_path / "pictures" / "kidney_stone.png").shape[:2] == (960, 1280)
+
+
+def test_the_verb_writes_one_organ_at_another_resolution(capsys, tmp_path):
+    out = tmp_path / "coarse.organ"
+
+    code, _ = run(capsys, "organs", "spleen", "--vertices", 300, "--out", out)
+
+    assert code == 0 and open_organ(out).vertex_count == 300
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        (["heart"], "found heart, expected one of simple_tissue"),
+        (["spleen", "--vertices", "300"], "expected --out FILE"),
+        (["spleen", "--vertices", "5", "--out", "x.organ"], "--vertices: found"),
+        (["--out", "x.organ"], "one NAME"),
+    ],
+)
+def test_a_call_that_cannot_be_is_refused_in_a_sentence(
+    capsys, tmp_path, monkeypatch, words, reason
+):
+    monkeypatch.chdir(tmp_path)
+    code, said = run(capsys, "organs", *words)
+
+    assert code == 1 and reason in said.err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_inspect_gives_the_counts_of_the_catalogue(capsys):
+    code, said = run(capsys, "inspect", find_mesh("spleen"), "--json")
+
+    assert code == 0
+    assert (json.loads(said.out)["vertices"], json.loads(said.out)["triangles"]) == (600, 1196)
+
+
+def test_pictures_show_tissue_that_is_neither_flat_nor_alike():
+    colours = {}
+    for entry, tissue in list_organs():
+        if entry.vertices < 3000:
+            pixels = draw_organ(entry, tissue, size=(160, 140)).astype(float)
+            middle = pixels[60:80, 70:90].reshape(-1, 3)
+            assert middle.std(axis=0).max() > 2.0, entry.name
+            colours[entry.name] = middle.mean(axis=0)
+    names = list(colours)
+    for i, one in enumerate(names):
+        for other in names[i + 1 :]:
+            assert np.abs(colours[one] - colours[other]).max() > 8.0, (one, other)
+
+
+def test_a_grasper_is_drawn_with_its_jaws_apart():
+    assert draw_tool(read_tool("grasper"), size=(160, 140)).std() > 10.0
+
+
+def test_every_tissue_has_a_look_the_renderer_takes():
+    for tissue in read_tissues().values():
+        look = look_of(tissue.look)
+        assert 0.0 <= look.gloss <= 1.0 and 0.0 < look.roughness <= 1.0
+        assert look.pattern is not None and look.pattern.size > 0.0
+
+
+def test_the_laws_take_every_organ_of_either_kind():
+    for name in ("simple_tissue", "spleen"):
+        scene = read_scene(PUBLISHED / f"{name}.palpate")
+        assert palpate.stable_step(scene.tissue) > 0.0
