@@ -19,7 +19,6 @@ from palpate.press import Moments, Place, PressScript, measure_press, write_scri
 from palpate.scene_file import hash_file, open_scene
 from palpate.verb import Refusal, Report
 
-KERNEL = "reference, double, symplectic Euler"
 PUBLISHED, WORKING = ".palpate", ".organ"
 GRACE = 20.0
 """[s] A live run may take this much longer than its script before it is given up as stuck."""
@@ -36,10 +35,11 @@ class Run:
 
 def describe_build(scene_path: Path, record_path: Path, device: str) -> dict[str, str]:
     """The header of a record: all that must match for a replay to give the same bits."""
+    targets = palpate.simd_targets()
     return {
         "palpate": version("palpate"),
-        "kernel": KERNEL,
-        "vector_target": platform.machine(),
+        "kernel": (palpate.Kernel.packed if targets else palpate.Kernel.reference).name,
+        "vector_target": targets[0] if targets else platform.machine(),
         "scene": os.path.relpath(scene_path.resolve(), record_path.resolve().parent),
         "scene_sha256": hash_file(scene_path),
         "device": device,
@@ -144,7 +144,16 @@ def open_record(
             f"SHA-256 {found[:12]}...",
             f"{header['scene_sha256'][:12]}..., the scene of {path.name}",
         )
-    return record, where, read_scene(where)
+    return record, where, follow_header(read_scene(where), header)
+
+
+def follow_header(scene: palpate.Scene, header: dict[str, Any]) -> palpate.Scene:
+    """The scene under the kernel and vector target of a record, as far as this machine has them."""
+    if str(header.get("kernel", "")).startswith("reference"):
+        scene.kernel = palpate.Kernel.reference
+    elif header.get("vector_target") in palpate.simd_targets():
+        scene.simd_target = header["vector_target"]
+    return scene
 
 
 def run_replay(path: Path, scene_path: Path | None = None) -> Report:

@@ -87,7 +87,12 @@ void bind_scene_fields(py::class_<Scene>& scene) {
       .def_readwrite("substeps", &Scene::substeps,
                      "Tissue steps per tick without contact; build_scene chooses when 0.")
       .def_readwrite("substeps_max", &Scene::substeps_max,
-                     "Contact may raise them to this; build_scene chooses when 0.");
+                     "Contact may raise them to this; build_scene chooses when 0.")
+      .def_readwrite("kernel", &Scene::kernel,
+                     "Which form of the tissue's laws a tick runs; packed is reference where "
+                     "there is no vector code for this machine.")
+      .def_readwrite("simd_target", &Scene::simd_target,
+                     "Of the packed kernel: one of simd_targets(), empty for the best.");
   def_table(scene, "rest_areas", &Scene::rest_areas,
             "[m²] per triangle, filled in by build_scene; a view, read-only.");
   scene
@@ -98,13 +103,17 @@ void bind_scene_fields(py::class_<Scene>& scene) {
 }
 
 void bind_scene(py::module_& m) {
+  py::native_enum<Kernel>(m, "Kernel", "enum.Enum", "Which form of the tissue's laws a tick runs.")
+      .value("reference", Kernel::reference, "Double, plain, one particle after the other.")
+      .value("packed", Kernel::packed, "Float, in vector code.")
+      .finalize();
   const Scene usual;
   py::class_<Scene> scene(m, "Scene",
                           "A tissue, a tool, and how the hand is coupled to it: all that a tick "
                           "needs and never changes.");
   scene.def(py::init([](const TissueModel* tissue, const Tool& tool, const Coupling& coupling,
                         double hold_stiffness, const Vec3& gravity, double rate, int substeps,
-                        int substeps_max) {
+                        int substeps_max, Kernel kernel, const std::string& simd_target) {
               Scene made;
               if (tissue) made.tissue = *tissue;
               made.tool = tool;
@@ -114,12 +123,15 @@ void bind_scene(py::module_& m) {
               made.rate = rate;
               made.substeps = substeps;
               made.substeps_max = substeps_max;
+              made.kernel = kernel;
+              made.simd_target = simd_target;
               return made;
             }),
             py::kw_only(), "tissue"_a = py::none(), "tool"_a = usual.tool,
             "coupling"_a = usual.coupling, "hold_stiffness"_a = usual.hold_stiffness,
             "gravity"_a = usual.gravity, "rate"_a = usual.rate, "substeps"_a = usual.substeps,
-            "substeps_max"_a = usual.substeps_max,
+            "substeps_max"_a = usual.substeps_max, "kernel"_a = usual.kernel,
+            "simd_target"_a = usual.simd_target,
             "Copies its parts. build_scene makes it ready for ticks.");
   bind_scene_fields(scene);
   def_copy(scene);

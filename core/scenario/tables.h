@@ -36,8 +36,9 @@ void visit_angles(const std::string& name, SomeAngles& angles, Visit& visit) {
 /// not tables: content.cpp has them.
 template <class SomeScene, class Visit>
 void visit_tables(SomeScene& scene, Visit visit) {
-  auto& [tissue, tool, coupling, hold_stiffness, gravity, rate, substeps, substeps_max, rest_areas,
-         spectrum_stiffness, spectrum_damping] = scene;
+  // kernel and vector target belong to the machine a scene runs on: no file has them
+  auto& [tissue, tool, coupling, hold_stiffness, gravity, rate, substeps, substeps_max, kernel,
+         simd_target, rest_areas, spectrum_stiffness, spectrum_damping] = scene;
   auto& [rest_position, mass, fixed, springs, bonds, angles, home, pressure, triangles, drag,
          damping_law, angle_law] = tissue;
   const std::string t = "scene/tissue/";

@@ -7,6 +7,7 @@
 
 #include "laws/linear_tissue.h"
 #include "palpate/sim/dynamics/guard.h"
+#include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/dynamics/stable_step.h"
 
 using namespace palpate;
@@ -37,6 +38,22 @@ struct Outcome {
   int step = 0;
   double energy = 0.0;  ///< over that at the start, at the alarm
 };
+
+Outcome watch_packed(const TissueModel& model, const Vec3& velocity, double dt, int steps) {
+  State state = sway(model, velocity);
+  Guard guard(model, Vec3::Zero(), state);
+  const PackedModel packed = pack(model);
+  PackedState running(packed, model, state);
+  PackedMeasure measure;
+  Outcome outcome;
+  for (; outcome.step < steps && !outcome.alarm; ++outcome.step) {
+    step(packed, Load(), dt, running, &measure);
+    unpack(packed, model, running, state);
+    outcome.alarm = check(packed, model, Vec3::Zero(), state, measure, 0.0, running, guard, 1);
+  }
+  outcome.energy = guard.last_energy / guard.start_energy;
+  return outcome;
+}
 
 Outcome watch(const TissueModel& model, const Vec3& velocity, double dt, int steps) {
   State state = sway(model, velocity);
@@ -82,6 +99,25 @@ TEST_CASE(
       CAPTURE(static_cast<int>(outcome.alarm.kind));
       CHECK(outcome.alarm);
       CHECK(outcome.energy < 1e4);
+    }
+  }
+}
+
+TEST_CASE("a packed tissue raises the same alarms, at the same speed of growth") {
+  for (const auto& [name, model, velocity] : make_scenes()) {
+    CAPTURE(name);
+    const double limit = 2.0 / find_top_mode(LinearTissue(model)).frequency;
+    for (const double part : {0.5, 0.9, 0.98}) {
+      CAPTURE(part);
+      CHECK(watch_packed(model, velocity, part * limit, kSteps).alarm.kind == AlarmKind::none);
+    }
+    for (const double part : {1.02, 1.1, 1.5}) {
+      CAPTURE(part);
+      const Outcome packed = watch_packed(model, velocity, part * limit, kSteps);
+      const Outcome plain = watch(model, velocity, part * limit, kSteps);
+      CHECK(packed.alarm);
+      CHECK(packed.energy < 1e4);
+      CHECK(std::abs(packed.step - plain.step) <= 2);
     }
   }
 }

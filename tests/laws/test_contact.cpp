@@ -12,6 +12,7 @@
 #include "palpate/sim/haptics/tick.h"
 #include "palpate/sim/mesh/measure.h"
 #include "palpate/sim/model/build_mass_spring.h"
+#include "scenes/kernels.h"
 #include "scenes/scenes.h"
 
 // The laws of touch over time, T1 to T3 of TOOLS section 1, through the tick the hand feels.
@@ -71,6 +72,7 @@ Scene make_organ(int n, double radius, double k_a) {
   options.drag = 30.0;
   const Material wall{.density = 1000.0, .damping_ratio = 0.03, .wall_thickness = 0.002};
   Scene scene;
+  scene.kernel = scenes::kernel_under_test();
   scene.tissue =
       build_mass_spring(make_geodesic({0.0165, 0.0165, 0.030}, n), wall, 0.866 * 60.0, options);
   scene.tool = {.radius = radius, .stiffness = k_a};

@@ -9,6 +9,7 @@
 #include "palpate/sim/haptics/simulated_devices.h"
 #include "palpate/sim/haptics/tick.h"
 #include "palpate/sim/model/build_molecular.h"
+#include "scenes/kernels.h"
 #include "scenes/tissues.h"
 
 // What the hand feels over time: it settles when held, it blows up where it must, and it never
@@ -76,6 +77,7 @@ std::vector<Organ> make_organs() {
 
 Scene make_scene(const Organ& organ, double coupling) {
   Scene scene;
+  scene.kernel = scenes::kernel_under_test();
   scene.tissue = organ.tissue;
   scene.coupling.stiffness = coupling;
   return build_scene(std::move(scene));

@@ -5,16 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "palpate/sim/dynamics/alarms.h"
 #include "palpate/sim/dynamics/elastic_energy.h"
 #include "palpate/sim/dynamics/free_particles.h"
 
 namespace palpate {
 namespace {
 
-// SCIENCE 3, blow-up protocol (b)
-constexpr double kFarthestMove = 0.3;  // of the shortest rest length, in one step
-constexpr double kLargestStrain = 2.0;
-constexpr double kShortestLink = 0.05;  // of its rest length
 // a blow at 3 m/s flings single vertices of a fine mesh that far for some milliseconds
 // (tests/laws/test_contact.cpp); a tissue that blows up does not come back
 constexpr int kStrainedLooks = 10;
@@ -77,6 +74,21 @@ double compute_field_work(const TissueModel& model, const Vec3& gravity, const V
   return work;
 }
 
+Alarm check_links(const Links& links, const Vec3Array& x, int first_index) noexcept {
+  for (std::size_t l = 0; l < links.ends.size(); ++l) {
+    const double length = (x[links.ends[l][1]] - x[links.ends[l][0]]).norm();
+    const double part = length / links.rest_length[l];
+    const auto index = first_index + static_cast<int>(l);
+    if (part > 1.0 + kLargestStrain) {
+      return {AlarmKind::overstretched, index, part - 1.0, kLargestStrain};
+    }
+    if (part < kShortestLink) return {AlarmKind::collapsed, index, part, kShortestLink};
+  }
+  return {};
+}
+
+}  // namespace
+
 Alarm check_particles(const State& state, const Guard& guard, int steps) noexcept {
   const double farthest = kFarthestMove * guard.shortest_rest_length * steps;
   for (std::size_t i = 0; i < state.position.size(); ++i) {
@@ -91,20 +103,6 @@ Alarm check_particles(const State& state, const Guard& guard, int steps) noexcep
   return {};
 }
 
-Alarm check_links(const Links& links, const Vec3Array& x, int first_index) noexcept {
-  for (std::size_t l = 0; l < links.ends.size(); ++l) {
-    const double length = (x[links.ends[l][1]] - x[links.ends[l][0]]).norm();
-    const double part = length / links.rest_length[l];
-    const auto index = first_index + static_cast<int>(l);
-    if (part > 1.0 + kLargestStrain) {
-      return {AlarmKind::overstretched, index, part - 1.0, kLargestStrain};
-    }
-    if (part < kShortestLink) return {AlarmKind::collapsed, index, part, kShortestLink};
-  }
-  return {};
-}
-
-/// The first link that is out of its bounds, once some link has been for kStrainedLooks in a row.
 Alarm check_strains(const TissueModel& model, const Vec3Array& x, Guard& guard) noexcept {
   Alarm alarm = check_links(model.springs, x, 0);
   if (!alarm) alarm = check_links(model.bonds, x, static_cast<int>(model.springs.ends.size()));
@@ -141,8 +139,6 @@ Alarm check_energy(const TissueModel& model, double energy, double work, double 
   if (guard.rising_steps >= kRisingSteps) return {AlarmKind::energy, -1, rise, largest_rise};
   return {};
 }
-
-}  // namespace
 
 Guard::Guard(const TissueModel& model, const Vec3&, const State& state)
     : last_position(state.position),

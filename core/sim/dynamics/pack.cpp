@@ -52,24 +52,28 @@ void pack_particles(const TissueModel& model, PackedModel& packed) {
   packed.row.resize(at(n));
   for (int r = 0; r < n; ++r) packed.row[at(packed.particle[at(r)])] = r;
   packed.particle.resize(rows, -1);
-  packed.lanes.resize(at(width));
-  std::iota(packed.lanes.begin(), packed.lanes.end(), 0);
+  packed.self.resize(rows);
+  std::iota(packed.self.begin(), packed.self.end(), 0);
 
   Vec3 low = model.rest_position.front(), high = low;
   for (const Vec3& x : model.rest_position) low = low.cwiseMin(x), high = high.cwiseMax(x);
   packed.origin = 0.5 * (low + high);
   packed.rest.assign(3 * rows, 0.0f);
   packed.inverse_mass.assign(rows, 0.0f);
+  packed.mass.assign(rows, 0.0f);
   packed.home.assign(rows, 0.0f);
   for (int r = 0; r < n; ++r) {
     const auto i = at(packed.particle[at(r)]);
     const Eigen::Vector3f rest = (model.rest_position[i] - packed.origin).cast<float>();
     for (int k = 0; k < 3; ++k)
       packed.rest[at(3 * (r - r % width) + r % width + k * width)] = rest[k];
+    packed.mass[at(r)] = static_cast<float>(model.mass[i]);
     packed.inverse_mass[at(r)] = static_cast<float>(1.0 / model.mass[i]);
     if (!model.home.empty()) packed.home[at(r)] = static_cast<float>(model.home[i]);
   }
-  for (const int i : model.fixed) packed.inverse_mass[at(packed.row[at(i)])] = 0.0f;
+  for (const int i : model.fixed) {
+    packed.mass[at(packed.row[at(i)])] = packed.inverse_mass[at(packed.row[at(i)])] = 0.0f;
+  }
 }
 
 Triangle map_rows(const PackedModel& packed, const Triangle& t) {
@@ -288,8 +292,9 @@ PackedModel pack(const TissueModel& model, std::string_view target) {
   const ChosenLinks tables[] = {{&model.springs, all}, {&model.bonds, shares.left}};
   pack_links(tables, packed);
   pack_triangles(model, shares, packed);
-  drop_zeros(packed.links.damping);
   drop_zeros(packed.triangles.bond_damping);
+  // where triangles are damped there are velocities, and links are asked for theirs
+  if (packed.triangles.bond_damping.values.empty()) drop_zeros(packed.links.damping);
   return packed;
 }
 

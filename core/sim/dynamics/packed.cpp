@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/sim/dynamics/packed.h"
 
+#include <algorithm>
+
+#include "palpate/sim/dynamics/alarms.h"
 #include "palpate/sim/dynamics/packed_kernels.h"
 
 namespace palpate {
@@ -37,6 +40,17 @@ void clear_pushed(const PackedModel& model, const Load& load, PackedState& state
   }
 }
 
+/// [m] where all was at the last look.
+void recall_last_look(const PackedModel& model, const TissueModel& tissue,
+                      const PackedState& packed, Vec3Array& position) noexcept {
+  const auto width = static_cast<std::size_t>(model.width);
+  for (std::size_t i = 0; i < model.row.size(); ++i) {
+    const std::size_t at = find_in_slices(model, static_cast<std::size_t>(model.row[i]));
+    const float* u = packed.last_displacement.data() + at;
+    position[i] = tissue.rest_position[i] + Vec3(u[0], u[width], u[2 * width]);
+  }
+}
+
 }  // namespace
 
 PackedState::PackedState(const PackedModel& model, const TissueModel& tissue, const State& state)
@@ -65,33 +79,77 @@ PackedState::PackedState(const PackedModel& model, const TissueModel& tissue, co
       if (!velocity_rows[0].empty()) velocity_rows[0][4 * row + k] = v;
     }
   }
+  last_displacement = displacement;
+  if (model.skin.pack_count > 0) last_rows = position_rows[0];
 }
 
 std::string_view simd_target(const PackedModel& model) noexcept {
   return model.kernels ? model.kernels->target : "";
 }
 
-void step(const PackedModel& model, const Load& load, double dt, PackedState& state) noexcept {
-  if (model.triangles.pack_count > 0) model.kernels->accumulate_triangles(model, state);
+void step(const PackedModel& model, const Load& load, double dt, PackedState& state,
+          PackedMeasure* measure) noexcept {
+  if (measure != nullptr) *measure = {};
+  if (model.triangles.pack_count > 0) model.kernels->accumulate_triangles(model, state, measure);
   if (model.skin.pack_count > 0) model.kernels->accumulate_pressure(model, state);
   add_pushes(model, load, state);
-  model.kernels->advance(model, load.gravity.cast<float>(), static_cast<float>(dt), state);
+  model.kernels->advance(model, load.gravity.cast<float>(), static_cast<float>(dt), state, measure);
   if (!has_forces_of_triangles(model)) clear_pushed(model, load, state);
   state.current = 1 - state.current;
   state.time += dt;
 }
 
+void unpack_particle(const PackedModel& model, const TissueModel& tissue, const PackedState& packed,
+                     std::size_t particle, State& state) noexcept {
+  const auto width = static_cast<std::size_t>(model.width);
+  const std::size_t at = find_in_slices(model, static_cast<std::size_t>(model.row[particle]));
+  const float* u = packed.displacement.data() + at;
+  const float* v = packed.velocity.data() + at;
+  state.position[particle] = tissue.rest_position[particle] + Vec3(u[0], u[width], u[2 * width]);
+  state.velocity[particle] = Vec3(v[0], v[width], v[2 * width]);
+}
+
 void unpack(const PackedModel& model, const TissueModel& tissue, const PackedState& packed,
             State& state) noexcept {
-  const auto width = static_cast<std::size_t>(model.width);
   for (std::size_t i = 0; i < model.row.size(); ++i) {
-    const std::size_t at = find_in_slices(model, static_cast<std::size_t>(model.row[i]));
-    const float* u = packed.displacement.data() + at;
-    const float* v = packed.velocity.data() + at;
-    state.position[i] = tissue.rest_position[i] + Vec3(u[0], u[width], u[2 * width]);
-    state.velocity[i] = Vec3(v[0], v[width], v[2 * width]);
+    unpack_particle(model, tissue, packed, i, state);
   }
   state.time = packed.time;
+}
+
+/// The kernels only tell that something is wrong; which particle or link it is, and how wrong, the
+/// reference says. Energies are those one step back, which symplectic Euler keeps (guard.cpp).
+Alarm check(const PackedModel& model, const TissueModel& tissue, const Vec3& gravity,
+            const State& state, const PackedMeasure& measure, double work, PackedState& packed,
+            Guard& guard, int steps) noexcept {
+  const double farthest = kFarthestMove * guard.shortest_rest_length * steps;
+  const packed_kernels::Change change =
+      model.kernels->compare(model, gravity.cast<float>(), static_cast<float>(farthest), packed);
+  Alarm alarm;
+  if (change.moved_far) {
+    recall_last_look(model, tissue, packed, guard.last_position);
+    alarm = check_particles(state, guard, steps);
+  }
+  if (!alarm && measure.strained) alarm = check_strains(tissue, state.position, guard);
+  if (!measure.strained) guard.strained_looks = 0;
+  if (!alarm) {
+    const double elapsed = std::max(0.0, state.time - guard.last_time);
+    alarm = check_energy(tissue, measure.kinetic + measure.elastic,
+                         work + change.gravity_work + change.pressure_work, elapsed, guard);
+  }
+  guard.last_time = state.time;
+  if (alarm) {
+    recall_last_look(model, tissue, packed, guard.last_position);
+    alarm.time = state.time;
+    return alarm;
+  }
+  std::copy(packed.displacement.begin(), packed.displacement.end(),
+            packed.last_displacement.begin());
+  if (!packed.last_rows.empty()) {
+    const auto& rows = packed.position_rows[static_cast<std::size_t>(packed.current)];
+    std::copy(rows.begin(), rows.end(), packed.last_rows.begin());
+  }
+  return alarm;
 }
 
 }  // namespace palpate

@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "palpate/sim/dynamics/guard.h"
 #include "palpate/sim/dynamics/load.h"
 #include "palpate/sim/dynamics/packed_model.h"
 #include "palpate/sim/dynamics/simd_targets.h"
@@ -17,23 +18,24 @@ PackedModel pack(const TissueModel& model, std::string_view target = {});
 std::string_view simd_target(const PackedModel& model) noexcept;
 
 /// Advances by `dt` [s] with symplectic Euler under loads whose triangles are those of the tissue
-/// that was packed, as step() does with the reference kernels. Does not allocate.
-void step(const PackedModel& model, const Load& load, double dt, PackedState& state) noexcept;
+/// that was packed, as step() does with the reference kernels. Does not allocate. `measure`, unless
+/// null, is set to what check() needs to know of the step.
+void step(const PackedModel& model, const Load& load, double dt, PackedState& state,
+          PackedMeasure* measure = nullptr) noexcept;
+
+/// Looks at a packed tissue after steps of which the last was measured, as check() in guard.h does
+/// at a plain one; `state` is the unpacked form of `packed`.
+Alarm check(const PackedModel& model, const TissueModel& tissue, const Vec3& gravity,
+            const State& state, const PackedMeasure& measure, double work, PackedState& packed,
+            Guard& guard, int steps) noexcept;
 
 /// Writes time, positions [m] and velocities [m/s] of all particles into `state`, in the
 /// tissue's own numbering.
 void unpack(const PackedModel& model, const TissueModel& tissue, const PackedState& packed,
             State& state) noexcept;
 
-/// [m] where one particle is, as unpack() would say.
-inline Vec3 compute_position(const PackedModel& model, const TissueModel& tissue,
-                             const PackedState& state, int particle) noexcept {
-  const int row = model.row[static_cast<std::size_t>(particle)];
-  const auto width = static_cast<std::size_t>(model.width);
-  const auto lane = static_cast<std::size_t>(row) % width;
-  const float* u = state.displacement.data() + 3 * (static_cast<std::size_t>(row) - lane) + lane;
-  return tissue.rest_position[static_cast<std::size_t>(particle)] +
-         Vec3(u[0], u[width], u[2 * width]);
-}
+/// Writes position and velocity of one particle, as unpack() would.
+void unpack_particle(const PackedModel& model, const TissueModel& tissue, const PackedState& packed,
+                     std::size_t particle, State& state) noexcept;
 
 }  // namespace palpate

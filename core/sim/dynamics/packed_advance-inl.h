@@ -7,6 +7,8 @@
 #define PALPATE_PACKED_ADVANCE_INL_H
 #endif
 
+#include "palpate/sim/dynamics/alarms.h"
+#include "palpate/sim/dynamics/packed_kernels.h"
 #include "palpate/sim/dynamics/packed_vector-inl.h"
 
 #if HWY_TARGET != HWY_SCALAR
@@ -16,15 +18,61 @@ namespace HWY_NAMESPACE {
 
 enum class Damping { none, axis, isotropic };
 
+/// Sums over the lanes of what is measured on the way.
+struct Sums {
+  Real kinetic, elastic;
+  hn::Mask<Lanes> strained;
+};
+
+HWY_INLINE Sums begin_sums() {
+  const Real zero = hn::Zero(kLanes);
+  return {zero, zero, hn::Lt(zero, zero)};
+}
+
+HWY_INLINE void add_sums(const Sums& sums, PackedMeasure& measure) {
+  measure.kinetic += hn::GetLane(hn::SumOfLanes(kLanes, sums.kinetic));
+  measure.elastic += hn::GetLane(hn::SumOfLanes(kLanes, sums.elastic));
+  measure.strained = measure.strained || !hn::AllFalse(kLanes, sums.strained);
+}
+
+using Indices = hn::Rebind<int, Lanes>;
+
+/// Lanes whose two numbers differ.
+HWY_INLINE hn::Mask<Lanes> differ(const int* a, const int* b) {
+  const Indices d;
+  return hn::RebindMask(kLanes, hn::Ne(hn::Load(d, a), hn::Load(d, b)));
+}
+
+HWY_INLINE hn::Mask<Lanes> is_strained(const Real length, const Real rest) {
+  const Real longest = hn::Set(kLanes, static_cast<float>(1.0 + kLargestStrain));
+  const Real shortest = hn::Set(kLanes, static_cast<float>(kShortestLink));
+  return hn::Or(hn::Gt(length, hn::Mul(longest, rest)), hn::Lt(length, hn::Mul(shortest, rest)));
+}
+
+/// Half of k (l - L)² / 2 for each link of a slot: its other end adds the other half.
+HWY_INLINE void measure_slot(const PackedLinks& links, std::size_t slot, const int* self,
+                             const Real square, const Real inverse, Sums& sums) {
+  const auto is_link = differ(links.neighbour.data() + kWidth * slot, self);
+  const Real k = load(links.stiffness.block(slot)),
+             rest_tension = load(links.rest_tension.block(slot));
+  const Real length = hn::Mul(square, inverse);
+  const Real rest = hn::IfThenElseZero(hn::Ne(k, hn::Zero(kLanes)), hn::Div(rest_tension, k));
+  const Real tension = hn::MulSub(k, length, rest_tension);
+  const Real energy = hn::Mul(hn::Mul(tension, hn::Sub(length, rest)), hn::Set(kLanes, 0.25f));
+  sums.elastic = hn::Add(sums.elastic, hn::IfThenElseZero(is_link, energy));
+  const auto weighs = hn::And(is_link, hn::Gt(rest, hn::Zero(kLanes)));
+  sums.strained = hn::Or(sums.strained, hn::And(weighs, is_strained(length, rest)));
+}
+
 /// Adds the pull of all links of slice s on its particles at x, with velocities v. In the form
 ///
 ///     f += (k - k L / |d| + c (w·d) / |d|²) d,   d = x_j - x,  w = v_j - v
 ///
 /// the law of accumulate_links (forces.cpp) needs one inverse root and no division. A link is
 /// computed at both of its ends, with the same numbers but for the sign: momentum is kept.
-template <Damping damping>
+template <Damping damping, bool measured>
 HWY_INLINE Points add_links(const PackedModel& model, const PackedState& state, std::size_t s,
-                            const Points& x, const Points& v, Points f) {
+                            const Points& x, const Points& v, Points f, Sums& sums) {
   const PackedLinks& links = model.links;
   const auto here = static_cast<std::size_t>(state.current);
   const float* position_rows = state.position_rows[here].data();
@@ -34,7 +82,11 @@ HWY_INLINE Points add_links(const PackedModel& model, const PackedState& state, 
   for (auto slot = static_cast<std::size_t>(links.first_slot[s]); slot < end; ++slot) {
     const int* neighbour = links.neighbour.data() + kWidth * slot;
     const Points d = gather(position_rows, neighbour) - x;
-    const Real inverse = invert_root(hn::Max(dot(d, d), least));
+    const Real square = hn::Max(dot(d, d), least);
+    const Real inverse = invert_root(square);
+    if constexpr (measured) {
+      measure_slot(links, slot, model.self.data() + kWidth * s, square, inverse, sums);
+    }
     Real scale = hn::NegMulAdd(load(links.rest_tension.block(slot)), inverse,
                                load(links.stiffness.block(slot)));
     if constexpr (damping != Damping::none) {
@@ -50,10 +102,20 @@ HWY_INLINE Points add_links(const PackedModel& model, const PackedState& state, 
   return f;
 }
 
+/// Kinetic energy with the velocity half way through the kick, m |v + v'|² / 8, and that of home.
+HWY_INLINE void measure_slice(const PackedModel& model, std::size_t s, const Points& u,
+                              const Points& v, const Points& v_new, Sums& sums) {
+  const Points twice = v + v_new;
+  const Real mass = hn::Mul(load(model.mass.data() + kWidth * s), hn::Set(kLanes, 0.125f));
+  const Real home = hn::Mul(load(model.home.data() + kWidth * s), hn::Set(kLanes, 0.5f));
+  sums.kinetic = hn::MulAdd(mass, dot(twice, twice), sums.kinetic);
+  sums.elastic = hn::MulAdd(home, dot(u, u), sums.elastic);
+}
+
 /// One step of one slice: v += dt (f/m + g - drag v), u += dt v with the new v.
-template <Damping damping>
+template <Damping damping, bool measured>
 HWY_INLINE void advance_slice(const PackedModel& model, const Points& gravity, float dt,
-                              std::size_t s, PackedState& state) {
+                              std::size_t s, PackedState& state, Sums& sums) {
   const Points rest = load_points(model.rest.data() + 3 * kWidth * s);
   float* displacement = state.displacement.data() + 3 * kWidth * s;
   float* velocity = state.velocity.data() + 3 * kWidth * s;
@@ -61,10 +123,10 @@ HWY_INLINE void advance_slice(const PackedModel& model, const Points& gravity, f
   const Points x = rest + u;
 
   Points f = hn::Neg(load(model.home.data() + kWidth * s)) * u;
-  f = add_links<damping>(model, state, s, x, v, f);
+  f = add_links<damping, measured>(model, state, s, x, v, f, sums);
   if (state.pushed[s] != 0) {
     float* rows = state.force_rows.data() + 4 * kWidth * s;
-    f = f + gather(rows, model.lanes.data());
+    f = f + gather(rows, model.self.data());
     for (std::size_t i = 0; i < 4 * kWidth; i += kWidth) {
       hn::Store(hn::Zero(kLanes), kLanes, rows + i);
     }
@@ -79,33 +141,46 @@ HWY_INLINE void advance_slice(const PackedModel& model, const Points& gravity, f
   const Points v_new = add_scaled(step, kick, kept * v);
   const Points u_new = add_scaled(step, v_new, u);
 
+  if constexpr (measured) measure_slice(model, s, u, v, v_new, sums);
   store_points(v_new, velocity);
   store_points(u_new, displacement);
   const auto there = static_cast<std::size_t>(1 - state.current);
-  scatter(rest + u_new, model.lanes.data(), state.position_rows[there].data() + 4 * kWidth * s);
+  scatter(rest + u_new, model.self.data(), state.position_rows[there].data() + 4 * kWidth * s);
   if constexpr (damping != Damping::none) {
-    scatter(v_new, model.lanes.data(), state.velocity_rows[there].data() + 4 * kWidth * s);
+    scatter(v_new, model.self.data(), state.velocity_rows[there].data() + 4 * kWidth * s);
+  }
+}
+
+template <Damping damping, bool measured>
+void advance_all(const PackedModel& model, const Eigen::Vector3f& gravity, float dt,
+                 PackedState& state, Sums& sums) {
+  const Points g = {hn::Set(kLanes, gravity.x()), hn::Set(kLanes, gravity.y()),
+                    hn::Set(kLanes, gravity.z())};
+  for (std::size_t s = 0; s < static_cast<std::size_t>(model.slice_count); ++s) {
+    advance_slice<damping, measured>(model, g, dt, s, state, sums);
   }
 }
 
 template <Damping damping>
-void advance_all(const PackedModel& model, const Eigen::Vector3f& gravity, float dt,
-                 PackedState& state) {
-  const Points g = {hn::Set(kLanes, gravity.x()), hn::Set(kLanes, gravity.y()),
-                    hn::Set(kLanes, gravity.z())};
-  for (std::size_t s = 0; s < static_cast<std::size_t>(model.slice_count); ++s) {
-    advance_slice<damping>(model, g, dt, s, state);
+void advance_under(const PackedModel& model, const Eigen::Vector3f& gravity, float dt,
+                   PackedState& state, PackedMeasure* measure) {
+  Sums sums = begin_sums();
+  if (measure == nullptr) {
+    advance_all<damping, false>(model, gravity, dt, state, sums);
+  } else {
+    advance_all<damping, true>(model, gravity, dt, state, sums);
+    add_sums(sums, *measure);
   }
 }
 
-void advance(const PackedModel& model, const Eigen::Vector3f& gravity, float dt,
-             PackedState& state) noexcept {
+void advance(const PackedModel& model, const Eigen::Vector3f& gravity, float dt, PackedState& state,
+             PackedMeasure* measure) noexcept {
   if (state.velocity_rows[0].empty()) {
-    advance_all<Damping::none>(model, gravity, dt, state);
+    advance_under<Damping::none>(model, gravity, dt, state, measure);
   } else if (model.damping_law == DampingLaw::axis) {
-    advance_all<Damping::axis>(model, gravity, dt, state);
+    advance_under<Damping::axis>(model, gravity, dt, state, measure);
   } else {
-    advance_all<Damping::isotropic>(model, gravity, dt, state);
+    advance_under<Damping::isotropic>(model, gravity, dt, state, measure);
   }
 }
 

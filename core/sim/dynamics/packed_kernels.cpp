@@ -12,6 +12,7 @@
 // after it, or its first pass would be the last
 #include <hwy/highway.h>
 
+#include "palpate/sim/dynamics/packed_compare-inl.h"
 #include "palpate/sim/dynamics/packed_triangles-inl.h"
 
 // a machine without vectors runs the reference kernels
@@ -21,8 +22,12 @@ namespace palpate::packed_kernels {
 namespace HWY_NAMESPACE {
 
 const Kernels& kernels() noexcept {
-  static const Kernels kernels = {hwy::TargetName(HWY_TARGET), static_cast<int>(kWidth),
-                                  &accumulate_triangles, &accumulate_pressure, &advance};
+  static const Kernels kernels = {hwy::TargetName(HWY_TARGET),
+                                  static_cast<int>(kWidth),
+                                  &accumulate_triangles,
+                                  &accumulate_pressure,
+                                  &advance,
+                                  &compare};
   return kernels;
 }
 

@@ -7,19 +7,33 @@
 
 namespace palpate::packed_kernels {
 
+/// What a tissue has done since the last look.
+struct Change {
+  bool moved_far = false;      ///< some particle beyond the limit, or nowhere
+  double gravity_work = 0.0;   ///< [J]
+  double pressure_work = 0.0;  ///< [J]
+};
+
 /// The kernels compiled for one vector target. Each works on models of its own width.
 struct Kernels {
   const char* target = nullptr;
   int width = 0;  ///< lanes
 
-  /// Adds the forces of bonds, angles and stretch-bend to the force rows.
-  void (*accumulate_triangles)(const PackedModel& model, PackedState& state) noexcept = nullptr;
+  /// Adds the forces of bonds, angles and stretch-bend to the force rows; to `measure` their
+  /// energy, unless it is null.
+  void (*accumulate_triangles)(const PackedModel& model, PackedState& state,
+                               PackedMeasure* measure) noexcept = nullptr;
   /// Adds the forces of the pressure to the force rows.
   void (*accumulate_pressure)(const PackedModel& model, PackedState& state) noexcept = nullptr;
   /// Adds links, home springs, gravity [m/s²], drag and the force rows, moves every particle by
-  /// one step of dt [s] into the other tables of rows, and leaves the force rows zero.
+  /// one step of dt [s] into the other tables of rows, and leaves the force rows zero. Adds to
+  /// `measure` the energies of all these, unless it is null.
   void (*advance)(const PackedModel& model, const Eigen::Vector3f& gravity, float dt,
-                  PackedState& state) noexcept = nullptr;
+                  PackedState& state, PackedMeasure* measure) noexcept = nullptr;
+  /// Compares with where all was at the last look. `farthest` [m] is how far a particle may have
+  /// gone.
+  Change (*compare)(const PackedModel& model, const Eigen::Vector3f& gravity, float farthest,
+                    const PackedState& state) noexcept = nullptr;
 };
 
 /// Those this machine can run, the best first.

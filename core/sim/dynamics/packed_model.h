@@ -61,8 +61,9 @@ struct PackedModel {
 
   CacheAligned<float> rest;          ///< [m] per slice: `width` x, as many y, as many z
   CacheAligned<float> inverse_mass;  ///< [1/kg] per row; 0 for what is held
+  CacheAligned<float> mass;          ///< [kg] per row; 0 for what is held
   CacheAligned<float> home;          ///< [N/m] per row
-  CacheAligned<int> lanes;           ///< 0, 1, ... up to `width`: the rows of a slice
+  CacheAligned<int> self;            ///< each row's own number
   PackedLinks links;
   PackedTriangles triangles;  ///< with angles or bonds; may be empty
   PackedTriangles skin;       ///< under pressure; empty without one
@@ -71,6 +72,13 @@ struct PackedModel {
   DampingLaw damping_law = DampingLaw::axis;
   AngleLaw angle_law = AngleLaw::gradient;
   std::vector<Triangle> surface;  ///< rows of the corners of TissueModel::triangles
+};
+
+/// What a step finds on its way for a look at the tissue: energies [J] where the step began, with
+/// the velocities half way through its kick, and whether any link or side is out of its bounds.
+struct PackedMeasure {
+  double kinetic = 0.0, elastic = 0.0;
+  bool strained = false;
 };
 
 /// Everything about a packed tissue that changes from step to step. A particle is where it rests
@@ -87,7 +95,9 @@ struct PackedState {
   std::array<CacheAligned<float>, 2> position_rows;  ///< [m] x, y, z, 0 of each row
   std::array<CacheAligned<float>, 2> velocity_rows;  ///< [m/s] likewise; empty without damping
   CacheAligned<float> force_rows;                    ///< [N] likewise; all 0 between steps
-  std::vector<unsigned char> pushed;                 ///< per slice: force_rows holds something
+  CacheAligned<float> last_displacement;             ///< [m] at the last look
+  CacheAligned<float> last_rows;      ///< [m] position rows then; empty without pressure
+  std::vector<unsigned char> pushed;  ///< per slice: force_rows holds something
 };
 
 }  // namespace palpate

@@ -87,13 +87,25 @@ HWY_INLINE Sides compute_cosines(const Measured& m, const Sides& inverse_others)
           cosine(m.square.c, inverse_others.c)};
 }
 
+/// The changes of angle that tensions and energies are made of.
+struct Bent {
+  Sides cosine, bend, inverse_others;
+};
+
+HWY_INLINE Bent compute_bend(const PackedTriangles& triangles, std::size_t pack,
+                             const Measured& m) {
+  Bent bent;
+  bent.inverse_others = multiply_others(m.inverse);
+  bent.cosine = compute_cosines(m, bent.inverse_others);
+  bent.bend = bent.cosine - load_sides(triangles.rest_cosine.block(pack));
+  return bent;
+}
+
 /// Eq 9 and Eq 11, or Eq 10, as tensions of the sides: the equations stand in tensions.h.
 template <AngleLaw law>
 HWY_INLINE Sides compute_tensions(const PackedTriangles& triangles, std::size_t pack,
-                                  const Measured& m, const Sides& stretch) {
-  const Sides inverse_others = multiply_others(m.inverse);
-  const Sides cosine = compute_cosines(m, inverse_others);
-  const Sides bend = cosine - load_sides(triangles.rest_cosine.block(pack));
+                                  const Measured& m, const Bent& bent, const Sides& stretch) {
+  const auto& [cosine, bend, inverse_others] = bent;
   const Sides stiffness = load_sides(triangles.bend_stiffness.block(pack));
   if constexpr (law == AngleLaw::eq10) {
     const Sides t = stiffness * bend;
@@ -103,12 +115,36 @@ HWY_INLINE Sides compute_tensions(const PackedTriangles& triangles, std::size_t 
   const Sides torque = multiply_add(stiffness, bend, coupling * add_others(stretch));
   const Sides w = torque * m.length * inverse_others;
   const Sides s = add_others(coupling * bend);
-  const auto tension = [](Real s_a, Real w_a, Real w_b, Real w_c, Real cos_b, Real cos_c) HWY_ATTR {
+  const auto pull = [](Real s_a, Real w_a, Real w_b, Real w_c, Real cos_b, Real cos_c) HWY_ATTR {
     return hn::MulAdd(w_b, cos_c, hn::MulAdd(w_c, cos_b, hn::Sub(s_a, w_a)));
   };
-  return {tension(s.a, w.a, w.b, w.c, cosine.b, cosine.c),
-          tension(s.b, w.b, w.c, w.a, cosine.c, cosine.a),
-          tension(s.c, w.c, w.a, w.b, cosine.a, cosine.b)};
+  return {pull(s.a, w.a, w.b, w.c, cosine.b, cosine.c),
+          pull(s.b, w.b, w.c, w.a, cosine.c, cosine.a),
+          pull(s.c, w.c, w.a, w.b, cosine.a, cosine.b)};
+}
+
+/// Bonds k (l - L)² / 2, angles and stretch-bend (K q / 2 + K_t (d + d')) q, where a lane holds a
+/// triangle.
+template <AngleLaw law>
+HWY_INLINE void measure_pack(const PackedTriangles& triangles, std::size_t pack, const Sides& rest,
+                             const Measured& m, const Bent& bent, const Sides& stretch,
+                             Sums& sums) {
+  const int* corner = triangles.corner.data() + 3 * kWidth * pack;
+  const auto is_triangle = differ(corner, corner + kWidth);
+  const Real half = hn::Set(kLanes, 0.5f);
+  const Sides bond = load_sides(triangles.bond_stiffness.block(pack)) * stretch * stretch;
+  Real energy = hn::Mul(half, hn::Add(hn::Add(bond.a, bond.b), bond.c));
+  if constexpr (law == AngleLaw::gradient) {
+    const Sides bending = load_sides(triangles.bend_stiffness.block(pack)) * bent.bend;
+    const Sides coupled = load_sides(triangles.stretch_coupling.block(pack)) * add_others(stretch);
+    const Sides angle = multiply_add({half, half, half}, bending, coupled) * bent.bend;
+    energy = hn::Add(energy, hn::Add(hn::Add(angle.a, angle.b), angle.c));
+  }
+  sums.elastic = hn::Add(sums.elastic, hn::IfThenElseZero(is_triangle, energy));
+  const auto strained =
+      hn::Or(hn::Or(is_strained(m.length.a, rest.a), is_strained(m.length.b, rest.b)),
+             is_strained(m.length.c, rest.c));
+  sums.strained = hn::Or(sums.strained, hn::And(is_triangle, strained));
 }
 
 /// The pulls along the three sides of the triangles of a pack.
@@ -138,10 +174,10 @@ HWY_INLINE void add_damping(const PackedTriangles& triangles, std::size_t pack, 
   }
 }
 
-template <AngleLaw law, Damping damping>
+template <AngleLaw law, Damping damping, bool measured>
 HWY_INLINE void accumulate_pack(const PackedTriangles& triangles, std::size_t pack,
                                 const float* position_rows, const float* velocity_rows,
-                                float* force_rows) {
+                                float* force_rows, Sums& sums) {
   const int* corner = triangles.corner.data() + 3 * kWidth * pack;
   const Points at_a = gather(position_rows, corner);
   const Points at_b = gather(position_rows, corner + kWidth);
@@ -152,7 +188,9 @@ HWY_INLINE void accumulate_pack(const PackedTriangles& triangles, std::size_t pa
   const Measured m = measure(rest, side_a, side_b, side_c);
   const Sides stretch = m.length - rest;
   const Sides bond = load_sides(triangles.bond_stiffness.block(pack)) * stretch;
-  const Sides tension = compute_tensions<law>(triangles, pack, m, stretch);
+  const Bent bent = compute_bend(triangles, pack, m);
+  if constexpr (measured) measure_pack<law>(triangles, pack, rest, m, bent, stretch, sums);
+  const Sides tension = compute_tensions<law>(triangles, pack, m, bent, stretch);
   const Sides scale = multiply_add(tension, m.inverse, bond * m.direction);
   Pulls pull = {scale.a * side_a, scale.b * side_b, scale.c * side_c};
   if constexpr (damping != Damping::none) {
@@ -163,31 +201,44 @@ HWY_INLINE void accumulate_pack(const PackedTriangles& triangles, std::size_t pa
   scatter_add(pull.a - pull.b, corner + 2 * kWidth, force_rows);
 }
 
-template <AngleLaw law, Damping damping>
-void accumulate_packs(const PackedModel& model, PackedState& state) {
+template <AngleLaw law, Damping damping, bool measured>
+void accumulate_packs(const PackedModel& model, PackedState& state, Sums& sums) {
   const auto here = static_cast<std::size_t>(state.current);
   for (std::size_t p = 0; p < static_cast<std::size_t>(model.triangles.pack_count); ++p) {
-    accumulate_pack<law, damping>(model.triangles, p, state.position_rows[here].data(),
-                                  state.velocity_rows[here].data(), state.force_rows.data());
+    accumulate_pack<law, damping, measured>(model.triangles, p, state.position_rows[here].data(),
+                                            state.velocity_rows[here].data(),
+                                            state.force_rows.data(), sums);
+  }
+}
+
+template <AngleLaw law, Damping damping>
+void accumulate_damped(const PackedModel& model, PackedState& state, PackedMeasure* measure) {
+  Sums sums = begin_sums();
+  if (measure == nullptr) {
+    accumulate_packs<law, damping, false>(model, state, sums);
+  } else {
+    accumulate_packs<law, damping, true>(model, state, sums);
+    add_sums(sums, *measure);
   }
 }
 
 template <AngleLaw law>
-void accumulate_under(const PackedModel& model, PackedState& state) {
+void accumulate_under(const PackedModel& model, PackedState& state, PackedMeasure* measure) {
   if (model.triangles.bond_damping.values.empty()) {
-    accumulate_packs<law, Damping::none>(model, state);
+    accumulate_damped<law, Damping::none>(model, state, measure);
   } else if (model.damping_law == DampingLaw::axis) {
-    accumulate_packs<law, Damping::axis>(model, state);
+    accumulate_damped<law, Damping::axis>(model, state, measure);
   } else {
-    accumulate_packs<law, Damping::isotropic>(model, state);
+    accumulate_damped<law, Damping::isotropic>(model, state, measure);
   }
 }
 
-void accumulate_triangles(const PackedModel& model, PackedState& state) noexcept {
+void accumulate_triangles(const PackedModel& model, PackedState& state,
+                          PackedMeasure* measure) noexcept {
   if (model.angle_law == AngleLaw::gradient) {
-    accumulate_under<AngleLaw::gradient>(model, state);
+    accumulate_under<AngleLaw::gradient>(model, state, measure);
   } else {
-    accumulate_under<AngleLaw::eq10>(model, state);
+    accumulate_under<AngleLaw::eq10>(model, state, measure);
   }
 }
 

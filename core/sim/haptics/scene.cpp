@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "palpate/sim/dynamics/simd_targets.h"
 #include "palpate/sim/dynamics/stable_step.h"
 
 namespace palpate {
@@ -27,6 +28,14 @@ void require_positive(const char* field, double value) {
   if (!(value > 0.0) || !std::isfinite(value)) refuse(field, value, "a positive number");
 }
 
+void check_target(const std::string& target) {
+  const std::vector<std::string> targets = simd_targets();
+  if (target.empty() || std::find(targets.begin(), targets.end(), target) != targets.end()) return;
+  std::string names = "none, or one of";
+  for (const std::string& name : targets) names += " " + name;
+  throw std::invalid_argument("scene: simd_target: got " + target + ", expected " + names);
+}
+
 void validate(const Scene& scene) {
   palpate::validate(scene.tissue);
   if (scene.tissue.triangles.empty()) refuse("tissue.triangles", 0, "at least one to touch");
@@ -37,6 +46,7 @@ void validate(const Scene& scene) {
   require_positive("hold_stiffness [N/m]", scene.hold_stiffness);
   require_positive("rate [Hz]", scene.rate);
   if (!scene.gravity.allFinite()) refuse("gravity [m/s^2]", scene.gravity.norm(), "finite numbers");
+  check_target(scene.simd_target);
   if (scene.substeps < 0 || scene.substeps > kMostSubsteps) {
     refuse("substeps", scene.substeps, "0 to 10000");
   }

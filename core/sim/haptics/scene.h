@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
 #include "palpate/sim/contact/balance_tool.h"
 #include "palpate/sim/model/tissue_model.h"
 
 namespace palpate {
+
+/// Which form of the tissue's laws a tick runs.
+enum class Kernel {
+  reference,  ///< double, plain, one particle after the other
+  packed,     ///< float, in vector code
+};
 
 /// A tissue, a tool, and how the hand is coupled to it: all that a tick needs and never changes.
 struct Scene {
@@ -16,6 +24,10 @@ struct Scene {
   double rate = 1000.0;           ///< [Hz]
   int substeps = 0;               ///< tissue steps per tick in the air; build_scene chooses when 0
   int substeps_max = 0;           ///< contact may raise them to this; build_scene chooses when 0
+
+  /// packed is reference where Palpate has no vector code for this machine
+  Kernel kernel = Kernel::packed;
+  std::string simd_target;  ///< of the packed kernel: one of simd_targets(), empty for the best
 
   // filled in by build_scene
   std::vector<double> rest_areas;   ///< [m²] per triangle

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/sim/dynamics/step.h"
+#include "palpate/sim/haptics/move_tissue.h"
 #include "palpate/sim/haptics/place_tool.h"
 
 namespace palpate {
@@ -95,19 +95,6 @@ void follow_button(const Scene& scene, std::uint8_t buttons, double dt, World& w
   world.attach_pressed = pressed;
 }
 
-/// [W] what the pushes do to the tissue at velocities v; times the substep it is their work to the
-/// last bit, because symplectic Euler moves particles with the new velocity.
-double compute_push_power(std::span<const Push> pushes, std::span<const Triangle> triangles,
-                          std::span<const Vec3> v) noexcept {
-  double power = 0.0;
-  for (const Push& push : pushes) {
-    const auto& [i, j, k] = triangles[static_cast<std::size_t>(push.triangle)];
-    const Vec3 patch = push.weights[0] * v[i] + push.weights[1] * v[j] + push.weights[2] * v[k];
-    power += push.force.dot(patch);
-  }
-  return power;
-}
-
 /// Back to the last tick in which nothing was wrong, and no further (SCIENCE 3).
 void stand_still(World& world) noexcept {
   std::copy(world.guard.last_position.begin(), world.guard.last_position.end(),
@@ -136,6 +123,7 @@ HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
   world.substeps = choose_substeps(scene, way, dt, world);
   world.hand = hand;
   const double substep = dt / world.substeps;
+  begin_moving(scene, world);
 
   // Which triangles may be touched is settled once per tick. Where and how hard they are touched
   // changes with every substep: held over the tick, it would buzz on the hand and diverge.
@@ -146,11 +134,9 @@ HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
       felt += balance_tool(scene.tool, scene.coupling, hand, world.candidates,
                            scene.tissue.triangles, tissue.position, world.tool, world.load);
     }
-    step(scene.tissue, world.load, substep, tissue);
-    work +=
-        substep * compute_push_power(world.load.pushes(), scene.tissue.triangles, tissue.velocity);
+    work += move_tissue(scene, substep, s + 1 == world.substeps, world);
   }
-  world.alarm = check(scene.tissue, scene.gravity, tissue, work, world.guard, world.substeps);
+  world.alarm = end_moving(scene, work, world);
   if (world.alarm) {
     stand_still(world);
     return {};

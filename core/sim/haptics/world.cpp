@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 
+#include "palpate/sim/dynamics/packed.h"
+
 namespace palpate {
 namespace {
 
@@ -28,6 +30,11 @@ World::World(const Scene& scene)
       substeps(scene.substeps),
       scratch(scene.tissue.rest_position.size(), 0.0) {
   load.gravity = scene.gravity;
+  if (scene.kernel == Kernel::reference || simd_targets().empty()) return;
+  packed_model = std::make_shared<const PackedModel>(pack(scene.tissue, scene.simd_target));
+  packed = PackedState(*packed_model, scene.tissue, tissue);
+  near.resize(scene.tissue.rest_position.size());
+  last_near_at.resize(near.size(), -1);
 }
 
 }  // namespace palpate

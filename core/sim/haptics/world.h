@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
+
 #include "palpate/sim/contact/aabb_tree.h"
 #include "palpate/sim/contact/find_candidates.h"
 #include "palpate/sim/dynamics/guard.h"
-#include "palpate/sim/dynamics/state.h"
+#include "palpate/sim/dynamics/packed_model.h"
 #include "palpate/sim/haptics/scene.h"
 
 namespace palpate {
@@ -13,7 +15,7 @@ namespace palpate {
 struct World {
   explicit World(const Scene& scene);
 
-  State tissue;
+  State tissue;  ///< after every tick, whichever kernel moves it
   AabbTree tree;
   Candidates candidates;
   ToolState tool;
@@ -26,6 +28,14 @@ struct World {
   bool attach_pressed = false;
   int release_ticks = 0;        ///< left until a hold that fades is gone; 0 when none does
   std::vector<double> scratch;  ///< per particle
+
+  // the packed kernel, where the scene has it and this machine too
+  std::shared_ptr<const PackedModel> packed_model;  ///< null under the reference kernel
+  PackedState packed;
+  PackedMeasure measure;           ///< of the last substep
+  std::vector<int> near;           ///< particles the tool may touch in this tick
+  int near_count = 0;              ///< how many of them are in force
+  std::vector<long> last_near_at;  ///< per particle: the last tick in which it was one of them
 };
 
 }  // namespace palpate

@@ -56,6 +56,9 @@ std::vector<TissueModel> make_every_tissue() {
   odd.bonds.damping.push_back(0.02);
   odd.home.assign(odd.mass.size(), 5.0);
   odd.pressure = 300.0;
+  tissues.push_back(odd);
+  // damped triangles beside links that are not
+  odd.bonds.damping.back() = 0.0;
   tissues.push_back(std::move(odd));
   return tissues;
 }

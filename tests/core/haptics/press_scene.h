@@ -4,6 +4,7 @@
 #include "palpate/sim/haptics/simulated_devices.h"
 #include "palpate/sim/haptics/tick.h"
 #include "palpate/sim/model/build_mass_spring.h"
+#include "scenes/kernels.h"
 #include "scenes/scenes.h"
 
 namespace palpate::testing {
@@ -18,6 +19,7 @@ inline Scene press_scene() {
   }
   options.home_stiffness = 4e5;
   Scene scene;
+  scene.kernel = scenes::kernel_under_test();
   scene.tissue = build_mass_spring(mesh, {.wall_thickness = 0.003}, 100.0, options);
   return build_scene(std::move(scene));
 }

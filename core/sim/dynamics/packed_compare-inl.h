@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Included once per vector target by packed_kernels.cpp: what has changed since the last look.
+#if defined(PALPATE_PACKED_COMPARE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PALPATE_PACKED_COMPARE_INL_H
+#undef PALPATE_PACKED_COMPARE_INL_H
+#else
+#define PALPATE_PACKED_COMPARE_INL_H
+#endif
+
+#include "palpate/sim/dynamics/packed_kernels.h"
+#include "palpate/sim/dynamics/packed_vector-inl.h"
+
+#if HWY_TARGET != HWY_SCALAR
+HWY_BEFORE_NAMESPACE();
+namespace palpate::packed_kernels {
+namespace HWY_NAMESPACE {
+
+/// [J] the pressure's work on the way from the last look: the force half way times the way, which
+/// on open surfaces too is right to third order.
+double compute_pressure_work(const PackedModel& model, const PackedState& state) {
+  const float* now = state.position_rows[static_cast<std::size_t>(state.current)].data();
+  const float* last = state.last_rows.data();
+  const Real half = hn::Set(kLanes, 0.5f);
+  Real sum = hn::Zero(kLanes);
+  for (std::size_t p = 0; p < static_cast<std::size_t>(model.skin.pack_count); ++p) {
+    const int* corner = model.skin.corner.data() + 3 * kWidth * p;
+    Points way[3], middle[3];
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Points before = gather(last, corner + c * kWidth);
+      way[c] = gather(now, corner + c * kWidth) - before;
+      middle[c] = add_scaled(half, way[c], before);
+    }
+    const Points twice_area = cross(middle[1] - middle[0], middle[2] - middle[0]);
+    sum = hn::Add(sum, dot(twice_area, way[0] + way[1] + way[2]));
+  }
+  return model.pressure / 6.0 * hn::GetLane(hn::SumOfLanes(kLanes, sum));
+}
+
+Change compare(const PackedModel& model, const Eigen::Vector3f& gravity, float farthest,
+               const PackedState& state) noexcept {
+  const Points g = {hn::Set(kLanes, gravity.x()), hn::Set(kLanes, gravity.y()),
+                    hn::Set(kLanes, gravity.z())};
+  const Real most = hn::Set(kLanes, farthest * farthest);
+  Real work = hn::Zero(kLanes);
+  auto within = hn::Eq(most, most);
+  for (std::size_t s = 0; s < static_cast<std::size_t>(model.slice_count); ++s) {
+    const std::size_t at = 3 * kWidth * s;
+    const Points way = load_points(state.displacement.data() + at) -
+                       load_points(state.last_displacement.data() + at);
+    const Points v = load_points(state.velocity.data() + at);
+    // what is not a number is not within anything
+    const Real none = hn::Mul(hn::Zero(kLanes), dot(v, v));
+    within = hn::And(within, hn::Le(hn::Add(dot(way, way), none), most));
+    work = hn::MulAdd(load(model.mass.data() + kWidth * s), dot(g, way), work);
+  }
+  Change change;
+  change.moved_far = !hn::AllTrue(kLanes, within);
+  change.gravity_work = hn::GetLane(hn::SumOfLanes(kLanes, work));
+  if (model.skin.pack_count > 0) change.pressure_work = compute_pressure_work(model, state);
+  return change;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace palpate::packed_kernels
+HWY_AFTER_NAMESPACE();
+#endif  // HWY_TARGET
+
+#endif  // PALPATE_PACKED_COMPARE_INL_H

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/sim/haptics/world.h"
+
+namespace palpate {
+
+// The tissue's part of a tick, under either kernel. Between begin and end the packed kernel keeps
+// world.tissue where the tool may touch it and nowhere else.
+
+/// Finds what the tool may touch, once the candidates are known.
+void begin_moving(const Scene& scene, World& world) noexcept;
+
+/// One substep of dt [s] under world.load; `last` of its tick. Returns the work [J] of the pushes.
+double move_tissue(const Scene& scene, double dt, bool last, World& world) noexcept;
+
+/// Brings all of world.tissue up to date, and looks at it after a tick in which pushes have done
+/// `work` [J].
+Alarm end_moving(const Scene& scene, double work, World& world) noexcept;
+
+}  // namespace palpate
