@@ -32,9 +32,10 @@ from palpate_editor.document.files import write_organ
 from palpate_editor.edits import EditError, FixLowest, SetTask, decimate_organ, import_file
 from palpate_editor.publish import publish
 from palpate_editor.scene_files import write_scene
+from palpate_editor.shipped import find_mesh
 
-SOURCE_VERTICES = 2400
-"""Of the generated organ, so that there is something to decimate."""
+SHIPPED = "spleen"
+"""The organ of ours that is used where no mesh is given."""
 PUBLISHED = "mss"
 """The tissue that is published: the one that fits a millisecond with the most vertices."""
 TASK = "Press the organ with the tip and feel how it gives way. Take hold of it and pull gently."
@@ -62,15 +63,6 @@ def read_constants(path: Path) -> dict[str, dict[str, float]]:
     return tables
 
 
-def generate_source(folder: Path) -> Path:
-    """An organ of our own, written as a file so that it comes in by the same door as any other."""
-    from palpate_meshes.generate import ellipsoid
-
-    path = folder / "spleen_source.obj"
-    write_mesh(path, palpate.SurfaceMesh(*ellipsoid(vertices=SOURCE_VERTICES)))
-    return path
-
-
 def run_demo(
     out: Path,
     mesh: Path | None = None,
@@ -88,12 +80,9 @@ def run_demo(
     """
     values = read_constants(constants)
     out.mkdir(parents=True, exist_ok=True)
-    if mesh is None:
-        source, unit = generate_source(out), "m"
-    else:
-        source = mesh
+    source = mesh or find_mesh(SHIPPED)
     organ = make_organ(source, vertices, parts, unit, up, say)
-    organ = replace(organ, name=mesh.stem if mesh else "spleen")
+    organ = replace(organ, name=source.stem)
     assert organ.surface is not None
     write_mesh(out / "organ.obj", mesh_of(organ.surface))
     summary = begin_summary(organ)
@@ -136,6 +125,9 @@ def make_organ(
         f"          {len(organ.imported.vertices)} vertices, {len(organ.imported.triangles)} "
         f"triangles{border}; unit {organ.source.unit}: {organ.source.unit_reason}"
     )
+    if vertices == len(organ.imported.vertices):
+        say(f"decimate  not needed: {vertices} vertices are what it has")
+        return organ
     try:
         edit = decimate_organ(organ, vertices)
     except EditError as refused:

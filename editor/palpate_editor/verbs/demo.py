@@ -17,7 +17,7 @@ from palpate_editor.verbs.mesh import add_source
 
 
 def add_demo(word: argparse.ArgumentParser) -> None:
-    word.add_argument("--mesh", type=Path, help="organ to use; default: a generated spleen")
+    word.add_argument("--mesh", type=Path, help="organ to use; default: the spleen that ships")
     word.add_argument("--vertices", type=int, default=600, help="of the model (600)")
     word.add_argument("--out", type=Path, default=Path("demo"), help="folder (demo)")
     word.add_argument("--constants", type=Path, default=CONSTANTS, help="TOML; default: demo.toml")
