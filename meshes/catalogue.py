@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 from palpate.mesh_file import read_mesh_file
+from palpate.scene_parts import LookPart
 
 HERE = Path(__file__).parent
 PUBLISHED = HERE / "published"
@@ -35,29 +36,6 @@ class Published:
 
 
 @dataclass(frozen=True)
-class Look:
-    """How a tissue takes the light; colours are sRGB, 0 to 1."""
-
-    colour: tuple[float, float, float]
-    pattern_colour: tuple[float, float, float]
-    pattern_size: float
-    """[m] Of the spots of the second colour."""
-    pattern_strength: float
-    """[-] 0 none of the second colour, 1 all of it where the pattern is brightest."""
-    vein_strength: float
-    """[-] Of fine vessels."""
-    relief: float
-    """[-] How rough the light finds the surface."""
-    gloss: float
-    """[-] 0 dull, 1 wet."""
-    roughness: float
-    """[-] 0 a mirror, 1 chalk."""
-    softness: float
-    """[-] How far light creeps into the shade."""
-    vein_colour: tuple[float, float, float] = (0.45, 0.10, 0.10)
-
-
-@dataclass(frozen=True)
 class Tissue:
     """What an organ is made of."""
 
@@ -71,7 +49,7 @@ class Tissue:
     model: dict[str, Any]
     """Fields of a scene's model, SI."""
     published: tuple[Published, ...]
-    look: Look
+    look: LookPart
 
 
 @dataclass(frozen=True)
@@ -128,7 +106,7 @@ def read_tissues() -> dict[str, Tissue]:
             material=table["material"],
             model=table["model"],
             published=tuple(Published(**row) for row in table["published"]),
-            look=Look(**freeze(table["look"])),
+            look=LookPart(**freeze(table["look"])),
         )
         for name, table in tables.items()
     }

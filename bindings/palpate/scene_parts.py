@@ -80,6 +80,44 @@ class HandPart:
 
 
 @dataclass(frozen=True)
+class LookPart:
+    """How a tissue takes the light; colours are sRGB, 0 to 1. Nothing that is felt."""
+
+    colour: tuple[float, ...]
+    pattern_colour: tuple[float, ...]
+    """Of the spots all over it."""
+    pattern_size: float
+    """[m] Of the spots."""
+    pattern_strength: float
+    """[-] 0 none of the spots' colour, 1 all of it in their middle."""
+    vein_colour: tuple[float, ...]
+    vein_strength: float
+    """[-] Of fine vessels."""
+    relief: float
+    """[-] How far the spots stand out, in parts of their size."""
+    gloss: float
+    """[-] 0 dull, 1 wet."""
+    roughness: float
+    """[-] 0 a mirror, 1 chalk."""
+    softness: float
+    """[-] How far light creeps into the shade."""
+
+
+def find_look_fault(look: LookPart) -> tuple[str, str, str] | None:
+    """The first field that nothing can look like: its name, what it is, what was expected."""
+    for name in ("colour", "pattern_colour", "vein_colour"):
+        colour = getattr(look, name)
+        if len(colour) != 3 or not all(0.0 <= channel <= 1.0 for channel in colour):
+            return name, str(list(colour)), "three numbers of 0 to 1"
+    if not look.pattern_size > 0.0:
+        return "pattern_size", f"{look.pattern_size} m", "a positive length"
+    for name in ("pattern_strength", "vein_strength", "relief", "gloss", "roughness", "softness"):
+        if not 0.0 <= getattr(look, name) <= 1.0:
+            return name, str(getattr(look, name)), "0 to 1"
+    return None
+
+
+@dataclass(frozen=True)
 class SceneFile:
     """A whole scene as authored."""
 

@@ -7,12 +7,11 @@ import math
 
 import numpy as np
 import palpate
-from palpate.render import Camera, Look, Pattern, draw_picture
+from palpate.render import Camera, Look, build_look, draw_picture
 from palpate.render.overlay import Overlay
 from palpate.render.studio import Shot, Thing, take_picture
 from palpate.render.theme import THEMES
 from palpate_meshes.catalogue import Entry, Tissue, read_organ_mesh
-from palpate_meshes.catalogue import Look as TissueLook
 from palpate_meshes.tools import Tool, open_jaws, read_tool, read_tool_names
 
 from palpate_editor.shipped import list_organs
@@ -34,24 +33,6 @@ CREASE = 0.77
 Pixels = np.ndarray
 
 
-def look_of(tissue: TissueLook) -> Look:
-    """What the renderer needs to draw a tissue."""
-    return Look(
-        colour=tissue.colour,
-        gloss=tissue.gloss,
-        roughness=tissue.roughness,
-        softness=tissue.softness,
-        pattern=Pattern(
-            colour=tissue.pattern_colour,
-            size=tissue.pattern_size,
-            strength=tissue.pattern_strength,
-            relief=tissue.relief,
-            vein_colour=tissue.vein_colour,
-            vein_strength=tissue.vein_strength,
-        ),
-    )
-
-
 def draw_organ(
     entry: Entry, tissue: Tissue, size: tuple[int, int] = TILE, theme: str = "light"
 ) -> Pixels:
@@ -64,7 +45,7 @@ def draw_organ(
         size=size,
         theme=theme,
         wireframe=False,
-        look=look_of(tissue.look),
+        look=build_look(tissue.look),
         title=f"{entry.title}, {entry.vertices} / {entry.triangles}",
     )
 

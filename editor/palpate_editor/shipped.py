@@ -62,6 +62,7 @@ def make_organ(name: str, vertices: int | None = None) -> Organ:
         material=MaterialPart(**tissue.material),
         model=ModelPart(**tissue.model),
         tool=replace(organ.tool, radius=entry.tip_radius),
+        look=tissue.look,
         title=entry.title,
         task=entry.task,
     )

@@ -3,9 +3,22 @@
 
 from __future__ import annotations
 
+import json
+from dataclasses import asdict, replace
+
 import numpy as np
 import pytest
-from palpate.render import Camera, Look, Pattern, Renderer, draw_picture, open_context
+from palpate.authored import find_look
+from palpate.render import (
+    Camera,
+    Look,
+    Pattern,
+    Renderer,
+    build_look,
+    draw_picture,
+    open_context,
+)
+from palpate.scene_parts import LookPart
 from round_surfaces import ball
 
 SIZE = (240, 200)
@@ -52,6 +65,65 @@ def test_a_rough_surface_has_a_wider_and_fainter_highlight():
         return (bright > 0.5 * (bright.max() + np.median(bright))).sum()
 
     assert width(wet) < width(dry)
+
+
+PART = LookPart(
+    colour=(0.5, 0.2, 0.2),
+    pattern_colour=(0.9, 0.8, 0.7),
+    pattern_size=0.004,
+    pattern_strength=0.9,
+    vein_colour=(0.4, 0.1, 0.1),
+    vein_strength=0.5,
+    relief=0.1,
+    gloss=0.8,
+    roughness=0.25,
+    softness=0.4,
+)
+
+
+def test_what_files_say_of_a_look_is_what_is_drawn():
+    look = build_look(PART)
+
+    assert (look.colour, look.gloss, look.roughness) == (PART.colour, 0.8, 0.25)
+    assert look.pattern == Pattern(PART.pattern_colour, 0.004, 0.9, 0.1, PART.vein_colour, 0.5)
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"colour": (0.5, 0.2)}, "look.colour: found [0.5, 0.2], expected three numbers of 0 to 1"),
+        ({"pattern_size": 0.0}, "look.pattern_size: found 0.0 m, expected a positive length"),
+        ({"roughness": 1.5}, "look.roughness: found 1.5, expected 0 to 1"),
+    ],
+)
+def test_what_nothing_can_look_like_is_refused(change, said):
+    with pytest.raises(ValueError) as refused:
+        build_look(replace(PART, **change))
+
+    assert str(refused.value) == said
+
+
+class Published:
+    """As much of a published scenario as a look is found in."""
+
+    def __init__(self, authored: str):
+        self.authored = authored
+
+
+def test_a_player_finds_the_look_that_a_designer_gave():
+    document = {"format": "organ", "version": 1, "content": {"look": asdict(PART)}}
+
+    assert find_look(Published(json.dumps(document))) == build_look(PART)
+
+
+@pytest.mark.parametrize(
+    "authored",
+    ["", "{", "[]", "{}", '{"content": null}', '{"content": {"look": null}}',
+     '{"content": {"look": {"colour": 1}}}', "[" * 100000,
+     json.dumps({"content": {"look": {**asdict(PART), "gloss": 7}}})],
+)  # fmt: skip
+def test_a_look_that_nobody_can_read_is_no_reason_not_to_play(authored):
+    assert find_look(Published(authored)) is None
 
 
 def shoot(gl, part, renderer):

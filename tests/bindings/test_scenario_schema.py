@@ -68,6 +68,14 @@ def test_an_organ_has_the_fields_of_a_scene_file(section, part, elsewhere):
     assert content[section]["properties"].keys() == {f.name for f in fields(part)} - elsewhere
 
 
+def test_a_look_has_the_fields_of_a_look_or_is_null():
+    look = validator("organ").schema["properties"]["content"]["properties"]["look"]
+
+    none, some = look["oneOf"]
+    assert none == {"type": "null"}
+    assert some["properties"].keys() == {f.name for f in fields(scene_parts.LookPart)}
+
+
 CHANGES = {
     "newer version": set_in("version", 2),
     "unknown member": set_in("script", "x"),

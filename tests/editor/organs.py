@@ -8,7 +8,7 @@ from dataclasses import fields, replace
 from functools import cache
 
 import numpy as np
-from palpate.scene_parts import HandPart, MaterialPart, ModelPart, ToolPart
+from palpate.scene_parts import HandPart, LookPart, MaterialPart, ModelPart, ToolPart
 from palpate_editor.document import Decimation, Organ, Repairs, Source, Surface
 from palpate_meshes.generate import ellipsoid, sheet
 
@@ -27,6 +27,19 @@ SOURCE = Source(
     up_reason="the format states none; medical programs have z up",
     repairs=Repairs(welded_vertices=12, degenerate_triangles=1),
     notes=("a colour was ignored",),
+)
+
+LOOK = LookPart(
+    colour=(0.37, 0.135, 0.2),
+    pattern_colour=(0.5, 0.22, 0.27),
+    pattern_size=0.003,
+    pattern_strength=0.5,
+    vein_colour=(0.45, 0.1, 0.1),
+    vein_strength=0.25,
+    relief=0.09,
+    gloss=0.8,
+    roughness=0.3,
+    softness=1.0 / 3.0,
 )
 
 
@@ -68,6 +81,7 @@ def make_organ(vertices: int = 60, imported: int | None = 150) -> Organ:
         regions={"hilum": np.array([1, 4, 7]), "alt uç": np.array([], int)},
         tool=ToolPart(radius=0.012),
         hand=HandPart(coupling=900.0, gravity=(0.0, 0.0, -9.81)),
+        look=LOOK,
         title="Press the spleen",
         task="Bas ve bırak.",
     )

@@ -11,14 +11,14 @@ import random
 import subprocess
 import sys
 import zipfile
-from dataclasses import fields, replace
+from dataclasses import asdict, fields, replace
 from pathlib import Path
 
 import jsonschema
 import numpy as np
 import palpate
 import pytest
-from organs import make_organ, open_surface, same, surface_of
+from organs import LOOK, make_organ, open_surface, same, surface_of
 from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.files import VERSION, pack_organ, read_organ, write_organ
 
@@ -128,6 +128,7 @@ def test_a_kept_file_of_every_version_is_read(version):
     assert np.flatnonzero(organ.fixed).tolist() == [0, 1, 2, 3, 4]
     assert organ.decimation.max_distance == 1.0 / 3.0 * 1e-3
     assert organ.source.repairs.welded_vertices == 12
+    assert organ.look == LOOK
     assert {name: ids.tolist() for name, ids in organ.regions.items()} == {
         "hilum": [1, 4, 7],
         "alt uç": [],
@@ -199,6 +200,10 @@ DAMAGED = {
     "a constant nobody knows": (with_change("content|model|pace", 1.0), "model.pace"),
     "painted twice": (with_change("content|model|fixed", [1]), "model.fixed: found an unknown"),
     "no constant": (lambda good: with_manifest(good, remove("content|tool|radius")), "no radius"),
+    "a colour that is none": (
+        with_change("content|look", {**asdict(LOOK), "colour": [2.0, 0.0, 0.0]}),
+        "look.colour: found [2.0, 0.0, 0.0], expected three numbers of 0 to 1",
+    ),
     "a list for a part": (with_change("content|hand", []), "hand: found [[]], expected an object"),
     "a number for a name": (with_change("content|name", 5), "name: found 5, expected text"),
     "a number for a source": (with_change("content|source", 5), "source: found 5"),

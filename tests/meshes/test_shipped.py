@@ -12,9 +12,10 @@ import pytest
 from matplotlib.image import imread
 from palpate.cli import main
 from palpate.press import PressScript, find_top
+from palpate.render import build_look
 from palpate.run import read_scene, run_script
 from palpate_editor.check import assess
-from palpate_editor.gallery import draw_organ, draw_tool, look_of
+from palpate_editor.gallery import draw_organ, draw_tool
 from palpate_editor.open_organ import open_organ
 from palpate_editor.shipped import find_mesh, list_organs, make_organ
 from palpate_meshes.catalogue import PUBLISHED, read_organ_mesh, read_regions, read_tissues
@@ -60,7 +61,8 @@ def test_the_shipped_files_open_and_are_the_organs_of_the_catalogue(name):
         (np.asarray(scene.tissue.rest_position), np.asarray(scene.tissue.triangles)),
     ):
         assert np.array_equal(vertices, x) and np.array_equal(faces, triangles)
-    assert (organ.material, organ.model, organ.tool) == (made.material, made.model, made.tool)
+    for part in ("material", "model", "tool", "look"):
+        assert getattr(organ, part) == getattr(made, part)
     assert {n: r.tolist() for n, r in organ.regions.items()} == {
         n: r.tolist() for n, r in made.regions.items()
     }
@@ -166,7 +168,7 @@ def test_a_grasper_is_drawn_with_its_jaws_apart():
 
 def test_every_tissue_has_a_look_the_renderer_takes():
     for tissue in read_tissues().values():
-        look = look_of(tissue.look)
+        look = build_look(tissue.look)
         assert 0.0 <= look.gloss <= 1.0 and 0.0 < look.roughness <= 1.0
         assert look.pattern is not None and look.pattern.size > 0.0
 

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 import palpate
 from palpate import translation
+from palpate.authored import find_look
 from palpate.live import Frame, LiveRun
 from palpate.play import Play, describe_play, describe_run
 from palpate.player.boards import Board
@@ -53,6 +54,7 @@ class TraineeWindow(QWidget):
         self._problem: OSError | None = None
         self.view = make_view(self)
         self.view.wireframe = False
+        self.view.use_look(find_look(play.scenario))
         self.view.show_surface(self.scene.tissue.rest_position, self.scene.tissue.triangles)
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)

@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import cast
 
 import moderngl
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from palpate.render.theme import TISSUE, Colour
+from palpate.scene_parts import LookPart, find_look_fault
 
 WIDTHS = {"position": 3, "normal": 3, "value": 1, "selection": 1, "openness": 1, "rest": 3}
 """The streams of a part and how many float32 each vertex has in them."""
@@ -53,6 +55,31 @@ class Look:
     casts_shadow: bool = True
     seen_through: bool = False
     """Whether it shines faintly through what hides it, as a tool inside a dent must."""
+
+
+def build_look(part: LookPart) -> Look:
+    """What files say of a tissue's look, as the renderer takes it.
+
+    Raises ValueError for colours or numbers that nothing can look like.
+    """
+    fault = find_look_fault(part)
+    if fault is not None:
+        raise ValueError(f"look.{fault[0]}: found {fault[1]}, expected {fault[2]}")
+    pattern = Pattern(
+        colour=cast(Colour, part.pattern_colour),
+        size=part.pattern_size,
+        strength=part.pattern_strength,
+        relief=part.relief,
+        vein_colour=cast(Colour, part.vein_colour),
+        vein_strength=part.vein_strength,
+    )
+    return Look(
+        colour=cast(Colour, part.colour),
+        gloss=part.gloss,
+        roughness=part.roughness,
+        softness=part.softness,
+        pattern=pattern,
+    )
 
 
 class Part:

@@ -48,6 +48,7 @@ class Scenery:
         self.theme = DARK
         self.legend: Legend | None = None
         self._wireframe = True
+        self._tissue = PLAIN
         self.vertices: Array = np.zeros((0, 3))
         """[m] (n, 3) of the surface as it is shown; its own copy."""
         self.triangles: NDArray[np.int32] = np.zeros((0, 3), np.int32)
@@ -87,7 +88,8 @@ class Scenery:
         used = x[self._used]
         self.centre = (used.min(axis=0) + used.max(axis=0)) / 2
         self.radius = max(1e-9, float(np.linalg.norm(used - self.centre, axis=1).max()))
-        self._things["surface"] = Thing(len(x), faces, PLAIN)
+        self._things["surface"] = Thing(len(x), faces, self._tissue)
+        self._things["surface"].write("rest", x)
         self.is_lit = False
         self.move_surface(x)
 
@@ -115,7 +117,15 @@ class Scenery:
         if surface is not None:
             if values is not None:
                 surface.write("value", values)
-            surface.look = PLAIN if values is None else PAINTED
+            surface.look = self._tissue if values is None else PAINTED
+
+    def use_look(self, look: Look | None) -> None:
+        """How tissue takes the light wherever no values are shown; None for plain tissue."""
+        surface = self._things.get("surface")
+        before, self._tissue = self._tissue, look or PLAIN
+        if surface is not None and self.legend is None and before != self._tissue:
+            surface.look = self._tissue
+            self.version += 1
 
     def show_selection(self, weights: ArrayLike | None) -> None:
         """0 to 1 per vertex, what is highlighted."""

@@ -20,6 +20,7 @@ class Thing:
             "value": np.zeros(vertex_count, np.float32),
             "selection": np.zeros(vertex_count, np.float32),
             "openness": np.ones(vertex_count, np.float32),
+            "rest": np.zeros((vertex_count, 3), np.float32),
         }
         self.part: Part | None = None
         self._stale = set(self.streams)

@@ -11,7 +11,7 @@ from PySide6.QtCore import QPoint, QPointF, QTimer
 from PySide6.QtGui import QImage, QResizeEvent
 
 import palpate
-from palpate.render import Camera, build_legend
+from palpate.render import Camera, Look, build_legend
 from palpate.viewport import navigation
 from palpate.viewport.canvas import Canvas
 from palpate.viewport.hud import Hud
@@ -87,6 +87,11 @@ class ViewBase(ViewEvents):
         self.scenery.show_values(values, legend)
         self.legend.show_legend(legend, legend_title)
         self._place_children()
+        self.update()
+
+    def use_look(self, look: Look | None) -> None:
+        """How tissue takes the light wherever no values are shown; None for plain tissue."""
+        self.scenery.use_look(look)
         self.update()
 
     def show_selection(self, weights: ArrayLike | None) -> None:

@@ -18,7 +18,14 @@ import numpy as np
 from palpate.error import FileError
 from palpate.json_part import json_kind, read_part, read_value
 from palpate.scenario import Container, read_container, write_container
-from palpate.scene_parts import HandPart, MaterialPart, ModelPart, ToolPart
+from palpate.scene_parts import (
+    HandPart,
+    LookPart,
+    MaterialPart,
+    ModelPart,
+    ToolPart,
+    find_look_fault,
+)
 from palpate.verb import Refusal
 
 from palpate_editor.document.organ import Decimation, Organ, Source
@@ -29,7 +36,7 @@ ARRAYS_OF_MODEL = ("fixed", "stiffness_scale")
 """Of the model part; arrays of the file stand for them."""
 WORDS = ("name", "title", "task")
 NUMBERS = {"material": MaterialPart, "model": ModelPart, "tool": ToolPart, "hand": HandPart}
-ORIGINS = {"source": Source, "decimation": Decimation}
+OPTIONAL = {"source": Source, "decimation": Decimation, "look": LookPart}
 
 Json = dict[str, Any]
 Arrays = dict[str, np.ndarray]
@@ -58,7 +65,7 @@ def read_organ(path: Path) -> Organ:
 def pack_organ(organ: Organ) -> tuple[Json, Arrays]:
     """What a file keeps of an organ: a JSON object and arrays."""
     content: Json = {name: getattr(organ, name) for name in WORDS}
-    for name in (*ORIGINS, *NUMBERS):
+    for name in (*OPTIONAL, *NUMBERS):
         part = getattr(organ, name)
         content[name] = None if part is None else asdict(part)
     for name in ARRAYS_OF_MODEL:
@@ -93,7 +100,7 @@ def unpack_organ(content: Any, arrays: Mapping[str, Any], version: int, file: st
 
 
 def unpack(content: Any, arrays: Arrays, file: str) -> Organ:
-    known = {*WORDS, *ORIGINS, *NUMBERS, "regions"}
+    known = {*WORDS, *OPTIONAL, *NUMBERS, "regions"}
     if not isinstance(content, dict):
         raise Refusal(file, "", json_kind(content), "an object")
     if set(content) != known:
@@ -101,12 +108,15 @@ def unpack(content: Any, arrays: Arrays, file: str) -> Organ:
         found = "an unknown field" if odd in content else "nothing"
         raise Refusal(file, odd, found, "exactly " + ", ".join(sorted(known)))
     parts: Json = {name: read_value(file, name, str, content[name]) for name in WORDS}
-    for name, kind in ORIGINS.items():
+    for name, kind in OPTIONAL.items():
         section = content[name]
         parts[name] = None if section is None else read_part(file, name, kind, section, whole=True)
     for name, kind in NUMBERS.items():
         without = ARRAYS_OF_MODEL if kind is ModelPart else ()
         parts[name] = read_part(file, name, kind, content[name], without=without, whole=True)
+    fault = find_look_fault(parts["look"]) if parts["look"] else None
+    if fault is not None:
+        raise Refusal(file, f"look.{fault[0]}", *fault[1:])
     regions = read_value(file, "regions", tuple[str, ...], content["regions"])
     parts |= unpack_arrays(arrays, regions, file)
     return Organ(**parts)

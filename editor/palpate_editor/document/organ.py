@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
 import numpy as np
-from palpate.scene_parts import HandPart, MaterialPart, ModelPart, ToolPart
+from palpate.scene_parts import HandPart, LookPart, MaterialPart, ModelPart, ToolPart
 
 from palpate_editor.document.defaults import HAND, MATERIAL, MODEL, TOOL
 from palpate_editor.document.surface import Surface, freeze
@@ -97,6 +97,8 @@ class Organ:
     """Named sets of vertices: (k,) int32 each, ascending, read-only."""
     tool: ToolPart = TOOL
     hand: HandPart = HAND
+    look: LookPart | None = None
+    """None for plain tissue."""
     title: str = ""
     """Of the published scenario."""
     task: str = ""

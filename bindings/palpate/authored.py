@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a player may use of the designer's document in a published file; nothing depends on it."""
+
+from __future__ import annotations
+
+import json
+
+from palpate.json_part import read_part
+from palpate.render import Look, build_look
+from palpate.scenario import Scenario
+from palpate.scene_parts import LookPart
+from palpate.verb import Refusal
+
+
+def find_look(scenario: Scenario) -> Look | None:
+    """How the organ takes the light; None where nothing was said, or nothing one can understand.
+
+    A look is nothing to train with, so a strange one is no reason to refuse the file.
+    """
+    try:
+        content = json.loads(scenario.authored)["content"]
+        return build_look(read_part("", "look", LookPart, content["look"], whole=True))
+    except (ValueError, LookupError, TypeError, RecursionError, Refusal):
+        return None
