@@ -18,6 +18,7 @@ SIM = Path(__file__).resolve().parents[2] / "core" / "sim"
 PRIVATE_HEADERS = {
     "base/refuse.h": "how C++ writes a refusal; Python raises its own",
     "contact/box.h": "inside of the tree and its queries",
+    "contact/contact_lanes-inl.h": "compiled once per vector target",
     "dynamics/alarms.h": "inside of check(), under either kernel",
     "dynamics/dual.h": "inside of the tangent: derivatives of the angle law",
     "dynamics/elastic_energy.h": "inside of compute_energy and the alarm",
@@ -60,6 +61,8 @@ NOT_MIRRORED = {
     "World.near_count": "inside of World: what the tool may touch",
     "World.last_near_at": "inside of World: what the tool may touch",
     "AabbTree.Node": "rows of AabbTree.nodes()",
+    "ContactLanes": "inside of balance_tool under the packed kernel",
+    "ToolState.lanes": "inside of balance_tool under the packed kernel",
     "ToolState.Hold": "rows of ToolState.holds",
     "TickLog.take(ticks)": "what C++ appends to its arguments, Python is given back",
     "TickLog.take(happenings)": "what C++ appends to its arguments, Python is given back",

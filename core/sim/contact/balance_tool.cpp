@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "palpate/sim/contact/box.h"
 #include "palpate/sim/contact/contact_law.h"
 
 namespace palpate {
@@ -31,6 +32,7 @@ struct Surroundings {
   std::span<const Triangle> triangles;
   std::span<const Vec3> x;
   std::span<const ToolState::Hold> holds;
+  ContactLanes& lanes;
 
   const Triangle& triangle(int t) const noexcept { return triangles[static_cast<std::size_t>(t)]; }
   const Vec3& corner(int t, std::size_t c) const noexcept {
@@ -43,9 +45,73 @@ Vec3 limit(const Vec3& v, double most) noexcept {
   return length > most ? Vec3(v * (most / length)) : v;
 }
 
+void fill_lane(const Surroundings& around, std::size_t candidate, std::size_t lane) noexcept {
+  const int t = around.candidates.triangles[candidate];
+  ContactLanes& lanes = around.lanes;
+  lanes.triangle[lane] = t;
+  lanes.rest_area[lane] = around.candidates.areas[candidate];
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Vec3& corner = around.corner(t, c);
+    for (std::size_t k = 0; k < 3; ++k) {
+      lanes.corners[3 * c + k][lane] = corner[static_cast<Eigen::Index>(k)];
+    }
+  }
+}
+
+/// Takes the candidates into lanes that have part in boxes within `reach` [m] of p.
+void fill_lanes(const Surroundings& around, const Vec3& p, double reach) noexcept {
+  ContactLanes& lanes = around.lanes;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(around.candidates.count); ++i) {
+    const int t = around.candidates.triangles[i];
+    const Box box = bound_triangle(around.corner(t, 0), around.corner(t, 1), around.corner(t, 2));
+    if (compute_squared_distance(p, box.low, box.high) < reach * reach) {
+      fill_lane(around, i, count++);
+    }
+  }
+  lanes.count = static_cast<int>(count);
+  // a vector is always full: the last triangle again, whose lane nobody reads
+  for (std::size_t lane = count; lane % static_cast<std::size_t>(lanes.width) != 0; ++lane) {
+    for (auto& column : lanes.corners) column[lane] = column[count - 1];
+    lanes.rest_area[lane] = lanes.rest_area[count - 1];
+  }
+  lanes.filled_at = p;
+  lanes.reach = reach;
+  lanes.found = false;
+}
+
+/// Contacts at p of all lanes; once for each p. The tool's steps within a substep are far shorter
+/// than its radius, so that the lanes filled at its beginning mostly do for all.
+void find_in_lanes(const Surroundings& around, const Vec3& p) noexcept {
+  ContactLanes& lanes = around.lanes;
+  const double radius = around.tool.radius;
+  if (!((p - lanes.filled_at).norm() + radius <= lanes.reach)) fill_lanes(around, p, 1.5 * radius);
+  if (lanes.found && lanes.centre == p) return;
+  lanes.centre = p;
+  lanes.find(lanes, radius, around.tool.stiffness);
+  lanes.found = true;
+}
+
+Contact read_lane(const ContactLanes& lanes, std::size_t lane) noexcept {
+  const auto vector = [&](const std::array<ContactLanes::Column, 3>& columns) noexcept {
+    return Vec3(columns[0][lane], columns[1][lane], columns[2][lane]);
+  };
+  return {vector(lanes.weights), vector(lanes.direction), lanes.distance[lane], lanes.force[lane],
+          lanes.stiffness[lane]};
+}
+
 /// Calls `take(triangle, contact)` for every contact in force with the centre at p.
 template <class Take>
 void for_each_contact(const Surroundings& around, const Vec3& p, Take take) noexcept {
+  if (around.lanes.find != nullptr) {
+    find_in_lanes(around, p);
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(around.lanes.count); ++lane) {
+      if (around.lanes.force[lane] > 0.0) {
+        take(around.lanes.triangle[lane], read_lane(around.lanes, lane));
+      }
+    }
+    return;
+  }
   Contact contact;
   for (std::size_t i = 0; i < static_cast<std::size_t>(around.candidates.count); ++i) {
     const int t = around.candidates.triangles[i];
@@ -182,7 +248,9 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
                             candidates,
                             triangles,
                             x,
-                            {state.holds.data(), static_cast<std::size_t>(state.hold_count)}};
+                            {state.holds.data(), static_cast<std::size_t>(state.hold_count)},
+                            state.lanes};
+  state.lanes.reach = -1.0;  // the tissue has moved since they were filled
   load.clear();
   if (!state.placed) {
     state.position = hand_position;

@@ -7,16 +7,6 @@
 #include "palpate/sim/contact/queries.h"
 
 namespace palpate {
-namespace {
-
-// part of the radius below which the arm from the closest point to the centre is rounding, and
-// its direction noise
-constexpr double kNoArm = 1e-9;
-
-// cosine between arm and normal from which a contact counts in full
-constexpr double kFullFacing = 0.25;
-
-}  // namespace
 
 /// With the closest point x, the centre a, D = |a - x| and the depth d = r - D > 0:
 ///

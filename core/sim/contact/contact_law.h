@@ -11,6 +11,13 @@ namespace palpate {
 /// nothing through, 0.2 already leaks, and less only asks for more substeps.
 inline constexpr double kBarrierFloor = 0.1;
 
+/// Part of the radius below which the arm from the closest point to the centre is rounding, and
+/// its direction noise.
+inline constexpr double kNoArm = 1e-9;
+
+/// Cosine between arm and normal from which a contact counts in full.
+inline constexpr double kFullFacing = 0.25;
+
 /// How the tip touches one triangle.
 struct Contact {
   Vec3 weights = Vec3::Zero();    ///< barycentric, of the closest point

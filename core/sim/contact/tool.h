@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "palpate/sim/base/types.h"
+#include "palpate/sim/contact/contact_lanes.h"
 
 namespace palpate {
 
@@ -37,6 +37,7 @@ struct ToolState {
   int hold_count = 0;            ///< 0 when nothing is attached
   Carrier carrier;
   bool touching = false;         ///< any contact in force in the last substep
+  ContactLanes lanes;            ///< balance_tool's vector code and its work space; may be empty
   Vec3 residual = Vec3::Zero();  ///< [N] left between hand and tissue after the last substep
 };
 

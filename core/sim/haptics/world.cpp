@@ -33,6 +33,8 @@ World::World(const Scene& scene)
   if (scene.kernel == Kernel::reference || simd_targets().empty()) return;
   packed_model = std::make_shared<const PackedModel>(pack(scene.tissue, scene.simd_target));
   packed = PackedState(*packed_model, scene.tissue, tissue);
+  tool.lanes =
+      ContactLanes(static_cast<int>(scene.tissue.triangles.size()), simd_target(*packed_model));
   near.resize(scene.tissue.rest_position.size());
   last_near_at.resize(near.size(), -1);
 }

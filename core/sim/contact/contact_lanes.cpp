@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/contact/contact_lanes.h"
+
+#ifdef PALPATE_SIMD
+
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_SSSE3)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "palpate/sim/contact/contact_lanes.cpp"
+#include <hwy/foreach_target.h>
+// after it, or its first pass would be the last
+#include <hwy/highway.h>
+
+#include "palpate/sim/contact/contact_lanes-inl.h"
+
+#if HWY_ONCE
+namespace palpate {
+namespace {
+
+struct Entry {
+  std::int64_t target;
+  ContactLanes::Find find;
+  int (*width)() noexcept;
+};
+
+constexpr Entry kEntries[] = {
+#if HWY_ARCH_X86
+    {HWY_AVX3, HWY_CHOOSE_AVX3(find_contacts), HWY_CHOOSE_AVX3(count_lanes)},
+    {HWY_AVX2, HWY_CHOOSE_AVX2(find_contacts), HWY_CHOOSE_AVX2(count_lanes)},
+    {HWY_SSE4, HWY_CHOOSE_SSE4(find_contacts), HWY_CHOOSE_SSE4(count_lanes)},
+#elif HWY_ARCH_ARM
+    {HWY_NEON, HWY_CHOOSE_NEON(find_contacts), HWY_CHOOSE_NEON(count_lanes)},
+#endif
+};
+
+void choose_target(std::string_view target, ContactLanes& lanes) {
+  for (const Entry& entry : kEntries) {
+    const bool meant = target.empty() || target == hwy::TargetName(entry.target);
+    if (!meant || !entry.find || (hwy::SupportedTargets() & entry.target) == 0) continue;
+    lanes.find = entry.find;
+    lanes.width = entry.width();
+    return;
+  }
+}
+
+}  // namespace
+}  // namespace palpate
+#endif
+
+#else
+
+namespace palpate {
+namespace {
+
+void choose_target(std::string_view, ContactLanes&) {}
+
+}  // namespace
+}  // namespace palpate
+
+#endif
+
+#if !defined(HWY_ONCE) || HWY_ONCE
+namespace palpate {
+
+ContactLanes::ContactLanes(int capacity, std::string_view target) {
+  choose_target(target, *this);
+  if (find == nullptr) return;
+  const auto size = static_cast<std::size_t>(capacity + width);
+  triangle.resize(size);
+  for (Column& column : corners) column.resize(size);
+  for (Column& column : weights) column.resize(size);
+  for (Column& column : direction) column.resize(size);
+  for (Column* column : {&rest_area, &distance, &force, &stiffness}) column->resize(size);
+}
+
+}  // namespace palpate
+#endif
