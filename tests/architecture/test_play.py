@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import json
 import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -91,6 +93,21 @@ def test_a_program_without_python_feels_the_very_forces_python_feels(player, pub
     assert (forces[:200] == 0.0).all()
     assert forces[-1, 2] > 0.01
     assert forces.tobytes() == felt(scene).tobytes()
+    assert forces.tobytes() == felt(palpate.scenario.read(path).scene).tobytes()
+
+
+def test_the_program_feels_in_the_demos_file_what_python_feels(player, tmp_path):
+    require(sys.executable, "-m", "palpate.cli", "demo", "--no-window", "--out", tmp_path)
+    summary = json.loads((tmp_path / "summary.json").read_bytes())
+    path = tmp_path / summary["published"]
+
+    done = run(player, path)
+
+    assert done.returncode == 0, done.stderr
+    forces = np.array([[float.fromhex(word) for word in line.split()]
+                       for line in done.stdout.splitlines()])  # fmt: skip
+    assert forces.shape == (TICKS, 3)
+    assert forces[-1, 2] > 0.01
     assert forces.tobytes() == felt(palpate.scenario.read(path).scene).tobytes()
 
 
