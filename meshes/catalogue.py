@@ -17,6 +17,8 @@ from palpate.scene_parts import LookPart
 HERE = Path(__file__).parent
 PUBLISHED = HERE / "published"
 """One OBJ in metres per organ, its regions beside it; tools in a folder of their own."""
+PICTURES = HERE / "pictures"
+"""Small ones of every organ, NAME_light.png and NAME_dark.png."""
 CATALOGUE, TISSUES = HERE / "CATALOGUE.toml", HERE / "tissues.toml"
 
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 import palpate
@@ -18,6 +19,8 @@ from palpate_editor.shipped import list_organs
 
 TILE = (400, 340)
 """[px]"""
+THUMBNAIL = (232, 192)
+"""[px] Twice what the start page gives it, for dense screens."""
 MARGIN = (16, 40, 16, 22)
 """[px] Left, above, right and below of what is drawn."""
 COLUMNS = 5
@@ -34,26 +37,35 @@ Pixels = np.ndarray
 
 
 def draw_organ(
-    entry: Entry, tissue: Tissue, size: tuple[int, int] = TILE, theme: str = "light"
+    entry: Entry,
+    tissue: Tissue,
+    size: tuple[int, int] = TILE,
+    theme: str = "light",
+    named: bool = True,
 ) -> Pixels:
-    """A shipped organ as it is known at a glance, (h, w, 3)."""
+    """A shipped organ as it is known at a glance, (h, w, 3), with name and counts or without."""
     vertices, triangles = read_organ_mesh(entry.name)
     return draw_picture(
         vertices,
         triangles,
-        camera=aim(entry.view, vertices, size),
+        camera=aim(entry.view, vertices, size, MARGIN if named else (10, 10, 10, 14)),
         size=size,
         theme=theme,
         wireframe=False,
         look=build_look(tissue.look),
-        title=f"{entry.title}, {entry.vertices} / {entry.triangles}",
+        title=f"{entry.title}, {entry.vertices} / {entry.triangles}" if named else "",
     )
 
 
-def aim(view: tuple[float, float], points: np.ndarray, size: tuple[int, int]) -> Camera:
+def aim(
+    view: tuple[float, float],
+    points: np.ndarray,
+    size: tuple[int, int],
+    margin: tuple[int, int, int, int] = MARGIN,
+) -> Camera:
     """From an azimuth and an elevation [degree], as near as leaves a margin around points [m]."""
     camera = Camera(math.radians(view[0]), math.radians(view[1]))
-    left, above, right, below = MARGIN
+    left, above, right, below = margin
     camera.fit(points, size, (left, above, size[0] - right, size[1] - below))
     return camera
 
@@ -87,6 +99,14 @@ def crease(vertices: np.ndarray, triangles: np.ndarray, look: Look) -> Thing:
         smooth = flat[here] @ flat[here].T > CREASE
         normals[here] = smooth @ flat[here]
     return Thing(x, normals / np.linalg.norm(normals, axis=1)[:, None], alone, look)
+
+
+def draw_thumbnails() -> Iterator[tuple[str, Pixels]]:
+    """A small picture of every organ in both themes, each with the name of its file."""
+    for entry, tissue in list_organs():
+        for theme in THEMES:
+            pixels = draw_organ(entry, tissue, THUMBNAIL, theme, named=False)
+            yield f"{entry.name}_{theme}.png", pixels
 
 
 def draw_contact_sheet(theme: str = "light") -> Pixels:

@@ -51,7 +51,12 @@ def make_organ(name: str, vertices: int | None = None) -> Organ:
         regions = find_regions(entry.generator, x, triangles, entry.parameters["size"])
         source = None
     surface = Surface(x, triangles)
-    organ = replace(EMPTY.with_surface(surface), name=entry.title, imported=surface, source=source)
+    organ = replace(
+        EMPTY.with_surface(surface),
+        name=entry.name.replace("_", " "),
+        imported=surface,
+        source=source,
+    )
     fixed = np.zeros(len(x), bool)
     fixed[regions[ATTACHMENT]] = True
     tissue = read_tissues()[entry.tissue]

@@ -27,6 +27,9 @@ def add_organs(word: argparse.ArgumentParser) -> None:
     word.add_argument("--vertices", type=int, metavar="N", help="of --out; another resolution")
     word.add_argument("--pictures", type=Path, metavar="DIR", help="write a picture of each")
     word.add_argument(
+        "--thumbnails", type=Path, metavar="DIR", help="write the start page's small pictures"
+    )
+    word.add_argument(
         "--contact-sheet", type=Path, metavar="FILE", help="write all on one picture, tools too"
     )
 
@@ -78,7 +81,7 @@ def write_one(call: argparse.Namespace) -> str:
 
 def draw_pictures(call: argparse.Namespace, chosen: list[tuple[Entry, Tissue]]) -> list[str]:
     """Writes what pictures were asked for; the renderer is loaded only then."""
-    if call.pictures is None and call.contact_sheet is None:
+    if call.pictures is call.contact_sheet is call.thumbnails is None:
         return []
     from palpate.render import write_png
 
@@ -91,6 +94,11 @@ def draw_pictures(call: argparse.Namespace, chosen: list[tuple[Entry, Tissue]]) 
             path = call.pictures / f"{entry.name}.png"
             write_png(path, gallery.draw_organ(entry, tissue, size=(1280, 960)))
             written.append(str(path))
+    if call.thumbnails is not None:
+        call.thumbnails.mkdir(parents=True, exist_ok=True)
+        for name, pixels in gallery.draw_thumbnails():
+            write_png(call.thumbnails / name, pixels)
+            written.append(str(call.thumbnails / name))
     if call.contact_sheet is not None:
         write_png(call.contact_sheet, gallery.draw_contact_sheet())
         written.append(str(call.contact_sheet))

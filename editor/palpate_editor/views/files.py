@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from palpate_editor.document import Organ
 from palpate_editor.open_organ import open_organ
+from palpate_editor.shipped import make_organ
 from palpate_editor.views.desk import Desk
 from palpate_editor.views.jobs import Progress
 from palpate_editor.views.words import tr
@@ -48,6 +49,17 @@ class OpenWork:
         return Opened(self.path, open_organ(self.path))
 
 
+@dataclass(frozen=True)
+class ShippedWork:
+    """Makes one of the organs that come with Palpate."""
+
+    name: str
+
+    def __call__(self, progress: Progress) -> Organ:
+        progress(tr("Opening {file}").format(file=self.name), 0.1)
+        return make_organ(self.name)
+
+
 class Files(QObject):
     """Asks for files with dialogs that do not block, and does what they are for."""
 
@@ -57,6 +69,8 @@ class Files(QObject):
         self.after: Callable[[], None] | None = None
         """What waits for the answer about unsaved changes; a bound method."""
         self.wanted: Path | None = None
+        self.shipped = ""
+        """The name of the organ of ours that is wanted."""
         self.dialog: QFileDialog | None = None
         self.question: QMessageBox | None = None
         desk.import_wanted.connect(self.ask_import)
@@ -152,6 +166,25 @@ class Files(QObject):
         self.desk.view.frame_all()
         self.desk.log_command(["palpate", "editor", path])
         self.desk.show_stage("import" if opened.organ.surface is None else "material")
+
+    def open_shipped(self, name: str) -> None:
+        """Lays one of the organs that come with Palpate on the desk, after asking."""
+        self.shipped = name
+        self.guard(self.load_shipped)
+
+    def load_shipped(self) -> None:
+        if not self.desk.tasks.is_busy():
+            title = tr("Opening {file}").format(file=self.shipped)
+            self.desk.jobs.start(
+                title, ShippedWork(self.shipped), self.lay_down_shipped, self.desk.refuse
+            )
+
+    def lay_down_shipped(self, organ: Organ) -> None:
+        """It has no file of its own yet: the one that ships stays as it is."""
+        self.desk.session.lay_down(organ, None)
+        self.desk.view.frame_all()
+        self.desk.log_command(["palpate", "organs", self.shipped, "--out", f"{self.shipped}.organ"])
+        self.desk.show_stage("material")
 
     def drop(self, paths: list[Path]) -> None:
         """Files were dropped on the window: the first one that can be used is."""

@@ -6,17 +6,26 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from palpate_editor.document import Organ
 from palpate_editor.views.desk import Desk
 from palpate_editor.views.icons import draw_icon
+from palpate_editor.views.shipped_organs import ShippedOrgans
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.theme import title_font
 from palpate_editor.views.words import tr
 
 RECENT = 4
-WIDTH = 440
+WIDTH, LEAST_WIDTH = 560, 440
 
 
 class Welcome(QFrame):
@@ -31,8 +40,8 @@ class Welcome(QFrame):
         self.setProperty("role", "card")
         self.setObjectName("welcome")
         column = QVBoxLayout(self)
-        column.setContentsMargins(30, 26, 30, 22)
-        column.setSpacing(10)
+        column.setContentsMargins(30, 20, 30, 16)
+        column.setSpacing(8)
         self.sign = QLabel(self)
         self.sign.setAlignment(Qt.AlignmentFlag.AlignHCenter)
         column.addWidget(self.sign)
@@ -60,7 +69,10 @@ class Welcome(QFrame):
         row.addWidget(self.open_button)
         row.addStretch(1)
         column.addLayout(row)
-        self.recent = QVBoxLayout()
+        column.addWidget(write_label(tr("Or begin with one of these"), "faint", self))
+        self.shipped = ShippedOrgans(self)
+        column.addWidget(self.shipped)
+        self.recent = QGridLayout()
         self.recent.setSpacing(1)
         column.addLayout(self.recent)
         self.setFixedWidth(WIDTH)
@@ -82,6 +94,7 @@ class Welcome(QFrame):
         self.setVisible(empty)
         if empty:
             self.sign.setPixmap(draw_icon("import", self.desk.colours.accent_text, 46, 1.2))
+            self.shipped.use_theme(self.desk.theme)
             self.fill_recent()
             self.place()
 
@@ -91,14 +104,14 @@ class Welcome(QFrame):
             if widget is not None:
                 widget.hide()
                 widget.deleteLater()
-        for file in self.desk.settings.recent_files()[:RECENT]:
+        for row, file in enumerate(self.desk.settings.recent_files()[:RECENT]):
             button = QPushButton(file.path.name, self)
             button.setProperty("link", True)
             button.setProperty("path", str(file.path))
             button.setToolTip(str(file.path))
             button.setEnabled(file.exists)
             button.clicked.connect(self.open_recent)
-            self.recent.addWidget(button)
+            self.recent.addWidget(button, row // 2, row % 2)
             button.show()
 
     def open_recent(self) -> None:
@@ -107,8 +120,19 @@ class Welcome(QFrame):
             self.recent_wanted.emit(Path(str(button.property("path"))))
 
     def place(self) -> None:
-        self.adjustSize()
         room = self.parentWidget().size()
+        self.setFixedWidth(min(WIDTH, max(LEAST_WIDTH, room.width() - 16)))
+        # in a low window the organs matter more than the sign, and then their names than they do
+        for with_sign, large in ((True, True), (False, True), (False, False)):
+            self.sign.setVisible(with_sign)
+            self.shipped.use_size(large)
+            self.shipped.layout().activate()
+            self.layout().invalidate()
+            self.layout().activate()
+            height = self.layout().totalHeightForWidth(self.width())
+            if height <= room.height() - 16:
+                break
+        self.resize(self.width(), height)
         self.move((room.width() - self.width()) // 2, max(8, (room.height() - self.height()) // 2))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

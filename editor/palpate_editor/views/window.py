@@ -155,6 +155,7 @@ class MainWindow(QMainWindow):
         self.deeds.reimport_wanted.connect(self.import_panel.import_parts)
         self.welcome.open_wanted.connect(self.files.ask_open)
         self.welcome.recent_wanted.connect(self.files.open)
+        self.welcome.shipped.chosen.connect(self.files.open_shipped)
 
     # ------------------------------------------------------------ stages
 

@@ -561,6 +561,10 @@
         <translation>Yalnız ön yüz</translation>
     </message>
     <message>
+        <source>Gallbladder</source>
+        <translation>Safra kesesi</translation>
+    </message>
+    <message>
         <source>Give every vertex the organ's own stiffness</source>
         <translation>Her köşeye organın kendi katılığını ver</translation>
     </message>
@@ -689,6 +693,14 @@
         <translation>Klavye ve fare</translation>
     </message>
     <message>
+        <source>Kidney</source>
+        <translation>Böbrek</translation>
+    </message>
+    <message>
+        <source>Kidney stone</source>
+        <translation>Böbrek taşı</translation>
+    </message>
+    <message>
         <source>Larger brush</source>
         <translation>Daha büyük fırça</translation>
     </message>
@@ -731,6 +743,10 @@
     <message>
         <source>Links</source>
         <translation>Bağlantılar</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Karaciğer</translation>
     </message>
     <message>
         <source>Log</source>
@@ -891,6 +907,10 @@
     <message>
         <source>Opposite edge (Eq 10)</source>
         <translation>Karşı kenar (Denk. 10)</translation>
+    </message>
+    <message>
+        <source>Or begin with one of these</source>
+        <translation>Ya da bunlardan biriyle başlayın</translation>
     </message>
     <message>
         <source>Orbit</source>
@@ -1153,6 +1173,10 @@
         <translation>Bütün çalışmaları göster</translation>
     </message>
     <message>
+        <source>Simple tissue</source>
+        <translation>Basit doku</translation>
+    </message>
+    <message>
         <source>Size</source>
         <translation>Boyut</translation>
     </message>
@@ -1187,6 +1211,10 @@
     <message>
         <source>Speed</source>
         <translation>Hız</translation>
+    </message>
+    <message>
+        <source>Spleen</source>
+        <translation>Dalak</translation>
     </message>
     <message>
         <source>Springs and bonds</source>
@@ -1231,6 +1259,10 @@
     <message>
         <source>Stiffness map</source>
         <translation>Katılık haritası</translation>
+    </message>
+    <message>
+        <source>Stomach</source>
+        <translation>Mide</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -1691,6 +1723,10 @@
     <message>
         <source>{count} to think about</source>
         <translation>düşünülecek: {count}</translation>
+    </message>
+    <message>
+        <source>{count} vertices</source>
+        <translation>{count} köşe</translation>
     </message>
     <message>
         <source>{errors} to mend, {warnings} to think about: they stand under Problems.</source>
