@@ -11,6 +11,7 @@ import numpy as np
 from palpate.scene_parts import MaterialPart, ModelPart
 from palpate_meshes.anatomy import ATTACHMENT, find_regions, generate
 from palpate_meshes.catalogue import (
+    PICTURES,
     Entry,
     Tissue,
     find_entry,
@@ -30,6 +31,11 @@ HOW = "ships with Palpate"
 def find_mesh(name: str) -> Path:
     """The OBJ in metres of a shipped organ. Raises ValueError for a name there is not."""
     return find_entry(name).mesh
+
+
+def find_picture(name: str, theme: str) -> Path:
+    """A small picture of a shipped organ, dark or light."""
+    return PICTURES / f"{name}_{theme}.png"
 
 
 def make_organ(name: str, vertices: int | None = None) -> Organ:

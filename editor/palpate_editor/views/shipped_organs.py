@@ -3,12 +3,11 @@
 
 from __future__ import annotations
 
-from palpate_meshes.catalogue import PICTURES
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QIcon, QPainter, QPainterPath, QPixmap
 from PySide6.QtWidgets import QGridLayout, QToolButton, QWidget
 
-from palpate_editor.shipped import list_organs
+from palpate_editor.shipped import find_picture, list_organs
 from palpate_editor.views.words import tr
 
 COLUMNS = 4
@@ -62,7 +61,7 @@ class ShippedOrgans(QWidget):
             return
         self.theme = theme
         for name, button in self.buttons.items():
-            button.setIcon(QIcon(round_off(QPixmap(str(PICTURES / f"{name}_{theme}.png")))))
+            button.setIcon(QIcon(round_off(QPixmap(str(find_picture(name, theme))))))
 
     def use_size(self, large: bool) -> None:
         """Large pictures, or small ones where there is little room."""
