@@ -10,6 +10,7 @@ import sys
 import tempfile
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -238,7 +239,7 @@ def read_size(text: str) -> tuple[int, int]:
 
 
 def run_render(call: argparse.Namespace) -> Report:
-    look = {
+    look: dict[str, Any] = {
         "size": call.size,
         "theme": call.theme,
         "azimuth": call.azimuth,
@@ -250,7 +251,13 @@ def run_render(call: argparse.Namespace) -> Report:
         return {"picture": str(call.out), "time_s": moment}
     if call.file.suffix == ".obj":
         mesh = read_mesh_file(call.file)
-    elif call.file.suffix == ".json" or is_published(call.file):
+    elif is_published(call.file):
+        # loads the renderer, which other verbs do without
+        from palpate.authored import find_look
+
+        made = palpate.scenario.read(call.file)
+        mesh, look["look"] = made.scene.tissue, find_look(made)
+    elif call.file.suffix == ".json":
         mesh = read_scene(call.file).tissue
     else:
         raise Refusal(

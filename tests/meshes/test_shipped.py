@@ -18,7 +18,13 @@ from palpate_editor.check import assess
 from palpate_editor.gallery import draw_organ, draw_tool
 from palpate_editor.open_organ import open_organ
 from palpate_editor.shipped import find_mesh, list_organs, make_organ
-from palpate_meshes.catalogue import PUBLISHED, read_organ_mesh, read_regions, read_tissues
+from palpate_meshes.catalogue import (
+    PUBLISHED,
+    find_entry,
+    read_organ_mesh,
+    read_regions,
+    read_tissues,
+)
 from palpate_meshes.tools import read_tool
 
 ORGANS = [entry.name for entry, _ in list_organs()]
@@ -141,11 +147,26 @@ def test_a_call_that_cannot_be_is_refused_in_a_sentence(
     assert list(tmp_path.iterdir()) == []
 
 
-def test_inspect_gives_the_counts_of_the_catalogue(capsys):
-    code, said = run(capsys, "inspect", find_mesh("spleen"), "--json")
+@pytest.mark.parametrize("name", ORGANS)
+def test_inspect_gives_the_counts_of_the_catalogue(capsys, name):
+    entry = find_entry(name)
 
+    code, said = run(capsys, "inspect", find_mesh(name), "--json")
+
+    report = json.loads(said.out)
     assert code == 0
-    assert (json.loads(said.out)["vertices"], json.loads(said.out)["triangles"]) == (600, 1196)
+    assert (report["vertices"], report["triangles"]) == (entry.vertices, entry.triangles)
+    assert report["border_loops"] == list(entry.border)
+
+
+def test_a_published_organ_is_rendered_as_its_tissue(capsys, tmp_path):
+    for name in ("spleen.palpate", "spleen.obj"):
+        out = tmp_path / f"{name}.png"
+        words = ("render", PUBLISHED / name, "--out", out, "--size", "160x120", "--no-wireframe")
+        assert run(capsys, *words)[0] == 0
+
+    tissue, plain = (imread(tmp_path / f"spleen.{kind}.png") for kind in ("palpate", "obj"))
+    assert np.abs(tissue - plain)[40:80, 60:100].mean() > 0.05
 
 
 def test_pictures_show_tissue_that_is_neither_flat_nor_alike():
