@@ -22,7 +22,9 @@ TILE = (400, 340)
 THUMBNAIL = (232, 192)
 """[px] Twice what the start page gives it, for dense screens."""
 MARGIN = (16, 40, 16, 22)
-"""[px] Left, above, right and below of what is drawn."""
+"""[px] Left, above, right and below of what is drawn in a tile; in proportion elsewhere."""
+BARE_MARGIN = (14, 14, 14, 22)
+"""[px] Of a tile without a title."""
 COLUMNS = 5
 JAWS_SHOWN = 0.6
 """[-] How far a grasper stands open in its picture."""
@@ -48,7 +50,7 @@ def draw_organ(
     return draw_picture(
         vertices,
         triangles,
-        camera=aim(entry.view, vertices, size, MARGIN if named else (10, 10, 10, 14)),
+        camera=aim(entry.view, vertices, size, MARGIN if named else BARE_MARGIN),
         size=size,
         theme=theme,
         wireframe=False,
@@ -65,7 +67,8 @@ def aim(
 ) -> Camera:
     """From an azimuth and an elevation [degree], as near as leaves a margin around points [m]."""
     camera = Camera(math.radians(view[0]), math.radians(view[1]))
-    left, above, right, below = margin
+    scale = size[1] / TILE[1]
+    left, above, right, below = (scale * side for side in margin)
     camera.fit(points, size, (left, above, size[0] - right, size[1] - below))
     return camera
 
