@@ -8,16 +8,12 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from data_folder import find_data
 
 CHECKOUT = Path(__file__).resolve().parents[1]
 
 # before anybody imports Qt: no test may need a display
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-
-
-def find_data() -> Path:
-    """The folder of shared data: PALPATE_DATA, or ../shared/data seen from the checkout."""
-    return Path(os.environ.get("PALPATE_DATA") or CHECKOUT.parent / "shared" / "data")
 
 
 @pytest.fixture(scope="session")

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 import palpate
 import pytest
-from conftest import find_data
+from data_folder import find_data
 from foreign_files import WRITERS
 from palpate_editor.authoring import import_mesh, inspect_mesh, join_parts, read_mesh
 from palpate_meshes.generate import ellipsoid

@@ -173,7 +173,7 @@ def test_check_exits_1_where_a_scene_cannot_be_built(spleen, tmp_path, capsys):
 
 
 def hostile_files() -> list[str]:
-    from conftest import find_data
+    from data_folder import find_data
 
     manifest = find_data() / "hostile" / "MANIFEST.csv"
     if not manifest.is_file():

@@ -12,12 +12,10 @@ from palpate.viewport.gl_view import build_format
 from palpate_editor.app.settings import Settings
 from palpate_editor.views.editor import Editor
 from palpate_editor.views.window import MainWindow
+from patience import settle
 from PySide6.QtCore import QEvent, QSettings, Qt
 from PySide6.QtGui import QSurfaceFormat
 from PySide6.QtWidgets import QApplication
-
-PATIENCE = 60_000
-"""[ms] A loaded machine may take long; nothing is judged by it."""
 
 
 @pytest.fixture(scope="session")
@@ -101,11 +99,3 @@ def spleen_window(qtbot, window: MainWindow, spleen: Path) -> MainWindow:
     window.deeds.fix_lowest()
     settle(qtbot, window)
     return window
-
-
-def settle(qtbot, window: MainWindow) -> None:
-    """Waits until no work is under way and the organ on the desk has been looked at."""
-    qtbot.waitUntil(lambda: window.desk.jobs.current is None, timeout=PATIENCE)
-    qtbot.waitUntil(
-        lambda: window.desk.assessor.is_current and not window.desk.assessor.busy, timeout=PATIENCE
-    )

@@ -7,12 +7,12 @@ import threading
 import time
 
 import pytest
-from conftest import PATIENCE, settle
 from hands import child, click
 from palpate_editor import authoring
 from palpate_editor.edits import decimate as decimate_room
 from palpate_editor.edits import import_mesh as import_room
 from palpate_editor.views import assessment, tasks
+from patience import PATIENCE, settle
 from PySide6.QtCore import QTimer
 
 pytestmark = pytest.mark.window

@@ -8,12 +8,12 @@ import shlex
 
 import numpy as np
 import pytest
-from conftest import settle
 from hands import action, child, log_of, type_into
 from palpate.cli import build_parser, load_verbs, main
 from palpate_editor.document.files import read_organ
 from palpate_editor.edits import EVERY_EDIT
 from palpate_editor.views.command_lines import FINDERS
+from patience import settle
 
 pytestmark = pytest.mark.window
 

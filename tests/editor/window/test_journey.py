@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from conftest import PATIENCE, settle
 from hands import CONTROL, SHIFT, action, child, choose_file, click, drop, log_of, press, type_into
 from palpate import scenario
 from palpate_editor.document.files import read_organ
+from patience import PATIENCE, settle
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMessageBox

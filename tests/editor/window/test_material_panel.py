@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import pytest
-from conftest import settle
 from hands import child, click, type_into
 from palpate_editor.document.constants import CONSTANTS
 from palpate_editor.views.quantity_box import QuantityBox, read_number, write_number
+from patience import settle
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import settle
 from palpate_editor.views.stage_bar import STAGES
+from patience import settle
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 

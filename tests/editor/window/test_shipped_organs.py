@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from conftest import settle
 from hands import click, log_of
 from palpate_editor.shipped import list_organs
 from palpate_editor.views.shipped_organs import name_organs
+from patience import settle
 from PySide6.QtGui import QImage
 
 pytestmark = pytest.mark.window

@@ -11,10 +11,10 @@ import time
 
 import numpy as np
 import pytest
-from conftest import PATIENCE, settle
 from hands import click
 from palpate_editor.app.recovery import find_recoveries
 from palpate_editor.document.files import read_organ
+from patience import PATIENCE, settle
 from PySide6.QtWidgets import QMessageBox
 
 pytestmark = pytest.mark.window

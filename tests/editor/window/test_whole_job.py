@@ -8,7 +8,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import PATIENCE, settle
 from palpate import scenario
 from palpate.cli import main
 from palpate.play import Play
@@ -16,6 +15,7 @@ from palpate.player.trainee_window import TraineeWindow
 from palpate.press import PressScript, find_top, write_script
 from palpate.script_file import write_script_file
 from palpate.viewport import FboView, GLView
+from patience import PATIENCE, settle
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QFileDialog, QLineEdit

@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 import pytest
-from conftest import settle
 from hands import CONTROL, choose_file, click, drop, log_of, press
 from palpate_editor.views.help import stage_help
+from patience import settle
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
