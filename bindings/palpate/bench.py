@@ -46,6 +46,7 @@ def bench_meshes(paths: Sequence[Path], vertices: Sequence[int], budget: float) 
                     "work": row.work,
                     "mesh": name,
                     "vertices": row.vertices,
+                    "substeps": row.substeps or None,
                     "median_us": 1e6 * row.median,
                     "p99_us": 1e6 * row.p99,
                     "naive_median_us": 1e6 * row.naive_median,

@@ -299,13 +299,14 @@ def run_bench(call: argparse.Namespace) -> Report:
 
 def describe_bench(report: Report) -> str:
     lines = [
-        f"{'work':18} {'mesh':16} {'vertices':>8} {'median us':>10} {'p99 us':>9} "
+        f"{'work':18} {'mesh':16} {'vertices':>8} {'substeps':>8} {'median us':>10} {'p99 us':>9} "
         f"{'ns each':>9} {'x naive':>8} {'of bound':>8}"
     ]
     for row in report["rows"]:
         share = row["share_of_bound"]
         lines.append(
-            f"{row['work']:18} {row['mesh']:16} {row['vertices']:8d} {row['median_us']:10.2f} "
+            f"{row['work']:18} {row['mesh']:16} {row['vertices']:8d} "
+            f"{row['substeps'] or '-':>8} {row['median_us']:10.2f} "
             f"{row['p99_us']:9.2f} {row['ns_per_element']:9.2f} {row['ratio_to_naive']:8.2f} "
             + (f"{share:8.0%}" if share else f"{'-':>8}")
         )

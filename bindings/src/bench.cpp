@@ -17,6 +17,7 @@ void bind_bench(py::module_& m) {
       "What one piece of work costs, beside the same work done naively in the same process.");
   row.def_readonly("work", &BenchRow::work, "'mss_step', 'refit', 'mms_tick', ...")
       .def_readonly("vertices", &BenchRow::vertices)
+      .def_readonly("substeps", &BenchRow::substeps, "Of a tick; 0 for other work.")
       .def_readonly("median", &BenchRow::median, "[s] CPU time of the calling thread.")
       .def_readonly("p99", &BenchRow::p99, "[s]")
       .def_readonly("naive_median", &BenchRow::naive_median, "[s] of the naive form.")

@@ -12,6 +12,7 @@ namespace palpate::bench {
 struct BenchRow {
   std::string work;  ///< "mss_step", "refit", "mms_tick", ...
   int vertices = 0;
+  int substeps = 0;             ///< of a tick; 0 for other work
   double median = 0.0;          ///< [s] CPU time of the calling thread
   double p99 = 0.0;             ///< [s]
   double naive_median = 0.0;    ///< [s] of the naive form

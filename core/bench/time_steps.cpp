@@ -20,12 +20,6 @@ constexpr double kDoubleAgreement = 1e-9;
 /// [m] A float rounds forces to some 1e-6; what tests/core/dynamics/test_packed.cpp allows 0.1 s.
 constexpr double kFloatAgreement = 1e-7;
 
-TissueModel without_dashpots(TissueModel model) {
-  std::fill(model.springs.damping.begin(), model.springs.damping.end(), 0.0);
-  std::fill(model.bonds.damping.begin(), model.bonds.damping.end(), 0.0);
-  return model;
-}
-
 bool is_damped(const Links& links) {
   return std::any_of(links.damping.begin(), links.damping.end(), [](double c) { return c > 0.0; });
 }
@@ -100,6 +94,12 @@ BenchRow time_step(const std::string& work, const std::string& terms, const Tiss
 }
 
 }  // namespace
+
+TissueModel without_dashpots(TissueModel model) {
+  std::fill(model.springs.damping.begin(), model.springs.damping.end(), 0.0);
+  std::fill(model.bonds.damping.begin(), model.bonds.damping.end(), 0.0);
+  return model;
+}
 
 State shake(const TissueModel& model) {
   State state(model);

@@ -6,6 +6,8 @@
 
 namespace palpate::bench {
 
+TissueModel without_dashpots(TissueModel model);
+
 /// A body in motion: every particle off its rest by a thousandth of the diagonal.
 State shake(const TissueModel& model);
 

@@ -3,6 +3,7 @@
 
 #include "palpate/bench/bench.h"
 #include "palpate/bench/naive.h"
+#include "palpate/sim/dynamics/simd_targets.h"
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/model/build_mass_spring.h"
 #include "palpate/sim/model/build_molecular.h"
@@ -57,8 +58,10 @@ TEST_CASE("the bench has one row for every piece of work, with positive figures"
   const auto rows = bench::run_bench(mass_spring, mms, {.budget = 1e-3, .least_runs = 3});
 
   const std::vector<std::string> expected = {
-      "mss_step", "mss_dashpot_step", "mms_step", "mms_dashpot_step", "refit",
-      "segment",  "closest",          "sphere",   "mss_tick",         "mms_tick"};
+      "mss_step", "mss_dashpot_step", "mms_step", "mms_dashpot_step",
+      "refit",    "segment",          "closest",  "sphere",
+      "mss_tick", "mss_dashpot_tick", "mss_tick", "mss_dashpot_tick",
+      "mms_tick", "mms_dashpot_tick", "mms_tick", "mms_dashpot_tick"};
   REQUIRE(rows.size() == expected.size());
   for (std::size_t r = 0; r < rows.size(); ++r) {
     CHECK(rows[r].work == expected[r]);
@@ -67,6 +70,14 @@ TEST_CASE("the bench has one row for every piece of work, with positive figures"
     CHECK(rows[r].p99 >= rows[r].median);
     CHECK(rows[r].ratio_to_naive > 0.0);
     CHECK(!rows[r].physics.empty());
+    CHECK(!rows[r].compiler_flags.empty());
+    CHECK(rows[r].ns_per_element() > 0.0);
+    const bool ticks = rows[r].work.ends_with("_tick");
+    CHECK((rows[r].substeps > 0) == ticks);
+    if (ticks || rows[r].work.ends_with("_step")) {
+      CHECK(rows[r].simd_target == (simd_targets().empty() ? "" : simd_targets().front()));
+      CHECK(rows[r].share_of_bound < 1.0);
+    }
   }
 }
 
