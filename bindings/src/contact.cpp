@@ -135,6 +135,8 @@ void bind_tool(py::module_& m) {
 
 void bind_contact_law(py::module_& m) {
   m.attr("kBarrierFloor") = kBarrierFloor;
+  m.attr("kNoArm") = kNoArm;
+  m.attr("kFullFacing") = kFullFacing;
   py::class_<Contact> contact(m, "Contact", "How the tip touches one triangle.");
   contact.def(py::init<>());
   def_vector(contact, "weights", &Contact::weights, "Barycentric, of the closest point.");

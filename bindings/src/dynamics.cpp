@@ -258,6 +258,8 @@ void bind_guard(py::module_& m) {
       .def_readwrite("last_energy", &Guard::last_energy, "[J] elastic and kinetic.")
       .def_readwrite("work", &Guard::work,
                      "[J] done by pushes, gravity and pressure since the start.")
+      .def_readwrite("unnoticed_energy", &Guard::unnoticed_energy,
+                     "[J] less than anybody could see or feel.")
       .def_readwrite("given_energy", &Guard::given_energy,
                      "[J] of start and work, less what has long been lost.")
       .def_readwrite("reference_energy", &Guard::reference_energy,

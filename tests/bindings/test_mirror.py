@@ -19,6 +19,7 @@ PRIVATE_HEADERS = {
     "base/refuse.h": "how C++ writes a refusal; Python raises its own",
     "contact/box.h": "inside of the tree and its queries",
     "contact/contact_lanes-inl.h": "compiled once per vector target",
+    "contact/refit_boxes.h": "inside of the tree",
     "dynamics/alarms.h": "inside of check(), under either kernel",
     "dynamics/dual.h": "inside of the tangent: derivatives of the angle law",
     "dynamics/elastic_energy.h": "inside of compute_energy and the alarm",

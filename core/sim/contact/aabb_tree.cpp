@@ -8,6 +8,7 @@
 #include <string>
 
 #include "palpate/sim/contact/box.h"
+#include "palpate/sim/contact/refit_boxes.h"
 
 namespace palpate {
 namespace {
@@ -157,29 +158,30 @@ AabbTree::AabbTree(std::span<const Vec3> x, std::span<const Triangle> triangles)
   build(items, 0, nodes_, order_);
   nodes_.shrink_to_fit();
 
-  leaf_triangles_.reserve(order_.size());
-  for (const int t : order_) leaf_triangles_.push_back(triangles_[static_cast<std::size_t>(t)]);
+  std::vector<int> particles;
+  for (int i = static_cast<int>(nodes_.size()); i-- > 0;) {
+    const Node& node = nodes_[static_cast<std::size_t>(i)];
+    if (node.count == 0) {
+      inner_.push_back(i);
+      continue;
+    }
+    particles.clear();
+    for (int k = node.first; k < node.first + node.count; ++k) {
+      const auto t = static_cast<std::size_t>(order_[static_cast<std::size_t>(k)]);
+      particles.insert(particles.end(), triangles_[t].begin(), triangles_[t].end());
+    }
+    std::sort(particles.begin(), particles.end());
+    particles.erase(std::unique(particles.begin(), particles.end()), particles.end());
+    while (particles.size() % kBlock != 0) particles.push_back(particles.back());
+    leaves_.push_back(
+        {i, static_cast<int>(leaf_particles_.size()), static_cast<int>(particles.size())});
+    leaf_particles_.insert(leaf_particles_.end(), particles.begin(), particles.end());
+  }
   refit(x);
 }
 
-/// Children stand behind their parent, so one sweep from the back finds every child done.
 void AabbTree::refit(std::span<const Vec3> x) noexcept {
-  for (std::size_t i = nodes_.size(); i-- > 0;) {
-    Node& node = nodes_[i];
-    Box box;
-    if (node.count > 0) {
-      const Triangle* t = &leaf_triangles_[static_cast<std::size_t>(node.first)];
-      for (const Triangle* end = t + node.count; t != end; ++t) {
-        for (const int corner : *t) box.add(x[static_cast<std::size_t>(corner)]);
-      }
-    } else {
-      const Node& left = nodes_[i + 1];
-      const Node& right = nodes_[static_cast<std::size_t>(node.first)];
-      box = {left.low.cwiseMin(right.low), left.high.cwiseMax(right.high)};
-    }
-    node.low = box.low;
-    node.high = box.high;
-  }
+  refit_boxes({x, leaves_, leaf_particles_, inner_, nodes_});
 }
 
 }  // namespace palpate

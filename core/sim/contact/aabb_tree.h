@@ -42,7 +42,16 @@ class AabbTree {
   std::vector<Node> nodes_;
   std::vector<int> order_;
   std::vector<Triangle> triangles_;
-  std::vector<Triangle> leaf_triangles_;  // triangles_ in the sequence of order_: refit reads on
+  // for refit: the particles of every leaf, each once, in blocks of kBlock that repeat the last
+  static constexpr int kBlock = 6;
+  struct Leaf {
+    int node, first, count;
+  };
+  std::vector<Leaf> leaves_;
+  std::vector<int> leaf_particles_;
+  std::vector<int> inner_;  // nodes that are no leaves, the last one first
+
+  friend struct TreeBoxes;
 };
 
 }  // namespace palpate

@@ -124,7 +124,7 @@ Alarm check_energy(const TissueModel& model, double energy, double work, double 
   guard.work += work;
   guard.given_energy += work;
   const double given = guard.given_energy;
-  const double now = std::max(given, compute_unnoticed_energy(model));
+  const double now = std::max(given, guard.unnoticed_energy);
   double& reference = guard.reference_energy;
   reference = std::max(now, reference - fade * (reference - now));
   const double rise = energy - guard.last_energy - work;
@@ -147,7 +147,8 @@ Guard::Guard(const TissueModel& model, const Vec3&, const State& state)
       start_energy(compute_centred_energy(model, state, 0.0)),
       last_energy(start_energy),
       given_energy(start_energy),
-      reference_energy(std::max(start_energy, compute_unnoticed_energy(model))) {
+      unnoticed_energy(compute_unnoticed_energy(model)),
+      reference_energy(std::max(start_energy, unnoticed_energy)) {
   for (const Links* links : {&model.springs, &model.bonds}) {
     for (const double length : links->rest_length) {
       shortest_rest_length = std::min(shortest_rest_length, length);

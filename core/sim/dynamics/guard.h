@@ -36,6 +36,7 @@ struct Guard {
   double last_energy = 0.0;           ///< [J] elastic and kinetic
   double work = 0.0;                  ///< [J] done by pushes, gravity and pressure since the start
   double given_energy = 0.0;          ///< [J] of start and work, less what has long been lost
+  double unnoticed_energy = 0.0;      ///< [J] less than anybody could see or feel
   double reference_energy = 0.0;      ///< [J] E_ref: the most that has lately been given
   int rising_steps = 0;               ///< looks in a row at which energy rose without work
   int strained_looks = 0;             ///< looks in a row at which a link was out of its bounds
