@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import palpate
 import pytest
+from palpate.run import follow_header
 from surfaces import organ_scene, press_frames, run_frames
 
 REPLAY = """
@@ -144,3 +145,21 @@ def test_a_log_without_room_counts_its_gaps():
     assert ticks["tick"].tolist() == [0, 1]
     assert happenings["kind"].tolist() == [palpate.HappeningKind.attached]
     assert len(hashes) == 0
+
+
+def test_a_replay_takes_the_kernel_and_the_vector_target_of_the_record():
+    targets = palpate.simd_targets()
+
+    plain = follow_header(organ_scene(), {"kernel": "reference, double, symplectic Euler"})
+    packed = follow_header(organ_scene(), {"kernel": "packed", "vector_target": targets[-1]})
+    foreign = follow_header(
+        organ_scene(), {"kernel": "packed", "vector_target": "of another machine"}
+    )
+
+    assert plain.kernel is palpate.Kernel.reference
+    assert (packed.kernel, packed.simd_target) == (palpate.Kernel.packed, targets[-1])
+    assert (foreign.kernel, foreign.simd_target) == (palpate.Kernel.packed, "")
+    record = run_frames(packed, press_frames())
+    assert palpate.replay(packed, record).equal
+    assert not palpate.replay(plain, record).equal
+    assert palpate.replay(plain, record).largest_force_difference < 1e-3

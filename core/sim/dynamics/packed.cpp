@@ -112,15 +112,8 @@ void unpack_particle(const PackedModel& model, const TissueModel& tissue, const 
 
 void unpack(const PackedModel& model, const TissueModel& tissue, const PackedState& packed,
             State& state) noexcept {
-  const auto width = static_cast<std::size_t>(model.width);
-  const float* u = packed.displacement.data();
-  const float* v = packed.velocity.data();
-  for (std::size_t row = 0; row < model.row.size(); ++row) {
-    const auto i = static_cast<std::size_t>(model.particle[row]);
-    const std::size_t at = find_in_slices(model, row);
-    state.position[i] = tissue.rest_position[i] + Vec3(u[at], u[at + width], u[at + 2 * width]);
-    state.velocity[i] = Vec3(v[at], v[at + width], v[at + 2 * width]);
-  }
+  model.kernels->unpack(model, tissue.rest_position.data(), packed, state.position.data(),
+                        state.velocity.data());
   state.time = packed.time;
 }
 

@@ -56,7 +56,8 @@ HWY_INLINE void measure_slot(const PackedLinks& links, std::size_t slot, const i
   const Real k = load(links.stiffness.block(slot)),
              rest_tension = load(links.rest_tension.block(slot));
   const Real length = hn::Mul(square, inverse);
-  const Real rest = hn::IfThenElseZero(hn::Ne(k, hn::Zero(kLanes)), hn::Div(rest_tension, k));
+  const Real rest =
+      hn::IfThenElseZero(hn::Ne(k, hn::Zero(kLanes)), hn::Mul(rest_tension, invert(k)));
   const Real tension = hn::MulSub(k, length, rest_tension);
   const Real energy = hn::Mul(hn::Mul(tension, hn::Sub(length, rest)), hn::Set(kLanes, 0.25f));
   sums.elastic = hn::Add(sums.elastic, hn::IfThenElseZero(is_link, energy));

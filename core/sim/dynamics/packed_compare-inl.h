@@ -36,6 +36,52 @@ double compute_pressure_work(const PackedModel& model, const PackedState& state)
   return model.pressure / 6.0 * hn::GetLane(hn::SumOfLanes(kLanes, sum));
 }
 
+using Two = hn::Full128<double>;
+using FourFloats = hn::Full128<float>;
+
+/// Adds x, y, z of a row to three doubles. Pairs of them, so that every machine has the vector.
+HWY_INLINE void write_row(const hn::Vec<FourFloats> row, const double* from, double* to) {
+  const hn::Half<FourFloats> half;
+  const auto xy = hn::PromoteTo(Two(), hn::LowerHalf(half, row));
+  const auto z = hn::PromoteTo(Two(), hn::UpperHalf(half, row));
+  hn::StoreU(hn::Add(hn::LoadU(Two(), from), xy), Two(), to);
+  to[2] = from[2] + hn::GetLane(z);
+}
+
+/// Writes every block of 128 bits to its particle, added to what stands at `from`; from a single
+/// place for all of them where `step` is 0.
+template <class D>
+HWY_INLINE void write_blocks(D d, hn::Vec<D> blocks, const int* particle, const double* from,
+                             int step, Vec3* to) {
+  if constexpr (hn::MaxLanes(d) <= 4) {
+    if (*particle >= 0) write_row(blocks, from + step * *particle, to[*particle].data());
+  } else {
+    const hn::Half<D> half;
+    write_blocks(half, hn::LowerHalf(half, blocks), particle, from, step, to);
+    write_blocks(half, hn::UpperHalf(half, blocks), particle + hn::MaxLanes(half), from, step, to);
+  }
+}
+
+HWY_INLINE void write_points(const Points& points, const int* particle, const double* from,
+                             int step, Vec3* to) {
+  const Rows rows = transpose(points);
+  write_blocks(kLanes, rows.row0, particle, from, step, to);
+  write_blocks(kLanes, rows.row1, particle + 1, from, step, to);
+  write_blocks(kLanes, rows.row2, particle + 2, from, step, to);
+  write_blocks(kLanes, rows.row3, particle + 3, from, step, to);
+}
+
+void unpack_all(const PackedModel& model, const Vec3* rest, const PackedState& packed,
+                Vec3* position, Vec3* velocity) noexcept {
+  static constexpr double kZero[3] = {0.0, 0.0, 0.0};
+  for (std::size_t s = 0; s < static_cast<std::size_t>(model.slice_count); ++s) {
+    const int* particle = model.particle.data() + kWidth * s;
+    const std::size_t at = 3 * kWidth * s;
+    write_points(load_points(packed.displacement.data() + at), particle, rest->data(), 3, position);
+    write_points(load_points(packed.velocity.data() + at), particle, kZero, 0, velocity);
+  }
+}
+
 Change compare(const PackedModel& model, const Eigen::Vector3f& gravity, float farthest,
                const PackedState& state) noexcept {
   const Points g = {hn::Set(kLanes, gravity.x()), hn::Set(kLanes, gravity.y()),

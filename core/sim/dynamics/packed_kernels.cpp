@@ -27,7 +27,8 @@ const Kernels& kernels() noexcept {
                                   &accumulate_triangles,
                                   &accumulate_pressure,
                                   &advance,
-                                  &compare};
+                                  &compare,
+                                  &unpack_all};
   return kernels;
 }
 

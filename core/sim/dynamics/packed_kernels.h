@@ -34,6 +34,9 @@ struct Kernels {
   /// gone.
   Change (*compare)(const PackedModel& model, const Eigen::Vector3f& gravity, float farthest,
                     const PackedState& state) noexcept = nullptr;
+  /// Writes position [m] and velocity [m/s] of every particle in double.
+  void (*unpack)(const PackedModel& model, const Vec3* rest, const PackedState& packed,
+                 Vec3* position, Vec3* velocity) noexcept = nullptr;
 };
 
 /// Those this machine can run, the best first.

@@ -73,6 +73,14 @@ HWY_INLINE Real invert_root(const Real square) {
 #endif
 }
 
+/// 1/number, as exact; of 0, what is not a number. Two Newton steps are far from a division's cost.
+HWY_INLINE Real invert(const Real number) {
+  const Real two = hn::Set(kLanes, 2.0f);
+  Real inverse = hn::ApproximateReciprocal(number);
+  inverse = hn::Mul(inverse, hn::NegMulAdd(number, inverse, two));
+  return hn::Mul(inverse, hn::NegMulAdd(number, inverse, two));
+}
+
 /// The rows index[0], index[4], index[8], ... of four floats each, one per block of 128 bits.
 template <class D>
 HWY_INLINE hn::Vec<D> load_blocks(D d, const float* rows, const int* index) {

@@ -7,6 +7,7 @@
 
 #include "core/haptics/press_scene.h"
 #include "core/session/some_record.h"
+#include "palpate/sim/dynamics/simd_targets.h"
 #include "palpate/sim/haptics/loop.h"
 #include "palpate/sim/session/replay.h"
 
@@ -100,6 +101,29 @@ TEST_CASE("another scene is another run") {
   scene.coupling.stiffness *= 1.01;
 
   CHECK_FALSE(replay(scene, record).equal);
+}
+
+TEST_CASE(
+    "each kernel and vector target replays its own record to the bit, and the others' nearly") {
+  std::vector<Scene> scenes(1, press_scene());
+  scenes[0].kernel = Kernel::reference;
+  for (const std::string& target : simd_targets()) {
+    scenes.push_back(scenes[0]);
+    scenes.back().kernel = Kernel::packed;
+    scenes.back().simd_target = target;
+  }
+  for (const Scene& made_with : scenes) {
+    CAPTURE(made_with.simd_target);
+    const Record record = press_record(made_with);
+    for (const Scene& run_with : scenes) {
+      CAPTURE(run_with.simd_target);
+      const ReplayReport report = replay(run_with, record);
+
+      CHECK(report.equal == (&made_with == &run_with));
+      CHECK(report.largest_force_difference < 1e-4);     // [N] of a press of newtons
+      CHECK(report.largest_position_difference < 1e-6);  // [m]
+    }
+  }
 }
 
 TEST_CASE("a record that cannot be run again is refused") {
