@@ -387,6 +387,7 @@ class Guard:
     start_energy: float
     last_energy: float
     work: float
+    unnoticed_energy: float
     given_energy: float
     reference_energy: float
     rising_steps: int
@@ -507,6 +508,8 @@ class Coupling:
     def __repr__(self) -> str: ...
 
 kBarrierFloor: float
+kNoArm: float
+kFullFacing: float
 
 class Contact:
     def __init__(self) -> None: ...
@@ -1002,6 +1005,8 @@ class BenchRow:
     def work(self) -> str: ...
     @property
     def vertices(self) -> int: ...
+    @property
+    def substeps(self) -> int: ...
     @property
     def median(self) -> float: ...
     @property
