@@ -105,7 +105,11 @@ State shake(const TissueModel& model) {
   State state(model);
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> offset(-1.0, 1.0);
-  const double size = 1e-3 * compute_diagonal(model.rest_position);
+  // on a fine mesh that would be a wreck, whose motion amplifies every rounding
+  double size = 1e-3 * compute_diagonal(model.rest_position);
+  for (const Links* links : {&model.springs, &model.bonds}) {
+    for (const double length : links->rest_length) size = std::min(size, 0.1 * length);
+  }
   for (Vec3& x : state.position) x += size * Vec3(offset(random), offset(random), offset(random));
   for (const int i : model.fixed) {
     state.position[static_cast<std::size_t>(i)] = model.rest_position[static_cast<std::size_t>(i)];

@@ -8,7 +8,8 @@ namespace palpate::bench {
 
 TissueModel without_dashpots(TissueModel model);
 
-/// A body in motion: every particle off its rest by a thousandth of the diagonal.
+/// A body in motion: every particle off its rest by a thousandth of the diagonal,
+/// but no more than a tenth of the shortest link.
 State shake(const TissueModel& model);
 
 /// [s] that a step of a model takes at least on this machine, counted by hand: the roofline.
