@@ -76,14 +76,12 @@ void pack_particles(const TissueModel& model, PackedModel& packed) {
   }
 }
 
-Triangle map_rows(const PackedModel& packed, const Triangle& t) {
-  return {packed.row[at(t[0])], packed.row[at(t[1])], packed.row[at(t[2])]};
-}
-
 std::vector<Triangle> map_rows(const PackedModel& packed, const std::vector<Triangle>& triangles) {
   std::vector<Triangle> rows;
   rows.reserve(triangles.size());
-  for (const Triangle& t : triangles) rows.push_back(map_rows(packed, t));
+  for (const auto& [i, j, k] : triangles) {
+    rows.push_back({packed.row[at(i)], packed.row[at(j)], packed.row[at(k)]});
+  }
   return rows;
 }
 
