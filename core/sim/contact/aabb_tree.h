@@ -3,27 +3,31 @@
 
 #include <span>
 
+#include "palpate/sim/base/cache_aligned.h"
 #include "palpate/sim/base/types.h"
+#include "palpate/sim/contact/tree_refit.h"
 
 namespace palpate {
 
-/// Axis-aligned boxes around the triangles of a deforming surface.
+/// Axis-aligned boxes around the triangles of a deforming surface, four to a node.
 ///
 /// Built once over the surface at rest; refit() follows the deformation in one sweep without
 /// changing the shape of the tree. Queries (queries.h) are right for any positions the tree has
 /// been refitted to; large deformations only make them slower.
 class AabbTree {
  public:
+  static constexpr int kWidth = 4;  ///< children of a node
   static constexpr int kLeafSize = 4;
-  /// No leaf lies deeper, whatever the triangles: a query's stack of so many entries is enough.
+  /// No leaf lies deeper, whatever the triangles.
   static constexpr int kMaxDepth = 64;
 
-  /// Nodes stand depth first, children behind their parent.
-  struct Node {
-    Eigen::Vector3d low, high;
-    int first =
-        0;  ///< leaf: first entry in order(); inner: index of the right child, the left is next
-    int count = 0;  ///< triangles of a leaf; 0 for an inner node
+  using Lanes = std::array<double, kWidth>;
+
+  /// Four boxes. Nodes stand depth first, children behind their parent.
+  struct alignas(32) Node {
+    std::array<Lanes, 3> low{}, high{};   ///< [m] by axis, then by child
+    std::array<int, kWidth> first{};      ///< leaf: first entry in order(); else: index of a node
+    std::array<int, kWidth> count{};      ///< triangles of a leaf, 0 for a node, -1 for no child
   };
 
   AabbTree() = default;
@@ -34,24 +38,27 @@ class AabbTree {
   /// Follows the surface to positions x; the same particle count as at the start.
   void refit(std::span<const Vec3> x) noexcept;
 
+  /// [m] The corners of the box around the whole surface.
+  Vec3 low() const noexcept { return corner(0); }
+  Vec3 high() const noexcept { return corner(4); }
+
   std::span<const Node> nodes() const noexcept { return nodes_; }
   std::span<const int> order() const noexcept { return order_; }
   std::span<const Triangle> triangles() const noexcept { return triangles_; }
+  /// triangles() in the sequence of order(): what a leaf reads on.
+  std::span<const Triangle> leaf_triangles() const noexcept { return leaf_triangles_; }
 
  private:
-  std::vector<Node> nodes_;
+  Vec3 corner(std::size_t at) const noexcept {
+    const auto& row = refit_.rows.front();
+    return {row[at], row[at + 1], row[at + 2]};
+  }
+
+  CacheAligned<Node> nodes_;
   std::vector<int> order_;
   std::vector<Triangle> triangles_;
-  // for refit: the particles of every leaf, each once, in blocks of kBlock that repeat the last
-  static constexpr int kBlock = 6;
-  struct Leaf {
-    int node, first, count;
-  };
-  std::vector<Leaf> leaves_;
-  std::vector<int> leaf_particles_;
-  std::vector<int> inner_;  // nodes that are no leaves, the last one first
-
-  friend struct TreeBoxes;
+  std::vector<Triangle> leaf_triangles_;
+  TreeRefit refit_;
 };
 
 }  // namespace palpate

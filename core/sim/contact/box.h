@@ -38,10 +38,27 @@ inline Box bound_triangle(std::span<const Vec3> x, const Triangle& t) noexcept {
                         x[static_cast<std::size_t>(t[2])]);
 }
 
-/// [m²] d·d, summed in one fixed order: what makes the comparison below exact.
-inline double square(const Vec3& d) noexcept {
-  return (d.x() * d.x() + d.y() * d.y()) + d.z() * d.z();
+/// a·b, summed in one fixed order: plain and vector code then agree to the bit.
+inline double dot_in_order(const Vec3& a, const Vec3& b) noexcept {
+  return (a.x() * b.x() + a.y() * b.y()) + a.z() * b.z();
 }
+
+/// [m²] d·d
+inline double square(const Vec3& d) noexcept { return dot_in_order(d, d); }
+
+/// [m²] A distance squared so that no square whose rounded root is that distance lies above it.
+inline double square_upwards(double distance) noexcept {
+  return distance * distance * (1.0 + 4.0 * std::numeric_limits<double>::epsilon());
+}
+
+/// Whether a triangle at this distance goes before the best so far; the lower one of two as near.
+inline bool is_better(double distance, int triangle, double best_distance, int best) noexcept {
+  if (distance != best_distance) return distance < best_distance;
+  return best < 0 || triangle < best;
+}
+
+/// sin² of a triangle's first corner below which its plane is not trusted alone.
+inline constexpr double kSliver = 1e-6;
 
 /// [m²] Smallest squared distance from p to a box; 0 inside.
 ///
@@ -58,7 +75,10 @@ struct Way {
   Vec3 direction = Vec3::Zero();
   double end = 1.0;
   double grow = 0.0;
-  Vec3 inverse = direction.cwiseInverse();
+  /// held finite, so that no product with it is NaN; not used where the direction is 0
+  Vec3 inverse = direction.cwiseInverse()
+                     .cwiseMin(std::numeric_limits<double>::max())
+                     .cwiseMax(std::numeric_limits<double>::lowest());
 };
 
 /// The parameter at which a way enters a grown box, 0 when it starts inside; infinity where it
@@ -72,8 +92,6 @@ inline double enter_box(const Way& way, const Vec3& low, const Vec3& high) noexc
       if (!(to_low <= 0.0 && to_high >= 0.0)) return std::numeric_limits<double>::infinity();
       continue;
     }
-    // a direction so small that its inverse overflows gives 0 x infinity = NaN here, which
-    // std::min and std::max in this order pass over: the box is kept
     const double t0 = to_low * way.inverse[k], t1 = to_high * way.inverse[k];
     in = std::max(in, std::min(t0, t1));
     out = std::min(out, std::max(t0, t1));

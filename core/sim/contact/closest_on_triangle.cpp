@@ -8,48 +8,41 @@
 namespace palpate {
 namespace {
 
-// sin² of the corner at `a` below which the plane of a triangle is not trusted alone
-constexpr double kSliver = 1e-6;
-
 /// Where along a -> b, from 0 to 1, the point closest to p lies; 0 for an edge of no length.
 double find_on_edge(const Vec3& p, const Vec3& a, const Vec3& b) noexcept {
   const Vec3 edge = b - a;
   const double squared_length = square(edge);
   if (!(squared_length > 0.0)) return 0.0;
-  return std::clamp((p - a).dot(edge) / squared_length, 0.0, 1.0);
+  return std::clamp(dot_in_order(p - a, edge) / squared_length, 0.0, 1.0);
 }
 
-/// Keeps the nearer of `best` and the point with these weights. The point is held inside the
-/// box of the triangle, so that no rounding makes it nearer than its boxes in the tree.
+/// Keeps the nearer of `best`, whose distance is still squared, and the point with these weights.
+/// The point is held inside the box of the triangle, so that no rounding makes it nearer than its
+/// boxes in the tree.
 void keep_nearer(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, const Box& box,
                  const Vec3& weights, SurfacePoint& best) noexcept {
   Vec3 point = weights[0] * a + weights[1] * b + weights[2] * c;
   point = point.cwiseMax(box.low).cwiseMin(box.high);
-  const double distance = std::sqrt(square(p - point));
-  if (distance < best.distance) {
+  const double squared_distance = square(p - point);
+  if (squared_distance < best.distance) {
     best.weights = weights;
     best.point = point;
-    best.distance = distance;
+    best.distance = squared_distance;
   }
 }
 
-}  // namespace
-
-/// The closest point lies at the foot of the perpendicular where that falls inside, otherwise on
-/// an edge [Ericson04]. Telling which edge from signs, as usual, fails on slivers whose signs are
-/// rounding errors; here every candidate is a point of the triangle and the nearest one wins, so
-/// a wrong sign costs no more than rounding.
-SurfacePoint find_closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b,
-                                      const Vec3& c) noexcept {
+/// The closest point, its distance squared.
+SurfacePoint find_closest_squared(const Vec3& p, const Vec3& a, const Vec3& b,
+                                  const Vec3& c) noexcept {
   const Vec3 ab = b - a, ac = c - a, ap = p - a;
-  const double aa = square(ab), cc = square(ac), bc = ab.dot(ac);
+  const double aa = square(ab), cc = square(ac), bc = dot_in_order(ab, ac);
   const double determinant = aa * cc - bc * bc;
   const Box box = bound_triangle(a, b, c);
   SurfacePoint best;
   best.distance = std::numeric_limits<double>::infinity();
 
   if (determinant > 0.0) {
-    const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+    const double d1 = dot_in_order(ab, ap), d2 = dot_in_order(ac, ap);
     const double v = (cc * d1 - bc * d2) / determinant, w = (aa * d2 - bc * d1) / determinant;
     if (v >= 0.0 && w >= 0.0 && v + w <= 1.0) {
       keep_nearer(p, a, b, c, box, {1.0 - (v + w), v, w}, best);
@@ -62,6 +55,21 @@ SurfacePoint find_closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& 
   keep_nearer(p, a, b, c, box, {1.0 - on_ab, on_ab, 0.0}, best);
   keep_nearer(p, a, b, c, box, {0.0, 1.0 - on_bc, on_bc}, best);
   keep_nearer(p, a, b, c, box, {on_ca, 0.0, 1.0 - on_ca}, best);
+  return best;
+}
+
+}  // namespace
+
+/// The closest point lies at the foot of the perpendicular where that falls inside, otherwise on
+/// an edge [Ericson04]. Telling which edge from signs, as usual, fails on slivers whose signs are
+/// rounding errors; here every candidate is a point of the triangle and the nearest one wins, so
+/// a wrong sign costs no more than rounding.
+///
+/// tree_distances-inl.h does the same operations in the same order for four triangles at once.
+SurfacePoint find_closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b,
+                                      const Vec3& c) noexcept {
+  SurfacePoint best = find_closest_squared(p, a, b, c);
+  best.distance = std::sqrt(best.distance);
   return best;
 }
 

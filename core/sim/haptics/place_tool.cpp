@@ -27,9 +27,8 @@ double compute_winding_number(std::span<const Triangle> triangles, std::span<con
 bool place_tool(const AabbTree& tree, std::span<const Vec3> x, const Vec3& hand_position,
                 ToolState& tool) noexcept {
   if (tool.placed) return true;
-  const AabbTree::Node& root = tree.nodes().front();
-  const bool in_box = (hand_position.array() >= root.low.array()).all() &&
-                      (hand_position.array() <= root.high.array()).all();
+  const bool in_box = (hand_position.array() >= tree.low().array()).all() &&
+                      (hand_position.array() <= tree.high().array()).all();
   tool.position = hand_position;
   tool.placed = !in_box || compute_winding_number(tree.triangles(), x, hand_position) < 0.5;
   return tool.placed;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "palpate/sim/contact/aabb_tree.h"
+#include "palpate/sim/contact/box.h"
 #include "soups.h"
 
 using namespace palpate;
@@ -15,34 +16,51 @@ namespace {
 
 int measure_depth(const AabbTree& tree, int node = 0) {
   const AabbTree::Node& n = tree.nodes()[static_cast<std::size_t>(node)];
-  if (n.count > 0) return 1;
-  return 1 + std::max(measure_depth(tree, node + 1), measure_depth(tree, n.first));
+  int deepest = 0;
+  for (std::size_t k = 0; k < AabbTree::kWidth; ++k) {
+    if (n.count[k] == 0) deepest = std::max(deepest, measure_depth(tree, n.first[k]));
+    if (n.count[k] > 0) deepest = std::max(deepest, 1);
+  }
+  return 1 + deepest;
 }
 
-/// Low and high over the triangles of a subtree, straight from the positions.
-void check_boxes(const AabbTree& tree, const Vec3Array& x, int node, Vec3& low, Vec3& high) {
-  const AabbTree::Node& n = tree.nodes()[static_cast<std::size_t>(node)];
-  low = Vec3::Constant(std::numeric_limits<double>::infinity());
-  high = -low;
-  if (n.count > 0) {
-    REQUIRE(n.count <= AabbTree::kLeafSize);
-    for (int k = n.first; k < n.first + n.count; ++k) {
-      const int t = tree.order()[static_cast<std::size_t>(k)];
-      for (const int corner : tree.triangles()[static_cast<std::size_t>(t)]) {
-        low = low.cwiseMin(x[static_cast<std::size_t>(corner)]);
-        high = high.cwiseMax(x[static_cast<std::size_t>(corner)]);
-      }
+/// Low and high over the triangles of a leaf, straight from the positions.
+Box bound_leaf(const AabbTree& tree, const Vec3Array& x, int first, int count) {
+  REQUIRE(count <= AabbTree::kLeafSize);
+  Box box;
+  for (int k = first; k < first + count; ++k) {
+    const int t = tree.order()[static_cast<std::size_t>(k)];
+    for (const int corner : tree.triangles()[static_cast<std::size_t>(t)]) {
+      box.add(x[static_cast<std::size_t>(corner)]);
     }
-  } else {
-    REQUIRE(n.first > node + 1);
-    Vec3 left_low, left_high, right_low, right_high;
-    check_boxes(tree, x, node + 1, left_low, left_high);
-    check_boxes(tree, x, n.first, right_low, right_high);
-    low = left_low.cwiseMin(right_low);
-    high = left_high.cwiseMax(right_high);
   }
-  REQUIRE(n.low == low);
-  REQUIRE(n.high == high);
+  return box;
+}
+
+/// The box of a node, once those of its children and their children are found right.
+Box check_boxes(const AabbTree& tree, const Vec3Array& x, int node) {
+  const AabbTree::Node& n = tree.nodes()[static_cast<std::size_t>(node)];
+  Box box;
+  for (std::size_t k = 0; k < AabbTree::kWidth; ++k) {
+    Box child;
+    if (n.count[k] > 0) child = bound_leaf(tree, x, n.first[k], n.count[k]);
+    if (n.count[k] == 0) {
+      REQUIRE(n.first[k] > node);
+      child = check_boxes(tree, x, n.first[k]);
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      REQUIRE(n.low[axis][k] == child.low[static_cast<Eigen::Index>(axis)]);
+      REQUIRE(n.high[axis][k] == child.high[static_cast<Eigen::Index>(axis)]);
+    }
+    box.add(child);
+  }
+  return box;
+}
+
+void check_boxes(const AabbTree& tree, const Vec3Array& x) {
+  const Box box = check_boxes(tree, x, 0);
+  CHECK(tree.low() == box.low);
+  CHECK(tree.high() == box.high);
 }
 
 std::string message_of(const Vec3Array& x, const std::vector<Triangle>& triangles) {
@@ -64,14 +82,13 @@ TEST_CASE("every triangle stands in exactly one leaf and every box is the tighte
     std::sort(order.begin(), order.end());
     std::vector<int> all(soup.triangles.size());
     std::iota(all.begin(), all.end(), 0);
-    Vec3 low, high;
 
     CHECK(order == all);
-    check_boxes(tree, soup.x, 0, low, high);
+    check_boxes(tree, soup.x);
 
     const Vec3Array bent = deform(soup.x, 7);
     tree.refit(bent);
-    check_boxes(tree, bent, 0, low, high);
+    check_boxes(tree, bent);
   }
 }
 
@@ -82,7 +99,7 @@ TEST_CASE("no tree is deeper than the stack of a query") {
     CHECK(measure_depth(AabbTree(soup.x, soup.triangles)) <= AabbTree::kMaxDepth);
   }
   const Soup stacked = make_stacked_soup(4096);
-  CHECK(measure_depth(AabbTree(stacked.x, stacked.triangles)) == 11);
+  CHECK(measure_depth(AabbTree(stacked.x, stacked.triangles)) == 6);
 }
 
 TEST_CASE("a tree over a plain soup is nearly balanced") {
@@ -90,8 +107,8 @@ TEST_CASE("a tree over a plain soup is nearly balanced") {
 
   const AabbTree tree(soup.x, soup.triangles);
 
-  CHECK(measure_depth(tree) <= 24);
-  CHECK(tree.nodes().size() < 5000);
+  CHECK(measure_depth(tree) <= 12);
+  CHECK(tree.nodes().size() < 1700);
 }
 
 TEST_CASE("a tree without triangles, or with indices or positions that are none, is refused") {

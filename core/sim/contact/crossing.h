@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "palpate/sim/contact/box.h"
+#include "palpate/sim/contact/queries.h"
+
+namespace palpate {
+
+/// A way seen along its largest component, which turns the crossing of a triangle into a
+/// question about signs in the plane.
+struct Shear {
+  explicit Shear(const Vec3& direction) noexcept {
+    direction.cwiseAbs().maxCoeff(&kz);
+    kx = (kz + 1) % 3;
+    ky = (kz + 2) % 3;
+    sx = direction[kx] / direction[kz];
+    sy = direction[ky] / direction[kz];
+    sz = 1.0 / direction[kz];
+  }
+  Vec3 apply(const Vec3& p) const noexcept {
+    return {p[kx] - sx * p[kz], p[ky] - sy * p[kz], sz * p[kz]};
+  }
+  int kx, ky, kz;
+  double sx, sy, sz;
+};
+
+/// [m] How far rounding may shift points of this box or of a way.
+double compute_slack(const Vec3& low, const Vec3& high, const Vec3& from, const Vec3& to) noexcept;
+
+/// Where `way` first meets one triangle, without its number; `length` [m] per parameter. Nothing
+/// here depends on the tree, so neither does the answer.
+std::optional<SurfacePoint> find_hit(const Shear& shear, Way way, double length, const Vec3& a,
+                                     const Vec3& b, const Vec3& c) noexcept;
+
+}  // namespace palpate

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Included once per target by tree_kernels.cpp, once by tree_kernels_plain.cpp: boxes that follow the surface.
+#if defined(PALPATE_TREE_REFIT_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PALPATE_TREE_REFIT_INL_H
+#undef PALPATE_TREE_REFIT_INL_H
+#else
+#define PALPATE_TREE_REFIT_INL_H
+#endif
+
+#include "palpate/sim/contact/tree_points-inl.h"
+
+#if PALPATE_TREE_TARGETED
+PALPATE_TREE_BEGIN
+namespace palpate::tree_kernels::PALPATE_TREE_TARGET {
+
+struct Row {
+  Four low, high;
+};
+
+/// Bounds the points of a list, two halves at a time: no step waits for the one before it.
+template <std::size_t kCount>
+PALPATE_TREE_INLINE Row bound_list(std::span<const Vec3> x, const std::array<int, kCount>& list) {
+  Row row;
+  const Four first = load_point(x[static_cast<std::size_t>(list[0])]);
+  Four other = load_point(x[static_cast<std::size_t>(list[1])]);
+  row = {min(first, other), max(first, other)};
+  for (std::size_t i = 2; i < kCount; i += 2) {
+    const Four p = load_point(x[static_cast<std::size_t>(list[i])]);
+    other = load_point(x[static_cast<std::size_t>(list[i + 1])]);
+    row.low = min(row.low, min(p, other));
+    row.high = max(row.high, max(p, other));
+  }
+  return row;
+}
+
+PALPATE_TREE_INLINE Row load_row(const std::array<double, 8>& row) {
+  return {load(row.data()), load(row.data() + 4)};
+}
+PALPATE_TREE_INLINE void store_row(const Row& row, std::array<double, 8>& to) {
+  store(row.low, to.data());
+  store(row.high, to.data() + 4);
+}
+
+PALPATE_TREE_INLINE void store_sides(const Four (&rows)[4], std::array<AabbTree::Lanes, 3>& sides) {
+  Points points;
+  transpose(rows, points.x, points.y, points.z);
+  store(points.x, sides[0].data());
+  store(points.y, sides[1].data());
+  store(points.z, sides[2].data());
+}
+
+/// Children stand behind their parent, so one sweep from the back finds every child done.
+inline void refit(std::span<const Vec3> x, TreeRefit& refit,
+                  std::span<AabbTree::Node> nodes) noexcept {
+  std::array<double, 8>* row = refit.rows.data() + nodes.size();
+  for (const auto& list : refit.few) store_row(bound_list(x, list), *row++);
+  for (const auto& list : refit.many) store_row(bound_list(x, list), *row++);
+
+  for (std::size_t n = nodes.size(); n-- > 0;) {
+    Four low[4], high[4];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Row child = load_row(refit.rows[static_cast<std::size_t>(refit.child_rows[n][k])]);
+      low[k] = child.low;
+      high[k] = child.high;
+    }
+    store_row({min(min(low[0], low[1]), min(low[2], low[3])),
+               max(max(high[0], high[1]), max(high[2], high[3]))},
+              refit.rows[n]);
+    store_sides(low, nodes[n].low);
+    store_sides(high, nodes[n].high);
+  }
+}
+
+}  // namespace palpate::tree_kernels::PALPATE_TREE_TARGET
+PALPATE_TREE_END
+#endif
+
+#endif  // PALPATE_TREE_REFIT_INL_H
