@@ -10,12 +10,20 @@ namespace palpate::bindings {
 
 template <>
 py::dtype row_dtype<AabbTree::Node>() {
-  return RowType<AabbTree::Node>()
-      .field("low", &AabbTree::Node::low)
-      .field("high", &AabbTree::Node::high)
-      .field("first", &AabbTree::Node::first)
-      .field("count", &AabbTree::Node::count)
-      .dtype();
+  using Node = AabbTree::Node;
+  const auto shaped = [](const py::dtype& type, auto... shape) {
+    return py::make_tuple(type, py::make_tuple(shape...));
+  };
+  const auto number = py::dtype::of<double>(), index = py::dtype::of<int>();
+  py::list names, formats, offsets;
+  for (const char* name : {"low", "high", "first", "count"}) names.append(name);
+  for (int side = 0; side < 2; ++side) formats.append(shaped(number, 3, AabbTree::kWidth));
+  for (int list = 0; list < 2; ++list) formats.append(shaped(index, AabbTree::kWidth));
+  for (const std::size_t offset :
+       {offsetof(Node, low), offsetof(Node, high), offsetof(Node, first), offsetof(Node, count)}) {
+    offsets.append(offset);
+  }
+  return py::dtype(names, formats, offsets, sizeof(Node));
 }
 
 template <>
@@ -63,7 +71,17 @@ void bind_tree(py::module_& m) {
             const auto rows = self.cast<const AabbTree&>().nodes();
             return read_only(view_rows(rows.data(), rows.size(), self));
           },
-          "The boxes, depth first, a structured array (low, high, first, count); a view.")
+          "Four boxes each, depth first, a structured array: low and high (3, 4) by axis and "
+          "child, "
+          "first and count (4,); a view.")
+      .def("low", &AabbTree::low, "The corner of the box around the whole surface [m].")
+      .def("high", &AabbTree::high, "The opposite corner [m].")
+      .def(
+          "leaf_triangles",
+          [](const py::object& self) {
+            return view_span(self.cast<const AabbTree&>().leaf_triangles(), self);
+          },
+          "triangles() in the sequence of order(); a view, read-only.")
       .def(
           "order",
           [](const py::object& self) {
@@ -76,6 +94,7 @@ void bind_tree(py::module_& m) {
             return view_span(self.cast<const AabbTree&>().triangles(), self);
           },
           "Shape (t, 3); a view, read-only.");
+  tree.attr("kWidth") = AabbTree::kWidth;
   tree.attr("kLeafSize") = AabbTree::kLeafSize;
   tree.attr("kMaxDepth") = AabbTree::kMaxDepth;
   def_copy(tree);

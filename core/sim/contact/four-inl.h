@@ -48,7 +48,9 @@ PALPATE_TREE_INLINE Mask operator<(Four a, Four b) { return {hn::Lt(a.raw, b.raw
 PALPATE_TREE_INLINE Mask operator<=(Four a, Four b) { return {hn::Le(a.raw, b.raw)}; }
 PALPATE_TREE_INLINE Mask operator&(Mask a, Mask b) { return {hn::And(a.raw, b.raw)}; }
 PALPATE_TREE_INLINE Mask operator|(Mask a, Mask b) { return {hn::Or(a.raw, b.raw)}; }
-PALPATE_TREE_INLINE Four select(Mask m, Four a, Four b) { return {hn::IfThenElse(m.raw, a.raw, b.raw)}; }
+PALPATE_TREE_INLINE Four select(Mask m, Four a, Four b) {
+  return {hn::IfThenElse(m.raw, a.raw, b.raw)};
+}
 /// Bit k is lane k.
 PALPATE_TREE_INLINE unsigned bits(Mask m) {
   std::uint8_t byte = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Included once per target by tree_kernels.cpp, once by tree_kernels_plain.cpp: from a point to triangles.
+// Included once per target by tree_kernels.cpp, once by tree_kernels_plain.cpp: from a point to
+// triangles.
 #if defined(PALPATE_TREE_DISTANCES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PALPATE_TREE_DISTANCES_INL_H
 #undef PALPATE_TREE_DISTANCES_INL_H
@@ -13,18 +14,6 @@
 PALPATE_TREE_BEGIN
 namespace palpate::tree_kernels::PALPATE_TREE_TARGET {
 
-/// What find_closest_on_triangle() takes from four triangles at once.
-struct Sight {
-  Points p;
-  Corners corners;
-  Points low, high;
-};
-
-/// [m²] From p to the points with these weights, held inside the boxes of their triangles.
-PALPATE_TREE_INLINE Four measure_point(const Sight& sight, const Points& weighted) {
-  return square(sight.p - min(max(weighted, sight.low), sight.high));
-}
-
 /// Where along an edge of this squared length the closest point lies, from 0 to 1.
 PALPATE_TREE_INLINE Four find_on_edge(Four along, Four squared_length) {
   const Four zero = set(0.0);
@@ -32,29 +21,41 @@ PALPATE_TREE_INLINE Four find_on_edge(Four along, Four squared_length) {
   return select(zero < squared_length, share, zero);
 }
 
-/// [m] From p to the closest point of each triangle: find_closest_on_triangle(), the same
+/// Where on each triangle, and how far from there.
+struct Found {
+  Four square, u, v, w;
+};
+
+/// Keeps the nearer.
+PALPATE_TREE_INLINE void keep_nearer(const Points& way, Four u, Four v, Four w, Found& best) {
+  const Four found = square(way);
+  const Mask nearer = found < best.square;
+  best = {min(found, best.square), select(nearer, u, best.u), select(nearer, v, best.v),
+          select(nearer, w, best.w)};
+}
+
+/// [m²] From p to the closest point of each triangle: find_closest_on_triangle(), the same
 /// operations in the same order.
 PALPATE_TREE_INLINE Four measure_triangles(const Points& p, const Corners& corners) {
   const auto& [a, b, c] = corners;
-  const Sight sight = {p, corners, min(min(a, b), c), max(max(a, b), c)};
   const Four zero = set(0.0), one = set(1.0);
-  const Points ab = b - a, ac = c - a, ap = p - a;
-  const Four aa = square(ab), cc = square(ac), bc = dot(ab, ac);
-  const Four determinant = aa * cc - bc * bc;
-  const Four d1 = dot(ab, ap), d2 = dot(ac, ap);
-  const Four v = (cc * d1 - bc * d2) / determinant, w = (aa * d2 - bc * d1) / determinant;
-  const Mask inside = ((zero < determinant) & (zero <= v)) & ((zero <= w) & (v + w <= one));
-  const Four face = measure_point(sight, (one - (v + w)) * a + v * b + w * c);
-  const Mask flat = inside & (set(kSliver) * aa * cc < determinant);
+  const Points ab = b - a, ac = c - a, bc = c - b, ap = p - a, bp = p - b;
+  const Four aa = square(ab), cc = square(ac), ac_on_ab = dot(ab, ac);
+  const Four on_ab = find_on_edge(dot(ap, ab), aa), on_ac = find_on_edge(dot(ap, ac), cc);
+  const Four on_bc = find_on_edge(dot(bp, bc), square(bc));
+  Found best = {square(ap - on_ab * ab), one - on_ab, on_ab, zero};
+  keep_nearer(ap - on_ac * ac, one - on_ac, zero, on_ac, best);
+  keep_nearer(bp - on_bc * bc, zero, one - on_bc, on_bc, best);
 
-  const Points edge = c - b;
-  const Four on_ab = find_on_edge(d1, aa);
-  const Four on_bc = find_on_edge(dot(p - b, edge), square(edge));
-  const Four on_ca = find_on_edge(dot(p - c, a - c), cc);
-  const Four beside = min(min(measure_point(sight, (one - on_ab) * a + on_ab * b),
-                              measure_point(sight, (one - on_bc) * b + on_bc * c)),
-                          measure_point(sight, on_ca * a + (one - on_ca) * c));
-  return sqrt(select(flat, face, min(beside, select(inside, face, beside))));
+  const Four determinant = aa * cc - ac_on_ab * ac_on_ab, inverse = one / determinant;
+  const Four d1 = dot(ap, ab), d2 = dot(ap, ac);
+  const Four v = (cc * d1 - ac_on_ab * d2) * inverse, w = (aa * d2 - ac_on_ab * d1) * inverse;
+  const Mask inside = ((zero < determinant) & (zero <= v)) & ((zero <= w) & (v + w <= one));
+  const Mask nearer = inside & ((set(kSliver) * aa * cc < determinant) |
+                                (square(ap - (v * ab + w * ac)) < best.square));
+  const Points point = select(nearer, one - (v + w), best.u) * a + select(nearer, v, best.v) * b +
+                       select(nearer, w, best.w) * c;
+  return square(p - min(max(point, min(min(a, b), c)), max(max(a, b), c)));
 }
 
 }  // namespace palpate::tree_kernels::PALPATE_TREE_TARGET

@@ -52,24 +52,24 @@ inline std::optional<SurfacePoint> find_first_hit(const AabbTree& tree, std::spa
   SurfacePoint best;
   // a box that is missed measures infinity and is never wanted
   best.distance = std::numeric_limits<double>::max();
-  walk(
+  double most = best.distance;
+  walk_nearest_first(
       tree,
-      [&](const AabbTree::Node& node) {
-        return enter_boxes(way, load_low(node), load_high(node)) * set(length);
-      },
-      [&] { return best.distance; },
+      [&](const AabbTree::Node& node) { return enter_boxes(way, load_low(node), load_high(node)); },
+      [&] { return most; },
       [&](int first, int count) {
         unsigned passed =
             pass_inside(shear, gather_leaf(tree, x, first, count), from) & filled(count);
         while (passed != 0) {
           const int triangle = triangle_at(tree, first, take_lowest(passed));
           const Triangle& t = tree.triangles()[static_cast<std::size_t>(triangle)];
-          const auto hit = find_hit(shear, way, length, x[static_cast<std::size_t>(t[0])],
-                                    x[static_cast<std::size_t>(t[1])],
-                                    x[static_cast<std::size_t>(t[2])]);
+          const auto hit =
+              find_hit(shear, way, length, x[static_cast<std::size_t>(t[0])],
+                       x[static_cast<std::size_t>(t[1])], x[static_cast<std::size_t>(t[2])]);
           if (!hit || !is_better(hit->distance, triangle, best.distance, best.triangle)) continue;
           best = *hit;
           best.triangle = triangle;
+          most = best.distance / length * (1.0 + 8.0 * std::numeric_limits<double>::epsilon());
         }
       });
   if (best.triangle < 0) return std::nullopt;
@@ -81,18 +81,18 @@ inline int find_closest(const AabbTree& tree, std::span<const Vec3> x, const Vec
   const Points p = set_points(point);
   double nearest = max_distance, most = square_upwards(max_distance);
   int best = -1;
-  walk(
+  walk_nearest_first(
       tree,
       [&](const AabbTree::Node& node) {
         return measure_distances(p, load_low(node), load_high(node));
       },
       [&] { return most; },
       [&](int first, int count) {
-        const Four distance = measure_triangles(p, gather_leaf(tree, x, first, count));
-        unsigned wanted = bits(distance <= set(nearest)) & filled(count);
+        const Four square = measure_triangles(p, gather_leaf(tree, x, first, count));
+        unsigned wanted = bits(square <= set(most)) & filled(count);
         if (wanted == 0) return;
         alignas(32) double distances[4];
-        store(distance, distances);
+        store(sqrt(square), distances);
         while (wanted != 0) {
           const std::size_t lane = take_lowest(wanted);
           const int triangle = triangle_at(tree, first, lane);
@@ -114,10 +114,10 @@ inline void collect_in_sphere(const AabbTree& tree, std::span<const Vec3> x, con
       [&](const AabbTree::Node& node) {
         return measure_distances(p, load_low(node), load_high(node));
       },
-      [&] { return most; },
+      most,
       [&](int first, int count) {
-        const Four distance = measure_triangles(p, gather_leaf(tree, x, first, count));
-        unsigned inside = bits(distance <= set(radius)) & filled(count);
+        const Four square = measure_triangles(p, gather_leaf(tree, x, first, count));
+        unsigned inside = bits(sqrt(square) <= set(radius)) & filled(count);
         while (inside != 0) collector.add(triangle_at(tree, first, take_lowest(inside)));
       });
 }
@@ -127,10 +127,8 @@ inline void collect_near_way(const AabbTree& tree, std::span<const Vec3> x, cons
   const double most = std::numeric_limits<double>::max();
   walk(
       tree,
-      [&](const AabbTree::Node& node) {
-        return enter_boxes(way, load_low(node), load_high(node));
-      },
-      [&] { return most; },
+      [&](const AabbTree::Node& node) { return enter_boxes(way, load_low(node), load_high(node)); },
+      most,
       [&](int first, int count) {
         const Corners k = gather_leaf(tree, x, first, count);
         const Four in = enter_boxes(way, min(min(k.a, k.b), k.c), max(max(k.a, k.b), k.c));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Included once per target by tree_kernels.cpp, once by tree_kernels_plain.cpp: boxes that follow the surface.
+// Included once per target by tree_kernels.cpp, once by tree_kernels_plain.cpp: boxes that follow
+// the surface.
 #if defined(PALPATE_TREE_REFIT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PALPATE_TREE_REFIT_INL_H
 #undef PALPATE_TREE_REFIT_INL_H

@@ -18,10 +18,10 @@ struct TreeRefit {
   static constexpr std::size_t kFew = 6;
   static constexpr std::size_t kMany = 12;
 
-  std::vector<std::array<int, kFew>> few;          ///< filled up with a corner of the same leaf
-  std::vector<std::array<int, kMany>> many;        ///< likewise
-  std::vector<std::array<int, 4>> child_rows;      ///< per node
-  CacheAligned<std::array<double, 8>> rows;        ///< [m] low and high, a fourth number unused
+  std::vector<std::array<int, kFew>> few;      ///< filled up with a corner of the same leaf
+  std::vector<std::array<int, kMany>> many;    ///< likewise
+  std::vector<std::array<int, 4>> child_rows;  ///< per node
+  CacheAligned<std::array<double, 8>> rows;    ///< [m] low and high, a fourth number unused
 };
 
 }  // namespace palpate

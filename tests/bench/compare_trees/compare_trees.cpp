@@ -26,8 +26,8 @@ const std::vector<std::string> kPeers = {"Palpate", "Embree", "CGAL", "FCL"};
 
 struct Row {
   std::string work, peer, note;
-  double median = 0.0;    ///< [s] per refit or question
-  double ratio = 0.0;     ///< to ours: above 1 we are faster
+  double median = 0.0;       ///< [s] per refit or question
+  double ratio = 0.0;        ///< to ours: above 1 we are faster
   double disagreeing = 0.0;  ///< share of the answers
 };
 

@@ -40,7 +40,9 @@ class Embree : public Peer {
       : triangles_(work.triangles), device_(rtcNewDevice("threads=1")) {
     if (device_ == nullptr) throw std::runtime_error("embree: no device");
     scene_ = rtcNewScene(device_);
+    // only a scene of low quality refits: it keeps a tree per geometry, of the geometry's quality
     rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
+    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
     geometry_ = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);
     vertices_ = static_cast<float*>(rtcSetNewGeometryBuffer(
@@ -85,8 +87,8 @@ class Embree : public Peer {
       const Point from = work.from[q].cast<float>();
       const Point way = work.to[q].cast<float>() - from;
       RTCRayHit ray{};
-      ray.ray = {from.x(), from.y(), from.z(), 0.0f, way.x(), way.y(), way.z(), 0.0f, 1.0f,
-                 ~0u,      0,        0};
+      ray.ray = {from.x(), from.y(), from.z(), 0.0f, way.x(), way.y(),
+                 way.z(),  0.0f,     1.0f,     ~0u,  0,       0};
       ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
       rtcIntersect1(scene_, &context, &ray);
       const bool hit = ray.hit.geomID != RTC_INVALID_GEOMETRY_ID;
