@@ -29,6 +29,9 @@ SYSTEM = {
     "core/sim/haptics/": POSIX,
     "core/sim/session/": ("openssl/", "zlib.h", *POSIX),
     "core/sim/dynamics/packed_": ("hwy/",),
+    "core/sim/contact/contact_lanes": ("hwy/",),
+    "core/sim/contact/four-inl.h": ("hwy/",),
+    "core/sim/contact/tree_kernels.cpp": ("hwy/",),
 }
 """Private parts of palpate::sim that may need more than Eigen and the C++ library."""
 
