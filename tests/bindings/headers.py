@@ -99,7 +99,7 @@ def read_scope(text: str, scope: Type, private: bool) -> None:
         elif kind := re.match(r"enum class (\w+)", head):
             scope.types.append(Type(kind[1], values=re.findall(r"(?:^|,)\s*(\w+)", body or "")))
             initialised = True
-        elif kind := re.match(r"(struct|class) (\w+)", head):
+        elif kind := re.match(r"(struct|class) (?:alignas\(\w+\) )?(\w+)", head):
             inner = Type(kind[2])
             read_scope(body or "", inner, private=kind[1] == "class")
             scope.types.append(inner)

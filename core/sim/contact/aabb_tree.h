@@ -25,9 +25,10 @@ class AabbTree {
 
   /// Four boxes. Nodes stand depth first, children behind their parent.
   struct alignas(32) Node {
-    std::array<Lanes, 3> low{}, high{};  ///< [m] by axis, then by child
-    std::array<int, kWidth> first{};     ///< leaf: first entry in order(); else: index of a node
-    std::array<int, kWidth> count{};     ///< triangles of a leaf, 0 for a node, -1 for no child
+    std::array<Lanes, 3> low{};       ///< [m] by axis, then by child
+    std::array<Lanes, 3> high{};      ///< [m]
+    std::array<int, kWidth> first{};  ///< leaf: first entry in order(); else: index of a node
+    std::array<int, kWidth> count{};  ///< triangles of a leaf, 0 for a node, -1 for no child
   };
 
   AabbTree() = default;
