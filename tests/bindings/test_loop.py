@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import _thread
 import ctypes
 import gc
+import signal
 import sys
 import threading
 import time
@@ -188,9 +190,15 @@ def test_a_loop_that_is_dropped_stops():
     assert device.last_command.force.tolist() == [0.0, 0.0, 0.0]
 
 
-def test_an_interrupt_is_heard_while_waiting():
-    import _thread
+@pytest.fixture
+def interruptible():
+    """A shell lets its background jobs ignore interrupts."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
 
+
+def test_an_interrupt_is_heard_while_waiting(interruptible):
     with small_organ_loop() as loop:
         timer = threading.Timer(0.1, _thread.interrupt_main)
         timer.start()
