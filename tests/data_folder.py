@@ -11,4 +11,4 @@ CHECKOUT = Path(__file__).resolve().parents[1]
 
 def find_data() -> Path:
     """The folder of shared data: PALPATE_DATA, or ../shared/data seen from the checkout."""
-    return Path(os.environ.get("PALPATE_DATA") or CHECKOUT.parent / "shared" / "data")
+    return Path(os.environ.get("PALPATE_DATA") or CHECKOUT.parent / "shared" / "data").resolve()
