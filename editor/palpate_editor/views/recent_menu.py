@@ -38,6 +38,7 @@ class RecentMenu(QObject):
         if files:
             self.menu.addSeparator()
         forget = QAction(tr("&Forget them"), self.menu)
+        forget.setShortcut("Ctrl+Alt+N")
         forget.setEnabled(bool(files))
         forget.triggered.connect(self.forget)
         self.menu.addAction(forget)

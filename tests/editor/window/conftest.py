@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from palpate import translation
 from palpate.viewport.gl_view import build_format
 from palpate_editor.app.settings import Settings
 from palpate_editor.views.editor import Editor
@@ -62,6 +63,7 @@ def make_editor(
     yield make
     for editor in made:
         end(editor)
+    translation.install(qapp, "en")
 
 
 def end(editor: Editor) -> None:

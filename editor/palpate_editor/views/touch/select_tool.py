@@ -93,8 +93,8 @@ class SelectTool(QObject):
             ("invert_selection", tr("Invert the selection"), "Ctrl+I", self.invert),
             ("select_linked", tr("Select what is linked"), "L", self.select_linked),
             ("select_none", tr("Select nothing"), "Ctrl+Shift+A", self.select_none),
-            ("fix_selection", tr("Fix the selected vertices"), "", self.fix),
-            ("free_selection", tr("Free the selected vertices"), "", self.free),
+            ("fix_selection", tr("Fix the selected vertices"), "Ctrl+Shift+F", self.fix),
+            ("free_selection", tr("Free the selected vertices"), "Ctrl+Alt+F", self.free),
         )
         actions = []
         for name, title, shortcut, slot in table:
