@@ -114,8 +114,8 @@ def compile_scene(scene: SceneFile, mesh: palpate.SurfaceMesh) -> palpate.Scene:
     return palpate.build_scene(compiled)
 
 
-def open_scene(path: Path) -> tuple[SceneFile, palpate.Scene]:
-    """Reads a scene file and its mesh and compiles them. Raises Refusal or OSError."""
+def read_scene_and_mesh(path: Path) -> tuple[SceneFile, palpate.SurfaceMesh]:
+    """A scene file and the very mesh it was made with. Raises Refusal or OSError."""
     scene = read_scene_file(path)
     mesh_path = path.parent / scene.organ.mesh
     if mesh_path.is_file() and hash_file(mesh_path) != scene.organ.sha256:
@@ -125,7 +125,12 @@ def open_scene(path: Path) -> tuple[SceneFile, palpate.Scene]:
             f"{mesh_path.name} with another SHA-256",
             "the mesh the scene was made with",
         )
-    mesh = read_mesh_file(mesh_path)
+    return scene, read_mesh_file(mesh_path)
+
+
+def open_scene(path: Path) -> tuple[SceneFile, palpate.Scene]:
+    """Reads a scene file and its mesh and compiles them. Raises Refusal or OSError."""
+    scene, mesh = read_scene_and_mesh(path)
     try:
         return scene, compile_scene(scene, mesh)
     except ValueError as problem:

@@ -7,8 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from palpate.mesh_file import read_mesh_file
-from palpate.scene_file import hash_file, read_scene_file, write_scene_file
+from palpate.scene_file import hash_file, read_scene_and_mesh, write_scene_file
 from palpate.scene_parts import OrganPart
 from palpate.verb import Refusal
 
@@ -20,16 +19,8 @@ from palpate_editor.edits.name import MOST_NAME_BYTES
 
 def read_scene(path: Path) -> Organ:
     """The organ of a scene file and its mesh, which is taken to be used as it was imported."""
-    scene = read_scene_file(path)
-    mesh_path = path.parent / scene.organ.mesh
-    if mesh_path.is_file() and hash_file(mesh_path) != scene.organ.sha256:
-        raise Refusal(
-            path,
-            "organ.sha256",
-            f"{mesh_path.name} with another SHA-256",
-            "the mesh the scene was made with",
-        )
-    surface = surface_of(read_mesh_file(mesh_path))
+    scene, mesh = read_scene_and_mesh(path)
+    surface = surface_of(mesh)
     count = len(surface.vertices)
     fixed = np.zeros(count, bool)
     ids = scene.model.fixed
