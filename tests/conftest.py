@@ -14,6 +14,8 @@ CHECKOUT = Path(__file__).resolve().parents[1]
 
 # before anybody imports Qt: no test may need a display
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+# the software renderer draws in the thread that asks: its work counts as that thread's
+os.environ.setdefault("LP_NUM_THREADS", "0")
 
 
 @pytest.fixture(scope="session")

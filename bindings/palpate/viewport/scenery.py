@@ -43,8 +43,8 @@ class Scenery:
     """
 
     def __init__(self) -> None:
-        self.version = 0
-        """Grows with every change of what is to be seen."""
+        self.version = self.surface_version = 0
+        """Grow with every change of what is to be seen, and with every new surface."""
         self.theme = DARK
         self.legend: Legend | None = None
         self._wireframe = True
@@ -78,6 +78,7 @@ class Scenery:
             raise ValueError(f"triangles must name vertices 0 to {len(x) - 1}")
         self._drop("surface")
         self.version += 1
+        self.surface_version += 1
         self.vertices, self.triangles = x, faces
         in_use = np.zeros(len(x), dtype=bool)
         in_use[faces] = True

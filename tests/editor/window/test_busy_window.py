@@ -21,22 +21,31 @@ HEAVY_PART = "VH_M_left_cardiac_atrium"
 """Of the heart: 16967 vertices, the largest surface among the shared organs that is clean."""
 
 
+LONGEST_BLOCK = 0.100
+"""[s] that the window's own thread may work between two looks at its events."""
+
+
 class Heartbeat:
-    """Counts how often the window's thread got round to its events, phase by phase."""
+    """Counts how often the window's thread got round to its events, phase by phase.
+
+    What it worked between two beats is its own processor time: what the machine gives to others
+    meanwhile is not counted, so that a busy one proves the same as an idle one.
+    """
 
     def __init__(self, window):
         self.beats: dict[str, int] = {}
         self.phase = "idle"
-        self.last = time.perf_counter()
-        self.longest = 0.0
+        self.last, self.worked = time.perf_counter(), time.thread_time()
+        self.longest = self.hardest = 0.0
         self.timer = QTimer(window, interval=5)
         self.timer.timeout.connect(self.beat)
         self.timer.start()
 
     def beat(self) -> None:
-        now = time.perf_counter()
+        now, worked = time.perf_counter(), time.thread_time()
         self.longest = max(self.longest, now - self.last)
-        self.last = now
+        self.hardest = max(self.hardest, worked - self.worked)
+        self.last, self.worked = now, worked
         self.beats[self.phase] = self.beats.get(self.phase, 0) + 1
 
 
@@ -75,7 +84,11 @@ def test_the_window_lives_through_a_heavy_import_and_decimation(
     # each takes many times longer than a beat: the window's thread was never kept waiting for one
     for phase in ("import_file", "decimate_organ", "assess"):
         assert heartbeat.beats.get(phase, 0) >= 3, (phase, heartbeat.beats)
-    print(f"longest gap between two beats: {1e3 * heartbeat.longest:.0f} ms; {heartbeat.beats}")
+    print(
+        f"longest gap between two beats: {1e3 * heartbeat.longest:.0f} ms, "
+        f"{1e3 * heartbeat.hardest:.0f} ms of it work; {heartbeat.beats}"
+    )
+    assert heartbeat.hardest < LONGEST_BLOCK
 
 
 def test_the_heavy_functions_are_the_ones_the_work_calls():
