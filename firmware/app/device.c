@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/device.h"
+
+#include <string.h>
+
+#include "app/parts.h"
+
+void palpate_start(struct palpate_device *device, struct palpate_board *board,
+                   uint8_t reset_cause) {
+  memset(device, 0, sizeof *device);
+  device->board = board;
+  device->first_fault = PALPATE_FAULT_NONE;
+  device->reset_cause = reset_cause;
+  device->command_age = 255;
+  for (uint8_t m = 0; m < PALPATE_MOTORS; m++) device->duty_limit[m] = PALPATE_DUTY_MAX;
+  board_enable(board, false);
+  palpate_start_decoder(&device->decoder);
+  if (reset_cause & PALPATE_RESET_WATCHDOG) palpate_cut(device, PALPATE_FAULT_WATCHDOG);
+  palpate_load_calibration(device);
+}
+
+void palpate_receive(struct palpate_device *device, uint8_t byte) {
+  enum palpate_decoded decoded = palpate_decode_byte(&device->decoder, byte);
+  if (decoded == PALPATE_FRAME) {
+    palpate_obey(device);
+  } else if (decoded == PALPATE_DAMAGED) {
+    device->damaged++;
+    palpate_notice(device, PALPATE_NOTICE_DAMAGED_FRAME);
+  }
+}
+
+void palpate_miss_bytes(struct palpate_device *device) {
+  palpate_skip_to_delimiter(&device->decoder);
+  device->gaps++;
+  palpate_notice(device, PALPATE_NOTICE_BYTES_LOST);
+}

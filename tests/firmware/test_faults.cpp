@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <random>
+
+#include "bench.h"
+
+using namespace palpate;
+
+namespace {
+
+void check_latched(Bench& bench, palpate_fault fault) {
+  CHECK(bench.is_limp());
+  bench.wait();
+  CHECK(bench.host.state.mode == PALPATE_FAULTED);
+  CHECK(bench.host.state.first_fault == fault);
+  bench.drive(10, kFull, kFull, kFull);
+  CHECK(bench.ask(bench.host.enable()) == PALPATE_WRONG_MODE);
+  CHECK(bench.is_limp());
+}
+
+}  // namespace
+
+TEST_CASE("a silent host: torque held 5 ms, at zero at 20 ms, then a latched fault") {
+  Bench bench;
+  bench.power_up();
+  bench.drive(20, kFull, kFull, 0);
+
+  bench.wait(4);  // the command is 5 ms old
+  CHECK(bench.board.duty[0] == PALPATE_DUTY_MAX);
+  bench.wait(8);
+  CHECK(bench.board.duty[0] == 255 * 7 / 15);
+  bench.wait(7);
+  CHECK(bench.board.duty[0] == 0);
+  CHECK(bench.board.device.mode == PALPATE_RUN);
+  bench.wait(1);
+
+  check_latched(bench, PALPATE_FAULT_HOST_SILENT);
+}
+
+TEST_CASE("an open stop line cuts the motors within its millisecond, and CLEAR waits for it") {
+  Bench bench;
+  bench.power_up();
+  bench.drive(20, kFull, 0, 0);
+  bench.board.stop_open = true;
+  bench.wait();
+
+  check_latched(bench, PALPATE_FAULT_STOP_PRESSED);
+  CHECK(bench.ask(bench.host.clear()) == PALPATE_CAUSE_REMAINS);
+  bench.board.stop_open = false;
+  bench.wait();
+  CHECK(bench.ask(bench.host.clear()) == PALPATE_DONE);
+  CHECK(bench.host.state.mode == PALPATE_IDLE);
+  CHECK(bench.is_limp());  // CLEAR alone never energises
+}
+
+TEST_CASE("a driver's fault cuts the motors within its millisecond") {
+  Bench bench;
+  bench.power_up();
+  bench.drive(20, kFull, 0, 0);
+  bench.board.driver_fault = true;
+  bench.wait();
+
+  check_latched(bench, PALPATE_FAULT_DRIVER);
+}
+
+TEST_CASE("a sensor at either rail cuts the motors within its millisecond") {
+  for (int joint = 0; joint < PALPATE_JOINTS; ++joint) {
+    for (int counts : {0, 7, 1016, 1023}) {
+      Bench bench;
+      bench.power_up();
+      bench.drive(20, kFull, 0, 0);
+      bench.board.adc[joint] = static_cast<std::uint16_t>(counts);
+      bench.wait();
+
+      check_latched(bench, PALPATE_FAULT_SENSOR);
+      CHECK(bench.ask(bench.host.clear()) == PALPATE_CAUSE_REMAINS);
+    }
+  }
+}
+
+TEST_CASE("an arm joint faster than its limit for 4 ms is cut, a limp or shorter one is not") {
+  const auto jerk = [](Bench& bench, int ms) {
+    for (int i = 0; i < ms; ++i) {
+      bench.board.adc[1] = static_cast<std::uint16_t>(bench.board.adc[1] + 41);
+      bench.drive(1, 1000, 0, 0);
+    }
+  };
+  Bench limp;
+  limp.say(limp.host.hello());
+  jerk(limp, 8);
+  CHECK(limp.host.state.mode == PALPATE_IDLE);
+
+  Bench bench;
+  bench.power_up();
+  jerk(bench, 3);
+  bench.drive(2, 1000, 0, 0);
+  CHECK(bench.host.state.mode == PALPATE_RUN);
+  jerk(bench, 4);
+
+  check_latched(bench, PALPATE_FAULT_OVER_SPEED);
+}
+
+TEST_CASE("the first of several faults keeps its name, all of them are told") {
+  Bench bench;
+  bench.power_up();
+  bench.board.driver_fault = true;
+  bench.wait(2);
+  bench.board.stop_open = true;
+  bench.wait(2);
+
+  CHECK(bench.host.state.first_fault == PALPATE_FAULT_DRIVER);
+  CHECK(bench.host.state.faults == (1 << PALPATE_FAULT_DRIVER | 1 << PALPATE_FAULT_STOP_PRESSED));
+}
+
+TEST_CASE("a watchdog reset is told until CLEAR") {
+  Bench bench;
+  bench.power_up();
+  palpate_board_reset(&bench.board, PALPATE_RESET_WATCHDOG);
+  CHECK(bench.is_limp());
+  bench.say(bench.host.hello());
+  bench.wait();
+
+  CHECK(bench.host.state.first_fault == PALPATE_FAULT_WATCHDOG);
+  CHECK(bench.host.info.reset_cause == PALPATE_RESET_WATCHDOG);
+  CHECK(bench.ask(bench.host.clear()) == PALPATE_DONE);
+}
+
+TEST_CASE("three late ticks within a hundred cut the motors, two are only told") {
+  Bench bench;
+  bench.power_up();
+  for (int late = 0; late < 2; ++late) {
+    palpate_guard(&bench.board.device, 0);  // a tick whose work the next one finds undone
+    bench.drive(110, 0, 0, 0);
+  }
+  CHECK(bench.host.state.mode == PALPATE_RUN);
+  CHECK((bench.host.state.faults & 1 << PALPATE_FAULT_OVERRUN) != 0);
+  for (int late = 0; late < 3; ++late) {
+    palpate_guard(&bench.board.device, 0);
+    bench.drive(10, 0, 0, 0);
+  }
+
+  check_latched(bench, PALPATE_FAULT_OVERRUN);
+}
+
+TEST_CASE("a blank EEPROM: positions stream, torque is refused") {
+  Bench bench(false);
+  bench.say(bench.host.hello());
+  bench.wait();
+
+  CHECK(bench.host.state.first_fault == PALPATE_FAULT_CALIBRATION);
+  CHECK(bench.host.state.position[0] == 512);
+  CHECK(bench.host.info.calibration_crc == 0);
+  CHECK(bench.ask(bench.host.clear()) == PALPATE_CAUSE_REMAINS);
+  bench.drive(3, 0, 0, 0);
+  CHECK(bench.ask(bench.host.enable()) == PALPATE_WRONG_MODE);
+}
+
+TEST_CASE("a million random bytes never energise a motor") {
+  Bench bench;
+  bench.say(bench.host.hello());
+  std::mt19937 random(4);
+  bool energised = false;
+  for (int i = 0; i < 25000; ++i) {
+    Bytes noise(40);
+    for (std::uint8_t& byte : noise) byte = static_cast<std::uint8_t>(random() % 4 ? random() : 0);
+    bench.say(noise);
+    bench.wait();
+    energised |= !bench.is_limp();
+  }
+
+  CHECK_FALSE(energised);
+  CHECK(bench.board.device.damaged > 0);
+}
