@@ -8,10 +8,16 @@ import re
 import pytest
 from tree import CHECKOUT, files_under, read, read_code, source_files
 
-SOURCES = (".cpp", ".h", ".c", ".py", ".pyi")
+SOURCES = (".cpp", ".h", ".c", ".py", ".pyi", ".scad")
 SCRIPTS = ("run", ".ci/run")
 TEXTS = (*SOURCES, *SCRIPTS, ".txt", ".toml", ".json", ".md", ".in", ".lock")
-GPL_FOLDERS = ("core/authoring/", "editor/", "tests/core/authoring/", "tests/editor/")
+GPL_FOLDERS = (
+    "core/authoring/",
+    "editor/",
+    "tests/core/authoring/",
+    "tests/editor/",
+    "tests/firmware/test_mechanics.py",
+)
 HERE = "tests/architecture/test_sources.py"
 """This file, which names what must not be named."""
 
