@@ -11,6 +11,7 @@ void bind_base(pybind11::module_& m);
 void bind_mesh(pybind11::module_& m);
 void bind_model(pybind11::module_& m);
 void bind_builders(pybind11::module_& m);
+void bind_membrane(pybind11::module_& m);
 void bind_dynamics(pybind11::module_& m);
 void bind_forces(pybind11::module_& m);
 void bind_contact(pybind11::module_& m);

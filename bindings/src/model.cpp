@@ -181,6 +181,7 @@ void bind_model(py::module_& m) {
   bind_angles(m);
   bind_tissue_model(m);
   bind_builders(m);
+  bind_membrane(m);
 }
 
 }  // namespace palpate::bindings

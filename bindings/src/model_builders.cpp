@@ -124,6 +124,15 @@ void bind_definiteness(py::module_& m) {
       "angles"_a, "row"_a,
       "[N/m] (3, 3) second derivative, at rest, of the energy of one triangle in the lengths of "
       "its three sides.");
+  m.def(
+      "compute_rest_slopes",
+      [](const Angles& angles, int row, AngleLaw law) {
+        require_row(angles, row);
+        return compute_rest_slopes(angles, row, law);
+      },
+      "angles"_a, "row"_a, "law"_a,
+      "[N/m] (3, 3) what a change of each side's length at rest does to the tension of each side; "
+      "under AngleLaw.eq10 not symmetric.");
   m.def("is_positive_definite", &is_positive_definite, "stiffness"_a,
         "True when all eigenvalues are positive by more than rounding.");
   py::class_<CouplingRange> range(

@@ -29,49 +29,24 @@ void check_constants(const MolecularConstants& constants) {
   }
 }
 
-/// cos_c = (l_i² + l_j² - l_c²) / (2 l_i l_j), i and j the corners beside c.
-std::array<double, 3> compute_cosines(const std::array<double, 3>& length) {
-  std::array<double, 3> cosine;
-  for (int c = 0; c < 3; ++c) {
-    const double one = length[(c + 1) % 3], two = length[(c + 2) % 3], far = length[c];
-    cosine[c] = (one * one + two * two - far * far) / (2.0 * one * two);
-  }
-  return cosine;
-}
-
 /// A row per triangle. Its part of the bond along an edge is half of K_b, local scale included.
 Angles build_angles(const SurfaceMesh& mesh, const Topology& topology,
                     const MolecularConstants& constants, const std::vector<double>& scale) {
-  Angles angles;
-  angles.corners = mesh.triangles;
+  Angles angles = build_rest_angles(mesh);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    std::array<double, 3> length, share;
+    std::array<double, 3> share;
     for (int c = 0; c < 3; ++c) {
       const auto& ends = topology.edges[topology.triangle_edges[t][c]];
-      length[c] = (mesh.vertices[ends[1]] - mesh.vertices[ends[0]]).norm();
       share[c] = 0.5 * constants.bond_stiffness * compute_local_scale(scale, ends);
     }
     const double local = compute_local_scale(scale, mesh.triangles[t]);
     const double bend = constants.bend_stiffness * local;
     const double coupling = constants.stretch_coupling * local;
-    angles.rest_length.push_back(length);
-    angles.rest_cosine.push_back(compute_cosines(length));
     angles.bend_stiffness.push_back({bend, bend, bend});
     angles.stretch_coupling.push_back({coupling, coupling, coupling});
     angles.bond_share.push_back(share);
   }
   return angles;
-}
-
-/// The stiffness of every bond [N/m]: what its one or two triangles have of it.
-std::vector<double> sum_bond_shares(const Angles& angles, const Topology& topology) {
-  std::vector<double> stiffness(topology.edges.size(), 0.0);
-  for (std::size_t t = 0; t < angles.corners.size(); ++t) {
-    for (int c = 0; c < 3; ++c) {
-      stiffness[topology.triangle_edges[t][c]] += angles.bond_share[t][c];
-    }
-  }
-  return stiffness;
 }
 
 /// Refuses constants under which a triangle is indefinite, with the K_btheta that all can take.

@@ -50,6 +50,16 @@ std::vector<double> compute_home(const SurfaceMesh& mesh, const Material& materi
   return home;
 }
 
+/// cos_c = (l_i² + l_j² - l_c²) / (2 l_i l_j), i and j the corners beside c.
+std::array<double, 3> compute_cosines(const std::array<double, 3>& length) {
+  std::array<double, 3> cosine;
+  for (int c = 0; c < 3; ++c) {
+    const double one = length[(c + 1) % 3], two = length[(c + 2) % 3], far = length[c];
+    cosine[c] = (one * one + two * two - far * far) / (2.0 * one * two);
+  }
+  return cosine;
+}
+
 }  // namespace
 
 double default_home_stiffness(const SurfaceMesh& mesh, const Material& material) {
@@ -100,8 +110,35 @@ TissueModel build_surface_particles(const SurfaceMesh& mesh, const Material& mat
 
 /// One spring between two free masses swings with w² = k / m, m = m_i m_j / (m_i + m_j), so it is
 /// damped to the ratio zeta by c = 2 zeta sqrt(k m) (SCIENCE 1.2).
+Angles build_rest_angles(const SurfaceMesh& mesh) {
+  Angles angles;
+  angles.corners = mesh.triangles;
+  for (const Triangle& corners : mesh.triangles) {
+    std::array<double, 3> length;
+    for (int c = 0; c < 3; ++c) {
+      // in ascending order, as the links' lengths are computed: the same to the last bit
+      const auto [i, j] = std::minmax(corners[(c + 1) % 3], corners[(c + 2) % 3]);
+      length[c] = (mesh.vertices[j] - mesh.vertices[i]).norm();
+    }
+    angles.rest_length.push_back(length);
+    angles.rest_cosine.push_back(compute_cosines(length));
+  }
+  return angles;
+}
+
+std::vector<double> sum_bond_shares(const Angles& angles, const Topology& topology) {
+  std::vector<double> stiffness(topology.edges.size(), 0.0);
+  for (std::size_t t = 0; t < angles.corners.size(); ++t) {
+    for (int c = 0; c < 3; ++c) {
+      stiffness[topology.triangle_edges[t][c]] += angles.bond_share[t][c];
+    }
+  }
+  return stiffness;
+}
+
 Links build_edge_links(const TissueModel& model, std::span<const std::array<int, 2>> edges,
-                       std::vector<double> stiffness, double damping_ratio) {
+                       std::vector<double> stiffness, double damping_ratio,
+                       std::span<const double> damped_as) {
   Links links;
   links.ends.assign(edges.begin(), edges.end());
   links.stiffness = std::move(stiffness);
@@ -111,7 +148,8 @@ Links build_edge_links(const TissueModel& model, std::span<const std::array<int,
     const int i = edges[l][0], j = edges[l][1];
     links.rest_length.push_back((model.rest_position[j] - model.rest_position[i]).norm());
     const double reduced = model.mass[i] * model.mass[j] / (model.mass[i] + model.mass[j]);
-    links.damping.push_back(2.0 * damping_ratio * std::sqrt(links.stiffness[l] * reduced));
+    const double k = damped_as.empty() ? links.stiffness[l] : damped_as[l];
+    links.damping.push_back(2.0 * damping_ratio * std::sqrt(k * reduced));
   }
   return links;
 }

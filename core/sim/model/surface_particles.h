@@ -14,9 +14,17 @@ TissueModel build_surface_particles(const SurfaceMesh& mesh, const Material& mat
                                     const SurfaceOptions& options);
 
 /// Links of `stiffness` [N/m] along `edges`, at rest where the model's particles are, each damped
-/// with `damping_ratio` [-] of what is critical for its two end masses.
+/// with `damping_ratio` [-] of what is critical for its two end masses and its stiffness, or for
+/// `damped_as` [N/m] in its place, where that is given: a bond alone may be negative.
 Links build_edge_links(const TissueModel& model, std::span<const std::array<int, 2>> edges,
-                       std::vector<double> stiffness, double damping_ratio);
+                       std::vector<double> stiffness, double damping_ratio,
+                       std::span<const double> damped_as = {});
+
+/// A row per triangle with its shape at rest; the constants are still to be filled in.
+Angles build_rest_angles(const SurfaceMesh& mesh);
+
+/// [N/m] the stiffness of every bond: what its one or two triangles have of it.
+std::vector<double> sum_bond_shares(const Angles& angles, const Topology& topology);
 
 /// The mean of `scale` at the vertices of a link or triangle; 1 where `scale` is empty.
 template <std::size_t N>

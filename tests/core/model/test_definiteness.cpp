@@ -306,8 +306,7 @@ TEST_CASE("under Eq 10 positive bonds and no negative K never give way, whatever
   }
 }
 
-TEST_CASE(
-    "under Eq 10 bonds that do not pull, negative angles and stretch-bend terms are refused") {
+TEST_CASE("under Eq 10 bonds and angles that give way are refused, and so are stretch-bend terms") {
   const auto find_eq10_refusal = [](auto damage) {
     Angles angles = make_triangle({1.0, 1.0, 1.0}, 1.0, 0.1);
     damage(angles);
@@ -315,11 +314,23 @@ TEST_CASE(
   };
 
   CHECK(find_eq10_refusal([](Angles&) {}) == "");
-  CHECK(find_eq10_refusal([](Angles& a) { a.bond_share[0][1] = 0.0; }) ==
-        "model: angles.bond_share: row 0: found 0 N/m, expected a positive number");
-  CHECK(find_eq10_refusal([](Angles& a) { a.bend_stiffness[0][1] = -0.1; }) ==
-        "model: angles.bend_stiffness: row 0: found -0.1 N, expected 0 or a positive number");
+  CHECK(find_eq10_refusal([](Angles& a) { a.bond_share[0][1] = -0.5; }) ==
+        "model: angles.bond_share: row 0: found -0.5 N/m, expected a positive number");
+  CHECK(find_eq10_refusal([](Angles& a) { a.bend_stiffness[0][1] = -3.0; }) ==
+        "model: angles.bend_stiffness: row 0: found -3 N, expected 0 or a positive number, or "
+        "larger bond shares beside it");
   CHECK(find_eq10_refusal([](Angles& a) { a.stretch_coupling[0][2] = 0.1; }) ==
         "model: angles.stretch_coupling: row 0: found 0.1 N, expected 0 under AngleLaw::eq10, "
         "which has no stretch-bend force");
+}
+
+TEST_CASE(
+    "under Eq 10 a negative constant is taken where the rest of the triangle makes up for it") {
+  Angles angles = make_triangle({1.0, 1.0, 1.0}, 1.0, 0.0);
+  // eigenvalues k' and k' + 1.5 K10/l, so K10 may go down to -2/3 N
+  for (const double bend : {-0.6, -0.7}) {
+    angles.bend_stiffness[0] = {bend, bend, bend};
+    const bool refused = !find_refusal([&] { check_definiteness(angles, AngleLaw::eq10); }).empty();
+    CHECK(refused == (bend < -2.0 / 3.0));
+  }
 }
