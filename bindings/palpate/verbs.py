@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 import palpate
+from palpate.bench.verb import BENCH
 from palpate.mesh_file import read_mesh_file
 from palpate.play import PLAY
 from palpate.press import Place, PressScript, find_place, find_top, write_script
@@ -275,49 +276,6 @@ def describe_render(report: Report) -> str:
     return report["picture"] + ("" if moment is None else f" (at {moment:.3f} s)")
 
 
-# ---------------------------------------------------------------- bench
-
-
-def add_bench(word: argparse.ArgumentParser) -> None:
-    word.add_argument(
-        "--mesh", type=Path, action="append", help="OBJ of `palpate import`; may be repeated"
-    )
-    word.add_argument(
-        "--vertices",
-        type=int,
-        action="append",
-        help="size of a generated ellipsoid; may be repeated (600, 2000, 5400)",
-    )
-    word.add_argument("--budget", type=quantity("s"), default=0.4, help="CPU time a row (400ms)")
-
-
-def run_bench(call: argparse.Namespace) -> Report:
-    from palpate.bench import bench_meshes
-
-    return {"rows": bench_meshes(call.mesh or [], call.vertices or [], call.budget)}
-
-
-def describe_bench(report: Report) -> str:
-    lines = [
-        f"{'work':18} {'mesh':16} {'vertices':>8} {'substeps':>8} {'median us':>10} {'p99 us':>9} "
-        f"{'ns each':>9} {'x naive':>8} {'of bound':>8}"
-    ]
-    for row in report["rows"]:
-        share = row["share_of_bound"]
-        lines.append(
-            f"{row['work']:18} {row['mesh']:16} {row['vertices']:8d} "
-            f"{row['substeps'] or '-':>8} {row['median_us']:10.2f} "
-            f"{row['p99_us']:9.2f} {row['ns_per_element']:9.2f} {row['ratio_to_naive']:8.2f} "
-            + (f"{share:8.0%}" if share else f"{'-':>8}")
-        )
-    lines.append("ns each: per link, triangle or query, or per tick")
-    lines.append("x naive: how many times faster than the plain form, in the same process")
-    lines.append(
-        "of bound: the least time by this machine's arithmetic and memory, over the median"
-    )
-    return "\n".join(lines)
-
-
 VERBS = [
     Verb(
         "doctor",
@@ -354,12 +312,5 @@ VERBS = [
         run_render,
         describe_render,
     ),
-    Verb(
-        "bench",
-        "time steps, queries and ticks beside their naive forms",
-        "palpate bench --vertices 600 --json",
-        add_bench,
-        run_bench,
-        describe_bench,
-    ),
+    BENCH,
 ]

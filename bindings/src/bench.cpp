@@ -37,14 +37,23 @@ void bind_bench(py::module_& m) {
                  "share_of_bound", "simd_target", "physics"});
   py::class_<BenchOptions> options(m, "BenchOptions");
   options
-      .def(py::init([](double budget, int least_runs) {
-             return BenchOptions{budget, least_runs};
+      .def(py::init([](double budget, int least_runs, const std::vector<std::string>& works,
+                       const std::vector<int>& air_substeps, bool press) {
+             return BenchOptions{budget, least_runs, works, air_substeps, press};
            }),
-           py::kw_only(), "budget"_a = usual.budget, "least_runs"_a = usual.least_runs)
+           py::kw_only(), "budget"_a = usual.budget, "least_runs"_a = usual.least_runs,
+           "works"_a = usual.works, "air_substeps"_a = usual.air_substeps, "press"_a = usual.press)
       .def_readwrite("budget", &BenchOptions::budget,
                      "[s] of CPU time per row, the naive form not counted.")
-      .def_readwrite("least_runs", &BenchOptions::least_runs);
-  def_repr(options, {"budget", "least_runs"});
+      .def_readwrite("least_runs", &BenchOptions::least_runs,
+                     "Fewer where a run takes so long that they would take 20 budgets.")
+      .def_readwrite("works", &BenchOptions::works, "Of bench_works(); all where empty.")
+      .def_readwrite("air_substeps", &BenchOptions::air_substeps,
+                     "Of ticks with the hand in the air: a row for each.")
+      .def_readwrite("press", &BenchOptions::press,
+                     "And a row with a press held, at its own substeps.");
+  def_repr(options, {"budget", "least_runs", "works", "air_substeps", "press"});
+  m.def("bench_works", &bench::bench_works, "Every work there is, in the order of the rows.");
   m.def(
       "run_bench",
       [](const Scene& mass_spring, const Scene& molecular, const BenchOptions& chosen) {
@@ -57,7 +66,7 @@ void bind_bench(py::module_& m) {
       "Times the steps, queries and ticks of two scenes on the same surface, one of the "
       "mass-spring "
       "and one of the molecular model. Raises RuntimeError where ours and the naive form disagree, "
-      "ValueError where the scenes do not fit.");
+      "ValueError where the scenes do not fit or a work is not known.");
 }
 
 }  // namespace palpate::bindings

@@ -31,13 +31,20 @@ struct BenchRow {
 
 struct BenchOptions {
   double budget = 0.4;  ///< [s] of CPU time per row, the naive form not counted
-  int least_runs = 30;
+  int least_runs = 30;  ///< fewer where a run takes so long that they would take 20 budgets
+  std::vector<std::string> works = {};  ///< of bench_works(); all where empty
+  std::vector<int> air_substeps = {1};  ///< of ticks with the hand in the air: a row for each
+  bool press = true;                    ///< and a row with a press held, at its own substeps
 };
+
+/// Every work there is, in the order of the rows.
+std::vector<std::string> bench_works();
 
 /// Times the steps, queries and ticks of two scenes on the same surface, one of the mass-spring
 /// and one of the molecular model. Ours and the naive form take turns, so a slow moment of the
 /// machine falls on both. The ends of both are compared before a ratio is stated: throws
-/// std::logic_error where they disagree, std::invalid_argument where the scenes do not fit.
+/// std::logic_error where they disagree, std::invalid_argument where the scenes do not fit or a
+/// work is not known.
 std::vector<BenchRow> run_bench(const Scene& mass_spring, const Scene& molecular,
                                 const BenchOptions& options = {});
 

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
-#include <span>
-
-#include "palpate/sim/contact/queries.h"
 #include "palpate/sim/dynamics/load.h"
 #include "palpate/sim/dynamics/state.h"
 
@@ -17,15 +13,5 @@ namespace palpate::bench {
 /// Symplectic Euler with one loop per law over plain arrays; the angle and stretch-bend terms as
 /// textbook vector gradients per corner, through the arccosine (Eq 9 and 11, AngleLaw::gradient).
 void step_naively(const TissueModel& model, const Load& load, double dt, State& state) noexcept;
-
-/// Every triangle is looked at.
-std::optional<SurfacePoint> find_segment_hit_naively(std::span<const Triangle> triangles,
-                                                     std::span<const Vec3> x, const Vec3& from,
-                                                     const Vec3& to) noexcept;
-std::optional<SurfacePoint> find_closest_point_naively(std::span<const Triangle> triangles,
-                                                       std::span<const Vec3> x,
-                                                       const Vec3& p) noexcept;
-int find_in_sphere_naively(std::span<const Triangle> triangles, std::span<const Vec3> x,
-                           const Vec3& centre, double radius, std::span<int> out) noexcept;
 
 }  // namespace palpate::bench

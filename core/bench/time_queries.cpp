@@ -5,9 +5,12 @@
 #include <random>
 #include <stdexcept>
 
-#include "palpate/bench/naive.h"
+#include "palpate/bench/limits.h"
+#include "palpate/bench/naive_tree.h"
 #include "palpate/bench/time_steps.h"
 #include "palpate/bench/timing.h"
+#include "palpate/sim/contact/queries.h"
+#include "palpate/sim/dynamics/simd_targets.h"
 
 namespace palpate::bench {
 namespace {
@@ -43,91 +46,106 @@ Queries scatter_queries(const TissueModel& model) {
   return queries;
 }
 
-void compare_answers(const AabbTree& tree, std::span<const Vec3> x, const Queries& queries) {
-  const auto triangles = tree.triangles();
-  std::vector<int> found(triangles.size()), found_naively(triangles.size());
-  for (std::size_t q = 0; q < kQueryCount; ++q) {
-    const auto hit = find_segment_hit(tree, x, queries.from[q], queries.to[q]);
-    const auto naive_hit = find_segment_hit_naively(triangles, x, queries.from[q], queries.to[q]);
-    require_agreement("segment",
-                      hit && naive_hit ? (hit->point - naive_hit->point).norm()
-                                       : (hit.has_value() != naive_hit.has_value()),
-                      kAgreement);
-    require_agreement(
-        "closest",
-        std::abs(find_closest_point(tree, x, queries.beside[q])->distance -
-                 find_closest_point_naively(triangles, x, queries.beside[q])->distance),
-        kAgreement);
-    const int count = find_in_sphere(tree, x, queries.beside[q], kRadius, found);
-    const int naive_count =
-        find_in_sphere_naively(triangles, x, queries.beside[q], kRadius, found_naively);
-    require_agreement("sphere", std::abs(count - naive_count), 0.0);
+/// The same question to our tree and to the textbook one: a distance [m], or how many.
+class Asker {
+ public:
+  Asker(const std::string& work, const TissueModel& model)
+      : work_(work),
+        x_(model.rest_position),
+        tree_(x_, model.triangles),
+        naive_(x_, model.triangles),
+        queries_(scatter_queries(model)),
+        found_(model.triangles.size()) {}
+
+  double ask(std::size_t q) {
+    if (work_ == "segment") {
+      return value(palpate::find_segment_hit(tree_, x_, queries_.from[q], queries_.to[q]));
+    }
+    const Vec3& p = queries_.beside[q];
+    if (work_ == "closest") return value(palpate::find_closest_point(tree_, x_, p));
+    return palpate::find_in_sphere(tree_, x_, p, kRadius, found_);
   }
+  double ask_naively(std::size_t q) {
+    if (work_ == "segment") {
+      return value(naive_.find_segment_hit(x_, queries_.from[q], queries_.to[q]));
+    }
+    const Vec3& p = queries_.beside[q];
+    if (work_ == "closest") return value(naive_.find_closest_point(x_, p));
+    return naive_.find_in_sphere(x_, p, kRadius, found_);
+  }
+
+ private:
+  static double value(const std::optional<SurfacePoint>& hit) { return hit ? hit->distance : -1.0; }
+
+  std::string work_;
+  std::span<const Vec3> x_;
+  AabbTree tree_;
+  NaiveTree naive_;
+  Queries queries_;
+  std::vector<int> found_;
+};
+
+std::string describe(const std::string& work) {
+  const std::string naive = "; naive asks a textbook tree of two boxes a node";
+  if (work == "segment") return "0.5 mm across the surface" + naive;
+  if (work == "closest") return "0-5 mm outside" + naive;
+  return "ball of 1.5 mm, 0-5 mm outside" + naive;
+}
+
+/// [s] that following the surface takes at least: corners read, boxes compared and written.
+double bound_refit(const AabbTree& tree) {
+  if (simd_targets().empty()) return 0.0;
+  const auto triangles = static_cast<double>(tree.triangles().size());
+  const auto boxes = static_cast<double>(AabbTree::kWidth * tree.nodes().size());
+  // a corner: least and most of three coordinates; a box within a box the same. Each is in double,
+  // so one counts as two float operations
+  const double operations = 2.0 * (18.0 * triangles + 6.0 * boxes);
+  const double bytes = 12.0 * triangles + 12.0 * triangles + 48.0 * boxes;
+  const Limits limits = measure_limits(simd_targets().front(), static_cast<std::size_t>(bytes));
+  return compute_bound(limits, operations, bytes);
 }
 
 }  // namespace
 
-std::vector<BenchRow> time_queries(const TissueModel& model, const BenchOptions& options) {
-  const auto& x = model.rest_position;
-  const auto& triangles = model.triangles;
-  const AabbTree tree(x, triangles);
-  const Queries queries = scatter_queries(model);
-  std::vector<int> found(triangles.size()), found_naively(triangles.size());
-
-  compare_answers(tree, x, queries);
+BenchRow time_query(const std::string& work, const TissueModel& model,
+                    const BenchOptions& options) {
+  Asker asker(work, model);
+  for (std::size_t q = 0; q < kQueryCount; ++q) {
+    require_agreement(work, std::abs(asker.ask(q) - asker.ask_naively(q)), kAgreement);
+  }
   double sink = 0.0;  // results are used, so no call can be left out
   std::size_t next = 0;
-  const auto batch = [&](auto&& one) {
-    return [&, one] {
+  const auto batch = [&](double (Asker::*ask)(std::size_t)) {
+    return [&, ask] {
       for (int i = 0; i < kBatch; ++i) {
         next = (next + 1) % kQueryCount;
-        sink += one(next);
+        sink += (asker.*ask)(next);
       }
     };
   };
-  const auto value = [](const auto& hit) { return hit ? hit->distance : 0.0; };
-
-  std::vector<BenchRow> rows;
-  rows.push_back(time_against(
-      options, kBatch, batch([&](std::size_t q) {
-        return value(find_segment_hit(tree, x, queries.from[q], queries.to[q]));
-      }),
-      batch([&](std::size_t q) {
-        return value(find_segment_hit_naively(triangles, x, queries.from[q], queries.to[q]));
-      })));
-  rows.back().work = "segment";
-  rows.back().physics = "0.5 mm across the surface; naive looks at every triangle";
-  rows.push_back(time_against(
-      options, kBatch,
-      batch([&](std::size_t q) { return value(find_closest_point(tree, x, queries.beside[q])); }),
-      batch([&](std::size_t q) {
-        return value(find_closest_point_naively(triangles, x, queries.beside[q]));
-      })));
-  rows.back().work = "closest";
-  rows.back().physics = "0-5 mm outside; naive looks at every triangle";
-  rows.push_back(time_against(options, kBatch, batch([&](std::size_t q) {
-                                return static_cast<double>(
-                                    find_in_sphere(tree, x, queries.beside[q], kRadius, found));
-                              }),
-                              batch([&](std::size_t q) {
-                                return static_cast<double>(find_in_sphere_naively(
-                                    triangles, x, queries.beside[q], kRadius, found_naively));
-                              })));
-  rows.back().work = "sphere";
-  rows.back().physics = "ball of 1.5 mm, 0-5 mm outside; naive looks at every triangle";
-  if (!std::isfinite(sink)) throw std::logic_error("bench: a query returned no number");
-  return rows;
+  BenchRow row = time_against(options, kBatch, batch(&Asker::ask), batch(&Asker::ask_naively));
+  row.work = work;
+  row.physics = describe(work);
+  if (!simd_targets().empty()) row.simd_target = simd_targets().front();
+  if (!std::isfinite(sink)) throw std::logic_error("bench: " + work + ": returned no number");
+  return row;
 }
 
 BenchRow time_refit(const TissueModel& model, const BenchOptions& options) {
   const State moved = shake(model);
   AabbTree tree(model.rest_position, model.triangles);
+  NaiveTree naive(model.rest_position, model.triangles);
+  tree.refit(moved.position);
+  naive.refit(moved.position);
+  require_agreement("refit",
+                    (tree.low() - naive.low()).norm() + (tree.high() - naive.high()).norm(), 0.0);
   BenchRow row = time_against(
-      options, 1, [&] { tree.refit(moved.position); },
-      [&] { AabbTree(moved.position, model.triangles); });
+      options, 1, [&] { tree.refit(moved.position); }, [&] { naive.refit(moved.position); });
   row.work = "refit";
   row.elements = static_cast<double>(model.triangles.size());
-  row.physics = "boxes of all triangles after a step; naive builds the tree anew";
+  row.share_of_bound = bound_refit(tree) / row.median;
+  if (!simd_targets().empty()) row.simd_target = simd_targets().front();
+  row.physics = "boxes of all triangles after a step; naive follows with a textbook tree";
   return row;
 }
 

@@ -5,8 +5,8 @@
 
 namespace palpate::bench {
 
-/// Segment, closest point and ball against a tree over the surface of a tissue.
-std::vector<BenchRow> time_queries(const TissueModel& model, const BenchOptions& options);
+/// "segment", "closest" or "sphere": a question to a tree over the surface of a tissue.
+BenchRow time_query(const std::string& work, const TissueModel& model, const BenchOptions& options);
 
 /// The tree following a tissue in motion.
 BenchRow time_refit(const TissueModel& model, const BenchOptions& options);

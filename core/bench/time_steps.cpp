@@ -56,6 +56,13 @@ BenchRow time_packed(const TissueModel& model, const Load& load, double dt, cons
   return row;
 }
 
+std::string name_terms(const TissueModel& model) {
+  const bool molecular = !model.bonds.ends.empty();
+  const bool damped = is_damped(molecular ? model.bonds : model.springs);
+  return std::string(molecular ? "bonds" : "springs") + (damped ? " with dashpots" : "") +
+         (molecular ? ", angles, stretch-bend" : "");
+}
+
 /// [m] How far apart the naive form and ours are after some steps from the same start.
 double compare_ends(const TissueModel& model, const Load& load, double dt, const State& start) {
   State naive = start, ours = start;
@@ -69,28 +76,6 @@ double compare_ends(const TissueModel& model, const Load& load, double dt, const
     unpack(packed, model, running, ours);
   }
   return largest_difference(ours.position, naive.position);
-}
-
-BenchRow time_step(const std::string& work, const std::string& terms, const TissueModel& model,
-                   double dt, const BenchOptions& options) {
-  Load load;
-  load.gravity = {0.0, 0.0, -9.81};
-  const State start = shake(model);
-  const bool packed = !simd_targets().empty();
-  require_agreement(work, compare_ends(model, load, dt, start),
-                    packed ? kFloatAgreement : kDoubleAgreement);
-
-  State naive = start, ours = start;
-  const auto naively = [&] { step_naively(model, load, dt, naive); };
-  BenchRow row = packed ? time_packed(model, load, dt, start, naively, options)
-                        : time_against(
-                              options, 1, [&] { step(model, load, dt, ours); }, naively);
-  row.work = work;
-  row.elements =
-      static_cast<double>(std::max(model.springs.ends.size(), model.angles.corners.size()));
-  row.physics = terms + ", home, drag, gravity; symplectic Euler, " +
-                (packed ? "packed kernel in float" : "reference kernel in double");
-  return row;
 }
 
 }  // namespace
@@ -125,20 +110,27 @@ double bound_step(const TissueModel& model) {
   return compute_bound(limits, count.operations, count.bytes);
 }
 
-std::vector<BenchRow> time_steps(const Scene& mass_spring, const Scene& molecular,
-                                 const BenchOptions& options) {
-  const double mss_dt = 1.0 / mass_spring.rate / mass_spring.substeps;
-  const double mms_dt = 1.0 / molecular.rate / molecular.substeps;
-  const TissueModel& springs = mass_spring.tissue;
-  const TissueModel& bonds = molecular.tissue;
-  return {
-      time_step("mss_step", "springs", without_dashpots(springs), mss_dt, options),
-      time_step("mss_dashpot_step", "springs with dashpots", springs, mss_dt, options),
-      time_step("mms_step", "bonds, angles, stretch-bend", without_dashpots(bonds), mms_dt,
-                options),
-      time_step("mms_dashpot_step", "bonds with dashpots, angles, stretch-bend", bonds, mms_dt,
-                options),
-  };
+BenchRow time_step(const std::string& work, const Scene& scene, const BenchOptions& options) {
+  const TissueModel& model = scene.tissue;
+  const double dt = 1.0 / scene.rate / scene.substeps;
+  Load load;
+  load.gravity = {0.0, 0.0, -9.81};
+  const State start = shake(model);
+  const bool packed = !simd_targets().empty();
+  require_agreement(work, compare_ends(model, load, dt, start),
+                    packed ? kFloatAgreement : kDoubleAgreement);
+
+  State naive = start, ours = start;
+  const auto naively = [&] { step_naively(model, load, dt, naive); };
+  BenchRow row = packed ? time_packed(model, load, dt, start, naively, options)
+                        : time_against(
+                              options, 1, [&] { step(model, load, dt, ours); }, naively);
+  row.work = work;
+  row.elements =
+      static_cast<double>(std::max(model.springs.ends.size(), model.angles.corners.size()));
+  row.physics = name_terms(model) + ", home, drag, gravity; symplectic Euler, " +
+                (packed ? "packed kernel in float" : "reference kernel in double");
+  return row;
 }
 
 }  // namespace palpate::bench

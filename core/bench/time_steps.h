@@ -15,8 +15,7 @@ State shake(const TissueModel& model);
 /// [s] that a step of a model takes at least on this machine, counted by hand: the roofline.
 double bound_step(const TissueModel& model);
 
-/// The steps of both scenes, without and with dashpots.
-std::vector<BenchRow> time_steps(const Scene& mass_spring, const Scene& molecular,
-                                 const BenchOptions& options);
+/// One step of a scene's tissue, at the substep of its ticks in the air.
+BenchRow time_step(const std::string& work, const Scene& scene, const BenchOptions& options);
 
 }  // namespace palpate::bench

@@ -27,11 +27,17 @@ BenchRow time_against(const BenchOptions& options, int batch, const std::functio
                       const std::function<void()>& naive) {
   // a naive form may be a hundred times dearer: a fifth of the budget still gives it a median
   constexpr double kNaiveShare = 0.2;
+  constexpr double kMostBudgets = 20.0;
   std::vector<double> our_times, naive_times;
   double spent = 0.0, spent_naively = 0.0;
   ours();
   naive();
-  while (spent < options.budget || static_cast<int>(our_times.size()) < options.least_runs) {
+  const auto goes_on = [&] {
+    if (spent < options.budget) return true;
+    const int runs = static_cast<int>(our_times.size());
+    return runs < options.least_runs && (spent < kMostBudgets * options.budget || runs < 3);
+  };
+  while (goes_on()) {
     const double start = thread_time();
     ours();
     const double middle = thread_time();

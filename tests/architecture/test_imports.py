@@ -55,7 +55,10 @@ ARROWS = {
 }
 """Folder -> what its modules may import beside the standard library; the longest match counts."""
 
-GUARDED = {("bindings/palpate/bench.py", "palpate_meshes.generate.ellipsoid")}
+GUARDED = {
+    ("bindings/palpate/bench/meshes.py", "palpate_meshes.catalogue"),
+    ("bindings/palpate/bench/meshes.py", "palpate_meshes.generate.ellipsoid"),
+}
 """Imports that stand in a function and say what to install where they fail."""
 
 NAME_ON_INDEX = {"skimage": "scikit-image", "PySide6": "pyside6-essentials"}

@@ -3,6 +3,7 @@
 
 #include "palpate/bench/bench.h"
 #include "palpate/bench/naive.h"
+#include "palpate/bench/naive_tree.h"
 #include "palpate/sim/dynamics/simd_targets.h"
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/model/build_mass_spring.h"
@@ -58,10 +59,10 @@ TEST_CASE("the bench has one row for every piece of work, with positive figures"
   const auto rows = bench::run_bench(mass_spring, mms, {.budget = 1e-3, .least_runs = 3});
 
   const std::vector<std::string> expected = {
-      "mss_step", "mss_dashpot_step", "mms_step", "mms_dashpot_step",
-      "refit",    "segment",          "closest",  "sphere",
-      "mss_tick", "mss_dashpot_tick", "mss_tick", "mss_dashpot_tick",
-      "mms_tick", "mms_dashpot_tick", "mms_tick", "mms_dashpot_tick"};
+      "mss_step", "mss_dashpot_step", "mms_step",         "mms_dashpot_step",
+      "refit",    "segment",          "closest",          "sphere",
+      "mss_tick", "mss_tick",         "mss_dashpot_tick", "mss_dashpot_tick",
+      "mms_tick", "mms_tick",         "mms_dashpot_tick", "mms_dashpot_tick"};
   REQUIRE(rows.size() == expected.size());
   for (std::size_t r = 0; r < rows.size(); ++r) {
     CHECK(rows[r].work == expected[r]);
@@ -79,6 +80,59 @@ TEST_CASE("the bench has one row for every piece of work, with positive figures"
       CHECK(rows[r].share_of_bound < 1.0);
     }
   }
+}
+
+TEST_CASE("a textbook tree answers what looking at every triangle answers, moved as at rest") {
+  const SurfaceMesh mesh = organ();
+  bench::NaiveTree tree(mesh.vertices, mesh.triangles);
+  Vec3Array x = mesh.vertices;
+  for (Vec3& p : x) p += Vec3(0.3 * p.y(), 0.1 * p.z(), -0.2 * p.x());
+
+  tree.refit(x);
+
+  std::vector<int> found(mesh.triangles.size());
+  for (std::size_t v = 0; v < x.size(); v += 7) {
+    const Vec3 beside = 1.1 * x[v];
+    double closest = 1.0;
+    int within = 0;
+    for (const auto& [i, j, k] : mesh.triangles) {
+      const double d =
+          find_closest_on_triangle(beside, x[static_cast<std::size_t>(i)],
+                                   x[static_cast<std::size_t>(j)], x[static_cast<std::size_t>(k)])
+              .distance;
+      closest = std::min(closest, d);
+      within += d <= 0.01;
+    }
+    CHECK(tree.find_closest_point(x, beside)->distance == closest);
+    CHECK(tree.find_in_sphere(x, beside, 0.01, found) == within);
+    const Vec3 middle = (x[v] + 1e-3 * Vec3(1.0, 0.3, 0.7)) * 0.9;
+    const auto hit = tree.find_segment_hit(x, beside, middle);
+    REQUIRE(hit);
+    CHECK((hit->point - hit->distance * (middle - beside).normalized() - beside).norm() < 1e-15);
+  }
+  CHECK_FALSE(tree.find_segment_hit(x, {0.1, 0.1, 0.1}, {0.2, 0.1, 0.1}));
+}
+
+TEST_CASE("the bench does only the works asked for, at the substeps asked for") {
+  const Scene mass_spring = scene_of(build_mass_spring(organ(), Material{}, 40.0, at_home()));
+  const Scene mms = scene_of(molecular());
+  bench::BenchOptions options{.budget = 1e-3, .least_runs = 3};
+  options.works = {"mss_tick", "refit"};
+  options.air_substeps = {1, 4, 10};
+  options.press = false;
+
+  const auto rows = bench::run_bench(mass_spring, mms, options);
+
+  REQUIRE(rows.size() == 4);
+  CHECK(rows[0].work == "refit");
+  CHECK(rows[1].substeps == 1);
+  CHECK(rows[2].substeps == 4);
+  CHECK(rows[3].substeps == 10);
+  options.works = {"mss_walk"};
+  CHECK_THROWS_AS(bench::run_bench(mass_spring, mms, options), std::invalid_argument);
+  options.works = {};
+  options.air_substeps = {0};
+  CHECK_THROWS_AS(bench::run_bench(mass_spring, mms, options), std::invalid_argument);
 }
 
 TEST_CASE("the bench refuses two scenes on different surfaces") {

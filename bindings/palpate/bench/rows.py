@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The rows of `palpate bench`: every work on every mesh, and which of them are missing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+import palpate
+from palpate.bench.meshes import BenchMesh
+from palpate.verb import Report
+
+
+@dataclass(frozen=True)
+class Options:
+    """What is timed and for how long."""
+
+    budget: float = 0.4
+    """[s] CPU time a row."""
+    works: tuple[str, ...] = field(default_factory=lambda: tuple(palpate.bench_works()))
+    air_substeps: tuple[int, ...] = (1, 12)
+    """Of ticks with the hand in the air: a row for each."""
+    press: bool = True
+    """And a row for each tick with a press held."""
+
+
+def bench_meshes(
+    meshes: Sequence[BenchMesh], options: Options, say: Callable[[str], None] = lambda words: None
+) -> Report:
+    """`rows`, and under `missing` in words what could not be timed and why."""
+    rows: list[Report] = []
+    reasons: dict[tuple[str, str], str] = {}
+    for mesh in meshes:
+        say(f"{mesh.name}: {mesh.vertices} vertices")
+        scenes = mesh.build()
+        for work in options.works:
+            try:
+                rows += time_work(mesh, scenes, work, options)
+            except RuntimeError as problem:  # the ends of ours and the naive form disagree, ...
+                reasons[mesh.name, work] = str(problem)
+    return {"rows": rows, "missing": find_missing(rows, meshes, options, reasons)}
+
+
+def time_work(
+    mesh: BenchMesh, scenes: tuple[palpate.Scene, palpate.Scene], work: str, options: Options
+) -> list[Report]:
+    chosen = palpate.BenchOptions(
+        budget=options.budget,
+        works=[work],
+        air_substeps=list(options.air_substeps),
+        press=options.press,
+    )
+    return [
+        {
+            "work": row.work,
+            "mesh": mesh.name,
+            "vertices": row.vertices,
+            "substeps": row.substeps or None,
+            "median_us": 1e6 * row.median,
+            "p99_us": 1e6 * row.p99,
+            "naive_median_us": 1e6 * row.naive_median,
+            "ratio_to_naive": row.ratio_to_naive,
+            "ns_per_element": row.ns_per_element(),
+            "share_of_bound": row.share_of_bound or None,
+            "simd_target": row.simd_target,
+            "compiler_flags": row.compiler_flags,
+            "physics": row.physics,
+            "constants": mesh.constants,
+        }
+        for row in palpate.run_bench(*scenes, chosen)
+    ]
+
+
+def find_missing(
+    rows: Sequence[Report],
+    meshes: Sequence[BenchMesh],
+    options: Options,
+    reasons: dict[tuple[str, str], str],
+) -> list[str]:
+    """A sentence for each work of each mesh without its rows."""
+    missing = []
+    ticks = len(options.air_substeps) + options.press
+    for mesh in meshes:
+        for work in options.works:
+            wanted = ticks if work.endswith("_tick") else 1
+            found = sum(row["mesh"] == mesh.name and row["work"] == work for row in rows)
+            if found != wanted:
+                why = reasons.get((mesh.name, work), "no reason given")
+                missing.append(f"{mesh.name}: {work}: {found} of {wanted} rows: {why}")
+    return missing
+
+
+def describe_rows(report: Report) -> str:
+    lines = [
+        f"{'work':18} {'mesh':16} {'vertices':>8} {'substeps':>8} {'median us':>10} {'p99 us':>10} "
+        f"{'ns each':>11} {'of bound':>8} {'x naive':>8}"
+    ]
+    for row in report["rows"]:
+        share = row["share_of_bound"]
+        lines.append(
+            f"{row['work']:18} {row['mesh']:16} {row['vertices']:8d} "
+            f"{row['substeps'] or '-':>8} {row['median_us']:10.2f} {row['p99_us']:10.2f} "
+            f"{row['ns_per_element']:11.2f} "
+            + (f"{share:8.0%}" if share else f"{'-':>8}")
+            + f" {row['ratio_to_naive']:8.2f}"
+        )
+    lines += describe_columns(report["rows"])
+    lines += [f"missing: {sentence}" for sentence in report["missing"]]
+    return "\n".join(lines)
+
+
+def describe_columns(rows: Sequence[Report]) -> list[str]:
+    """What the columns mean, and what is the same in all rows."""
+    builds = sorted(
+        {f"{row['simd_target'] or 'plain code'}; {row['compiler_flags']}" for row in rows}
+    )
+    return [
+        "ticks at 1 and 12 substeps: the hand in the air; then a press held, at what that asks for",
+        "ns each: per link, triangle or query, or per tick",
+        "of bound: the least time by this machine's arithmetic and memory, over the median",
+        "x naive: how many times faster than the plain form in double, in the same process, with",
+        "  the same flags, order of particles, terms and steps; its ends are compared first",
+        *builds,
+    ]

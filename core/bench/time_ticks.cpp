@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/bench/time_ticks.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "palpate/bench/naive.h"
+#include "palpate/bench/naive_tree.h"
+#include "palpate/bench/time_steps.h"
+#include "palpate/bench/timing.h"
+#include "palpate/sim/dynamics/packed.h"
+#include "palpate/sim/haptics/tick.h"
+#include "palpate/sim/mesh/measure.h"
+
+namespace palpate::bench {
+namespace {
+
+/// [m] from a particle to the closest one that is held.
+double reach(const TissueModel& tissue, const Vec3& p) {
+  double closest = std::numeric_limits<double>::infinity();
+  for (const int i : tissue.fixed) {
+    closest = std::min(closest, (tissue.rest_position[static_cast<std::size_t>(i)] - p).norm());
+  }
+  return closest;
+}
+
+/// Where a tissue is pressed and which way is out of it.
+struct Place {
+  Vec3 point, outward;
+};
+
+/// Where a tissue gives most freely: farthest from what is held, the highest particle of equals.
+Place find_press_place(const TissueModel& tissue) {
+  const auto& x = tissue.rest_position;
+  std::size_t best = 0;
+  double farthest = reach(tissue, x[best]);
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    const double here = reach(tissue, x[i]);
+    if (here < farthest || (here == farthest && x[i].z() <= x[best].z())) continue;
+    best = i;
+    farthest = here;
+  }
+  return {x[best], compute_vertex_normals(x, tissue.triangles)[best]};
+}
+
+/// The tick of a first program: the textbook tree, plain steps, nothing guarded.
+void tick_naively(const Scene& scene, const HapticSample& sample, double dt, NaiveTree& tree,
+                  World& world) {
+  tree.refit(world.tissue.position);
+  world.candidates.count = tree.find_in_sphere(
+      world.tissue.position, world.tool.position,
+      scene.tool.radius + kCandidateMargin + (sample.position - world.tool.position).norm(),
+      world.candidates.triangles);
+  for (int i = 0; i < world.candidates.count; ++i) {
+    const auto slot = static_cast<std::size_t>(i);
+    world.candidates.areas[slot] =
+        scene.rest_areas[static_cast<std::size_t>(world.candidates.triangles[slot])];
+  }
+  for (int s = 0; s < world.substeps; ++s) {
+    balance_tool(scene.tool, scene.coupling, sample.position, world.candidates,
+                 scene.tissue.triangles, world.tissue.position, world.tool, world.load);
+    step_naively(scene.tissue, world.load, dt / world.substeps, world.tissue);
+  }
+}
+
+/// How many times a tick may be repeated where that only makes sure of something: less often on
+/// meshes where a naive tick takes seconds.
+int afford(int wanted, int least, double work_each) {
+  constexpr double kAffordable = 3e8;
+  return static_cast<int>(std::clamp(kAffordable / work_each, double(least), double(wanted)));
+}
+
+/// Particle steps of a tick, of which the naive form does some ten million a second.
+double work_of(const Scene& scene, const World& world) {
+  return double(scene.tissue.mass.size()) * std::max(world.substeps, scene.substeps);
+}
+
+/// [m] How far tissue and tool of both forms are apart after some ticks from the same world.
+double compare_ticks(const Scene& scene, const HapticSample& sample, double dt, World ours,
+                     World naive) {
+  NaiveTree tree(naive.tissue.position, scene.tissue.triangles);
+  const int ticks = afford(5, 1, 10.0 * work_of(scene, ours));
+  for (int i = 0; i < ticks; ++i) {
+    tick(scene, sample, dt, ours);
+    tick_naively(scene, sample, dt, tree, naive);
+  }
+  return std::max(largest_difference(ours.tissue.position, naive.tissue.position),
+                  (ours.tool.position - naive.tool.position).norm());
+}
+
+/// The same world for the naive form, which knows no vectors.
+World make_naive(const World& world) {
+  World naive = world;
+  naive.tool.lanes = {};
+  return naive;
+}
+
+BenchRow time_world(const Scene& scene, const HapticSample& sample, World world,
+                    const BenchOptions& options) {
+  // both forms feel the same contacts; a float and a double drift apart by rounding
+  constexpr double kTickAgreement = 1e-6;
+  const double dt = 1.0 / scene.rate;
+  World naive = make_naive(world);
+  require_agreement("tick", compare_ticks(scene, sample, dt, world, naive), kTickAgreement);
+  NaiveTree tree(naive.tissue.position, scene.tissue.triangles);
+  BenchRow row = time_against(
+      options, 1, [&] { tick(scene, sample, dt, world); },
+      [&] { tick_naively(scene, sample, dt, tree, naive); });
+  row.substeps = world.substeps;
+  row.share_of_bound = world.substeps * bound_step(scene.tissue) / row.median;
+  if (world.packed_model) row.simd_target = simd_target(*world.packed_model);
+  row.physics = std::to_string(world.load.push_count) + " contacts, refit, candidates, alarm, " +
+                (world.packed_model ? "packed" : "reference") +
+                " kernel; naive has a textbook tree, steps naively and has no alarm";
+  return row;
+}
+
+/// [m] of the tip below the surface at rest.
+constexpr double kPressDepth = 3e-3;
+/// [m] of the tip above it, in the air.
+constexpr double kAirHeight = 5e-3;
+
+HapticSample hold_at(const Scene& scene, const Place& place, double height) {
+  HapticSample sample;
+  sample.position = place.point + (scene.tool.radius + height) * place.outward;
+  return sample;
+}
+
+/// Come from above and settled, a press held.
+BenchRow time_press(const std::string& work, const Scene& scene, const Place& place,
+                    const BenchOptions& options) {
+  const double dt = 1.0 / scene.rate;
+  const HapticSample pressed = hold_at(scene, place, -kPressDepth);
+  World world(scene);
+  // slower is no other press: it is the cost of holding it that is asked for
+  const int ticks = afford(300, 60, work_of(scene, world));
+  for (int i = 0; i <= ticks; ++i) {
+    const double above = 2.0 * kPressDepth * std::max(0.0, 1.0 - 1.5 * i / ticks);
+    tick(scene, hold_at(scene, place, above - kPressDepth), dt, world);
+  }
+  // without dashpots it may bounce
+  for (int i = 0; i < ticks && world.load.push_count == 0; ++i) tick(scene, pressed, dt, world);
+  if (world.alarm) throw std::logic_error("bench: " + work + ": the held press blew up");
+  if (world.load.push_count == 0) throw std::logic_error("bench: " + work + ": touches nothing");
+  BenchRow row = time_world(scene, pressed, std::move(world), options);
+  row.work = work;
+  row.physics = "3 mm press held, " + row.physics;
+  return row;
+}
+
+/// The hand in the air, and a tick so short that it takes the substeps asked for.
+BenchRow time_hover(const std::string& work, int substeps, Scene scene, const Place& place,
+                    const BenchOptions& options) {
+  scene.rate *= double(scene.substeps) / substeps;
+  scene.substeps = substeps;
+  World world(scene);
+  HapticSample sample = hold_at(scene, place, kAirHeight);
+  const int ticks = afford(50, 5, work_of(scene, world));
+  for (int i = 0; i < ticks; ++i) {
+    tick(scene, sample, 1.0 / scene.rate, world);
+    // in a hollow the other side is near
+    if (world.candidates.count > 0) sample = hold_at(scene, place, kAirHeight * (i + 2));
+  }
+  BenchRow row = time_world(scene, sample, std::move(world), options);
+  row.work = work;
+  row.physics = "hand in the air, " + row.physics;
+  return row;
+}
+
+}  // namespace
+
+std::vector<BenchRow> time_ticks(const std::string& work, const Scene& scene,
+                                 const BenchOptions& options) {
+  const Place place = find_press_place(scene.tissue);
+  std::vector<BenchRow> rows;
+  for (const int substeps : options.air_substeps) {
+    rows.push_back(time_hover(work, substeps, scene, place, options));
+  }
+  if (options.press) rows.push_back(time_press(work, scene, place, options));
+  return rows;
+}
+
+}  // namespace palpate::bench

@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`palpate bench`: every row or a sentence saying which is missing; no clock decides a test."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import palpate
+import pytest
+from palpate.bench import chart, frames, meshes, rows, table1, verb
+from palpate.bench.frames import Frames
+from palpate.cli import main
+
+pytest.importorskip("palpate_meshes", reason="the shipped organs come with palpate-editor")
+
+
+def bench(capsys, *words: str) -> tuple[int, dict]:
+    code = main(["bench", *words, "--budget", "1ms", "--json"])
+    return code, json.loads(capsys.readouterr().out)
+
+
+def test_every_work_of_a_shipped_organ_has_its_rows_and_columns(capsys):
+    code, report = bench(capsys, "--organ", "simple_tissue")
+
+    assert code == 0
+    assert report["missing"] == []
+    works = [row["work"] for row in report["rows"]]
+    for work in palpate.bench_works():
+        assert works.count(work) == (3 if work.endswith("_tick") else 1)
+    for row in report["rows"]:
+        assert row["mesh"] == "simple_tissue"
+        assert row["vertices"] == 45
+        assert row["constants"] == "published (molecular)"
+        assert 0.0 < row["median_us"] <= row["p99_us"]
+        assert row["ns_per_element"] > 0.0
+        assert row["ratio_to_naive"] > 0.0
+        assert row["physics"]
+        assert row["compiler_flags"]
+    ticks = [row["substeps"] for row in report["rows"] if row["work"] == "mss_tick"]
+    assert ticks[:2] == [1, 12]
+
+
+def test_a_work_that_cannot_be_timed_is_named_and_fails_the_run(capsys, monkeypatch):
+    def fail(*_):
+        raise RuntimeError("naive and real form end 1 m apart")
+
+    monkeypatch.setattr(rows, "time_work", fail)
+
+    code, report = bench(capsys, "--organ", "simple_tissue", "--work", "refit")
+
+    assert code == 1
+    assert report["missing"] == [
+        "simple_tissue: refit: 0 of 1 rows: naive and real form end 1 m apart"
+    ]
+
+
+def test_a_run_is_as_small_as_one_asks_for(capsys):
+    code, report = bench(capsys, "--vertices", "60", "--work", "refit", "--work", "sphere")
+
+    assert code == 0
+    assert [(row["work"], row["mesh"]) for row in report["rows"]] == [
+        ("refit", "ellipsoid-60"),
+        ("sphere", "ellipsoid-60"),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "sentence"),
+    [
+        (["--organ", "heart"], 1, "heart"),
+        (["--vertices", "3"], 1, "at least 50"),
+        (["--table1", "--chart", "a.png"], 2, "two calls"),
+        (["--table1", "--organ", "spleen"], 2, "choose their own"),
+        (["--work", "walk"], 2, "invalid choice"),
+    ],
+    ids=lambda part: " ".join(part) if isinstance(part, list) else None,
+)
+def test_a_call_that_makes_no_sense_says_so(words, code, sentence, capsys):
+    assert main(["bench", *words]) == code
+
+    assert sentence in capsys.readouterr().err
+
+
+def test_the_shipped_organs_run_with_the_constants_and_particles_of_their_published_files():
+    for mesh in meshes.read_shipped(["gallbladder", "spleen"]):
+        published = palpate.scenario.read(meshes.find_published() / f"{mesh.name}.palpate").scene
+        mass_spring, molecular = mesh.build()
+        same = molecular if len(published.tissue.bonds.ends) else mass_spring
+
+        assert same.substeps == published.substeps
+        assert len(same.tissue.fixed) == len(published.tissue.fixed)
+        assert same.tool.radius == published.tool.radius
+        for name in ("mass", "home"):
+            ours = np.sort(np.asarray(getattr(same.tissue, name)))
+            theirs = np.sort(np.asarray(getattr(published.tissue, name)))
+            assert np.allclose(ours, theirs, rtol=1e-9)
+        assert same.spectrum_stiffness == pytest.approx(published.spectrum_stiffness, rel=1e-6)
+
+
+def test_renumbering_brings_neighbours_together_and_changes_nothing_else():
+    rng = np.random.default_rng(0)
+    mesh = meshes.generate_ellipsoid(400)
+    shuffle = rng.permutation(400)
+    place = np.argsort(shuffle)
+    mixed = palpate.SurfaceMesh(np.asarray(mesh.vertices)[shuffle], place[mesh.triangles])
+
+    ordered, scene = meshes.renumber(mixed, meshes.BED)
+
+    def spread(triangles):
+        return np.ptp(np.asarray(triangles), axis=1).max()
+
+    assert spread(ordered.triangles) < spread(mixed.triangles) / 3
+    assert scene == meshes.BED
+    sides = [
+        np.sort(np.linalg.norm(x[t] - x[np.roll(t, 1, axis=1)], axis=2).ravel())
+        for x, t in ((np.asarray(m.vertices), np.asarray(m.triangles)) for m in (mixed, ordered))
+    ]
+    assert np.array_equal(*sides)
+
+
+def test_the_largest_mesh_lies_between_the_two_sizes_around_a_millisecond():
+    def row(size, cost):
+        return {"work": "mss_dashpot_tick", "substeps": 1, "vertices": size, "median_us": cost}
+
+    assert chart.find_largest([row(1000, 100.0), row(10000, 1e4)], "mss", 1) == pytest.approx(
+        1000 * 10**0.5, abs=1.0
+    )
+    assert chart.find_largest([row(1000, 100.0)], "mss", 1) is None
+    assert chart.find_largest([row(1000, 2000.0)], "mss", 1) is None
+
+
+def test_the_scaling_chart_is_drawn_from_its_report(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(chart, "QUICK_SIZES", (60, 120))
+    out = tmp_path / "scaling.png"
+
+    code, report = bench(capsys, "--chart", str(out), "--quick")
+
+    assert code == 0
+    assert out.read_bytes().startswith(b"\x89PNG")
+    assert len(report["rows"]) == 2 * 2 * 3
+    assert {row["substeps"] for row in report["rows"]} == {1, 4, 10}
+    assert [row["vertices"] for row in report["largest"]] == [None] * 6
+    assert "not within the sizes" in verb.describe_bench(report)
+
+
+def test_table_1_has_both_laws_of_the_papers_organs_with_its_counts(monkeypatch, capsys):
+    monkeypatch.setattr(table1, "PAPER", {"simple_tissue": (66, 45)})
+    monkeypatch.setattr(table1, "measure_frames", lambda *_: Frames(0.01, 0.02))
+
+    code, report = bench(capsys, "--table1")
+
+    assert code == 0
+    assert [row["law"] for row in report["table1"]] == ["MSS", "MMS"]
+    row = report["table1"][0]
+    assert (row["triangles"], row["vertices"]) == (66, 45)
+    assert row["frame_rate_hz"] == pytest.approx(100.0)
+    assert row["deformation_rate_hz"] > row["tick_rate_hz"] > 0.0
+    assert row["contact_rate_hz"] > row["tick_rate_hz"]
+    assert "the paper: 1000 Hz and 24 frames/s" in verb.describe_bench(report)
+
+
+def test_table_1_refuses_an_organ_with_other_counts(monkeypatch, capsys):
+    monkeypatch.setattr(table1, "PAPER", {"simple_tissue": (67, 45)})
+
+    code, report = bench(capsys, "--table1")
+
+    assert code == 1
+    assert report["missing"] == [
+        "simple_tissue: 66 triangles, 45 vertices, expected 67 and 45 as in the paper"
+    ]
+
+
+def test_frames_are_drawn_of_the_organ_as_it_is_pressed(monkeypatch):
+    monkeypatch.setattr(frames, "LEAST_FRAMES", 2)
+    monkeypatch.setattr(frames, "BUDGET", 0.0)
+    path = meshes.find_published() / "simple_tissue.palpate"
+    scene = palpate.scenario.read(path).scene
+
+    moved = frames.press(scene) - np.asarray(scene.tissue.rest_position)
+    times = frames.measure_frames(scene, path)
+
+    assert -moved[:, 2].min() > 1e-3
+    assert 0.0 < times.median <= times.p99
