@@ -130,8 +130,10 @@ Alarm check(const PackedModel& model, const TissueModel& tissue, const Vec3& gra
     recall_last_look(model, tissue, packed, guard.last_position);
     alarm = check_particles(state, guard, steps);
   }
-  if (!alarm && measure.strained) alarm = check_strains(tissue, state.position, guard);
-  if (!measure.strained) guard.strained_looks = 0;
+  const bool strained =
+      measure.stretch.longest > 1.0 + kLargestStrain || measure.stretch.shortest < kShortestLink;
+  if (!alarm && strained) alarm = check_strains(tissue, state.position, guard);
+  if (!strained) guard.strained_looks = 0;
   if (!alarm) {
     const double elapsed = std::max(0.0, state.time - guard.last_time);
     alarm = check_energy(tissue, measure.kinetic + measure.elastic,

@@ -7,7 +7,6 @@
 #define PALPATE_PACKED_ADVANCE_INL_H
 #endif
 
-#include "palpate/sim/dynamics/alarms.h"
 #include "palpate/sim/dynamics/packed_kernels.h"
 #include "palpate/sim/dynamics/packed_vector-inl.h"
 
@@ -18,21 +17,23 @@ namespace HWY_NAMESPACE {
 
 enum class Damping { none, axis, isotropic };
 
-/// Sums over the lanes of what is measured on the way.
+/// What is measured on the way, lane by lane: energies, and lengths in parts of rest lengths.
 struct Sums {
-  Real kinetic, elastic;
-  hn::Mask<Lanes> strained;
+  Real kinetic, elastic, longest, shortest;
 };
 
 HWY_INLINE Sums begin_sums() {
-  const Real zero = hn::Zero(kLanes);
-  return {zero, zero, hn::Lt(zero, zero)};
+  const Real zero = hn::Zero(kLanes), one = hn::Set(kLanes, 1.0f);
+  return {zero, zero, one, one};
 }
 
 HWY_INLINE void add_sums(const Sums& sums, PackedMeasure& measure) {
   measure.kinetic += hn::GetLane(hn::SumOfLanes(kLanes, sums.kinetic));
   measure.elastic += hn::GetLane(hn::SumOfLanes(kLanes, sums.elastic));
-  measure.strained = measure.strained || !hn::AllFalse(kLanes, sums.strained);
+  const double longest = hn::GetLane(hn::MaxOfLanes(kLanes, sums.longest));
+  const double shortest = hn::GetLane(hn::MinOfLanes(kLanes, sums.shortest));
+  measure.stretch.longest = std::max(measure.stretch.longest, longest);
+  measure.stretch.shortest = std::min(measure.stretch.shortest, shortest);
 }
 
 using Indices = hn::Rebind<int, Lanes>;
@@ -43,10 +44,12 @@ HWY_INLINE hn::Mask<Lanes> differ(const int* a, const int* b) {
   return hn::RebindMask(kLanes, hn::Ne(hn::Load(d, a), hn::Load(d, b)));
 }
 
-HWY_INLINE hn::Mask<Lanes> is_strained(const Real length, const Real rest) {
-  const Real longest = hn::Set(kLanes, static_cast<float>(1.0 + kLargestStrain));
-  const Real shortest = hn::Set(kLanes, static_cast<float>(kShortestLink));
-  return hn::Or(hn::Gt(length, hn::Mul(longest, rest)), hn::Lt(length, hn::Mul(shortest, rest)));
+/// Notes how much `length` is of a rest length, where a lane has one.
+HWY_INLINE void measure_part(const hn::Mask<Lanes> has_rest, const Real length,
+                             const Real inverse_rest, Sums& sums) {
+  const Real part = hn::IfThenElse(has_rest, hn::Mul(length, inverse_rest), hn::Set(kLanes, 1.0f));
+  sums.longest = hn::Max(part, sums.longest);
+  sums.shortest = hn::Min(part, sums.shortest);
 }
 
 /// Half of k (l - L)² / 2 for each link of a slot: its other end adds the other half.
@@ -62,7 +65,7 @@ HWY_INLINE void measure_slot(const PackedLinks& links, std::size_t slot, const i
   const Real energy = hn::Mul(hn::Mul(tension, hn::Sub(length, rest)), hn::Set(kLanes, 0.25f));
   sums.elastic = hn::Add(sums.elastic, hn::IfThenElseZero(is_link, energy));
   const auto weighs = hn::And(is_link, hn::Gt(rest, hn::Zero(kLanes)));
-  sums.strained = hn::Or(sums.strained, hn::And(weighs, is_strained(length, rest)));
+  measure_part(weighs, length, hn::Mul(k, invert(rest_tension)), sums);
 }
 
 /// Adds the pull of all links of slice s on its particles at x, with velocities v. In the form

@@ -3,6 +3,7 @@
 
 #include "palpate/sim/base/cache_aligned.h"
 #include "palpate/sim/dynamics/state.h"
+#include "palpate/sim/dynamics/stretch.h"
 
 namespace palpate {
 
@@ -75,10 +76,10 @@ struct PackedModel {
 };
 
 /// What a step finds on its way for a look at the tissue: energies [J] where the step began, with
-/// the velocities half way through its kick, and whether any link or side is out of its bounds.
+/// the velocities half way through its kick, and how far links and sides are from their rest.
 struct PackedMeasure {
   double kinetic = 0.0, elastic = 0.0;
-  bool strained = false;
+  Stretch stretch;
 };
 
 /// Everything about a packed tissue that changes from step to step. A particle is where it rests

@@ -141,10 +141,9 @@ HWY_INLINE void measure_pack(const PackedTriangles& triangles, std::size_t pack,
     energy = hn::Add(energy, hn::Add(hn::Add(angle.a, angle.b), angle.c));
   }
   sums.elastic = hn::Add(sums.elastic, hn::IfThenElseZero(is_triangle, energy));
-  const auto strained =
-      hn::Or(hn::Or(is_strained(m.length.a, rest.a), is_strained(m.length.b, rest.b)),
-             is_strained(m.length.c, rest.c));
-  sums.strained = hn::Or(sums.strained, hn::And(is_triangle, strained));
+  measure_part(is_triangle, m.length.a, invert(rest.a), sums);
+  measure_part(is_triangle, m.length.b, invert(rest.b), sums);
+  measure_part(is_triangle, m.length.c, invert(rest.c), sums);
 }
 
 /// The pulls along the three sides of the triangles of a pack.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/sim/haptics/move_tissue.h"
 
+#include "palpate/sim/dynamics/measure_stretch.h"
 #include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/dynamics/step.h"
 
@@ -61,8 +62,10 @@ double move_tissue(const Scene& scene, double dt, bool last, World& world) noexc
 
 Alarm end_moving(const Scene& scene, double work, World& world) noexcept {
   if (!world.packed_model) {
+    world.stretch = measure_stretch(scene.tissue, world.tissue.position);
     return check(scene.tissue, scene.gravity, world.tissue, work, world.guard, world.substeps);
   }
+  world.stretch = world.measure.stretch;
   unpack(*world.packed_model, scene.tissue, world.packed, world.tissue);
   return check(*world.packed_model, scene.tissue, scene.gravity, world.tissue, world.measure, work,
                world.packed, world.guard, world.substeps);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/sim/haptics/choose_substeps.h"
 #include "palpate/sim/haptics/move_tissue.h"
 #include "palpate/sim/haptics/place_tool.h"
 
@@ -21,55 +22,8 @@ Vec3 follow_hand(const Vec3& hand, double dt, const World& world) noexcept {
   return way.norm() > most ? Vec3(world.hand + way * (most / way.norm())) : hand;
 }
 
-/// The share of the stability limit that a tick with contact uses: the row-sum bound looks at the
-/// start of the tick, and contacts grow within it.
-constexpr double kStepShare = 0.75;
-
-/// Substeps that contact has at least: with one, the three Newton steps of the tool are all there
-/// are in a tick, and what they leave over lags behind the tissue and feeds it energy.
-constexpr double kFewestInContact = 3.0;
-
 /// [s] in which a hold that is let go fades: longer is no better (TOOLS section 2).
 constexpr double kReleaseTime = 0.03;
-
-/// How far a particle may go in one substep, in shortest links: what the guard allows (SCIENCE 3).
-constexpr double kLongestMove = 0.3;
-
-/// How many substeps contact asks for to be stable. With the contacts' part k/m of the spectrum,
-///
-///     w^2 <= w0^2 + max k/m,   dt <= 0.75 (sqrt(c^2 + 4 w^2) - c) / w^2
-///
-/// which is 2/w (sqrt(1 + z^2) - z) with z = c/(2w): TOOLS section 1, SCIENCE section 3.
-double count_stable_substeps(const Scene& scene, double dt, World& world) noexcept {
-  const double contact =
-      bound_contact_stiffness(scene.tool, world.candidates, scene.tissue.triangles,
-                              world.tissue.position, scene.tissue.mass, world.tool, world.scratch);
-  if (!(contact > 0.0)) return 1.0;
-  const double w2 = scene.spectrum_stiffness + contact;
-  const double c = scene.spectrum_damping;
-  const double limit = (std::sqrt(c * c + 4.0 * w2) - c) / w2;
-  return std::ceil(dt / (kStepShare * limit));
-}
-
-/// How many substeps a blow asks for: a particle far lighter than the hand leaves it at up to twice
-/// its speed, more where neighbours push with it, and must not fly past them in one substep.
-double count_blow_substeps(double way, const World& world) noexcept {
-  return std::ceil(3.0 * way / (kLongestMove * world.guard.shortest_rest_length));
-}
-
-/// `way` [m] is how far the hand has come since the last tick.
-///
-/// Near the tissue substeps only rise: a step that is long while a contact closes and short while
-/// it opens, or the other way round, is no longer symplectic and pumps a bouncing contact up. They
-/// are taken back one by one once the tool is away, while the tissue calms.
-int choose_substeps(const Scene& scene, double way, double dt, World& world) noexcept {
-  double wanted = world.substeps - 1;
-  if (world.candidates.count > 0 || world.tool.hold_count > 0) {
-    wanted = std::max({kFewestInContact, static_cast<double>(world.substeps),
-                       count_stable_substeps(scene, dt, world), count_blow_substeps(way, world)});
-  }
-  return static_cast<int>(std::clamp(wanted, double(scene.substeps), double(scene.substeps_max)));
-}
 
 /// Attaches when the button goes down. When it comes up the holds fade linearly from the load they
 /// then carry, over kReleaseTime; let go at once they would kick hand and tissue (TOOLS section 2).

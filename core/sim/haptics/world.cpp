@@ -28,6 +28,8 @@ World::World(const Scene& scene)
       load(2 * static_cast<int>(scene.tissue.triangles.size())),
       guard(scene.tissue, scene.gravity, tissue),
       substeps(scene.substeps),
+      spectrum(scene.tissue, scene.spectrum_stiffness),
+      chosen_stiffness(scene.spectrum_stiffness),
       scratch(scene.tissue.rest_position.size(), 0.0) {
   load.gravity = scene.gravity;
   if (scene.kernel == Kernel::reference || simd_targets().empty()) return;

@@ -7,6 +7,7 @@
 #include "palpate/sim/contact/find_candidates.h"
 #include "palpate/sim/dynamics/guard.h"
 #include "palpate/sim/dynamics/packed_model.h"
+#include "palpate/sim/dynamics/stretch.h"
 #include "palpate/sim/haptics/scene.h"
 
 namespace palpate {
@@ -25,6 +26,9 @@ struct World {
   Alarm alarm;  ///< the first alarm; from then on the force is zero and the tissue stands still
   long tick_count = 0;
   int substeps = 0;  ///< of the last tick
+  StretchSpectrum spectrum;
+  Stretch stretch;                ///< after the last tick
+  double chosen_stiffness = 0.0;  ///< [1/s²] largest eigenvalue of M⁻¹K that substeps are for
   bool attach_pressed = false;
   int release_ticks = 0;        ///< left until a hold that fades is gone; 0 when none does
   std::vector<double> scratch;  ///< per particle

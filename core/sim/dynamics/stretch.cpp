@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <cmath>
+
+#include "palpate/sim/dynamics/free_particles.h"
+#include "palpate/sim/dynamics/lanczos.h"
+#include "palpate/sim/dynamics/measure_stretch.h"
+#include "palpate/sim/dynamics/stable_step.h"
+#include "palpate/sim/dynamics/tensions.h"
+
+namespace palpate {
+namespace {
+
+void add_part(double length, double rest, Stretch& stretch) noexcept {
+  const double part = length / rest;
+  stretch.longest = std::max(stretch.longest, part);
+  stretch.shortest = std::min(stretch.shortest, part);
+}
+
+double measure_distance(std::span<const Vec3> x, int i, int j) noexcept {
+  return (x[static_cast<std::size_t>(j)] - x[static_cast<std::size_t>(i)]).norm();
+}
+
+/// Links that hold in every direction as they do along: their K is the same for x, y and z.
+double find_largest_of_taut_links(const TissueModel& model) {
+  const int n = particle_count(model);
+  std::vector<double> scale(static_cast<std::size_t>(n), 0.0);  // [1/sqrt(kg)] 0 for what is held
+  for_each_free(model, [&](int i) {
+    scale[static_cast<std::size_t>(i)] = 1.0 / std::sqrt(model.mass[static_cast<std::size_t>(i)]);
+  });
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto add = [&](int i, int j, double k) {
+    const double scaled =
+        k * scale[static_cast<std::size_t>(i)] * scale[static_cast<std::size_t>(j)];
+    if (scaled != 0.0) entries.emplace_back(i, j, scaled);
+  };
+  for (const Links* links : {&model.springs, &model.bonds}) {
+    for (std::size_t l = 0; l < links->ends.size(); ++l) {
+      const auto [i, j] = links->ends[l];
+      const double k = std::abs(links->stiffness[l]);
+      add(i, i, k), add(j, j, k), add(i, j, -k), add(j, i, -k);
+    }
+  }
+  for (int i = 0; i < static_cast<int>(model.home.size()); ++i) {
+    add(i, i, model.home[static_cast<std::size_t>(i)]);
+  }
+  Eigen::SparseMatrix<double> matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Largest largest =
+      find_largest_eigenvalue(n, [&](const auto& v) -> Eigen::VectorXd { return matrix * v; });
+  return largest.value + largest.residual;
+}
+
+/// Eq 9 and Eq 11, or Eq 10, alone.
+double find_largest_of_angles(const TissueModel& model) {
+  if (model.angles.corners.empty()) return 0.0;
+  TissueModel alone = model;
+  alone.springs = alone.bonds = {};
+  alone.home.clear();
+  alone.pressure = alone.drag = 0.0;
+  return estimate_spectrum(alone).stiffness;
+}
+
+/// No eigenvalue of M⁻¹K exceeds the largest sum of the blocks in a row of K, over the mass: a
+/// triangle has p/6 times its sides in each.
+double bound_pressure(const TissueModel& model) {
+  if (model.pressure == 0.0) return 0.0;
+  const Vec3Array& x = model.rest_position;
+  std::vector<double> rows(x.size(), 0.0);  // [N/m]
+  for (const auto& [i, j, k] : model.triangles) {
+    const double sides =
+        measure_distance(x, i, j) + measure_distance(x, j, k) + measure_distance(x, k, i);
+    for (const int corner : {i, j, k}) {
+      rows[static_cast<std::size_t>(corner)] += std::abs(model.pressure) / 6.0 * sides;
+    }
+  }
+  double largest = 0.0;
+  for_each_free(model, [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    largest = std::max(largest, rows[at] / model.mass[at]);
+  });
+  return largest;
+}
+
+}  // namespace
+
+Stretch measure_stretch(const TissueModel& model, std::span<const Vec3> x) noexcept {
+  Stretch stretch;
+  for (const Links* links : {&model.springs, &model.bonds}) {
+    for (std::size_t l = 0; l < links->ends.size(); ++l) {
+      const auto [i, j] = links->ends[l];
+      add_part(measure_distance(x, i, j), links->rest_length[l], stretch);
+    }
+  }
+  for (std::size_t row = 0; row < model.angles.corners.size(); ++row) {
+    const auto [i, j, k] = model.angles.corners[row];
+    const auto& rest = model.angles.rest_length[row];
+    add_part(measure_distance(x, j, k), rest[0], stretch);
+    add_part(measure_distance(x, k, i), rest[1], stretch);
+    add_part(measure_distance(x, i, j), rest[2], stretch);
+  }
+  return stretch;
+}
+
+StretchSpectrum::StretchSpectrum(const TissueModel& model, double rest_in)
+    : rest(rest_in), angles(find_largest_of_angles(model)), pressure(bound_pressure(model)) {
+  taut = std::max(rest, find_largest_of_taut_links(model) + angles + pressure);
+}
+
+/// A link of stiffness k that is s longer than at rest holds across with the tension over length,
+///
+///     k n n^T + k s/(1+s) (I - n n^T) = (1-b) k n n^T + b k I,   b = s/(1+s)
+///
+/// so that a whole tissue lies between rest (b = 0) and `taut` (b = 1); one that is shorter holds
+/// less. Gradients of angles go with 1/l, their part of K with 1/l²; those of pressure with l. What
+/// is left out is how turned links come to lie and what the torque of a bent angle adds; the bound
+/// held with both in every shape that was tried (tests/core/dynamics/test_stretch.cpp).
+double bound_stiffness(const StretchSpectrum& spectrum, const Stretch& stretch) noexcept {
+  const double taut = 1.0 - 1.0 / stretch.longest;
+  const double inverse = 1.0 / std::max(stretch.shortest, kShortestSide);
+  return spectrum.rest + taut * (spectrum.taut - spectrum.rest) +
+         (inverse * inverse - 1.0) * spectrum.angles + (stretch.longest - 1.0) * spectrum.pressure;
+}
+
+}  // namespace palpate
