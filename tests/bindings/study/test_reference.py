@@ -64,7 +64,6 @@ def test_the_linear_answer_is_the_tangent_of_the_neo_hookean_one(reference):
 
         # what is even in the depth cancels between press and pull; what is left is of third order
         assert 0.5 * (press + pull) == pytest.approx(line, rel=0.01)
-        assert press > pull
 
 
 def test_plain_elements_are_too_stiff_and_the_truth_says_how_far_it_may_be_off(reference):

@@ -8,7 +8,7 @@ import palpate
 import pytest
 from palpate.study import statics
 from palpate.study.statics import Press, Unbalanced, compute_pull, follow, measure_energy, respond
-from scipy.spatial import ConvexHull
+from round_surfaces import ball
 
 OUT = np.array([1.0, 0.0, 0.0])
 
@@ -26,16 +26,9 @@ def make_chain(n: int = 5, stiffness: float = 100.0) -> palpate.TissueModel:
 
 def make_ball() -> tuple[palpate.TissueModel, np.ndarray]:
     """A shell of springs with home springs, held below, and its highest particles."""
-    n = 200
-    k = np.arange(n) + 0.5
-    z, turn = 1.0 - 2.0 * k / n, np.pi * (1.0 + 5.0**0.5) * k
-    x = 0.03 * np.stack([np.sqrt(1 - z**2) * np.cos(turn), np.sqrt(1 - z**2) * np.sin(turn), z], 1)
-    hull = ConvexHull(x)
-    triangles = hull.simplices.copy()
-    a, b, c = (x[triangles[:, k]] for k in range(3))
-    inward = np.einsum("ij,ij->i", a, np.cross(b - a, c - a)) < 0.0
-    triangles[inward] = triangles[inward][:, ::-1]
-    mesh = palpate.SurfaceMesh(x, triangles.astype(np.int32))
+    x, triangles = ball(200, 0.03)
+    z = x[:, 2] / 0.03
+    mesh = palpate.SurfaceMesh(x, triangles)
     options = palpate.SurfaceOptions(fixed=np.flatnonzero(z < -0.6), home_stiffness=2e5)
     model = palpate.build_mass_spring(mesh, palpate.Material(), 60.0, options)
     return model, np.flatnonzero(z > 0.9).astype(np.int32)
