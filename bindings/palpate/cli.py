@@ -17,7 +17,7 @@ from palpate import FileError
 from palpate.verb import Refusal, Verb, WrongCall
 
 EDITOR_VERBS = (
-    *("inspect", "import", "decimate", "material", "check", "repair", "publish"),
+    *("inspect", "import", "decimate", "material", "calibrate", "check", "repair", "publish"),
     *("demo", "editor"),
 )
 """Verbs of the palpate-editor distribution, to say what to install where it is missing."""

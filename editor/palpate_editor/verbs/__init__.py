@@ -3,7 +3,15 @@
 
 from __future__ import annotations
 
-from palpate_editor.verbs import demo, mesh, organs, publish, tissue
+from palpate_editor.verbs import calibrate, demo, mesh, organs, publish, tissue
 from palpate_editor.views.verb import EDITOR
 
-VERBS = [*mesh.VERBS, *tissue.VERBS, *publish.VERBS, *organs.VERBS, *demo.VERBS, EDITOR]
+VERBS = [
+    *mesh.VERBS,
+    *tissue.VERBS,
+    *calibrate.VERBS,
+    *publish.VERBS,
+    *organs.VERBS,
+    *demo.VERBS,
+    EDITOR,
+]
