@@ -77,6 +77,8 @@ static uint8_t enable(struct palpate_device *device, uint16_t session) {
     return PALPATE_NOT_AT_ZERO;
   }
   device->ramp = 0;
+  device->ramp_limit = 0;
+  device->settled = false;
   device->worst_age = 0;
   device->hot_ms = 0;
   for (uint8_t m = 0; m < PALPATE_MOTORS; m++) device->tick_duty[m] = 0;
@@ -109,10 +111,9 @@ static uint8_t clear(struct palpate_device *device, uint16_t session) {
 }
 
 static void take_order(struct palpate_device *device, uint8_t type) {
-  const struct palpate_decoder *decoder = &device->decoder;
-  struct palpate_order order = {.seq = decoder->body[1]};
+  struct palpate_order order = {.seq = device->body[1]};
   uint8_t result = PALPATE_WRONG_LENGTH;
-  if (palpate_read_order(decoder->body, decoder->count, type, &order)) {
+  if (palpate_read_order(device->body, device->body_count, type, &order)) {
     // no host has said hello: there is no session yet
     if (device->session == 0) {
       result = PALPATE_WRONG_SESSION;
@@ -125,10 +126,9 @@ static void take_order(struct palpate_device *device, uint8_t type) {
 }
 
 static void read_page(struct palpate_device *device) {
-  const struct palpate_decoder *decoder = &device->decoder;
-  struct palpate_page page = {.seq = decoder->body[1]};
+  struct palpate_page page = {.seq = device->body[1]};
   uint8_t result = PALPATE_WRONG_LENGTH;
-  if (palpate_read_read_page(decoder->body, decoder->count, &page.seq, &page.page)) {
+  if (palpate_read_read_page(device->body, device->body_count, &page.seq, &page.page)) {
     result = page.page < PALPATE_PAGES ? PALPATE_DONE : PALPATE_NO_SUCH_PAGE;
   }
   if (result != PALPATE_DONE) {
@@ -142,9 +142,8 @@ static void read_page(struct palpate_device *device) {
 }
 
 static uint8_t write_page(struct palpate_device *device) {
-  const struct palpate_decoder *decoder = &device->decoder;
   struct palpate_page page;
-  if (!palpate_read_page(decoder->body, decoder->count, PALPATE_WRITE_PAGE, &page)) {
+  if (!palpate_read_page(device->body, device->body_count, PALPATE_WRITE_PAGE, &page)) {
     return PALPATE_WRONG_LENGTH;
   }
   if (palpate_is_energised(device)) return PALPATE_WRONG_MODE;
@@ -156,19 +155,18 @@ static uint8_t write_page(struct palpate_device *device) {
 }
 
 static void store(struct palpate_device *device) {
-  const struct palpate_decoder *decoder = &device->decoder;
   struct palpate_store order;
   uint8_t result = PALPATE_WRONG_LENGTH;
-  if (palpate_read_store(decoder->body, decoder->count, &order)) {
+  if (palpate_read_store(device->body, device->body_count, &order)) {
     result =
         palpate_is_energised(device) ? PALPATE_WRONG_MODE : palpate_begin_store(device, &order);
   }
-  if (result != PALPATE_DONE) palpate_answer(device, decoder->body[1], PALPATE_STORE, result);
+  if (result != PALPATE_DONE) palpate_answer(device, device->body[1], PALPATE_STORE, result);
 }
 
 void palpate_obey(struct palpate_device *device) {
-  const uint8_t *body = device->decoder.body;
-  uint8_t count = device->decoder.count;
+  const uint8_t *body = device->body;
+  uint8_t count = device->body_count;
   if (count < 2) {
     palpate_answer(device, 0, body[0], PALPATE_WRONG_LENGTH);
     return;

@@ -14,23 +14,21 @@ void palpate_start(struct palpate_device *device, struct palpate_board *board,
   device->command_age = 255;
   for (uint8_t m = 0; m < PALPATE_MOTORS; m++) device->duty_limit[m] = PALPATE_DUTY_MAX;
   board_enable(board, false);
-  palpate_start_decoder(&device->decoder);
   if (reset_cause & PALPATE_RESET_WATCHDOG) palpate_cut(device, PALPATE_FAULT_WATCHDOG);
   palpate_load_calibration(device);
 }
 
-void palpate_receive(struct palpate_device *device, uint8_t byte) {
-  enum palpate_decoded decoded = palpate_decode_byte(&device->decoder, byte);
-  if (decoded == PALPATE_FRAME) {
+void palpate_receive(struct palpate_device *device, const uint8_t *wire, uint8_t count) {
+  device->body_count = palpate_decode_frame(wire, count, device->body);
+  if (device->body_count) {
     palpate_obey(device);
-  } else if (decoded == PALPATE_DAMAGED) {
+  } else {
     device->damaged++;
     palpate_notice(device, PALPATE_NOTICE_DAMAGED_FRAME);
   }
 }
 
 void palpate_miss_bytes(struct palpate_device *device) {
-  palpate_skip_to_delimiter(&device->decoder);
   device->gaps++;
   palpate_notice(device, PALPATE_NOTICE_BYTES_LOST);
 }

@@ -76,6 +76,8 @@ struct palpate_device {
 
   int16_t duty[PALPATE_MOTORS];       ///< applied
   int16_t tick_duty[PALPATE_MOTORS];  ///< applied when this tick's work was done
+  bool settled;                       ///< each motor has what its command asked for
+  uint8_t ramp_limit;                 ///< [duty] of all motors
   uint16_t ramp;                      ///< [ms] since ENABLE
   uint32_t heat[PALPATE_MOTORS];      ///< [2^-16 duty^2]
   uint8_t heat_turn;                  ///< the motor whose heat comes next
@@ -87,7 +89,8 @@ struct palpate_device {
   uint8_t overruns_now, overrun_window;
   uint16_t overruns, damaged, refused, gaps;
 
-  struct palpate_decoder decoder;
+  uint8_t body[PALPATE_BODY_MAX + 2];  ///< of the message being obeyed
+  uint8_t body_count;
   struct palpate_limits limits;
   uint8_t pages[PALPATE_CALIBRATION_BYTES];  ///< what STORE would store
   uint16_t calibration_crc;                  ///< of what is stored; 0: nothing valid
@@ -108,12 +111,15 @@ void palpate_guard(struct palpate_device *device, uint8_t pins);
 /// The rest of a tick: checks the samples [counts], moves the motors, reports to the host.
 void palpate_tick(struct palpate_device *device, const uint16_t *position, uint8_t buttons);
 
-/// One byte from the host.
-void palpate_receive(struct palpate_device *device, uint8_t byte);
-/// Bytes were lost before the next one.
+/// A frame from the host, the bytes before its delimiter; longer than any for one that was broken.
+void palpate_receive(struct palpate_device *device, const uint8_t *wire, uint8_t count);
+/// Bytes from the host were lost.
 void palpate_miss_bytes(struct palpate_device *device);
 /// Moves the motors for a command that came since the last call; cheap when there is none.
 void palpate_drive(struct palpate_device *device);
+
+/// The one device of a microcontroller, in main.c, for the interrupt that guards it.
+extern struct palpate_device palpate_main_device;
 
 #ifdef __cplusplus
 }

@@ -14,16 +14,18 @@ bool palpate_is_energised(const struct palpate_device *device);
 
 /// Computes and applies the duty of every motor.
 void palpate_move_motors(struct palpate_device *device);
+/// They would only be given what they have.
+bool palpate_is_settled(const struct palpate_device *device);
 /// The thermal model of the motors, one of them per tick.
 void palpate_heat_motors(struct palpate_device *device);
 /// Some motor is hotter than it may be forever.
 bool palpate_is_hot(const struct palpate_device *device);
 
-/// Obeys or refuses the message in device->decoder.
+/// Obeys or refuses the message in device->body.
 void palpate_obey(struct palpate_device *device);
 void palpate_answer(struct palpate_device *device, uint8_t seq, uint8_t type, uint8_t result);
 void palpate_send_state(struct palpate_device *device);
-/// Sends a body as a frame.
+/// Sends a body as a frame, or drops it when there is no room.
 void palpate_send(struct palpate_device *device, const uint8_t *body, uint8_t count);
 
 void palpate_load_calibration(struct palpate_device *device);

@@ -3,8 +3,8 @@
 #include "app/parts.h"
 
 void palpate_send(struct palpate_device *device, const uint8_t *body, uint8_t count) {
-  uint8_t wire[PALPATE_WIRE_MAX];
-  board_send(device->board, wire, palpate_encode_frame(body, count, wire));
+  uint8_t *wire = board_frame(device->board);
+  if (wire) board_send(device->board, palpate_encode_frame(body, count, wire));
 }
 
 void palpate_answer(struct palpate_device *device, uint8_t seq, uint8_t type, uint8_t result) {

@@ -52,6 +52,8 @@ static void continue_ramp(struct palpate_device *device) {
   if (device->mode != PALPATE_RAMP) return;
   if (device->ramp < PALPATE_RAMP_MS) {
     device->ramp++;
+    // 118/256 of 500 ms is PALPATE_DUTY_MAX
+    device->ramp_limit = (uint8_t)((uint32_t)device->ramp * 118 >> 8);
     return;
   }
   uint8_t was = board_lock(device->board);
@@ -67,8 +69,8 @@ void palpate_tick(struct palpate_device *device, const uint16_t *position, uint8
   uint8_t age = device->command_age;
   if (palpate_is_energised(device) && age > device->worst_age) device->worst_age = age;
 
+  if (device->fresh || !palpate_is_settled(device)) palpate_move_motors(device);
   device->fresh = false;
-  palpate_move_motors(device);
   for (uint8_t m = 0; m < PALPATE_MOTORS; m++) device->tick_duty[m] = device->duty[m];
   palpate_heat_motors(device);
   if (device->streaming) palpate_send_state(device);

@@ -24,15 +24,22 @@ static void compute_torque(const struct palpate_device *device, int16_t torque[P
       (int32_t)k[2] * away[0] + (int32_t)k[4] * away[1] + (int32_t)k[5] * away[2],
   };
   for (uint8_t m = 0; m < PALPATE_MOTORS; m++) {
-    int32_t pull = sum[m] >> PALPATE_FRACTION_BITS;
-    for (uint8_t s = command->shift; s; s--) pull >>= 1;
+    int32_t pull = sum[m];
+    uint8_t shift = (uint8_t)(command->shift + PALPATE_FRACTION_BITS);
+    // a whole byte costs nothing, a bit does
+    if (shift >= 8) {
+      pull >>= 8;
+      shift -= 8;
+    }
+    for (; shift; shift--) pull >>= 1;
     torque[m] = clamp(torque[m] + pull, PALPATE_TORQUE_FULL);
   }
 }
 
 // A torque of full scale is a duty of 255, rounded; the deadband is what a motor needs to begin.
 static uint8_t compute_duty(uint16_t torque, uint8_t deadband) {
-  uint8_t duty = (uint8_t)((((uint32_t)(uint16_t)(torque << 1) * 255) + 32768) >> 16);
+  uint16_t twice = (uint16_t)(torque << 1);
+  uint8_t duty = (uint8_t)((uint16_t)(twice - (twice >> 8) + 128) >> 8);
   if (duty == 0 || deadband == 0) return duty;
   return (uint8_t)(duty - (uint8_t)((uint16_t)duty * deadband / 255) + deadband);
 }
@@ -45,41 +52,48 @@ static uint8_t fade(uint8_t duty, uint8_t age) {
                    (PALPATE_SILENT_MS - PALPATE_HOLD_MS));
 }
 
-static uint8_t find_limit(const struct palpate_device *device, uint8_t motor) {
-  uint8_t limit = device->duty_limit[motor];
-  if (device->mode == PALPATE_RUN) return limit;
-  // 118/256 of 500 ms is PALPATE_DUTY_MAX
-  uint8_t ramp = (uint8_t)((uint32_t)device->ramp * 118 >> 8);
-  return ramp < limit ? ramp : limit;
-}
-
 static int16_t compute_motor(const struct palpate_device *device, uint8_t motor, int16_t torque) {
   if (torque < -PALPATE_TORQUE_FULL) torque = -PALPATE_TORQUE_FULL;
   bool back = torque < 0;
   uint8_t size = compute_duty((uint16_t)(back ? -torque : torque), device->limits.deadband[motor]);
   size = fade(size, device->command_age);
-  uint8_t limit = find_limit(device, motor);
+  uint8_t limit = device->duty_limit[motor];
+  if (limit > device->ramp_limit) limit = device->ramp_limit;
   if (size > limit) size = limit;
-  int16_t wanted = back ? -(int16_t)size : size;
-  int16_t from = device->tick_duty[motor];
-  return (int16_t)(from + clamp(wanted - from, PALPATE_DUTY_SLEW));
+  return back ? -(int16_t)size : size;
+}
+
+// Sets all motors at once, unless the guard has cut them since their duty was computed.
+static void set_motors(struct palpate_device *device, const int16_t duty[PALPATE_MOTORS]) {
+  uint8_t was = board_lock(device->board);
+  if (palpate_is_energised(device)) {
+    for (uint8_t m = 0; m < PALPATE_MOTORS; m++) board_drive(device->board, m, duty[m]);
+  }
+  board_unlock(device->board, was);
 }
 
 void palpate_move_motors(struct palpate_device *device) {
-  int16_t duty[PALPATE_MOTORS] = {0, 0, 0};
-  if (palpate_is_energised(device)) {
-    int16_t torque[PALPATE_MOTORS];
-    compute_torque(device, torque);
-    for (uint8_t m = 0; m < PALPATE_MOTORS; m++) duty[m] = compute_motor(device, m, torque[m]);
+  device->settled = true;
+  if (!palpate_is_energised(device)) {
+    for (uint8_t m = 0; m < PALPATE_MOTORS; m++) device->duty[m] = 0;
+    return;
   }
+  int16_t torque[PALPATE_MOTORS];
+  compute_torque(device, torque);
   for (uint8_t m = 0; m < PALPATE_MOTORS; m++) {
-    // the guard may have cut the motors since the duty was computed
-    uint8_t was = board_lock(device->board);
-    if (!palpate_is_energised(device)) duty[m] = 0;
-    board_drive(device->board, m, duty[m]);
-    board_unlock(device->board, was);
-    device->duty[m] = duty[m];
+    int16_t wanted = compute_motor(device, m, torque[m]);
+    int16_t from = device->tick_duty[m];
+    int16_t duty = (int16_t)(from + clamp(wanted - from, PALPATE_DUTY_SLEW));
+    if (duty != wanted) device->settled = false;
+    device->duty[m] = duty;
   }
+  set_motors(device, device->duty);
+}
+
+// Nothing a motor follows has changed since it was moved last.
+bool palpate_is_settled(const struct palpate_device *device) {
+  return device->settled && device->mode == PALPATE_RUN && !device->command.has_law &&
+         device->command_age <= PALPATE_HOLD_MS;
 }
 
 void palpate_drive(struct palpate_device *device) {

@@ -2,7 +2,7 @@
 // What the app asks of the board it runs on. Nothing here blocks.
 //
 // In return the board calls, a thousand times a second, palpate_guard from its tick interrupt and
-// palpate_tick when the samples of that tick are there; palpate_receive for each byte that came,
+// palpate_tick when the samples of that tick are there; palpate_receive for each frame that came,
 // and palpate_drive when nothing more has come; palpate_start once, before all of these.
 #pragma once
 
@@ -25,8 +25,10 @@ void board_enable(struct palpate_board *board, bool on);
 uint8_t board_lock(struct palpate_board *board);
 void board_unlock(struct palpate_board *board, uint8_t was);
 
-/// Queues a whole frame for the host, or drops it and returns false when there is no room.
-bool board_send(struct palpate_board *board, const uint8_t *wire, uint8_t count);
+/// Room for the PALPATE_WIRE_MAX bytes of the next frame to the host; null when there is none.
+uint8_t *board_frame(struct palpate_board *board);
+/// Sends the first `count` bytes of what board_frame gave.
+void board_send(struct palpate_board *board, uint8_t count);
 
 /// One byte of EEPROM; not to be called while a write runs.
 uint8_t board_read_eeprom(struct palpate_board *board, uint16_t address);
@@ -37,6 +39,25 @@ bool board_eeprom_ready(struct palpate_board *board);
 
 /// Something that differs from one call to the next.
 uint16_t board_random(struct palpate_board *board);
+
+// What main asks of a microcontroller; a board without main.c has none of these.
+
+/// Pins, timers and converters, everything off and no interrupt yet. Returns the reset's cause, as
+/// INFO gives it.
+uint8_t board_begin(void);
+/// Interrupts and the watchdog on.
+void board_go(void);
+/// The oldest frame from the host that has come to its end, without its delimiter, until
+/// board_free_frame; null when there is none.
+const uint8_t *board_next_frame(uint8_t *count);
+void board_free_frame(void);
+/// True once after bytes were lost.
+bool board_take_gap(void);
+/// The samples of a tick once they are there, [counts] by joint.
+bool board_take_samples(uint16_t *position, uint8_t *buttons);
+/// Sleeps until a frame has come to its end, bytes were lost, or samples are there. A main loop
+/// that does not come back here lets the watchdog reset the board within 16 ms.
+void board_wait(void);
 
 /// What INFO says of the hardware.
 enum { PALPATE_HARDWARE_ATMEGA328P = 1, PALPATE_HARDWARE_HOST = 2 };

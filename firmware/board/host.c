@@ -25,11 +25,13 @@ void board_unlock(struct palpate_board *board, uint8_t was) {
   (void)was;
 }
 
-bool board_send(struct palpate_board *board, const uint8_t *wire, uint8_t count) {
-  if (board->to_host_count + count > PALPATE_SEND_BYTES) return false;
-  memcpy(board->to_host + board->to_host_count, wire, count);
+uint8_t *board_frame(struct palpate_board *board) {
+  if (board->to_host_count + PALPATE_WIRE_MAX > PALPATE_SEND_BYTES) return NULL;
+  return board->to_host + board->to_host_count;
+}
+
+void board_send(struct palpate_board *board, uint8_t count) {
   board->to_host_count = (uint16_t)(board->to_host_count + count);
-  return true;
 }
 
 uint8_t board_read_eeprom(struct palpate_board *board, uint16_t address) {
@@ -64,19 +66,31 @@ void palpate_board_init(struct palpate_board *board, const uint8_t *eeprom) {
 void palpate_board_reset(struct palpate_board *board, uint8_t cause) {
   board->to_host_count = 0;
   board->received_now = 0;
-  board->bytes_lost = false;
+  board->from_host_count = 0;
+  board->deaf = false;
   board->eeprom_busy = 0;
   palpate_start(&board->device, board, cause);
 }
 
+static void end_frame(struct palpate_board *board) {
+  uint8_t count = board->from_host_count;
+  board->from_host_count = 0;
+  if (count == 0) return;  // delimiters in a row are silence
+  palpate_receive(&board->device, board->from_host, count);
+  if (count == PALPATE_WIRE_MAX) return;  // a broken one costs nothing
+  board->received_now = (uint8_t)(board->received_now + count + 1);
+  board->deaf = board->received_now > PALPATE_RECEIVE_BYTES;
+}
+
 void palpate_board_receive(struct palpate_board *board, const uint8_t *bytes, uint16_t count) {
   for (uint16_t i = 0; i < count; i++) {
-    if (board->received_now == PALPATE_RECEIVE_BYTES) {
-      board->bytes_lost = true;
-      break;
+    if (board->deaf) {
+      board->from_host_count = PALPATE_WIRE_MAX;
+    } else if (bytes[i] == 0) {
+      end_frame(board);
+    } else if (board->from_host_count < PALPATE_WIRE_MAX) {
+      board->from_host[board->from_host_count++] = bytes[i];
     }
-    board->received_now++;
-    palpate_receive(&board->device, bytes[i]);
   }
   palpate_drive(&board->device);
 }
@@ -84,14 +98,13 @@ void palpate_board_receive(struct palpate_board *board, const uint8_t *bytes, ui
 void palpate_board_tick(struct palpate_board *board) {
   struct palpate_device *device = &board->device;
   if (board->eeprom_busy) board->eeprom_busy--;
-  board->received_now = 0;
   uint8_t pins = (board->stop_open ? PALPATE_PIN_STOP : 0) |
                  (board->driver_fault ? PALPATE_PIN_DRIVER_FAULT : 0);
   palpate_guard(device, pins);
-  if (board->bytes_lost) {
-    board->bytes_lost = false;
-    palpate_miss_bytes(device);
-  }
+  // deaf, but nothing was said: nothing is lost
+  if (board->deaf && board->from_host_count) palpate_miss_bytes(device);
+  board->deaf = false;
+  board->received_now = 0;
   palpate_tick(device, board->adc, board->buttons);
 }
 

@@ -12,7 +12,11 @@
 extern "C" {
 #endif
 
-enum { PALPATE_EEPROM_BYTES = 1024, PALPATE_SEND_BYTES = 128, PALPATE_RECEIVE_BYTES = 48 };
+enum {
+  PALPATE_EEPROM_BYTES = 1024,
+  PALPATE_SEND_BYTES = 4 * PALPATE_WIRE_MAX,
+  PALPATE_RECEIVE_BYTES = 36
+};
 
 struct palpate_board {
   // pins in
@@ -30,8 +34,10 @@ struct palpate_board {
 
   uint8_t to_host[PALPATE_SEND_BYTES];
   uint16_t to_host_count;
-  uint8_t received_now;  ///< bytes in this millisecond
-  bool bytes_lost;
+  uint8_t from_host[PALPATE_WIRE_MAX];
+  uint8_t from_host_count;  ///< PALPATE_WIRE_MAX: too long, or skipping to the next delimiter
+  uint8_t received_now;     ///< bytes of whole frames in this millisecond
+  bool deaf;                ///< until the next millisecond
 
   struct palpate_device device;
 };
@@ -41,8 +47,8 @@ void palpate_board_init(struct palpate_board *board, const uint8_t *eeprom);
 /// A reset, for the cause that INFO will give; EEPROM and pins stay as they are.
 void palpate_board_reset(struct palpate_board *board, uint8_t cause);
 
-/// Bytes from the host. In a millisecond the board takes no more than PALPATE_RECEIVE_BYTES and
-/// loses the rest, as the real one does to stay in time.
+/// Bytes from the host. After a frame with which those of this millisecond exceed
+/// PALPATE_RECEIVE_BYTES the board is deaf until the next, as the real one is to stay in time.
 void palpate_board_receive(struct palpate_board *board, const uint8_t *bytes, uint16_t count);
 /// One millisecond: guard, samples, tick. Allocates nothing.
 void palpate_board_tick(struct palpate_board *board);

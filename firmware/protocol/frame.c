@@ -34,61 +34,39 @@ uint8_t palpate_encode_frame(const uint8_t *body, uint8_t count, uint8_t *wire) 
   return (uint8_t)(out - wire);
 }
 
-static void begin_frame(struct palpate_decoder *decoder) {
-  decoder->count = 0;
-  decoder->left = 0;
-  decoder->code = 0xff;
-  decoder->crc = 0xffff;
-  decoder->broken = false;
+// The CRC of a body followed by its own CRC, low byte first, is zero.
+uint8_t palpate_decode_frame(const uint8_t *wire, uint8_t count, uint8_t *body) {
+  if (count < 4 || count >= PALPATE_WIRE_MAX) return 0;
+  uint16_t crc = 0xffff;
+  uint8_t *out = body;
+  uint8_t left = *wire;  // bytes until the next zero of the body, this code included
+  for (uint8_t i = 1; i < count; i++) {
+    uint8_t byte = wire[i];
+    if (--left == 0) {
+      left = byte;
+      byte = 0;
+    }
+    *out++ = byte;
+    crc = palpate_update_crc(crc, byte);
+  }
+  if (left != 1 || crc != 0) return 0;
+  return (uint8_t)(count - 3);
 }
 
-void palpate_start_decoder(struct palpate_decoder *decoder) {
-  begin_frame(decoder);
-  decoder->ended = true;
-}
+void palpate_start_decoder(struct palpate_decoder *decoder) { decoder->wire_count = 0; }
 
 void palpate_skip_to_delimiter(struct palpate_decoder *decoder) {
-  begin_frame(decoder);
-  decoder->broken = true;
-  decoder->ended = false;
-}
-
-static inline void append(struct palpate_decoder *decoder, uint8_t byte) {
-  if (decoder->count == sizeof decoder->body) {
-    decoder->broken = true;
-    return;
-  }
-  decoder->body[decoder->count++] = byte;
-  decoder->crc = palpate_update_crc(decoder->crc, byte);
-}
-
-// The CRC of a body followed by its own CRC, low byte first, is zero.
-static enum palpate_decoded end_frame(struct palpate_decoder *decoder) {
-  if (decoder->ended) return PALPATE_NOTHING_YET;  // delimiters in a row are silence
-  bool good = !decoder->broken && decoder->left == 0 && decoder->count > 2 && decoder->crc == 0;
-  uint8_t count = (uint8_t)(decoder->count - 2);
-  begin_frame(decoder);
-  decoder->ended = true;
-  if (!good) return PALPATE_DAMAGED;
-  decoder->count = count;
-  return PALPATE_FRAME;
+  decoder->wire_count = PALPATE_WIRE_MAX;
 }
 
 enum palpate_decoded palpate_decode_byte(struct palpate_decoder *decoder, uint8_t byte) {
-  if (byte == 0) return end_frame(decoder);
-  if (decoder->ended) {
-    decoder->ended = false;
-    decoder->count = 0;
+  if (byte != 0) {
+    if (decoder->wire_count < PALPATE_WIRE_MAX) decoder->wire[decoder->wire_count++] = byte;
+    return PALPATE_NOTHING_YET;
   }
-  if (decoder->broken) return PALPATE_NOTHING_YET;
-  if (decoder->left) {
-    decoder->left--;
-    append(decoder, byte);
-  } else {
-    // a code ends the run before it with a zero, except the first one, which has no run before it
-    if (decoder->code != 0xff) append(decoder, 0);
-    decoder->code = byte;
-    decoder->left = (uint8_t)(byte - 1);
-  }
-  return PALPATE_NOTHING_YET;
+  uint8_t count = decoder->wire_count;
+  decoder->wire_count = 0;
+  if (count == 0) return PALPATE_NOTHING_YET;  // delimiters in a row are silence
+  decoder->count = palpate_decode_frame(decoder->wire, count, decoder->body);
+  return decoder->count ? PALPATE_FRAME : PALPATE_DAMAGED;
 }

@@ -157,6 +157,26 @@ TEST_CASE("a blank EEPROM: positions stream, torque is refused") {
   CHECK(bench.ask(bench.host.enable()) == PALPATE_WRONG_MODE);
 }
 
+TEST_CASE(
+    "a host that floods the wire is heard three times a millisecond, and loses nothing else") {
+  Bench bench;
+  bench.power_up();
+  for (int ms = 0; ms < 100; ++ms) {
+    Bytes flood;
+    for (int i = 0; i < 7; ++i) {
+      const Bytes wire = bench.host.command(20000, 0, 0);
+      flood.insert(flood.end(), wire.begin(), wire.end());
+    }
+    bench.say(Bytes(flood.begin(), flood.begin() + 80));
+    bench.wait();
+    bench.say(Bytes(flood.begin() + 80, flood.end()));
+  }
+
+  CHECK(bench.host.state.mode == PALPATE_RUN);
+  CHECK(bench.board.duty[0] == 156);
+  CHECK((bench.host.state.faults & 1 << PALPATE_NOTICE_BYTES_LOST) != 0);
+}
+
 TEST_CASE("a million random bytes never energise a motor") {
   Bench bench;
   bench.say(bench.host.hello());

@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// ATmega328P at 16 MHz: an Uno or a Nano. The pins stand in firmware/README.md.
+//
+// Timer 0 makes the tick, timers 1 and 2 the PWM. The tick's interrupt starts a chain of six
+// conversions and guards the motors; bytes come and go by interrupt; the rest is the main loop's.
+#include <avr/interrupt.h>
+#include <avr/io.h>
+#include <avr/sleep.h>
+#include <avr/wdt.h>
+
+#include "app/device.h"
+
+#ifndef PALPATE_BAUD
+#define PALPATE_BAUD 1000000
+#endif
+
+enum {
+  PIN_STOP = _BV(2),          // PD2, open is high
+  PIN_ENABLE = _BV(5),        // PD5
+  PIN_FAULT = _BV(6),         // PD6, fault is low
+  DIR_1 = _BV(4),             // PD4
+  DIR_2 = _BV(7),             // PD7
+  DIR_3 = _BV(0),             // PB0
+  PWM_3 = _BV(3),             // PD3, OC2B
+  PWM_1_2 = _BV(1) | _BV(2),  // PB1 OC1A, PB2 OC1B
+  BUTTONS = _BV(3) | _BV(4),  // PB3 and PB4, pressed is low
+  TX = _BV(1),                // PD1
+
+  RECEIVE_BUDGET = 36,  // bytes of frames in a tick, and deaf after: more would make it late
+};
+
+// --- bytes ---
+
+// Four frames on their way in and four on their way out, each at a multiple of 64, so that one
+// byte says frame and offset and wraps by itself. What an interrupt touches for every byte stands
+// in general purpose registers, which cost it one cycle instead of two.
+enum { PLACE = 0xc0, OFFSET = 0x3f, STEP = 0x40 };
+#define received_at GPIOR1  // where the next byte goes
+#define sent_at GPIOR2      // where the next byte is
+#define work GPIOR0         // not zero: the main loop has something to do
+
+static uint8_t received[256];  // a frame's last place keeps its length
+static volatile uint8_t oldest_frame;
+static volatile bool gap;              // bytes were lost
+static volatile bool deaf;             // until the next tick
+static volatile uint8_t received_now;  // bytes of frames in this tick
+static uint8_t sent[256];
+static volatile uint8_t queued_frame;  // the place being written
+
+// A frame that is too long or broken stays at the longest length until its delimiter.
+ISR(USART_RX_vect) {
+  uint8_t status = UCSR0A;
+  uint8_t byte = UDR0;
+  uint8_t at = received_at;
+  uint8_t count = at & OFFSET;
+  if (status & (_BV(FE0) | _BV(DOR0))) {
+    gap = true;
+    received_at = (at & PLACE) | PALPATE_WIRE_MAX;
+  } else if (byte) {
+    if (count == PALPATE_WIRE_MAX) return;
+    received[at] = byte;
+    received_at = at + 1;
+  } else if (count) {  // delimiters in a row are silence
+    received[at | OFFSET] = count;
+    at = (at & PLACE) + STEP;
+    if (at == oldest_frame) {  // no place is free: the frame is dropped
+      gap = true;
+      at -= STEP;
+    }
+    received_at = at;
+    work = 1;
+  }
+}
+
+const uint8_t *board_next_frame(uint8_t *count) {
+  uint8_t frame = oldest_frame;
+  if (frame == (received_at & PLACE)) return 0;
+  *count = received[frame | OFFSET];
+  return received + frame;
+}
+
+void board_free_frame(void) {
+  uint8_t frame = oldest_frame;
+  uint8_t count = received[frame | OFFSET];
+  if (count < PALPATE_WIRE_MAX) received_now += count + 1;  // a broken one costs nothing
+  oldest_frame = frame + STEP;
+  if (received_now <= RECEIVE_BUDGET || deaf) return;
+  uint8_t was = board_lock(0);
+  deaf = true;
+  UCSR0B &= (uint8_t)~_BV(RXCIE0);
+  board_unlock(0, was);
+}
+
+// If bytes came while nobody heard them, the frame they belong to is broken.
+static inline void hear_again(void) {
+  if (!deaf) return;
+  deaf = false;
+  if (UCSR0A & _BV(RXC0)) {
+    for (uint8_t held = 3; held && (UCSR0A & _BV(RXC0)); held--) (void)UDR0;
+    gap = true;
+    work = 1;
+    received_at = (received_at & PLACE) | PALPATE_WIRE_MAX;
+  }
+  UCSR0B |= _BV(RXCIE0);
+}
+
+bool board_take_gap(void) {
+  if (!gap) return false;
+  gap = false;
+  return true;
+}
+
+// Every interrupt sends a byte, the last one ends them: some emulators forget an empty one.
+ISR(USART_UDRE_vect) {
+  uint8_t at = sent_at;
+  uint8_t byte = sent[at];
+  UDR0 = byte;
+  at++;
+  if (byte == 0) {
+    at = (at & PLACE) + STEP;
+    if (at == queued_frame) UCSR0B &= (uint8_t)~_BV(UDRIE0);
+  }
+  sent_at = at;
+}
+
+uint8_t *board_frame(struct palpate_board *board) {
+  (void)board;
+  uint8_t frame = queued_frame;
+  return (uint8_t)(frame + STEP) == (sent_at & PLACE) ? 0 : sent + frame;
+}
+
+void board_send(struct palpate_board *board, uint8_t count) {
+  (void)count;
+  uint8_t was = board_lock(board);
+  queued_frame += STEP;
+  UCSR0B |= _BV(UDRIE0);
+  board_unlock(board, was);
+}
+
+// --- samples ---
+
+static uint16_t samples[2][PALPATE_JOINTS];
+static uint16_t *volatile filling = samples[0];
+static uint16_t *volatile filled = samples[1];
+static uint8_t channel;
+static volatile bool sampled;
+
+// Two buffers change places, so this interrupt is short: a byte arrives every 160 cycles.
+ISR(ADC_vect) {
+  uint16_t value = ADC;  // before the multiplexer moves on
+  uint8_t c = channel;
+  filling[c] = value;
+  if (++c == PALPATE_JOINTS) {
+    uint16_t *full = filling;
+    filling = filled;
+    filled = full;
+    c = 0;
+    sampled = true;
+    work = 1;
+    ADMUX = _BV(REFS0);
+  } else {
+    ADMUX = _BV(REFS0) | c;
+    ADCSRA |= _BV(ADSC);
+  }
+  channel = c;
+}
+
+bool board_take_samples(uint16_t *position, uint8_t *buttons) {
+  if (!sampled) return false;
+  sampled = false;
+  const uint16_t *from = filled;
+  for (uint8_t j = 0; j < PALPATE_JOINTS; j++) position[j] = from[j];
+  *buttons = (uint8_t)(~PINB & BUTTONS) >> 3;
+  return true;
+}
+
+// --- the tick ---
+
+static volatile bool turned;
+
+ISR(TIMER0_COMPA_vect) {
+  if (!(ADCSRA & _BV(ADSC))) ADCSRA |= _BV(ADSC);
+  uint8_t in = PIND;
+  uint8_t pins = 0;
+  if (in & PIN_STOP) pins |= PALPATE_PIN_STOP;
+  if (!(in & PIN_FAULT)) pins |= PALPATE_PIN_DRIVER_FAULT;
+  palpate_guard(&palpate_main_device, pins);
+  received_now = 0;
+  hear_again();
+  if (turned) {
+    turned = false;
+    wdt_reset();
+  }
+}
+
+void board_wait(void) {
+  turned = true;
+  sleep_enable();
+  for (;;) {
+    cli();
+    if (work) break;
+    sei();  // takes effect after the next instruction, so nothing can come between
+    sleep_cpu();
+    // the emulator serves a pending interrupt one instruction later than the chip does
+    __asm__ volatile("nop");
+  }
+  work = 0;
+  sei();
+}
+
+uint8_t board_lock(struct palpate_board *board) {
+  (void)board;
+  uint8_t was = SREG;
+  cli();
+  return was;
+}
+
+void board_unlock(struct palpate_board *board, uint8_t was) {
+  (void)board;
+  SREG = was;
+}
+
+// --- motors ---
+
+static inline void set_pin(volatile uint8_t *port, uint8_t pin, bool high) {
+  if (high) {
+    *port |= pin;
+  } else {
+    *port &= (uint8_t)~pin;
+  }
+}
+
+// The direction changes at once, the PWM at its next crest, 32 us at most: near zero duty, as the
+// slew limit has it, nothing is felt.
+void board_drive(struct palpate_board *board, uint8_t motor, int16_t duty) {
+  (void)board;
+  bool back = duty < 0;
+  uint8_t size = (uint8_t)(back ? -duty : duty);
+  if (motor == 0) {
+    set_pin(&PORTD, DIR_1, back);
+    OCR1A = size;
+  } else if (motor == 1) {
+    set_pin(&PORTD, DIR_2, back);
+    OCR1B = size;
+  } else {
+    set_pin(&PORTB, DIR_3, back);
+    OCR2B = size;
+  }
+}
+
+void board_enable(struct palpate_board *board, bool on) {
+  (void)board;
+  if (on) {
+    PORTD |= PIN_ENABLE;
+    return;
+  }
+  PORTD &= (uint8_t)~PIN_ENABLE;
+  OCR1A = 0;
+  OCR1B = 0;
+  OCR2B = 0;
+}
+
+// --- EEPROM ---
+
+bool board_eeprom_ready(struct palpate_board *board) {
+  (void)board;
+  return !(EECR & _BV(EEPE));
+}
+
+uint8_t board_read_eeprom(struct palpate_board *board, uint16_t address) {
+  (void)board;
+  EEAR = address;
+  EECR |= _BV(EERE);
+  return EEDR;
+}
+
+void board_write_eeprom(struct palpate_board *board, uint16_t address, uint8_t byte) {
+  EEAR = address;
+  EEDR = byte;
+  uint8_t was = board_lock(board);
+  EECR |= _BV(EEMPE);  // and within four cycles
+  EECR |= _BV(EEPE);
+  board_unlock(board, was);
+}
+
+// --- power ---
+
+static uint8_t reset_cause __attribute__((section(".noinit")));
+
+// Before anything else: after its reset the watchdog goes on, at its shortest time.
+void palpate_stop_watchdog(void) __attribute__((naked, used, section(".init3")));
+void palpate_stop_watchdog(void) {
+  reset_cause = MCUSR;
+  MCUSR = 0;
+  wdt_disable();
+}
+
+uint16_t board_random(struct palpate_board *board) {
+  (void)board;
+  return (uint16_t)(palpate_main_device.tick << 8) ^ (uint16_t)(TCNT0 << 4) ^ samples[0][0];
+}
+
+uint8_t board_hardware(struct palpate_board *board) {
+  (void)board;
+  return PALPATE_HARDWARE_ATMEGA328P;
+}
+
+uint8_t board_begin(void) {
+  PORTD = PIN_STOP | PIN_FAULT;  // pull-ups; everything else low
+  PORTB = BUTTONS;
+  DDRD = TX | PWM_3 | DIR_1 | PIN_ENABLE | DIR_2;
+  DDRB = DIR_3 | PWM_1_2;
+
+  // 8-bit phase-correct PWM without prescaler on all three motors: 31.37 kHz
+  TCCR1A = _BV(COM1A1) | _BV(COM1B1) | _BV(WGM10);
+  TCCR1B = _BV(CS10);
+  TCCR2A = _BV(COM2B1) | _BV(WGM20);
+  TCCR2B = _BV(CS20);
+  // 16 MHz / 64 / 250 = 1 kHz
+  TCCR0A = _BV(WGM01);
+  OCR0A = 249;
+  TCCR0B = _BV(CS01) | _BV(CS00);
+
+  UBRR0 = F_CPU / 16 / PALPATE_BAUD - 1;
+  UCSR0A = 0;
+  UCSR0C = _BV(UCSZ01) | _BV(UCSZ00);
+  UCSR0B = _BV(RXEN0) | _BV(TXEN0) | _BV(RXCIE0);
+
+  DIDR0 = 0x3f;
+  ADMUX = _BV(REFS0);
+  ADCSRA = _BV(ADEN) | _BV(ADIE) | _BV(ADPS2) | _BV(ADPS1);  // 250 kHz: 52 us a sample
+  set_sleep_mode(SLEEP_MODE_IDLE);
+  return reset_cause & 15;
+}
+
+void board_go(void) {
+  TIMSK0 = _BV(OCIE0A);
+  wdt_enable(WDTO_15MS);
+  sei();
+}
