@@ -13,8 +13,10 @@ SCRIPTS = ("run", ".ci/run")
 TEXTS = (*SOURCES, *SCRIPTS, ".txt", ".toml", ".json", ".md", ".in", ".lock")
 GPL_FOLDERS = (
     "core/authoring/",
+    "core/simavr/",
     "editor/",
     "tests/core/authoring/",
+    "tests/core/simavr/",
     "tests/editor/",
     "tests/firmware/test_mechanics.py",
 )
