@@ -1,30 +1,60 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fills the shipped solid organs with tetrahedra, for solve_references.py to press.
+"""Fills the shipped solid organs with tetrahedra, and gives the hollow ones their walls.
 
-.venv/bin/python tests/references/fill_organs.py
+    .venv/bin/python tests/references/fill_organs.py
+
+What it writes, solve_references.py presses.
 """
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 CHECKOUT = Path(__file__).parents[2]
 FILLED = CHECKOUT / "build" / "references"
 CELL_SIZE = {"spleen": 8e-3, "kidney": 7e-3, "liver": 14.5e-3}
 """[m] About two thousand tetrahedra each: what a simulation at 1 kHz can afford."""
+WALLS = {"gallbladder": (500, 2.5e-3), "stomach": (600, 4e-3)}
+"""Vertices that the surface is decimated to, and the thickness [m] of tissues.toml."""
 
 
 def main() -> None:
-    import numpy as np
-    from palpate.mesh_file import read_mesh_file
+    names = sys.argv[1:] or [*CELL_SIZE, *WALLS]
+    FILLED.mkdir(parents=True, exist_ok=True)
+    for name in names:
+        fill(name) if name in CELL_SIZE else wall(name)
+
+
+def fill(name: str) -> None:
     from palpate_editor import authoring
 
-    FILLED.mkdir(parents=True, exist_ok=True)
-    for name, cell_size in CELL_SIZE.items():
-        surface = read_mesh_file(CHECKOUT / "meshes" / "published" / f"{name}.obj")
-        solid = authoring.fill_interior(surface, cell_size)
-        np.savez(FILLED / name, vertices=solid.vertices, tetrahedra=solid.tetrahedra)
-        print(f"{name}: {len(solid.vertices)} vertices, {len(solid.tetrahedra)} tetrahedra")
+    solid = authoring.fill_interior(read_surface(name), CELL_SIZE[name])
+    save(name, solid.vertices, solid.tetrahedra)
+
+
+def wall(name: str) -> None:
+    import palpate
+    from bodies import build_wall
+    from palpate_editor import authoring
+
+    count, thickness = WALLS[name]
+    coarse = authoring.decimate(read_surface(name), count).mesh
+    normals = palpate.compute_vertex_normals(coarse.vertices, coarse.triangles)
+    save(name, *build_wall(coarse.vertices, coarse.triangles, normals, thickness))
+
+
+def read_surface(name: str):
+    from palpate.mesh_file import read_mesh_file
+
+    return read_mesh_file(CHECKOUT / "meshes" / "published" / f"{name}.obj")
+
+
+def save(name: str, vertices, tetrahedra) -> None:
+    import numpy as np
+
+    np.savez(FILLED / name, vertices=vertices, tetrahedra=tetrahedra)
+    print(f"{name}: {len(vertices)} vertices, {len(tetrahedra)} tetrahedra")
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ from functools import cached_property, partial
 
 import numpy as np
 from bodies import Floats, Ints, build_block, build_ellipsoid, find_surface, finish
-from fill_organs import CELL_SIZE, FILLED
+from fill_organs import CELL_SIZE, FILLED, WALLS
 
 HELD_PART = 0.2
 """Of the height: the surface triangles below are held."""
@@ -96,7 +96,8 @@ def find_place(subject: Subject, name: str, way: tuple[float, float, float]) -> 
 
 
 def find_thickness(subject: Subject, centre: int, normal: Floats) -> float:
-    """[m] from a surface vertex along its inward normal to where the body ends."""
+    """[m] along the inward normal of a surface vertex to where the body ends: a hollow one with
+    its far wall."""
     x, faces = subject.x, subject.faces
     a, b, c = (x[faces[:, k]] for k in range(3))
     origin = x[centre] - 1e-5 * normal
@@ -104,7 +105,8 @@ def find_thickness(subject: Subject, centre: int, normal: Floats) -> float:
     crossed = np.abs(np.linalg.det(edges)) > 1e-15
     u, v, s = np.linalg.solve(edges[crossed], (origin - a[crossed])[..., None])[..., 0].T
     hit = (u >= -1e-9) & (v >= -1e-9) & (u + v <= 1.0 + 1e-9) & (s > 0.0)
-    return float(s[hit].min()) + 1e-5
+    last = np.min if subject.wall_thickness is None else np.max
+    return float(last(s[hit])) + 1e-5
 
 
 ROUND = {"top": (0.0, 0.0, 1.0), "side": (1.0, 0.0, 0.0), "shoulder": (0.6, 0.5, 0.62)}
@@ -147,28 +149,15 @@ def block() -> Subject:
     )
 
 
+AROUND = {"outside": (0.9, 0.0, 0.3), "front": (0.0, -1.0, 0.2)}
 ORGANS = {
-    "spleen": (
-        "Spleen",
-        10e3,
-        0.013,
-        {"top": (0, 0, 1), "outside": (0.9, 0, 0.3), "front": (0, -1, 0.2)},
-    ),
-    "kidney": (
-        "Kidney",
-        5e3,
-        0.0125,
-        {"top": (0, 0, 1), "outside": (0.9, 0, 0.3), "front": (0, -1, 0.2)},
-    ),
-    "liver": (
-        "Liver",
-        5e3,
-        0.024,
-        {"top": (0, 0, 1), "outside": (0.9, 0, 0.3), "front": (0, -1, 0.2)},
-    ),
+    "spleen": ("Spleen", 10e3, 0.013, {"top": (0.0, 0.0, 1.0), **AROUND}),
+    "kidney": ("Kidney", 5e3, 0.0125, {"top": (0.0, 0.0, 1.0), **AROUND}),
+    "liver": ("Liver", 5e3, 0.024, {"top": (0.0, 0.0, 1.0), **AROUND}),
+    "gallbladder": ("Gallbladder, its wall", 250e3, 0.0075, {**AROUND, "back": (0.0, 1.0, 0.2)}),
+    "stomach": ("Stomach, its wall", 50e3, 0.0125, {**AROUND, "back": (0.0, 1.0, 0.2)}),
 }
-"""Of the shipped solid organs: title, Young's modulus [Pa] of tissues.toml, patch radius [m],
-places."""
+"""The shipped organs: title, Young's modulus [Pa] of tissues.toml, patch radius [m], places."""
 
 
 def organ(name: str) -> Subject:
@@ -176,16 +165,19 @@ def organ(name: str) -> Subject:
     filled = FILLED / f"{name}.npz"
     if not filled.is_file():
         raise SystemExit(f"{filled} is missing: .venv/bin/python tests/references/fill_organs.py")
+    count, wall = WALLS.get(name, (None, None))
+    how = f"cells of {1e3 * CELL_SIZE[name]:g} mm" if wall is None else f"{count} vertices"
     body = np.load(filled)
     x, t = finish(body["vertices"], body["tetrahedra"])
     return Subject(
         title=title,
-        source=f"tests/references/fill_organs.py, cells of {1e3 * CELL_SIZE[name]:g} mm",
+        source=f"tests/references/fill_organs.py {name}: {how}",
         x=x,
         t=t,
         directions=directions,
         patch_radius=patch_radius,
         young_modulus=young_modulus,
+        wall_thickness=wall,
     )
 
 

@@ -20,8 +20,12 @@ def reference(request) -> Reference:
     return read_reference(request.param)
 
 
-def test_the_ellipsoid_is_there():
-    assert "ellipsoid" in ALL
+def test_simple_bodies_and_the_shipped_solid_organs_are_there():
+    assert {"block", "ellipsoid", "sphere", "spleen", "kidney", "liver"} <= set(ALL)
+
+
+def test_a_body_is_pressed_at_three_places(reference):
+    assert len({place.name for place in reference.places}) == 3
 
 
 def test_a_body_is_made_of_tetrahedra_the_right_side_out(reference):
@@ -114,6 +118,13 @@ def test_a_damaged_reference_is_refused(tmp_path, monkeypatch, damage, where):
 
     with pytest.raises(Refusal, match=where):
         read_reference("ellipsoid")
+
+
+def test_a_ball_that_is_pressed_from_above_moves_to_no_side():
+    truth = read_reference("sphere").places[0].find("linear", "P2")
+
+    assert np.abs(truth.displacement[:, 2]).mean() > 0.05 * truth.depth
+    assert np.abs(truth.displacement[:, :2].mean(axis=0)).max() < 1e-3 * truth.depth
 
 
 def test_answers_are_values():
