@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -11,13 +12,22 @@ from typing import Any
 import numpy as np
 from palpate.mesh_file import read_mesh_file
 from palpate_meshes.catalogue import PUBLISHED, freeze
-from palpate_meshes.generate.field import Array, cut, keep, rod
-from palpate_meshes.generate.lathe import lathe
-from palpate_meshes.generate.settle import Shape, build_mesh
+from palpate_meshes.generate.field import Array
+from palpate_meshes.generate.loft import lathe, loft
 
 FOLDER = PUBLISHED / "tools"
 DESCRIPTIONS = Path(__file__).with_name("tools.toml")
-JAW_VERTICES = 1500
+JAW_RADII = (1.35, 2.4)
+"""[mm] Of a jaw at its tip and at its root."""
+JAW_TIP = (0.03, 0.12, 0.3, 0.6, 0.95, 1.35, 2.0)
+JAW_BACK = (22.0, 23.0, 23.8, 24.3)
+"""[mm] behind the tip: where its sections are drawn, beside those at the teeth."""
+TEETH, TEETH_FROM, TOOTH = 13, 2.6, 1.3
+"""How many, where they begin and how long one is [mm]."""
+RIDGE, VALLEY = 0.12, 0.62
+"""[mm] Above the tool's middle: the tips of the teeth and the ground between them."""
+JAW_ARC, JAW_FLAT = 15, 5
+"""Vertices of a section on its round and on its flat side."""
 VIEW_ANGLE = 0.5773502691896258
 """[-] Tangent of 30 degrees, by which the front lens of the laparoscope is slanted."""
 
@@ -142,8 +152,7 @@ def build_tools() -> dict[str, dict[str, Mesh]]:
 
 def build_grasper() -> dict[str, Mesh]:
     """5 mm across, jaws of 20 mm with teeth, a shaft of 330 mm."""
-    low, high = (-4.0, -4.0, -27.0), (4.0, 4.0, 2.0)
-    upper, triangles = build_mesh(Shape(jaw_field, low, high), JAW_VERTICES, 0)
+    upper, triangles = build_jaw()
     # the other jaw is the same one turned half round the shaft
     lower = upper * np.array([-1.0, -1.0, 1.0])
     shaft = lathe(
@@ -153,14 +162,34 @@ def build_grasper() -> dict[str, Mesh]:
     return {"shaft": shaft, "upper_jaw": (upper, triangles), "lower_jaw": (lower, triangles)}
 
 
-def jaw_field(p: Array) -> Array:
-    """[mm] Half a tapered rod with teeth on its flat side."""
-    d = rod(p, (0.0, 0.0, -22.0), (0.0, 0.0, -1.35), 2.4, 1.35)
-    d = keep(d, 0.12 - p[:, 1], 0.35)
-    for tooth in range(7):
-        z = -3.4 - 2.2 * tooth
-        d = cut(d, rod(p, (-4.0, -0.1, z), (4.0, -0.1, z), 0.95), 0.25)
-    return d
+def build_jaw() -> Mesh:
+    """Half a tapered rod, round at both ends, with teeth filed across its flat side."""
+    teeth = [TEETH_FROM + 0.5 * TOOTH * k for k in range(2 * TEETH + 1)]
+    rings = [
+        draw_jaw_section(behind, VALLEY if behind in teeth[1::2] else RIDGE)
+        for behind in [*JAW_TIP, *teeth, *JAW_BACK]
+    ]
+    return loft(rings, (rings[0].mean(axis=0), rings[-1].mean(axis=0)))
+
+
+def draw_jaw_section(behind: float, floor: float) -> np.ndarray:
+    """[m] The outline of the upper jaw, (JAW_ARC + JAW_FLAT, 3).
+
+    Args:
+        behind: [mm] the tip.
+        floor: [mm] How high above the tool's middle its flat side is there.
+    """
+    tip, root, back = JAW_RADII[0], JAW_RADII[1], JAW_BACK[0]
+    taper = tip + (root - tip) * (behind - tip) / (back - tip)
+    past = max(tip - behind, behind - back, 0.0)
+    radius = math.sqrt((taper if past == 0.0 else tip if behind < tip else root) ** 2 - past**2)
+    low = math.asin(floor / radius)
+    arc = [low + (math.pi - 2.0 * low) * k / (JAW_ARC - 1) for k in range(JAW_ARC)]
+    x = [radius * math.cos(angle) for angle in arc]
+    y = [radius * math.sin(angle) for angle in arc]
+    flat = np.linspace(x[-1], x[0], JAW_FLAT + 2)[1:-1]
+    outline = [*zip(x, y, strict=True), *((across, floor) for across in flat)]
+    return 1e-3 * np.array([(across, up, -behind) for across, up in outline])
 
 
 def build_laparoscope() -> dict[str, Mesh]:

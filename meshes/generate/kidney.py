@@ -17,12 +17,12 @@ from palpate_meshes.generate.settle import Shape, build_mesh
 VERTICES = 2000
 LEAST = 900
 PELVIS = (
-    (2.0, 0.0, 4.0, 8.0),
-    (-8.0, 0.0, 2.5, 7.4),
-    (-18.0, 0.0, 0.0, 8.0),
-    (-26.5, 0.5, -4.0, 7.2),
-    (-33.0, 1.5, -11.0, 5.2),
-    (-37.0, 2.5, -21.0, 3.9),
+    (-2.0, 0.0, 5.0, 9.0),
+    (-10.0, 0.0, 3.5, 8.8),
+    (-19.0, 0.0, 0.5, 8.4),
+    (-27.5, 0.5, -4.5, 6.8),
+    (-34.0, 1.5, -12.0, 5.0),
+    (-37.5, 2.5, -22.0, 3.9),
     (-38.5, 3.0, -33.0, 3.6),
     (-38.0, 3.0, -46.0, 3.5),
     (-39.0, 2.5, -59.0, 3.5),
@@ -49,24 +49,24 @@ def kidney(vertices: int = VERTICES, size: float = 1.0, seed: int = 0) -> tuple[
 def to_own_axes(p: Array) -> Array:
     """Straightened: the bean's axis bends round the hilum, which lies towards -x."""
     x, y, z = p.T
-    return np.stack([x + 0.0050 * z * z - 2.0, y, z], axis=1)
+    return np.stack([x + 0.0034 * z * z - 2.0, y, z], axis=1)
 
 
 def sinus(p: Array) -> Array:
-    return ellipsoid_field(p, (-24, 0, 0), (24, 12.5, 21))
+    return ellipsoid_field(p, (-25, 0, 0), (25, 13.5, 22))
 
 
 def kidney_field(p: Array, seed: int) -> Array:
     q = to_own_axes(p)
     # the upper pole is broader than the lower
-    broad = 1.0 + 0.0016 * q[:, 2]
+    broad = 1.0 + 0.0018 * q[:, 2]
     q = np.stack([q[:, 0] / broad, q[:, 1] / broad, q[:, 2]], axis=1)
-    d = ellipsoid_field(q, (0.0, 0.0, 0.0), (27.5, 20.5, 55.0), square=0.45)
+    d = ellipsoid_field(q, (0.0, 0.0, 0.0), (29.5, 22.5, 56.0), square=0.25)
     # a shallow bay, and in it the sinus between two lips
-    d = cut(d, ellipsoid_field(p, (-35, 0, 0), (16, 30, 24)), 14.0)
+    d = cut(d, ellipsoid_field(p, (-37, 0, -1), (17, 32, 22)), 14.0)
     d = cut(d, sinus(p), 5.0)
     d = join(d, tube_field(p, PELVIS, 6), 3.0)
-    return d + bumps(p, 0.7, 24.0, seed)
+    return d + bumps(p, 1.0, 22.0, seed)
 
 
 def kidney_regions(p: Array, n: Array) -> dict[str, Array]:

@@ -6,21 +6,22 @@ from __future__ import annotations
 import numpy as np
 from palpate_meshes.generate.field import (
     Array,
+    ball,
     bumps,
     cut,
     ellipsoid_field,
     join,
     keep,
-    plane,
     ramp,
     rod,
+    smooth_min,
     turn_about,
 )
 from palpate_meshes.generate.settle import Shape, build_mesh
 
 VERTICES = 6214
 LEAST = 800
-FURROW_DEPTH, FURROW_WIDTH = 2.6, 7.0
+FURROW_DEPTH, FURROW_WIDTH = 2.0, 5.0
 """[mm] Of the falciform line; the width to either side."""
 
 
@@ -44,21 +45,31 @@ def liver(vertices: int = VERTICES, size: float = 1.0, seed: int = 0) -> tuple[A
 
 def liver_field(p: Array, seed: int) -> Array:
     # x: the patient's left, -y: the front, z: up
-    right = ellipsoid_field(p, (-38, 4, -10), (74, 66, 84), turn_about((0, 1, 0), 8), 0.25)
-    left = ellipsoid_field(p, (46, -20, 20), (82, 42, 38), turn_about((0, 1, 0), -7), 0.15)
-    d = join(right, left, 40.0)
-    # the diaphragm moulds the top
-    x, y, z = p.T
-    dome = z - 60.0 + 0.0011 * ((x + 40.0) * (x + 40.0) + (y - 4.0) * (y - 4.0))
-    d = keep(d, dome, 24.0)
+    right = ellipsoid_field(p, (-40, 6, -12), (74, 68, 88), turn_about((0, 1, 0), 8), 0.30)
+    left = ellipsoid_field(p, (44, -22, 6), (86, 42, 50), turn_about((0, 1, 0), -6), 0.30)
+    d = keep(join(right, left, 40.0), diaphragm(p), 22.0)
+    d = cut(d, spine(p), 26.0)
     # the rim of the underside is sharp in front, blunt behind
-    d = mould(p, keep(d, underside(p), 5.0 + 19.0 * ramp(y, -15.0, 45.0)))
+    d = mould(p, keep(d, underside(p), 5.0 + 19.0 * ramp(p[:, 1], -15.0, 45.0)))
     return d + FURROW_DEPTH * falciform_line(p) + bumps(p, 0.9, 42.0, seed)
 
 
+def diaphragm(p: Array) -> Array:
+    """Two domes, the right one higher; the heart lies in the saddle between them."""
+    x, y, z = p.T
+    right = 0.0040 * (x + 48.0) * (x + 48.0) + 0.0030 * (y - 6.0) * (y - 6.0) - 66.0
+    left = 0.0024 * (x - 62.0) * (x - 62.0) + 0.0030 * (y + 10.0) * (y + 10.0) - 42.0
+    return z + smooth_min(right, left, 14.0)
+
+
+def spine(p: Array) -> Array:
+    """It and the muscles beside it hollow the back, to the left of the right lobe."""
+    return rod(p, (40, 92, -120), (40, 92, 120), 54.0)
+
+
 def underside(p: Array) -> Array:
-    """It faces down, back and to the left."""
-    return plane(p, (-5, 12, -24), (0.44, 0.46, -0.77))
+    """It faces down, back and to the left, and is a little hollow, which makes its rim sharp."""
+    return -ball(p, (155, 205, -329), 400.0)
 
 
 def stomach_bed(p: Array) -> Array:
@@ -71,7 +82,7 @@ def kidney_bed(p: Array) -> Array:
 
 def gallbladder_bed(p: Array) -> Array:
     """From the lower edge up to the porta hepatis."""
-    return rod(p, (-40, -70, -79), (-14, 6, -27), 11.5, 7.5)
+    return rod(p, (-44, -58, -97), (-14, 6, -26), 13.0, 7.5)
 
 
 def porta(p: Array) -> Array:
@@ -88,7 +99,7 @@ def vena_cava(p: Array) -> Array:
 
 def round_ligament(p: Array) -> Array:
     """Its notch in the lower edge."""
-    return rod(p, (29, -74, -46), (24, 0, -13), 7.5, 5.0)
+    return rod(p, (29, -62, -53), (24, 0, -13), 7.5, 5.0)
 
 
 def mould(p: Array, d: Array) -> Array:

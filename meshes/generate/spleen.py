@@ -12,6 +12,7 @@ from palpate_meshes.generate.field import (
     cut,
     ellipsoid_field,
     invert_turn,
+    join,
     rod,
     turn_about,
 )
@@ -48,12 +49,12 @@ def to_own_axes(p: Array) -> Array:
 
 def stomach_bed(q: Array) -> Array:
     turn = turn_about((0, 0, 1), -16)
-    return ellipsoid_field(q, (-39, -24, 12), (36, 33, 58), turn)
+    return ellipsoid_field(q, (-38, -29, 10), (37, 32, 56), turn)
 
 
 def kidney_bed(q: Array) -> Array:
     turn = turn_about((0, 0, 1), 18)
-    return ellipsoid_field(q, (-38, 31, -2), (30, 25, 48), turn)
+    return ellipsoid_field(q, (-37, 37, -6), (32, 26, 46), turn)
 
 
 def colon_bed(q: Array) -> Array:
@@ -63,24 +64,26 @@ def colon_bed(q: Array) -> Array:
 def notches(q: Array) -> Array:
     """Two of the front border, and a shallow third."""
     d = np.full(len(q), np.inf)
-    for z, depth, radius in ((33.0, 0.0, 6.5), (10.0, 2.0, 7.5), (-14.0, -3.0, 5.0)):
-        y = -44.0 + 0.005 * z * z + depth
+    for z, depth, radius in ((32.0, 1.0, 8.0), (3.0, 2.0, 8.5), (-24.0, -2.5, 7.0)):
+        y = -46.0 + 0.008 * z * z + depth
         d = np.minimum(d, rod(q, (-30, y, z - 4), (34, y - 2.0, z + 9), radius))
     return d
 
 
 def vessels(q: Array) -> Array:
     """Where they enter: on the ridge between stomach and kidney."""
-    return rod(q, (-22, 3, -20), (-18, 1, 24), 5.0)
+    return rod(q, (-27, 2, -22), (-26, 0, 24), 6.0)
 
 
 def spleen_field(p: Array, seed: int) -> Array:
     q = to_own_axes(p)
     d = ellipsoid_field(q, (0.0, 0.0, 0.0), (26.0, 40.0, 61.0), turn_about((1, 0, 0), 8), 0.25)
-    d = cut(d, stomach_bed(q), 6.0)
-    d = cut(d, kidney_bed(q), 6.0)
+    # between the beds of stomach and kidney a ridge is left
+    d = join(d, rod(q, (-16, 9, -30), (-16, 7, 28), 12.0), 14.0)
+    d = cut(d, stomach_bed(q), 4.0)
+    d = cut(d, kidney_bed(q), 4.0)
     d = cut(d, colon_bed(q), 7.0)
-    d = cut(d, notches(q), 4.0)
+    d = cut(d, notches(q), 5.0)
     d = cut(d, vessels(q), 5.0)
     return 0.85 * d + bumps(p, 0.8, 17.0, seed)
 
