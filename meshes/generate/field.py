@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from functools import lru_cache
 
 import numpy as np
 from palpate_meshes.generate.relax import measure
@@ -17,8 +18,11 @@ from palpate_meshes.generate.relax import measure
 Array = np.ndarray
 Field = Callable[[Array], Array]
 Point = Sequence[float]
+Nodes = tuple[tuple[float, ...], ...]
 Turn = tuple[tuple[float, float, float], ...]
 
+SLACK = 1e-6
+"""[mm] Much more than rounding."""
 DIGITS = 12
 """Sines and cosines of given angles are rounded to this, where all mathematics libraries agree."""
 
@@ -108,16 +112,30 @@ def rod(p: Array, a: Point, b: Point, ra: float, rb: float | None = None) -> Arr
     return measure(q - t[:, None] * way) - (ra + (rb - ra) * t)
 
 
-def tube_field(p: Array, nodes: Sequence[Point], steps: int = 8) -> Array:
+def tube_field(p: Array, nodes: Nodes, steps: int = 8) -> Array:
     """A ball swept along a Catmull-Rom spline through rows (x, y, z, radius) [mm]."""
     spine = draw_spline(nodes, steps)
     nearest = np.full(len(p), np.inf)
-    for a, b in zip(spine, spine[1:], strict=False):
-        nearest = np.minimum(nearest, rod(p, a[:3], b[:3], a[3], b[3]))
+    # a piece that cannot be the nearest is left out, which changes no bit of what comes out
+    at_most = np.full(len(p), np.inf)
+    for x, y, z, radius in spine[::steps]:
+        at_most = np.minimum(at_most, ball(p, (x, y, z), radius))
+    for first in range(0, len(spine) - 1, steps):
+        piece = spine[first : first + steps + 1]
+        middle = piece[steps // 2][:3]
+        reach = max(math.dist(middle, row[:3]) + row[3] for row in piece)
+        near = np.flatnonzero(ball(p, middle, reach) <= at_most + SLACK)
+        if len(near) == 0:
+            continue
+        q, found = p[near], nearest[near]
+        for a, b in zip(piece, piece[1:], strict=False):
+            found = np.minimum(found, rod(q, a[:3], b[:3], a[3], b[3]))
+        nearest[near] = found
     return nearest
 
 
-def draw_spline(nodes: Sequence[Point], steps: int) -> list[list[float]]:
+@lru_cache(maxsize=64)
+def draw_spline(nodes: Nodes, steps: int) -> list[list[float]]:
     """Points on the Catmull-Rom spline through nodes of any dimension, ends included."""
     rows = [[float(v) for v in node] for node in nodes]
     first = [2.0 * a - b for a, b in zip(rows[0], rows[1], strict=True)]

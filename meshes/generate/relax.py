@@ -112,18 +112,25 @@ def flip_edges(x: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, int]:
         (turn > LEAST_EXCESS) & agrees & (valence[u] > 3) & (valence[v] > 3)
     )
 
-    present = set(map(tuple, np.sort(edges, axis=1).tolist()))
+    # no two triangles may come to share an edge that is there already
+    doubled = np.isin(number_edges(a, b, len(x)), number_edges(*edges.T, len(x)))
+    candidates = candidates[~doubled[candidates]]
     changed = np.zeros(len(x), bool)
     flipped = triangles.copy()
     flips = 0
     for k in candidates[np.argsort(-excess[candidates], kind="stable")]:
         around = [u[k], v[k], a[k], b[k]]
-        if changed[around].any() or (min(a[k], b[k]), max(a[k], b[k])) in present:
+        if changed[around].any():
             continue
         flipped[sides[inner[k]]] = one[k], two[k]
         changed[around] = True
         flips += 1
     return flipped, flips
+
+
+def number_edges(a: np.ndarray, b: np.ndarray, count: int) -> np.ndarray:
+    """A number for each pair of `count` vertices, whichever comes first."""
+    return np.minimum(a, b).astype(np.int64) * count + np.maximum(a, b)
 
 
 def find_way(x: np.ndarray, triangles: np.ndarray) -> np.ndarray:
