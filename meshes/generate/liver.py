@@ -46,11 +46,11 @@ def liver(vertices: int = VERTICES, size: float = 1.0, seed: int = 0) -> tuple[A
 def liver_field(p: Array, seed: int) -> Array:
     # x: the patient's left, -y: the front, z: up
     right = ellipsoid_field(p, (-40, 6, -12), (74, 68, 88), turn_about((0, 1, 0), 8), 0.30)
-    left = ellipsoid_field(p, (44, -22, 6), (86, 42, 50), turn_about((0, 1, 0), -6), 0.30)
+    left = ellipsoid_field(p, (41, -22, 6), (79, 42, 50), turn_about((0, 1, 0), -6), 0.30)
     d = keep(join(right, left, 40.0), diaphragm(p), 22.0)
     d = cut(d, spine(p), 26.0)
     # the rim of the underside is sharp in front, blunt behind
-    d = mould(p, keep(d, underside(p), 5.0 + 19.0 * ramp(p[:, 1], -15.0, 45.0)))
+    d = mould(p, keep(d, underside(p), 8.0 + 16.0 * ramp(p[:, 1], -15.0, 45.0)))
     return d + FURROW_DEPTH * falciform_line(p) + bumps(p, 0.9, 42.0, seed)
 
 
