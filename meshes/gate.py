@@ -32,7 +32,7 @@ def find_faults(
         *find_count_faults(entry, mesh),
         *find_surface_faults(entry, mesh),
         *find_shape_faults(entry, mesh),
-        *find_region_faults(entry, regions),
+        *find_region_faults(entry, tissue, regions),
         *find_tissue_faults(tissue, mesh),
     ]
     return [f"{entry.name}: {fault}" for fault in faults]
@@ -100,7 +100,9 @@ def compute_closed_volume(mesh: palpate.SurfaceMesh) -> float:
     return float((a * np.cross(b, c)).sum() / 6.0)
 
 
-def find_region_faults(entry: Entry, regions: dict[str, np.ndarray]) -> Iterator[str]:
+def find_region_faults(
+    entry: Entry, tissue: Tissue, regions: dict[str, np.ndarray]
+) -> Iterator[str]:
     if ATTACHMENT not in regions:
         yield "has no region by which the body holds it"
     for name, ids in regions.items():
@@ -108,7 +110,10 @@ def find_region_faults(entry: Entry, regions: dict[str, np.ndarray]) -> Iterator
             yield f"has no vertex in its region {name!r}"
         elif ids.min() < 0 or ids.max() >= entry.vertices or (np.diff(ids) <= 0).any():
             yield f"has other numbers in its region {name!r} than its vertices', ascending"
-    if len(regions.get(ATTACHMENT, ())) >= entry.vertices:
+    held = len(regions.get(ATTACHMENT, ()))
+    if tissue.kind == "rigid" and held < entry.vertices:
+        yield f"is rigid, but only {held} of its vertices are held"
+    if tissue.kind != "rigid" and held >= entry.vertices:
         yield "is held everywhere, so nothing of it can move"
 
 

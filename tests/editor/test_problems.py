@@ -87,6 +87,12 @@ WRONG = {
 }  # fmt: skip
 
 
+def test_stone_and_bone_may_be_held_everywhere():
+    stone = with_part("material", young_modulus=2e10)
+
+    assert "all_fixed" not in keys(assess(replace(stone, fixed=np.ones(60, bool)), tested=True))
+
+
 def keys(assessment: Assessment) -> set[str]:
     return {problem.key for problem in assessment.problems}
 

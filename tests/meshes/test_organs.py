@@ -82,35 +82,45 @@ def test_a_published_file_is_the_one_of_the_catalogue(name):
 
 def build_elsewhere(folder, names, environment):
     """The organs by name, made in a process of its own."""
+    folder.mkdir()
     with_flags = {**os.environ, **environment}
     subprocess.run(
         [sys.executable, "-c", BUILD_ELSEWHERE, str(folder), *names], env=with_flags, check=True
     )
+    return {name: folder / f"{name}.obj" for name in names}
 
 
-@pytest.mark.parametrize(
-    ("environment", "names"),
-    [(ONE_PLAIN_THREAD, list(ORGANS)), ({}, ["spleen", "kidney", "kidney_stone"])],
-    ids=["one plain thread", "as this machine likes it"],
-)
-def test_every_generator_run_again_gives_the_same_mesh(
-    tmp_path, environment, names, record_property
-):
-    build_elsewhere(tmp_path, names, environment)
+def assert_same_mesh(one, two):
+    """The same triangles, and vertices that a machine's rounding may have moved."""
+    made, other = read_mesh_file(one), read_mesh_file(two)
+    assert np.array_equal(np.asarray(made.triangles), np.asarray(other.triangles)), one
+    apart = np.abs(np.asarray(made.vertices) - np.asarray(other.vertices)).max()
+    assert apart <= SAME_PLACE, one
 
-    proved = set()
-    for name in names:
-        again = tmp_path / f"{name}.obj"
-        if again.read_bytes() == ORGANS[name].mesh.read_bytes():
-            proved.add("the same bytes")
-            continue
-        made, published = read_mesh_file(again), read_mesh_file(ORGANS[name].mesh)
-        assert np.array_equal(np.asarray(made.triangles), np.asarray(published.triangles)), name
-        apart = np.abs(np.asarray(made.vertices) - np.asarray(published.vertices)).max()
-        assert apart <= SAME_PLACE, name
-        proved.add(f"the same triangles, vertices within {SAME_PLACE:g} m")
-    record_property("proved", " and ".join(sorted(proved)))
-    print("proved:", " and ".join(sorted(proved)))
+
+def test_every_generator_run_again_gives_the_same_bytes(tmp_path, record_property):
+    """The published file is the first run; where it was made by another machine, there are two."""
+    made = build_elsewhere(tmp_path / "one", list(ORGANS), ONE_PLAIN_THREAD)
+
+    others = [n for n in ORGANS if made[n].read_bytes() != ORGANS[n].mesh.read_bytes()]
+    if others:
+        again = build_elsewhere(tmp_path / "two", others, ONE_PLAIN_THREAD)
+        for name in others:
+            assert_same_mesh(made[name], ORGANS[name].mesh)
+            assert again[name].read_bytes() == made[name].read_bytes(), name
+    within = f"the published ones within {1e6 * SAME_PLACE:g} um" if others else "as published"
+    record_property("proved", f"two runs give the same bytes, {within}")
+
+
+def test_what_a_processor_has_beside_changes_no_mesh(tmp_path, record_property):
+    names = ["spleen", "kidney", "kidney_stone"]
+    made = build_elsewhere(tmp_path / "one", names, {})
+
+    others = [n for n in names if made[n].read_bytes() != ORGANS[n].mesh.read_bytes()]
+    for name in others:
+        assert_same_mesh(made[name], ORGANS[name].mesh)
+    found = f"the same within {1e6 * SAME_PLACE:g} um" if others else "the same bytes"
+    record_property("proved", found)
 
 
 @pytest.mark.parametrize(
@@ -167,10 +177,13 @@ def test_anatomy_lies_where_it_lies_in_the_body():
 
 
 @pytest.mark.parametrize("name", ORGANS)
-def test_every_organ_is_held_somewhere_and_free_elsewhere(name):
+def test_every_organ_is_held_somewhere_and_free_elsewhere_and_a_rigid_one_everywhere(name):
     held = read_regions(name)[ATTACHMENT]
 
-    assert 0 < len(held) < 0.6 * ORGANS[name].vertices
+    if read_tissues()[ORGANS[name].tissue].kind == "rigid":
+        assert len(held) == ORGANS[name].vertices
+    else:
+        assert 0 < len(held) < 0.6 * ORGANS[name].vertices
 
 
 def test_the_gate_says_what_is_wrong_in_sentences():
@@ -188,6 +201,17 @@ def test_the_gate_says_what_is_wrong_in_sentences():
     assert "degrees" in said and "mm along x" in said and "ml" in said
     assert "no region by which the body holds it" in said
     assert "other numbers in its region 'hilum'" in said
+
+
+def test_the_gate_lets_only_what_is_rigid_be_held_everywhere():
+    def find_said(name, held):
+        entry = ORGANS[name]
+        regions = {ATTACHMENT: np.arange(held)}
+        return find_faults(entry, read_tissues()[entry.tissue], *read_organ_mesh(name), regions)
+
+    assert find_said("kidney_stone", 120) == []
+    assert "rigid, but only 60" in find_said("kidney_stone", 60)[0]
+    assert "nothing of it can move" in find_said("spleen", 600)[0]
 
 
 def test_an_unknown_organ_is_refused_with_those_there_are():

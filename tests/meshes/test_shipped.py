@@ -97,6 +97,23 @@ def test_a_solid_feels_like_its_young_s_modulus_under_the_tip(tmp_path, name):
     assert felt == pytest.approx(hertz, rel=LIKE_HERTZ)
 
 
+def test_a_stone_does_not_give_at_all_and_pushes_back():
+    scene = read_scene(PUBLISHED / "kidney_stone.palpate")
+    place, world = find_top(scene), palpate.World(scene)
+    rest = np.array(world.tissue.position)
+    sample = palpate.HapticSample()
+
+    for k in range(400):
+        sample.time = 1e-3 * k
+        # from above it to 3 mm deep, in 0.3 s
+        sample.position = place.point + place.outward * (scene.tool.radius - 1e-5 * min(k, 300))
+        command = palpate.tick(scene, sample, 1e-3, world)
+
+    assert np.array_equal(np.array(world.tissue.position), rest)
+    assert np.dot(command.force, place.outward) > 0.5
+    assert scene.substeps == 1
+
+
 def test_the_list_says_where_everything_comes_from(capsys):
     code, said = run(capsys, "organs", "--json")
 

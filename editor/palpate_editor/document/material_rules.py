@@ -13,6 +13,9 @@ from palpate_editor.document.problems import Facts, Problem, TissueFacts
 EDGES_PER_RADIUS = 0.5
 """[-] A tip much smaller than the triangles it touches feels the mesh, not the tissue."""
 
+RIGID = 1e9
+"""[Pa] Stone and bone are stiffer than this and may be held everywhere; no soft tissue is."""
+
 
 def find_material_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
     wrong = list(find_constant_problems(organ))
@@ -86,7 +89,8 @@ def refuse_tissue(tissue: TissueFacts) -> Iterator[Problem]:
 
 def find_support_problems(organ: Organ) -> Iterator[Problem]:
     """What holds the organ in its place?"""
-    if organ.vertex_count and organ.fixed.all():
+    rigid = organ.material.young_modulus >= RIGID
+    if organ.vertex_count and organ.fixed.all() and not rigid:
         yield Problem(
             "all_fixed",
             "error",
