@@ -7,6 +7,9 @@ A doctest executable counts by its test cases. A C++ test that cannot run here p
 `SKIPPED: reason` and returns; it counts as skipped. With --every-skip-allowed-by, a skip whose
 reason matches none of the patterns is a failure: on a machine where everything can be had,
 nothing may be left out.
+
+A test that can prove more on one machine than on another says what it proved in a property of that
+name, which is printed.
 """
 
 from __future__ import annotations
@@ -31,11 +34,14 @@ class Outcome:
     failed: list[str] = field(default_factory=list)
     skipped: Counter[str] = field(default_factory=Counter)
     """How often, by reason."""
+    proved: list[str] = field(default_factory=list)
+    """By tests that can prove more or less."""
 
     def add(self, other: Outcome) -> None:
         self.passed += other.passed
         self.failed += other.failed
         self.skipped += other.skipped
+        self.proved += other.proved
 
 
 def read_ctest_case(case: ElementTree.Element) -> Outcome:
@@ -56,7 +62,8 @@ def read_pytest_case(case: ElementTree.Element) -> Outcome:
         return Outcome(failed=[name])
     if skip is not None:
         return Outcome(skipped=Counter([skip.get("message") or "no reason given"]))
-    return Outcome(passed=1)
+    said = [p.get("value", "") for p in case.iter("property") if p.get("name") == "proved"]
+    return Outcome(passed=1, proved=[f"{case.get('name')}: {what}" for what in said])
 
 
 def read_results(path: Path) -> Outcome:
@@ -82,6 +89,8 @@ def main() -> int:
     total = Outcome()
     for path in call.results:
         total.add(read_results(path))
+    for what in total.proved:
+        print(f"proved by {what}")
     for reason, count in sorted(total.skipped.items()):
         print(f"skipped {count}: {reason}")
     if call.every_skip_allowed_by is not None:

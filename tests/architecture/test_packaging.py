@@ -16,6 +16,8 @@ from packaging.utils import canonicalize_name
 from packaging.version import Version
 from tree import CHECKOUT, read
 
+SHIPPED = {".obj", ".json", ".organ", ".palpate", ".toml", ".png"}
+"""What of meshes/ is no program."""
 PROJECTS = ("pyproject.toml", "editor/pyproject.toml")
 
 
@@ -83,10 +85,16 @@ def test_a_wheel_of_palpate_holds_types_and_its_licence_and_nothing_of_the_edito
     assert {name.split("/")[0] for name in names} == {"palpate", "palpate-0.1.0.dist-info"}
 
 
-def test_a_wheel_of_palpate_editor_holds_types_its_licence_and_the_generators(tmp_path):
+def test_a_wheel_of_palpate_editor_holds_types_its_licence_the_generators_and_all_that_ships(
+    tmp_path,
+):
     names = wheel_names("editor", tmp_path)
+    meshes = CHECKOUT / "meshes"
+    shipped = [path for path in meshes.rglob("*") if path.suffix in SHIPPED]
 
     assert {"palpate_editor/_authoring.pyi", "palpate_editor/py.typed"} <= names
     assert "palpate_meshes/generate/__init__.py" in names
+    assert len(shipped) > 40
+    assert {f"palpate_meshes/{path.relative_to(meshes)}" for path in shipped} <= names
     assert "palpate_editor-0.1.0.dist-info/licenses/LICENSE" in names
     assert [name for name in names if name.endswith(".so")] == []

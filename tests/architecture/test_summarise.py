@@ -29,6 +29,14 @@ def pytest_case(inside: str) -> str:
 
 def summarise(tmp_path: Path, *results: str, allowed: str | None = None) -> tuple[int, str]:
     """Exit code and last line for these result files."""
+    code, lines = print_summary(tmp_path, *results, allowed=allowed)
+    return code, lines[-1]
+
+
+def print_summary(
+    tmp_path: Path, *results: str, allowed: str | None = None
+) -> tuple[int, list[str]]:
+    """Exit code and all lines for these result files."""
     files = [tmp_path / f"{i}.xml" for i in range(len(results))]
     for file, text in zip(files, results, strict=True):
         file.write_text(text)
@@ -38,13 +46,21 @@ def summarise(tmp_path: Path, *results: str, allowed: str | None = None) -> tupl
         capture_output=True,
         text=True,
     )
-    return done.returncode, done.stdout.splitlines()[-1]
+    return done.returncode, done.stdout.splitlines()
 
 
 def test_an_executable_counts_by_its_test_cases(tmp_path):
     code, line = summarise(tmp_path, ctest("run", PASSED), pytest_case(""))
 
     assert (code, line) == (0, "6 passed, 0 failed, 0 skipped")
+
+
+def test_what_a_test_proved_here_is_printed(tmp_path):
+    case = pytest_case('<properties><property name="proved" value="the same bytes"/></properties>')
+
+    _, lines = print_summary(tmp_path, case)
+
+    assert lines[0] == "proved by holds: the same bytes"
 
 
 def test_a_failed_case_fails_the_whole(tmp_path):
