@@ -63,6 +63,35 @@ class Jaws:
 
 
 @dataclass(frozen=True)
+class Pad:
+    """The flat side of a jaw, which holds what it is closed on."""
+
+    part: str
+    centre: Vector
+    """[m]"""
+    normal: Vector
+    """[-] Unit, towards the other jaw."""
+    length: float
+    """[m] Along the shaft."""
+    width: float
+    """[m] Along the jaws' axis."""
+
+
+@dataclass(frozen=True)
+class ScopeCamera:
+    """What an instrument sees by."""
+
+    at: Vector
+    """[m] The middle of its front lens."""
+    axis: Vector
+    """[-] Unit, the way it looks."""
+    up: Vector
+    """[-] Unit, across the axis."""
+    field_of_view: float
+    """[rad] From one side of the picture to the other."""
+
+
+@dataclass(frozen=True)
 class Needle:
     """What can be pushed into tissue."""
 
@@ -87,6 +116,9 @@ class Tool:
     shapes: tuple[CollisionShape, ...]
     jaws: Jaws | None = None
     needle: Needle | None = None
+    pads: tuple[Pad, ...] = ()
+    """Where its jaws are closed."""
+    camera: ScopeCamera | None = None
     colours: dict[str, Vector] = field(default_factory=dict)
     """Part -> sRGB, 0 to 1."""
 
@@ -109,6 +141,8 @@ def read_tool(name: str) -> Tool:
         shapes=tuple(CollisionShape(**shape) for shape in table["shapes"]),
         jaws=Jaws(**table["jaws"]) if "jaws" in table else None,
         needle=Needle(**table["needle"]) if "needle" in table else None,
+        pads=tuple(Pad(**pad) for pad in table.get("pads", ())),
+        camera=ScopeCamera(**table["camera"]) if "camera" in table else None,
         colours=table["colours"],
     )
 

@@ -12,15 +12,8 @@ from palpate_meshes.tools import build_tools, open_jaws, read_tool, read_tool_na
 TOOLS = read_tool_names()
 SHAFTS = {"grasper": 5e-3, "laparoscope": 10e-3, "syringe": 15.8e-3}
 """[m] Diameters."""
-
-
-def distance_to(shape, points):
-    """[m] From points to a sphere or capsule, negative inside."""
-    a = np.asarray(shape.a)
-    b = np.asarray(shape.a if shape.b is None else shape.b)
-    way = b - a
-    t = np.clip((points - a) @ way / max(way @ way, 1e-30), 0.0, 1.0)
-    return np.linalg.norm(points - a - t[:, None] * way, axis=1) - shape.radius
+STANDS_OUT = 6e-4
+"""[m] As deep as the teeth of the jaws: a capsule has none."""
 
 
 @pytest.mark.parametrize("name", TOOLS)
@@ -52,17 +45,75 @@ def test_the_shaft_is_as_thick_as_the_instrument_s(name):
     assert 2 * np.linalg.norm(ahead[:, :2], axis=1).max() == pytest.approx(SHAFTS[name], rel=0.02)
 
 
+def compute_winding(points, vertices, triangles):
+    """[-] How often a surface goes round each point: 1 inside, 0 outside."""
+    corner = vertices[triangles][None] - points[:, None, None]
+    a, b, c = (corner[:, :, i] for i in range(3))
+    la, lb, lc = (np.linalg.norm(v, axis=2) for v in (a, b, c))
+    volume = (a * np.cross(b, c)).sum(axis=2)
+    dots = (a * b).sum(axis=2) * lc + (b * c).sum(axis=2) * la + (c * a).sum(axis=2) * lb
+    return np.arctan2(volume, la * lb * lc + dots).sum(axis=1) / (2.0 * np.pi)
+
+
+def sample_shape(shape, count=150):
+    """[m] Points all over a sphere or capsule."""
+    random = np.random.default_rng(0)
+    out = random.normal(size=(count, 3))
+    out /= np.linalg.norm(out, axis=1)[:, None]
+    a = np.asarray(shape.a)
+    way = np.asarray(shape.a if shape.b is None else shape.b) - a
+    along = np.where(out @ way > 0.0, 1.0, 0.0)
+    # the flank too, not only the two ends
+    half = count // 2
+    if shape.b is not None:
+        axis = way / np.linalg.norm(way)
+        out[:half] -= (out[:half] @ axis)[:, None] * axis
+        out[:half] /= np.linalg.norm(out[:half], axis=1)[:, None]
+        along[:half] = random.random(half)
+    return a + along[:, None] * way + shape.radius * out
+
+
 @pytest.mark.parametrize("name", TOOLS)
-def test_collision_shapes_stay_inside_or_close_to_their_part(name):
+def test_collision_shapes_fill_their_part_and_do_not_stand_out_of_it(name):
     tool = read_tool(name)
 
     for shape in tool.shapes:
-        ends = [np.asarray(shape.a), np.asarray(shape.a if shape.b is None else shape.b)]
-        points = tool.parts[shape.part][0]
-        for end in ends:
-            nearest = np.linalg.norm(points - end, axis=1).min()
-            assert nearest < shape.radius + 0.012, shape
-        assert distance_to(shape, points).min() < 3e-4, shape
+        vertices, triangles = tool.parts[shape.part]
+        points = sample_shape(shape)
+        tree = palpate.AabbTree(vertices, triangles)
+        away = np.array([palpate.find_closest_point(tree, vertices, p).distance for p in points])
+        outside = compute_winding(points, vertices, triangles) < 0.5
+        assert away[outside].max(initial=0.0) < STANDS_OUT, shape
+        # as thick as it is: somewhere it comes close to the wall
+        assert away.min() < 1e-4, shape
+
+
+def test_pads_lie_on_the_teeth_and_face_each_other():
+    tool = read_tool("grasper")
+    upper, lower = tool.pads
+
+    assert np.array_equal(np.asarray(upper.normal), -np.asarray(lower.normal))
+    for pad, other in ((upper, lower), (lower, upper)):
+        to_other = np.asarray(other.centre) - np.asarray(pad.centre)
+        assert to_other @ pad.normal > 0.0
+        across = np.cross(tool.jaws.axis, pad.normal)
+        offset = tool.parts[pad.part][0] - np.asarray(pad.centre)
+        over = (np.abs(offset @ across) < pad.length / 2) & (
+            np.abs(offset @ np.asarray(tool.jaws.axis)) < pad.width / 2
+        )
+        # the highest teeth touch the pad's plane and nothing of the jaw stands before it
+        assert (offset[over] @ pad.normal).max() == pytest.approx(0.0, abs=1e-6)
+
+
+def test_the_laparoscope_looks_out_of_its_slanted_front():
+    camera = read_tool("laparoscope").camera
+    vertices = read_tool("laparoscope").parts["shaft"][0]
+    axis, up = np.asarray(camera.axis), np.asarray(camera.up)
+
+    assert np.linalg.norm(axis) == pytest.approx(1.0) and axis @ up == pytest.approx(0.0)
+    assert np.degrees(np.arccos(axis[2])) == pytest.approx(30.0)
+    # the lens lies in the front, and nothing of the tool is before it
+    assert ((vertices - np.asarray(camera.at)) @ axis).max() == pytest.approx(0.0, abs=2e-5)
 
 
 def test_the_jaws_open_about_their_hinge_and_away_from_each_other():
