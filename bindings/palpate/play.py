@@ -53,7 +53,7 @@ class Play:
         Raises OSError where no record can be written.
         """
         path = self.name_record()
-        header = describe_build(self.path, path, device.name())
+        header = describe_build(self.scenario.scene, self.path, path, device.name())
         options = palpate.LoopOptions(duration=self.duration)
         run = LiveRun(self.scenario.scene, device, record=path, header=header, options=options)
         self.records.append(path)

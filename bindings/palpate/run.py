@@ -33,9 +33,11 @@ class Run:
     report: Report
 
 
-def describe_build(scene_path: Path, record_path: Path, device: str) -> dict[str, str]:
+def describe_build(
+    scene: palpate.Scene, scene_path: Path, record_path: Path, device: str
+) -> dict[str, str]:
     """The header of a record: all that must match for a replay to give the same bits."""
-    targets = palpate.simd_targets()
+    targets = palpate.simd_targets() if scene.kernel == palpate.Kernel.packed else []
     return {
         "palpate": version("palpate"),
         "kernel": (palpate.Kernel.packed if targets else palpate.Kernel.reference).name,
@@ -75,7 +77,7 @@ def run_device(
 
     Raises RuntimeError where the loop did not end, the tissue blew up or the device failed.
     """
-    header = describe_build(scene_path, record_path, device.name())
+    header = describe_build(scene, scene_path, record_path, device.name())
     options = palpate.LoopOptions(duration=duration)
     with LiveRun(scene, device, record=record_path, header=header, options=options) as run:
         ended = run.wait(duration + GRACE)

@@ -77,13 +77,14 @@ void bind_energy(py::module_& m) {
       .def_readwrite("kinetic", &Energy::kinetic)
       .def_readwrite("links", &Energy::links, "Springs and bonds, Eq 8.")
       .def_readwrite("angles", &Energy::angles, "Eq 9 and Eq 11.")
+      .def_readwrite("prisms", &Energy::prisms, "Transverse shear of walls.")
       .def_readwrite("home", &Energy::home)
       .def_readwrite("gravity", &Energy::gravity, "Relative to the origin.")
       .def_readwrite("pressure", &Energy::pressure,
                      "-p V; its gradient is the pressure force on closed surfaces.")
       .def("total", &Energy::total)
       .def("elastic", &Energy::elastic);
-  def_repr(energy, {"kinetic", "links", "angles", "home", "gravity", "pressure"});
+  def_repr(energy, {"kinetic", "links", "angles", "prisms", "home", "gravity", "pressure"});
   m.def(
       "compute_energy",
       [](const TissueModel& model, const Vec3& gravity, const State& state) {

@@ -44,6 +44,26 @@ void bind_link_and_angle_forces(py::module_& m) {
               "closed angle.");
 }
 
+void bind_prism_forces(py::module_& m) {
+  m.def(
+      "accumulate_prism_forces",
+      [](const Prisms& prisms, const Numbers& x, const Numbers& v, NumbersOut f) {
+        const auto xs = points(x, "x"), vs = points(v, "v");
+        const auto fs = points_out(f, "f");
+        require_like(xs, vs, "v");
+        require_like(xs, fs, "f");
+        for (const auto& corners : prisms.corners) {
+          for (const int i : corners) {
+            if (i >= 0 && static_cast<std::size_t>(i) < xs.size()) continue;
+            refuse("prisms.corners", std::to_string(i), "0 to " + std::to_string(xs.size() - 1));
+          }
+        }
+        accumulate_prism_forces(prisms, xs, vs, fs);
+      },
+      "prisms"_a, "x"_a, "v"_a, "f"_a.noconvert(),
+      "Adds to f [N] what resists the transverse shear of a wall.");
+}
+
 void bind_surface_forces(py::module_& m) {
   m.def(
       "accumulate_home_forces",
@@ -128,6 +148,7 @@ void bind_body_forces(py::module_& m) {
 
 void bind_forces(py::module_& m) {
   bind_link_and_angle_forces(m);
+  bind_prism_forces(m);
   bind_surface_forces(m);
   bind_body_forces(m);
 }

@@ -107,17 +107,46 @@ void bind_angles(py::module_& m) {
   def_copy(angles);
 }
 
+void bind_prisms(py::module_& m) {
+  py::class_<Prisms> prisms(
+      m, "Prisms",
+      "Triangular prisms of a wall that resist transverse shear, which is what makes a wall bend. "
+      "Row p joins a triangle of the inner face to the one above it; column c is the side opposite "
+      "corner c.");
+  prisms.def(py::init([](const Integers& corners, const Numbers& rest_difference,
+                         const Numbers& shear_stiffness, const Numbers& shear_damping) {
+               return Prisms{copy_index_rows<6>(corners, "corners"),
+                             copy_triples(rest_difference, "rest_difference"),
+                             copy_triples(shear_stiffness, "shear_stiffness"),
+                             copy_triples(shear_damping, "shear_damping")};
+             }),
+             "corners"_a, "rest_difference"_a, "shear_stiffness"_a, "shear_damping"_a,
+             "Copies its tables.");
+  prisms.def(py::init<>());
+  def_table(prisms, "corners", &Prisms::corners,
+            "Particles: three inner, then the three above them, shape (p, 6); a view, read-only.");
+  def_view(prisms, "rest_difference", &Prisms::rest_difference,
+           "[m] first diagonal less the second, shape (p, 3); a view.");
+  def_view(prisms, "shear_stiffness", &Prisms::shear_stiffness,
+           "[N/m] of that difference, shape (p, 3); a view.");
+  def_view(prisms, "shear_damping", &Prisms::shear_damping,
+           "[N·s/m] likewise, shape (p, 3); a view.");
+  def_copy(prisms);
+}
+
 /// As validate() would refuse it anyway, but before a table is looked at by index.
 TissueModel make_model(const Numbers& rest_position, const Numbers& mass, const Integers& fixed,
                        const Links& springs, const Links& bonds, const Angles& angles,
-                       const Numbers& home, double pressure, const Integers& triangles, double drag,
-                       DampingLaw damping_law, AngleLaw angle_law) {
+                       const Prisms& prisms, const Numbers& home, double pressure,
+                       const Integers& triangles, double drag, DampingLaw damping_law,
+                       AngleLaw angle_law) {
   TissueModel model{copy_points(rest_position, "rest_position"),
                     copy_numbers(mass, "mass"),
                     copy_indices(fixed, "fixed"),
                     springs,
                     bonds,
                     angles,
+                    prisms,
                     copy_numbers(home, "home"),
                     pressure,
                     copy_index_rows<3>(triangles, "triangles"),
@@ -135,7 +164,8 @@ void bind_tissue_fields(py::class_<TissueModel>& model) {
             "Particles held at rest, ascending; a view, read-only.");
   model.def_readonly("springs", &TissueModel::springs, "Mass-spring model; may be empty.")
       .def_readonly("bonds", &TissueModel::bonds, "Molecular model; may be empty.")
-      .def_readonly("angles", &TissueModel::angles, "Molecular model; may be empty.");
+      .def_readonly("angles", &TissueModel::angles, "Molecular model; may be empty.")
+      .def_readonly("prisms", &TissueModel::prisms, "Walls that bend; may be empty.");
   def_view(model, "home", &TissueModel::home,
            "[N/m] pull of every particle to its rest position, shape (n,) or empty; a view.");
   model.def_readwrite("pressure", &TissueModel::pressure, "[Pa] inside above outside.");
@@ -154,9 +184,9 @@ void bind_tissue_model(py::module_& m) {
       "function, or from tables, which are validated.");
   model.def(py::init(&make_model), py::kw_only(), "rest_position"_a, "mass"_a,
             "fixed"_a = py::tuple(), "springs"_a = Links(), "bonds"_a = Links(),
-            "angles"_a = Angles(), "home"_a = py::tuple(), "pressure"_a = usual.pressure,
-            "triangles"_a = py::tuple(), "drag"_a = usual.drag, "damping_law"_a = usual.damping_law,
-            "angle_law"_a = usual.angle_law,
+            "angles"_a = Angles(), "prisms"_a = Prisms(), "home"_a = py::tuple(),
+            "pressure"_a = usual.pressure, "triangles"_a = py::tuple(), "drag"_a = usual.drag,
+            "damping_law"_a = usual.damping_law, "angle_law"_a = usual.angle_law,
             "Copies its tables and validates the whole. Raises ValueError.");
   bind_tissue_fields(model);
   def_copy(model);
@@ -179,6 +209,7 @@ void bind_model(py::module_& m) {
   bind_material(m);
   bind_links(m);
   bind_angles(m);
+  bind_prisms(m);
   bind_tissue_model(m);
   bind_builders(m);
   bind_membrane(m);

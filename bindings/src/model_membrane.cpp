@@ -4,6 +4,7 @@
 #include "bindings.h"
 #include "border.h"
 #include "palpate/sim/model/build_membrane.h"
+#include "palpate/sim/model/build_shell.h"
 #include "palpate/sim/model/membrane.h"
 #include "value.h"
 
@@ -89,6 +90,12 @@ void bind_membrane_builders(py::module_& m) {
         "The molecular model of a wall of the material: at rest exactly the finite element of "
         "plane stress, whatever bend_stiffness [J] is; under AngleLaw.eq10 the nearest to it. "
         "Raises ValueError as build_membrane_springs does.");
+  m.def("build_shell", &build_shell, "mesh"_a, "material"_a, "options"_a = SurfaceOptions(),
+        py::call_guard<py::gil_scoped_release>(),
+        "A wall of triangular prisms, which stretches and bends as its material does. Vertex i of "
+        "the surface is particle i, on the outer face; particle n + i lies below it on the inner "
+        "face. Raises ValueError as build_membrane_molecular does, and where the wall is too thick "
+        "for the surface.");
   m.def(
       "convert_to_eq10",
       [](const Angles& angles) {

@@ -34,6 +34,7 @@ void check_counts(const TissueModel& tissue) {
   check_count("springs", tissue.springs.ends.size(), kMostLinks);
   check_count("bonds", tissue.bonds.ends.size(), kMostLinks);
   check_count("angles", tissue.angles.corners.size(), kMostTriangles);
+  check_count("prisms", tissue.prisms.corners.size(), kMostTriangles);
   check_count("triangles", tissue.triangles.size(), kMostTriangles);
 }
 

@@ -1,7 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/scenario/migrate.h"
 
+#include <array>
+
+#include "palpate/scenario/table_array.h"
+
 namespace palpate::scenario {
+namespace {
+
+/// A table that files of an earlier version could not hold, empty.
+template <class Row>
+void add_empty(const std::string& name, Container& container) {
+  container.arrays.emplace("scene/tissue/" + name, to_array(std::vector<Row>()));
+}
+
+/// Version 2 has walls of prisms.
+void add_prisms(Container& container) {
+  add_empty<std::array<int, 6>>("prisms/corners", container);
+  add_empty<std::array<double, 3>>("prisms/rest_difference", container);
+  add_empty<std::array<double, 3>>("prisms/shear_stiffness", container);
+  add_empty<std::array<double, 3>>("prisms/shear_damping", container);
+}
+
+constexpr std::array<Migration, 1> kMigrations = {add_prisms};
+
+}  // namespace
 
 void migrate(std::span<const Migration> steps, Container& container) {
   const int newest = static_cast<int>(steps.size()) + 1;
@@ -10,8 +33,7 @@ void migrate(std::span<const Migration> steps, Container& container) {
   }
 }
 
-/// Version 1 is the first.
-std::span<const Migration> migrations() noexcept { return {}; }
+std::span<const Migration> migrations() noexcept { return kMigrations; }
 
 int newest_version() noexcept { return static_cast<int>(migrations().size()) + 1; }
 

@@ -12,8 +12,9 @@ inline constexpr std::size_t kMostTaskBytes = 20000;
 // The largest tissue that a file may hold: more than ticks 1000 times a second, and little enough
 // that the longest search for its eigenvalues ends within 5 s.
 inline constexpr std::size_t kMostParticles = 20'000;
-inline constexpr std::size_t kMostTriangles = 2 * kMostParticles;  ///< of the surface or of angles
-inline constexpr std::size_t kMostLinks = 3 * kMostParticles;      ///< springs, or bonds
+inline constexpr std::size_t kMostTriangles =
+    2 * kMostParticles;  ///< of the surface, angles, or prisms
+inline constexpr std::size_t kMostLinks = 3 * kMostParticles;  ///< springs, or bonds
 
 /// What a trainee opens: a scene that ticks, what to do with it, and what it was made from.
 struct Scenario {

@@ -32,6 +32,15 @@ void visit_angles(const std::string& name, SomeAngles& angles, Visit& visit) {
   visit(name + "/bond_share", bond_share);
 }
 
+template <class SomePrisms, class Visit>
+void visit_prisms(const std::string& name, SomePrisms& prisms, Visit& visit) {
+  auto& [corners, rest_difference, shear_stiffness, shear_damping] = prisms;
+  visit(name + "/corners", corners);
+  visit(name + "/rest_difference", rest_difference);
+  visit(name + "/shear_stiffness", shear_stiffness);
+  visit(name + "/shear_damping", shear_damping);
+}
+
 /// visit(name, table) for every table of a Scene or a const Scene. Numbers that stand alone are
 /// not tables: content.cpp has them.
 template <class SomeScene, class Visit>
@@ -39,8 +48,8 @@ void visit_tables(SomeScene& scene, Visit visit) {
   // kernel and vector target belong to the machine a scene runs on: no file has them
   auto& [tissue, tool, coupling, hold_stiffness, gravity, rate, substeps, substeps_max, kernel,
          simd_target, rest_areas, spectrum_stiffness, spectrum_damping] = scene;
-  auto& [rest_position, mass, fixed, springs, bonds, angles, home, pressure, triangles, drag,
-         damping_law, angle_law] = tissue;
+  auto& [rest_position, mass, fixed, springs, bonds, angles, prisms, home, pressure, triangles,
+         drag, damping_law, angle_law] = tissue;
   const std::string t = "scene/tissue/";
   visit(t + "rest_position", rest_position);
   visit(t + "mass", mass);
@@ -48,6 +57,7 @@ void visit_tables(SomeScene& scene, Visit visit) {
   visit_links(t + "springs", springs, visit);
   visit_links(t + "bonds", bonds, visit);
   visit_angles(t + "angles", angles, visit);
+  visit_prisms(t + "prisms", prisms, visit);
   visit(t + "home", home);
   visit(t + "triangles", triangles);
   visit("scene/rest_areas", rest_areas);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/sim/dynamics/prism_law.h"
 #include "palpate/sim/dynamics/tensions.h"
 
 namespace palpate {
@@ -51,13 +52,13 @@ double compute_home_energy(const TissueModel& model, At at) noexcept {
   return sum;
 }
 
-/// [J] of springs, bonds, angles and home; Eq 10 has no energy.
+/// [J] of springs, bonds, angles, prisms and home; Eq 10 has no energy.
 template <class At>
 double compute_elastic_energy(const TissueModel& model, At at) noexcept {
   const double angles =
       model.angle_law == AngleLaw::gradient ? compute_angle_energy(model.angles, at) : 0.0;
   return compute_link_energy(model.springs, at) + compute_link_energy(model.bonds, at) + angles +
-         compute_home_energy(model, at);
+         compute_prism_energy(model.prisms, at) + compute_home_energy(model, at);
 }
 
 }  // namespace palpate

@@ -10,11 +10,12 @@ struct Energy {
   double kinetic = 0.0;
   double links = 0.0;   ///< springs and bonds, Eq 8
   double angles = 0.0;  ///< Eq 9 and Eq 11
+  double prisms = 0.0;  ///< transverse shear of walls
   double home = 0.0;
   double gravity = 0.0;   ///< relative to the origin
   double pressure = 0.0;  ///< -p V; its gradient is the pressure force on closed surfaces
-  double total() const noexcept { return kinetic + links + angles + home + gravity + pressure; }
-  double elastic() const noexcept { return links + angles + home; }
+  double total() const noexcept { return kinetic + elastic() + gravity + pressure; }
+  double elastic() const noexcept { return links + angles + prisms + home; }
 };
 
 Energy compute_energy(const TissueModel& model, const Vec3& gravity, const State& state) noexcept;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "palpate/sim/dynamics/prism_law.h"
 #include "palpate/sim/dynamics/tensions.h"
 
 namespace palpate {
@@ -88,6 +89,29 @@ void accumulate_eq10_forces(const Angles& angles, std::span<const Vec3> x,
                    [](auto&&... arguments) { return compute_eq10_tensions<double>(arguments...); });
 }
 
+/// With s = |d1| - |d2| less that at rest, T = k s + c ds/dt pulls the ends of the first diagonal
+/// together and pushes those of the second apart: pairs along lines, so that momentum and angular
+/// momentum are conserved.
+void accumulate_prism_forces(const Prisms& prisms, std::span<const Vec3> x, std::span<const Vec3> v,
+                             std::span<Vec3> f) noexcept {
+  const auto at = [x](int i) -> const Vec3& { return x[static_cast<std::size_t>(i)]; };
+  for (std::size_t p = 0; p < prisms.corners.size(); ++p) {
+    for (int c = 0; c < 3; ++c) {
+      const PrismSide side(prisms.corners[p], c);
+      const auto [i, j, k, l] = side.ends;
+      const Diagonals now(side, at);
+      const double shear = now.length[0] - now.length[1] - prisms.rest_difference[p][c];
+      const double rate = (v[j] - v[i]).dot(now.unit[0]) - (v[l] - v[k]).dot(now.unit[1]);
+      const double tension =
+          prisms.shear_stiffness[p][c] * shear + prisms.shear_damping[p][c] * rate;
+      f[i] += tension * now.unit[0];
+      f[j] -= tension * now.unit[0];
+      f[k] -= tension * now.unit[1];
+      f[l] += tension * now.unit[1];
+    }
+  }
+}
+
 /// f_i += h_i (X_i - x_i): a spring to where the particle was at rest. It holds the body in space,
 /// so it conserves no momentum.
 void accumulate_home_forces(std::span<const double> home, std::span<const Vec3> rest,
@@ -139,6 +163,7 @@ void compute_forces(const TissueModel& model, const Load& load, std::span<const 
   } else {
     accumulate_eq10_forces(model.angles, x, f);
   }
+  accumulate_prism_forces(model.prisms, x, v, f);
   accumulate_home_forces(model.home, model.rest_position, x, f);
   if (model.pressure != 0.0) accumulate_pressure_forces(model.triangles, model.pressure, x, f);
   if (load.gravity != Vec3::Zero()) accumulate_gravity(model.mass, load.gravity, f);

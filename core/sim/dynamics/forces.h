@@ -22,6 +22,10 @@ void accumulate_angle_forces(const Angles& angles, std::span<const Vec3> x,
 void accumulate_eq10_forces(const Angles& angles, std::span<const Vec3> x,
                             std::span<Vec3> f) noexcept;
 
+/// What resists the transverse shear of a wall; see Prisms.
+void accumulate_prism_forces(const Prisms& prisms, std::span<const Vec3> x, std::span<const Vec3> v,
+                             std::span<Vec3> f) noexcept;
+
 void accumulate_home_forces(std::span<const double> home, std::span<const Vec3> rest,
                             std::span<const Vec3> x, std::span<Vec3> f) noexcept;
 

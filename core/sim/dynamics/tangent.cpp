@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/sim/dynamics/prism_tangent.h"
 #include "palpate/sim/dynamics/tensions.h"
 
 namespace palpate {
@@ -259,7 +260,9 @@ SparseMatrix compute_stiffness(const TissueModel& model, std::span<const Vec3> x
   for (int i = 0; i < static_cast<int>(model.home.size()); ++i) {
     assembly.add(i, i, model.home[static_cast<std::size_t>(i)] * Mat3::Identity());
   }
-  return assembly.build();
+  SparseMatrix stiffness = assembly.build();
+  if (!model.prisms.corners.empty()) stiffness += compute_prism_stiffness(model, x, projection);
+  return stiffness;
 }
 
 /// C_ii = c n nᵀ (axis) or c I (isotropic), C_ij = -C_ii, and drag m_i I.
@@ -278,7 +281,9 @@ SparseMatrix compute_damping(const TissueModel& model, std::span<const Vec3> x) 
   for (int i = 0; i < particle_count(model); ++i) {
     assembly.add(i, i, model.drag * model.mass[static_cast<std::size_t>(i)] * Mat3::Identity());
   }
-  return assembly.build();
+  SparseMatrix damping = assembly.build();
+  if (!model.prisms.corners.empty()) damping += compute_prism_damping(model, x);
+  return damping;
 }
 
 }  // namespace palpate

@@ -74,6 +74,8 @@ std::vector<double> compute_rest_areas(const TissueModel& tissue) {
 /// massless tool yields before a contact gets as stiff as its row sum says (TOOLS section 1).
 Scene build_scene(Scene scene) {
   validate(scene);
+  // walls of prisms have no packed form; said here, so that a record tells the kernel that ran
+  if (!scene.tissue.prisms.corners.empty()) scene.kernel = Kernel::reference;
   scene.rest_areas = compute_rest_areas(scene.tissue);
   const Spectrum spectrum = estimate_spectrum(scene.tissue);
   scene.spectrum_stiffness = spectrum.stiffness;

@@ -25,7 +25,8 @@ struct Scene {
   int substeps = 0;               ///< tissue steps per tick in the air; build_scene chooses when 0
   int substeps_max = 0;           ///< contact may raise them to this; build_scene chooses when 0
 
-  /// packed is reference where Palpate has no vector code for this machine
+  /// packed is reference where Palpate has no vector code for this machine; build_scene chooses
+  /// reference for a tissue with prisms, which have no packed form
   Kernel kernel = Kernel::packed;
   std::string simd_target;  ///< of the packed kernel: one of simd_targets(), empty for the best
 

@@ -32,7 +32,10 @@ World::World(const Scene& scene)
       chosen_stiffness(scene.spectrum_stiffness),
       scratch(scene.tissue.rest_position.size(), 0.0) {
   load.gravity = scene.gravity;
-  if (scene.kernel == Kernel::reference || simd_targets().empty()) return;
+  if (scene.kernel == Kernel::reference || simd_targets().empty() ||
+      !scene.tissue.prisms.corners.empty()) {
+    return;
+  }
   packed_model = std::make_shared<const PackedModel>(pack(scene.tissue, scene.simd_target));
   packed = PackedState(*packed_model, scene.tissue, tissue);
   tool.lanes =

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "palpate/sim/base/refuse.h"
+#include "palpate/sim/model/check_prisms.h"
 #include "palpate/sim/model/definiteness.h"
 
 namespace palpate {
@@ -191,11 +192,13 @@ double compute_total_mass(const TissueModel& model) {
 }
 
 std::string describe(const TissueModel& model) {
-  return write_text(particle_count(model), " particles, ", model.fixed.size(), " of them held; ",
-                    model.springs.ends.size(), " springs, ", model.bonds.ends.size(), " bonds, ",
-                    3 * model.angles.corners.size(), " angles, ",
-                    model.home.empty() ? "no home springs" : "home springs", "; total mass ",
-                    1e3 * compute_total_mass(model), " g");
+  return write_text(
+      particle_count(model), " particles, ", model.fixed.size(), " of them held; ",
+      model.springs.ends.size(), " springs, ", model.bonds.ends.size(), " bonds, ",
+      3 * model.angles.corners.size(), " angles, ",
+      model.prisms.corners.empty() ? "" : write_text(model.prisms.corners.size(), " prisms, "),
+      model.home.empty() ? "no home springs" : "home springs", "; total mass ",
+      1e3 * compute_total_mass(model), " g");
 }
 
 void validate(const TissueModel& model) {
@@ -207,6 +210,7 @@ void validate(const TissueModel& model) {
   check_angles(model.angles, n);
   check_bond_shares(model.bonds, model.angles);
   check_definiteness(model.angles, model.angle_law);
+  check_prisms(model);
   check_corners(model.triangles, "triangles", n);
   if (!std::isfinite(model.pressure)) {
     refuse("model: pressure", write_text(model.pressure, " Pa"), "a finite number");

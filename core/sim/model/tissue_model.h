@@ -44,6 +44,21 @@ struct Angles {
   std::vector<std::array<double, 3>> bond_share;
 };
 
+/// Triangular prisms of a wall that resist transverse shear, which is what makes a wall bend: row p
+/// joins a triangle of the inner face to the one above it.
+///
+/// The two faces are rows of Angles and bonds, the pillars between them springs. What is left is
+/// the shear of the three sides. In side c, opposite corner c, the first diagonal runs from the
+/// inner corner c + 1 to the outer corner c + 2, the second from the inner corner c + 2 to the
+/// outer corner c + 1. Shear makes one longer and the other shorter; stretching and thinning do
+/// not.
+struct Prisms {
+  std::vector<std::array<int, 6>> corners;  ///< particles: three inner, then the three above them
+  std::vector<std::array<double, 3>> rest_difference;  ///< [m] first diagonal less the second
+  std::vector<std::array<double, 3>> shear_stiffness;  ///< [N/m] of that difference
+  std::vector<std::array<double, 3>> shear_damping;    ///< [N·s/m] likewise
+};
+
 /// An organ as built: everything about it that a simulation never changes.
 /// Made by a build_* function, checked once by validate(), then shared as const.
 struct TissueModel {
@@ -53,6 +68,7 @@ struct TissueModel {
   Links springs;                    ///< mass-spring model; may be empty
   Links bonds;                      ///< molecular model; may be empty
   Angles angles;                    ///< molecular model; may be empty
+  Prisms prisms;                    ///< walls that bend; may be empty
   std::vector<double> home;         ///< [N/m] pull of each particle to its rest; may be empty
   double pressure = 0.0;            ///< [Pa] inside above outside
   std::vector<Triangle> triangles;  ///< outer surface, counter-clockwise from outside

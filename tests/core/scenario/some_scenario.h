@@ -23,11 +23,27 @@ using scenario::Container;
 using scenario::Dtype;
 using scenario::Scenario;
 
-/// An organ with every table in use: springs and bonds, angles, home springs, held particles.
+/// A prism between two triangles of a tissue, at rest as they lie.
+inline Prisms make_prism(const TissueModel& tissue) {
+  const std::array<int, 6> corners = {0, 1, 2, 3, 4, 5};
+  const auto distance = [&](int a, int b) {
+    return (tissue.rest_position[b] - tissue.rest_position[a]).norm();
+  };
+  std::array<double, 3> difference;
+  for (int c = 0; c < 3; ++c) {
+    const int i = (c + 1) % 3, j = (c + 2) % 3;
+    difference[c] = distance(corners[i], corners[j + 3]) - distance(corners[j], corners[i + 3]);
+  }
+  return {{corners}, {difference}, {{1.0, 2.0, 3.0}}, {{0.1, 0.2, 0.3}}};
+}
+
+/// An organ with every table in use: springs and bonds, angles, prisms, home springs, held
+/// particles.
 inline Scene make_full_scene() {
   Scene scene;
   scene.tissue = scenes::make_molecular_organ(1, {.damping_ratio = 0.2, .drag = 2.0});
   scene.tissue.springs = scenes::make_spring_organ(1).springs;
+  scene.tissue.prisms = make_prism(scene.tissue);
   scene.tissue.home.assign(scene.tissue.mass.size(), 20.0);
   scene.tissue.pressure = 100.0;
   scene.tissue.damping_law = DampingLaw::isotropic;
