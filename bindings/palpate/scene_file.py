@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections.abc import Callable
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any, get_type_hints
@@ -17,7 +18,7 @@ from typing import Any, get_type_hints
 import palpate
 from palpate.json_part import read_part
 from palpate.mesh_file import read_mesh_file
-from palpate.scene_parts import KINDS, MaterialPart, SceneFile
+from palpate.scene_parts import ORIGINS, MaterialPart, SceneFile
 from palpate.verb import Refusal
 from palpate.whole_file import write_whole
 
@@ -70,9 +71,8 @@ def build_material(part: MaterialPart) -> palpate.Material:
 def build_tissue(scene: SceneFile, mesh: palpate.SurfaceMesh) -> palpate.TissueModel:
     """The compiled model of a scene's organ. Raises ValueError naming what is wrong."""
     model = scene.model
-    if model.kind not in KINDS:
-        raise ValueError(f"model.kind: got {model.kind!r}, expected one of {', '.join(KINDS)}")
-    material = build_material(scene.material)
+    if model.kind not in BUILDERS:
+        raise ValueError(f"model.kind: got {model.kind!r}, expected one of {', '.join(BUILDERS)}")
     options = palpate.SurfaceOptions()
     options.home_stiffness = model.home_stiffness
     options.stiffness_scale = list(model.stiffness_scale)
@@ -80,14 +80,53 @@ def build_tissue(scene: SceneFile, mesh: palpate.SurfaceMesh) -> palpate.TissueM
     options.pressure = model.pressure
     options.drag = model.drag
     options.damping_law = enumerator(palpate.DampingLaw, "model.damping_law", model.damping_law)
-    if model.kind == "mass_spring":
-        return palpate.build_mass_spring(mesh, material, model.stiffness, options)
+    return BUILDERS[model.kind](scene, mesh, options)
+
+
+def has_constants_from_tissue(scene: SceneFile) -> bool:
+    if scene.model.constants not in ORIGINS:
+        raise ValueError(
+            f"model.constants: got {scene.model.constants!r}, expected one of {', '.join(ORIGINS)}"
+        )
+    return scene.model.constants == "tissue"
+
+
+def build_springs(
+    scene: SceneFile, mesh: palpate.SurfaceMesh, options: palpate.SurfaceOptions
+) -> palpate.TissueModel:
+    model, material = scene.model, build_material(scene.material)
+    if has_constants_from_tissue(scene):
+        rule = enumerator(palpate.SpringRule, "model.spring_rule", model.spring_rule)
+        return palpate.build_membrane_springs(mesh, material, rule, options)
+    return palpate.build_mass_spring(mesh, material, model.stiffness, options)
+
+
+def build_molecules(
+    scene: SceneFile, mesh: palpate.SurfaceMesh, options: palpate.SurfaceOptions
+) -> palpate.TissueModel:
+    model, material = scene.model, build_material(scene.material)
+    angle_law = enumerator(palpate.AngleLaw, "model.angle_law", model.angle_law)
+    if has_constants_from_tissue(scene):
+        return palpate.build_membrane_molecular(mesh, material, 0.0, angle_law, options)
     constants = palpate.MolecularConstants()
     constants.bond_stiffness = model.stiffness
     constants.bend_stiffness = model.bend_stiffness
     constants.stretch_coupling = model.stretch_coupling
-    constants.angle_law = enumerator(palpate.AngleLaw, "model.angle_law", model.angle_law)
+    constants.angle_law = angle_law
     return palpate.build_molecular(mesh, material, constants, options)
+
+
+def build_wall(
+    scene: SceneFile, mesh: palpate.SurfaceMesh, options: palpate.SurfaceOptions
+) -> palpate.TissueModel:
+    return palpate.build_shell(mesh, build_material(scene.material), options)
+
+
+BUILDERS: dict[
+    str,
+    Callable[[SceneFile, palpate.SurfaceMesh, palpate.SurfaceOptions], palpate.TissueModel],
+] = {"mass_spring": build_springs, "molecular": build_molecules, "shell": build_wall}
+"""Model kind -> what builds it."""
 
 
 def enumerator(kind: Any, where: str, name: str) -> Any:

@@ -8,8 +8,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-KINDS = ("mass_spring", "molecular")
+KINDS = ("mass_spring", "molecular", "shell")
 """The laws that can hold an organ together."""
+ORIGINS = ("chosen", "tissue")
+"""Where the constants of springs, bonds and angles come from: the model part, or the material."""
+SPRING_RULES = ("van_gelder", "lloyd")
+"""How the constants of springs follow from the material."""
 
 
 @dataclass(frozen=True)
@@ -39,6 +43,11 @@ class ModelPart:
     """Which law holds the organ together, with its constants."""
 
     kind: str = "mass_spring"
+    constants: str = "chosen"
+    """tissue: Young's modulus, Poisson's ratio and the wall's thickness give them, and the next
+    three numbers do not count. A shell always has its constants from there."""
+    spring_rule: str = "van_gelder"
+    """Of springs with constants from tissue."""
     stiffness: float = 50.0
     """[N/m] of every spring, or of every bond inside the surface."""
     bend_stiffness: float = 0.0

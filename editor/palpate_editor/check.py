@@ -24,7 +24,13 @@ from palpate_editor.compile import (
     mesh_of,
 )
 from palpate_editor.document import Organ, Surface
-from palpate_editor.document.problems import Facts, Problem, SurfaceFacts, TissueFacts
+from palpate_editor.document.problems import (
+    Facts,
+    Problem,
+    SurfaceFacts,
+    TissueFacts,
+    WallFit,
+)
 from palpate_editor.document.rules import find_problems
 from palpate_editor.fixes import find_fix
 from palpate_editor.open_organ import open_organ
@@ -118,12 +124,32 @@ def build(organ: Organ) -> tuple[palpate.Scene | None, TissueFacts | None]:
         total_mass=palpate.compute_total_mass(tissue),
         links=len(tissue.springs.ends) + len(tissue.bonds.ends),
         default_home=home,
+        wall=compare_with_wall(organ, tissue),
     )
+
+
+def compare_with_wall(organ: Organ, tissue: palpate.TissueModel) -> WallFit | None:
+    """What a surface model makes of the material, painted stiffness taken as the material's."""
+    thickness = organ.material.wall_thickness
+    if thickness is None or organ.surface is None:
+        return None
+    scale = np.ones(len(tissue.mass))
+    scale[: organ.vertex_count] = organ.stiffness_scale
+    material = build_material(organ.material)
+    if organ.model.kind == "shell":  # each face is half of the wall
+        material.wall_thickness = 0.5 * thickness
+    try:
+        fit = palpate.compare_with_membrane(tissue, material, scale)
+    except ValueError:
+        return None
+    return WallFit(fit.young_modulus, fit.poisson_ratio, fit.least, fit.most, fit.error)
 
 
 def find_default_home(organ: Organ) -> float | None:
     """[N/m³] of the builder's own choice, None where it refuses the material."""
     assert organ.surface is not None
+    if organ.model.kind == "shell":
+        return 0.0
     try:
         return palpate.default_home_stiffness(
             mesh_of(organ.surface), build_material(organ.material)
@@ -145,6 +171,8 @@ def find_coupling_range(organ: Organ) -> tuple[float, float] | None:
     """
     hair = 1e-12
     if organ.model.kind != "molecular" or organ.model.angle_law != "gradient":
+        return None
+    if organ.model.constants != "chosen":
         return None
     if organ.model.stretch_coupling == 0.0:
         return None

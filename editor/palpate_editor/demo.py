@@ -34,6 +34,8 @@ from palpate_editor.publish import publish
 from palpate_editor.scene_files import write_scene
 from palpate_editor.shipped import find_mesh
 
+TOUCHED = ("mss", "mms")
+"""The tissues that are pressed and compared."""
 SHIPPED = "spleen"
 """The organ of ours that is used where no mesh is given."""
 PUBLISHED = "mss"
@@ -88,7 +90,7 @@ def run_demo(
     summary = begin_summary(organ)
     script = PressScript(**values["script"])
     runs: dict[str, Run] = {}
-    for kind in SHORT_KINDS:
+    for kind in TOUCHED:
         scene_path = out / f"{kind}.scene.json"
         write_scene(scene_path, dress(organ, kind, values), out / "organ.obj")
         runs[kind], summary[kind] = touch(kind, scene_path, script, say)

@@ -110,6 +110,11 @@ def write_files(folder: Path, names: list[str]) -> Iterator[tuple[str, Path, Pat
         yield name, working, scenario
 
 
+def list_tissues() -> list[Tissue]:
+    """What the shipped organs are made of, with what has been published about it."""
+    return list(read_tissues().values())
+
+
 def list_organs() -> list[tuple[Entry, Tissue]]:
     """The catalogue, every organ with what it is made of."""
     tissues = read_tissues()

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from palpate.scene_parts import KINDS
+from palpate.scene_parts import KINDS, ORIGINS, SPRING_RULES, ModelPart
 
 from palpate_editor.document.phrase import Phrase, phrase
 
@@ -36,10 +36,16 @@ class Constant:
     absent: str = ""
     kinds: tuple[str, ...] = KINDS
     """The model kinds on which it has an effect."""
+    chosen: bool = False
+    """It counts only where the constants are chosen, not where tissue gives them."""
 
     @property
     def key(self) -> str:
         return f"{self.part}.{self.field}"
+
+    def counts(self, model: ModelPart) -> bool:
+        """Whether a model of this kind makes use of it."""
+        return model.kind in self.kinds and (not self.chosen or model.constants == "chosen")
 
     def allows(self, value: float) -> bool:
         if not math.isfinite(value):
@@ -63,9 +69,10 @@ class Constant:
         return phrase(template, low=low, high=high, unit=unit)
 
 
-SHORT_KINDS = {"mss": "mass_spring", "mms": "molecular"}
+SHORT_KINDS = {"mss": "mass_spring", "mms": "molecular", "shell": "shell"}
 """What the command line calls them."""
 MOLECULAR = ("molecular",)
+SURFACES = ("mass_spring", "molecular")
 ANY = -math.inf
 
 CONSTANTS = (
@@ -81,12 +88,27 @@ CONSTANTS = (
         absent="solid",
     ),
     Constant("material", "young_modulus", "Young's modulus", "kPa", scale=1e3),
-    Constant("material", "poisson_ratio", "Poisson's ratio", "", least=-1.0, most=0.5),
-    Constant("model", "stiffness", "Stiffness", "N/m"),
+    Constant("material", "poisson_ratio", "Poisson's ratio", "", above=False, most=0.5),
+    Constant("model", "stiffness", "Stiffness", "N/m", kinds=SURFACES, chosen=True),
     Constant(
-        "model", "bend_stiffness", "Bend stiffness", "mJ", 1e-3, 0.0, above=False, kinds=MOLECULAR
+        "model",
+        "bend_stiffness",
+        "Bend stiffness",
+        "mJ",
+        scale=1e-3,
+        above=False,
+        kinds=MOLECULAR,
+        chosen=True,
     ),
-    Constant("model", "stretch_coupling", "Stretch-bend", "N", least=ANY, kinds=MOLECULAR),
+    Constant(
+        "model",
+        "stretch_coupling",
+        "Stretch-bend",
+        "N",
+        least=ANY,
+        kinds=MOLECULAR,
+        chosen=True,
+    ),
     Constant(
         "model",
         "home_stiffness",
@@ -110,9 +132,22 @@ CONSTANTS = (
 
 CHOICES = {
     "model.kind": KINDS,
+    "model.constants": ORIGINS,
+    "model.spring_rule": SPRING_RULES,
     "model.angle_law": ("gradient", "eq10"),
     "model.damping_law": ("axis", "isotropic"),
 }
+
+
+def counts_choice(field: str, model: ModelPart) -> bool:
+    """Whether a law of `field` has an effect on a model."""
+    if field == "angle_law":
+        return model.kind == "molecular"
+    if field == "constants":
+        return model.kind in SURFACES
+    if field == "spring_rule":
+        return model.kind == "mass_spring" and model.constants == "tissue"
+    return True
 
 
 def find_constant(part: str, field: str) -> Constant | None:

@@ -31,7 +31,7 @@ from palpate.verb import Refusal
 from palpate_editor.document.organ import Decimation, Organ, Source
 from palpate_editor.document.surface import Surface
 
-FORMAT, VERSION = "organ", 1
+FORMAT, VERSION = "organ", 2
 ARRAYS_OF_MODEL = ("fixed", "stiffness_scale")
 """Of the model part; arrays of the file stand for them."""
 WORDS = ("name", "title", "task")
@@ -40,7 +40,15 @@ OPTIONAL = {"source": Source, "decimation": Decimation, "look": LookPart}
 
 Json = dict[str, Any]
 Arrays = dict[str, np.ndarray]
-MIGRATIONS: dict[int, Callable[[Json, Arrays], tuple[Json, Arrays]]] = {}
+
+
+def choose_constants(content: Json, arrays: Arrays) -> tuple[Json, Arrays]:
+    """Version 2 can have constants from tissue; before, all were chosen."""
+    content["model"] |= {"constants": "chosen", "spring_rule": "van_gelder"}
+    return content, arrays
+
+
+MIGRATIONS: dict[int, Callable[[Json, Arrays], tuple[Json, Arrays]]] = {1: choose_constants}
 """Version -> what makes of a document of that version one of the next."""
 
 

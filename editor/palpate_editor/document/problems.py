@@ -51,6 +51,20 @@ class SurfaceFacts:
 
 
 @dataclass(frozen=True)
+class WallFit:
+    """How a tissue of springs and bonds compares with a wall of its material, at rest."""
+
+    young_modulus: float
+    """[Pa] of the wall nearest to it."""
+    poisson_ratio: float
+    least: float
+    """[-] of the material's stiffness, in the softest strain anywhere."""
+    most: float
+    error: float
+    """[-] root mean square over area."""
+
+
+@dataclass(frozen=True)
 class TissueFacts:
     """What came of building the tissue."""
 
@@ -66,6 +80,8 @@ class TissueFacts:
     """Springs and bonds."""
     default_home: float | None = None
     """[N/m³] What home springs are where the designer says nothing."""
+    wall: WallFit | None = None
+    """None for a solid, and where triangles are too thin to be compared."""
     refusal: tuple[str, str, str] | None = None
     """Where, found, expected: why there is none."""
     coupling_range: tuple[float, float] | None = None

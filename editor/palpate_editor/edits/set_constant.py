@@ -11,6 +11,7 @@ from palpate.scene_parts import MaterialPart, ModelPart
 
 from palpate_editor.document import Organ, phrase
 from palpate_editor.document.constants import CHOICES, CONSTANTS, find_constant
+from palpate_editor.edits.adopt import adopt_constants
 from palpate_editor.edits.edit import EditError
 
 
@@ -58,7 +59,10 @@ class SetConstant:
 
 @dataclass(frozen=True)
 class SetChoice:
-    """Choose a law: `kind`, `angle_law` or `damping_law` of the model."""
+    """Choose a law: `kind`, `angle_law` or another field of CHOICES.
+
+    Constants that the tissue gave are taken over when they are to be chosen by hand.
+    """
 
     title: ClassVar[str] = "Choose a law"
 
@@ -76,6 +80,11 @@ class SetChoice:
                     got=self.value,
                 )
             )
+        if self.field == "constants" and (organ.model.constants, self.value) == (
+            "tissue",
+            "chosen",
+        ):
+            return adopt_constants(organ)
         return replace_field(organ, "model", self.field, self.value)
 
 

@@ -17,6 +17,7 @@ from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.constants import CHOICES, CONSTANTS, SHORT_KINDS, Constant
 from palpate_editor.document.files import write_organ
 from palpate_editor.edits import FixLowest, SetChoice, SetConstant, SetGravity
+from palpate_editor.kinds import compare_kinds, describe_kinds
 from palpate_editor.scene_files import write_scene
 from palpate_editor.verbs.files import apply, open_any
 
@@ -30,7 +31,7 @@ OPTIONS = {
     "material.wall_thickness": ("--wall", "m"),
     "material.density": ("--density", "kg/m3"),
     "material.damping_ratio": ("--damping", ""),
-    "material.young_modulus": ("--young", "Pa"),
+    "material.young_modulus": ("--young-modulus", "Pa"),
     "material.poisson_ratio": ("--poisson", ""),
     "tool.radius": ("--tool-radius", "m"),
     "tool.stiffness": ("--tool-stiffness", "N/m3"),
@@ -41,7 +42,12 @@ OPTIONS = {
 }
 """Constant -> its option, and the unit that must stand with the number."""
 
-LAWS = {"model.angle_law": "--angle-law", "model.damping_law": "--damping-law"}
+LAWS = {
+    "model.angle_law": "--angle-law",
+    "model.damping_law": "--damping-law",
+    "model.constants": "--constants",
+    "model.spring_rule": "--spring-rule",
+}
 NONE = "none"
 """The word for a constant that is not given: no wall, the builder's own home springs."""
 
@@ -59,9 +65,14 @@ def read_constant(constant: Constant, unit: str) -> Callable[[str], float | str]
 def add_material(word: argparse.ArgumentParser) -> None:
     word.add_argument("file", type=Path, help=".organ, .scene.json, or OBJ of `palpate import`")
     word.add_argument(
-        "--out", "-o", type=Path, required=True, help=".organ, or scene file to write"
+        "--out",
+        "-o",
+        type=Path,
+        help=".organ, or scene file to write; without one, every kind is built and compared",
     )
-    word.add_argument("--kind", choices=tuple(SHORT_KINDS), help="mass-spring or molecular")
+    word.add_argument(
+        "--kind", choices=tuple(SHORT_KINDS), help="mass-spring, molecular, or shell of prisms"
+    )
     for constant in CONSTANTS:
         option, unit = OPTIONS[constant.key]
         default = getattr(getattr(EMPTY, constant.part), constant.field)
@@ -121,6 +132,8 @@ def set_constants(call: argparse.Namespace, organ: Organ) -> Organ:
 
 def run_material(call: argparse.Namespace) -> Report:
     organ = set_constants(call, open_any(call.file))
+    if call.out is None:
+        return {"out": None, **compare_kinds(organ, call.file)}
     try:
         compiled = compile_organ(organ)
     except ValueError as problem:
@@ -148,6 +161,8 @@ def run_material(call: argparse.Namespace) -> Report:
 
 
 def describe_material(report: Report) -> str:
+    if report["out"] is None:
+        return describe_kinds(report)
     return (
         f"wrote {report['out']}: {report['description']}, {report['fixed']} fixed, stable step "
         f"{report['stable_step_ms']:.3f} ms"

@@ -15,7 +15,7 @@ from typing import Any
 from palpate.viewport import View
 
 from palpate_editor.document import Organ, Source
-from palpate_editor.document.constants import CONSTANTS
+from palpate_editor.document.constants import CONSTANTS, SHORT_KINDS
 from palpate_editor.edits import (
     Decimate,
     Edit,
@@ -33,7 +33,7 @@ from palpate_editor.edits import (
 )
 from palpate_editor.verbs.tissue import LAWS, NONE, OPTIONS
 
-KINDS = {"mass_spring": "mss", "molecular": "mms"}
+KINDS = {kind: short for short, kind in SHORT_KINDS.items()}
 ASKED = "as asked"
 """The reason of a unit or an axis that somebody chose."""
 

@@ -134,6 +134,9 @@ class Deeds(QObject):
     def use_mms(self) -> None:
         self.use_kind("molecular")
 
+    def use_shell(self) -> None:
+        self.use_kind("shell")
+
     def use_kind(self, kind: str) -> None:
         if self.desk.session.organ.model.kind == kind:
             return

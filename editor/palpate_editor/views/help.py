@@ -45,6 +45,8 @@ def stage_help(stage: str) -> list[str]:
                "substeps and the stability margin follow at once."),
             tr("The mass–spring model has springs along all edges. The molecular model adds angles "
                "and their coupling to stretch; a triangle can only take a certain range of it."),
+            tr("A wall can have its constants from the tissue: choose so under Constants, and read "
+               "what the model makes of the wall. A shell of prisms bends as well."),
             tr("Fix what is attached to the body, and paint places that are harder: choose a brush "
                "at the left, and drag over the organ."),
         ],

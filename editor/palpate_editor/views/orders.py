@@ -110,6 +110,7 @@ def material_orders(w: MainWindow) -> list[Order]:
     return [
         Order("mss", "material", tr("&Mass–spring model"), w.deeds.use_mss, ("Ctrl+Alt+S",)),
         Order("mms", "material", tr("M&olecular model"), w.deeds.use_mms, ("Ctrl+Alt+M",)),
+        Order("shell", "material", tr("S&hell of prisms"), w.deeds.use_shell, ("Ctrl+Alt+H",)),
         Order(
             "fix_lowest",
             "material",

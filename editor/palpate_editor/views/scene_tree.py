@@ -67,8 +67,14 @@ class SceneTree(QTreeWidget):
             self.add(top, tr("Imported"), words, "mesh", "decimate")
         words = tr("{vertices} vertices").format(vertices=count(organ.vertex_count))
         self.add(top, tr("Surface"), words, "mesh", "decimate")
-        kinds = {"mass_spring": "MSS", "molecular": "MMS"}
-        law = f"{kinds.get(organ.model.kind, '')}, {quantity(organ.model.stiffness, 'N/m')}"
+        kinds = {"mass_spring": "MSS", "molecular": "MMS", "shell": tr("Shell")}
+        chosen = organ.model.kind != "shell" and organ.model.constants == "chosen"
+        stiffness = (
+            quantity(organ.model.stiffness, "N/m")
+            if chosen
+            else quantity(1e-3 * organ.material.young_modulus, "kPa")
+        )
+        law = f"{kinds.get(organ.model.kind, '')}, {stiffness}"
         self.add(top, tr("Model"), law, "spring", "material")
         self.add(top, tr("Fixed"), count(int(organ.fixed.sum())), "fix", "material")
         scale = organ.stiffness_scale

@@ -5,6 +5,10 @@
 <context>
     <name>Editor</name>
     <message>
+        <source> (not looked up)</source>
+        <translation> (aslına bakılmadı)</translation>
+    </message>
+    <message>
         <source>&amp;About Palpate</source>
         <translation>Palpate &amp;hakkında</translation>
     </message>
@@ -225,6 +229,10 @@
         <translation>Doku temiz bir yüzey ister. Delikler açık kalır ve belirtilir.</translation>
     </message>
     <message>
+        <source>A wall can have its constants from the tissue: choose so under Constants, and read what the model makes of the wall. A shell of prisms bends as well.</source>
+        <translation>Bir duvarın sabitleri dokudan gelebilir: Sabitler altında öyle seçin ve modelin duvardan ne çıkardığını okuyun. Prizmalardan kabuk eğilir de.</translation>
+    </message>
+    <message>
         <source>About {share} of a millisecond for every tick.</source>
         <translation>Her adım için bir milisaniyenin yaklaşık {share} kadarı.</translation>
     </message>
@@ -313,6 +321,10 @@
         <translation>Seç…</translation>
     </message>
     <message>
+        <source>Chosen by hand</source>
+        <translation>Elle seçilmiş</translation>
+    </message>
+    <message>
         <source>Chosen so that a surface feels like an organ; not derived from tissue.</source>
         <translation>Bir yüzey organ gibi hissettirsin diye seçildi; dokudan türetilmedi.</translation>
     </message>
@@ -351,6 +363,10 @@
     <message>
         <source>Connected only</source>
         <translation>Yalnız bağlı olanlar</translation>
+    </message>
+    <message>
+        <source>Constants</source>
+        <translation>Sabitler</translation>
     </message>
     <message>
         <source>Cost</source>
@@ -437,12 +453,12 @@
         <translation>İkiden çok üçgenli kenar</translation>
     </message>
     <message>
-        <source>Elasticity</source>
-        <translation>Esneklik</translation>
-    </message>
-    <message>
         <source>Energy gradient (Eq 9, 11)</source>
         <translation>Enerji gradyanı (Denk. 9, 11)</translation>
+    </message>
+    <message>
+        <source>Error of stretching</source>
+        <translation>Uzama hatası</translation>
     </message>
     <message>
         <source>Even out</source>
@@ -555,6 +571,10 @@
     <message>
         <source>Free the selected vertices</source>
         <translation>Seçili köşeleri serbest bırak</translation>
+    </message>
+    <message>
+        <source>From the tissue</source>
+        <translation>Dokudan</translation>
     </message>
     <message>
         <source>Front side only</source>
@@ -749,6 +769,10 @@
         <translation>Karaciğer</translation>
     </message>
     <message>
+        <source>Lloyd</source>
+        <translation>Lloyd</translation>
+    </message>
+    <message>
         <source>Log</source>
         <translation>Günlük</translation>
     </message>
@@ -889,6 +913,10 @@
         <translation>Yayımlamanın önünde engel yok.</translation>
     </message>
     <message>
+        <source>Of the wall's stiffness</source>
+        <translation>Duvar katılığına oranı</translation>
+    </message>
+    <message>
         <source>Open</source>
         <translation>Aç</translation>
     </message>
@@ -1017,6 +1045,10 @@
         <translation>Yayımlanmış senaryolar (*.palpate)</translation>
     </message>
     <message>
+        <source>Published values</source>
+        <translation>Yayımlanmış değerler</translation>
+    </message>
+    <message>
         <source>Publishing {file}</source>
         <translation>{file} yayımlanıyor</translation>
     </message>
@@ -1061,12 +1093,20 @@
         <translation>Fırça etkinken sağ ya da orta sürükleme</translation>
     </message>
     <message>
+        <source>Rule of springs</source>
+        <translation>Yay kuralı</translation>
+    </message>
+    <message>
         <source>Run</source>
         <translation>Çalıştır</translation>
     </message>
     <message>
         <source>Running: Space pauses, R begins anew.</source>
         <translation>Çalışıyor: Boşluk tuşu duraklatır, R baştan başlatır.</translation>
+    </message>
+    <message>
+        <source>S&amp;hell of prisms</source>
+        <translation>Prizmalardan ka&amp;buk</translation>
     </message>
     <message>
         <source>Save</source>
@@ -1149,6 +1189,14 @@
         <translation>Katılık ver</translation>
     </message>
     <message>
+        <source>Shell</source>
+        <translation>Kabuk</translation>
+    </message>
+    <message>
+        <source>Shell of prisms</source>
+        <translation>Prizmalardan kabuk</translation>
+    </message>
+    <message>
         <source>Shift / Ctrl with a brush</source>
         <translation>Fırça ile Shift / Ctrl</translation>
     </message>
@@ -1221,8 +1269,8 @@
         <translation>Yaylar ve bağlar</translation>
     </message>
     <message>
-        <source>Springs and bonds take the stiffness above. Young's modulus sets the home springs of a hollow organ where they have no own value.</source>
-        <translation>Yaylar ve bağlar yukarıdaki katılığı alır. Young modülü, kendi değeri yoksa içi boş bir organın yuva yaylarını belirler.</translation>
+        <source>Springs and bonds take the stiffness below. Young's modulus sets the home springs of a hollow organ where they have no own value.</source>
+        <translation>Yaylar ve bağlar aşağıdaki katılığı alır. Young modülü, kendi değeri yoksa içi boş bir organın yuva yaylarını belirler.</translation>
     </message>
     <message>
         <source>Stability</source>
@@ -1271,6 +1319,10 @@
     <message>
         <source>Strength</source>
         <translation>Güç</translation>
+    </message>
+    <message>
+        <source>Stretches like</source>
+        <translation>Uzaması benzer:</translation>
     </message>
     <message>
         <source>Substeps a tick</source>
@@ -1429,6 +1481,10 @@
         <translation>Henüz yayımlanacak bir şey yok: önce bir ağ içe aktarın.</translation>
     </message>
     <message>
+        <source>These five give the wall its stretching and its bending; nothing else need be chosen.</source>
+        <translation>Bu beşi duvarın uzamasını ve eğilmesini verir; başka bir şey seçmek gerekmez.</translation>
+    </message>
+    <message>
         <source>This needs more memory than the machine has.</source>
         <translation>Bu, makinedekinden çok bellek istiyor.</translation>
     </message>
@@ -1471,6 +1527,10 @@
     <message>
         <source>Tissue</source>
         <translation>Doku</translation>
+    </message>
+    <message>
+        <source>Tissue to look up</source>
+        <translation>Bakılacak doku</translation>
     </message>
     <message>
         <source>Title</source>
@@ -1529,8 +1589,16 @@
         <translation>Kaydedilmemiş çalışma bulundu</translation>
     </message>
     <message>
+        <source>Use its constants</source>
+        <translation>Sabitlerini kullan</translation>
+    </message>
+    <message>
         <source>Use the imported surface</source>
         <translation>İçe aktarılan yüzeyi kullan</translation>
+    </message>
+    <message>
+        <source>Van Gelder</source>
+        <translation>Van Gelder</translation>
     </message>
     <message>
         <source>Vertices</source>
@@ -1591,6 +1659,10 @@
     <message>
         <source>Write one file that a trainee can open and feel.</source>
         <translation>Eğitim görenin açıp dokunabileceği tek bir dosya yazın.</translation>
+    </message>
+    <message>
+        <source>Young's modulus, Poisson's ratio and the wall's thickness give every spring and bond its constants. Choose them by hand to go on from there.</source>
+        <translation>Young modülü, Poisson oranı ve duvar kalınlığı her yayın ve bağın sabitlerini verir. Oradan devam etmek için sabitleri elle seçin.</translation>
     </message>
     <message>
         <source>about {share} % of its time</source>

@@ -6,6 +6,7 @@ from __future__ import annotations
 import pytest
 from hands import child, click, type_into
 from palpate_editor.document.constants import CONSTANTS
+from palpate_editor.edits import SetChoice, SetConstant
 from palpate_editor.views.quantity_box import QuantityBox, read_number, write_number
 from patience import settle
 from PySide6.QtCore import Qt
@@ -157,3 +158,48 @@ def test_a_box_takes_letters_of_numbers_only(qtbot):
     QTest.keyClick(box.lineEdit(), Qt.Key.Key_Return)
 
     assert got == [1200.0]
+
+
+def test_a_wall_takes_its_constants_from_its_tissue_and_says_how_well(panel, qtbot):
+    window = panel.window()
+    type_into(child(panel, "material.young_modulus"), "50")
+    window.desk.apply(SetConstant("material", "wall_thickness", 2e-3))
+    window.desk.apply(SetChoice("kind", "molecular"))
+    settle(qtbot, window)
+    before = panel.facts.words()
+    choose(panel, "model.constants", "tissue")
+    settle(qtbot, window)
+
+    words = panel.facts.words()
+    assert words["Of the wall's stiffness"] == "1 ×"
+    assert words["Stretches like"].startswith("50")
+    assert before["Stretches like"] != words["Stretches like"]
+    assert not child(panel, "model.stiffness").isVisible()
+    assert "--constants tissue" in window.log.log.toPlainText()
+
+    choose(panel, "model.constants", "chosen")
+    settle(qtbot, window)
+
+    assert child(panel, "model.stiffness").isVisible()
+    assert panel.desk.session.organ.model.stiffness == pytest.approx(100.0, rel=0.5)
+    window.desk.session.history.undo()
+    assert panel.desk.session.organ.model.constants == "tissue"
+
+
+def test_published_values_stand_with_their_source_and_can_be_used(panel, qtbot):
+    published = panel.published
+    published.box.setCurrentIndex([t.name for t in published.tissues].index("gallbladder"))
+
+    rows = published.facts.words()
+    assert "230 – 280\N{NO-BREAK SPACE}kPa" in rows["Young's modulus"]
+    assert "Karimi et al. 2017" in rows["Young's modulus"]
+    click(child(panel, "use_tissue"))
+
+    organ = panel.desk.session.organ
+    assert organ.material.young_modulus == 2.5e5
+    assert organ.material.wall_thickness == 2.5e-3
+
+
+def choose(panel, name: str, value: str) -> None:
+    box = child(panel, name)
+    box.activated.emit(box.values.index(value))

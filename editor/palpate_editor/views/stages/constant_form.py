@@ -9,7 +9,7 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QComboBox, QGridLayout, QWidget
 
 from palpate_editor.document import Organ
-from palpate_editor.document.constants import CHOICES, Constant, find_constant
+from palpate_editor.document.constants import CHOICES, Constant, counts_choice, find_constant
 from palpate_editor.edits import SetChoice, SetConstant
 from palpate_editor.views.desk import Desk
 from palpate_editor.views.quantity_box import QuantityBox, QuantityRow
@@ -27,6 +27,11 @@ def choice_words(value: str) -> str:
     words = {
         "mass_spring": tr("Mass–spring (MSS)"),
         "molecular": tr("Molecular (MMS)"),
+        "shell": tr("Shell of prisms"),
+        "chosen": tr("Chosen by hand"),
+        "tissue": tr("From the tissue"),
+        "van_gelder": tr("Van Gelder"),
+        "lloyd": tr("Lloyd"),
         "gradient": tr("Energy gradient (Eq 9, 11)"),
         "eq10": tr("Opposite edge (Eq 10)"),
         "axis": tr("Along the link"),
@@ -64,7 +69,7 @@ class ConstantField(QuantityRow):
             self.box.mark(True)
 
     def show_organ(self, organ: Organ) -> None:
-        shown = organ.model.kind in self.constant.kinds
+        shown = self.constant.counts(organ.model)
         self.label.setVisible(shown)
         self.setVisible(shown)
         self.show_value(getattr(getattr(organ, self.constant.part), self.constant.field))
@@ -95,7 +100,7 @@ class ChoiceField(QComboBox):
         value = getattr(organ.model, self.field)
         if value in self.values:
             self.setCurrentIndex(self.values.index(value))
-        shown = self.field != "angle_law" or organ.model.kind == "molecular"
+        shown = counts_choice(self.field, organ.model)
         self.label.setVisible(shown)
         self.setVisible(shown)
 

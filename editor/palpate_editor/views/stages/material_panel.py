@@ -12,6 +12,7 @@ from palpate_editor.document import Organ
 from palpate_editor.edits import FixLowest, FixVertices, SetGravity
 from palpate_editor.views.stages.constant_form import ChoiceField, ConstantField, build_grid
 from palpate_editor.views.stages.facts import Fact, Facts, Section, write_label
+from palpate_editor.views.stages.published_values import PublishedValues
 from palpate_editor.views.stages.stage_panel import StagePanel
 from palpate_editor.views.words import count, number, quantity, tr
 
@@ -22,7 +23,13 @@ GOOD_MARGIN = 1.05
 FULL = 0.7
 """[-] of a tick that may be spent on the tissue before it is shown as a warning."""
 
-TISSUE = ("material.density", "material.damping_ratio", "material.wall_thickness")
+TISSUE = (
+    "material.young_modulus",
+    "material.poisson_ratio",
+    "material.density",
+    "material.damping_ratio",
+    "material.wall_thickness",
+)
 LINKS = (
     "model.stiffness",
     "model.bend_stiffness",
@@ -33,7 +40,25 @@ LINKS = (
 )
 TIP = ("tool.radius", "tool.stiffness")
 HAND = ("hand.coupling", "hand.hold_stiffness", "hand.force_max", "hand.rate")
-ELASTICITY = ("material.young_modulus", "material.poisson_ratio")
+GOOD_FIT = 0.05
+"""[-] a larger error against the wall is shown as a warning, where constants come from tissue."""
+
+
+def say_origin(organ: Organ) -> str:
+    """What Young's modulus and its like do in this organ."""
+    if organ.model.kind == "shell":
+        return tr(
+            "These five give the wall its stretching and its bending; nothing else need be chosen."
+        )
+    if organ.model.constants == "tissue":
+        return tr(
+            "Young's modulus, Poisson's ratio and the wall's thickness give every spring and bond "
+            "its constants. Choose them by hand to go on from there."
+        )
+    return tr(
+        "Springs and bonds take the stiffness below. Young's modulus sets the home springs of a "
+        "hollow organ where they have no own value."
+    )
 
 
 class MaterialPanel(StagePanel):
@@ -46,37 +71,32 @@ class MaterialPanel(StagePanel):
         self.form.addLayout(self.tool_options)
         self.fields: list[ConstantField | ChoiceField] = []
         self.kind = ChoiceField(self.desk, "kind", tr("Model"), self)
-        row = QHBoxLayout()
-        row.setSpacing(12)
-        row.addWidget(self.kind.label)
-        row.addWidget(self.kind, 1)
-        self.form.addLayout(row)
+        self.origin = ChoiceField(self.desk, "constants", tr("Constants"), self)
+        for choice in (self.kind, self.origin):
+            row = QHBoxLayout()
+            row.setSpacing(12)
+            row.addWidget(choice.label)
+            row.addWidget(choice, 1)
+            self.form.addLayout(row)
         self.facts = self.section(tr("What comes of it")).add(Facts(self))
         self.range = write_label("", "note", self)
         self.range.setWordWrap(True)
         self.form.addWidget(self.range)
+        tissue = self.section(tr("Tissue"))
+        self.add_constants(tissue, TISSUE)
+        self.origin_note = tissue.add(write_label("", "note", self))
+        self.origin_note.setWordWrap(True)
         self.add_constants(self.section(tr("Springs and bonds")), LINKS, self.build_laws())
-        self.add_constants(self.section(tr("Tissue")), TISSUE)
         self.build_support(self.section(tr("What holds it")))
         self.add_constants(self.section(tr("Tip of the tool")), TIP)
         self.add_constants(self.section(tr("Hand")), HAND)
-        elasticity = self.section(tr("Elasticity"))
-        self.add_constants(elasticity, ELASTICITY)
-        note = elasticity.add(
-            write_label(
-                tr(
-                    "Springs and bonds take the stiffness above. Young's modulus sets the home "
-                    "springs of a hollow organ where they have no own value."
-                ),
-                "note",
-                self,
-            )
-        )
-        note.setWordWrap(True)
-        self.fields.append(self.kind)
+        self.published = PublishedValues(self.desk, self)
+        self.section(tr("Published values")).add(self.published)
+        self.fields += [self.kind, self.origin]
 
     def build_laws(self) -> list[ChoiceField]:
         return [
+            ChoiceField(self.desk, "spring_rule", tr("Rule of springs"), self),
             ChoiceField(self.desk, "damping_law", tr("Damping"), self),
             ChoiceField(self.desk, "angle_law", tr("Law of angles"), self),
         ]
@@ -124,6 +144,7 @@ class MaterialPanel(StagePanel):
     def show_organ(self, organ: Organ) -> None:
         for field in self.fields:
             field.show_organ(organ)
+        self.origin_note.setText(say_origin(organ))
         there = organ.surface is not None
         self.lowest.setEnabled(there)
         self.free.setEnabled(bool(organ.fixed.any()))
@@ -173,11 +194,29 @@ class MaterialPanel(StagePanel):
         if tissue.margin is not None:
             tone = "good" if tissue.margin >= GOOD_MARGIN else "warning"
             rows.append((tr("Stability margin"), f"{number(tissue.margin, 3)} ×", tone))
+        rows += self.wall_rows()
         if share is not None:
             tone = "good" if share <= FULL else "warning"
             words = tr("about {share} % of its time").format(share=f"{100 * share:.0f}")
             rows.append((tr("A tick takes"), words, tone))
         return rows
+
+    def wall_rows(self) -> list[Fact]:
+        """How the springs and bonds of a wall compare with its material."""
+        assessment = self.desk.assessment
+        wall = assessment.tissue.wall if assessment and assessment.tissue else None
+        if wall is None:
+            return []
+        from_tissue = self.desk.session.organ.model.constants == "tissue"
+        tone = "good" if wall.error <= GOOD_FIT else "warning" if from_tissue else ""
+        least, most = number(wall.least, 3), number(wall.most, 3)
+        stiff = f"{least} ×" if least == most else f"{least} – {most} ×"
+        like = quantity(1e-3 * wall.young_modulus, "kPa", 3)
+        return [
+            (tr("Stretches like"), f"{like}, ν {number(wall.poisson_ratio, 3)}"),
+            (tr("Of the wall's stiffness"), stiff),
+            (tr("Error of stretching"), f"{number(100.0 * wall.error, 2)} %", tone),
+        ]
 
     def good_news(self) -> list[str]:
         assessment = self.desk.assessment

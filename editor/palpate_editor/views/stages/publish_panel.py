@@ -83,7 +83,11 @@ class PublishPanel(StagePanel):
         self.button.setEnabled(organ.surface is not None)
         if organ.surface is None:
             return
-        kinds = {"mass_spring": tr("Mass–spring"), "molecular": tr("Molecular")}
+        kinds = {
+            "mass_spring": tr("Mass–spring"),
+            "molecular": tr("Molecular"),
+            "shell": tr("Shell of prisms"),
+        }
         mass = tissue.total_mass if tissue else None
         self.facts.show_facts(
             [

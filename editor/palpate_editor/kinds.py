@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every kind of tissue that a material can be built as, and what each cannot represent."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+import palpate
+from palpate.scene_parts import MaterialPart
+from palpate.verb import Refusal, Report
+
+from palpate_editor.check import compare_with_wall, split_refusal
+from palpate_editor.compile import compile_organ
+from palpate_editor.document import Organ
+from palpate_editor.document.problems import WallFit
+
+EXACT = 1e-6
+"""[-] An error below this is rounding."""
+SURFACE_SHARE = 0.02
+"""[-] of a solid organ's force that its surface alone answers with (SCIENCE 2.4)."""
+
+
+@dataclass(frozen=True)
+class Kind:
+    """One way to build a tissue from a material."""
+
+    name: str
+    title: str
+    model: dict[str, str]
+    """What stands in the model part."""
+    find_limits: Callable[[Organ, palpate.TissueModel, WallFit | None], Iterator[str]]
+
+
+def compute_bending(material: MaterialPart) -> float:
+    """[N·m] D = E h³/(12 (1 - nu²)) of the wall."""
+    assert material.wall_thickness is not None
+    nu = material.poisson_ratio
+    return material.young_modulus * material.wall_thickness**3 / (12.0 * (1.0 - nu**2))
+
+
+def find_stretch_limits(organ: Organ, wall: WallFit | None) -> Iterator[str]:
+    if wall is None or wall.error < EXACT:
+        return
+    yield (
+        f"stretching: answers like nu = {wall.poisson_ratio:.3f} and E = "
+        f"{1e-3 * wall.young_modulus:.4g} kPa, not nu = {organ.material.poisson_ratio:g} and E = "
+        f"{1e-3 * organ.material.young_modulus:g} kPa; by direction and place "
+        f"{wall.least:.2f} to {wall.most:.2f} times as stiff; error {100.0 * wall.error:.2g} %"
+    )
+
+
+def find_membrane_limits(
+    organ: Organ, tissue: palpate.TissueModel, wall: WallFit | None
+) -> Iterator[str]:
+    yield from find_stretch_limits(organ, wall)
+    bending = 1e3 * compute_bending(organ.material)
+    home = float(np.sum(tissue.home)) if len(tissue.home) else 0.0
+    instead = f"home springs of {home:.3g} N/m in all stand for it" if home else "nothing does"
+    yield f"bending: the wall's {bending:.3g} mN·m are missing; {instead}"
+    yield "what is inside: contents are a pressure that does not know their volume"
+
+
+def find_spring_limits(
+    organ: Organ, tissue: palpate.TissueModel, wall: WallFit | None
+) -> Iterator[str]:
+    yield from find_membrane_limits(organ, tissue, wall)
+    yield "being turned inside out: lengths are the same in the mirror"
+
+
+def find_molecular_limits(
+    organ: Organ, tissue: palpate.TissueModel, wall: WallFit | None
+) -> Iterator[str]:
+    yield from find_membrane_limits(organ, tissue, wall)
+    negative = int((np.asarray(tissue.bonds.stiffness) < 0.0).sum())
+    note = f" ({negative} of {len(tissue.bonds.ends)} bonds negative)" if negative else ""
+    exact = (
+        "exact at rest, linear in lengths" if wall is not None and wall.error < EXACT else "near"
+    )
+    yield f"large stretches: {exact}{note}; tissue stiffens, this does not"
+    yield "being turned inside out: lengths and angles are the same in the mirror"
+
+
+def find_shell_limits(
+    organ: Organ, tissue: palpate.TissueModel, wall: WallFit | None
+) -> Iterator[str]:
+    del tissue
+    yield from find_stretch_limits(organ, wall)
+    yield "what is inside: contents are a pressure that does not know their volume"
+    yield "being pressed thin: the wall's thickness resists as springs, without Poisson's ratio"
+    yield "speed: it has no vector code, so it runs on the reference kernel"
+
+
+TISSUE_KINDS = (
+    Kind(
+        "mass_spring van_gelder",
+        "springs, Van Gelder",
+        {"kind": "mass_spring", "constants": "tissue", "spring_rule": "van_gelder"},
+        find_spring_limits,
+    ),
+    Kind(
+        "mass_spring lloyd",
+        "springs, Lloyd",
+        {"kind": "mass_spring", "constants": "tissue", "spring_rule": "lloyd"},
+        find_spring_limits,
+    ),
+    Kind(
+        "molecular gradient",
+        "molecular, exact membrane",
+        {"kind": "molecular", "constants": "tissue", "angle_law": "gradient"},
+        find_molecular_limits,
+    ),
+    Kind(
+        "molecular eq10",
+        "molecular, Eq 10",
+        {"kind": "molecular", "constants": "tissue", "angle_law": "eq10"},
+        find_molecular_limits,
+    ),
+    Kind("shell", "shell of prisms", {"kind": "shell"}, find_shell_limits),
+)
+"""Every kind whose constants come from tissue."""
+
+
+def compare_kinds(organ: Organ, file: Path) -> Report:
+    """Builds each kind of the organ's material. Raises Refusal where there is no surface."""
+    if organ.surface is None:
+        raise Refusal(file, "organ", "no surface", "an imported mesh")
+    return {
+        "material": {
+            "young_modulus_Pa": organ.material.young_modulus,
+            "poisson_ratio": organ.material.poisson_ratio,
+            "density_kg_m3": organ.material.density,
+            "damping_ratio": organ.material.damping_ratio,
+            "wall_thickness_m": organ.material.wall_thickness,
+        },
+        "kinds": [build_kind(organ, kind) for kind in TISSUE_KINDS],
+    }
+
+
+def build_kind(organ: Organ, kind: Kind) -> Report:
+    built = replace(organ, model=replace(organ.model, **kind.model))
+    row: Report = {"name": kind.name, "title": kind.title, "built": False}
+    try:
+        scene = compile_organ(built)
+    except ValueError as problem:
+        where, found, expected = split_refusal(str(problem))
+        row["refusal"] = f"{where}: found {found}, expected {expected}"
+        row["cannot_represent"] = list(find_refused_limits(organ))
+        return row
+    wall = compare_with_wall(built, scene.tissue)
+    return row | {
+        "built": True,
+        "particles": len(scene.tissue.mass),
+        "links": len(scene.tissue.springs.ends) + len(scene.tissue.bonds.ends),
+        "substeps": scene.substeps,
+        "stable_step_ms": 1e3 * palpate.stable_step(scene.tissue),
+        "kernel": scene.kernel.name,
+        "wall": None if wall is None else vars(wall),
+        "cannot_represent": list(kind.find_limits(built, scene.tissue, wall)),
+    }
+
+
+def find_refused_limits(organ: Organ) -> Iterator[str]:
+    if organ.material.wall_thickness is None:
+        yield (
+            f"a solid: its surface alone answers with about {SURFACE_SHARE:.0%} of the organ's "
+            "force, whatever its constants are; a wall needs a thickness"
+        )
+
+
+def describe_kinds(report: Report) -> str:
+    return "\n".join(describe_kind(row) for row in report["kinds"])
+
+
+def describe_kind(row: Report) -> str:
+    if row["built"]:
+        head = (
+            f"{row['title']}: {row['particles']} particles, {row['links']} links, "
+            f"{row['substeps']} substeps, stable step {row['stable_step_ms']:.3f} ms, "
+            f"{row['kernel']} kernel"
+        )
+    else:
+        head = f"{row['title']}: not built; {row['refusal']}"
+    limits = [f"    cannot represent {limit}" for limit in row["cannot_represent"]]
+    return "\n".join([head, *limits])

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`palpate material`: every kind from a Young's modulus, and what each cannot represent."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import palpate
+import pytest
+from organs import make_organ, same
+from palpate.cli import main
+from palpate_editor.check import assess
+from palpate_editor.compile import compile_organ, mesh_of
+from palpate_editor.document import Organ
+from palpate_editor.document.files import read_organ, write_organ
+from palpate_editor.edits import SetChoice
+from palpate_editor.kinds import TISSUE_KINDS
+
+SOLID = replace(make_organ(200, None), stiffness_scale=np.ones(200))
+
+
+def hollow(**model: object) -> Organ:
+    material = replace(SOLID.material, young_modulus=5e4, wall_thickness=2e-3)
+    return replace(SOLID, material=material, model=replace(SOLID.model, **model))
+
+
+def run(capsys, *words: object) -> dict:
+    assert main([*map(str, words), "--json"]) == 0
+    return json.loads(capsys.readouterr().out)
+
+
+@pytest.fixture
+def wall(tmp_path):
+    write_organ(tmp_path / "wall.organ", hollow())
+    return tmp_path / "wall.organ"
+
+
+def test_every_kind_of_a_wall_is_built_and_says_what_it_cannot_represent(wall, capsys):
+    report = run(capsys, "material", wall, "--young-modulus", "5kPa", "--poisson", "0.45")
+
+    rows = {row["name"]: row for row in report["kinds"]}
+    assert list(rows) == [kind.name for kind in TISSUE_KINDS]
+    for row in rows.values():
+        assert row["built"], row
+        assert row["cannot_represent"]
+    assert report["material"]["young_modulus_Pa"] == 5e3
+    exact, springs = rows["molecular gradient"], rows["mass_spring van_gelder"]
+    assert exact["wall"]["error"] < 1e-9
+    assert exact["wall"]["poisson_ratio"] == pytest.approx(0.45)
+    assert springs["wall"]["poisson_ratio"] == pytest.approx(1 / 3, abs=0.01)
+    assert springs["wall"]["young_modulus"] == pytest.approx(5e3, rel=0.05)
+    assert rows["shell"]["particles"] == 2 * exact["particles"]
+    assert any("bending" in limit for limit in exact["cannot_represent"])
+    assert not any("bending" in limit for limit in rows["shell"]["cannot_represent"])
+
+
+def test_the_error_that_is_told_is_that_of_the_built_model(wall, capsys):
+    report = run(capsys, "material", wall, "--young-modulus", "50kPa", "--poisson", "0.3")
+
+    organ = read_organ(wall)
+    material = palpate.Material(young_modulus=5e4, poisson_ratio=0.3, wall_thickness=2e-3)
+    fit = palpate.compare_with_membrane(
+        palpate.build_membrane_springs(mesh_of(organ.surface), material), material
+    )
+    told = report["kinds"][0]
+    assert told["wall"]["error"] == pytest.approx(fit.error)
+    assert f"error {100 * fit.error:.2g} %" in " ".join(told["cannot_represent"])
+
+
+def test_without_an_output_the_document_stays_as_it_is(wall, capsys):
+    before = wall.read_bytes()
+
+    report = run(capsys, "material", wall, "--young-modulus", "5kPa")
+
+    assert report["out"] is None
+    assert wall.read_bytes() == before
+
+
+def test_a_solid_says_why_its_surface_cannot_carry_it(tmp_path, capsys):
+    write_organ(tmp_path / "solid.organ", SOLID)
+
+    report = run(capsys, "material", tmp_path / "solid.organ", "--young-modulus", "5kPa")
+
+    for row in report["kinds"]:
+        if row["built"]:
+            continue
+        assert "material: wall_thickness: found none" in row["refusal"]
+        assert "about 2% of the organ's force" in row["cannot_represent"][0]
+    assert not report["kinds"][0]["built"]
+
+
+def test_in_words_each_kind_has_its_lines(wall, capsys):
+    assert main(["material", str(wall), "--young-modulus", "5kPa"]) == 0
+
+    words = capsys.readouterr().out
+    assert words.count("cannot represent") > 8
+    assert "molecular, exact membrane: 200 particles" in words
+
+
+def test_constants_from_tissue_come_back_and_are_built(wall, capsys):
+    run(capsys, "material", wall, "--young-modulus", "40kPa", "--poisson", "0.4", "--kind", "mms",
+        "--constants", "tissue", "-o", wall)  # fmt: skip
+
+    organ = read_organ(wall)
+    assert (organ.model.kind, organ.model.constants) == ("molecular", "tissue")
+    built = compile_organ(organ).tissue
+    material = palpate.Material(
+        density=organ.material.density,
+        young_modulus=4e4,
+        poisson_ratio=0.4,
+        damping_ratio=organ.material.damping_ratio,
+        wall_thickness=2e-3,
+    )
+    direct = palpate.build_membrane_molecular(mesh_of(organ.surface), material)
+    np.testing.assert_array_equal(built.bonds.stiffness, direct.bonds.stiffness)
+    assert assess(organ).facts.tissue.wall.error < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("kind", "angle_law"),
+    [("mass_spring", "gradient"), ("molecular", "gradient"), ("molecular", "eq10")],
+)
+def test_choosing_by_hand_goes_on_from_what_the_tissue_gave(kind, angle_law):
+    organ = hollow(kind=kind, constants="tissue", angle_law=angle_law)
+
+    chosen = SetChoice("constants", "chosen")(organ)
+
+    assert chosen.model.constants == "chosen"
+    assert chosen.model.stiffness != organ.model.stiffness
+    before, after = assess(organ).facts.tissue, assess(chosen).facts.tissue
+    assert after.refusal is None
+    assert before.wall.error < after.wall.error or kind != "molecular"
+    # one number for all is not what each had, but it is near
+    assert after.wall.young_modulus == pytest.approx(before.wall.young_modulus, rel=0.4)
+
+
+def test_choosing_by_hand_without_a_wall_keeps_the_numbers():
+    organ = replace(SOLID, model=replace(SOLID.model, constants="tissue"))
+
+    chosen = SetChoice("constants", "chosen")(organ)
+
+    assert same(chosen, SOLID)
