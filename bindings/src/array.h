@@ -183,6 +183,10 @@ inline std::vector<std::array<double, 3>> copy_triples(const Numbers& array, con
   return copy_rows<double, 3>(array, name, [](double value) { return value; });
 }
 
+inline std::vector<std::array<double, 4>> copy_quads(const Numbers& array, const char* name) {
+  return copy_rows<double, 4>(array, name, [](double value) { return value; });
+}
+
 /// A property that is a view of a table: its numbers may be written, its length may not change.
 template <class Class, class T, class Of>
 void def_view(Class& cls, const char* name, std::vector<T> Of::*member, const char* doc) {

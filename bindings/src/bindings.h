@@ -9,9 +9,12 @@ namespace palpate::bindings {
 // Where a folder takes more than one file, the first of them calls the others.
 void bind_base(pybind11::module_& m);
 void bind_mesh(pybind11::module_& m);
+void bind_solid_mesh(pybind11::module_& m);
 void bind_model(pybind11::module_& m);
+void bind_solid_tables(pybind11::module_& m);
 void bind_builders(pybind11::module_& m);
 void bind_membrane(pybind11::module_& m);
+void bind_solids(pybind11::module_& m);
 void bind_dynamics(pybind11::module_& m);
 void bind_forces(pybind11::module_& m);
 void bind_contact(pybind11::module_& m);

@@ -45,6 +45,18 @@ void require_angles(const Angles& angles, std::size_t particles) {
   require_count("angles.bond_share", angles.bond_share.size(), count);
 }
 
+void require_volumes(const Volumes& volumes, std::size_t particles) {
+  const std::size_t count = volumes.corners.size();
+  require_below(std::span<const std::array<int, 4>>(volumes.corners), particles, "volumes.corners");
+  require_count("volumes.rest_volume", volumes.rest_volume.size(), count);
+  require_count("volumes.bulk", volumes.bulk.size(), count);
+  // whatever else build_volumes may have been told, no list goes beyond the particles there are
+  if (count > 0 && volumes.first_around.size() > particles + 1) {
+    refuse("volumes.first_around", std::to_string(volumes.first_around.size()) + " entries",
+           std::to_string(particles + 1));
+  }
+}
+
 void require_positive(const char* name, double value) {
   if (!(value > 0.0) || !std::isfinite(value)) refuse(name, text(value), "a positive number");
 }
@@ -113,5 +125,8 @@ void require_fit(const Scene& scene, const World& world) {
   require_fit(world.tool, scene.tissue.triangles.size());
   require_pushes(world.load.pushes(), scene.tissue.triangles.size());
 }
+
+// used by more files than this
+template void require_below<4>(std::span<const std::array<int, 4>>, std::size_t, const char*);
 
 }  // namespace palpate::bindings

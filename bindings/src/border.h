@@ -20,6 +20,7 @@ void require_below(std::span<const std::array<int, N>> rows, std::size_t count, 
 void require_triangles(std::span<const Triangle> triangles, std::size_t particles);
 void require_links(const Links& links, std::size_t particles);
 void require_angles(const Angles& angles, std::size_t particles);
+void require_volumes(const Volumes& volumes, std::size_t particles);
 
 void require_positive(const char* name, double value);
 void require_finite(const char* name, const Vec3& value);

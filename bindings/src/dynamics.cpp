@@ -78,13 +78,15 @@ void bind_energy(py::module_& m) {
       .def_readwrite("links", &Energy::links, "Springs and bonds, Eq 8.")
       .def_readwrite("angles", &Energy::angles, "Eq 9 and Eq 11.")
       .def_readwrite("prisms", &Energy::prisms, "Transverse shear of walls.")
+      .def_readwrite("volumes", &Energy::volumes, "Of tetrahedra.")
       .def_readwrite("home", &Energy::home)
       .def_readwrite("gravity", &Energy::gravity, "Relative to the origin.")
       .def_readwrite("pressure", &Energy::pressure,
                      "-p V; its gradient is the pressure force on closed surfaces.")
       .def("total", &Energy::total)
       .def("elastic", &Energy::elastic);
-  def_repr(energy, {"kinetic", "links", "angles", "prisms", "home", "gravity", "pressure"});
+  def_repr(energy, {"kinetic", "links", "angles", "prisms", "volumes", "home", "gravity",
+                    "pressure"});
   m.def(
       "compute_energy",
       [](const TissueModel& model, const Vec3& gravity, const State& state) {
@@ -231,6 +233,8 @@ void bind_alarm(py::module_& m) {
       .value("collapsed", AlarmKind::collapsed, "index: link; shorter than 0.05 of its rest length")
       .value("energy", AlarmKind::energy,
              "index: -1; elastic and kinetic energy exceed what was given")
+      .value("inverted", AlarmKind::inverted,
+             "index: tetrahedron; volume below 0.05 of that at rest")
       .finalize();
   py::class_<Alarm> alarm(m, "Alarm",
                           "What is wrong with a running tissue, as a value; false for nothing.");

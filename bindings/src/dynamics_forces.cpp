@@ -64,6 +64,19 @@ void bind_prism_forces(py::module_& m) {
       "Adds to f [N] what resists the transverse shear of a wall.");
 }
 
+void bind_volume_forces(py::module_& m) {
+  m.def(
+      "accumulate_volume_forces",
+      [](const Volumes& volumes, const Numbers& x, NumbersOut f) {
+        const auto xs = points(x, "x");
+        const auto fs = points_out(f, "f");
+        require_like(xs, fs, "f");
+        require_volumes(volumes, xs.size());
+        accumulate_volume_forces(volumes, xs, fs);
+      },
+      "volumes"_a, "x"_a, "f"_a.noconvert(), "Adds to f [N] what resists a change of volume.");
+}
+
 void bind_surface_forces(py::module_& m) {
   m.def(
       "accumulate_home_forces",
@@ -92,17 +105,19 @@ void bind_surface_forces(py::module_& m) {
       "Adds to f [N] the push of a pressure [Pa] inside a surface.");
   m.def(
       "accumulate_push_forces",
-      [](const Integers& triangles, const py::object& pushes, NumbersOut f) {
+      [](const Integers& triangles, const Skin& skin, const py::object& pushes, NumbersOut f) {
         const auto rows = copy_index_rows<3>(triangles, "triangles");
         const auto all = copy_rows<Push>(pushes, "pushes");
         const auto fs = points_out(f, "f");
-        require_triangles(rows, fs.size());
+        require_below<4>(skin.corners, fs.size(), "skin");
+        require_count("skin.weights", skin.weights.size(), skin.corners.size());
+        require_triangles(rows, skin.corners.empty() ? fs.size() : skin.corners.size());
         require_pushes(all, rows.size());
-        accumulate_push_forces(rows, all, fs);
+        accumulate_push_forces(rows, skin, all, fs);
       },
-      "triangles"_a, "pushes"_a, "f"_a.noconvert(),
+      "triangles"_a, "skin"_a, "pushes"_a, "f"_a.noconvert(),
       "Adds to f [N] pushes, a structured array as of Load.pushes() or a list of Push, shared by "
-      "their barycentric weights.");
+      "their barycentric weights, and again by those of a skin that is not empty.");
 }
 
 void bind_body_forces(py::module_& m) {
@@ -149,6 +164,7 @@ void bind_body_forces(py::module_& m) {
 void bind_forces(py::module_& m) {
   bind_link_and_angle_forces(m);
   bind_prism_forces(m);
+  bind_volume_forces(m);
   bind_surface_forces(m);
   bind_body_forces(m);
 }

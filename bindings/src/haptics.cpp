@@ -164,8 +164,24 @@ void bind_world(py::module_& m) {
                     "Left until a hold that fades is gone; 0 when none does.");
   def_vector(world, "hand", &World::hand,
              "[m] where the tool is drawn to: the hand, unless that jumped.");
-  def_view(world, "scratch", &World::scratch, "Per particle; a view.");
+  def_view(world, "skin", &World::skin,
+           "[m] the vertices of the skin, after every tick; empty where there is none; a view.");
+  def_view(world, "surface_mass", &World::surface_mass,
+           "[kg] per vertex of the surface, see compute_surface_mass; a view.");
+  def_view(world, "scratch", &World::scratch, "Per vertex of the surface; a view.");
   def_copy(world);
+}
+
+void bind_surface(py::module_& m) {
+  m.def(
+      "surface_position",
+      [](const py::object& world) {
+        const std::span<const Vec3> surface = surface_position(world.cast<const World&>());
+        return read_only(view_entries(surface.data(), surface.size(), world));
+      },
+      "world"_a,
+      "[m] The vertices of the surface: the skin's, or the particles where there is none; a view, "
+      "read-only.");
 }
 
 void bind_tick(py::module_& m) {
@@ -214,6 +230,7 @@ void bind_haptics(py::module_& m) {
   bind_log(m);
   bind_scene(m);
   bind_world(m);
+  bind_surface(m);
   bind_tick(m);
   bind_devices(m);
   bind_loop(m);

@@ -138,6 +138,7 @@ void bind_mesh(py::module_& m) {
         "than two triangles, and neighbours agree on which side is outside.");
   bind_topology(m);
   bind_measures(m);
+  bind_solid_mesh(m);
 }
 
 }  // namespace palpate::bindings

@@ -137,9 +137,9 @@ void bind_prisms(py::module_& m) {
 /// As validate() would refuse it anyway, but before a table is looked at by index.
 TissueModel make_model(const Numbers& rest_position, const Numbers& mass, const Integers& fixed,
                        const Links& springs, const Links& bonds, const Angles& angles,
-                       const Prisms& prisms, const Numbers& home, double pressure,
-                       const Integers& triangles, double drag, DampingLaw damping_law,
-                       AngleLaw angle_law) {
+                       const Prisms& prisms, const Volumes& volumes, const Skin& skin,
+                       const Numbers& home, double pressure, const Integers& triangles, double drag,
+                       DampingLaw damping_law, AngleLaw angle_law) {
   TissueModel model{copy_points(rest_position, "rest_position"),
                     copy_numbers(mass, "mass"),
                     copy_indices(fixed, "fixed"),
@@ -147,6 +147,8 @@ TissueModel make_model(const Numbers& rest_position, const Numbers& mass, const 
                     bonds,
                     angles,
                     prisms,
+                    volumes,
+                    skin,
                     copy_numbers(home, "home"),
                     pressure,
                     copy_index_rows<3>(triangles, "triangles"),
@@ -165,12 +167,16 @@ void bind_tissue_fields(py::class_<TissueModel>& model) {
   model.def_readonly("springs", &TissueModel::springs, "Mass-spring model; may be empty.")
       .def_readonly("bonds", &TissueModel::bonds, "Molecular model; may be empty.")
       .def_readonly("angles", &TissueModel::angles, "Molecular model; may be empty.")
-      .def_readonly("prisms", &TissueModel::prisms, "Walls that bend; may be empty.");
+      .def_readonly("prisms", &TissueModel::prisms, "Walls that bend; may be empty.")
+      .def_readonly("volumes", &TissueModel::volumes, "Solids; may be empty.")
+      .def_readonly("skin", &TissueModel::skin, "Solids under a finer surface; may be empty.");
   def_view(model, "home", &TissueModel::home,
            "[N/m] pull of every particle to its rest position, shape (n,) or empty; a view.");
   model.def_readwrite("pressure", &TissueModel::pressure, "[Pa] inside above outside.");
-  def_table(model, "triangles", &TissueModel::triangles,
-            "Outer surface, counter-clockwise from outside, shape (t, 3); a view, read-only.");
+  def_table(
+      model, "triangles", &TissueModel::triangles,
+      "Outer surface, counter-clockwise from outside, of vertices of the skin, or of particles "
+      "where there is none, shape (t, 3); a view, read-only.");
   model.def_readwrite("drag", &TissueModel::drag, "[1/s], velocity lost to the surroundings.")
       .def_readwrite("damping_law", &TissueModel::damping_law)
       .def_readwrite("angle_law", &TissueModel::angle_law);
@@ -184,9 +190,10 @@ void bind_tissue_model(py::module_& m) {
       "function, or from tables, which are validated.");
   model.def(py::init(&make_model), py::kw_only(), "rest_position"_a, "mass"_a,
             "fixed"_a = py::tuple(), "springs"_a = Links(), "bonds"_a = Links(),
-            "angles"_a = Angles(), "prisms"_a = Prisms(), "home"_a = py::tuple(),
-            "pressure"_a = usual.pressure, "triangles"_a = py::tuple(), "drag"_a = usual.drag,
-            "damping_law"_a = usual.damping_law, "angle_law"_a = usual.angle_law,
+            "angles"_a = Angles(), "prisms"_a = Prisms(), "volumes"_a = Volumes(),
+            "skin"_a = Skin(), "home"_a = py::tuple(), "pressure"_a = usual.pressure,
+            "triangles"_a = py::tuple(), "drag"_a = usual.drag, "damping_law"_a = usual.damping_law,
+            "angle_law"_a = usual.angle_law,
             "Copies its tables and validates the whole. Raises ValueError.");
   bind_tissue_fields(model);
   def_copy(model);
@@ -194,6 +201,8 @@ void bind_tissue_model(py::module_& m) {
             [](const TissueModel& self) { return "<TissueModel: " + describe(self) + ">"; });
 
   m.def("particle_count", &particle_count, "model"_a);
+  m.def("surface_count", &surface_count, "model"_a,
+        "Vertices of the surface: those of the skin, or the particles where there is none.");
   m.def("compute_total_mass", &compute_total_mass, "model"_a, "[kg]");
   m.def("describe", py::overload_cast<const TissueModel&>(&describe), "model"_a,
         "One line for people: how many particles and links of each kind, and the total mass [g].");
@@ -210,9 +219,11 @@ void bind_model(py::module_& m) {
   bind_links(m);
   bind_angles(m);
   bind_prisms(m);
+  bind_solid_tables(m);
   bind_tissue_model(m);
   bind_builders(m);
   bind_membrane(m);
+  bind_solids(m);
 }
 
 }  // namespace palpate::bindings

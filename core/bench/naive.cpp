@@ -69,7 +69,7 @@ void step_naively(const TissueModel& model, const Load& load, double dt, State& 
   if (model.pressure != 0.0) {
     accumulate_pressure_forces(model.triangles, model.pressure, state.position, f);
   }
-  accumulate_push_forces(model.triangles, load.pushes(), f);
+  accumulate_push_forces(model.triangles, model.skin, load.pushes(), f);
   for (std::size_t i = 0; i < n; ++i) {
     f[i] += model.mass[i] * load.gravity - model.drag * model.mass[i] * state.velocity[i];
   }

@@ -14,7 +14,8 @@ constexpr std::initializer_list<const char*> kDampingLaws = {"axis", "isotropic"
 constexpr std::initializer_list<const char*> kAngleLaws = {"gradient", "eq10"};
 
 Json print_tissue(const TissueModel& tissue) {
-  return {{"pressure", tissue.pressure},
+  return {{"nodal_share", tissue.volumes.nodal_share},
+          {"pressure", tissue.pressure},
           {"drag", tissue.drag},
           {"damping_law", kDampingLaws.begin()[static_cast<int>(tissue.damping_law)]},
           {"angle_law", kAngleLaws.begin()[static_cast<int>(tissue.angle_law)]}};
@@ -36,6 +37,7 @@ Json print_scene(const Scene& scene) {
 }
 
 void parse_tissue(Fields fields, TissueModel& tissue) {
+  tissue.volumes.nodal_share = fields.number("nodal_share");
   tissue.pressure = fields.number("pressure");
   tissue.drag = fields.number("drag");
   tissue.damping_law = static_cast<DampingLaw>(fields.choice("damping_law", kDampingLaws));

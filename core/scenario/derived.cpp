@@ -35,6 +35,8 @@ void check_counts(const TissueModel& tissue) {
   check_count("bonds", tissue.bonds.ends.size(), kMostLinks);
   check_count("angles", tissue.angles.corners.size(), kMostTriangles);
   check_count("prisms", tissue.prisms.corners.size(), kMostTriangles);
+  check_count("volumes", tissue.volumes.corners.size(), kMostTetrahedra);
+  check_count("skin", tissue.skin.corners.size(), kMostParticles);
   check_count("triangles", tissue.triangles.size(), kMostTriangles);
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "palpate/scenario/json_fields.h"
 #include "palpate/scenario/table_array.h"
 
 namespace palpate::scenario {
@@ -14,15 +15,25 @@ void add_empty(const std::string& name, Container& container) {
   container.arrays.emplace("scene/tissue/" + name, to_array(std::vector<Row>()));
 }
 
-/// Version 2 has walls of prisms.
-void add_prisms(Container& container) {
+/// Version 2 has walls of prisms, and solids: their volumes, and the skin that rides on them.
+void add_prisms_and_solids(Container& container) {
   add_empty<std::array<int, 6>>("prisms/corners", container);
   add_empty<std::array<double, 3>>("prisms/rest_difference", container);
   add_empty<std::array<double, 3>>("prisms/shear_stiffness", container);
   add_empty<std::array<double, 3>>("prisms/shear_damping", container);
+  add_empty<std::array<int, 4>>("volumes/corners", container);
+  add_empty<double>("volumes/rest_volume", container);
+  add_empty<double>("volumes/bulk", container);
+  add_empty<std::array<int, 4>>("skin/corners", container);
+  add_empty<std::array<double, 4>>("skin/weights", container);
+  Json content = parse_object(container.content, "", "content");
+  if (content.contains("scene") && content["scene"].contains("tissue")) {
+    content["scene"]["tissue"]["nodal_share"] = 0.0;
+  }
+  container.content = content.dump();
 }
 
-constexpr std::array<Migration, 1> kMigrations = {add_prisms};
+constexpr std::array<Migration, 1> kMigrations = {add_prisms_and_solids};
 
 }  // namespace
 

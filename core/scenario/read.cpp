@@ -9,6 +9,7 @@
 #include "palpate/scenario/table_array.h"
 #include "palpate/scenario/tables.h"
 #include "palpate/sim/base/error.h"
+#include "palpate/sim/model/volumes.h"
 
 namespace palpate::scenario {
 namespace {
@@ -47,6 +48,23 @@ void take_authored(Arrays& arrays, const std::string& file, Arrays& authored) {
   }
 }
 
+/// Fills in what lies around each particle, which no file has. Before that, corners must be
+/// particles: all else is checked with the rest of the tissue.
+void find_around(const std::string& file, TissueModel& tissue) {
+  Volumes& volumes = tissue.volumes;
+  for (std::size_t t = 0; t < volumes.corners.size(); ++t) {
+    for (const int i : volumes.corners[t]) {
+      if (i >= 0 && i < particle_count(tissue)) continue;
+      throw FileError(file, "scene/tissue/volumes/corners: row " + std::to_string(t),
+                      "particle " + std::to_string(i),
+                      "0 to " + std::to_string(particle_count(tissue) - 1));
+    }
+  }
+  volumes =
+      build_volumes(particle_count(tissue), std::move(volumes.corners),
+                    std::move(volumes.rest_volume), std::move(volumes.bulk), volumes.nodal_share);
+}
+
 /// The same sentence as a FileError: an argument is refused as "where: found this, expected that".
 [[noreturn]] void refuse(const std::string& file, const std::string& sentence) {
   constexpr std::string_view kExpected = ", expected ";
@@ -73,6 +91,7 @@ Scenario unpack(Container container, const std::string& file) {
     take_table(container.arrays, name, file, table);
   });
   take_authored(container.arrays, file, scenario.authored_arrays);
+  find_around(file, scenario.scene.tissue);
   try {
     check_built(scenario.scene);
   } catch (const std::invalid_argument& problem) {

@@ -41,6 +41,22 @@ void visit_prisms(const std::string& name, SomePrisms& prisms, Visit& visit) {
   visit(name + "/shear_damping", shear_damping);
 }
 
+template <class SomeVolumes, class Visit>
+void visit_volumes(const std::string& name, SomeVolumes& volumes, Visit& visit) {
+  // the share stands alone; what lies around each particle follows from the corners
+  auto& [corners, rest_volume, bulk, first_around, around, nodal_share] = volumes;
+  visit(name + "/corners", corners);
+  visit(name + "/rest_volume", rest_volume);
+  visit(name + "/bulk", bulk);
+}
+
+template <class SomeSkin, class Visit>
+void visit_skin(const std::string& name, SomeSkin& skin, Visit& visit) {
+  auto& [corners, weights] = skin;
+  visit(name + "/corners", corners);
+  visit(name + "/weights", weights);
+}
+
 /// visit(name, table) for every table of a Scene or a const Scene. Numbers that stand alone are
 /// not tables: content.cpp has them.
 template <class SomeScene, class Visit>
@@ -48,8 +64,8 @@ void visit_tables(SomeScene& scene, Visit visit) {
   // kernel and vector target belong to the machine a scene runs on: no file has them
   auto& [tissue, tool, coupling, hold_stiffness, gravity, rate, substeps, substeps_max, kernel,
          simd_target, rest_areas, spectrum_stiffness, spectrum_damping] = scene;
-  auto& [rest_position, mass, fixed, springs, bonds, angles, prisms, home, pressure, triangles,
-         drag, damping_law, angle_law] = tissue;
+  auto& [rest_position, mass, fixed, springs, bonds, angles, prisms, volumes, skin, home, pressure,
+         triangles, drag, damping_law, angle_law] = tissue;
   const std::string t = "scene/tissue/";
   visit(t + "rest_position", rest_position);
   visit(t + "mass", mass);
@@ -58,6 +74,8 @@ void visit_tables(SomeScene& scene, Visit visit) {
   visit_links(t + "bonds", bonds, visit);
   visit_angles(t + "angles", angles, visit);
   visit_prisms(t + "prisms", prisms, visit);
+  visit_volumes(t + "volumes", volumes, visit);
+  visit_skin(t + "skin", skin, visit);
   visit(t + "home", home);
   visit(t + "triangles", triangles);
   visit("scene/rest_areas", rest_areas);

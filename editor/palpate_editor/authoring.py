@@ -7,6 +7,7 @@
     organ = import_mesh("spleen.glb")          # all of that, repaired, or refused with a sentence
     small = decimate(organ.mesh, 600)          # exactly 600 vertices, well-shaped triangles
     write_mesh("spleen.obj", small.mesh)
+    solid = fill_interior(small.mesh, 8e-3)    # tetrahedra of about 8 mm inside
 
 A file that is refused raises `palpate.FileError` with file, where, found, expected; a wrong
 argument raises `ValueError`.
@@ -27,7 +28,9 @@ from palpate_editor._authoring import (
     JoinedSurface,
     MeshReport,
     RepairedMesh,
+    choose_cell_size,
     decimate,
+    fill_interior,
     find_self_intersecting_faces,
     import_scene,
     inspect_mesh,
@@ -47,7 +50,9 @@ __all__ = [
     "JoinedSurface",
     "MeshReport",
     "RepairedMesh",
+    "choose_cell_size",
     "decimate",
+    "fill_interior",
     "find_self_intersecting_faces",
     "import_mesh",
     "import_scene",

@@ -18,6 +18,9 @@ void bind_import(pybind11::module_& m);
 
 void bind_decimate(pybind11::module_& m);
 
+/// fill_interior.
+void bind_fill(pybind11::module_& m);
+
 void bind_write(pybind11::module_& m);
 
 }  // namespace palpate::authoring

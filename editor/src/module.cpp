@@ -2,12 +2,13 @@
 #include "bindings.h"
 
 PYBIND11_MODULE(_authoring, m) {
-  m.doc() = "From foreign mesh files to clean surfaces (assimp, OpenMesh, CGAL).";
+  m.doc() = "From foreign mesh files to clean surfaces, and tetrahedra inside them (assimp, OpenMesh, CGAL).";
   // SurfaceMesh and FileError are known to Python by the simulator's module
   pybind11::module_::import("palpate");
   palpate::authoring::bind_read(m);
   palpate::authoring::bind_inspect(m);
   palpate::authoring::bind_import(m);
   palpate::authoring::bind_decimate(m);
+  palpate::authoring::bind_fill(m);
   palpate::authoring::bind_write(m);
 }

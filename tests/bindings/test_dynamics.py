@@ -53,12 +53,12 @@ def test_a_push_is_shared_by_its_weights():
     push = palpate.Push(0, (0.5, 0.25, 0.25), (0.0, 0.0, 4.0))
     load = palpate.Load(1)
 
-    palpate.accumulate_push_forces([(0, 1, 2)], [push], f)
+    palpate.accumulate_push_forces([(0, 1, 2)], palpate.Skin(), [push], f)
 
     assert load.add(push)
     assert not load.add(push)
     assert load.pushes()["force"].tolist() == [[0.0, 0.0, 4.0]]
-    palpate.accumulate_push_forces([(0, 1, 2)], load.pushes(), f)
+    palpate.accumulate_push_forces([(0, 1, 2)], palpate.Skin(), load.pushes(), f)
     assert f[:, 2].tolist() == [4.0, 2.0, 2.0]
 
 

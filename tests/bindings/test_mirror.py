@@ -39,18 +39,23 @@ PRIVATE_HEADERS = {
     "dynamics/packed.h": "inside of the tick; Scene.kernel chooses it",
     "dynamics/packed_compare-inl.h": "compiled once per vector target",
     "dynamics/packed_kernels.h": "inside of the packed step: what is compiled per vector target",
+    "dynamics/pack_solid.h": "inside of pack()",
     "dynamics/packed_order.h": "inside of pack()",
     "dynamics/packed_advance-inl.h": "compiled once per vector target",
     "dynamics/packed_triangles-inl.h": "compiled once per vector target",
     "dynamics/packed_vector-inl.h": "compiled once per vector target",
+    "dynamics/packed_volumes-inl.h": "compiled once per vector target",
     "dynamics/prism_law.h": "inside of forces, energy and tangent",
     "dynamics/prism_tangent.h": "inside of compute_stiffness and compute_damping",
     "dynamics/tensions.h": "inside of the angle law",
+    "dynamics/volume_law.h": "inside of the law of volumes",
+    "dynamics/volume_tangent.h": "inside of the tangent: its part of volumes",
     "haptics/choose_substeps.h": "inside of the tick",
     "haptics/durations.h": "inside of the loop; LoopReport says what came of it",
     "haptics/move_tissue.h": "inside of the tick: the tissue's part of it",
     "haptics/realtime.h": "inside of the loop; LoopReport.realtime_note says what came of it",
     "model/check_prisms.h": "inside of validate()",
+    "model/check_solid.h": "inside of validate() and describe()",
     "model/surface_particles.h": "what both builders share",
     "session/json_object.h": "inside of the record's file",
     "session/record_file.h": "inside of the record's file",
@@ -67,6 +72,7 @@ NOT_MIRRORED = {
     "PackedColumn": "inside of World; Python reads World.tissue",
     "PackedLinks": "inside of World; Python reads World.tissue",
     "PackedTriangles": "inside of World; Python reads World.tissue",
+    "PackedVolumes": "inside of World; Python reads World.tissue",
     "PackedMeasure": "inside of World; Python reads World.alarm",
     "PackedModel": "inside of World; Python reads World.tissue",
     "PackedState": "inside of World; Python reads World.tissue",
@@ -81,6 +87,9 @@ NOT_MIRRORED = {
     "World.near": "inside of World: what the tool may touch",
     "World.near_count": "inside of World: what the tool may touch",
     "World.last_near_at": "inside of World: what the tool may touch",
+    "World.near_skin": "inside of World: what the tool may touch",
+    "World.near_skin_count": "inside of World: what the tool may touch",
+    "World.last_skin_near_at": "inside of World: what the tool may touch",
     "AabbTree.Node": "rows of AabbTree.nodes()",
     "ContactLanes": "inside of balance_tool under the packed kernel",
     "ToolState.lanes": "inside of balance_tool under the packed kernel",
@@ -91,7 +100,7 @@ NOT_MIRRORED = {
     "TickLog.take(hashes)": "what C++ appends to its arguments, Python is given back",
     "FileError.FileError": "Python's OSError makes it, with the same arguments",
 }
-RENAMED = {"from": "from_"}
+RENAMED = {"from": "from_", "lambda": "lambda_"}
 """Words that are not to be had in Python."""
 
 

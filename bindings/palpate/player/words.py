@@ -50,6 +50,7 @@ def say_alarm(kind: palpate.AlarmKind) -> str:
         palpate.AlarmKind.moved_far: translate("Player", "a point moved too far at once"),
         palpate.AlarmKind.overstretched: translate("Player", "a link was stretched too far"),
         palpate.AlarmKind.collapsed: translate("Player", "a triangle collapsed"),
+        palpate.AlarmKind.inverted: translate("Player", "a part was turned inside out"),
         palpate.AlarmKind.energy: translate("Player", "energy came from nowhere"),
     }.get(kind, kind.name)
 

@@ -3,6 +3,7 @@
 
 #include "palpate/sim/dynamics/prism_law.h"
 #include "palpate/sim/dynamics/tensions.h"
+#include "palpate/sim/dynamics/volume_law.h"
 
 namespace palpate {
 
@@ -42,6 +43,33 @@ double compute_angle_energy(const Angles& angles, At at) noexcept {
   return sum;
 }
 
+/// B V e(J) over all tetrahedra, and of the nodal share B_a V_a/4 e(J_a) over all particles, V_a
+/// the volume around one.
+template <class At>
+double compute_volume_energy(const Volumes& volumes, At at) noexcept {
+  double sum = 0.0;
+  const double share = volumes.nodal_share;
+  const auto measure = [&](std::size_t t) {
+    const auto& [a, b, c, d] = volumes.corners[t];
+    return compute_volume(at(a), at(b), at(c), at(d));
+  };
+  for (std::size_t t = 0; share < 1.0 && t < volumes.corners.size(); ++t) {
+    const double rest = volumes.rest_volume[t];
+    sum += (1.0 - share) * volumes.bulk[t] * rest * compute_volume_law(measure(t) / rest).energy;
+  }
+  for (std::size_t i = 0; share > 0.0 && i + 1 < volumes.first_around.size(); ++i) {
+    double rest = 0.0, now = 0.0, stiffness = 0.0;
+    for (const int row : list_around(volumes, i)) {
+      const auto t = static_cast<std::size_t>(row);
+      rest += volumes.rest_volume[t];
+      now += measure(t);
+      stiffness += volumes.bulk[t] * volumes.rest_volume[t];
+    }
+    if (rest > 0.0) sum += 0.25 * share * stiffness * compute_volume_law(now / rest).energy;
+  }
+  return sum;
+}
+
 /// h |x - X|² / 2 over all particles, X their places at rest.
 template <class At>
 double compute_home_energy(const TissueModel& model, At at) noexcept {
@@ -52,13 +80,14 @@ double compute_home_energy(const TissueModel& model, At at) noexcept {
   return sum;
 }
 
-/// [J] of springs, bonds, angles, prisms and home; Eq 10 has no energy.
+/// [J] of springs, bonds, angles, prisms, volumes and home; Eq 10 has no energy.
 template <class At>
 double compute_elastic_energy(const TissueModel& model, At at) noexcept {
   const double angles =
       model.angle_law == AngleLaw::gradient ? compute_angle_energy(model.angles, at) : 0.0;
   return compute_link_energy(model.springs, at) + compute_link_energy(model.bonds, at) + angles +
-         compute_prism_energy(model.prisms, at) + compute_home_energy(model, at);
+         compute_prism_energy(model.prisms, at) + compute_volume_energy(model.volumes, at) +
+         compute_home_energy(model, at);
 }
 
 }  // namespace palpate

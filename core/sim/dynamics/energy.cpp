@@ -28,6 +28,7 @@ Energy compute_energy(const TissueModel& model, const Vec3& gravity, const State
   energy.links = compute_link_energy(model.springs, at) + compute_link_energy(model.bonds, at);
   if (model.angle_law == AngleLaw::gradient) energy.angles = compute_angle_energy(model.angles, at);
   energy.prisms = compute_prism_energy(model.prisms, at);
+  energy.volumes = compute_volume_energy(model.volumes, at);
   energy.home = compute_home_energy(model, at);
   if (model.pressure != 0.0) {
     energy.pressure = -model.pressure * compute_enclosed_volume(model.triangles, x);

@@ -5,6 +5,7 @@
 
 #include "palpate/sim/dynamics/prism_law.h"
 #include "palpate/sim/dynamics/tensions.h"
+#include "palpate/sim/dynamics/volume_law.h"
 
 namespace palpate {
 namespace {
@@ -112,6 +113,37 @@ void accumulate_prism_forces(const Prisms& prisms, std::span<const Vec3> x, std:
   }
 }
 
+/// f_c -= e'(J) B dv/dx_c at the corners of every tetrahedron, with J = v/V, the law e of
+/// volume_law.h, and B its bulk. Of a share s of B the mean around each particle is taken,
+///
+///     J_a = sum of v / sum of V over the tetrahedra around a,   B_a = sum of B V / sum of V
+///     f_c -= s/4 e'(J_a) B_a dv/dx_c   for every particle a of the tetrahedron
+///
+/// since a quarter of each tetrahedron's energy then belongs to each of its particles. Inner
+/// forces that depend on no frame: momentum and angular momentum are kept.
+void accumulate_volume_forces(const Volumes& volumes, std::span<const Vec3> x,
+                              std::span<Vec3> f) noexcept {
+  const auto push = [&](std::size_t t, double pressure) noexcept {
+    const auto& [a, b, c, d] = volumes.corners[t];
+    const Eigen::Matrix<double, 3, 4> pushes =
+        pressure * compute_volume_slopes(x[a], x[b], x[c], x[d]);
+    for (int k = 0; k < 4; ++k) f[volumes.corners[t][k]] -= pushes.col(k);
+  };
+  const double share = volumes.nodal_share;
+  for (std::size_t t = 0; share < 1.0 && t < volumes.corners.size(); ++t) {
+    const double j = measure_volume(volumes, t, x) / volumes.rest_volume[t];
+    push(t, (1.0 - share) * volumes.bulk[t] * compute_volume_law(j).slope);
+  }
+  for (std::size_t i = 0; share > 0.0 && i + 1 < volumes.first_around.size(); ++i) {
+    const VolumeAround around = measure_around(volumes, i, x);
+    if (!(around.rest > 0.0)) continue;
+    const double slope = compute_volume_law(around.now / around.rest).slope;
+    for (const int t : list_around(volumes, i)) {
+      push(static_cast<std::size_t>(t), 0.25 * share * around.bulk * slope);
+    }
+  }
+}
+
 /// f_i += h_i (X_i - x_i): a spring to where the particle was at rest. It holds the body in space,
 /// so it conserves no momentum.
 void accumulate_home_forces(std::span<const double> home, std::span<const Vec3> rest,
@@ -144,12 +176,23 @@ void accumulate_drag(std::span<const double> mass, double drag, std::span<const 
 }
 
 /// A push on a point of a triangle is shared by the point's barycentric weights, which keeps both
-/// its force and its moment.
-void accumulate_push_forces(std::span<const Triangle> triangles, std::span<const Push> pushes,
-                            std::span<Vec3> f) noexcept {
+/// its force and its moment; and so does sharing it again by the weights of the skin, for these
+/// too say where the point is.
+void accumulate_push_forces(std::span<const Triangle> triangles, const Skin& skin,
+                            std::span<const Push> pushes, std::span<Vec3> f) noexcept {
   for (const Push& push : pushes) {
     const Triangle& corners = triangles[static_cast<std::size_t>(push.triangle)];
-    for (int c = 0; c < 3; ++c) f[corners[c]] += push.weights[c] * push.force;
+    for (int c = 0; c < 3; ++c) {
+      const Vec3 force = push.weights[c] * push.force;
+      if (skin.corners.empty()) {
+        f[corners[c]] += force;
+        continue;
+      }
+      const auto& weights = skin.weights[static_cast<std::size_t>(corners[c])];
+      for (std::size_t k = 0; k < 4; ++k) {
+        f[skin.corners[static_cast<std::size_t>(corners[c])][k]] += weights[k] * force;
+      }
+    }
   }
 }
 
@@ -164,11 +207,12 @@ void compute_forces(const TissueModel& model, const Load& load, std::span<const 
     accumulate_eq10_forces(model.angles, x, f);
   }
   accumulate_prism_forces(model.prisms, x, v, f);
+  accumulate_volume_forces(model.volumes, x, f);
   accumulate_home_forces(model.home, model.rest_position, x, f);
   if (model.pressure != 0.0) accumulate_pressure_forces(model.triangles, model.pressure, x, f);
   if (load.gravity != Vec3::Zero()) accumulate_gravity(model.mass, load.gravity, f);
   if (model.drag != 0.0) accumulate_drag(model.mass, model.drag, v, f);
-  accumulate_push_forces(model.triangles, load.pushes(), f);
+  accumulate_push_forces(model.triangles, model.skin, load.pushes(), f);
 }
 
 }  // namespace palpate

@@ -26,6 +26,10 @@ void accumulate_eq10_forces(const Angles& angles, std::span<const Vec3> x,
 void accumulate_prism_forces(const Prisms& prisms, std::span<const Vec3> x, std::span<const Vec3> v,
                              std::span<Vec3> f) noexcept;
 
+/// What resists a change of volume; see Volumes.
+void accumulate_volume_forces(const Volumes& volumes, std::span<const Vec3> x,
+                              std::span<Vec3> f) noexcept;
+
 void accumulate_home_forces(std::span<const double> home, std::span<const Vec3> rest,
                             std::span<const Vec3> x, std::span<Vec3> f) noexcept;
 
@@ -38,8 +42,9 @@ void accumulate_gravity(std::span<const double> mass, const Vec3& gravity,
 void accumulate_drag(std::span<const double> mass, double drag, std::span<const Vec3> v,
                      std::span<Vec3> f) noexcept;
 
-void accumulate_push_forces(std::span<const Triangle> triangles, std::span<const Push> pushes,
-                            std::span<Vec3> f) noexcept;
+/// Triangles are those of particles, or of a skin that is not empty.
+void accumulate_push_forces(std::span<const Triangle> triangles, const Skin& skin,
+                            std::span<const Push> pushes, std::span<Vec3> f) noexcept;
 
 /// Sets `f` to all of the above for a model under a load. The entries of fixed particles hold
 /// what the support must carry.

@@ -87,6 +87,16 @@ Alarm check_links(const Links& links, const Vec3Array& x, int first_index) noexc
   return {};
 }
 
+Alarm check_volumes(const Volumes& volumes, const Vec3Array& x) noexcept {
+  for (std::size_t t = 0; t < volumes.corners.size(); ++t) {
+    const double part = measure_volume(volumes, t, x) / volumes.rest_volume[t];
+    if (part < kSmallestVolume) {
+      return {AlarmKind::inverted, static_cast<int>(t), part, kSmallestVolume};
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Alarm check_particles(const State& state, const Guard& guard, int steps) noexcept {
@@ -106,6 +116,7 @@ Alarm check_particles(const State& state, const Guard& guard, int steps) noexcep
 Alarm check_strains(const TissueModel& model, const Vec3Array& x, Guard& guard) noexcept {
   Alarm alarm = check_links(model.springs, x, 0);
   if (!alarm) alarm = check_links(model.bonds, x, static_cast<int>(model.springs.ends.size()));
+  if (!alarm) alarm = check_volumes(model.volumes, x);
   guard.strained_looks = alarm ? guard.strained_looks + 1 : 0;
   return guard.strained_looks >= kStrainedLooks ? alarm : Alarm{};
 }

@@ -12,6 +12,7 @@ enum class AlarmKind {
   overstretched,  ///< index: link, springs before bonds; strain above 2, ten looks in a row
   collapsed,      ///< index: link; shorter than 0.05 of its rest length, ten looks in a row
   energy,         ///< index: -1; elastic and kinetic energy exceed what was given (SCIENCE 3)
+  inverted,       ///< index: tetrahedron; volume below 0.05 of that at rest, ten looks in a row
 };
 
 /// What is wrong with a running tissue, as a value: the haptic thread never throws.
@@ -39,7 +40,7 @@ struct Guard {
   double unnoticed_energy = 0.0;      ///< [J] less than anybody could see or feel
   double reference_energy = 0.0;      ///< [J] E_ref: the most that has lately been given
   int rising_steps = 0;               ///< looks in a row at which energy rose without work
-  int strained_looks = 0;             ///< looks in a row at which a link was out of its bounds
+  int strained_looks = 0;             ///< in a row at which a link or volume was out of bounds
 };
 
 /// Looks at a tissue after a step; the first thing wrong comes back. `work` [J] is what pushes

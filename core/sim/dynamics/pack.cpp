@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "palpate/sim/base/refuse.h"
+#include "palpate/sim/dynamics/pack_solid.h"
 #include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/dynamics/packed_kernels.h"
 #include "palpate/sim/dynamics/packed_order.h"
@@ -74,15 +75,6 @@ void pack_particles(const TissueModel& model, PackedModel& packed) {
   for (const int i : model.fixed) {
     packed.mass[at(packed.row[at(i)])] = packed.inverse_mass[at(packed.row[at(i)])] = 0.0f;
   }
-}
-
-std::vector<Triangle> map_rows(const PackedModel& packed, const std::vector<Triangle>& triangles) {
-  std::vector<Triangle> rows;
-  rows.reserve(triangles.size());
-  for (const auto& [i, j, k] : triangles) {
-    rows.push_back({packed.row[at(i)], packed.row[at(j)], packed.row[at(k)]});
-  }
-  return rows;
 }
 
 /// Those rows of `links` that are chosen.
@@ -202,7 +194,7 @@ BondShares share_bonds(const TissueModel& model) {
 std::vector<int> pack_corners(const PackedModel& packed, std::span<const Triangle> triangles,
                               PackedTriangles& packs) {
   const int width = packed.width;
-  const std::vector<int> order = find_pack_order(triangles, width, kLookaheadPerLane * width);
+  const std::vector<int> order = find_pack_order<3>(triangles, width, kLookaheadPerLane * width);
   packs.pack_count = static_cast<int>(order.size()) / width;
   packs.corner.assign(3 * order.size(), 0);
   for (int lane = 0; lane < static_cast<int>(order.size()); ++lane) {
@@ -245,7 +237,7 @@ void pack_triangles(const TissueModel& model, const BondShares& shares, PackedMo
     packs.bend_stiffness = column(angles.bend_stiffness, 0.0f);
     packs.stretch_coupling = column(angles.stretch_coupling, 0.0f);
   }
-  packed.surface = map_rows(packed, model.triangles);
+  packed.surface = model.skin.corners.empty() ? map_rows(packed, model.triangles) : model.triangles;
   packed.pressure = static_cast<float>(model.pressure);
   if (model.pressure != 0.0) pack_corners(packed, packed.surface, packed.skin);
 }
@@ -290,6 +282,7 @@ PackedModel pack(const TissueModel& model, std::string_view target) {
   const ChosenLinks tables[] = {{&model.springs, all}, {&model.bonds, shares.left}};
   pack_links(tables, packed);
   pack_triangles(model, shares, packed);
+  pack_solid(model, packed);
   drop_zeros(packed.triangles.bond_damping);
   // where triangles are damped there are velocities, and links are asked for theirs
   if (packed.triangles.bond_damping.values.empty()) drop_zeros(packed.links.damping);

@@ -16,27 +16,43 @@ std::size_t find_in_slices(const PackedModel& model, std::size_t row) noexcept {
   return 3 * (row - lane) + lane;
 }
 
-bool has_forces_of_triangles(const PackedModel& model) noexcept {
-  return model.triangles.pack_count > 0 || model.skin.pack_count > 0;
+/// Whether more than pushes is added to the force rows.
+bool has_added_forces(const PackedModel& model) noexcept {
+  return model.triangles.pack_count > 0 || model.skin.pack_count > 0 ||
+         model.volumes.pack_count > 0;
+}
+
+/// Calls take(row, weight) for every particle that carries a vertex of the surface.
+template <class Take>
+void for_each_carrier(const PackedModel& model, int vertex, Take take) noexcept {
+  const auto v = static_cast<std::size_t>(vertex);
+  if (model.riding.corners.empty()) return take(v, 1.0);
+  for (std::size_t k = 0; k < 4; ++k) {
+    take(static_cast<std::size_t>(model.riding.corners[v][k]), model.riding.weights[v][k]);
+  }
 }
 
 void add_pushes(const PackedModel& model, const Load& load, PackedState& state) noexcept {
   for (const Push& push : load.pushes()) {
     const Triangle& corners = model.surface[static_cast<std::size_t>(push.triangle)];
     for (int c = 0; c < 3; ++c) {
-      const auto row = static_cast<std::size_t>(corners[static_cast<std::size_t>(c)]);
-      const Eigen::Vector3f force = (push.weights[c] * push.force).cast<float>();
-      for (int k = 0; k < 3; ++k)
-        state.force_rows[4 * row + static_cast<std::size_t>(k)] += force[k];
-      state.pushed[row / static_cast<std::size_t>(model.width)] = 1;
+      for_each_carrier(
+          model, corners[static_cast<std::size_t>(c)], [&](std::size_t row, double weight) {
+            const Eigen::Vector3f force = (weight * push.weights[c] * push.force).cast<float>();
+            for (int k = 0; k < 3; ++k)
+              state.force_rows[4 * row + static_cast<std::size_t>(k)] += force[k];
+            state.pushed[row / static_cast<std::size_t>(model.width)] = 1;
+          });
     }
   }
 }
 
 void clear_pushed(const PackedModel& model, const Load& load, PackedState& state) noexcept {
   for (const Push& push : load.pushes()) {
-    for (const int row : model.surface[static_cast<std::size_t>(push.triangle)]) {
-      state.pushed[static_cast<std::size_t>(row / model.width)] = 0;
+    for (const int vertex : model.surface[static_cast<std::size_t>(push.triangle)]) {
+      for_each_carrier(model, vertex, [&](std::size_t row, double) {
+        state.pushed[row / static_cast<std::size_t>(model.width)] = 0;
+      });
     }
   }
 }
@@ -59,7 +75,7 @@ PackedState::PackedState(const PackedModel& model, const TissueModel& tissue, co
       displacement(model.rest.size(), 0.0f),
       velocity(model.rest.size(), 0.0f),
       force_rows(4 * model.particle.size(), 0.0f),
-      pushed(static_cast<std::size_t>(model.slice_count), has_forces_of_triangles(model)) {
+      pushed(static_cast<std::size_t>(model.slice_count), has_added_forces(model)) {
   const std::size_t rows = 4 * model.particle.size();
   position_rows.fill(CacheAligned<float>(rows, 0.0f));
   if (!model.links.damping.values.empty() || !model.triangles.bond_damping.values.empty()) {
@@ -92,10 +108,11 @@ void step(const PackedModel& model, const Load& load, double dt, PackedState& st
           PackedMeasure* measure) noexcept {
   if (measure != nullptr) *measure = {};
   if (model.triangles.pack_count > 0) model.kernels->accumulate_triangles(model, state, measure);
+  if (model.volumes.pack_count > 0) model.kernels->accumulate_volumes(model, state, measure);
   if (model.skin.pack_count > 0) model.kernels->accumulate_pressure(model, state);
   add_pushes(model, load, state);
   model.kernels->advance(model, load.gravity.cast<float>(), static_cast<float>(dt), state, measure);
-  if (!has_forces_of_triangles(model)) clear_pushed(model, load, state);
+  if (!has_added_forces(model)) clear_pushed(model, load, state);
   state.current = 1 - state.current;
   state.time += dt;
 }
@@ -130,8 +147,9 @@ Alarm check(const PackedModel& model, const TissueModel& tissue, const Vec3& gra
     recall_last_look(model, tissue, packed, guard.last_position);
     alarm = check_particles(state, guard, steps);
   }
-  const bool strained =
-      measure.stretch.longest > 1.0 + kLargestStrain || measure.stretch.shortest < kShortestLink;
+  const bool strained = measure.stretch.longest > 1.0 + kLargestStrain ||
+                        measure.stretch.shortest < kShortestLink ||
+                        measure.stretch.smallest_volume < kSmallestVolume;
   if (!alarm && strained) alarm = check_strains(tissue, state.position, guard);
   if (!strained) guard.strained_looks = 0;
   if (!alarm) {

@@ -17,14 +17,15 @@ namespace HWY_NAMESPACE {
 
 enum class Damping { none, axis, isotropic };
 
-/// What is measured on the way, lane by lane: energies, and lengths in parts of rest lengths.
+/// What is measured on the way, lane by lane: energies, and lengths and volumes in parts of those
+/// at rest.
 struct Sums {
-  Real kinetic, elastic, longest, shortest;
+  Real kinetic, elastic, longest, shortest, smallest_volume, smallest_mean;
 };
 
 HWY_INLINE Sums begin_sums() {
   const Real zero = hn::Zero(kLanes), one = hn::Set(kLanes, 1.0f);
-  return {zero, zero, one, one};
+  return {zero, zero, one, one, one, one};
 }
 
 HWY_INLINE void add_sums(const Sums& sums, PackedMeasure& measure) {
@@ -34,6 +35,10 @@ HWY_INLINE void add_sums(const Sums& sums, PackedMeasure& measure) {
   const double shortest = hn::GetLane(hn::MinOfLanes(kLanes, sums.shortest));
   measure.stretch.longest = std::max(measure.stretch.longest, longest);
   measure.stretch.shortest = std::min(measure.stretch.shortest, shortest);
+  const double volume = hn::GetLane(hn::MinOfLanes(kLanes, sums.smallest_volume));
+  const double mean = hn::GetLane(hn::MinOfLanes(kLanes, sums.smallest_mean));
+  measure.stretch.smallest_volume = std::min(measure.stretch.smallest_volume, volume);
+  measure.stretch.smallest_mean = std::min(measure.stretch.smallest_mean, mean);
 }
 
 using Indices = hn::Rebind<int, Lanes>;

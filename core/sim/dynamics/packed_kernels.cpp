@@ -14,6 +14,7 @@
 
 #include "palpate/sim/dynamics/packed_compare-inl.h"
 #include "palpate/sim/dynamics/packed_triangles-inl.h"
+#include "palpate/sim/dynamics/packed_volumes-inl.h"
 
 // a machine without vectors runs the reference kernels
 #if HWY_TARGET != HWY_SCALAR
@@ -25,6 +26,7 @@ const Kernels& kernels() noexcept {
   static const Kernels kernels = {hwy::TargetName(HWY_TARGET),
                                   static_cast<int>(kWidth),
                                   &accumulate_triangles,
+                                  &accumulate_volumes,
                                   &accumulate_pressure,
                                   &advance,
                                   &compare,

@@ -23,6 +23,9 @@ struct Kernels {
   /// energy, unless it is null.
   void (*accumulate_triangles)(const PackedModel& model, PackedState& state,
                                PackedMeasure* measure) noexcept = nullptr;
+  /// The same for what resists a change of volume.
+  void (*accumulate_volumes)(const PackedModel& model, PackedState& state,
+                             PackedMeasure* measure) noexcept = nullptr;
   /// Adds the forces of the pressure to the force rows.
   void (*accumulate_pressure)(const PackedModel& model, PackedState& state) noexcept = nullptr;
   /// Adds links, home springs, gravity [m/s²], drag and the force rows, moves every particle by

@@ -51,6 +51,17 @@ struct PackedTriangles {
   PackedColumn stretch_coupling;  ///< [N]
 };
 
+/// Tetrahedra, `width` of them in a pack. Lanes without one have four times the same corner. Bulks
+/// [Pa] are divided by 6, for six times a volume and its slopes is what there is.
+struct PackedVolumes {
+  int pack_count = 0;
+  CacheAligned<int> corner;                 ///< row, 4 x `width` per pack
+  CacheAligned<float> inverse_rest;         ///< [1/m³] of six volumes at rest, per lane
+  CacheAligned<float> stiffness;            ///< [Pa] of each by itself; empty where it has none
+  CacheAligned<float> inverse_rest_around;  ///< [1/m³] of six volumes around each row; may be empty
+  CacheAligned<float> stiffness_around;     ///< [Pa] of their mean, a quarter; empty likewise
+};
+
 /// A tissue as the vector kernels read it; made once by pack().
 struct PackedModel {
   const packed_kernels::Kernels* kernels = nullptr;  ///< those of one vector target
@@ -68,11 +79,13 @@ struct PackedModel {
   PackedLinks links;
   PackedTriangles triangles;  ///< with angles or bonds; may be empty
   PackedTriangles skin;       ///< under pressure; empty without one
+  PackedVolumes volumes;      ///< of solids; may be empty
+  Skin riding;                ///< TissueModel::skin, its corners as rows
   float pressure = 0.0f;      ///< [Pa]
   float drag = 0.0f;          ///< [1/s]
   DampingLaw damping_law = DampingLaw::axis;
   AngleLaw angle_law = AngleLaw::gradient;
-  std::vector<Triangle> surface;  ///< rows of the corners of TissueModel::triangles
+  std::vector<Triangle> surface;  ///< TissueModel::triangles: of rows, or of vertices of the skin
 };
 
 /// What a step finds on its way for a look at the tissue: energies [J] where the step began, with

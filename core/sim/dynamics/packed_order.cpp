@@ -19,8 +19,14 @@ Neighbours find_neighbours(const TissueModel& model) {
   for (const Links* links : {&model.springs, &model.bonds}) {
     for (const auto& [i, j] : links->ends) join(i, j);
   }
-  for (const auto* triangles : {&model.angles.corners, &model.triangles}) {
+  std::vector<const std::vector<Triangle>*> tables = {&model.angles.corners};
+  if (model.skin.corners.empty()) tables.push_back(&model.triangles);
+  for (const auto* triangles : tables) {
     for (const auto& [i, j, k] : *triangles) join(i, j), join(j, k), join(k, i);
+  }
+  for (const auto& corners : model.volumes.corners) {
+    for (std::size_t p = 0; p < 4; ++p) join(corners[p], corners[(p + 1) % 4]);
+    join(corners[0], corners[2]), join(corners[1], corners[3]);
   }
   for (std::vector<int>& row : neighbours) {
     std::sort(row.begin(), row.end());
@@ -88,14 +94,18 @@ std::vector<int> find_packed_order(const TissueModel& model, int window) {
   return order;
 }
 
-std::vector<int> find_pack_order(std::span<const Triangle> triangles, int width, int lookahead) {
+template <std::size_t N>
+std::vector<int> find_pack_order(std::span<const std::array<int, N>> elements, int width,
+                                 int lookahead) {
   int rows = 0;
-  for (const Triangle& t : triangles) rows = std::max({rows, t[0] + 1, t[1] + 1, t[2] + 1});
-  std::vector<int> near(triangles.size());
+  for (const auto& corners : elements) {
+    rows = std::max(rows, *std::max_element(corners.begin(), corners.end()) + 1);
+  }
+  std::vector<int> near(elements.size());
   std::iota(near.begin(), near.end(), 0);
   const auto lowest = [&](int t) {
-    const Triangle& corners = triangles[static_cast<std::size_t>(t)];
-    return std::min({corners[0], corners[1], corners[2]});
+    const auto& corners = elements[static_cast<std::size_t>(t)];
+    return *std::min_element(corners.begin(), corners.end());
   };
   std::stable_sort(near.begin(), near.end(), [&](int a, int b) { return lowest(a) < lowest(b); });
 
@@ -108,7 +118,7 @@ std::vector<int> find_pack_order(std::span<const Triangle> triangles, int width,
     const std::size_t full = order.size() + static_cast<std::size_t>(width);
     left.clear();
     for (const int t : waiting) {
-      const Triangle& corners = triangles[static_cast<std::size_t>(t)];
+      const auto& corners = elements[static_cast<std::size_t>(t)];
       const auto taken = [&](int row) {
         return pack_of_row[static_cast<std::size_t>(row)] == pack;
       };
@@ -124,5 +134,8 @@ std::vector<int> find_pack_order(std::span<const Triangle> triangles, int width,
   }
   return order;
 }
+
+template std::vector<int> find_pack_order<3>(std::span<const Triangle>, int, int);
+template std::vector<int> find_pack_order<4>(std::span<const std::array<int, 4>>, int, int);
 
 }  // namespace palpate

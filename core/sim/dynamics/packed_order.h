@@ -11,8 +11,11 @@ namespace palpate {
 /// within windows of `window` those with many links first, so that slices pad little.
 std::vector<int> find_packed_order(const TissueModel& model, int window);
 
-/// Triangles in the sequence in which packs of `width` take them: such that those of a pack share
-/// no corner, as far as can be had among the next `lookahead`. -1 where a lane stays empty.
-std::vector<int> find_pack_order(std::span<const Triangle> triangles, int width, int lookahead);
+/// Triangles (N = 3) or tetrahedra (4) in the sequence in which packs of `width` take them: such
+/// that those of a pack share no corner, as far as can be had among the next `lookahead`. -1 where
+/// a lane stays empty.
+template <std::size_t N>
+std::vector<int> find_pack_order(std::span<const std::array<int, N>> elements, int width,
+                                 int lookahead);
 
 }  // namespace palpate

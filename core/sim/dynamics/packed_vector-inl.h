@@ -141,6 +141,15 @@ HWY_INLINE Points gather(const float* rows, const int* index) {
   return {lower_pairs(xy01, xy23), upper_pairs(xy01, xy23), lower_pairs(zw01, zw23)};
 }
 
+/// Lane l is the fourth number of row index[l].
+HWY_INLINE Real gather_fourth(const float* rows, const int* index) {
+  const Real row0 = load_blocks(kLanes, rows, index), row1 = load_blocks(kLanes, rows, index + 1);
+  const Real row2 = load_blocks(kLanes, rows, index + 2);
+  const Real row3 = load_blocks(kLanes, rows, index + 3);
+  return upper_pairs(hn::InterleaveUpper(kLanes, row0, row1),
+                     hn::InterleaveUpper(kLanes, row2, row3));
+}
+
 /// Block b of row k belongs to lane 4 b + k.
 struct Rows {
   Real row0, row1, row2, row3;

@@ -8,6 +8,7 @@
 #include "palpate/sim/dynamics/measure_stretch.h"
 #include "palpate/sim/dynamics/stable_step.h"
 #include "palpate/sim/dynamics/tensions.h"
+#include "palpate/sim/dynamics/volume_law.h"
 
 namespace palpate {
 namespace {
@@ -57,9 +58,30 @@ double find_largest_of_angles(const TissueModel& model) {
   if (model.angles.corners.empty()) return 0.0;
   TissueModel alone = model;
   alone.springs = alone.bonds = {};
+  alone.volumes = {};
   alone.home.clear();
   alone.pressure = alone.drag = 0.0;
   return estimate_spectrum(alone).stiffness;
+}
+
+/// The part of volumes that has `share` of the bulk, by tetrahedra (nodal_share 0) or means (1).
+double find_largest_of_volumes(const TissueModel& model, double share, double nodal_share) {
+  if (model.volumes.corners.empty() || share == 0.0) return 0.0;
+  TissueModel alone = model;
+  alone.springs = alone.bonds = {};
+  alone.angles = {};
+  alone.prisms = {};
+  alone.home.clear();
+  alone.drag = 0.0;
+  for (double& bulk : alone.volumes.bulk) bulk *= share;
+  alone.volumes.nodal_share = nodal_share;
+  return estimate_spectrum(alone).stiffness;
+}
+
+/// How many times as stiff as at rest volumes are that are down to `part`, where lengths are up to
+/// `longest`: the curvature of their law, and slopes that go with the area of faces.
+double stiffen_volumes(double part, double longest) noexcept {
+  return compute_volume_law(std::min(part, 1.0)).curvature * longest * longest;
 }
 
 /// No eigenvalue of M⁻¹K exceeds the largest sum of the blocks in a row of K, over the mass: a
@@ -100,12 +122,27 @@ Stretch measure_stretch(const TissueModel& model, std::span<const Vec3> x) noexc
     add_part(measure_distance(x, k, i), rest[1], stretch);
     add_part(measure_distance(x, i, j), rest[2], stretch);
   }
+  const Volumes& volumes = model.volumes;
+  for (std::size_t t = 0; t < volumes.corners.size(); ++t) {
+    const double part = measure_volume(volumes, t, x) / volumes.rest_volume[t];
+    stretch.smallest_volume = std::min(stretch.smallest_volume, part);
+  }
+  if (!(volumes.nodal_share > 0.0)) return stretch;
+  for (std::size_t i = 0; i + 1 < volumes.first_around.size(); ++i) {
+    const VolumeAround around = measure_around(volumes, i, x);
+    if (!(around.rest > 0.0)) continue;
+    stretch.smallest_mean = std::min(stretch.smallest_mean, around.now / around.rest);
+  }
   return stretch;
 }
 
 StretchSpectrum::StretchSpectrum(const TissueModel& model, double rest_in)
-    : rest(rest_in), angles(find_largest_of_angles(model)), pressure(bound_pressure(model)) {
-  taut = std::max(rest, find_largest_of_taut_links(model) + angles + pressure);
+    : rest(rest_in),
+      angles(find_largest_of_angles(model)),
+      pressure(bound_pressure(model)),
+      volumes(find_largest_of_volumes(model, 1.0 - model.volumes.nodal_share, 0.0)),
+      means(find_largest_of_volumes(model, model.volumes.nodal_share, 1.0)) {
+  taut = std::max(rest, find_largest_of_taut_links(model) + angles + pressure + volumes + means);
 }
 
 /// A link of stiffness k that is s longer than at rest holds across with the tension over length,
@@ -113,14 +150,17 @@ StretchSpectrum::StretchSpectrum(const TissueModel& model, double rest_in)
 ///     k n n^T + k s/(1+s) (I - n n^T) = (1-b) k n n^T + b k I,   b = s/(1+s)
 ///
 /// so that a whole tissue lies between rest (b = 0) and `taut` (b = 1); one that is shorter holds
-/// less. Gradients of angles go with 1/l, their part of K with 1/l²; those of pressure with l. What
-/// is left out is how turned links come to lie and what the torque of a bent angle adds; the bound
-/// held with both in every shape that was tried (tests/core/dynamics/test_stretch.cpp).
+/// less. Volumes stiffen as they are squeezed. Gradients of angles go with 1/l, their part of K
+/// with 1/l²; those of pressure with l. What is left out is how turned links come to lie and what
+/// the torque of a bent angle adds; the bound held with both in every shape that was tried
+/// (tests/core/dynamics/test_stretch.cpp).
 double bound_stiffness(const StretchSpectrum& spectrum, const Stretch& stretch) noexcept {
   const double taut = 1.0 - 1.0 / stretch.longest;
   const double inverse = 1.0 / std::max(stretch.shortest, kShortestSide);
   return spectrum.rest + taut * (spectrum.taut - spectrum.rest) +
-         (inverse * inverse - 1.0) * spectrum.angles + (stretch.longest - 1.0) * spectrum.pressure;
+         (inverse * inverse - 1.0) * spectrum.angles + (stretch.longest - 1.0) * spectrum.pressure +
+         (stiffen_volumes(stretch.smallest_volume, stretch.longest) - 1.0) * spectrum.volumes +
+         (stiffen_volumes(stretch.smallest_mean, stretch.longest) - 1.0) * spectrum.means;
 }
 
 }  // namespace palpate

@@ -5,10 +5,13 @@
 
 namespace palpate {
 
-/// The most and the least that a link or a side of a triangle is of its rest length; 1 at rest.
+/// The most and the least that a link or a side of a triangle is of its rest length, and volumes of
+/// theirs; 1 at rest.
 struct Stretch {
-  double longest = 1.0;   ///< [-] at least 1
-  double shortest = 1.0;  ///< [-] at most 1
+  double longest = 1.0;          ///< [-] at least 1
+  double shortest = 1.0;         ///< [-] at most 1
+  double smallest_volume = 1.0;  ///< [-] of a tetrahedron; at most 1, below 0 inside out
+  double smallest_mean = 1.0;    ///< [-] of the tetrahedra around a particle; at most 1
 };
 
 /// How stiff M⁻¹K of a tissue may get, from which of its terms; all in 1/s².
@@ -21,6 +24,8 @@ struct StretchSpectrum {
   double taut = 0.0;      ///< with links as stiff across as along: a bound
   double angles = 0.0;    ///< of angles and stretch-bend alone
   double pressure = 0.0;  ///< of pressure alone: a bound
+  double volumes = 0.0;   ///< of each tetrahedron's volume alone
+  double means = 0.0;     ///< of mean volumes alone
 };
 
 }  // namespace palpate

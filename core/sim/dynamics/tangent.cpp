@@ -7,6 +7,7 @@
 
 #include "palpate/sim/dynamics/prism_tangent.h"
 #include "palpate/sim/dynamics/tensions.h"
+#include "palpate/sim/dynamics/volume_tangent.h"
 
 namespace palpate {
 namespace {
@@ -262,6 +263,7 @@ SparseMatrix compute_stiffness(const TissueModel& model, std::span<const Vec3> x
   }
   SparseMatrix stiffness = assembly.build();
   if (!model.prisms.corners.empty()) stiffness += compute_prism_stiffness(model, x, projection);
+  if (!model.volumes.corners.empty()) stiffness += compute_volume_stiffness(model, x, projection);
   return stiffness;
 }
 

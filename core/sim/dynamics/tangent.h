@@ -14,9 +14,9 @@ enum class Projection {
                           ///< under AngleLaw::eq10 the Hessian of the equivalent angle energy
 };
 
-/// K = -df/dx at positions x and zero velocity [N/m], (3n, 3n), springs, bonds, angles,
-/// prisms and home;
-/// pressure and pushes are left out. Rows and columns of fixed particles are zero.
+/// K = -df/dx at positions x and zero velocity [N/m], (3n, 3n), springs, bonds, angles, prisms,
+/// volumes and home; pressure and pushes are left out. Rows and columns of fixed particles are
+/// zero.
 Eigen::SparseMatrix<double> compute_stiffness(const TissueModel& model, std::span<const Vec3> x,
                                               Projection projection);
 

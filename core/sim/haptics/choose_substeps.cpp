@@ -56,9 +56,9 @@ double count_free_substeps(const Scene& scene, double dt, const World& world) no
 /// How many substeps contact asks for to be stable, with the contacts' part k/m of the spectrum:
 /// w² <= w0² + max k/m.
 double count_stable_substeps(const Scene& scene, double dt, World& world) noexcept {
-  const double contact =
-      bound_contact_stiffness(scene.tool, world.candidates, scene.tissue.triangles,
-                              world.tissue.position, scene.tissue.mass, world.tool, world.scratch);
+  const double contact = bound_contact_stiffness(scene.tool, world.candidates,
+                                                 scene.tissue.triangles, surface_position(world),
+                                                 world.surface_mass, world.tool, world.scratch);
   if (!(contact > 0.0)) return 1.0;
   const double limit = find_limit(world.chosen_stiffness + contact, scene.spectrum_damping);
   return std::ceil(dt / (kStepShare * limit));

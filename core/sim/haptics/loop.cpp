@@ -41,7 +41,7 @@ long ticks_in(double seconds, double rate) {
 double to_seconds(std::int64_t nanoseconds) noexcept { return 1e-9 * double(nanoseconds); }
 Snapshot rest_snapshot(const World& world) {
   Snapshot snapshot;
-  snapshot.position = world.tissue.position;
+  std::ranges::copy(surface_position(world), std::back_inserter(snapshot.position));
   snapshot.substeps = world.substeps;
   return snapshot;
 }
@@ -238,7 +238,7 @@ void Loop::Impl::publish() noexcept {
   Snapshot& snapshot = snapshots.back();
   snapshot.tick = world.tick_count - 1;
   snapshot.time = sample.time;
-  std::copy(world.tissue.position.begin(), world.tissue.position.end(), snapshot.position.begin());
+  std::ranges::copy(surface_position(world), snapshot.position.begin());
   snapshot.sample = sample;
   snapshot.tool_position = world.tool.position;
   snapshot.force = safe.sent().force;

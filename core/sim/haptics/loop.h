@@ -24,7 +24,7 @@ struct LoopOptions {
 struct Snapshot {
   long tick = 0;
   double time = 0.0;   ///< [s]
-  Vec3Array position;  ///< [m]
+  Vec3Array position;  ///< [m] of the vertices of the surface
   HapticSample sample;
   Vec3 tool_position = Vec3::Zero();
   Vec3 force = Vec3::Zero();  ///< [N] on the hand

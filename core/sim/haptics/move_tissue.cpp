@@ -4,30 +4,70 @@
 #include "palpate/sim/dynamics/measure_stretch.h"
 #include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/dynamics/step.h"
+#include "palpate/sim/model/volumes.h"
 
 namespace palpate {
 namespace {
 
 /// [W] what the pushes do to the tissue at velocities v; times the substep it is their work to the
 /// last bit, because symplectic Euler moves particles with the new velocity.
-double compute_push_power(std::span<const Push> pushes, std::span<const Triangle> triangles,
+double compute_push_power(std::span<const Push> pushes, const TissueModel& tissue,
                           std::span<const Vec3> v) noexcept {
+  const auto velocity_of = [&](int vertex) noexcept -> Vec3 {
+    if (tissue.skin.corners.empty()) return v[static_cast<std::size_t>(vertex)];
+    const auto& corners = tissue.skin.corners[static_cast<std::size_t>(vertex)];
+    const auto& weights = tissue.skin.weights[static_cast<std::size_t>(vertex)];
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t k = 0; k < 4; ++k) sum += weights[k] * v[corners[k]];
+    return sum;
+  };
   double power = 0.0;
   for (const Push& push : pushes) {
-    const auto& [i, j, k] = triangles[static_cast<std::size_t>(push.triangle)];
-    const Vec3 patch = push.weights[0] * v[i] + push.weights[1] * v[j] + push.weights[2] * v[k];
+    const auto& [i, j, k] = tissue.triangles[static_cast<std::size_t>(push.triangle)];
+    const Vec3 patch = push.weights[0] * velocity_of(i) + push.weights[1] * velocity_of(j) +
+                       push.weights[2] * velocity_of(k);
     power += push.force.dot(patch);
   }
   return power;
 }
 
+/// Adds `what` to `list` unless it is there in this tick already.
+void add_once(int what, long tick, std::vector<long>& last_at, std::vector<int>& list,
+              int& count) noexcept {
+  long& last = last_at[static_cast<std::size_t>(what)];
+  if (last == tick) return;
+  last = tick;
+  list[static_cast<std::size_t>(count++)] = what;
+}
+
 void add_near(const Scene& scene, int triangle, World& world) noexcept {
   if (triangle < 0) return;
+  const Skin& skin = scene.tissue.skin;
   for (const int i : scene.tissue.triangles[static_cast<std::size_t>(triangle)]) {
-    long& last = world.last_near_at[static_cast<std::size_t>(i)];
-    if (last == world.tick_count) continue;
-    last = world.tick_count;
-    world.near[static_cast<std::size_t>(world.near_count++)] = i;
+    if (skin.corners.empty()) {
+      add_once(i, world.tick_count, world.last_near_at, world.near, world.near_count);
+      continue;
+    }
+    add_once(i, world.tick_count, world.last_skin_near_at, world.near_skin, world.near_skin_count);
+    for (const int p : skin.corners[static_cast<std::size_t>(i)]) {
+      add_once(p, world.tick_count, world.last_near_at, world.near, world.near_count);
+    }
+  }
+}
+
+/// Brings particles and skin up to date where the tool may touch.
+void unpack_near(const TissueModel& tissue, World& world) noexcept {
+  for (int n = 0; n < world.near_count; ++n) {
+    unpack_particle(*world.packed_model, tissue, world.packed,
+                    static_cast<std::size_t>(world.near[static_cast<std::size_t>(n)]),
+                    world.tissue);
+  }
+  const Vec3Array& x = world.tissue.position;
+  for (int n = 0; n < world.near_skin_count; ++n) {
+    const auto v = static_cast<std::size_t>(world.near_skin[static_cast<std::size_t>(n)]);
+    const auto& [a, b, c, d] = tissue.skin.corners[v];
+    const auto& w = tissue.skin.weights[v];
+    world.skin[v] = w[0] * x[a] + w[1] * x[b] + w[2] * x[c] + w[3] * x[d];
   }
 }
 
@@ -35,7 +75,7 @@ void add_near(const Scene& scene, int triangle, World& world) noexcept {
 
 void begin_moving(const Scene& scene, World& world) noexcept {
   if (!world.packed_model) return;
-  world.near_count = 0;
+  world.near_count = world.near_skin_count = 0;
   for (int c = 0; c < world.candidates.count; ++c) {
     add_near(scene, world.candidates.triangles[static_cast<std::size_t>(c)], world);
   }
@@ -48,16 +88,12 @@ void begin_moving(const Scene& scene, World& world) noexcept {
 double move_tissue(const Scene& scene, double dt, bool last, World& world) noexcept {
   if (world.packed_model) {
     step(*world.packed_model, world.load, dt, world.packed, last ? &world.measure : nullptr);
-    for (int n = 0; n < world.near_count; ++n) {
-      unpack_particle(*world.packed_model, scene.tissue, world.packed,
-                      static_cast<std::size_t>(world.near[static_cast<std::size_t>(n)]),
-                      world.tissue);
-    }
+    unpack_near(scene.tissue, world);
   } else {
     step(scene.tissue, world.load, dt, world.tissue);
+    move_skin(scene.tissue.skin, world.tissue.position, world.skin);
   }
-  return dt *
-         compute_push_power(world.load.pushes(), scene.tissue.triangles, world.tissue.velocity);
+  return dt * compute_push_power(world.load.pushes(), scene.tissue, world.tissue.velocity);
 }
 
 Alarm end_moving(const Scene& scene, double work, World& world) noexcept {
@@ -67,6 +103,7 @@ Alarm end_moving(const Scene& scene, double work, World& world) noexcept {
   }
   world.stretch = world.measure.stretch;
   unpack(*world.packed_model, scene.tissue, world.packed, world.tissue);
+  move_skin(scene.tissue.skin, world.tissue.position, world.skin);
   return check(*world.packed_model, scene.tissue, scene.gravity, world.tissue, world.measure, work,
                world.packed, world.guard, world.substeps);
 }

@@ -8,6 +8,7 @@
 
 #include "palpate/sim/dynamics/simd_targets.h"
 #include "palpate/sim/dynamics/stable_step.h"
+#include "palpate/sim/model/volumes.h"
 
 namespace palpate {
 namespace {
@@ -59,9 +60,10 @@ void validate(const Scene& scene) {
 std::vector<double> compute_rest_areas(const TissueModel& tissue) {
   std::vector<double> areas;
   areas.reserve(tissue.triangles.size());
+  const Vec3Array rest = compute_surface(tissue, tissue.rest_position);
   for (const auto& [i, j, k] : tissue.triangles) {
-    const Vec3 a = tissue.rest_position[j] - tissue.rest_position[i];
-    const Vec3 b = tissue.rest_position[k] - tissue.rest_position[i];
+    const Vec3 a = rest[j] - rest[i];
+    const Vec3 b = rest[k] - rest[i];
     areas.push_back(0.5 * a.cross(b).norm());
   }
   return areas;

@@ -7,6 +7,7 @@
 #include "palpate/sim/haptics/choose_substeps.h"
 #include "palpate/sim/haptics/move_tissue.h"
 #include "palpate/sim/haptics/place_tool.h"
+#include "palpate/sim/model/volumes.h"
 
 namespace palpate {
 namespace {
@@ -43,16 +44,17 @@ void follow_button(const Scene& scene, std::uint8_t buttons, double dt, World& w
     return;
   }
   if (pressed && !world.attach_pressed) {
-    attach_tool(world.load, scene.tissue.triangles, world.tissue.position, scene.hold_stiffness,
+    attach_tool(world.load, scene.tissue.triangles, surface_position(world), scene.hold_stiffness,
                 world.tool);
   }
   world.attach_pressed = pressed;
 }
 
 /// Back to the last tick in which nothing was wrong, and no further (SCIENCE 3).
-void stand_still(World& world) noexcept {
+void stand_still(const Scene& scene, World& world) noexcept {
   std::copy(world.guard.last_position.begin(), world.guard.last_position.end(),
             world.tissue.position.begin());
+  move_skin(scene.tissue.skin, world.tissue.position, world.skin);
   std::fill(world.tissue.velocity.begin(), world.tissue.velocity.end(), Vec3::Zero());
   release_tool(world.tool);
   world.tool.touching = false;
@@ -65,13 +67,13 @@ HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
   ++world.tick_count;
   if (world.alarm) return {};
 
-  State& tissue = world.tissue;
-  world.tree.refit(tissue.position);
+  const std::span<const Vec3> surface = surface_position(world);
+  world.tree.refit(surface);
   const Vec3 hand = follow_hand(sample.position, dt, world);
   const double way = world.tool.placed ? (hand - world.hand).norm() : 0.0;
-  if (place_tool(world.tree, tissue.position, hand, world.tool)) {
-    find_candidates(world.tree, tissue.position, scene.tool, world.tool.position, hand,
-                    scene.rest_areas, world.candidates);
+  if (place_tool(world.tree, surface, hand, world.tool)) {
+    find_candidates(world.tree, surface, scene.tool, world.tool.position, hand, scene.rest_areas,
+                    world.candidates);
     follow_button(scene, sample.buttons, dt, world);
   }
   world.substeps = choose_substeps(scene, way, dt, world);
@@ -86,13 +88,13 @@ HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
   for (int s = 0; s < world.substeps; ++s) {
     if (world.tool.placed) {
       felt += balance_tool(scene.tool, scene.coupling, hand, world.candidates,
-                           scene.tissue.triangles, tissue.position, world.tool, world.load);
+                           scene.tissue.triangles, surface, world.tool, world.load);
     }
     work += move_tissue(scene, substep, s + 1 == world.substeps, world);
   }
   world.alarm = end_moving(scene, work, world);
   if (world.alarm) {
-    stand_still(world);
+    stand_still(scene, world);
     return {};
   }
   return {.force = felt / world.substeps};

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "palpate/sim/dynamics/packed.h"
+#include "palpate/sim/model/volumes.h"
 
 namespace palpate {
 namespace {
@@ -22,7 +23,8 @@ const Scene& validated(const Scene& scene) {
 // every triangle may be touched and held at once, so no capacity can ever run out
 World::World(const Scene& scene)
     : tissue(validated(scene).tissue),
-      tree(scene.tissue.rest_position, scene.tissue.triangles),
+      skin(scene.tissue.skin.corners.size()),
+      tree(compute_surface(scene.tissue, scene.tissue.rest_position), scene.tissue.triangles),
       candidates(static_cast<int>(scene.tissue.triangles.size())),
       tool(static_cast<int>(scene.tissue.triangles.size())),
       load(2 * static_cast<int>(scene.tissue.triangles.size())),
@@ -30,8 +32,10 @@ World::World(const Scene& scene)
       substeps(scene.substeps),
       spectrum(scene.tissue, scene.spectrum_stiffness),
       chosen_stiffness(scene.spectrum_stiffness),
-      scratch(scene.tissue.rest_position.size(), 0.0) {
+      scratch(static_cast<std::size_t>(surface_count(scene.tissue)), 0.0),
+      surface_mass(compute_surface_mass(scene.tissue)) {
   load.gravity = scene.gravity;
+  move_skin(scene.tissue.skin, tissue.position, skin);
   if (scene.kernel == Kernel::reference || simd_targets().empty() ||
       !scene.tissue.prisms.corners.empty()) {
     return;
@@ -42,6 +46,8 @@ World::World(const Scene& scene)
       ContactLanes(static_cast<int>(scene.tissue.triangles.size()), simd_target(*packed_model));
   near.resize(scene.tissue.rest_position.size());
   last_near_at.resize(near.size(), -1);
+  near_skin.resize(skin.size());
+  last_skin_near_at.resize(skin.size(), -1);
 }
 
 }  // namespace palpate

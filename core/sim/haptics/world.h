@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "palpate/sim/contact/aabb_tree.h"
 #include "palpate/sim/contact/find_candidates.h"
@@ -16,7 +17,8 @@ namespace palpate {
 struct World {
   explicit World(const Scene& scene);
 
-  State tissue;  ///< after every tick, whichever kernel moves it
+  State tissue;    ///< after every tick, whichever kernel moves it
+  Vec3Array skin;  ///< [m] the vertices of the skin, after every tick; empty where there is none
   AabbTree tree;
   Candidates candidates;
   ToolState tool;
@@ -30,8 +32,9 @@ struct World {
   Stretch stretch;                ///< after the last tick
   double chosen_stiffness = 0.0;  ///< [1/s²] largest eigenvalue of M⁻¹K that substeps are for
   bool attach_pressed = false;
-  int release_ticks = 0;        ///< left until a hold that fades is gone; 0 when none does
-  std::vector<double> scratch;  ///< per particle
+  int release_ticks = 0;             ///< left until a hold that fades is gone; 0 when none does
+  std::vector<double> scratch;       ///< per vertex of the surface
+  std::vector<double> surface_mass;  ///< [kg] per vertex of the surface (compute_surface_mass)
 
   // the packed kernel, where the scene has it and this machine too
   std::shared_ptr<const PackedModel> packed_model;  ///< null under the reference kernel
@@ -40,6 +43,14 @@ struct World {
   std::vector<int> near;           ///< particles the tool may touch in this tick
   int near_count = 0;              ///< how many of them are in force
   std::vector<long> last_near_at;  ///< per particle: the last tick in which it was one of them
+  std::vector<int> near_skin;      ///< vertices of the skin likewise
+  int near_skin_count = 0;
+  std::vector<long> last_skin_near_at;
 };
+
+/// [m] The vertices of the surface: the skin's, or the particles where there is none.
+inline std::span<const Vec3> surface_position(const World& world) noexcept {
+  return world.skin.empty() ? world.tissue.position : world.skin;
+}
 
 }  // namespace palpate

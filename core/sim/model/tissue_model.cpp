@@ -8,6 +8,7 @@
 
 #include "palpate/sim/base/refuse.h"
 #include "palpate/sim/model/check_prisms.h"
+#include "palpate/sim/model/check_solid.h"
 #include "palpate/sim/model/definiteness.h"
 
 namespace palpate {
@@ -95,7 +96,7 @@ void check_corners(const std::vector<Triangle>& triangles, const char* table, in
     const bool in_range = std::min({i, j, k}) >= 0 && std::max({i, j, k}) < n;
     if (in_range && i != j && j != k && k != i) continue;
     refuse(name_row(table, t), write_text(i, ", ", j, ", ", k),
-           write_text("three different particles, 0 to ", n - 1));
+           write_text("three different ones, 0 to ", n - 1));
   }
 }
 
@@ -197,6 +198,7 @@ std::string describe(const TissueModel& model) {
       model.springs.ends.size(), " springs, ", model.bonds.ends.size(), " bonds, ",
       3 * model.angles.corners.size(), " angles, ",
       model.prisms.corners.empty() ? "" : write_text(model.prisms.corners.size(), " prisms, "),
+      describe_solid(model),
       model.home.empty() ? "no home springs" : "home springs", "; total mass ",
       1e3 * compute_total_mass(model), " g");
 }
@@ -211,7 +213,8 @@ void validate(const TissueModel& model) {
   check_bond_shares(model.bonds, model.angles);
   check_definiteness(model.angles, model.angle_law);
   check_prisms(model);
-  check_corners(model.triangles, "triangles", n);
+  check_solid(model);
+  check_corners(model.triangles, "triangles", surface_count(model));
   if (!std::isfinite(model.pressure)) {
     refuse("model: pressure", write_text(model.pressure, " Pa"), "a finite number");
   }

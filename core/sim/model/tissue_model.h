@@ -59,26 +59,58 @@ struct Prisms {
   std::vector<std::array<double, 3>> shear_damping;    ///< [N·s/m] likewise
 };
 
+/// Tetrahedra that resist a change of volume, and with it being turned inside out (SCIENCE 2.3).
+///
+/// With J the volume over that at rest, the part 1 - nodal_share of each tetrahedron's bulk acts on
+/// its own J; the part nodal_share on the mean J around each of its particles, which does not lock
+/// a nearly incompressible tissue.
+struct Volumes {
+  std::vector<std::array<int, 4>> corners;  ///< particle indices, (b - a) x (c - a) towards d
+  std::vector<double> rest_volume;          ///< [m³], positive
+  std::vector<double> bulk;                 ///< [Pa] lambda - mu: what springs leave to be done
+  std::vector<int> first_around;  ///< of each particle in `around`, and the end; see build_volumes
+  std::vector<int> around;   ///< the rows around particle 0, those around 1, ... each ascending
+  double nodal_share = 0.0;  ///< [-] 0 to 1
+};
+
+/// How a fine surface rides on coarse tetrahedra. Vertex v of the surface is at the sum over k of
+/// weights[v][k] times the position of particle corners[v][k]. Empty where the particles
+/// themselves are the surface.
+struct Skin {
+  std::vector<std::array<int, 4>> corners;     ///< particle indices
+  std::vector<std::array<double, 4>> weights;  ///< [-] sum 1; below 0 outside of the tetrahedron
+};
+
 /// An organ as built: everything about it that a simulation never changes.
 /// Made by a build_* function, checked once by validate(), then shared as const.
 struct TissueModel {
-  Vec3Array rest_position;          ///< [m]
-  std::vector<double> mass;         ///< [kg], positive
-  std::vector<int> fixed;           ///< particles held at rest, ascending
-  Links springs;                    ///< mass-spring model; may be empty
-  Links bonds;                      ///< molecular model; may be empty
-  Angles angles;                    ///< molecular model; may be empty
-  Prisms prisms;                    ///< walls that bend; may be empty
-  std::vector<double> home;         ///< [N/m] pull of each particle to its rest; may be empty
-  double pressure = 0.0;            ///< [Pa] inside above outside
-  std::vector<Triangle> triangles;  ///< outer surface, counter-clockwise from outside
-  double drag = 0.0;                ///< [1/s], velocity lost to the surroundings
+  Vec3Array rest_position;   ///< [m]
+  std::vector<double> mass;  ///< [kg], positive
+  std::vector<int> fixed;    ///< particles held at rest, ascending
+  Links springs;             ///< mass-spring model; may be empty
+  Links bonds;               ///< molecular model; may be empty
+  Angles angles;             ///< molecular model; may be empty
+  Prisms prisms;             ///< walls that bend; may be empty
+  Volumes volumes;           ///< solids; may be empty
+  Skin skin;                 ///< solids under a finer surface; may be empty
+  std::vector<double> home;  ///< [N/m] pull of each particle to its rest; may be empty
+  double pressure = 0.0;     ///< [Pa] inside above outside; 0 where there is a skin
+  /// outer surface, counter-clockwise from outside: of vertices of the skin, or of particles
+  /// where there is none
+  std::vector<Triangle> triangles;
+  double drag = 0.0;  ///< [1/s], velocity lost to the surroundings
   DampingLaw damping_law = DampingLaw::axis;
   AngleLaw angle_law = AngleLaw::gradient;
 };
 
 inline int particle_count(const TissueModel& model) {
   return static_cast<int>(model.rest_position.size());
+}
+
+/// Vertices of the surface: those of the skin, or the particles where there is none.
+inline int surface_count(const TissueModel& model) {
+  return model.skin.corners.empty() ? particle_count(model)
+                                    : static_cast<int>(model.skin.corners.size());
 }
 
 /// [kg]

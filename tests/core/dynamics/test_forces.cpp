@@ -179,7 +179,7 @@ TEST_CASE("a push keeps its force and its torque when the corners share it") {
   const std::vector<Push> pushes = {{0, {0.2, 0.3, 0.5}, {0, 1.0, -4.0}}};
   Vec3Array f(3, Vec3::Zero());
 
-  accumulate_push_forces(triangles, pushes, f);
+  accumulate_push_forces(triangles, {}, pushes, f);
 
   CHECK(f[2].z() == Approx(-2.0));
   CHECK((scenes::sum(f) - pushes[0].force).norm() < 1e-15);
@@ -203,7 +203,7 @@ TEST_CASE("the forces of a whole model are all its parts together, fixed particl
   accumulate_pressure_forces(model.triangles, model.pressure, state.position, parts);
   accumulate_gravity(model.mass, load.gravity, parts);
   accumulate_drag(model.mass, model.drag, state.velocity, parts);
-  accumulate_push_forces(model.triangles, load.pushes(), parts);
+  accumulate_push_forces(model.triangles, {}, load.pushes(), parts);
   compute_forces(model, load, state.position, state.velocity, whole);
 
   CHECK(scenes::max_difference(parts, whole) == 0.0);

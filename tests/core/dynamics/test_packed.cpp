@@ -9,7 +9,7 @@
 #include "palpate/sim/dynamics/stable_step.h"
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/model/build_membrane.h"
-#include "scenes/tissues.h"
+#include "scenes/solids.h"
 
 using namespace palpate;
 
@@ -62,6 +62,10 @@ std::vector<TissueModel> make_every_tissue() {
       scenes::make_oscillator_model(),
       scenes::make_chain_model(40, 1e-3, 100.0, 0.05, 2e-3),
   };
+  for (const double share : {0.0, 0.7, 1.0}) {
+    tissues.push_back(scenes::make_solid_organ(5, share, axis));
+    tissues.push_back(scenes::make_covered_organ(4, share, isotropic));
+  }
   // a bond beside the triangles, and home springs under a molecular model
   TissueModel odd = scenes::make_molecular_organ(1, axis);
   odd.bonds.ends.push_back({0, 40});

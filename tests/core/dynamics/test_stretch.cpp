@@ -8,7 +8,7 @@
 #include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/dynamics/stable_step.h"
 #include "palpate/sim/dynamics/tangent.h"
-#include "scenes/tissues.h"
+#include "scenes/solids.h"
 
 using namespace palpate;
 using doctest::Approx;
@@ -110,9 +110,26 @@ TEST_CASE("no tissue is stiffer in any shape than its stretch says, nor softer b
   }
 }
 
+TEST_CASE("no solid is stiffer in any shape than its stretch says") {
+  for (const double share : {0.0, 0.9, 1.0}) {
+    const TissueModel model = scenes::make_solid_organ(4, share);
+    const StretchSpectrum spectrum(model, estimate_spectrum(model).stiffness);
+    const std::vector<Shape> shapes = make_shapes();
+    for (std::size_t s = 0; s < shapes.size(); ++s) {
+      CAPTURE(share);
+      CAPTURE(s);
+      const Vec3Array x = shape(model, shapes[s]);
+      const double bound = bound_stiffness(spectrum, measure_stretch(model, x));
+      const double exact = find_stiffness(model, x);
+      CHECK(exact <= 1.001 * bound);
+    }
+  }
+}
+
 TEST_CASE("a step of the packed kernel measures the stretch that the reference measures") {
   for (const TissueModel& model :
-       {scenes::make_spring_organ(2, {.damping_ratio = 0.2}), scenes::make_molecular_organ(2)}) {
+       {scenes::make_spring_organ(2, {.damping_ratio = 0.2}), scenes::make_molecular_organ(2),
+        scenes::make_solid_organ(8, 0.5)}) {
     State state(model);
     scenes::shake(model, 2e-3, 0.0, state);
     const Stretch expected = measure_stretch(model, state.position);
@@ -125,6 +142,8 @@ TEST_CASE("a step of the packed kernel measures the stretch that the reference m
       step(packed, Load(), 1e-6, running, &measure);
       CHECK(measure.stretch.longest == Approx(expected.longest).epsilon(1e-5));
       CHECK(measure.stretch.shortest == Approx(expected.shortest).epsilon(1e-5));
+      CHECK(measure.stretch.smallest_volume == Approx(expected.smallest_volume).epsilon(1e-4));
+      CHECK(measure.stretch.smallest_mean == Approx(expected.smallest_mean).epsilon(1e-5));
     }
   }
 }

@@ -39,7 +39,7 @@ TEST_CASE("a file of every version ever released is kept and still plays") {
 
     CHECK(kept.version == version);
     CHECK(kept.title == "Kept of version " + std::to_string(version));
-    CHECK(force > 0.1);
+    CHECK(force > 0.05);
     CHECK(!world.alarm);
   }
 }

@@ -65,7 +65,7 @@ TEST_CASE("every table, every number and the authored document come back") {
   const Container first = scenario::pack(made), second = scenario::pack(found);
   CHECK(first.content == second.content);
   CHECK(first.arrays == second.arrays);
-  CHECK(first.arrays.size() == 26);
+  CHECK(first.arrays.size() == 31);
   for (const auto& [name, array] : first.arrays) {
     CAPTURE(name);
     CHECK(!array.bytes.empty());  // so that none can be forgotten unseen
@@ -80,6 +80,17 @@ TEST_CASE("every table, every number and the authored document come back") {
   CHECK(found.scene.spectrum_stiffness == made.scene.spectrum_stiffness);
   CHECK(found.scene.rest_areas == made.scene.rest_areas);
   CHECK(found.scene.tissue.damping_law == DampingLaw::isotropic);
+  CHECK(found.scene.tissue.volumes.nodal_share == 0.25);
+  CHECK(found.scene.tissue.volumes.around == made.scene.tissue.volumes.around);
+}
+
+TEST_CASE("the pressure of an organ without a skin comes back") {
+  Scenario made = make_scenario();
+  made.scene.tissue.skin = {};
+  made.scene.tissue.pressure = 100.0;
+  made.scene = build_scene(made.scene);
+
+  CHECK(scenario::unpack(scenario::pack(made), "file").scene.tissue.pressure == 100.0);
 }
 
 TEST_CASE("substeps a designer has chosen stay as they were chosen") {
@@ -99,16 +110,21 @@ TEST_CASE("an index that is out of range is refused, table and row named") {
   CHECK(contains(refuse_with("angles/corners", 5, 42), "angles.corners: row 1: found "));
   CHECK(contains(refuse_with("triangles", 3, 42), "triangles: row 1: found "));
   CHECK(contains(refuse_with("fixed", 0, -5), "fixed: row 0: found particle -5"));
+  CHECK(contains(refuse_with("volumes/corners", 1, 42), "corners: row 0: found particle 42"));
+  CHECK(contains(refuse_with("volumes/corners", 1, -1), "corners: row 0: found particle -1"));
+  CHECK(contains(refuse_with("skin/corners", 9, 42), "skin.corners: row 2: found "));
 }
 
 TEST_CASE("numbers no tissue has are refused") {
   CHECK(contains(refuse_with("mass", 2, -1.0), "mass: row 2: found -1 kg"));
   CHECK(contains(refuse_with("springs/stiffness", 0, -1.0), "springs.stiffness: row 0"));
   CHECK(contains(refuse_with("home", 1, -1.0), "home: row 1"));
+  CHECK(contains(refuse_with("volumes/rest_volume", 0, 0.0), "volumes.rest_volume: row 0"));
+  CHECK(contains(refuse_with("volumes/bulk", 0, -2.0), "volumes.bulk: row 0: found -2 Pa"));
+  CHECK(contains(refuse_with("skin/weights", 8, 0.5), "skin.weights: row 2: found a sum of 0.5"));
   CHECK(contains(refuse_with("angles/rest_cosine", 0, 2.0), "angles.rest_cosine: row 0"));
   CHECK(contains(refuse_with("mass", 2, 1e-300), "spectrum_stiffness"));
-  CHECK(contains(refuse_with("rest_position", 0, 1e200),
-                 "scene.rest_areas: row 0: found a tissue that gives inf"));
+  CHECK(contains(refuse_with("rest_position", 60, 1e200), "found a tissue that gives inf"));
 }
 
 TEST_CASE("derived numbers that are not those of the tissue are refused") {

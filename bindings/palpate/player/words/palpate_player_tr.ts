@@ -180,6 +180,10 @@
         <translation>bir üçgen çöktü</translation>
     </message>
     <message>
+        <source>a part was turned inside out</source>
+        <translation>bir parça ters yüz oldu</translation>
+    </message>
+    <message>
         <source>energy came from nowhere</source>
         <translation>enerji yoktan arttı</translation>
     </message>

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bindings.h"
+#include "border.h"
+#include "palpate/sim/model/build_solid.h"
+#include "palpate/sim/model/volumes.h"
+#include "value.h"
+
+namespace palpate::bindings {
+
+namespace {
+
+Volumes copy_volumes(int particle_count, const Integers& corners, const Numbers& rest_volume,
+                     const Numbers& bulk, double nodal_share) {
+  auto rows = copy_index_rows<4>(corners, "corners");
+  if (particle_count < 0) refuse("particle_count", std::to_string(particle_count), "0 or more");
+  require_below<4>(rows, static_cast<std::size_t>(particle_count), "corners");
+  return build_volumes(particle_count, std::move(rows), copy_numbers(rest_volume, "rest_volume"),
+                       copy_numbers(bulk, "bulk"), nodal_share);
+}
+
+void bind_volumes(py::module_& m) {
+  py::class_<Volumes> volumes(
+      m, "Volumes",
+      "Tetrahedra that resist a change of volume, and with it being turned inside out. With J the "
+      "volume over that at rest, the part 1 - nodal_share of each tetrahedron's bulk acts on its "
+      "own J, the part nodal_share on the mean J around each of its particles.");
+  volumes.def(py::init<>());
+  def_table(volumes, "corners", &Volumes::corners,
+            "Particle indices, shape (t, 4); a view, read-only.");
+  def_view(volumes, "rest_volume", &Volumes::rest_volume, "[m³], positive, shape (t,); a view.");
+  def_view(volumes, "bulk", &Volumes::bulk,
+           "[Pa] lambda - mu: what springs leave to be done, shape (t,); a view.");
+  def_table(volumes, "first_around", &Volumes::first_around,
+            "Of each particle in around, and the end; a view, read-only.");
+  def_table(volumes, "around", &Volumes::around,
+            "The rows around particle 0, those around 1, ... each ascending; a view, read-only.");
+  volumes.def_readwrite("nodal_share", &Volumes::nodal_share, "[-] 0 to 1");
+  def_copy(volumes);
+  m.def("build_volumes", &copy_volumes, "particle_count"_a, "corners"_a, "rest_volume"_a, "bulk"_a,
+        "nodal_share"_a = 0.0,
+        "Volumes with the tables of what lies around each particle filled in. Copies its tables.");
+}
+
+void bind_skin(py::module_& m) {
+  py::class_<Skin> skin(
+      m, "Skin",
+      "How a fine surface rides on coarse tetrahedra: vertex v is at the sum over k of weights[v, "
+      "k] times the position of particle corners[v, k]. Empty where the particles themselves are "
+      "the surface.");
+  skin.def(py::init([](const Integers& corners, const Numbers& weights) {
+             return Skin{copy_index_rows<4>(corners, "corners"), copy_quads(weights, "weights")};
+           }),
+           "corners"_a, "weights"_a, "Copies its tables.");
+  skin.def(py::init<>());
+  def_table(skin, "corners", &Skin::corners, "Particle indices, shape (n, 4); a view, read-only.");
+  def_view(skin, "weights", &Skin::weights,
+           "[-] sum 1; below 0 outside of the tetrahedron, shape (n, 4); a view.");
+  def_copy(skin);
+  m.def(
+      "move_skin",
+      [](const Skin& its, const Numbers& x, NumbersOut surface) {
+        const auto xs = points(x, "x");
+        const auto out = points_out(surface, "surface");
+        require_below<4>(its.corners, xs.size(), "skin");
+        require_count("skin.weights", its.weights.size(), its.corners.size());
+        require_count("surface", out.size(), its.corners.size());
+        move_skin(its, xs, out);
+      },
+      "skin"_a, "x"_a, "surface"_a.noconvert(),
+      "Sets surface [m] to where the vertices of a surface are that rides on particles at x [m].");
+}
+
+void bind_surface_of_model(py::module_& m) {
+  m.def(
+      "compute_surface",
+      [](const TissueModel& model, const Numbers& x) {
+        const auto xs = points(x, "x");
+        require_count("x", xs.size(), model.rest_position.size());
+        return own(compute_surface(model, xs));
+      },
+      "model"_a, "x"_a,
+      "[m] Where the vertices of the model's surface are with its particles at x [m]: the skin's, "
+      "or the particles themselves.");
+  m.def(
+      "compute_surface_mass",
+      [](const TissueModel& model) { return own(compute_surface_mass(model)); }, "model"_a,
+      "[kg] With what mass a vertex of the surface withstands a push when all of the surface is "
+      "pushed alike.");
+}
+
+void bind_options(py::module_& m) {
+  const SolidOptions usual;
+  py::class_<SolidOptions> options(m, "SolidOptions",
+                                   "What a designer may choose about a solid beside its material.");
+  options.def(py::init([](double nodal_share, const Numbers& stiffness_scale, const Integers& fixed,
+                          double drag, DampingLaw damping_law) {
+                return SolidOptions{nodal_share, copy_numbers(stiffness_scale, "stiffness_scale"),
+                                    copy_indices(fixed, "fixed"), drag, damping_law};
+              }),
+              py::kw_only(), "nodal_share"_a = usual.nodal_share, "stiffness_scale"_a = py::tuple(),
+              "fixed"_a = py::tuple(), "drag"_a = usual.drag, "damping_law"_a = usual.damping_law);
+  options
+      .def_readwrite("nodal_share", &SolidOptions::nodal_share,
+                     "[-] 0 to 1: how much of the resistance to a change of volume acts on the "
+                     "mean around each particle.")
+      .def_property(
+          "stiffness_scale",
+          [](const SolidOptions& self) {
+            return read_only(own(std::vector<double>(self.stiffness_scale)));
+          },
+          [](SolidOptions& self, const Numbers& value) {
+            self.stiffness_scale = copy_numbers(value, "stiffness_scale");
+          },
+          "[-] per vertex of the solid, positive, empty for 1 everywhere. Reads as a read-only "
+          "copy: assign a new array to change it.")
+      .def_property(
+          "fixed",
+          [](const SolidOptions& self) { return read_only(own(std::vector<int>(self.fixed))); },
+          [](SolidOptions& self, const Integers& value) {
+            self.fixed = copy_indices(value, "fixed");
+          },
+          "Vertices of the solid held at rest. Reads as a read-only copy: assign a new array to "
+          "change it.")
+      .def_readwrite("drag", &SolidOptions::drag, "[1/s]")
+      .def_readwrite("damping_law", &SolidOptions::damping_law);
+  def_copy(options);
+  def_repr(options, {"nodal_share", "stiffness_scale", "fixed", "drag", "damping_law"});
+}
+
+void bind_lame(py::module_& m) {
+  py::class_<LameConstants> lame(m, "LameConstants", "Lamé's constants of a material.");
+  lame.def(py::init([](double lambda, double mu) {
+             return LameConstants{lambda, mu};
+           }),
+           py::kw_only(), "lambda_"_a = 0.0, "mu"_a = 0.0);
+  lame.def_readwrite("lambda_", &LameConstants::lambda, "[Pa]")
+      .def_readwrite("mu", &LameConstants::mu, "[Pa] the shear modulus.");
+  def_copy(lame);
+  def_repr(lame, {"lambda_", "mu"});
+  m.def("compute_lame_constants", &compute_lame_constants, "material"_a,
+        "Raises ValueError for a Poisson's ratio of 0.5, where lambda is infinite.");
+  m.attr("kLeastSolidPoisson") = kLeastSolidPoisson;
+  m.attr("kMostSolidPoisson") = kMostSolidPoisson;
+}
+
+}  // namespace
+
+void bind_solid_tables(py::module_& m) {
+  bind_volumes(m);
+  bind_skin(m);
+}
+
+void bind_solids(py::module_& m) {
+  bind_surface_of_model(m);
+  bind_options(m);
+  bind_lame(m);
+  m.def("build_solid", &build_solid, "solid"_a, "material"_a, "options"_a = SolidOptions(),
+        py::call_guard<py::gil_scoped_release>(),
+        "The mass-spring model of a solid with true volumes: a spring along every edge of the "
+        "tetrahedra, and what resists a change of volume in each of them. Raises ValueError, also "
+        "for a Poisson's ratio outside of 0.25 to 0.49.");
+  m.def("build_skin", &build_skin, "surface"_a, "solid"_a, py::call_guard<py::gil_scoped_release>(),
+        "The skin by which a surface rides on the tetrahedra of a solid.");
+  m.def("cover_with_skin", &cover_with_skin, "model"_a, "surface"_a,
+        py::call_guard<py::gil_scoped_release>(),
+        "The same solid under a finer surface, which is what is touched and seen. Raises "
+        "ValueError where it lies so far from the tetrahedra that these say nothing about it.");
+}
+
+}  // namespace palpate::bindings

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/authoring/cgal/fill_with_mesh_3.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/Polyhedral_mesh_domain_3.h>
+#include <CGAL/Random.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/make_mesh_3.h>
+
+#include <map>
+#include <stdexcept>
+
+// A file of its own: minutes and gigabytes to compile, and nobody includes it.
+
+namespace palpate::authoring {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
+using Domain = CGAL::Polyhedral_mesh_domain_3<Surface, Kernel>;
+using Triangulation = CGAL::Mesh_triangulation_3<Domain, CGAL::Default, CGAL::Sequential_tag>::type;
+using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
+using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
+
+// MESHES section 5: with these, perturbing and exuding leave dihedral angles of 9 to 13 degrees
+constexpr double kFacetAngle = 25.0;      // [degree]
+constexpr double kFacetDistance = 0.15;   // of the cell size
+constexpr double kRadiusEdgeRatio = 2.0;  // of a cell's circumsphere to its shortest edge
+constexpr unsigned kSeed = 1;
+
+Surface to_surface(const SurfaceMesh& mesh) {
+  Surface surface;
+  for (const Vec3& p : mesh.vertices) surface.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z()));
+  using Vertex = Surface::Vertex_index;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    surface.add_face(Vertex(static_cast<unsigned>(a)), Vertex(static_cast<unsigned>(b)),
+                     Vertex(static_cast<unsigned>(c)));
+  }
+  return surface;
+}
+
+SolidMesh to_solid(const Complex& complex) {
+  SolidMesh solid;
+  std::map<Triangulation::Vertex_handle, int> number;
+  for (auto cell = complex.cells_in_complex_begin(); cell != complex.cells_in_complex_end();
+       ++cell) {
+    std::array<int, 4> corners{};
+    for (int c = 0; c < 4; ++c) {
+      const auto [at, is_new] =
+          number.try_emplace(cell->vertex(c), static_cast<int>(solid.vertices.size()));
+      if (is_new) {
+        const auto& p = complex.triangulation().point(cell->vertex(c));
+        solid.vertices.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()),
+                                    CGAL::to_double(p.z()));
+      }
+      corners[static_cast<std::size_t>(c)] = at->second;
+    }
+    solid.tetrahedra.push_back(corners);
+  }
+  return solid;
+}
+
+}  // namespace
+
+SolidMesh fill_with_mesh_3(const SurfaceMesh& surface, double cell_size) {
+  namespace parameters = CGAL::parameters;
+  // perturbing draws from CGAL's own source, which else begins with the time of day
+  CGAL::get_default_random() = CGAL::Random(kSeed);
+  const Surface bounded = to_surface(surface);
+  const Domain domain(bounded);
+  const Criteria criteria(parameters::facet_angle = kFacetAngle, parameters::facet_size = cell_size,
+                          parameters::facet_distance = kFacetDistance * cell_size,
+                          parameters::cell_radius_edge_ratio = kRadiusEdgeRatio,
+                          parameters::cell_size = cell_size);
+  const Complex complex =
+      CGAL::make_mesh_3<Complex>(domain, criteria, parameters::no_lloyd(), parameters::no_odt(),
+                                 parameters::perturb(), parameters::exude());
+  return to_solid(complex);
+}
+
+}  // namespace palpate::authoring

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/model/volumes.h"
+
+#include <cmath>
+
+namespace palpate {
+
+Volumes build_volumes(int particle_count, std::vector<std::array<int, 4>> corners,
+                      std::vector<double> rest_volume, std::vector<double> bulk,
+                      double nodal_share) {
+  Volumes volumes{std::move(corners), std::move(rest_volume), std::move(bulk), {}, {}, nodal_share};
+  if (volumes.corners.empty()) return volumes;
+  volumes.first_around.assign(static_cast<std::size_t>(particle_count) + 1, 0);
+  for (const auto& row : volumes.corners) {
+    for (const int i : row) ++volumes.first_around[static_cast<std::size_t>(i) + 1];
+  }
+  for (std::size_t i = 1; i < volumes.first_around.size(); ++i) {
+    volumes.first_around[i] += volumes.first_around[i - 1];
+  }
+  volumes.around.resize(4 * volumes.corners.size());
+  std::vector<int> next = volumes.first_around;
+  for (std::size_t t = 0; t < volumes.corners.size(); ++t) {
+    for (const int i : volumes.corners[t]) {
+      volumes.around[static_cast<std::size_t>(next[static_cast<std::size_t>(i)]++)] =
+          static_cast<int>(t);
+    }
+  }
+  return volumes;
+}
+
+void move_skin(const Skin& skin, std::span<const Vec3> x, std::span<Vec3> surface) noexcept {
+  for (std::size_t v = 0; v < skin.corners.size(); ++v) {
+    const auto& [a, b, c, d] = skin.corners[v];
+    const auto& w = skin.weights[v];
+    surface[v] = w[0] * x[a] + w[1] * x[b] + w[2] * x[c] + w[3] * x[d];
+  }
+}
+
+Vec3Array compute_surface(const TissueModel& model, std::span<const Vec3> x) {
+  if (model.skin.corners.empty()) return {x.begin(), x.end()};
+  Vec3Array surface(model.skin.corners.size());
+  move_skin(model.skin, x, surface);
+  return surface;
+}
+
+/// A is no larger than the diagonal matrix of its row sums of absolute values, by Gershgorin.
+std::vector<double> compute_surface_mass(const TissueModel& model) {
+  const Skin& skin = model.skin;
+  if (skin.corners.empty()) return model.mass;
+  std::vector<double> carried(model.mass.size(), 0.0), mass;
+  for (std::size_t v = 0; v < skin.corners.size(); ++v) {
+    for (std::size_t k = 0; k < 4; ++k) carried[skin.corners[v][k]] += std::abs(skin.weights[v][k]);
+  }
+  mass.reserve(skin.corners.size());
+  for (std::size_t v = 0; v < skin.corners.size(); ++v) {
+    double compliance = 0.0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const int i = skin.corners[v][k];
+      compliance += std::abs(skin.weights[v][k]) * carried[i] / model.mass[i];
+    }
+    mass.push_back(1.0 / compliance);
+  }
+  return mass;
+}
+
+}  // namespace palpate

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/authoring/fill_interior.h"
+
+#include "bindings.h"
+
+namespace palpate::authoring {
+
+namespace py = pybind11;
+using namespace pybind11::literals;
+
+void bind_fill(py::module_& m) {
+  m.attr("kMostTetrahedra") = kMostTetrahedra;
+  m.def("choose_cell_size", &choose_cell_size, "surface"_a, "tetrahedron_count"_a,
+        py::call_guard<py::gil_scoped_release>(),
+        "[m] The cell size at which about tetrahedron_count tetrahedra fill the surface; good to a "
+        "third.");
+  m.def("fill_interior", &fill_interior, "surface"_a, "cell_size"_a,
+        py::call_guard<py::gil_scoped_release>(),
+        "Tetrahedra of about cell_size [m] that fill a closed surface. Raises ValueError for a "
+        "surface that is open, faces inwards or crosses itself.");
+}
+
+}  // namespace palpate::authoring
