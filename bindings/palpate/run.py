@@ -197,7 +197,8 @@ def picture_of_rest(
     """Draws a surface as it is."""
     from palpate.render import save_picture
 
-    x = organ.vertices if isinstance(organ, palpate.SurfaceMesh) else organ.rest_position
+    bare = isinstance(organ, palpate.SurfaceMesh)
+    x = organ.vertices if bare else palpate.compute_surface(organ, organ.rest_position)
     save_picture(out, np.asarray(x), np.asarray(organ.triangles), title=title, **look)
 
 
@@ -219,10 +220,11 @@ def picture_of_record(
     else:
         tick = int(np.searchsorted(times, time).clip(0, len(times) - 1))
     world = pose_at(scene, record, tick)
-    moved = np.asarray(world.tissue.position) - np.asarray(scene.tissue.rest_position)
+    x = np.asarray(palpate.surface_position(world))
+    moved = x - palpate.compute_surface(scene.tissue, scene.tissue.rest_position)
     save_picture(
         out,
-        np.asarray(world.tissue.position),
+        x,
         np.asarray(scene.tissue.triangles),
         values=1e3 * np.linalg.norm(moved, axis=1),
         legend="displacement [mm]",

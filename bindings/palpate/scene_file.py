@@ -71,6 +71,11 @@ def build_material(part: MaterialPart) -> palpate.Material:
 def build_tissue(scene: SceneFile, mesh: palpate.SurfaceMesh) -> palpate.TissueModel:
     """The compiled model of a scene's organ. Raises ValueError naming what is wrong."""
     model = scene.model
+    if model.kind == "solid":
+        raise ValueError(
+            "model.kind: got 'solid', expected a law of surfaces: a scene file has no tetrahedra; "
+            "palpate-editor fills an organ and publishes it with them"
+        )
     if model.kind not in BUILDERS:
         raise ValueError(f"model.kind: got {model.kind!r}, expected one of {', '.join(BUILDERS)}")
     options = palpate.SurfaceOptions()
@@ -135,12 +140,14 @@ def enumerator(kind: Any, where: str, name: str) -> Any:
     return kind.__members__[name]
 
 
-def compile_scene(scene: SceneFile, mesh: palpate.SurfaceMesh) -> palpate.Scene:
-    """A scene that ticks. Raises ValueError naming what is wrong."""
+def compile_scene(
+    scene: SceneFile, mesh: palpate.SurfaceMesh, tissue: palpate.TissueModel | None = None
+) -> palpate.Scene:
+    """A scene that ticks, of its own tissue or of one that is built. Raises ValueError."""
     if len(scene.hand.gravity) != 3:
         raise ValueError(f"hand.gravity: got {len(scene.hand.gravity)} numbers, expected 3")
     compiled = palpate.Scene()
-    compiled.tissue = build_tissue(scene, mesh)
+    compiled.tissue = build_tissue(scene, mesh) if tissue is None else tissue
     tool = palpate.Tool()
     tool.radius, tool.stiffness = scene.tool.radius, scene.tool.stiffness
     compiled.tool = tool

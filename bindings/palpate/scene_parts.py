@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-KINDS = ("mass_spring", "molecular", "shell")
+KINDS = ("mass_spring", "molecular", "shell", "solid")
 """The laws that can hold an organ together."""
 ORIGINS = ("chosen", "tissue")
 """Where the constants of springs, bonds and angles come from: the model part, or the material."""

@@ -177,7 +177,9 @@ void bind_surface(py::module_& m) {
       "surface_position",
       [](const py::object& world) {
         const std::span<const Vec3> surface = surface_position(world.cast<const World&>());
-        return read_only(view_entries(surface.data(), surface.size(), world));
+        // shown read-only, so nothing is written through it
+        return read_only(
+            view_entries(const_cast<Vec3*>(surface.data()), surface.size(), world));
       },
       "world"_a,
       "[m] The vertices of the surface: the skin's, or the particles where there is none; a view, "

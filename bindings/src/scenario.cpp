@@ -88,6 +88,7 @@ void bind_limits(py::module_& m) {
   m.attr("kMostParticles") = scenario::kMostParticles;
   m.attr("kMostTriangles") = scenario::kMostTriangles;
   m.attr("kMostLinks") = scenario::kMostLinks;
+  m.attr("kMostTetrahedra") = scenario::kMostTetrahedra;
 }
 
 void bind_container(py::module_& m) {

@@ -227,7 +227,9 @@ def describe_problem(problem: Problem) -> Report:
 def describe_model(scene: palpate.Scene) -> str:
     tissue = scene.tissue
     links = len(tissue.springs.ends) + len(tissue.bonds.ends)
+    tetrahedra = len(tissue.volumes.corners)
+    solid = f"{tetrahedra} tetrahedra, " if tetrahedra else ""
     return (
-        f"{len(tissue.mass)} particles, {links} links, total mass "
+        f"{len(tissue.mass)} particles, {links} links, {solid}total mass "
         f"{1e3 * palpate.compute_total_mass(tissue):.1f} g, {scene.substeps} substeps"
     )

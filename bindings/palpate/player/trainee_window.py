@@ -55,7 +55,8 @@ class TraineeWindow(QWidget):
         self.view = make_view(self)
         self.view.wireframe = False
         self.view.use_look(find_look(play.scenario))
-        self.view.show_surface(self.scene.tissue.rest_position, self.scene.tissue.triangles)
+        self._rest = palpate.compute_surface(self.scene.tissue, self.scene.tissue.rest_position)
+        self.view.show_surface(self._rest, self.scene.tissue.triangles)
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.addWidget(self.view)
@@ -100,7 +101,7 @@ class TraineeWindow(QWidget):
         self._time, self._force, self._second, self._missed = 0.0, 0.0, 0, 0
         self.over.start_anew()
         self._tell_loss()
-        self.view.move_surface(self.scene.tissue.rest_position)
+        self.view.move_surface(self._rest)
         self.view.show_force(None)
         self.view.show_tool(None)
         if isinstance(device, palpate.PointerDevice):

@@ -58,7 +58,7 @@ class PointerHand(QObject):
     def __init__(self, view: ViewBase, device: palpate.PointerDevice, scene: palpate.Scene):
         super().__init__(view)  # type: ignore[arg-type]  # the mixin of a QWidget
         self._view, self._device = view, device
-        self._x = np.array(scene.tissue.rest_position)
+        self._x = palpate.compute_surface(scene.tissue, scene.tissue.rest_position)
         self._triangles = np.array(scene.tissue.triangles)
         self._tree = palpate.AabbTree(self._x, self._triangles)
         self._normals = np.asarray(palpate.compute_vertex_normals(self._x, self._triangles))

@@ -69,10 +69,11 @@ class Constant:
         return phrase(template, low=low, high=high, unit=unit)
 
 
-SHORT_KINDS = {"mss": "mass_spring", "mms": "molecular", "shell": "shell"}
+SHORT_KINDS = {"mss": "mass_spring", "mms": "molecular", "shell": "shell", "solid": "solid"}
 """What the command line calls them."""
 MOLECULAR = ("molecular",)
 SURFACES = ("mass_spring", "molecular")
+HOLLOW = (*SURFACES, "shell")
 ANY = -math.inf
 
 CONSTANTS = (
@@ -118,8 +119,9 @@ CONSTANTS = (
         above=False,
         optional=True,
         absent="by kind",
+        kinds=HOLLOW,
     ),
-    Constant("model", "pressure", "Pressure", "kPa", scale=1e3, least=ANY),
+    Constant("model", "pressure", "Pressure", "kPa", scale=1e3, least=ANY, kinds=HOLLOW),
     Constant("model", "drag", "Drag", "1/s", above=False),
     Constant("tool", "radius", "Tip radius", "mm", scale=1e-3),
     Constant("tool", "stiffness", "Contact stiffness", "N/mm³", scale=1e9),

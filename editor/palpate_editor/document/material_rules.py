@@ -103,6 +103,7 @@ def find_support_problems(organ: Organ) -> Iterator[Problem]:
     # a builder's own choice is none for a solid, and for a wall that bends
     none_of_its_own = organ.material.wall_thickness is None or organ.model.kind == "shell"
     no_home = home == 0.0 or (home is None and none_of_its_own)
+    no_home |= organ.model.kind == "solid"
     if no_home and not organ.fixed.any():
         yield Problem(
             "loose",

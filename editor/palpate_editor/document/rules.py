@@ -19,7 +19,8 @@ ANGLE_LEAST = 15.0
 TICK_SHARE = 0.7
 """[-] of a tick that may be spent on the tissue; the rest is for the hand and the machine."""
 SUBSTEP_COST = {"mass_spring": 30e-9, "molecular": 100e-9, "shell": 1500e-9}
-"""[s] per vertex on the reference machine (./run bench: mss_step and mms_step over vertices)."""
+"""[s] per vertex on the reference machine (./run bench: mss_step and mms_step over vertices). A
+solid costs by its tetrahedra, which are always about as many."""
 SUBSTEPS_IN_CONTACT = 3
 """A touched tissue takes at least as many (core/sim/haptics/tick.cpp)."""
 

@@ -71,7 +71,7 @@ def add_material(word: argparse.ArgumentParser) -> None:
         help=".organ, or scene file to write; without one, every kind is built and compared",
     )
     word.add_argument(
-        "--kind", choices=tuple(SHORT_KINDS), help="mass-spring, molecular, or shell of prisms"
+        "--kind", choices=tuple(SHORT_KINDS), help="mass-spring, molecular, shell of prisms, or a filled solid"
     )
     for constant in CONSTANTS:
         option, unit = OPTIONS[constant.key]
@@ -134,6 +134,13 @@ def run_material(call: argparse.Namespace) -> Report:
     organ = set_constants(call, open_any(call.file))
     if call.out is None:
         return {"out": None, **compare_kinds(organ, call.file)}
+    if organ.model.kind == "solid" and call.out.suffix != ".organ":
+        raise Refusal(
+            call.file,
+            "--out",
+            call.out.name,
+            "a name ending in .organ: a scene file has no tetrahedra",
+        )
     try:
         compiled = compile_organ(organ)
     except ValueError as problem:
@@ -152,6 +159,7 @@ def run_material(call: argparse.Namespace) -> Report:
         "springs": len(tissue.springs.ends),
         "bonds": len(tissue.bonds.ends),
         "angles": 3 * len(tissue.angles.corners),
+        "tetrahedra": len(tissue.volumes.corners),
         "fixed": len(tissue.fixed),
         "total_mass_g": 1e3 * palpate.compute_total_mass(tissue),
         "stable_step_ms": 1e3 * palpate.stable_step(tissue),

@@ -32,6 +32,7 @@ def choice_words(value: str) -> str:
         "tissue": tr("From the tissue"),
         "van_gelder": tr("Van Gelder"),
         "lloyd": tr("Lloyd"),
+        "solid": tr("Solid (MSS+V)"),
         "gradient": tr("Energy gradient (Eq 9, 11)"),
         "eq10": tr("Opposite edge (Eq 10)"),
         "axis": tr("Along the link"),

@@ -87,6 +87,7 @@ class PublishPanel(StagePanel):
             "mass_spring": tr("Mass–spring"),
             "molecular": tr("Molecular"),
             "shell": tr("Shell of prisms"),
+            "solid": tr("Solid"),
         }
         mass = tissue.total_mass if tissue else None
         self.facts.show_facts(

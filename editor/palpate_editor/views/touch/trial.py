@@ -50,7 +50,7 @@ class Trial(QObject):
         self.report: palpate.LoopReport | None = None
         self.problem: OSError | None = None
         """Why the record is not whole."""
-        self._rest = np.array(scene.tissue.rest_position)
+        self._rest = palpate.compute_surface(scene.tissue, scene.tissue.rest_position)
         self._top = LEAST_TOP
         diagonal = float(palpate.compute_diagonal(self._rest))
         view.force_scale = ARROW * diagonal
