@@ -44,9 +44,7 @@ def build_filled(organ: Organ) -> palpate.TissueModel:
         fixed=np.flatnonzero(outside & organ.fixed[nearest]),
         stiffness_scale=organ.stiffness_scale[nearest],
         drag=organ.model.drag,
-        damping_law=enumerator(
-            palpate.DampingLaw, "model.damping_law", organ.model.damping_law
-        ),
+        damping_law=enumerator(palpate.DampingLaw, "model.damping_law", organ.model.damping_law),
     )
     model = palpate.build_solid(solid, build_material(organ.material), options)
     return palpate.cover_with_skin(model, surface)

@@ -69,9 +69,7 @@ def test_the_same_surface_is_filled_alike(spleen):
 
 
 def test_an_open_or_hollow_organ_is_no_solid_and_is_told_so(spleen):
-    opened = spleen.with_surface(
-        Surface(spleen.surface.vertices, spleen.surface.triangles[:-1])
-    )
+    opened = spleen.with_surface(Surface(spleen.surface.vertices, spleen.surface.triangles[:-1]))
     hollow = replace(spleen, material=replace(spleen.material, wall_thickness=2e-3))
     soft = replace(spleen, material=replace(spleen.material, poisson_ratio=0.2))
 

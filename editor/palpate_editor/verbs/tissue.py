@@ -71,7 +71,9 @@ def add_material(word: argparse.ArgumentParser) -> None:
         help=".organ, or scene file to write; without one, every kind is built and compared",
     )
     word.add_argument(
-        "--kind", choices=tuple(SHORT_KINDS), help="mass-spring, molecular, shell of prisms, or a filled solid"
+        "--kind",
+        choices=tuple(SHORT_KINDS),
+        help="mass-spring, molecular, shell of prisms, or solid",
     )
     for constant in CONSTANTS:
         option, unit = OPTIONS[constant.key]

@@ -68,7 +68,9 @@ class SceneTree(QTreeWidget):
         words = tr("{vertices} vertices").format(vertices=count(organ.vertex_count))
         self.add(top, tr("Surface"), words, "mesh", "decimate")
         kinds = {"mass_spring": "MSS", "molecular": "MMS", "shell": tr("Shell"), "solid": "MSS+V"}
-        chosen = organ.model.kind in ("mass_spring", "molecular") and organ.model.constants == "chosen"
+        chosen = (
+            organ.model.kind in ("mass_spring", "molecular") and organ.model.constants == "chosen"
+        )
         stiffness = (
             quantity(organ.model.stiffness, "N/m")
             if chosen

@@ -1197,6 +1197,14 @@
         <translation>Prizmalardan kabuk</translation>
     </message>
     <message>
+        <source>Solid (MSS+V)</source>
+        <translation>Dolu cisim (MSS+V)</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Dolu cisim</translation>
+    </message>
+    <message>
         <source>Shift / Ctrl with a brush</source>
         <translation>Fırça ile Shift / Ctrl</translation>
     </message>
