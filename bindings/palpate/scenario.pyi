@@ -20,6 +20,7 @@ kMostTaskBytes: int
 kMostParticles: int
 kMostTriangles: int
 kMostLinks: int
+kMostTetrahedra: int
 
 class Container:
     def __init__(

@@ -101,7 +101,7 @@ def find_solid_limits(
         f"what is smaller than its {len(tissue.volumes.corners)} tetrahedra: it is as much too "
         "stiff as they are too coarse, some 20 % under a small tip (SCIENCE 2.4)"
     )
-    yield "deep presses: about 11 % softer than neo-Hookean, nearly alike at every depth"
+    yield "large strains: 4 to 12 % softer than neo-Hookean in a press by up to a quarter"
     yield "a Poisson's ratio below 0.25 or above 0.49"
 
 
