@@ -5,15 +5,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from math import ceil
 from pathlib import Path
 
 import numpy as np
 import palpate
+from palpate.scene_file import build_tissue
 from palpate.scene_parts import MaterialPart
 from palpate.verb import Refusal, Report
 
 from palpate_editor.check import compare_with_wall, split_refusal
-from palpate_editor.compile import compile_organ
+from palpate_editor.compile import mesh_of, parts_of
 from palpate_editor.document import Organ
 from palpate_editor.document.problems import WallFit
 
@@ -155,23 +157,23 @@ def compare_kinds(organ: Organ, file: Path) -> Report:
 def build_kind(organ: Organ, kind: Kind) -> Report:
     built = replace(organ, model=replace(organ.model, **kind.model))
     row: Report = {"name": kind.name, "title": kind.title, "built": False}
+    assert organ.surface is not None
     try:
-        scene = compile_organ(built)
+        tissue = build_tissue(parts_of(built), mesh_of(organ.surface))
     except ValueError as problem:
         where, found, expected = split_refusal(str(problem))
         row["refusal"] = f"{where}: found {found}, expected {expected}"
         row["cannot_represent"] = list(find_refused_limits(built))
         return row
-    wall = compare_with_wall(built, scene.tissue)
+    wall, stable_step = compare_with_wall(built, tissue), palpate.stable_step(tissue)
     return row | {
         "built": True,
-        "particles": len(scene.tissue.mass),
-        "links": len(scene.tissue.springs.ends) + len(scene.tissue.bonds.ends),
-        "substeps": scene.substeps,
-        "stable_step_ms": 1e3 * palpate.stable_step(scene.tissue),
-        "kernel": scene.kernel.name,
+        "particles": len(tissue.mass),
+        "links": len(tissue.springs.ends) + len(tissue.bonds.ends),
+        "substeps": max(1, ceil(1.0 / (organ.hand.rate * stable_step))),
+        "stable_step_ms": 1e3 * stable_step,
         "wall": None if wall is None else vars(wall),
-        "cannot_represent": list(kind.find_limits(built, scene.tissue, wall)),
+        "cannot_represent": list(kind.find_limits(built, tissue, wall)),
     }
 
 
@@ -191,8 +193,7 @@ def describe_kind(row: Report) -> str:
     if row["built"]:
         head = (
             f"{row['title']}: {row['particles']} particles, {row['links']} links, "
-            f"{row['substeps']} substeps, stable step {row['stable_step_ms']:.3f} ms, "
-            f"{row['kernel']} kernel"
+            f"{row['substeps']} substeps, stable step {row['stable_step_ms']:.3f} ms"
         )
     else:
         head = f"{row['title']}: not built; {row['refusal']}"
