@@ -95,7 +95,9 @@ class Runner:
     """Runs programs one at a time, on one thread."""
 
     def __init__(self, anchor: str, python: str, folder: Path):
-        self.anchor, self.python, self.folder = anchor, python, folder
+        # not resolved: the link itself is what makes a virtual environment
+        self.anchor, self.python = os.path.abspath(anchor), os.path.abspath(python)
+        self.folder = folder
         self.environment = {
             **os.environ,
             **dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1"),
@@ -104,7 +106,12 @@ class Runner:
     def run(self, words: list[str]) -> dict:
         try:
             done = subprocess.run(
-                words, capture_output=True, text=True, timeout=TIMEOUT, env=self.environment
+                words,
+                capture_output=True,
+                text=True,
+                timeout=TIMEOUT,
+                env=self.environment,
+                cwd=self.folder,  # where engines leave their logs
             )
         except subprocess.TimeoutExpired:
             return {"why": f"gave up after {TIMEOUT:.0f} s"}
