@@ -2,47 +2,17 @@
 #include "palpate/bench/time_ticks.h"
 
 #include <algorithm>
-#include <limits>
-#include <stdexcept>
 
 #include "palpate/bench/naive.h"
 #include "palpate/bench/naive_tree.h"
+#include "palpate/bench/press_and_hold.h"
 #include "palpate/bench/time_steps.h"
 #include "palpate/bench/timing.h"
 #include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/haptics/tick.h"
-#include "palpate/sim/mesh/measure.h"
 
 namespace palpate::bench {
 namespace {
-
-/// [m] from a particle to the closest one that is held.
-double reach(const TissueModel& tissue, const Vec3& p) {
-  double closest = std::numeric_limits<double>::infinity();
-  for (const int i : tissue.fixed) {
-    closest = std::min(closest, (tissue.rest_position[static_cast<std::size_t>(i)] - p).norm());
-  }
-  return closest;
-}
-
-/// Where a tissue is pressed and which way is out of it.
-struct Place {
-  Vec3 point, outward;
-};
-
-/// Where a tissue gives most freely: farthest from what is held, the highest particle of equals.
-Place find_press_place(const TissueModel& tissue) {
-  const auto& x = tissue.rest_position;
-  std::size_t best = 0;
-  double farthest = reach(tissue, x[best]);
-  for (std::size_t i = 1; i < x.size(); ++i) {
-    const double here = reach(tissue, x[i]);
-    if (here < farthest || (here == farthest && x[i].z() <= x[best].z())) continue;
-    best = i;
-    farthest = here;
-  }
-  return {x[best], compute_vertex_normals(x, tissue.triangles)[best]};
-}
 
 /// The tick of a first program: the textbook tree, plain steps, nothing guarded.
 void tick_naively(const Scene& scene, const HapticSample& sample, double dt, NaiveTree& tree,
@@ -64,23 +34,11 @@ void tick_naively(const Scene& scene, const HapticSample& sample, double dt, Nai
   }
 }
 
-/// How many times a tick may be repeated where that only makes sure of something: less often on
-/// meshes where a naive tick takes seconds.
-int afford(int wanted, int least, double work_each) {
-  constexpr double kAffordable = 3e8;
-  return static_cast<int>(std::clamp(kAffordable / work_each, double(least), double(wanted)));
-}
-
-/// Particle steps of a tick, of which the naive form does some ten million a second.
-double work_of(const Scene& scene, const World& world) {
-  return double(scene.tissue.mass.size()) * std::max(world.substeps, scene.substeps);
-}
-
 /// [m] How far tissue and tool of both forms are apart after some ticks from the same world.
 double compare_ticks(const Scene& scene, const HapticSample& sample, double dt, World ours,
                      World naive) {
   NaiveTree tree(naive.tissue.position, scene.tissue.triangles);
-  const int ticks = afford(5, 1, 10.0 * work_of(scene, ours));
+  const int ticks = afford(5, 1, 10.0 * count_work(scene, ours));
   for (int i = 0; i < ticks; ++i) {
     tick(scene, sample, dt, ours);
     tick_naively(scene, sample, dt, tree, naive);
@@ -116,16 +74,8 @@ BenchRow time_world(const Scene& scene, const HapticSample& sample, World world,
   return row;
 }
 
-/// [m] of the tip below the surface at rest.
-constexpr double kPressDepth = 3e-3;
 /// [m] of the tip above it, in the air.
 constexpr double kAirHeight = 5e-3;
-
-HapticSample hold_at(const Scene& scene, const Place& place, double height) {
-  HapticSample sample;
-  sample.position = place.point + (scene.tool.radius + height) * place.outward;
-  return sample;
-}
 
 /// Come from above and settled, a press held.
 BenchRow time_press(const std::string& work, const Scene& scene, const Place& place,
@@ -133,16 +83,7 @@ BenchRow time_press(const std::string& work, const Scene& scene, const Place& pl
   const double dt = 1.0 / scene.rate;
   const HapticSample pressed = hold_at(scene, place, -kPressDepth);
   World world(scene);
-  // slower is no other press: it is the cost of holding it that is asked for
-  const int ticks = afford(300, 60, work_of(scene, world));
-  for (int i = 0; i <= ticks; ++i) {
-    const double above = 2.0 * kPressDepth * std::max(0.0, 1.0 - 1.5 * i / ticks);
-    tick(scene, hold_at(scene, place, above - kPressDepth), dt, world);
-  }
-  // without dashpots it may bounce
-  for (int i = 0; i < ticks && world.load.push_count == 0; ++i) tick(scene, pressed, dt, world);
-  if (world.alarm) throw std::logic_error("bench: " + work + ": the held press blew up");
-  if (world.load.push_count == 0) throw std::logic_error("bench: " + work + ": touches nothing");
+  press_and_hold(work, scene, place, world);
   BenchRow row = time_world(scene, pressed, std::move(world), options);
   row.work = work;
   row.physics = "3 mm press held, " + row.physics;
@@ -156,7 +97,7 @@ BenchRow time_hover(const std::string& work, int substeps, Scene scene, const Pl
   scene.substeps = substeps;
   World world(scene);
   HapticSample sample = hold_at(scene, place, kAirHeight);
-  const int ticks = afford(50, 5, work_of(scene, world));
+  const int ticks = afford(50, 5, count_work(scene, world));
   for (int i = 0; i < ticks; ++i) {
     tick(scene, sample, 1.0 / scene.rate, world);
     // in a hollow the other side is near

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "peer.h"
 
@@ -36,15 +37,15 @@ Point find_closest(const Point& p, const Point& a, const Point& b, const Point& 
 
 class Embree : public Peer {
  public:
-  explicit Embree(const Workload& work)
-      : triangles_(work.triangles), device_(rtcNewDevice("threads=1")) {
+  Embree(const Workload& work, std::string name, RTCBuildQuality quality)
+      : name_(std::move(name)), triangles_(work.triangles), device_(rtcNewDevice("threads=1")) {
     if (device_ == nullptr) throw std::runtime_error("embree: no device");
     scene_ = rtcNewScene(device_);
     // only a scene of low quality refits: it keeps a tree per geometry, of the geometry's quality
     rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
     rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
     geometry_ = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-    rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);
+    rtcSetGeometryBuildQuality(geometry_, quality);
     vertices_ = static_cast<float*>(rtcSetNewGeometryBuffer(
         geometry_, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Point), work.x.size()));
     auto* corners = static_cast<unsigned*>(
@@ -64,9 +65,11 @@ class Embree : public Peer {
     rtcReleaseDevice(device_);
   }
 
-  std::string name() const override { return "Embree"; }
+  std::string name() const override { return name_; }
   std::string note(const std::string& work) const override {
-    if (work == "refit") return "positions already in float";
+    if (work == "refit") {
+      return name_ == "Embree low" ? "a rebuild by Morton codes" : "positions already in float";
+    }
     return work == "segment" ? "" : "our callback per triangle";
   }
   double tolerance() const override { return 1e-6; }
@@ -148,6 +151,7 @@ class Embree : public Peer {
     return false;
   }
 
+  std::string name_;
   std::vector<Triangle> triangles_;
   RTCDevice device_;
   RTCScene scene_;
@@ -158,6 +162,12 @@ class Embree : public Peer {
 
 }  // namespace
 
-std::unique_ptr<Peer> make_embree(const Workload& work) { return std::make_unique<Embree>(work); }
+std::unique_ptr<Peer> make_embree_refit(const Workload& work) {
+  return std::make_unique<Embree>(work, "Embree refit", RTC_BUILD_QUALITY_REFIT);
+}
+
+std::unique_ptr<Peer> make_embree_low(const Workload& work) {
+  return std::make_unique<Embree>(work, "Embree low", RTC_BUILD_QUALITY_LOW);
+}
 
 }  // namespace palpate::bench

@@ -23,12 +23,17 @@ class Fcl : public Peer {
     model_->addSubModel(x_, triangles);
     model_->endModel();
     surface_ = std::make_unique<fcl::CollisionObjectd>(model_);
+    constexpr double kSpeck = 1e-7;
+    speck_->beginModel();
+    speck_->addTriangle({kSpeck, 0.0, 0.0}, {0.0, kSpeck, 0.0}, {0.0, 0.0, kSpeck});
+    speck_->endModel();
   }
 
   std::string name() const override { return "FCL"; }
   std::string note(const std::string& work) const override {
     if (work == "segment") return "has no rays: a capsule of 1 nm; tells only whether it touches";
-    if (work == "closest") return "distance to a ball of 1 um";
+    if (work == "closest")
+      return "distance to a triangle of 0.1 um: its distances to shapes are wrong";
     return work == "refit" ? "" : "contacts of a ball";
   }
   double tolerance() const override { return 1e-5; }
@@ -55,13 +60,11 @@ class Fcl : public Peer {
     }
   }
   void closest(const Workload& work, std::size_t count, std::vector<double>& answers) override {
-    constexpr double kTiny = 1e-6;
-    const auto ball = std::make_shared<fcl::Sphered>(kTiny);
     for (std::size_t q = 0; q < count; ++q) {
-      const fcl::CollisionObjectd point(ball, at(work.beside[q]));
-      fcl::DistanceRequestd request(true);
+      const fcl::CollisionObjectd point(speck_, at(work.beside[q]));
+      const fcl::DistanceRequestd request;
       fcl::DistanceResultd result;
-      answers[q] = fcl::distance(surface_.get(), &point, request, result) + kTiny;
+      answers[q] = fcl::distance(surface_.get(), &point, request, result);
     }
   }
   void sphere(const Workload& work, std::size_t count, std::vector<double>& answers) override {
@@ -83,6 +86,7 @@ class Fcl : public Peer {
   }
 
   std::shared_ptr<Model> model_;
+  std::shared_ptr<Model> speck_ = std::make_shared<Model>();
   std::unique_ptr<fcl::CollisionObjectd> surface_;
   std::vector<fcl::Vector3d> x_;
 };

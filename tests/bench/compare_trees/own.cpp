@@ -14,7 +14,7 @@ class Own : public Peer {
 
   std::string name() const override { return "Palpate"; }
   std::string note(const std::string&) const override { return ""; }
-  double tolerance() const override { return 0.0; }
+  double tolerance() const override { return 1e-12; }
 
   void prepare(const Vec3Array& x) override { x_ = x; }
   void refit() override { tree_.refit(x_); }

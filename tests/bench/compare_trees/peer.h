@@ -30,12 +30,15 @@ class Peer {
 
   /// Questions that are enough to time it by: less for those that take milliseconds each.
   virtual std::size_t questions(const Workload& work) const { return work.from.size(); }
-  /// [m] How far its distances may lie from ours.
+  /// [m] How far its distances may lie from the textbook's.
   virtual double tolerance() const = 0;
 };
 
 std::unique_ptr<Peer> make_own(const Workload& work);
-std::unique_ptr<Peer> make_embree(const Workload& work);
+/// The textbook tree of palpate::bench: what the others' answers are held against.
+std::unique_ptr<Peer> make_textbook(const Workload& work);
+std::unique_ptr<Peer> make_embree_refit(const Workload& work);
+std::unique_ptr<Peer> make_embree_low(const Workload& work);
 std::unique_ptr<Peer> make_cgal(const Workload& work);
 std::unique_ptr<Peer> make_fcl(const Workload& work);
 

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/bench/press_and_hold.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "palpate/sim/mesh/measure.h"
+
+namespace palpate::bench {
+namespace {
+
+/// [m] from a particle to the closest one that is held.
+double reach(const TissueModel& tissue, const Vec3& p) {
+  double closest = std::numeric_limits<double>::infinity();
+  for (const int i : tissue.fixed) {
+    closest = std::min(closest, (tissue.rest_position[static_cast<std::size_t>(i)] - p).norm());
+  }
+  return closest;
+}
+
+}  // namespace
+
+Place find_press_place(const TissueModel& tissue) {
+  const auto& x = tissue.rest_position;
+  std::size_t best = 0;
+  double farthest = reach(tissue, x[best]);
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    const double here = reach(tissue, x[i]);
+    if (here < farthest || (here == farthest && x[i].z() <= x[best].z())) continue;
+    best = i;
+    farthest = here;
+  }
+  return {x[best], compute_vertex_normals(x, tissue.triangles)[best]};
+}
+
+HapticSample hold_at(const Scene& scene, const Place& place, double height) {
+  HapticSample sample;
+  sample.position = place.point + (scene.tool.radius + height) * place.outward;
+  return sample;
+}
+
+int afford(int wanted, int least, double work_each) {
+  constexpr double kAffordable = 3e8;
+  return static_cast<int>(std::clamp(kAffordable / work_each, double(least), double(wanted)));
+}
+
+double count_work(const Scene& scene, const World& world) {
+  return double(scene.tissue.mass.size()) * std::max(world.substeps, scene.substeps);
+}
+
+Vec3Array press_and_hold(const std::string& work, const Scene& scene, const Place& place,
+                         World& world) {
+  const double dt = 1.0 / scene.rate;
+  // slower is no other press: it is the cost of holding it that is asked for
+  const int ticks = afford(300, 60, count_work(scene, world));
+  Vec3Array felt;
+  for (int i = 0; i <= ticks; ++i) {
+    const double above = 2.0 * kPressDepth * std::max(0.0, 1.0 - 1.5 * i / ticks);
+    felt.push_back(tick(scene, hold_at(scene, place, above - kPressDepth), dt, world).force);
+  }
+  // without dashpots it may bounce
+  for (int i = 0; i < ticks && world.load.push_count == 0; ++i) {
+    felt.push_back(tick(scene, hold_at(scene, place, -kPressDepth), dt, world).force);
+  }
+  if (world.alarm) throw std::logic_error("bench: " + work + ": the held press blew up");
+  if (world.load.push_count == 0) throw std::logic_error("bench: " + work + ": touches nothing");
+  return felt;
+}
+
+}  // namespace palpate::bench
