@@ -15,6 +15,7 @@ from palpate.mesh_file import read_mesh_file
 from palpate_meshes.anatomy import ATTACHMENT, GENERATORS, find_regions, generate
 from palpate_meshes.build import main
 from palpate_meshes.catalogue import (
+    PUBLISHED,
     find_entry,
     hash_bytes,
     read_catalogue,
@@ -59,6 +60,7 @@ def test_the_catalogue_has_the_meshes_of_the_paper():
     assert ORGANS["simple_tissue"].border == (22,)
     assert ORGANS["gallbladder"].border == (16,)
     assert set(GENERATORS) == set(ORGANS)
+    assert {path.stem for path in PUBLISHED.glob("*.obj")} == set(ORGANS)
 
 
 @pytest.mark.parametrize("name", ORGANS)

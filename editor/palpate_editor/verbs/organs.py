@@ -8,7 +8,13 @@ from pathlib import Path
 from typing import Any
 
 from palpate.verb import Refusal, Report, Verb
-from palpate_meshes.catalogue import Entry, Tissue, read_regions, read_terms
+from palpate_meshes.catalogue import (
+    Entry,
+    Tissue,
+    read_regions,
+    read_terms,
+    read_tool_catalogue,
+)
 from palpate_meshes.tools import read_tool, read_tool_names
 
 from palpate_editor.document.files import write_organ
@@ -135,7 +141,7 @@ def describe_tool(name: str) -> Report:
         "name": name,
         "title": tool.title,
         "source": tool.source,
-        "parts": {part: len(mesh[0]) for part, mesh in tool.parts.items()},
+        "parts": {part: vars(row) for part, row in read_tool_catalogue()[name].items()},
         "collision_shapes": len(tool.shapes),
         "jaws": tool.jaws is not None,
         "needle": tool.needle is not None,
