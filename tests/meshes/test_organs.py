@@ -235,7 +235,7 @@ def test_the_command_writes_another_resolution(tmp_path, capsys):
 def test_every_published_constant_names_its_source_and_the_preset_is_in_its_range():
     for tissue in read_tissues().values():
         assert all(row.source and row.method and row.low <= row.high for row in tissue.published)
-        for quantity in ("young_modulus", "density"):
+        for quantity in ("young_modulus", "density", "poisson_ratio", "wall_thickness"):
             rows = [row for row in tissue.published if row.quantity == quantity]
             if not rows:
                 continue

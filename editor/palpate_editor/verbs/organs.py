@@ -161,9 +161,10 @@ def describe_row(row: dict[str, Any]) -> str:
     border = f", hole of {row['border_loops'][0]}" if row["border_loops"] else ", closed"
     counts = f"{row['vertices']:5} vertices, {row['triangles']:5} triangles{border}"
     chosen = row["material"]["young_modulus"]
+    scale, unit = (1e9, "GPa") if chosen >= 1e9 else (1e3, "kPa")
     return (
-        f"{row['name']:14} {counts:43} {row['kind']:7} E {1e-3 * chosen:g} kPa "
-        f"(published {1e-3 * low:g} to {1e-3 * high:g})"
+        f"{row['name']:14} {counts:43} {row['kind']:7} E {chosen / scale:g} {unit} "
+        f"(published {low / scale:g} to {high / scale:g})"
     )
 
 
