@@ -6,7 +6,6 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-import tempfile
 import time
 from pathlib import Path
 
@@ -75,8 +74,7 @@ def publish(names: list[str]) -> int:
     if not names:
         FOLDER.mkdir(exist_ok=True)
         for tool, parts in build_tools().items():
-            for part, mesh in parts.items():
-                write_obj(FOLDER / f"{tool}_{part}.obj", *mesh)
+            write_tool(tool, parts)
             print(f"{tool}: {', '.join(parts)}")
     for fault in faults:
         print(fault, file=sys.stderr)
@@ -108,12 +106,18 @@ def write_hash(name: str, digest: str) -> None:
     write_whole(CATALOGUE, (before + head + "\n".join(lines)).encode())
 
 
-def hash_organ(name: str, **parameters: float) -> str:
-    """What the OBJ of an organ would hash to, were it written."""
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "organ.obj"
-        write_obj(path, *generate(name, **parameters))
-        return hash_bytes(path.read_bytes())
+def write_tool(name: str, parts: dict[str, tuple[np.ndarray, np.ndarray]]) -> None:
+    """The OBJ of every part, their counts and hashes in the catalogue."""
+    rows = []
+    for part, (vertices, triangles) in parts.items():
+        path = FOLDER / f"{name}_{part}.obj"
+        write_obj(path, vertices, triangles)
+        counts = f"vertices = {len(vertices)}, triangles = {len(triangles)}"
+        rows.append(f'{part} = {{ {counts}, sha256 = "{hash_bytes(path.read_bytes())}" }}')
+    lines = CATALOGUE.read_text(encoding="utf-8").split("\n")
+    first = lines.index(f"[tools.{name}.parts]") + 1
+    lines[first : lines.index("", first)] = rows
+    write_whole(CATALOGUE, "\n".join(lines).encode())
 
 
 if __name__ == "__main__":

@@ -90,6 +90,25 @@ class Entry:
         return PUBLISHED / f"{self.name}.regions.json"
 
 
+@dataclass(frozen=True)
+class ToolMesh:
+    """A part of an instrument in the catalogue."""
+
+    vertices: int
+    triangles: int
+    sha256: str
+    """Of the OBJ."""
+
+
+def read_tool_catalogue() -> dict[str, dict[str, ToolMesh]]:
+    """The parts of every instrument, in the order of the file; read_tool says what they are."""
+    tables = tomllib.loads(CATALOGUE.read_text(encoding="utf-8"))["tools"]
+    return {
+        name: {part: ToolMesh(**row) for part, row in table["parts"].items()}
+        for name, table in tables.items()
+    }
+
+
 def read_catalogue() -> dict[str, Entry]:
     """Every organ, in the order of the file."""
     tables = tomllib.loads(CATALOGUE.read_text(encoding="utf-8"))["organs"]

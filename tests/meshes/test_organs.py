@@ -15,6 +15,7 @@ from palpate.mesh_file import read_mesh_file
 from palpate_meshes.anatomy import ATTACHMENT, GENERATORS, find_regions, generate
 from palpate_meshes.build import main
 from palpate_meshes.catalogue import (
+    PUBLISHED,
     find_entry,
     hash_bytes,
     read_catalogue,
@@ -59,6 +60,7 @@ def test_the_catalogue_has_the_meshes_of_the_paper():
     assert ORGANS["simple_tissue"].border == (22,)
     assert ORGANS["gallbladder"].border == (16,)
     assert set(GENERATORS) == set(ORGANS)
+    assert {path.stem for path in PUBLISHED.glob("*.obj")} == set(ORGANS)
 
 
 @pytest.mark.parametrize("name", ORGANS)
@@ -233,7 +235,7 @@ def test_the_command_writes_another_resolution(tmp_path, capsys):
 def test_every_published_constant_names_its_source_and_the_preset_is_in_its_range():
     for tissue in read_tissues().values():
         assert all(row.source and row.method and row.low <= row.high for row in tissue.published)
-        for quantity in ("young_modulus", "density"):
+        for quantity in ("young_modulus", "density", "poisson_ratio", "wall_thickness"):
             rows = [row for row in tissue.published if row.quantity == quantity]
             if not rows:
                 continue

@@ -14,6 +14,7 @@ from palpate.cli import main
 from palpate.press import PressScript, find_top
 from palpate.render import build_look
 from palpate.run import read_scene, run_script
+from palpate.script_file import write_script_file
 from palpate_editor.check import assess
 from palpate_editor.gallery import draw_organ, draw_tool
 from palpate_editor.open_organ import open_organ
@@ -73,6 +74,30 @@ def test_the_shipped_files_open_and_are_the_organs_of_the_catalogue(name):
         n: r.tolist() for n, r in made.regions.items()
     }
     assert np.array_equal(np.asarray(scene.tissue.fixed), np.flatnonzero(made.fixed))
+
+
+@pytest.mark.parametrize("name", ORGANS)
+def test_a_shipped_scenario_is_played_and_pushes_back(capsys, tmp_path, name):
+    path, press = PUBLISHED / f"{name}.palpate", tmp_path / "press.json"
+    scene = read_scene(path)
+    place, radius = find_top(scene), scene.tool.radius
+    heights = ((0.0, radius + 2e-3), (0.2, radius - 2e-3), (0.3, radius + 2e-3))
+    write_script_file(
+        press,
+        [
+            palpate.KeyFrame(time=time, position=place.point + height * place.outward)
+            for time, height in heights
+        ],
+    )
+
+    code, said = run(
+        capsys, "play", path, "--headless", "--device", f"script:{press}", "--json",
+        "--record", tmp_path / "run.prec",
+    )  # fmt: skip
+
+    report = json.loads(said.out)
+    assert code == 0 and report["title"] == find_entry(name).title
+    assert report["peak_force_N"] > 0.005 and report["time_in_touch_s"] > 0.05
 
 
 def test_another_resolution_is_made_where_it_is_asked_for():

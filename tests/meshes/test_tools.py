@@ -7,7 +7,8 @@ import numpy as np
 import palpate
 import pytest
 from palpate_editor.authoring import inspect_mesh
-from palpate_meshes.tools import build_tools, open_jaws, read_tool, read_tool_names
+from palpate_meshes.catalogue import hash_bytes, read_tool_catalogue
+from palpate_meshes.tools import FOLDER, build_tools, open_jaws, read_tool, read_tool_names
 
 TOOLS = read_tool_names()
 SHAFTS = {"grasper": 5e-3, "laparoscope": 10e-3, "syringe": 15.8e-3}
@@ -151,6 +152,18 @@ def test_tools_built_again_are_the_published_ones():
         for part, (vertices, triangles) in parts.items():
             assert np.abs(vertices - published[part][0]).max() <= 1e-8
             assert np.array_equal(triangles, published[part][1])
+
+
+def test_the_catalogue_has_the_counts_and_the_hash_of_every_part():
+    catalogue = read_tool_catalogue()
+
+    assert list(catalogue) == TOOLS
+    for name, rows in catalogue.items():
+        assert list(rows) == list(read_tool(name).parts)
+        for part, row in rows.items():
+            vertices, triangles = read_tool(name).parts[part]
+            assert (row.vertices, row.triangles) == (len(vertices), len(triangles))
+            assert row.sha256 == hash_bytes((FOLDER / f"{name}_{part}.obj").read_bytes())
 
 
 def test_what_there_is_not_is_refused():

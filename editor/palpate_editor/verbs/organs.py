@@ -8,7 +8,13 @@ from pathlib import Path
 from typing import Any
 
 from palpate.verb import Refusal, Report, Verb
-from palpate_meshes.catalogue import Entry, Tissue, read_regions, read_terms
+from palpate_meshes.catalogue import (
+    Entry,
+    Tissue,
+    read_regions,
+    read_terms,
+    read_tool_catalogue,
+)
 from palpate_meshes.tools import read_tool, read_tool_names
 
 from palpate_editor.document.files import write_organ
@@ -135,7 +141,7 @@ def describe_tool(name: str) -> Report:
         "name": name,
         "title": tool.title,
         "source": tool.source,
-        "parts": {part: len(mesh[0]) for part, mesh in tool.parts.items()},
+        "parts": {part: vars(row) for part, row in read_tool_catalogue()[name].items()},
         "collision_shapes": len(tool.shapes),
         "jaws": tool.jaws is not None,
         "needle": tool.needle is not None,
@@ -155,9 +161,10 @@ def describe_row(row: dict[str, Any]) -> str:
     border = f", hole of {row['border_loops'][0]}" if row["border_loops"] else ", closed"
     counts = f"{row['vertices']:5} vertices, {row['triangles']:5} triangles{border}"
     chosen = row["material"]["young_modulus"]
+    scale, unit = (1e9, "GPa") if chosen >= 1e9 else (1e3, "kPa")
     return (
-        f"{row['name']:14} {counts:43} {row['kind']:7} E {1e-3 * chosen:g} kPa "
-        f"(published {1e-3 * low:g} to {1e-3 * high:g})"
+        f"{row['name']:14} {counts:43} {row['kind']:7} E {chosen / scale:g} {unit} "
+        f"(published {low / scale:g} to {high / scale:g})"
     )
 
 

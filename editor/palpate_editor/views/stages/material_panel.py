@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import isfinite
 
 import numpy as np
 from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QHBoxLayout, QPushButton, QVBoxLayout
@@ -191,7 +192,8 @@ class MaterialPanel(StagePanel):
             (tr("Substeps a tick"), count(tissue.substeps)),
             (tr("Longest stable step"), quantity(None if step is None else 1e3 * step, "ms", 3)),
         ]
-        if tissue.margin is not None:
+        # what is held everywhere cannot swing, and has no margin to speak of
+        if tissue.margin is not None and isfinite(tissue.margin):
             tone = "good" if tissue.margin >= GOOD_MARGIN else "warning"
             rows.append((tr("Stability margin"), f"{number(tissue.margin, 3)} ×", tone))
         rows += self.wall_rows()
