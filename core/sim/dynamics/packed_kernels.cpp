@@ -30,7 +30,8 @@ const Kernels& kernels() noexcept {
                                   &accumulate_pressure,
                                   &advance,
                                   &compare,
-                                  &unpack_all};
+                                  &unpack_all,
+                                  &find_moved};
   return kernels;
 }
 
