@@ -906,6 +906,7 @@ class Scene:
         rate: float = ...,
         substeps: int = ...,
         substeps_max: int = ...,
+        force_error: float = ...,
         kernel: Kernel = ...,
         simd_target: str = ...,
     ) -> None: ...
@@ -920,6 +921,7 @@ class Scene:
     rate: float
     substeps: int
     substeps_max: int
+    force_error: float
     kernel: Kernel
     simd_target: str
     @property

@@ -157,6 +157,7 @@ def compile_scene(
     compiled.hold_stiffness = scene.hand.hold_stiffness
     compiled.gravity = list(scene.hand.gravity)
     compiled.rate = scene.hand.rate
+    compiled.force_error = scene.hand.force_error
     return palpate.build_scene(compiled)
 
 

@@ -86,6 +86,8 @@ class HandPart:
     """[Hz]"""
     gravity: tuple[float, ...] = (0.0, 0.0, 0.0)
     """[m/s²]"""
+    force_error: float = 0.0
+    """[N] by which the force may be wrong, so that tissue at rest may sleep; 0: none of it does."""
 
 
 @dataclass(frozen=True)

@@ -88,6 +88,9 @@ void bind_scene_fields(py::class_<Scene>& scene) {
                      "Tissue steps per tick without contact; build_scene chooses when 0.")
       .def_readwrite("substeps_max", &Scene::substeps_max,
                      "Contact may raise them to this; build_scene chooses when 0.")
+      .def_readwrite("force_error", &Scene::force_error,
+                     "[N] by which the force may be wrong so that what is at rest may sleep, under "
+                     "the packed kernel; 0: all of the tissue moves in every substep.")
       .def_readwrite("kernel", &Scene::kernel,
                      "Which form of the tissue's laws a tick runs; packed is reference where "
                      "there is no vector code for this machine.")
@@ -113,7 +116,8 @@ void bind_scene(py::module_& m) {
                           "needs and never changes.");
   scene.def(py::init([](const TissueModel* tissue, const Tool& tool, const Coupling& coupling,
                         double hold_stiffness, const Vec3& gravity, double rate, int substeps,
-                        int substeps_max, Kernel kernel, const std::string& simd_target) {
+                        int substeps_max, double force_error, Kernel kernel,
+                        const std::string& simd_target) {
               Scene made;
               if (tissue) made.tissue = *tissue;
               made.tool = tool;
@@ -123,6 +127,7 @@ void bind_scene(py::module_& m) {
               made.rate = rate;
               made.substeps = substeps;
               made.substeps_max = substeps_max;
+              made.force_error = force_error;
               made.kernel = kernel;
               made.simd_target = simd_target;
               return made;
@@ -130,8 +135,8 @@ void bind_scene(py::module_& m) {
             py::kw_only(), "tissue"_a = py::none(), "tool"_a = usual.tool,
             "coupling"_a = usual.coupling, "hold_stiffness"_a = usual.hold_stiffness,
             "gravity"_a = usual.gravity, "rate"_a = usual.rate, "substeps"_a = usual.substeps,
-            "substeps_max"_a = usual.substeps_max, "kernel"_a = usual.kernel,
-            "simd_target"_a = usual.simd_target,
+            "substeps_max"_a = usual.substeps_max, "force_error"_a = usual.force_error,
+            "kernel"_a = usual.kernel, "simd_target"_a = usual.simd_target,
             "Copies its parts. build_scene makes it ready for ticks.");
   bind_scene_fields(scene);
   def_copy(scene);

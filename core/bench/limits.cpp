@@ -5,10 +5,10 @@
 #include <chrono>
 
 #include "palpate/sim/base/cache_aligned.h"
+#include "palpate/sim/base/vector_targets.h"
 
 #ifdef PALPATE_SIMD
 
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_SSSE3)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "palpate/bench/limits.cpp"
 #include <hwy/foreach_target.h>

@@ -24,16 +24,18 @@ Json print_tissue(const TissueModel& tissue) {
 Json print_scene(const Scene& scene) {
   const auto& [radius, tool_stiffness] = scene.tool;
   const auto& [coupling_stiffness, force_max] = scene.coupling;
-  return {{"tissue", print_tissue(scene.tissue)},
-          {"tool", {{"radius", radius}, {"stiffness", tool_stiffness}}},
-          {"coupling", {{"stiffness", coupling_stiffness}, {"force_max", force_max}}},
-          {"hold_stiffness", scene.hold_stiffness},
-          {"gravity", {scene.gravity.x(), scene.gravity.y(), scene.gravity.z()}},
-          {"rate", scene.rate},
-          {"substeps", scene.substeps},
-          {"substeps_max", scene.substeps_max},
-          {"spectrum_stiffness", scene.spectrum_stiffness},
-          {"spectrum_damping", scene.spectrum_damping}};
+  Json printed = {{"tissue", print_tissue(scene.tissue)},
+                  {"tool", {{"radius", radius}, {"stiffness", tool_stiffness}}},
+                  {"coupling", {{"stiffness", coupling_stiffness}, {"force_max", force_max}}},
+                  {"hold_stiffness", scene.hold_stiffness},
+                  {"gravity", {scene.gravity.x(), scene.gravity.y(), scene.gravity.z()}},
+                  {"rate", scene.rate},
+                  {"substeps", scene.substeps},
+                  {"substeps_max", scene.substeps_max},
+                  {"spectrum_stiffness", scene.spectrum_stiffness},
+                  {"spectrum_damping", scene.spectrum_damping}};
+  if (scene.force_error > 0.0) printed["force_error"] = scene.force_error;
+  return printed;
 }
 
 void parse_tissue(Fields fields, TissueModel& tissue) {
@@ -74,6 +76,7 @@ void parse_scene(Fields fields, Scene& scene) {
   // at least 1: 0 would have build_scene choose, perhaps otherwise than it did
   scene.substeps = static_cast<int>(fields.whole("substeps", 1, kMostInt));
   scene.substeps_max = static_cast<int>(fields.whole("substeps_max", 1, kMostInt));
+  scene.force_error = fields.number_or("force_error", 0.0);
   scene.spectrum_stiffness = fields.number("spectrum_stiffness");
   scene.spectrum_damping = fields.number("spectrum_damping");
   fields.finish();

@@ -125,6 +125,10 @@ double Fields::number(const char* name) {
   return value.get<double>();
 }
 
+double Fields::number_or(const char* name, double usual) {
+  return object_.contains(name) ? number(name) : usual;
+}
+
 std::int64_t Fields::whole(const char* name, std::int64_t least, std::int64_t most) {
   const Json& value = any(name);
   const bool fits = value.is_number_integer() &&

@@ -35,6 +35,7 @@ class Fields {
   Fields object(const char* name);
   std::string text(const char* name, std::size_t most_bytes);
   double number(const char* name);
+  double number_or(const char* name, double usual);  ///< where it is missing
   std::int64_t whole(const char* name, std::int64_t least, std::int64_t most);
   /// The one of `names` that the member is.
   std::size_t choice(const char* name, std::initializer_list<const char*> names);

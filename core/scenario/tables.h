@@ -62,8 +62,8 @@ void visit_skin(const std::string& name, SomeSkin& skin, Visit& visit) {
 template <class SomeScene, class Visit>
 void visit_tables(SomeScene& scene, Visit visit) {
   // kernel and vector target belong to the machine a scene runs on: no file has them
-  auto& [tissue, tool, coupling, hold_stiffness, gravity, rate, substeps, substeps_max, kernel,
-         simd_target, rest_areas, spectrum_stiffness, spectrum_damping] = scene;
+  auto& [tissue, tool, coupling, hold_stiffness, gravity, rate, substeps, substeps_max, force_error,
+         kernel, simd_target, rest_areas, spectrum_stiffness, spectrum_damping] = scene;
   auto& [rest_position, mass, fixed, springs, bonds, angles, prisms, volumes, skin, home, pressure,
          triangles, drag, damping_law, angle_law] = tissue;
   const std::string t = "scene/tissue/";

@@ -156,6 +156,7 @@ def every_number() -> list[tuple[str, str, float]]:
         "home_stiffness": 2e5,
         "poisson_ratio": None,
         "young_modulus": None,  # these two act on the default home springs of walls, or later
+        "force_error": None,  # asks for home springs: below
     }
     rows = []
     for part, kind in (
@@ -200,6 +201,16 @@ def test_every_number_of_a_scene_file_changes_what_is_compiled(organ, part, name
         ]
 
     assert values(base) != values(changed)
+
+
+def test_a_force_error_is_compiled_for_walls_and_refused_without_home_springs(organ):
+    mesh = read_mesh_file(organ)
+    scene = replace(scene_of(organ), hand=HandPart(force_error=2e-3))
+    with pytest.raises(ValueError, match=r"force_error.*home springs"):
+        compile_scene(scene, mesh)
+
+    wall = replace(scene, material=MaterialPart(wall_thickness=0.004))
+    assert compile_scene(wall, mesh).force_error == 2e-3
 
 
 @pytest.mark.parametrize(

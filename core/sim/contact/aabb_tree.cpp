@@ -33,7 +33,7 @@ AabbTree::AabbTree(std::span<const Vec3> x, std::span<const Triangle> triangles)
   validate(x, triangles);
   triangles_.assign(triangles.begin(), triangles.end());
   TreeShape shape = build_tree(x, triangles);
-  refit_ = plan_refit(shape, triangles);
+  refit_ = plan_refit(shape, triangles, x.size());
   nodes_ = std::move(shape.nodes);
   order_ = std::move(shape.order);
   leaf_triangles_.reserve(order_.size());
@@ -43,6 +43,22 @@ AabbTree::AabbTree(std::span<const Vec3> x, std::span<const Triangle> triangles)
 
 void AabbTree::refit(std::span<const Vec3> x) noexcept {
   tree_kernels::best().refit(x, refit_, nodes_);
+}
+
+void AabbTree::set_moving(std::span<const int> particles, bool moving) noexcept {
+  for (const int i : particles) {
+    const auto at = static_cast<std::size_t>(i);
+    for (int n = refit_.first_row[at]; n < refit_.first_row[at + 1]; ++n) {
+      const int row = refit_.leaf_rows[static_cast<std::size_t>(n)];
+      refit_.moving[static_cast<std::size_t>(row)] += moving ? 1 : -1;
+    }
+  }
+  refit_.listed = false;
+}
+
+void AabbTree::refit_moving(std::span<const Vec3> x) noexcept {
+  if (!refit_.listed) list_moving(nodes_.size(), refit_);
+  tree_kernels::best().refit_moving(x, refit_, nodes_);
 }
 
 }  // namespace palpate

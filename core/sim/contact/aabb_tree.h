@@ -39,6 +39,11 @@ class AabbTree {
   /// Follows the surface to positions x; the same particle count as at the start.
   void refit(std::span<const Vec3> x) noexcept;
 
+  /// From now on refit_moving() follows these particles, or no longer does; at first, none.
+  void set_moving(std::span<const int> particles, bool moving) noexcept;
+  /// As refit(), for when no others have moved since: the same boxes, in less time.
+  void refit_moving(std::span<const Vec3> x) noexcept;
+
   /// [m] The corners of the box around the whole surface.
   Vec3 low() const noexcept { return corner(0); }
   Vec3 high() const noexcept { return corner(4); }

@@ -187,21 +187,6 @@ class Builder {
   TreeShape& shape_;
 };
 
-/// The corners of a leaf, each once; how many.
-std::size_t list_corners(const TreeShape& shape, std::span<const Triangle> triangles, int first,
-                         int count, std::array<int, TreeRefit::kMany>& corners) {
-  std::size_t listed = 0;
-  for (int k = first; k < first + count; ++k) {
-    const int t = shape.order[static_cast<std::size_t>(k)];
-    for (const int corner : triangles[static_cast<std::size_t>(t)]) {
-      const auto end = corners.begin() + static_cast<std::ptrdiff_t>(listed);
-      if (std::find(corners.begin(), end, corner) == end) corners[listed++] = corner;
-    }
-  }
-  std::fill(corners.begin() + static_cast<std::ptrdiff_t>(listed), corners.end(), corners[0]);
-  return listed;
-}
-
 }  // namespace
 
 TreeShape build_tree(std::span<const Vec3> x, std::span<const Triangle> triangles) {
@@ -217,42 +202,6 @@ TreeShape build_tree(std::span<const Vec3> x, std::span<const Triangle> triangle
   builder.build(builder.make_part(0, static_cast<int>(items.size())), 0);
   shape.nodes.shrink_to_fit();
   return shape;
-}
-
-TreeRefit plan_refit(const TreeShape& shape, std::span<const Triangle> triangles) {
-  TreeRefit refit;
-  // rows of leaves with many corners are counted from the back, for how many others there are
-  // is not known before the end
-  for (const AabbTree::Node& node : shape.nodes) {
-    std::array<int, AabbTree::kWidth> rows{};
-    for (std::size_t k = 0; k < AabbTree::kWidth; ++k) {
-      std::array<int, TreeRefit::kMany> corners{};
-      if (node.count[k] == 0) {
-        rows[k] = node.first[k];
-      } else if (node.count[k] > 0 && list_corners(shape, triangles, node.first[k], node.count[k],
-                                                   corners) <= TreeRefit::kFew) {
-        rows[k] = static_cast<int>(shape.nodes.size() + refit.few.size());
-        std::copy_n(corners.begin(), TreeRefit::kFew, refit.few.emplace_back().begin());
-      } else if (node.count[k] > 0) {
-        refit.many.push_back(corners);
-        rows[k] = -static_cast<int>(refit.many.size());
-      }
-    }
-    refit.child_rows.push_back(rows);
-  }
-  const std::size_t first_many = shape.nodes.size() + refit.few.size();
-  refit.rows.resize(first_many + refit.many.size() + 1);
-  for (std::size_t n = 0; n < shape.nodes.size(); ++n) {
-    for (std::size_t k = 0; k < AabbTree::kWidth; ++k) {
-      int& row = refit.child_rows[n][k];
-      if (shape.nodes[n].count[k] < 0) row = static_cast<int>(refit.rows.size() - 1);
-      if (row < 0) row = static_cast<int>(first_many) - row - 1;
-    }
-  }
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  refit.rows.back() = {kInfinity,  kInfinity,  kInfinity,  kInfinity,
-                       -kInfinity, -kInfinity, -kInfinity, -kInfinity};
-  return refit;
 }
 
 }  // namespace palpate

@@ -15,6 +15,10 @@ struct TreeShape {
 TreeShape build_tree(std::span<const Vec3> x, std::span<const Triangle> triangles);
 
 /// What follows a surface with a tree of this shape.
-TreeRefit plan_refit(const TreeShape& shape, std::span<const Triangle> triangles);
+TreeRefit plan_refit(const TreeShape& shape, std::span<const Triangle> triangles,
+                     std::size_t particle_count);
+
+/// Fills the lists of what moves from the corners that do.
+void list_moving(std::size_t node_count, TreeRefit& refit) noexcept;
 
 }  // namespace palpate

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/sim/contact/contact_lanes.h"
 
+#include "palpate/sim/base/vector_targets.h"
+
 #ifdef PALPATE_SIMD
 
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_SSSE3)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "palpate/sim/contact/contact_lanes.cpp"
 #include <hwy/foreach_target.h>

@@ -4,6 +4,8 @@
 
 #include <bit>
 
+#include "palpate/sim/base/vector_targets.h"
+
 #ifdef PALPATE_SIMD
 
 // a node has four children, and doubles come four at a time from AVX2 on
@@ -13,7 +15,6 @@
 #define PALPATE_TREE_END HWY_AFTER_NAMESPACE();
 #define PALPATE_TREE_INLINE HWY_INLINE
 
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_SSSE3)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "palpate/sim/contact/tree_kernels.cpp"
 #include <hwy/foreach_target.h>

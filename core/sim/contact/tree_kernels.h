@@ -15,6 +15,9 @@ struct Kernels {
   /// Brings the boxes of `nodes` up to positions x.
   void (*refit)(std::span<const Vec3> x, TreeRefit& refit,
                 std::span<AabbTree::Node> nodes) noexcept = nullptr;
+  /// The same for what TreeRefit lists as moving.
+  void (*refit_moving)(std::span<const Vec3> x, TreeRefit& refit,
+                       std::span<AabbTree::Node> nodes) noexcept = nullptr;
   /// The first triangle along `way`; `length` [m] per parameter.
   std::optional<SurfacePoint> (*find_first_hit)(const AabbTree& tree, std::span<const Vec3> x,
                                                 const Way& way, double length) noexcept = nullptr;

@@ -139,7 +139,9 @@ inline void collect_near_way(const AabbTree& tree, std::span<const Vec3> x, cons
 
 /// All of it, for the table.
 inline Kernels list_kernels(const char* target) {
-  return {target, &refit, &find_first_hit, &find_closest, &collect_in_sphere, &collect_near_way};
+  return {target,           &refit,        &refit_moving,
+          &find_first_hit,  &find_closest, &collect_in_sphere,
+          &collect_near_way};
 }
 
 }  // namespace palpate::tree_kernels::PALPATE_TREE_TARGET

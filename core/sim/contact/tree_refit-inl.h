@@ -50,6 +50,21 @@ PALPATE_TREE_INLINE void store_sides(const Four (&rows)[4], std::array<AabbTree:
   store(points.z, sides[2].data());
 }
 
+PALPATE_TREE_INLINE void bound_node(std::size_t n, TreeRefit& refit,
+                                    std::span<AabbTree::Node> nodes) noexcept {
+  Four low[4], high[4];
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Row child = load_row(refit.rows[static_cast<std::size_t>(refit.child_rows[n][k])]);
+    low[k] = child.low;
+    high[k] = child.high;
+  }
+  store_row({min(min(low[0], low[1]), min(low[2], low[3])),
+             max(max(high[0], high[1]), max(high[2], high[3]))},
+            refit.rows[n]);
+  store_sides(low, nodes[n].low);
+  store_sides(high, nodes[n].high);
+}
+
 /// Children stand behind their parent, so one sweep from the back finds every child done.
 inline void refit(std::span<const Vec3> x, TreeRefit& refit,
                   std::span<AabbTree::Node> nodes) noexcept {
@@ -57,18 +72,24 @@ inline void refit(std::span<const Vec3> x, TreeRefit& refit,
   for (const auto& list : refit.few) store_row(bound_list(x, list), *row++);
   for (const auto& list : refit.many) store_row(bound_list(x, list), *row++);
 
-  for (std::size_t n = nodes.size(); n-- > 0;) {
-    Four low[4], high[4];
-    for (std::size_t k = 0; k < 4; ++k) {
-      const Row child = load_row(refit.rows[static_cast<std::size_t>(refit.child_rows[n][k])]);
-      low[k] = child.low;
-      high[k] = child.high;
-    }
-    store_row({min(min(low[0], low[1]), min(low[2], low[3])),
-               max(max(high[0], high[1]), max(high[2], high[3]))},
-              refit.rows[n]);
-    store_sides(low, nodes[n].low);
-    store_sides(high, nodes[n].high);
+  for (std::size_t n = nodes.size(); n-- > 0;) bound_node(n, refit, nodes);
+}
+
+/// The same for the rows that the lists name.
+inline void refit_moving(std::span<const Vec3> x, TreeRefit& refit,
+                         std::span<AabbTree::Node> nodes) noexcept {
+  std::array<double, 8>* few = refit.rows.data() + nodes.size();
+  std::array<double, 8>* many = few + refit.few.size();
+  for (std::size_t i = 0; i < refit.few_count; ++i) {
+    const auto at = static_cast<std::size_t>(refit.moving_few[i]);
+    store_row(bound_list(x, refit.few[at]), few[at]);
+  }
+  for (std::size_t i = 0; i < refit.many_count; ++i) {
+    const auto at = static_cast<std::size_t>(refit.moving_many[i]);
+    store_row(bound_list(x, refit.many[at]), many[at]);
+  }
+  for (std::size_t i = 0; i < refit.node_count; ++i) {
+    bound_node(static_cast<std::size_t>(refit.moving_nodes[i]), refit, nodes);
   }
 }
 

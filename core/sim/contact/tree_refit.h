@@ -22,6 +22,15 @@ struct TreeRefit {
   std::vector<std::array<int, kMany>> many;    ///< likewise
   std::vector<std::array<int, 4>> child_rows;  ///< per node
   CacheAligned<std::array<double, 8>> rows;    ///< [m] low and high, a fourth number unused
+
+  // the part of it that is followed where not everything moves
+  std::vector<int> first_row;                ///< of each particle in leaf_rows, and the end
+  std::vector<int> leaf_rows;                ///< rows of the leaves with that particle
+  std::vector<int> moving;                   ///< per row: of its corners that move; nodes 0 or 1
+  std::vector<int> moving_few, moving_many;  ///< which of the lists; room for all
+  std::vector<int> moving_nodes;             ///< children before parents
+  std::size_t few_count = 0, many_count = 0, node_count = 0;  ///< that move
+  bool listed = true;                                         ///< the lists are those of `moving`
 };
 
 }  // namespace palpate

@@ -15,9 +15,6 @@
 namespace palpate {
 namespace {
 
-// slices may only be as even as their neighbourhood: a wider window costs more in memory than it
-// saves in padding, sooner on a large mesh (PERFORMANCE 1.1)
-constexpr int kWindow = 256, kWindowOfLarge = 64, kLarge = 100000;
 // triangles to choose from for each lane of a pack
 constexpr int kLookaheadPerLane = 12;
 
@@ -45,9 +42,9 @@ PackedColumn make_column(std::vector<float> values, std::size_t block, float fil
 }
 
 /// Numbers the particles and lays out what each of them has.
-void pack_particles(const TissueModel& model, PackedModel& packed) {
+void pack_particles(const TissueModel& model, PackedOrder order, PackedModel& packed) {
   const int n = particle_count(model), width = packed.width;
-  packed.particle = find_packed_order(model, n < kLarge ? kWindow : kWindowOfLarge);
+  packed.particle = order == PackedOrder::bands ? find_bands(model) : find_patches(model);
   packed.slice_count = (n + width - 1) / width;
   const std::size_t rows = at(packed.slice_count * width);
   packed.row.resize(at(n));
@@ -268,7 +265,7 @@ std::vector<std::string> simd_targets() {
   return names;
 }
 
-PackedModel pack(const TissueModel& model, std::string_view target) {
+PackedModel pack(const TissueModel& model, std::string_view target, PackedOrder order) {
   validate(model);
   PackedModel packed;
   packed.kernels = &find_kernels(target);
@@ -276,7 +273,7 @@ PackedModel pack(const TissueModel& model, std::string_view target) {
   packed.drag = static_cast<float>(model.drag);
   packed.damping_law = model.damping_law;
   packed.angle_law = model.angle_law;
-  pack_particles(model, packed);
+  pack_particles(model, order, packed);
   const BondShares shares = share_bonds(model);
   const std::vector<bool> all(model.springs.ends.size(), true);
   const ChosenLinks tables[] = {{&model.springs, all}, {&model.bonds, shares.left}};

@@ -68,6 +68,20 @@ void recall_last_look(const PackedModel& model, const TissueModel& tissue,
   }
 }
 
+/// What sleeps is where it was.
+void remember_look(const PackedModel& model, PackedState& packed) noexcept {
+  const auto width = static_cast<std::size_t>(model.width);
+  const float* rows = packed.position_rows[static_cast<std::size_t>(packed.current)].data();
+  for (const int slice : packed.slices.span()) {
+    const std::size_t at = width * static_cast<std::size_t>(slice);
+    std::copy_n(packed.displacement.data() + 3 * at, 3 * width,
+                packed.last_displacement.data() + 3 * at);
+    if (!packed.last_rows.empty()) {
+      std::copy_n(rows + 4 * at, 4 * width, packed.last_rows.data() + 4 * at);
+    }
+  }
+}
+
 }  // namespace
 
 PackedState::PackedState(const PackedModel& model, const TissueModel& tissue, const State& state)
@@ -75,7 +89,10 @@ PackedState::PackedState(const PackedModel& model, const TissueModel& tissue, co
       displacement(model.rest.size(), 0.0f),
       velocity(model.rest.size(), 0.0f),
       force_rows(4 * model.particle.size(), 0.0f),
-      pushed(static_cast<std::size_t>(model.slice_count), has_added_forces(model)) {
+      pushed(static_cast<std::size_t>(model.slice_count), has_added_forces(model)),
+      slices(model.slice_count),
+      packs(model.triangles.pack_count),
+      skin(model.skin.pack_count) {
   const std::size_t rows = 4 * model.particle.size();
   position_rows.fill(CacheAligned<float>(rows, 0.0f));
   if (!model.links.damping.values.empty() || !model.triangles.bond_damping.values.empty()) {
@@ -154,7 +171,7 @@ Alarm check(const PackedModel& model, const TissueModel& tissue, const Vec3& gra
   if (!strained) guard.strained_looks = 0;
   if (!alarm) {
     const double elapsed = std::max(0.0, state.time - guard.last_time);
-    alarm = check_energy(tissue, measure.kinetic + measure.elastic,
+    alarm = check_energy(tissue, measure.kinetic + measure.elastic + packed.asleep_energy,
                          work + change.gravity_work + change.pressure_work, elapsed, guard);
   }
   guard.last_time = state.time;
@@ -163,12 +180,7 @@ Alarm check(const PackedModel& model, const TissueModel& tissue, const Vec3& gra
     alarm.time = state.time;
     return alarm;
   }
-  std::copy(packed.displacement.begin(), packed.displacement.end(),
-            packed.last_displacement.begin());
-  if (!packed.last_rows.empty()) {
-    const auto& rows = packed.position_rows[static_cast<std::size_t>(packed.current)];
-    std::copy(rows.begin(), rows.end(), packed.last_rows.begin());
-  }
+  remember_look(model, packed);
   return alarm;
 }
 

@@ -10,9 +10,16 @@
 
 namespace palpate {
 
+enum class PackedOrder {
+  bands,    ///< reverse Cuthill-McKee: least memory traffic where all of it moves
+  patches,  ///< compact neighbourhoods, for a tissue of which parts sleep
+};
+
 /// Renumbers and pads a tissue for one of simd_targets(); empty for the best.
+/// `order` is which particles become neighbours in memory.
 /// Throws std::invalid_argument for any other target, and where there is no vector code.
-PackedModel pack(const TissueModel& model, std::string_view target = {});
+PackedModel pack(const TissueModel& model, std::string_view target = {},
+                 PackedOrder order = PackedOrder::bands);
 
 /// The target a model was packed for.
 std::string_view simd_target(const PackedModel& model) noexcept;
@@ -29,8 +36,8 @@ Alarm check(const PackedModel& model, const TissueModel& tissue, const Vec3& gra
             const State& state, const PackedMeasure& measure, double work, PackedState& packed,
             Guard& guard, int steps) noexcept;
 
-/// Writes time, positions [m] and velocities [m/s] of all particles into `state`, in the
-/// tissue's own numbering.
+/// Writes time, and positions [m] and velocities [m/s] of all particles that move, into `state`, in
+/// the tissue's own numbering.
 void unpack(const PackedModel& model, const TissueModel& tissue, const PackedState& packed,
             State& state) noexcept;
 

@@ -41,6 +41,13 @@ HWY_INLINE void add_sums(const Sums& sums, PackedMeasure& measure) {
   measure.stretch.smallest_mean = std::min(measure.stretch.smallest_mean, mean);
 }
 
+/// Notes what `sums` has of one slice or pack, where that is wanted, and adds what was before.
+HWY_INLINE void keep_energy(const Real before, std::size_t index, CacheAligned<float>& energies,
+                            Sums& sums) {
+  if (!energies.empty()) energies[index] = hn::GetLane(hn::SumOfLanes(kLanes, sums.elastic));
+  sums.elastic = hn::Add(before, sums.elastic);
+}
+
 using Indices = hn::Rebind<int, Lanes>;
 
 /// Lanes whose two numbers differ.
@@ -165,8 +172,16 @@ void advance_all(const PackedModel& model, const Eigen::Vector3f& gravity, float
                  PackedState& state, Sums& sums) {
   const Points g = {hn::Set(kLanes, gravity.x()), hn::Set(kLanes, gravity.y()),
                     hn::Set(kLanes, gravity.z())};
-  for (std::size_t s = 0; s < static_cast<std::size_t>(model.slice_count); ++s) {
-    advance_slice<damping, measured>(model, g, dt, s, state, sums);
+  for (const int slice : state.slices.span()) {
+    const auto s = static_cast<std::size_t>(slice);
+    if constexpr (measured) {
+      const Real before = sums.elastic;
+      sums.elastic = hn::Zero(kLanes);
+      advance_slice<damping, measured>(model, g, dt, s, state, sums);
+      keep_energy(before, s, state.slice_energy, sums);
+    } else {
+      advance_slice<damping, measured>(model, g, dt, s, state, sums);
+    }
   }
 }
 

@@ -22,8 +22,8 @@ double compute_pressure_work(const PackedModel& model, const PackedState& state)
   const float* last = state.last_rows.data();
   const Real half = hn::Set(kLanes, 0.5f);
   Real sum = hn::Zero(kLanes);
-  for (std::size_t p = 0; p < static_cast<std::size_t>(model.skin.pack_count); ++p) {
-    const int* corner = model.skin.corner.data() + 3 * kWidth * p;
+  for (const int pack : state.skin.span()) {
+    const int* corner = model.skin.corner.data() + 3 * kWidth * static_cast<std::size_t>(pack);
     Points way[3], middle[3];
     for (std::size_t c = 0; c < 3; ++c) {
       const Points before = gather(last, corner + c * kWidth);
@@ -74,11 +74,24 @@ HWY_INLINE void write_points(const Points& points, const int* particle, const do
 void unpack_all(const PackedModel& model, const Vec3* rest, const PackedState& packed,
                 Vec3* position, Vec3* velocity) noexcept {
   static constexpr double kZero[3] = {0.0, 0.0, 0.0};
-  for (std::size_t s = 0; s < static_cast<std::size_t>(model.slice_count); ++s) {
+  for (const int slice : packed.slices.span()) {
+    const auto s = static_cast<std::size_t>(slice);
     const int* particle = model.particle.data() + kWidth * s;
     const std::size_t at = 3 * kWidth * s;
     write_points(load_points(packed.displacement.data() + at), particle, rest->data(), 3, position);
     write_points(load_points(packed.velocity.data() + at), particle, kZero, 0, velocity);
+  }
+}
+
+void find_moved(const PackedModel&, float threshold, const float* anchor, const PackedState& state,
+                unsigned char* moved) noexcept {
+  const Real most = hn::Set(kLanes, threshold * threshold);
+  for (const int slice : state.slices.span()) {
+    const auto s = static_cast<std::size_t>(slice);
+    const std::size_t at = 3 * kWidth * s;
+    const Points way = load_points(state.displacement.data() + at) - load_points(anchor + at);
+    // what is not a number has moved
+    moved[s] = !hn::AllTrue(kLanes, hn::Le(dot(way, way), most));
   }
 }
 
@@ -89,7 +102,8 @@ Change compare(const PackedModel& model, const Eigen::Vector3f& gravity, float f
   const Real most = hn::Set(kLanes, farthest * farthest);
   Real work = hn::Zero(kLanes);
   auto within = hn::Eq(most, most);
-  for (std::size_t s = 0; s < static_cast<std::size_t>(model.slice_count); ++s) {
+  for (const int slice : state.slices.span()) {
+    const auto s = static_cast<std::size_t>(slice);
     const std::size_t at = 3 * kWidth * s;
     const Points way = load_points(state.displacement.data() + at) -
                        load_points(state.last_displacement.data() + at);

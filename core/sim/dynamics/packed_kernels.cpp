@@ -2,10 +2,10 @@
 // The file highway compiles once for every vector target, and the list of what came of it.
 #include "palpate/sim/dynamics/packed_kernels.h"
 
+#include "palpate/sim/base/vector_targets.h"
+
 #ifdef PALPATE_SIMD
 
-// arrays and structs of vectors need a vector whose size is known when it is compiled
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_SSSE3)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "palpate/sim/dynamics/packed_kernels.cpp"
 #include <hwy/foreach_target.h>
@@ -30,7 +30,8 @@ const Kernels& kernels() noexcept {
                                   &accumulate_pressure,
                                   &advance,
                                   &compare,
-                                  &unpack_all};
+                                  &unpack_all,
+                                  &find_moved};
   return kernels;
 }
 

@@ -37,9 +37,13 @@ struct Kernels {
   /// gone.
   Change (*compare)(const PackedModel& model, const Eigen::Vector3f& gravity, float farthest,
                     const PackedState& state) noexcept = nullptr;
-  /// Writes position [m] and velocity [m/s] of every particle in double.
+  /// Writes position [m] and velocity [m/s] of every particle that moves, in double.
   void (*unpack)(const PackedModel& model, const Vec3* rest, const PackedState& packed,
                  Vec3* position, Vec3* velocity) noexcept = nullptr;
+  /// Says of each slice that moves whether any of its displacements is more than `threshold` [m]
+  /// from where `anchor` has it.
+  void (*find_moved)(const PackedModel& model, float threshold, const float* anchor,
+                     const PackedState& state, unsigned char* moved) noexcept = nullptr;
 };
 
 /// Those this machine can run, the best first.

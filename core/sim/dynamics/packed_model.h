@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <numeric>
+#include <span>
+
 #include "palpate/sim/base/cache_aligned.h"
 #include "palpate/sim/dynamics/state.h"
 #include "palpate/sim/dynamics/stretch.h"
@@ -95,6 +98,19 @@ struct PackedMeasure {
   Stretch stretch;
 };
 
+/// Numbers of slices or packs, ascending. There is always room for all of them.
+struct PackedList {
+  PackedList() = default;
+  explicit PackedList(int size) : numbers(static_cast<std::size_t>(size)), count(size) {
+    std::iota(numbers.begin(), numbers.end(), 0);
+  }
+  std::vector<int> numbers;
+  int count = 0;
+  std::span<const int> span() const noexcept {
+    return std::span(numbers).first(static_cast<std::size_t>(count));
+  }
+};
+
 /// Everything about a packed tissue that changes from step to step. A particle is where it rests
 /// plus its displacement, which as a small number is exact far beyond the position.
 struct PackedState {
@@ -108,10 +124,20 @@ struct PackedState {
   int current = 0;                   ///< which of the two tables of rows below holds
   std::array<CacheAligned<float>, 2> position_rows;  ///< [m] x, y, z, 0 of each row
   std::array<CacheAligned<float>, 2> velocity_rows;  ///< [m/s] likewise; empty without damping
-  CacheAligned<float> force_rows;                    ///< [N] likewise; all 0 between steps
-  CacheAligned<float> last_displacement;             ///< [m] at the last look
-  CacheAligned<float> last_rows;      ///< [m] position rows then; empty without pressure
-  std::vector<unsigned char> pushed;  ///< per slice: force_rows holds something
+  CacheAligned<float> force_rows;         ///< [N] likewise; 0 between steps where it moves
+  CacheAligned<float> last_displacement;  ///< [m] at the last look
+  CacheAligned<float> last_rows;          ///< [m] position rows then; empty without pressure
+  std::vector<unsigned char> pushed;      ///< per slice: force_rows holds something
+
+  // what moves: all of it, but where an ActiveSet chooses. Rows of slices that do not may hold
+  // forces that nobody asks for
+  PackedList slices;
+  PackedList packs;  ///< of triangles with a corner in one of them
+  PackedList skin;   ///< likewise, under pressure
+  CacheAligned<float>
+      slice_energy;                 ///< [J] elastic, when last measured; empty without an ActiveSet
+  CacheAligned<float> pack_energy;  ///< [J] likewise
+  double asleep_energy = 0.0;       ///< [J] of what is not in the lists
 };
 
 }  // namespace palpate

@@ -7,6 +7,13 @@
 namespace palpate {
 namespace {
 
+// slices may only be as even as their neighbourhood: a wider window costs more in memory than it
+// saves in padding, sooner on a large mesh (PERFORMANCE 1.1)
+constexpr int kWindow = 256, kWindowOfLarge = 64;
+constexpr std::size_t kLarge = 100000;
+/// particles of a patch: few slices, for all of them wake where one particle does
+constexpr int kPatch = 16;
+
 using Neighbours = std::vector<std::vector<int>>;
 
 /// Who moves with whom: over links and the sides of triangles, ascending.
@@ -78,10 +85,31 @@ std::vector<int> count_links(const TissueModel& model) {
   return count;
 }
 
-}  // namespace
+/// Halves what lies between two places of `order` across its longest side, again and again, until
+/// no part is larger than a window. Every part but the last is as large as some windows.
+void part_by_place(const Vec3Array& x, std::span<int> order, int window) {
+  if (static_cast<int>(order.size()) <= window) return;
+  Vec3 low = x[static_cast<std::size_t>(order[0])], high = low;
+  for (const int i : order) {
+    low = low.cwiseMin(x[static_cast<std::size_t>(i)]);
+    high = high.cwiseMax(x[static_cast<std::size_t>(i)]);
+  }
+  int axis = 0;
+  (high - low).maxCoeff(&axis);
+  const int windows = (static_cast<int>(order.size()) + window - 1) / window;
+  const auto middle = static_cast<std::size_t>(windows / 2 * window);
+  std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(middle), order.end(),
+                   [&](int a, int b) {
+                     const double at_a = x[static_cast<std::size_t>(a)][axis];
+                     const double at_b = x[static_cast<std::size_t>(b)][axis];
+                     return at_a != at_b ? at_a < at_b : a < b;
+                   });
+  part_by_place(x, order.first(middle), window);
+  part_by_place(x, order.subspan(middle), window);
+}
 
-std::vector<int> find_packed_order(const TissueModel& model, int window) {
-  std::vector<int> order = find_banded_order(find_neighbours(model));
+/// Within each window those with many links first, so that the lanes of a slice need as many.
+void even_out(const TissueModel& model, int window, std::vector<int>& order) {
   const std::vector<int> links = count_links(model);
   const auto more_links = [&](int a, int b) {
     return links[static_cast<std::size_t>(a)] > links[static_cast<std::size_t>(b)];
@@ -91,6 +119,21 @@ std::vector<int> find_packed_order(const TissueModel& model, int window) {
     std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(first),
                      order.begin() + static_cast<std::ptrdiff_t>(last), more_links);
   }
+}
+
+}  // namespace
+
+std::vector<int> find_bands(const TissueModel& model) {
+  std::vector<int> order = find_banded_order(find_neighbours(model));
+  even_out(model, order.size() < kLarge ? kWindow : kWindowOfLarge, order);
+  return order;
+}
+
+std::vector<int> find_patches(const TissueModel& model) {
+  std::vector<int> order(model.rest_position.size());
+  std::iota(order.begin(), order.end(), 0);
+  part_by_place(model.rest_position, order, kPatch);
+  even_out(model, kPatch, order);
   return order;
 }
 

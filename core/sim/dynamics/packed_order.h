@@ -7,9 +7,11 @@
 
 namespace palpate {
 
-/// Particles in the sequence in which packed kernels keep them: neighbours close together, and
-/// within windows of `window` those with many links first, so that slices pad little.
-std::vector<int> find_packed_order(const TissueModel& model, int window);
+/// Particles in a sequence in which packed kernels keep them: neighbours close together, and within
+/// windows those with many links first, so that slices pad little. Bands are the rings around one
+/// end of the body, patches compact pieces of its surface.
+std::vector<int> find_bands(const TissueModel& model);
+std::vector<int> find_patches(const TissueModel& model);
 
 /// Triangles (N = 3) or tetrahedra (4) in the sequence in which packs of `width` take them: such
 /// that those of a pack share no corner, as far as can be had among the next `lookahead`. -1 where

@@ -203,10 +203,14 @@ HWY_INLINE void accumulate_pack(const PackedTriangles& triangles, std::size_t pa
 template <AngleLaw law, Damping damping, bool measured>
 void accumulate_packs(const PackedModel& model, PackedState& state, Sums& sums) {
   const auto here = static_cast<std::size_t>(state.current);
-  for (std::size_t p = 0; p < static_cast<std::size_t>(model.triangles.pack_count); ++p) {
+  for (const int pack : state.packs.span()) {
+    const auto p = static_cast<std::size_t>(pack);
+    const Real before = sums.elastic;
+    if constexpr (measured) sums.elastic = hn::Zero(kLanes);
     accumulate_pack<law, damping, measured>(model.triangles, p, state.position_rows[here].data(),
                                             state.velocity_rows[here].data(),
                                             state.force_rows.data(), sums);
+    if constexpr (measured) keep_energy(before, p, state.pack_energy, sums);
   }
 }
 
@@ -244,8 +248,8 @@ void accumulate_triangles(const PackedModel& model, PackedState& state,
 void accumulate_pressure(const PackedModel& model, PackedState& state) noexcept {
   const float* rows = state.position_rows[static_cast<std::size_t>(state.current)].data();
   const Real sixth = hn::Set(kLanes, model.pressure / 6.0f);
-  for (std::size_t p = 0; p < static_cast<std::size_t>(model.skin.pack_count); ++p) {
-    const int* corner = model.skin.corner.data() + 3 * kWidth * p;
+  for (const int pack : state.skin.span()) {
+    const int* corner = model.skin.corner.data() + 3 * kWidth * static_cast<std::size_t>(pack);
     const Points a = gather(rows, corner);
     const Points push =
         sixth * cross(gather(rows, corner + kWidth) - a, gather(rows, corner + 2 * kWidth) - a);

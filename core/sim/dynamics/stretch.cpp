@@ -53,9 +53,9 @@ double find_largest_of_taut_links(const TissueModel& model) {
   return largest.value + largest.residual;
 }
 
-/// Eq 9 and Eq 11, or Eq 10, alone.
+/// Eq 9 and Eq 11, or Eq 10, and the shear of prisms, alone.
 double find_largest_of_angles(const TissueModel& model) {
-  if (model.angles.corners.empty()) return 0.0;
+  if (model.angles.corners.empty() && model.prisms.corners.empty()) return 0.0;
   TissueModel alone = model;
   alone.springs = alone.bonds = {};
   alone.volumes = {};

@@ -22,7 +22,7 @@ struct StretchSpectrum {
 
   double rest = 0.0;
   double taut = 0.0;      ///< with links as stiff across as along: a bound
-  double angles = 0.0;    ///< of angles and stretch-bend alone
+  double angles = 0.0;    ///< of angles, stretch-bend and prisms alone
   double pressure = 0.0;  ///< of pressure alone: a bound
   double volumes = 0.0;   ///< of each tetrahedron's volume alone
   double means = 0.0;     ///< of mean volumes alone

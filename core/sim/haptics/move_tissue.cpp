@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/sim/haptics/move_tissue.h"
 
+#include "palpate/sim/dynamics/follow_motion.h"
 #include "palpate/sim/dynamics/measure_stretch.h"
 #include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/dynamics/step.h"
@@ -71,7 +72,28 @@ void unpack_near(const TissueModel& tissue, World& world) noexcept {
   }
 }
 
+/// The tree follows what moves in this tick, and nothing else.
+void choose_in_tree(World& world) noexcept {
+  const PackedModel& model = *world.packed_model;
+  const auto width = static_cast<std::size_t>(model.width);
+  for (std::size_t s = 0; s < world.in_tree.size(); ++s) {
+    if (world.in_tree[s] == world.active.awake[s]) continue;
+    world.in_tree[s] = world.active.awake[s];
+    std::span<const int> particles = std::span(model.particle).subspan(width * s, width);
+    while (particles.back() < 0) particles = particles.first(particles.size() - 1);
+    world.tree.set_moving(particles, world.in_tree[s] != 0);
+  }
+}
+
 }  // namespace
+
+void refit_tree(World& world) noexcept {
+  if (world.active.on) {
+    world.tree.refit_moving(world.tissue.position);
+  } else {
+    world.tree.refit(surface_position(world));
+  }
+}
 
 void begin_moving(const Scene& scene, World& world) noexcept {
   if (!world.packed_model) return;
@@ -83,6 +105,10 @@ void begin_moving(const Scene& scene, World& world) noexcept {
     add_near(scene, world.tool.holds[static_cast<std::size_t>(h)].triangle, world);
   }
   add_near(scene, world.tool.carrier.triangle, world);
+  if (!world.active.on) return;
+  const auto near = std::span(world.near).first(static_cast<std::size_t>(world.near_count));
+  wake_near(*world.packed_model, scene.tissue, near, world.active, world.packed);
+  choose_in_tree(world);
 }
 
 double move_tissue(const Scene& scene, double dt, bool last, World& world) noexcept {
@@ -104,8 +130,12 @@ Alarm end_moving(const Scene& scene, double work, World& world) noexcept {
   world.stretch = world.measure.stretch;
   unpack(*world.packed_model, scene.tissue, world.packed, world.tissue);
   move_skin(scene.tissue.skin, world.tissue.position, world.skin);
-  return check(*world.packed_model, scene.tissue, scene.gravity, world.tissue, world.measure, work,
-               world.packed, world.guard, world.substeps);
+  const Alarm alarm = check(*world.packed_model, scene.tissue, scene.gravity, world.tissue,
+                            world.measure, work, world.packed, world.guard, world.substeps);
+  if (world.active.on && !alarm) {
+    follow_motion(*world.packed_model, world.active, world.packed, world.tissue);
+  }
+  return alarm;
 }
 
 }  // namespace palpate

@@ -8,6 +8,9 @@ namespace palpate {
 // The tissue's part of a tick, under either kernel. Between begin and end the packed kernel keeps
 // world.tissue where the tool may touch it and nowhere else.
 
+/// Brings the tree to where the last tick has left the tissue.
+void refit_tree(World& world) noexcept;
+
 /// Finds what the tool may touch, once the candidates are known.
 void begin_moving(const Scene& scene, World& world) noexcept;
 

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "palpate/sim/dynamics/follow_motion.h"
 #include "palpate/sim/dynamics/simd_targets.h"
 #include "palpate/sim/dynamics/stable_step.h"
 #include "palpate/sim/model/volumes.h"
@@ -46,6 +47,12 @@ void validate(const Scene& scene) {
   require_positive("coupling.force_max [N]", scene.coupling.force_max);
   require_positive("hold_stiffness [N/m]", scene.hold_stiffness);
   require_positive("rate [Hz]", scene.rate);
+  if (!(scene.force_error >= 0.0) || !std::isfinite(scene.force_error)) {
+    refuse("force_error [N]", scene.force_error, "0, or a small part of the forces to be felt");
+  }
+  if (scene.force_error > 0.0) {
+    derive_active_rule(scene.tissue, scene.tool.radius, scene.force_error);
+  }
   if (!scene.gravity.allFinite()) refuse("gravity [m/s^2]", scene.gravity.norm(), "finite numbers");
   check_target(scene.simd_target);
   if (scene.substeps < 0 || scene.substeps > kMostSubsteps) {

@@ -25,6 +25,10 @@ struct Scene {
   int substeps = 0;               ///< tissue steps per tick in the air; build_scene chooses when 0
   int substeps_max = 0;           ///< contact may raise them to this; build_scene chooses when 0
 
+  /// [N] by which the force may be wrong: what is at rest may then sleep (dynamics/active_set.h),
+  /// under the packed kernel. 0: all of the tissue moves in every substep
+  double force_error = 0.0;
+
   /// packed is reference where Palpate has no vector code for this machine; build_scene chooses
   /// reference for a tissue with prisms, which have no packed form
   Kernel kernel = Kernel::packed;

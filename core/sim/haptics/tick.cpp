@@ -68,7 +68,7 @@ HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
   if (world.alarm) return {};
 
   const std::span<const Vec3> surface = surface_position(world);
-  world.tree.refit(surface);
+  refit_tree(world);
   const Vec3 hand = follow_hand(sample.position, dt, world);
   const double way = world.tool.placed ? (hand - world.hand).norm() : 0.0;
   if (place_tool(world.tree, surface, hand, world.tool)) {

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/sim/haptics/world.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
+#include "palpate/sim/dynamics/follow_motion.h"
 #include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/model/volumes.h"
 
 namespace palpate {
 namespace {
+
+/// [s] A part of a tissue that has not moved for so long sleeps: longer than any wave takes to come
+/// back, shorter than anybody waits for.
+constexpr double kPatience = 0.05;
 
 const Scene& validated(const Scene& scene) {
   if (scene.substeps < 1 || scene.substeps_max < scene.substeps ||
@@ -40,7 +47,9 @@ World::World(const Scene& scene)
       !scene.tissue.prisms.corners.empty()) {
     return;
   }
-  packed_model = std::make_shared<const PackedModel>(pack(scene.tissue, scene.simd_target));
+  const bool sleeps = scene.force_error > 0.0;
+  packed_model = std::make_shared<const PackedModel>(
+      pack(scene.tissue, scene.simd_target, sleeps ? PackedOrder::patches : PackedOrder::bands));
   packed = PackedState(*packed_model, scene.tissue, tissue);
   tool.lanes =
       ContactLanes(static_cast<int>(scene.tissue.triangles.size()), simd_target(*packed_model));
@@ -48,6 +57,11 @@ World::World(const Scene& scene)
   last_near_at.resize(near.size(), -1);
   near_skin.resize(skin.size());
   last_skin_near_at.resize(skin.size(), -1);
+  if (!sleeps) return;
+  active = ActiveSet(*packed_model, scene.tissue, load, tissue,
+                     derive_active_rule(scene.tissue, scene.tool.radius, scene.force_error),
+                     std::max(1, static_cast<int>(std::lround(kPatience * scene.rate))), packed);
+  in_tree.assign(static_cast<std::size_t>(packed_model->slice_count), 0);
 }
 
 }  // namespace palpate

@@ -6,6 +6,7 @@
 
 #include "palpate/sim/contact/aabb_tree.h"
 #include "palpate/sim/contact/find_candidates.h"
+#include "palpate/sim/dynamics/active_set.h"
 #include "palpate/sim/dynamics/guard.h"
 #include "palpate/sim/dynamics/packed_model.h"
 #include "palpate/sim/dynamics/stretch.h"
@@ -46,6 +47,8 @@ struct World {
   std::vector<int> near_skin;      ///< vertices of the skin likewise
   int near_skin_count = 0;
   std::vector<long> last_skin_near_at;
+  ActiveSet active;                    ///< off where the scene allows no error of the force
+  std::vector<unsigned char> in_tree;  ///< per slice: moved in the last tick, and the tree follows
 };
 
 /// [m] The vertices of the surface: the skin's, or the particles where there is none.

@@ -129,6 +129,7 @@ CONSTANTS = (
     Constant("hand", "force_max", "Largest force", "N"),
     Constant("hand", "hold_stiffness", "Grip stiffness", "N/m"),
     Constant("hand", "rate", "Tick rate", "Hz"),
+    Constant("hand", "force_error", "Allowed force error", "mN", scale=1e-3, above=False),
 )
 """In the order in which a form shows them."""
 

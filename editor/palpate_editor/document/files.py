@@ -43,8 +43,9 @@ Arrays = dict[str, np.ndarray]
 
 
 def choose_constants(content: Json, arrays: Arrays) -> tuple[Json, Arrays]:
-    """Version 2 can have constants from tissue; before, all were chosen."""
+    """Version 2 can have constants from tissue, and let it sleep; before, nothing did."""
     content["model"] |= {"constants": "chosen", "spring_rule": "van_gelder"}
+    content["hand"] |= {"force_error": 0.0}
     return content, arrays
 
 

@@ -39,6 +39,7 @@ OPTIONS = {
     "hand.force_max": ("--force-max", "N"),
     "hand.hold_stiffness": ("--grip", "N/m"),
     "hand.rate": ("--rate", ""),
+    "hand.force_error": ("--force-error", "N"),
 }
 """Constant -> its option, and the unit that must stand with the number."""
 

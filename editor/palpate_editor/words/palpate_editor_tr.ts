@@ -1898,6 +1898,10 @@ Beklenen: {expected}.</translation>
 <context>
     <name>constants</name>
     <message>
+        <source>Allowed force error</source>
+        <translation>İzin verilen kuvvet hatası</translation>
+    </message>
+    <message>
         <source>Bend stiffness</source>
         <translation>Eğilme katılığı</translation>
     </message>
@@ -2023,6 +2027,10 @@ Beklenen: {expected}.</translation>
     <message>
         <source>Remove a region</source>
         <translation>Bölgeyi kaldır</translation>
+    </message>
+    <message>
+        <source>Set Allowed force error</source>
+        <translation>İzin verilen kuvvet hatasını ayarla</translation>
     </message>
     <message>
         <source>Set Bend stiffness</source>

@@ -4,78 +4,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "palpate/sim/contact/balance_tool.h"
 #include "palpate/sim/contact/contact_law.h"
 #include "palpate/sim/contact/queries.h"
-#include "scenes/scenes.h"
 #include "soups.h"
+#include "tool_bench.h"
 
 using namespace palpate;
 
 namespace {
-
-double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return 0.5 * (b - a).cross(c - a).norm();
-}
-
-/// A surface that holds still, and a tool on the spring of a hand.
-struct Bench {
-  explicit Bench(SurfaceMesh surface, Tool t = {})
-      : mesh(std::move(surface)),
-        tree(mesh.vertices, mesh.triangles),
-        tool(t),
-        candidates(static_cast<int>(mesh.triangles.size())),
-        state(static_cast<int>(mesh.triangles.size())),
-        load(2 * static_cast<int>(mesh.triangles.size())) {
-    for (const Triangle& t3 : mesh.triangles) {
-      areas.push_back(triangle_area(corner(t3, 0), corner(t3, 1), corner(t3, 2)));
-    }
-  }
-  const Vec3& corner(const Triangle& t, std::size_t c) const {
-    return mesh.vertices[static_cast<std::size_t>(t[c])];
-  }
-
-  /// Ticks with the hand at h, of one substep each.
-  Vec3 move_hand(const Vec3& h, int ticks = 1) {
-    Vec3 felt = Vec3::Zero();
-    for (int i = 0; i < ticks; ++i) {
-      find_candidates(tree, mesh.vertices, tool, state.placed ? state.position : h, h, areas,
-                      candidates);
-      felt = balance(h);
-    }
-    return felt;
-  }
-  Vec3 balance(const Vec3& h) {
-    return balance_tool(tool, coupling, h, candidates, mesh.triangles, mesh.vertices, state, load);
-  }
-  /// [N] on the particles, and its moment about the origin [N·m].
-  Vec3 force_on_particles(Vec3* torque = nullptr) const {
-    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-    for (const Push& push : load.pushes()) {
-      const Triangle& t = mesh.triangles[static_cast<std::size_t>(push.triangle)];
-      for (std::size_t c = 0; c < 3; ++c) {
-        const Vec3 share = push.weights[static_cast<Eigen::Index>(c)] * push.force;
-        force += share;
-        moment += corner(t, c).cross(share);
-      }
-    }
-    if (torque) *torque = moment;
-    return force;
-  }
-
-  SurfaceMesh mesh;
-  AabbTree tree;
-  std::vector<double> areas;
-  Tool tool;
-  Coupling coupling;
-  Candidates candidates;
-  ToolState state;
-  Load load;
-};
-
-SurfaceMesh make_ball(int subdivisions = 3) {
-  return scenes::make_ellipsoid(Vec3::Constant(0.025), subdivisions);
-}
 
 /// A pit of the given radius and depth in the plane z = 0, its floor a cone.
 SurfaceMesh make_pit(double radius, double depth, int around, int rings) {
@@ -102,72 +38,6 @@ SurfaceMesh make_pit(double radius, double depth, int around, int rings) {
 }
 
 }  // namespace
-
-TEST_CASE("a contact pushes with pressure times area times the barrier, from the point touched") {
-  const Tool tool{.radius = 0.003, .stiffness = 2e7};
-  const Vec3 a(0, 0, 0), b(0.004, 0, 0), c(0, 0.004, 0);
-  Contact contact;
-
-  // depth 1 mm of radius 3 mm: z = 2/3, k = 2e7 x 8e-6 = 160 N/m
-  REQUIRE(find_contact(tool, 8e-6, {0.001, 0.001, 0.002}, a, b, c, contact));
-  CHECK(contact.force == doctest::Approx(160.0 * 0.001 / (2.0 / 3.0)));
-  CHECK(contact.stiffness == doctest::Approx(160.0 / (4.0 / 9.0)));
-  CHECK(contact.direction == Vec3(0, 0, 1));
-  CHECK(contact.weights.isApprox(Vec3(0.5, 0.25, 0.25)));
-
-  // depth 2.9 mm: 1 - d/r = 1/30 lies under the floor
-  REQUIRE(find_contact(tool, 8e-6, {0.001, 0.001, 0.0001}, a, b, c, contact));
-  CHECK(contact.force == doctest::Approx(160.0 * 0.0029 / 0.1));
-
-  // beside the corner b: 0.5 mm of depth along 3-0-4
-  REQUIRE(find_contact(tool, 8e-6, {0.0055, 0, 0.002}, a, b, c, contact));
-  CHECK(contact.direction.isApprox(Vec3(0.6, 0, 0.8)));
-  CHECK(contact.weights == Vec3(0, 1, 0));
-  CHECK(contact.force == doctest::Approx(160.0 * 0.0005 / (5.0 / 6.0)));
-}
-
-TEST_CASE("a triangle seen ever more edge-on fades to nothing, without a jump") {
-  const Tool tool{.radius = 0.003, .stiffness = 2e7};
-  const Vec3 a(0, 0, 0), b(0.004, 0, 0), c(0, 0.004, 0);
-  // 2 mm beside the corner b, at this sine above the plane
-  const auto force_at = [&](double sine) {
-    Contact contact;
-    const Vec3 arm(std::sqrt(1.0 - sine * sine), 0, sine);
-    const bool found = find_contact(tool, 8e-6, b + 0.002 * arm, a, b, c, contact);
-    return found ? contact.force : 0.0;
-  };
-  const double full = 160.0 * 0.001 / (2.0 / 3.0);
-
-  CHECK(force_at(0.5) == doctest::Approx(full));
-  CHECK(force_at(0.25) == doctest::Approx(full));
-  CHECK(force_at(0.125) == doctest::Approx(0.5 * full));
-  CHECK(force_at(1e-6) == doctest::Approx(4e-6 * full));
-  CHECK(force_at(0.0) == 0.0);
-  CHECK(force_at(-0.1) == 0.0);
-}
-
-TEST_CASE("what only meets, stands off or lies behind is no contact") {
-  const Tool tool{.radius = 0.003, .stiffness = 2e7};
-  const Vec3 a(0, 0, 0), b(0.004, 0, 0), c(0, 0.004, 0);
-  Contact contact;
-
-  CHECK_FALSE(find_contact(tool, 8e-6, {0.001, 0.001, 0.0031}, a, b, c, contact));
-  CHECK_FALSE(find_contact(tool, 8e-6, {0.001, 0.001, 0.003}, a, b, c, contact));
-  CHECK_FALSE(find_contact(tool, 8e-6, {0.001, 0.001, -0.001}, a, b, c, contact));
-}
-
-TEST_CASE("the stiffness of a contact is the slope of its force above the barrier's floor") {
-  const Tool tool{.radius = 0.003, .stiffness = 2e7};
-  const Vec3 a(-0.1, -0.1, 0), b(0.2, -0.1, 0), c(-0.1, 0.2, 0);
-  const double h = 1e-8;
-  for (const double height : {0.0029, 0.002, 0.001, 0.0005}) {
-    Contact here, up, down;
-    REQUIRE(find_contact(tool, 1e-6, {0, 0, height}, a, b, c, here));
-    REQUIRE(find_contact(tool, 1e-6, {0, 0, height + h}, a, b, c, up));
-    REQUIRE(find_contact(tool, 1e-6, {0, 0, height - h}, a, b, c, down));
-    CHECK((down.force - up.force) / (2.0 * h) == doctest::Approx(here.stiffness).epsilon(1e-5));
-  }
-}
 
 TEST_CASE("a finer mesh feels the same: the sum of pushes nears the integral of the pressure") {
   // a plane at height H below the centre: 2 pi k_A r H (r ln(r/H) - (r - H))
@@ -422,73 +292,4 @@ TEST_CASE("candidates are all triangles in reach of the way, with their areas at
       if (distance <= bench.tool.radius + kCandidateMargin) REQUIRE(listed[t]);
     }
   }
-}
-
-// a second file would need the same bench: attaching is tested here too
-
-TEST_CASE("attaching to nothing does nothing") {
-  Bench bench(make_ball());
-  bench.move_hand({0, 0, 0.040});
-
-  CHECK_FALSE(
-      attach_tool(bench.load, bench.mesh.triangles, bench.mesh.vertices, 400.0, bench.state));
-  CHECK(bench.state.hold_count == 0);
-}
-
-TEST_CASE("at the moment of attaching nothing changes, and the shares sum to the stiffness") {
-  Bench bench(make_ball());
-  bench.move_hand({0, 0, 0.030});
-  const Vec3 hand(0.001, 0, 0.026);
-  const Vec3 before = bench.move_hand(hand, 300);
-  const int contacts = bench.load.push_count;
-
-  REQUIRE(attach_tool(bench.load, bench.mesh.triangles, bench.mesh.vertices, 400.0, bench.state));
-  const Vec3 after = bench.balance(hand);
-
-  double sum = 0.0;
-  for (int i = 0; i < bench.state.hold_count; ++i) {
-    sum += bench.state.holds[static_cast<std::size_t>(i)].stiffness;
-  }
-  CHECK(bench.state.hold_count == contacts);
-  CHECK(sum == doctest::Approx(400.0));
-  CHECK((after - before).norm() < 1e-9);
-  for (const Push& push : bench.load.pushes().subspan(static_cast<std::size_t>(contacts))) {
-    CHECK(push.force.norm() < 1e-9);
-  }
-  // attaching once more changes nothing
-  CHECK(attach_tool(bench.load, bench.mesh.triangles, bench.mesh.vertices, 900.0, bench.state));
-  CHECK(bench.state.hold_count == contacts);
-}
-
-TEST_CASE("pulling on a held patch follows the two springs in series, and releasing ends it") {
-  Bench bench(make_ball());
-  bench.move_hand({0, 0, 0.030});
-  bench.move_hand({0, 0, 0.0275}, 300);
-  REQUIRE(attach_tool(bench.load, bench.mesh.triangles, bench.mesh.vertices, 400.0, bench.state));
-  const Vec3 held = bench.state.position;
-  const Vec3 hand = held + Vec3(0.002, 0.001, 0.006);
-
-  const Vec3 felt = bench.move_hand(hand, 300);
-
-  // 500 N/m of the hand and 400 N/m of the patch: 500 x 400 / 900 = 222.2 N/m
-  CHECK_FALSE(bench.state.touching);
-  CHECK((felt - (-500.0 * 400.0 / 900.0) * (hand - held)).norm() < 1e-9);
-  CHECK((bench.force_on_particles() + felt).norm() < 1e-9);
-  CHECK(felt.z() < 0.0);
-
-  release_tool(bench.state);
-  CHECK(bench.move_hand(hand) == Vec3::Zero());
-  CHECK(bench.load.push_count == 0);
-}
-
-TEST_CASE("a pull beyond the limit of the hand's spring is limited and still balances") {
-  Bench bench(make_ball());
-  bench.move_hand({0, 0, 0.030});
-  bench.move_hand({0, 0, 0.0275}, 300);
-  attach_tool(bench.load, bench.mesh.triangles, bench.mesh.vertices, 400.0, bench.state);
-
-  const Vec3 felt = bench.move_hand({0, 0, 0.100}, 300);
-
-  CHECK(felt.norm() == doctest::Approx(bench.coupling.force_max));
-  CHECK((bench.force_on_particles() + felt).norm() < 1e-9);
 }

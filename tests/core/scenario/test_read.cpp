@@ -104,6 +104,18 @@ TEST_CASE("substeps a designer has chosen stay as they were chosen") {
   CHECK(found.scene.substeps_max == made.scene.substeps_max);
 }
 
+TEST_CASE(
+    "the error of the force that a scene allows is kept, and is none where no file says one") {
+  Scenario made = make_scenario();
+  CHECK(scenario::unpack(scenario::pack(made), "file").scene.force_error == 0.0);
+
+  made.scene.tissue.home.assign(made.scene.tissue.mass.size(), 5.0);
+  made.scene.substeps = made.scene.substeps_max = 0;
+  made.scene.force_error = 2e-3;
+  made.scene = build_scene(made.scene);
+  CHECK(scenario::unpack(scenario::pack(made), "file").scene.force_error == 2e-3);
+}
+
 TEST_CASE("an index that is out of range is refused, table and row named") {
   CHECK(contains(refuse_with("springs/ends", 7, 4200), "springs.ends: row 3: found "));
   CHECK(contains(refuse_with("bonds/ends", 0, -1), "bonds.ends: row 0: found "));

@@ -40,7 +40,13 @@ LINKS = (
     "model.pressure",
 )
 TIP = ("tool.radius", "tool.stiffness")
-HAND = ("hand.coupling", "hand.hold_stiffness", "hand.force_max", "hand.rate")
+HAND = (
+    "hand.coupling",
+    "hand.hold_stiffness",
+    "hand.force_max",
+    "hand.rate",
+    "hand.force_error",
+)
 GOOD_FIT = 0.05
 """[-] a larger error against the wall is shown as a warning, where constants come from tissue."""
 

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/haptics/press_scene.h"
+#include "palpate/sim/dynamics/energy.h"
+#include "palpate/sim/dynamics/follow_motion.h"
+#include "palpate/sim/dynamics/simd_targets.h"
+#include "palpate/sim/haptics/tick.h"
+#include "palpate/sim/model/build_molecular.h"
+
+using namespace palpate;
+using namespace palpate::testing;
+
+namespace {
+
+/// A wall of 60 x 50 x 40 mm and 2562 vertices whose pulls fade within 4 mm, held by home springs.
+Scene make_wall(bool molecular, double force_error) {
+  const SurfaceMesh mesh = scenes::make_ellipsoid({0.030, 0.025, 0.020}, 4);
+  const Material material{.wall_thickness = 0.003};
+  SurfaceOptions options;
+  options.home_stiffness = 1e6;
+  options.drag = 60.0;
+  Scene scene;
+  scene.tissue =
+      molecular
+          ? build_molecular(
+                mesh, material,
+                {.bond_stiffness = 20.0, .bend_stiffness = 1e-5, .stretch_coupling = 5e-3}, options)
+          : build_mass_spring(mesh, material, 20.0, options);
+  scene.force_error = force_error;
+  return build_scene(std::move(scene));
+}
+
+/// Presses 3 mm into the pole, slides 8 mm along the wall, and lets go; in 1.2 s. Then the air.
+Vec3 hand_at(int i) {
+  const double down = std::clamp(i / 300.0, 0.0, 1.0), up = std::clamp((i - 900) / 100.0, 0.0, 1.0);
+  const double along = std::clamp((i - 400) / 400.0, 0.0, 1.0);
+  const double z = 0.024 - 0.004 * down + 0.010 * up - 0.0015 * along;
+  return {0.008 * along, 0.002, z};
+}
+
+struct Run {
+  std::vector<Vec3> forces;
+  double largest = 0.0;  ///< [N]
+};
+
+void advance(const Scene& scene, World& world, int begin, int end, Run& run) {
+  for (int i = begin; i < end; ++i) {
+    HapticSample sample;
+    sample.position = hand_at(i);
+    run.forces.push_back(tick(scene, sample, 1e-3, world).force);
+    run.largest = std::max(run.largest, run.forces.back().norm());
+  }
+}
+
+double compare(const Run& a, const Run& b, int begin, int end) {
+  double most = 0.0;
+  for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+    most = std::max(most, (a.forces[i] - b.forces[i]).norm());
+  }
+  return most;
+}
+
+bool can_sleep() { return !simd_targets().empty(); }
+
+}  // namespace
+
+TEST_CASE("the force of an active set is that of the full solve, within what the scene allows") {
+  if (!can_sleep()) return;
+  for (const bool molecular : {false, true}) {
+    for (const double allowed : {1e-3, 1e-4}) {
+      CAPTURE(molecular);
+      CAPTURE(allowed);
+      const Scene full = make_wall(molecular, 0.0), part = make_wall(molecular, allowed);
+      World of_full(full), of_part(part);
+      REQUIRE(of_part.active.on);
+      Run a, b;
+      advance(full, of_full, 0, 1300, a);
+      advance(part, of_part, 0, 1300, b);
+      REQUIRE_FALSE(of_full.alarm);
+      REQUIRE_FALSE(of_part.alarm);
+      CHECK(a.largest > 100.0 * allowed);
+      CHECK(compare(a, b, 0, 400) < allowed);     // press
+      CHECK(compare(a, b, 400, 900) < allowed);   // slide
+      CHECK(compare(a, b, 900, 1300) < allowed);  // release
+    }
+  }
+}
+
+TEST_CASE("particles sleep until displacement reaches them, and again when they are at rest") {
+  if (!can_sleep()) return;
+  const Scene scene = make_wall(false, 1e-3);
+  World world(scene);
+  CHECK(world.packed.slices.count == 0);  // nothing has touched it yet
+
+  Run run;
+  advance(scene, world, 0, 380, run);
+  const int pressed = world.packed.slices.count;
+  CHECK(pressed > 0);
+  CHECK(pressed < world.packed_model->slice_count / 2);
+
+  advance(scene, world, 380, 1100, run);
+  advance(scene, world, 1100, 2500, run);
+  CHECK(world.packed.slices.count == 0);
+  for (const Vec3& v : world.tissue.velocity) CHECK(v == Vec3::Zero());
+}
+
+TEST_CASE("nothing within two decay lengths of the tool ever sleeps while it touches") {
+  if (!can_sleep()) return;
+  const Scene scene = make_wall(false, 0.05);  // so much that nobody else would wake
+  World world(scene);
+  const ActiveRule rule = derive_active_rule(scene.tissue, scene.tool.radius, scene.force_error);
+  Run run;
+  for (int i = 0; i < 900; ++i) {
+    advance(scene, world, i, i + 1, run);
+    if (!world.tool.touching) continue;
+    const Vec3& foot = scene.tissue.rest_position[static_cast<std::size_t>(world.near[0])];
+    for (std::size_t p = 0; p < scene.tissue.mass.size(); ++p) {
+      if ((scene.tissue.rest_position[p] - foot).norm() > 2.0 * rule.decay) continue;
+      const int slice = world.packed_model->row[p] / world.packed_model->width;
+      CHECK(world.active.awake[static_cast<std::size_t>(slice)] == 1);
+    }
+  }
+  CHECK(run.largest > 0.1);
+}
+
+TEST_CASE("the same hand wakes and puts to sleep the same particles, to the bit") {
+  if (!can_sleep()) return;
+  const Scene scene = make_wall(true, 1e-3);
+  World first(scene), second(scene);
+  Run a, b;
+  advance(scene, first, 0, 1300, a);
+  advance(scene, second, 0, 1300, b);
+  CHECK(a.forces == b.forces);
+  CHECK(first.active.awake == second.active.awake);
+  CHECK(compute_hash(first) == compute_hash(second));
+}
+
+TEST_CASE("what sleeps stands still: it takes up momentum, and gives no energy") {
+  if (!can_sleep()) return;
+  const Scene scene = make_wall(false, 1e-3);
+  World world(scene);
+  Run run;
+  advance(scene, world, 0, 380, run);
+  for (int i = 0; i < 400; ++i) {
+    const Vec3Array before = world.tissue.position;
+    const std::vector<unsigned char> awake = world.active.awake;
+    advance(scene, world, 380, 381, run);
+    for (std::size_t p = 0; p < before.size(); ++p) {
+      const auto slice =
+          static_cast<std::size_t>(world.packed_model->row[p] / world.packed_model->width);
+      if (awake[slice] == 0 && world.active.awake[slice] == 0) {
+        CHECK(world.tissue.position[p] == before[p]);
+        CHECK(world.tissue.velocity[p] == Vec3::Zero());
+      }
+    }
+  }
+  // the alarm's energy is that of the whole tissue, asleep or not
+  const Energy energy = compute_energy(scene.tissue, Vec3::Zero(), world.tissue);
+  CHECK(world.measure.kinetic + world.measure.elastic + world.packed.asleep_energy ==
+        doctest::Approx(energy.total()).epsilon(1e-3));
+}
+
+TEST_CASE("a tissue that sags under gravity moves until it has found its rest, and then sleeps") {
+  if (!can_sleep()) return;
+  Scene scene = make_wall(false, 1e-3);
+  scene.gravity = {0, 0, -9.81};
+  World world(scene);
+  CHECK(world.packed.slices.count == world.packed_model->slice_count);
+  HapticSample far;
+  far.position = {0, 0, 0.1};
+  for (int i = 0; i < 1500; ++i) tick(scene, far, 1e-3, world);
+  CHECK(world.packed.slices.count == 0);
+  CHECK(world.tissue.position[5].z() < scene.tissue.rest_position[5].z());
+  CHECK_FALSE(world.alarm);
+}
+
+TEST_CASE("the tree of a partly sleeping tissue has the boxes of one refitted whole") {
+  if (!can_sleep()) return;
+  const Scene scene = make_wall(false, 1e-3);
+  World world(scene);
+  Run run;
+  for (int i = 0; i < 1300; i += 50) {
+    advance(scene, world, i, i + 50, run);
+    AabbTree part = world.tree, whole = world.tree;
+    part.refit_moving(world.tissue.position);
+    whole.refit(world.tissue.position);
+    for (std::size_t n = 0; n < whole.nodes().size(); ++n) {
+      CHECK(part.nodes()[n].low == whole.nodes()[n].low);
+      CHECK(part.nodes()[n].high == whole.nodes()[n].high);
+    }
+  }
+}
+
+TEST_CASE("a smaller error of the force asks for a lower threshold, at the same reach") {
+  const Scene scene = make_wall(false, 0.0);
+  const ActiveRule coarse = derive_active_rule(scene.tissue, 3e-3, 1e-2);
+  const ActiveRule fine = derive_active_rule(scene.tissue, 3e-3, 1e-3);
+
+  CHECK(coarse.threshold == doctest::Approx(10.0 * fine.threshold));
+  CHECK(coarse.reach == fine.reach);
+  CHECK(fine.reach == doctest::Approx(3e-3 + 2.0 * fine.decay));
+  // three quarters of k L² / h in a lattice of equilateral triangles: SCIENCE's sheet
+  CHECK(fine.decay ==
+        doctest::Approx(std::sqrt(0.75 * 20.0 / (1e6 * std::sqrt(0.75)))).epsilon(0.1));
+}
+
+TEST_CASE("a tissue without home springs cannot sleep, and a force error is refused by name") {
+  Scene scene = make_wall(false, 0.0);
+  scene.force_error = -1.0;
+  CHECK_THROWS_WITH_AS(build_scene(scene), doctest::Contains("force_error"), std::invalid_argument);
+  scene.force_error = 1e-3;
+  scene.tissue.home.clear();
+  CHECK_THROWS_WITH_AS(build_scene(scene), doctest::Contains("home springs"),
+                       std::invalid_argument);
+}
