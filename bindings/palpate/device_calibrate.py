@@ -24,11 +24,15 @@ SHORTEST = 100
 def run_calibrate(link: Link, store: bool = True) -> Report:
     """Guides through the stops of the three arm joints and fits zero, scale and range.
 
-    Weights, torques and the gimbal stay as the device has them. Raises DeviceError, RuntimeError.
+    Weights, torques and the gimbal stay as the device has them; a new one gets those of the design.
+    Raises DeviceError, RuntimeError.
     """
     link.open()
     link.driver.enable(False)
-    before = link.driver.calibration()
+    if link.status().link is palpate.LinkState.uncalibrated:
+        before = palpate.find_calibration(palpate.Plant())
+    else:
+        before = link.driver.calibration()
     nominal = palpate.Arm()
     counts = np.zeros((3, 2))
     for joint, end in STEPS:

@@ -12,7 +12,7 @@ import pytest
 from device_runs import press_through
 from palpate.cli import main
 from palpate.device_calibrate import fit_joints, run_calibrate
-from palpate.device_link import build_link
+from palpate.device_link import Link, build_link
 from palpate.device_selftest import run_selftest
 from palpate.play import open_play, split_device
 from palpate.verb import WrongCall
@@ -113,6 +113,18 @@ def test_a_calibration_finds_sensors_that_were_mounted_otherwise():
             assert abs(np.degrees(off)) < 0.3
     assert report["stored"]
     assert abs(report["joints"][0]["moved_by_degree"]) > 1.0
+
+
+def test_a_new_device_gets_its_first_calibration_and_is_sound_with_it():
+    core = palpate.NativeCore(palpate.Plant(), palpate.NativeCoreOptions(calibrated=False))
+    driver = palpate.SerialDevice(core, palpate.Workspace().center)
+    link = Link("new", driver, core, core)
+
+    assert run_calibrate(link)["stored"]
+
+    link.driver.clear_fault()
+    link.driver.enable(True)
+    assert run_selftest(link)["ok"]
 
 
 def test_a_dry_run_leaves_the_device_as_it_is(capsys):
