@@ -13,7 +13,7 @@ import sys
 from collections.abc import Sequence
 from importlib.metadata import entry_points, version
 
-from palpate import FileError
+from palpate import DeviceError, FileError
 from palpate.verb import Refusal, Verb, WrongCall
 
 EDITOR_VERBS = (
@@ -84,7 +84,7 @@ def run(verb: Verb, call: argparse.Namespace) -> int:
     except (Refusal, FileError) as refusal:
         fields = {key: getattr(refusal, key) for key in ("file", "where", "found", "expected")}
         return refuse(call, str(refusal), fields)
-    except RuntimeError as failure:  # a run that could not be brought to its end
+    except (RuntimeError, DeviceError) as failure:  # a run that could not be brought to its end
         fields = {"file": None, "where": "", "found": str(failure), "expected": "a run to its end"}
         return refuse(call, str(failure), fields)
     except OSError as problem:  # a file that is missing, unreadable or cannot be written

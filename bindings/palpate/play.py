@@ -13,8 +13,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 import palpate
+from palpate.device_link import SERIAL, build_link
 from palpate.display import require_display
 from palpate.live import LiveRun
 from palpate.run import PUBLISHED, describe_build, describe_costs, is_published, run_device
@@ -22,6 +24,8 @@ from palpate.script_file import read_script_file
 from palpate.verb import Refusal, Report, Verb, WrongCall, quantity
 
 SCRIPT = "script:"
+PLANT = "plant"
+DEVICES = "pointer, script:FILE, plant, plant:script:FILE or serial:PATH"
 EXTRA = 'pip install "palpate[player]"'
 TAIL = 0.5
 """[s] that a scripted run goes on after its last key frame."""
@@ -34,18 +38,46 @@ class Play:
     path: Path
     scenario: palpate.scenario.Scenario
     frames: list[palpate.KeyFrame] | None = None
-    """Of a script; None where the mouse is the hand."""
+    """Of a script; None where the mouse, or a real hand, is the hand."""
+    arm: str = ""
+    """What the hand holds: nothing, the simulated arm PLANT, or a device at SERIAL + path."""
     duration: float = 0.0
     """[s] of a run; 0 for one that lasts until it is stopped."""
     record: Path | None = None
     """Of the first run; without it each run gets a name of its own."""
     records: list[Path] = field(default_factory=list)
     """Of the runs so far."""
+    limit: float = field(default_factory=lambda: palpate.SafetyLimits().force_max)
+    """[N] of the device of the last run."""
 
-    def build_device(self) -> palpate.HapticDevice:
-        if self.frames is None:
-            return palpate.PointerDevice()
-        return palpate.ScriptedDevice(self.frames)
+    def build_hand(self) -> palpate.PointerDevice | palpate.ScriptedDevice | None:
+        """Whoever moves the tip or the stylus; None where that is a real hand."""
+        if self.arm.startswith(SERIAL):
+            return None
+        return (
+            palpate.PointerDevice() if self.frames is None else palpate.ScriptedDevice(self.frames)
+        )
+
+    def build_device(self, hand: palpate.HapticDevice | None = None) -> palpate.HapticDevice:
+        """The device of one run, held by `hand` (of build_hand). Raises DeviceError."""
+        hand = hand or self.build_hand()
+        if self.arm == PLANT:
+            assert hand is not None
+            arm = palpate.SimulatedArm(hand, find_middle(self.scenario.scene))
+            arm.open()
+            return arm
+        if hand is not None:
+            return hand
+        link = build_link(self.arm, find_middle(self.scenario.scene))
+        link.open()
+        return link.driver
+
+    def find_safety(self, device: palpate.HapticDevice) -> palpate.SafetyLimits:
+        """What a device may be sent: a real arm, or a simulated one, by its calibration."""
+        driver = device.driver() if isinstance(device, palpate.SimulatedArm) else device
+        if isinstance(driver, palpate.SerialDevice):
+            return palpate.find_safety_limits(driver.calibration())
+        return palpate.SafetyLimits()
 
     def begin(self, device: palpate.HapticDevice) -> LiveRun:
         """A run that has not started yet, and the file its record will be.
@@ -54,9 +86,11 @@ class Play:
         """
         path = self.name_record()
         header = describe_build(self.scenario.scene, self.path, path, device.name())
-        options = palpate.LoopOptions(duration=self.duration)
+        safety = self.find_safety(device)
+        options = palpate.LoopOptions(duration=self.duration, safety=safety)
         run = LiveRun(self.scenario.scene, device, record=path, header=header, options=options)
         self.records.append(path)
+        self.limit = safety.force_max
         return run
 
     def name_record(self) -> Path:
@@ -70,8 +104,13 @@ class Play:
 
     def force_limit(self) -> float:
         """[N] More than this no device is sent."""
-        limits = palpate.SafetyLimits()
-        return min(self.scenario.scene.coupling.force_max, limits.force_max)
+        return min(self.scenario.scene.coupling.force_max, self.limit)
+
+
+def find_middle(scene: palpate.Scene) -> NDArray[np.float64]:
+    """[m] (3,) of the tissue: there lies the middle of the arm's workspace."""
+    x = scene.tissue.rest_position
+    return 0.5 * (x.min(axis=0) + x.max(axis=0))
 
 
 def find_record_folder(scenario: Path) -> Path:
@@ -101,23 +140,33 @@ def open_play(
         raise Refusal(
             path, "", f"a name ending in {path.suffix!r}", f"a published file, {PUBLISHED}"
         )
-    frames = None
-    if device.startswith(SCRIPT):
-        frames = read_script_file(Path(device.removeprefix(SCRIPT)))
-    elif device != "pointer":
-        raise WrongCall(f"--device: got {device!r}, expected pointer or script:FILE")
+    arm, hand = split_device(device)
+    frames = read_script_file(Path(hand.removeprefix(SCRIPT))) if hand else None
     if duration is None:
         duration = 0.0 if frames is None else frames[-1].time + TAIL
     if record is not None and record.exists() and record.samefile(path):
         raise WrongCall("--record: is the scenario itself")
-    return Play(path, palpate.scenario.read(path), frames, duration, record)
+    return Play(path, palpate.scenario.read(path), frames, arm, duration, record)
+
+
+def split_device(device: str) -> tuple[str, str]:
+    """What the hand holds, and the script that moves it or "". Raises WrongCall."""
+    if device.startswith(SERIAL) and len(device) > len(SERIAL):
+        return device, ""
+    arm, _, rest = device.partition(":") if device.split(":")[0] == PLANT else ("", "", device)
+    if rest.startswith(SCRIPT):
+        return arm, rest
+    if (arm and device == PLANT) or device == "pointer":
+        return arm, ""
+    raise WrongCall(f"--device: got {device!r}, expected {DEVICES}")
 
 
 def play_headless(play: Play) -> Report:
     """Runs a script through the real 1 kHz loop and says what it felt and what it cost."""
     path = play.name_record()
     device = play.build_device()
-    costs = run_device(play.scenario.scene, device, play.duration, path, play.path)
+    safety = play.find_safety(device)
+    costs = run_device(play.scenario.scene, device, play.duration, path, play.path, safety)
     return {**describe_play(play), "record": str(path), **describe_run(play, path, costs)}
 
 
@@ -148,8 +197,10 @@ def add_play(word: argparse.ArgumentParser) -> None:
     word.add_argument(
         "--device",
         default="pointer",
-        metavar="pointer|script:FILE",
-        help="whose hand: the mouse, or a script such as `palpate press --script` writes",
+        metavar="DEVICE",
+        help="whose hand: pointer (the mouse) or script:FILE such as `palpate press --script` "
+        "writes; plant or plant:script:FILE, the same hands on the simulated arm with the real "
+        "firmware; serial:PATH, a real device",
     )
     word.add_argument("--headless", action="store_true", help="no window; needs a script")
     word.add_argument(
@@ -165,7 +216,7 @@ def add_play(word: argparse.ArgumentParser) -> None:
 def run_play(call: argparse.Namespace) -> Report:
     if call.duration is not None and not 0.0 < call.duration <= 24 * 3600.0:
         raise WrongCall(f"--duration: got {call.duration:g} s, expected more than 0, at most a day")
-    if call.headless and not call.device.startswith(SCRIPT):
+    if call.headless and SCRIPT not in call.device and not call.device.startswith(SERIAL):
         raise WrongCall("--headless has no mouse: give --device script:FILE")
     play = open_play(call.file, call.device, call.record, call.duration)
     if call.headless:

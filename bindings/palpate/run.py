@@ -72,13 +72,14 @@ def run_device(
     duration: float,
     record_path: Path,
     scene_path: Path,
+    safety: palpate.SafetyLimits | None = None,
 ) -> palpate.LoopReport:
     """Runs a device for a time [s] through the live 1 kHz loop and its recorder.
 
     Raises RuntimeError where the loop did not end, the tissue blew up or the device failed.
     """
     header = describe_build(scene, scene_path, record_path, device.name())
-    options = palpate.LoopOptions(duration=duration)
+    options = palpate.LoopOptions(duration=duration, safety=safety or palpate.SafetyLimits())
     with LiveRun(scene, device, record=record_path, header=header, options=options) as run:
         ended = run.wait(duration + GRACE)
     costs = run.finish()

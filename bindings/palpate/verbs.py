@@ -16,6 +16,8 @@ import numpy as np
 
 import palpate
 from palpate.bench.verb import BENCH
+from palpate.device import DEVICE
+from palpate.device_link import describe_low_latency
 from palpate.mesh_file import read_mesh_file
 from palpate.play import PLAY
 from palpate.press import Place, PressScript, find_place, find_top, write_script
@@ -41,7 +43,8 @@ def add_doctor(word: argparse.ArgumentParser) -> None:
 
 
 def run_doctor(call: argparse.Namespace) -> Report:
-    checks = [check_python(), check_editor(), check_graphics(), check_realtime(), check_data()]
+    checks = [check_python(), check_editor(), check_graphics(), check_realtime()]
+    checks += [check_serial(), check_data()]
     return {
         "palpate": version("palpate"),
         "platform": platform.platform(),
@@ -100,6 +103,11 @@ def check_realtime() -> Report:
         "detail": f"{priority}; lateness p99 {1e6 * report.lateness.p99:.0f} us, "
         f"{report.missed_ticks} of {report.ticks} ticks missed",
     }
+
+
+def check_serial() -> Report:
+    good, detail = describe_low_latency()
+    return {"name": "serial ports", "ok": good, "needed": False, "detail": detail}
 
 
 def check_data() -> Report:
@@ -295,6 +303,7 @@ VERBS = [
         describe_press,
     ),
     PLAY,
+    DEVICE,
     Verb(
         "replay",
         "run a record again and compare it bit by bit",

@@ -240,6 +240,9 @@ void bind_haptics(py::module_& m) {
   bind_surface(m);
   bind_tick(m);
   bind_devices(m);
+  bind_arm(m);
+  bind_plant(m);
+  bind_serial(m);
   bind_loop(m);
 }
 

@@ -15,42 +15,6 @@ namespace palpate::bindings {
 
 namespace {
 
-void bind_safe_device(py::module_& m) {
-  const SafetyLimits usual;
-  py::class_<SafetyLimits> limits(m, "SafetyLimits");
-  limits
-      .def(py::init([](double force_max, double slew_max, double ramp_time) {
-             return SafetyLimits{force_max, slew_max, ramp_time};
-           }),
-           py::kw_only(), "force_max"_a = usual.force_max, "slew_max"_a = usual.slew_max,
-           "ramp_time"_a = usual.ramp_time)
-      .def_readwrite("force_max", &SafetyLimits::force_max, "[N] norm")
-      .def_readwrite("slew_max", &SafetyLimits::slew_max, "[N/s]")
-      .def_readwrite("ramp_time", &SafetyLimits::ramp_time,
-                     "[s] from the first command, or the first after a rest, to full force.");
-  def_copy(limits);
-  def_repr(limits, {"force_max", "slew_max", "ramp_time"});
-
-  py::native_enum<DeviceFault>(m, "DeviceFault", "enum.Enum")
-      .value("none", DeviceFault::none)
-      .value("sample_not_finite", DeviceFault::sample_not_finite)
-      .value("force_not_finite", DeviceFault::force_not_finite)
-      .finalize();
-  py::class_<SafeDevice, HapticDevice>(
-      m, "SafeDevice",
-      "Stands between the tick and any device: nothing non-finite passes, forces are limited in "
-      "norm and slew and fade in at the start. The first fault latches.")
-      .def(py::init<HapticDevice&, const SafetyLimits&>(), "device"_a, "limits"_a = usual,
-           py::keep_alive<1, 2>(), "Raises ValueError for limits that are not positive.")
-      .def("rest", &SafeDevice::rest,
-           "A zero force at once, past the slew limit; the next command fades in as the first one "
-           "did.")
-      .def("fault", &SafeDevice::fault)
-      .def("sent", &SafeDevice::sent, "What was really sent last.")
-      .def("limited_count", &SafeDevice::limited_count,
-           "How often the norm clamp or the slew limit had to act.");
-}
-
 void bind_scripted_device(py::module_& m) {
   py::class_<KeyFrame> frame(m, "KeyFrame",
                              "One moment of a script; between key frames the hand moves smoothly "
@@ -84,7 +48,9 @@ void bind_devices(py::module_& m) {
            "The hand at time [s] since the run began; devices with a clock of their own may ignore "
            "it.")
       .def("write", &HapticDevice::write, "command"_a)
-      .def("name", &HapticDevice::name);
+      .def("name", &HapticDevice::name)
+      .def("failed", &HapticDevice::failed,
+           "True once the device is gone for good: what it says and is told no longer counts.");
   bind_safe_device(m);
   bind_scripted_device(m);
   py::class_<PointerDevice, HapticDevice>(

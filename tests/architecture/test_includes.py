@@ -26,6 +26,8 @@ ROOMS = {
 
 POSIX = ("fcntl.h", "pthread.h", "sched.h", "sys/", "time.h", "unistd.h")
 SYSTEM = {
+    "core/sim/haptics/serial_transport.cpp": ("asio/", "termios.h", "linux/serial.h", *POSIX),
+    "core/sim/haptics/pty_device.cpp": ("termios.h", *POSIX),
     "core/sim/haptics/": POSIX,
     "core/sim/session/": ("openssl/", "zlib.h", *POSIX),
     "core/sim/dynamics/packed_": ("hwy/",),
@@ -34,6 +36,9 @@ SYSTEM = {
     "core/sim/contact/tree_kernels.cpp": ("hwy/",),
 }
 """Private parts of palpate::sim that may need more than Eigen and the C++ library."""
+
+FIRMWARE = ("protocol/", "board/host.h")
+"""Of the firmware: what goes over the wire and, for the simulated device, all of it."""
 
 SCENARIO = {
     "core/scenario/archive.cpp": ("zip.h",),
@@ -73,6 +78,20 @@ def test_a_room_of_sim_includes_only_rooms_left_of_it(room):
     wrong = [(name, path) for name in files for path in own(name) if not path.startswith(allowed)]
 
     assert wrong == []
+
+
+def test_the_firmware_is_included_by_the_haptics_only_and_by_no_header_that_is_installed():
+    found = {
+        (name, path)
+        for name in files_under("core/sim", ".h", ".cpp")
+        for bracket, path in includes(name)
+        if bracket == '"' and not path.startswith("palpate/")
+    }
+
+    assert found
+    assert {name for name, _ in found if not name.startswith("core/sim/haptics/")} == set()
+    assert {path for _, path in found if not path.startswith(FIRMWARE)} == set()
+    assert {name for name, _ in found if name.endswith(".h")} == {"core/sim/haptics/serial_link.h"}
 
 
 def test_every_folder_of_sim_is_a_room_with_arrows():

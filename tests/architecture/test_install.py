@@ -12,7 +12,7 @@ import pytest
 from tree import CHECKOUT
 
 ABSENT = ("ZLIB", "OpenSSL", "hwy", "CGAL", "assimp", "OpenMesh", "doctest", "pybind11", "Python")
-OFF = ("RECORD_FILES", "SIMD", "SCENARIO", "AUTHORING", "BINDINGS", "TESTS")
+OFF = ("RECORD_FILES", "SIMD", "SERIAL", "SCENARIO", "AUTHORING", "BINDINGS", "TESTS")
 
 
 def run(*command: str | Path, **options) -> str:

@@ -114,7 +114,7 @@ def test_further_runs_leave_records_of_their_own(tmp_path):
     [
         (("--headless",), 2, "--headless has no mouse"),
         (("--device", "glove", "--headless"), 2, "--headless has no mouse"),
-        (("--device", "glove"), 2, "expected pointer or script:FILE"),
+        (("--device", "glove"), 2, "expected pointer, script:FILE, plant"),
         (("--device", "script:none.json", "--headless"), 1, "No such file"),
         (("--device", "script:{script}", "--headless", "--duration", "0s"), 2, "more than 0"),
         (("--device", "script:{script}", "--headless", "--record", "{path}"), 2, "the scenario"),

@@ -90,11 +90,15 @@ class TraineeWindow(QWidget):
     def restart(self) -> None:
         """Ends the run, if there is one, keeps its record, and begins another."""
         self._finish()
-        device = self.play.build_device()
+        hand = self.play.build_hand()
         try:
+            device = self.play.build_device(hand)
             self.run = self.play.begin(device)
         except OSError as problem:
-            words = translate("Player", "No record can be written, so nothing was started: %1")
+            if isinstance(problem, palpate.DeviceError):
+                words = translate("Player", "The device cannot be used, so nothing was started: %1")
+            else:
+                words = translate("Player", "No record can be written, so nothing was started: %1")
             self.over.alarm.tell(words.replace("%1", str(problem)))
             self.over.place()
             return
@@ -104,10 +108,10 @@ class TraineeWindow(QWidget):
         self.view.move_surface(self._rest)
         self.view.show_force(None)
         self.view.show_tool(None)
-        if isinstance(device, palpate.PointerDevice):
+        if isinstance(hand, palpate.PointerDevice):
             if self.hand is not None:
                 self.hand.deleteLater()
-            self.hand = self.view.tool = PointerHand(self.view, device, self.scene)
+            self.hand = self.view.tool = PointerHand(self.view, hand, self.scene)
         self.phase = Phase.running
         self._show_board(None)
         self.run.start()

@@ -37,6 +37,12 @@ def say_fault(fault: palpate.DeviceFault) -> str:
             "The device reported a position that is not a number, so its force was switched off. "
             "Check its cable, then press R to start again.",
         )
+    if fault is palpate.DeviceFault.device_failed:
+        return translate(
+            "Player",
+            "The device is gone: its cable is out, or it has fallen silent. "
+            "Plug it in again, then press R to start again.",
+        )
     return translate(
         "Player",
         "The computed force was not a number, so the force was switched off. "

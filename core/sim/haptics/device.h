@@ -35,6 +35,9 @@ class HapticDevice {
   virtual HapticSample read(double time) noexcept = 0;
   virtual void write(const HapticCommand& command) noexcept = 0;
   virtual std::string name() const = 0;
+  /// True once the device is gone for good: what it says and is told no longer counts. From the
+  /// haptic thread too.
+  virtual bool failed() const noexcept { return false; }
 };
 
 }  // namespace palpate

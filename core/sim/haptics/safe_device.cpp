@@ -12,11 +12,30 @@ namespace {
 /// a blow; two ticks at 1 kHz.
 constexpr double kLongestGap = 2e-3;
 
+/// [s] in which energy that the hand was given is forgotten: it has moved the hand by then.
+constexpr double kEnergyTime = 1.0;
+
+/// The share of the heat that motors stand from which on the force is taken back.
+constexpr double kWarm = 0.8;
+
 void require_positive(const char* field, double value) {
   if (!(value > 0.0) || !std::isfinite(value)) {
     throw std::invalid_argument(std::string("safety limits: ") + field + ": got " +
                                 std::to_string(value) + ", expected a positive number");
   }
+}
+
+void validate(const SafetyLimits& limits) {
+  require_positive("force_max [N]", limits.force_max);
+  require_positive("force_continuous [N]", limits.force_continuous);
+  require_positive("heat_time [s]", limits.heat_time);
+  require_positive("slew_max [N/s]", limits.slew_max);
+  require_positive("ramp_time [s]", limits.ramp_time);
+  require_positive("start_force_max [N]", limits.start_force_max);
+  require_positive("velocity_max [m/s]", limits.velocity_max);
+  require_positive("brake [N s/m]", limits.brake);
+  require_positive("energy_max [J]", limits.energy_max);
+  require_positive("damping_max [N s/m]", limits.damping_max);
 }
 
 bool is_finite(const HapticSample& sample) noexcept {
@@ -29,21 +48,13 @@ bool is_finite(const HapticSample& sample) noexcept {
 
 SafeDevice::SafeDevice(HapticDevice& device, const SafetyLimits& limits)
     : device_(device), limits_(limits) {
-  require_positive("force_max [N]", limits.force_max);
-  require_positive("slew_max [N/s]", limits.slew_max);
-  require_positive("ramp_time [s]", limits.ramp_time);
+  validate(limits);
+  // whoever sets only the one for moments means no more for ever
+  limits_.force_continuous = std::min(limits.force_continuous, limits.force_max);
 }
 
 HapticSample SafeDevice::read(double time) noexcept {
-  now_ = time;
-  if (fault_ == DeviceFault::none) {
-    const HapticSample sample = device_.read(time);
-    if (is_finite(sample)) {
-      last_sample_ = sample;
-    } else {
-      fault_ = DeviceFault::sample_not_finite;
-    }
-  }
+  look(time);
   if (fault_ != DeviceFault::none) {
     last_sample_.time = time;
     last_sample_.velocity.setZero();
@@ -52,38 +63,113 @@ HapticSample SafeDevice::read(double time) noexcept {
   return last_sample_;
 }
 
-/// Norm clamp, then the fade-in, then the slew limit: a step from a force within the norm towards
-/// another stays within it, so the last limit cannot undo the first.
+/// Asks the device, and keeps the passivity observer [HannafordRyu02]: the force of the last tick
+/// was held while the hand moved on, so the hand has been given
+///
+///     E += f_{k-1} . (x_k - x_{k-1}).
+///
+/// What it put in while something was felt is forgotten once nothing is, so a long stroking of
+/// tissue, which swallows energy, does not hide what comes after it.
+void SafeDevice::look(double time) noexcept {
+  pause_ = std::clamp(time - now_, 0.0, kLongestGap);
+  now_ = time;
+  if (fault_ != DeviceFault::none) return;
+  const HapticSample sample = device_.read(time);
+  if (device_.failed()) {
+    fault_ = DeviceFault::device_failed;
+    return;
+  }
+  if (!is_finite(sample)) {
+    fault_ = DeviceFault::sample_not_finite;
+    return;
+  }
+  if (has_sample_) {
+    given_energy_ += sent_.force.dot(sample.position - last_sample_.position);
+    if (sent_.force.isZero(0.0)) given_energy_ = std::max(given_energy_, 0.0);
+    given_energy_ -= given_energy_ * std::min(1.0, pause_ / kEnergyTime);
+  }
+  warmth_ += (sent_.force.squaredNorm() - warmth_) * std::min(1.0, pause_ / limits_.heat_time);
+  last_sample_ = sample;
+  has_sample_ = true;
+}
+
+/// The ramp begins with the first command that is small, or a hand that is in the tissue when the
+/// motors come on would be pushed out of it by a force nobody saw coming.
+bool SafeDevice::may_start(const Vec3& force) noexcept {
+  if (!started_ && force.stableNorm() > limits_.start_force_max) return false;
+  if (!commanded_) first_time_ = last_time_ = now_;
+  started_ = commanded_ = true;
+  return true;
+}
+
+/// The passivity controller [HannafordRyu02]: a damper that takes back within this tick what the
+/// hand has been given too much, as far as `damping_max` goes,
+///
+///     f' = f - a v,   a = min(a_max, (E - E_max) / (|v|^2 dt)).
+Vec3 SafeDevice::damp(const Vec3& force) noexcept {
+  const double excess = given_energy_ - limits_.energy_max;
+  const Vec3& v = last_sample_.velocity;
+  const double per_damping = v.squaredNorm() * pause_;
+  if (!(excess > 0.0) || !(per_damping > 0.0)) return force;
+  ++damped_count_;
+  return force - std::min(limits_.damping_max, excess / per_damping) * v;
+}
+
+/// A hand beyond velocity_max is pushed no harder than before and never along its way, and is
+/// braked: f' = f - (f.n)+ n - c (|v| - v_max) n, with n = v/|v|.
+Vec3 SafeDevice::brake(const Vec3& force) const noexcept {
+  const double speed = last_sample_.velocity.norm();
+  if (!(speed > limits_.velocity_max)) return force;
+  const Vec3 n = last_sample_.velocity / speed;
+  Vec3 wanted = force - std::max(0.0, force.dot(n)) * n;
+  const double most = sent_.force.norm();
+  if (wanted.norm() > most) wanted *= most / wanted.norm();
+  return wanted - limits_.brake * (speed - limits_.velocity_max) * n;
+}
+
+double SafeDevice::heat() const noexcept {
+  return warmth_ / (limits_.force_continuous * limits_.force_continuous);
+}
+
+/// From the peak down to what the motors stand for ever while their heat, a running mean of the
+/// squared force, goes from 80 to 100 % of what they stand. It never gets beyond that, for at 100 %
+/// no force is left that would heat them further.
+double SafeDevice::force_limit() const noexcept {
+  const double forever = limits_.force_continuous;
+  const double left = std::clamp((1.0 - heat()) / (1.0 - kWarm), 0.0, 1.0);
+  return forever + (limits_.force_max - forever) * left;
+}
+
+Vec3 SafeDevice::slew(const Vec3& wanted) const noexcept {
+  const Vec3 change = wanted - sent_.force;
+  const double most = limits_.slew_max * std::clamp(now_ - last_time_, 0.0, kLongestGap);
+  return change.norm() > most ? Vec3(sent_.force + change * (most / change.norm())) : wanted;
+}
+
+/// The norm is clamped before the fade-in and the slew limit: a step from a force within the norm
+/// towards another stays within it, so the last limit cannot undo the first.
 void SafeDevice::write(const HapticCommand& command) noexcept {
   if (!command.force.allFinite() && fault_ == DeviceFault::none) {
     fault_ = DeviceFault::force_not_finite;
   }
-  if (fault_ != DeviceFault::none) {
+  if (fault_ != DeviceFault::none || !may_start(command.force)) {
     sent_.force.setZero();
     device_.write(sent_);
     return;
   }
-  if (!commanded_) {
-    first_time_ = last_time_ = now_;
-    commanded_ = true;
-  }
-  bool limited = false;
+  // a huge force must not overflow into a zero, here or in the sums below
   Vec3 wanted = command.force;
-  const double norm = wanted.stableNorm();  // a huge force must not overflow into a zero
-  if (norm > limits_.force_max) {
-    wanted *= limits_.force_max / norm;
-    limited = true;
-  }
+  const double most = force_limit();
+  const double norm = wanted.stableNorm();
+  if (norm > most) wanted *= most / norm;
+  const Vec3 safe = brake(damp(wanted));
+  bool limited = norm > most || safe != wanted;
+  wanted = safe.norm() > most ? Vec3(safe * (most / safe.norm())) : safe;
   wanted *= std::clamp((now_ - first_time_) / limits_.ramp_time, 0.0, 1.0);
 
-  const Vec3 change = wanted - sent_.force;
-  const double most = limits_.slew_max * std::clamp(now_ - last_time_, 0.0, kLongestGap);
-  if (change.norm() > most) {
-    sent_.force += change * (most / change.norm());
-    limited = true;
-  } else {
-    sent_.force = wanted;
-  }
+  const Vec3 slewed = slew(wanted);
+  limited = limited || slewed != wanted;
+  sent_.force = slewed;
   last_time_ = now_;
   limited_count_ += limited;
   device_.write(sent_);

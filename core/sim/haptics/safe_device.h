@@ -5,20 +5,31 @@
 
 namespace palpate {
 
+/// What a device may be sent. The defaults suit a device that nothing can hurt; a real one is given
+/// its own, as find_safety_limits does for the low-cost arm.
 struct SafetyLimits {
-  double force_max = 5.0;    ///< [N] norm
-  double slew_max = 2000.0;  ///< [N/s]
+  double force_max = 5.0;         ///< [N] norm, at any moment
+  double force_continuous = 5.0;  ///< [N] root mean square that the motors stand for ever
+  double heat_time = 10.0;        ///< [s] in which they warm up
+  double slew_max = 2000.0;       ///< [N/s]
   double ramp_time = 0.2;  ///< [s] from the first command, or the first after a rest, to full force
+  double start_force_max = 0.5;  ///< [N] no force at all before one as small as this was asked for
+  double velocity_max = 2.0;     ///< [m/s] of the hand; beyond it forces only brake
+  double brake = 1.0;            ///< [N·s/m] on what is faster
+  double energy_max = 2e-3;      ///< [J] the hand may be given more than it gave; then damping
+  double damping_max = 2.0;      ///< [N·s/m] that the passivity controller may add
 };
 
-enum class DeviceFault { none, sample_not_finite, force_not_finite };
+enum class DeviceFault { none, sample_not_finite, force_not_finite, device_failed };
 
-/// Stands between the tick and any device: nothing non-finite passes, forces are limited in norm
-/// and slew and fade in at the start. The first fault latches: the force is zero from then on and
-/// the hand stays where it was last known.
+/// Stands between the tick and any device. What passes is finite, gives the hand no energy it did
+/// not put in, never pushes a hand that is too fast, is limited in norm, moment by moment and on
+/// the whole, fades in at the start, and changes no faster than the slew limit. The first fault
+/// latches: the force is zero from then on and the hand stays where it was last known.
 class SafeDevice : public HapticDevice {
  public:
-  /// `device` must outlive this. Throws std::invalid_argument for limits that are not positive.
+  /// `device` must outlive this. Throws std::invalid_argument for limits that are not positive, or
+  /// a force for ever above the one for moments.
   explicit SafeDevice(HapticDevice& device, const SafetyLimits& limits = {});
 
   /// Ramp and slew go by the `time` given here, whatever clock the device may have.
@@ -27,24 +38,42 @@ class SafeDevice : public HapticDevice {
   /// A zero force at once, past the slew limit; the next command fades in as the first one did.
   void rest() noexcept;
   std::string name() const override { return device_.name(); }
+  bool failed() const noexcept override { return device_.failed(); }
 
   DeviceFault fault() const noexcept { return fault_; }
   /// What was really sent last.
   const HapticCommand& sent() const noexcept { return sent_; }
-  /// How often the norm clamp or the slew limit had to act.
+  /// How often a limit had to act.
   long limited_count() const noexcept { return limited_count_; }
+  /// How often the passivity controller had to.
+  long damped_count() const noexcept { return damped_count_; }
+  /// [J] that the hand has been given since it last felt nothing, fading within a second.
+  double given_energy() const noexcept { return given_energy_; }
+  /// Of what the motors stand for ever, 0 to 1.
+  double heat() const noexcept;
 
  private:
+  void look(double time) noexcept;
+  bool may_start(const Vec3& force) noexcept;
+  Vec3 damp(const Vec3& force) noexcept;
+  Vec3 brake(const Vec3& force) const noexcept;
+  double force_limit() const noexcept;
+  Vec3 slew(const Vec3& wanted) const noexcept;
+
   HapticDevice& device_;
   SafetyLimits limits_;
   HapticSample last_sample_;
   HapticCommand sent_;
+  bool has_sample_ = false;
   double now_ = 0.0;         ///< [s] of the last read
+  double pause_ = 0.0;       ///< [s] between the last two reads
   double first_time_ = 0.0;  ///< [s] of the first command
   double last_time_ = 0.0;   ///< [s] of the last command
-  bool commanded_ = false;
+  bool started_ = false, commanded_ = false;
+  double given_energy_ = 0.0;
+  double warmth_ = 0.0;  ///< [N²] running mean of the squared force
   DeviceFault fault_ = DeviceFault::none;
-  long limited_count_ = 0;
+  long limited_count_ = 0, damped_count_ = 0;
 };
 
 }  // namespace palpate

@@ -37,6 +37,13 @@ Vec3 run(SafeDevice& safe, Puppet& puppet, const Vec3& force, int ticks, double&
   return puppet.pushed;
 }
 
+/// One tick without force, which lets the next ones be of any size. Returns when the next one is.
+double begin(SafeDevice& safe) {
+  safe.read(0.0);
+  safe.write({});
+  return 1e-3;
+}
+
 }  // namespace
 
 TEST_CASE("a force within the limits passes unchanged once the start-up ramp is over") {
@@ -54,7 +61,7 @@ TEST_CASE("a force within the limits passes unchanged once the start-up ramp is 
 TEST_CASE("a force beyond the limit keeps its direction and loses its excess") {
   Puppet puppet;
   SafeDevice safe(puppet, {.force_max = 2.0});
-  double time = 0.0;
+  double time = begin(safe);
 
   run(safe, puppet, {30.0, 0.0, 40.0}, 300, time);
 
@@ -66,7 +73,7 @@ TEST_CASE("a force beyond the limit keeps its direction and loses its excess") {
 TEST_CASE("a force too large to be squared is still clamped, not lost") {
   Puppet puppet;
   SafeDevice safe(puppet, {.force_max = 2.0});
-  double time = 0.0;
+  double time = begin(safe);
 
   run(safe, puppet, {1e200, 0.0, 0.0}, 300, time);
 
@@ -78,10 +85,10 @@ TEST_CASE("forces fade in over the ramp from the first command on") {
   SafeDevice safe(puppet, {.force_max = 5.0, .slew_max = 1e6, .ramp_time = 0.2});
   double time = 3.0;
 
-  CHECK(run(safe, puppet, {0, 0, 1}, 1, time).z() == 0.0);
-  CHECK(run(safe, puppet, {0, 0, 1}, 100, time).z() == doctest::Approx(0.5));
-  CHECK(run(safe, puppet, {0, 0, 1}, 100, time).z() == doctest::Approx(1.0));
-  CHECK(run(safe, puppet, {0, 0, 1}, 50, time).z() == doctest::Approx(1.0));
+  CHECK(run(safe, puppet, {0, 0, 0.4}, 1, time).z() == 0.0);
+  CHECK(run(safe, puppet, {0, 0, 0.4}, 100, time).z() == doctest::Approx(0.2));
+  CHECK(run(safe, puppet, {0, 0, 0.4}, 100, time).z() == doctest::Approx(0.4));
+  CHECK(run(safe, puppet, {0, 0, 0.4}, 50, time).z() == doctest::Approx(0.4));
 }
 
 TEST_CASE("a step of the force arrives at no more than the slew limit") {
@@ -115,7 +122,7 @@ TEST_CASE("a sample that is not finite latches: the hand stays and the force is 
     puppet.hand.position = Vec3(0.01, 0.02, 0.03);
     puppet.hand.buttons = kAttachButton;
     SafeDevice safe(puppet);
-    double time = 0.0;
+    double time = begin(safe);
     run(safe, puppet, {0, 0, 1}, 300, time);
     REQUIRE(puppet.pushed.z() == 1.0);
 
@@ -154,7 +161,7 @@ TEST_CASE("a force that is not finite latches and never reaches the device") {
   for (const double poison : {kNan, kInfinity}) {
     Puppet puppet;
     SafeDevice safe(puppet);
-    double time = 0.0;
+    double time = begin(safe);
     run(safe, puppet, {0, 0, 1}, 300, time);
 
     CHECK(run(safe, puppet, {0, poison, 0}, 1, time) == Vec3::Zero());
@@ -167,7 +174,7 @@ TEST_CASE("a force that is not finite latches and never reaches the device") {
 TEST_CASE("a rest is a zero force at once, and the force after it fades in as the first did") {
   Puppet puppet;
   SafeDevice safe(puppet, {.slew_max = 1e6, .ramp_time = 0.2});
-  double time = 0.0;
+  double time = begin(safe);
   run(safe, puppet, {0, 0, 1}, 300, time);
   REQUIRE(puppet.pushed.z() == 1.0);
 
@@ -187,4 +194,11 @@ TEST_CASE("limits that are not positive are refused") {
   CHECK_THROWS_AS(SafeDevice(puppet, {.slew_max = -1.0}), std::invalid_argument);
   CHECK_THROWS_AS(SafeDevice(puppet, {.ramp_time = kNan}), std::invalid_argument);
   CHECK_THROWS_AS(SafeDevice(puppet, {.force_max = kInfinity}), std::invalid_argument);
+  CHECK_THROWS_AS(SafeDevice(puppet, {.force_continuous = 0.0}), std::invalid_argument);
+  CHECK_THROWS_AS(SafeDevice(puppet, {.heat_time = -1.0}), std::invalid_argument);
+  CHECK_THROWS_AS(SafeDevice(puppet, {.start_force_max = 0.0}), std::invalid_argument);
+  CHECK_THROWS_AS(SafeDevice(puppet, {.velocity_max = kNan}), std::invalid_argument);
+  CHECK_THROWS_AS(SafeDevice(puppet, {.brake = -1.0}), std::invalid_argument);
+  CHECK_THROWS_AS(SafeDevice(puppet, {.energy_max = 0.0}), std::invalid_argument);
+  CHECK_THROWS_AS(SafeDevice(puppet, {.damping_max = 0.0}), std::invalid_argument);
 }

@@ -76,6 +76,10 @@
         <translation>Olmaması gereken bir hata oluştu: %1. Yeniden başlatmak için R tuşuna basın.</translation>
     </message>
     <message>
+        <source>The device cannot be used, so nothing was started: %1</source>
+        <translation>Cihaz kullanılamıyor, bu nedenle hiçbir şey başlatılmadı: %1</translation>
+    </message>
+    <message>
         <source>No record can be written, so nothing was started: %1</source>
         <translation>Kayıt yazılamıyor, bu nedenle hiçbir şey başlatılmadı: %1</translation>
     </message>
@@ -102,6 +106,10 @@
     <message>
         <source>The device reported a position that is not a number, so its force was switched off. Check its cable, then press R to start again.</source>
         <translation>Cihaz sayı olmayan bir konum bildirdi, bu nedenle kuvveti kapatıldı. Kablosunu denetleyin, sonra yeniden başlamak için R tuşuna basın.</translation>
+    </message>
+    <message>
+        <source>The device is gone: its cable is out, or it has fallen silent. Plug it in again, then press R to start again.</source>
+        <translation>Cihaz kayboldu: kablosu çıkmış ya da sustu. Yeniden takın, sonra yeniden başlamak için R tuşuna basın.</translation>
     </message>
     <message>
         <source>Move</source>

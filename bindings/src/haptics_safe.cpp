@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pybind11/native_enum.h>
+
+#include "bindings.h"
+#include "palpate/sim/haptics/conformance.h"
+#include "palpate/sim/haptics/safe_device.h"
+#include "value.h"
+
+namespace palpate::bindings {
+
+namespace {
+
+void bind_limits(py::module_& m) {
+  const SafetyLimits usual;
+  py::class_<SafetyLimits> limits(
+      m, "SafetyLimits",
+      "What a device may be sent. The defaults suit a device that nothing can hurt; a real one is "
+      "given its own, as find_safety_limits does for the low-cost arm.");
+  limits.def(
+      py::init([](double force_max, double force_continuous, double heat_time, double slew_max,
+                  double ramp_time, double start_force_max, double velocity_max, double brake,
+                  double energy_max, double damping_max) {
+        return SafetyLimits{force_max,       force_continuous, heat_time, slew_max,   ramp_time,
+                            start_force_max, velocity_max,     brake,     energy_max, damping_max};
+      }),
+      py::kw_only(), "force_max"_a = usual.force_max, "force_continuous"_a = usual.force_continuous,
+      "heat_time"_a = usual.heat_time, "slew_max"_a = usual.slew_max,
+      "ramp_time"_a = usual.ramp_time, "start_force_max"_a = usual.start_force_max,
+      "velocity_max"_a = usual.velocity_max, "brake"_a = usual.brake,
+      "energy_max"_a = usual.energy_max, "damping_max"_a = usual.damping_max);
+  limits.def_readwrite("force_max", &SafetyLimits::force_max, "[N] norm, at any moment.")
+      .def_readwrite("force_continuous", &SafetyLimits::force_continuous,
+                     "[N] root mean square that the motors stand for ever.")
+      .def_readwrite("heat_time", &SafetyLimits::heat_time, "[s] in which they warm up.")
+      .def_readwrite("slew_max", &SafetyLimits::slew_max, "[N/s]")
+      .def_readwrite("ramp_time", &SafetyLimits::ramp_time,
+                     "[s] from the first command, or the first after a rest, to full force.")
+      .def_readwrite("start_force_max", &SafetyLimits::start_force_max,
+                     "[N] no force at all before one as small as this was asked for.")
+      .def_readwrite("velocity_max", &SafetyLimits::velocity_max,
+                     "[m/s] of the hand; beyond it forces only brake.")
+      .def_readwrite("brake", &SafetyLimits::brake, "[N·s/m] on what is faster.")
+      .def_readwrite("energy_max", &SafetyLimits::energy_max,
+                     "[J] the hand may be given more than it gave; then damping.")
+      .def_readwrite("damping_max", &SafetyLimits::damping_max,
+                     "[N·s/m] that the passivity controller may add.");
+  def_copy(limits);
+  def_repr(limits, {"force_max", "force_continuous", "heat_time", "slew_max", "ramp_time",
+                    "start_force_max", "velocity_max", "brake", "energy_max", "damping_max"});
+}
+
+void bind_conformance(py::module_& m) {
+  py::class_<DeviceCheck> check(m, "DeviceCheck",
+                                "One thing a device owes, and whether it keeps it.");
+  check.def_readonly("name", &DeviceCheck::name, "What is owed, as a sentence.")
+      .def_readonly("passed", &DeviceCheck::passed)
+      .def_readonly("detail", &DeviceCheck::detail, "What was found.");
+  def_repr(check, {"name", "passed", "detail"});
+  const ConformanceOptions usual;
+  py::class_<ConformanceOptions> options(m, "ConformanceOptions");
+  options
+      .def(py::init([](double duration, double rate, double force, bool live) {
+             return ConformanceOptions{duration, rate, force, live};
+           }),
+           py::kw_only(), "duration"_a = usual.duration, "rate"_a = usual.rate,
+           "force"_a = usual.force, "live"_a = usual.live)
+      .def_readwrite("duration", &ConformanceOptions::duration,
+                     "[s] of each part; a real hand should move the device meanwhile.")
+      .def_readwrite("rate", &ConformanceOptions::rate, "[Hz]")
+      .def_readwrite("force", &ConformanceOptions::force, "[N] of the pushes.")
+      .def_readwrite("live", &ConformanceOptions::live,
+                     "Wait for the clock between ticks, as a device in real time needs.");
+  def_copy(options);
+  def_repr(options, {"duration", "rate", "force", "live"});
+  m.def("check_conformance", &check_conformance, "device"_a, "options"_a = usual,
+        py::call_guard<py::gil_scoped_release>(),
+        "What any HapticDevice has to keep, ours or another maker's, before a person holds it. The "
+        "device is pushed gently. Raises ValueError.");
+}
+
+}  // namespace
+
+void bind_safe_device(py::module_& m) {
+  bind_limits(m);
+  py::native_enum<DeviceFault>(m, "DeviceFault", "enum.Enum")
+      .value("none", DeviceFault::none)
+      .value("sample_not_finite", DeviceFault::sample_not_finite)
+      .value("force_not_finite", DeviceFault::force_not_finite)
+      .value("device_failed", DeviceFault::device_failed)
+      .finalize();
+  py::class_<SafeDevice, HapticDevice>(
+      m, "SafeDevice",
+      "Stands between the tick and any device. What passes is finite, gives the hand no energy it "
+      "did not put in, never pushes a hand that is too fast, is limited in norm, moment by moment "
+      "and on the whole, fades in at the start, and changes no faster than the slew limit. The "
+      "first fault latches.")
+      .def(py::init<HapticDevice&, const SafetyLimits&>(), "device"_a, "limits"_a = SafetyLimits{},
+           py::keep_alive<1, 2>(), "Raises ValueError for limits that are not positive.")
+      .def("rest", &SafeDevice::rest,
+           "A zero force at once, past the slew limit; the next command fades in as the first one "
+           "did.")
+      .def("fault", &SafeDevice::fault)
+      .def("sent", &SafeDevice::sent, "What was really sent last.")
+      .def("limited_count", &SafeDevice::limited_count, "How often a limit had to act.")
+      .def("damped_count", &SafeDevice::damped_count, "How often the passivity controller had to.")
+      .def("given_energy", &SafeDevice::given_energy,
+           "[J] that the hand has been given since it last felt nothing, fading within a second.")
+      .def("heat", &SafeDevice::heat, "Of what the motors stand for ever, 0 to 1.");
+  bind_conformance(m);
+}
+
+}  // namespace palpate::bindings

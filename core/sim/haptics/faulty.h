@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "palpate/sim/haptics/device.h"
+#include "palpate/sim/haptics/transport.h"
+
+namespace palpate {
+
+/// What goes wrong, and how often: shares of frames or samples, 0 to 1. The same in every run.
+struct Faults {
+  double drop = 0.0;     ///< lost
+  double corrupt = 0.0;  ///< changed: a bit of a frame, a number of a sample
+  double reorder = 0.0;  ///< comes after the one that follows it
+  double delay = 0.0;    ///< [s] each way
+  double stick_at = std::numeric_limits<double>::infinity();   ///< [s] from then on the same again
+  double unplug_at = std::numeric_limits<double>::infinity();  ///< [s] from then on nothing
+  std::uint64_t seed = 1;
+};
+
+/// Throws std::invalid_argument naming the field, what it got and what was expected.
+void validate(const Faults& faults);
+
+/// A device to which faults happen: samples are lost (the last one stays), late, swapped, not
+/// finite, stuck, or the device is gone; commands are lost or late.
+class FaultyDevice : public HapticDevice {
+ public:
+  /// `device` must outlive this. Throws std::invalid_argument.
+  FaultyDevice(HapticDevice& device, const Faults& faults);
+
+  HapticSample read(double time) noexcept override;
+  void write(const HapticCommand& command) noexcept override;
+  std::string name() const override { return "faulty " + device_.name(); }
+  bool failed() const noexcept override { return now_ >= faults_.unplug_at || device_.failed(); }
+
+ private:
+  struct Late {
+    double time = 0.0;
+    HapticSample sample;
+    HapticCommand command;
+  };
+  HapticDevice& device_;
+  const Faults faults_;
+  std::uint64_t random_;
+  double now_ = 0.0;
+  HapticSample last_, held_;
+  bool holding_ = false;
+  std::vector<Late> samples_, commands_;  ///< rings of what is under way
+  std::size_t next_sample_ = 0, next_command_ = 0;
+};
+
+/// A transport on which faults happen to whole frames, both ways.
+class FaultyTransport : public Transport {
+ public:
+  /// `transport` must outlive this. Throws std::invalid_argument.
+  FaultyTransport(Transport& transport, const Faults& faults);
+
+  std::size_t read(double time, std::span<std::uint8_t> bytes) noexcept override;
+  void write(double time, std::span<const std::uint8_t> bytes) noexcept override;
+  bool is_open() const noexcept override;
+  double now(double time) const noexcept override { return transport_.now(time); }
+  std::string name() const override { return "faulty " + transport_.name(); }
+
+ private:
+  static constexpr std::size_t kLongest = 64;
+  struct Parcel {
+    double due = 0.0;
+    std::size_t count = 0;
+    std::array<std::uint8_t, kLongest> bytes{};
+  };
+  /// Frames on their way in one direction; full, it loses the newest.
+  struct Way {
+    std::vector<Parcel> ring;
+    std::size_t first = 0, count = 0;
+    Parcel held;  ///< waits for the one that shall overtake it
+    bool holding = false;
+  };
+  void pass(double time, Parcel parcel, Way& way) noexcept;
+  void push(const Parcel& parcel, Way& way) const noexcept;
+  void pump(double time) noexcept;
+
+  Transport& transport_;
+  const Faults faults_;
+  std::uint64_t random_;
+  double now_ = 0.0;
+  Parcel coming_, last_;
+  Way up_, down_;
+  std::size_t taken_ = 0;  ///< bytes of the first parcel upwards already handed over
+};
+
+}  // namespace palpate

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/haptics/serial_device.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <thread>
+#include <utility>
+
+#include "palpate/sim/base/error.h"
+#include "palpate/sim/base/latest.h"
+#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/haptics/calibration_bytes.h"
+#include "palpate/sim/haptics/serial_link.h"
+#include "palpate/sim/haptics/velocity_window.h"
+
+namespace palpate {
+namespace {
+
+constexpr double kTick = 1e-3;        // [s]
+constexpr int kMostBridged = 3;       // missing reports
+constexpr double kStatusTime = 8e-3;  // [s] between two of them
+
+}  // namespace
+
+struct SerialDevice::Impl {
+  Impl(Transport& transport, const Vec3& origin_in) : link(transport), origin(origin_in) {}
+
+  void take_report(double time) noexcept;
+  void publish(double time) noexcept;
+  double bridge() const noexcept;
+  template <class Done>
+  void wait_until_done(double timeout, Done done);
+
+  SerialLink link;
+  const Vec3 origin;
+  Arm arm;
+  bool has_arm = false, has_sample = false;
+  std::array<VelocityWindow, 3> speeds;
+  Vec3 joints = Vec3::Zero(), gimbal = Vec3::Zero(), tip = Vec3::Zero();
+  HapticSample sample;  // of the last report
+  double report_time = 0.0, last_time = 0.0, last_status = -1.0;
+  int missing = 0;  // reports that should have come since the last
+  bool was_read = false;
+  Vec3 force = Vec3::Zero();
+  Latest<DeviceStatus> statuses;
+};
+
+/// Angles of the newest report, and what the hand does by them: v = J dq/dt, the joints' speeds by
+/// windows that adapt to what a count is.
+void SerialDevice::Impl::take_report(double time) noexcept {
+  const Calibration* calibration = link.calibration();
+  if (!calibration) return;
+  if (!has_arm) {
+    arm = find_arm(*calibration);
+    for (std::size_t j = 0; j < 3; ++j) {
+      speeds[j] = VelocityWindow(std::abs(calibration->joints[j].scale));
+    }
+    has_arm = true;
+  }
+  const std::array<double, 6> angles = compute_angles(*calibration, link.counts());
+  Vec3 rates;
+  for (int j = 0; j < 3; ++j) {
+    joints[j] = angles[static_cast<std::size_t>(j)];
+    gimbal[j] = angles[static_cast<std::size_t>(j + 3)];
+    rates[j] = speeds[static_cast<std::size_t>(j)].add(link.device_time(), joints[j]);
+  }
+  tip = compute_tip(arm, joints);
+  sample.position = origin + tip - Workspace{}.center;
+  sample.orientation = compute_stylus(joints, gimbal);
+  sample.velocity = compute_jacobian(arm, joints) * rates;
+  sample.buttons = link.buttons();
+  report_time = time;
+  has_sample = true;
+}
+
+/// 1 while reports come, or are but a little late, falling to 0 over the ones that may be missing.
+double SerialDevice::Impl::bridge() const noexcept {
+  return std::clamp(1.0 - double(missing - 1) / kMostBridged, 0.0, 1.0);
+}
+
+void SerialDevice::Impl::publish(double time) noexcept {
+  if (time - last_status < kStatusTime && time >= last_status) return;
+  last_status = time;
+  DeviceStatus& status = statuses.back();
+  link.fill(status);
+  status.degraded = missing > 0 && link.state() == LinkState::ready;
+  status.joints = joints;
+  status.gimbal = gimbal;
+  status.tip = tip;
+  status.force_commanded = force;
+  if (const Calibration* calibration = link.calibration(); calibration && has_arm) {
+    Vec3 torque;
+    for (int m = 0; m < 3; ++m) {
+      torque[m] = calibration->torque_full[m] * link.duty(m) / 255.0;
+    }
+    status.force_applied = link.driving() ? compute_tip_force(arm, joints, torque) : Vec3::Zero();
+  }
+  statuses.publish();
+}
+
+/// Listens and asks until `done`, in the transport's own time: a simulated device has passed
+/// through all of it at once, a real one keeps the caller waiting.
+template <class Done>
+void SerialDevice::Impl::wait_until_done(double timeout, Done done) {
+  const double begun = link.now(0.0);
+  for (double time = 0.0; time < timeout; time += kTick) {
+    link.receive(time);
+    last_time = time;
+    if (done()) return;
+    if (link.state() == LinkState::lost) break;
+    // none to wait for where the transport goes by our time
+    const double early = time + kTick - (link.now(time + kTick) - begun);
+    if (early > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>(early));
+  }
+  throw DeviceError(link.name() + ": " + link.explain_silence());
+}
+
+SerialDevice::SerialDevice(Transport& transport, const Vec3& origin)
+    : impl_(std::make_unique<Impl>(transport, origin)) {
+  impl_->sample.position = origin;
+}
+
+SerialDevice::~SerialDevice() { impl_->link.disable(impl_->last_time); }
+
+HapticSample SerialDevice::read(double time) noexcept {
+  Impl& my = *impl_;
+  my.was_read = true;
+  if (time < my.last_time) my.report_time = time;  // a new run begins
+  my.last_time = time;
+  if (my.link.receive(time)) my.take_report(time);
+
+  const double since = std::clamp(time - my.report_time, 0.0, (kMostBridged + 1) * kTick);
+  my.missing = static_cast<int>(std::floor(since / kTick + 0.01));
+  HapticSample sample = my.sample;
+  sample.time = time;
+  sample.position += std::min(since, kMostBridged * kTick) * sample.velocity;
+  if (my.missing > kMostBridged) sample.velocity.setZero();
+  my.publish(time);
+  return sample;
+}
+
+void SerialDevice::write(const HapticCommand& command) noexcept {
+  Impl& my = *impl_;
+  if (!my.was_read) my.link.receive(my.last_time);  // a pause, in which nobody asks for the hand
+  const bool paused = !std::exchange(my.was_read, false);
+  my.force = command.force;
+  Vec3 torque = Vec3::Zero();
+  if (my.has_arm) {
+    const double share = paused ? 0.0 : my.bridge() * compute_edge_fade(my.arm, my.joints);
+    torque = compute_torque(my.arm, my.joints, share * command.force, my.link.torque_max());
+  }
+  if (my.missing <= kMostBridged || paused) my.link.command(my.last_time, torque);
+}
+
+std::string SerialDevice::name() const { return "serial device on " + impl_->link.name(); }
+bool SerialDevice::failed() const noexcept { return impl_->link.state() == LinkState::lost; }
+void SerialDevice::clear_fault() noexcept { impl_->link.clear_fault(); }
+void SerialDevice::enable(bool on) noexcept { impl_->link.enable(on); }
+bool SerialDevice::take_status() noexcept { return impl_->statuses.take(); }
+const DeviceStatus& SerialDevice::status() const noexcept { return impl_->statuses.front(); }
+
+void SerialDevice::open(double timeout) {
+  Impl& my = *impl_;
+  my.link.greet();
+  my.wait_until_done(timeout, [&my] {
+    return (my.link.state() == LinkState::ready || my.link.state() == LinkState::uncalibrated) &&
+           my.link.has_report();
+  });
+  my.take_report(my.last_time);
+  my.missing = 0;
+  my.last_status = -1.0;
+  my.publish(my.last_time);
+}
+
+Calibration SerialDevice::calibration() const {
+  const Calibration* found = impl_->link.calibration();
+  if (!found) throw DeviceError(name() + ": has no calibration");
+  return *found;
+}
+
+void SerialDevice::store(const Calibration& calibration, double timeout) {
+  Impl& my = *impl_;
+  my.link.begin_store(write_calibration(calibration));
+  my.wait_until_done(timeout, [&my] { return my.link.store_result() != StoreResult::under_way; });
+  if (my.link.store_result() == StoreResult::refused) {
+    throw DeviceError(name() + ": did not take the calibration: " + my.link.store_refusal());
+  }
+  my.has_arm = false;
+  open(timeout);
+}
+
+}  // namespace palpate

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "palpate/sim/haptics/calibration.h"
+#include "palpate/sim/haptics/device.h"
+#include "palpate/sim/haptics/device_status.h"
+#include "palpate/sim/haptics/transport.h"
+
+namespace palpate {
+
+/// The driver of the low-cost device, at the other end of whatever transport.
+///
+/// Of the reports that have come only the newest counts. A tick sends one command at most, and none
+/// is made up for, so there is never a burst. Up to three missing reports are bridged, the hand
+/// going on as it went and the force fading; then the force is zero until reports come again.
+/// Nothing is sent twice.
+class SerialDevice : public HapticDevice {
+ public:
+  /// The workspace's centre shall lie at `origin` [m] of the scene. `transport` must outlive this.
+  explicit SerialDevice(Transport& transport, const Vec3& origin = Vec3::Zero());
+  ~SerialDevice() override;  ///< switches the motors off
+
+  /// Greets the device, reads its calibration and waits for its first report; to be called before
+  /// a run. Throws DeviceError in words where that does not come about within `timeout` [s].
+  void open(double timeout = 3.0);
+
+  HapticSample read(double time) noexcept override;
+  void write(const HapticCommand& command) noexcept override;
+  std::string name() const override;
+  bool failed() const noexcept override;
+
+  /// From any thread: asks the device to forget its fault, if the cause is gone.
+  void clear_fault() noexcept;
+  /// From any thread: motors on (as they are from the start) or off.
+  void enable(bool on) noexcept;
+  /// For one reader thread: true if something newer than last time was taken.
+  bool take_status() noexcept;
+  const DeviceStatus& status() const noexcept;
+
+  /// As it was read when the link was made. Throws DeviceError where there is none.
+  Calibration calibration() const;
+  /// Writes a calibration to the device, which keeps it; then the device is greeted anew. Not while
+  /// a run is on. Throws DeviceError in words, and std::invalid_argument for numbers it cannot
+  /// hold.
+  void store(const Calibration& calibration, double timeout = 5.0);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace palpate

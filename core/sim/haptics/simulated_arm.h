@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/sim/haptics/native_core.h"
+#include "palpate/sim/haptics/serial_device.h"
+
+namespace palpate {
+
+/// The low-cost device without its metal: a hand holds a simulated arm, whose firmware is the real
+/// one, and is felt through the real driver. What the tick gets is what sensors, wire and driver
+/// make of where the arm is; what the hand gets is what the motors make of the force.
+class SimulatedArm : public HapticDevice {
+ public:
+  /// `hand` says where the hand wants to be, in the scene, whose place `origin` [m] is the middle
+  /// of the arm's workspace; it must outlive this. Throws std::invalid_argument.
+  explicit SimulatedArm(HapticDevice& hand, const Vec3& origin = Vec3::Zero(),
+                        const Plant& plant = {}, const NativeCoreOptions& options = {});
+
+  /// Puts the arm where the hand begins and makes the link. Throws DeviceError.
+  void open();
+
+  HapticSample read(double time) noexcept override;
+  void write(const HapticCommand& command) noexcept override;
+  std::string name() const override { return "simulated arm held by " + hand_.name(); }
+  bool failed() const noexcept override { return driver_.failed(); }
+
+  NativeCore& core() noexcept { return core_; }
+  SerialDevice& driver() noexcept { return driver_; }
+
+ private:
+  Vec3 to_arm(const Vec3& position) const noexcept;
+
+  HapticDevice& hand_;
+  const Vec3 origin_;
+  NativeCore core_;
+  SerialDevice driver_;
+};
+
+}  // namespace palpate

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pressing an organ through a device in virtual time: driver, firmware, arm and tick."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import palpate
+from numpy.typing import NDArray
+from palpate.play import find_middle
+from palpate.press import PressScript, find_top, write_script
+
+DT = 1e-3
+"""[s] of a tick."""
+
+
+@dataclass(frozen=True)
+class DeviceRun:
+    """What was asked of a device and what its motors made of it, tick by tick."""
+
+    time: NDArray[np.float64]
+    """[s]"""
+    hand: NDArray[np.float64]
+    """[m] (n, 3) as the device told it."""
+    asked: NDArray[np.float64]
+    """[N] (n, 3) by the tick, past the safety wrapper."""
+    motor: NDArray[np.float64]
+    """[N] (n, 3) of the motors at the tip; of an ideal device, what was asked."""
+    pressed: float
+    held: float
+    end: float
+    fault: palpate.DeviceFault
+
+
+def press_through(
+    scene: palpate.Scene,
+    kind: str,
+    *,
+    depth: float = 6e-3,
+    link_delay: float = 0.0,
+    host_dies_at: float = np.inf,
+) -> DeviceRun:
+    """Presses a scene from above with an "ideal" device, or a hand on the "plant"."""
+    script = PressScript(depth, speed=0.02, hold=0.6)
+    frames, moments = write_script(find_top(scene), scene.tool.radius, script)
+    frames = [palpate.KeyFrame(0.0, frames[0].position), *shift(frames, 0.8)]
+    hand = palpate.ScriptedDevice(frames)
+    device: palpate.HapticDevice = hand
+    limits = palpate.SafetyLimits()
+    if kind == "plant":
+        options = palpate.NativeCoreOptions(link_delay=link_delay)
+        device = palpate.SimulatedArm(hand, find_middle(scene), palpate.Plant(), options)
+        device.open()
+        limits = palpate.find_safety_limits(device.driver().calibration())
+    safe = palpate.SafeDevice(device, limits)
+    world = palpate.World(scene)
+    rows = [
+        step(scene, world, safe, device, k * DT, k * DT < host_dies_at)
+        for k in range(round((moments.end + 0.8) / DT))
+    ]
+    time, at, asked, motor = (np.array(column) for column in zip(*rows, strict=True))
+    times = (moments.pressed + 0.8, moments.held + 0.8, moments.end + 0.8)
+    return DeviceRun(time, at, asked, motor, *times, safe.fault())
+
+
+def press_wall(rule: Callable[[float], float], *, depth: float = 2e-3) -> DeviceRun:
+    """A hand on the simulated arm goes into a wall and stays: force [N] by a rule of depth [m]."""
+    center = palpate.Workspace().center
+    up = np.array([0.0, 0.0, 1.0])
+    frames = [
+        palpate.KeyFrame(time, height * up)
+        for time, height in ((0.0, 5e-3), (0.8, 5e-3), (1.0, -depth))
+    ]
+    arm = palpate.SimulatedArm(palpate.ScriptedDevice(frames))
+    arm.open()
+    rows = []
+    for k in range(2500):
+        sample = arm.read(k * DT)
+        asked = rule(-float(sample.position[2])) * up
+        arm.write(palpate.HapticCommand(asked))
+        where = palpate.find_tip(arm.core().plant(), arm.core().state()) - center
+        rows.append((k * DT, where, asked, np.array(arm.core().motor_force())))
+    time, at, asked, motor = (np.array(column) for column in zip(*rows, strict=True))
+    return DeviceRun(time, at, asked, motor, 1.0, 2.5, 2.5, palpate.DeviceFault.none)
+
+
+def shift(frames: list[palpate.KeyFrame], by: float) -> list[palpate.KeyFrame]:
+    """Later by a time [s], in which the motors come to their full force."""
+    return [palpate.KeyFrame(frame.time + by, frame.position, frame.buttons) for frame in frames]
+
+
+def step(
+    scene: palpate.Scene,
+    world: palpate.World,
+    safe: palpate.SafeDevice,
+    device: palpate.HapticDevice,
+    time: float,
+    alive: bool,
+) -> tuple[float, NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    core = device.core() if isinstance(device, palpate.SimulatedArm) else None
+    if alive:
+        sample = safe.read(time)
+        safe.write(palpate.tick(scene, sample, DT, world))
+        at = np.array(sample.position)
+    else:
+        core.advance(time)
+        at = np.full(3, np.nan)
+    asked = np.array(safe.sent().force)
+    if core is None:
+        return time, at, asked, asked
+    arm = palpate.find_arm(core.plant())
+    joints = core.state().joints
+    duty = palpate.Drive(core.drive().duty, core.drive().enabled)
+    torque = palpate.compute_motor_torque(core.plant(), duty, np.zeros(3))
+    if not core.drive().enabled:
+        return time, at, asked, np.zeros(3)
+    return time, at, asked, palpate.compute_tip_force(arm, joints, torque)
