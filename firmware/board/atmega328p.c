@@ -306,6 +306,9 @@ uint8_t board_hardware(struct palpate_board *board) {
 }
 
 uint8_t board_begin(void) {
+  // a write that was under way goes on through a reset, for 3.4 ms at most
+  while (EECR & _BV(EEPE)) {
+  }
   PORTD = PIN_STOP | PIN_FAULT;  // pull-ups; everything else low
   PORTB = BUTTONS;
   DDRD = TX | PWM_3 | DIR_1 | PIN_ENABLE | DIR_2;
