@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole way: a hand that holds the simulated arm, the chip's image, the wire, the driver, the
+// tick, a shipped organ, and back, in virtual time.
+//
+// With PALPATE_CHARTS set to a folder the forces are left there for firmware/draw_charts.py.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+
+#include "palpate/scenario/read.h"
+#include "palpate/sim/haptics/serial_device.h"
+#include "palpate/sim/haptics/simulated_devices.h"
+#include "palpate/sim/haptics/tick.h"
+#include "palpate/simavr/emulated_core.h"
+#include "sim_bench.h"
+
+using namespace palpate;
+
+namespace {
+
+constexpr double kTick = 1e-3;  // [s]
+
+/// The surface above the organ's middle.
+Vec3 find_top(const TissueModel& tissue) {
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& point : tissue.rest_position) middle += point;
+  middle /= static_cast<double>(tissue.rest_position.size());
+  Vec3 top = middle;
+  for (const Vec3& point : tissue.rest_position) {
+    if ((point - middle).head<2>().norm() < 0.005 && point.z() > top.z()) top = point;
+  }
+  return top;
+}
+
+/// Down on a point, 6 mm deep, a second's rest, and away.
+ScriptedDevice press_on(const Vec3& point) {
+  const auto at = [&](double time, double height) {
+    KeyFrame frame;
+    frame.time = time;
+    frame.position = point + Vec3(0.0, 0.0, height);
+    return frame;
+  };
+  return ScriptedDevice(
+      {at(0.0, 0.03), at(0.8, 0.03), at(1.4, -0.006), at(2.2, -0.006), at(2.7, 0.03)});
+}
+
+struct Forces {
+  std::vector<double> time, ideal, commanded, applied;
+};
+
+/// Newtons along the surface's normal, as an ideal device gives them at once.
+std::vector<double> press_ideal(const Scene& scene, const Vec3& point) {
+  World world(scene);
+  ScriptedDevice hand = press_on(point);
+  std::vector<double> forces;
+  for (int k = 0; k * kTick < hand.duration(); ++k) {
+    forces.push_back(tick(scene, hand.read(k * kTick), kTick, world).force.z());
+  }
+  REQUIRE(world.alarm.kind == AlarmKind::none);
+  return forces;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "the gallbladder is pressed through driver, wire and image as an ideal device presses it") {
+  const Scene scene = scenario::read(PALPATE_MESHES "/gallbladder.palpate").scene;
+  const Vec3 point = find_top(scene.tissue);
+  Forces felt;
+  felt.ideal = press_ideal(scene, point);
+
+  World world(scene);
+  ScriptedDevice hand = press_on(point);
+  EmulatedCore core(image(1000000));
+  SerialDevice device(core, point);
+  const auto hold = [&](double time) {
+    const HapticSample wanted = hand.read(time);
+    core.hold({wanted.position - point + Workspace{}.center, wanted.velocity, true});
+  };
+  core.state().joints =
+      *find_joints(find_arm(core.plant()), Workspace{}.center + Vec3(0.0, 0.0, 0.03));
+  hold(0.0);
+  device.open();
+  int faulted = 0;
+  for (std::size_t k = 0; k < felt.ideal.size(); ++k) {
+    const double time = static_cast<double>(k) * kTick;
+    hold(time);
+    const HapticCommand command = tick(scene, device.read(time), kTick, world);
+    device.write(command);
+    device.take_status();
+    faulted += device.status().mode == DeviceMode::faulted;
+    felt.time.push_back(time);
+    felt.commanded.push_back(command.force.z());
+    felt.applied.push_back(device.status().force_applied.z());
+  }
+
+  CHECK(world.alarm.kind == AlarmKind::none);
+  CHECK(faulted == 0);
+  CHECK(device.status().mode == DeviceMode::run);
+  CHECK(device.status().lost_reports == 0);
+  CHECK(device.status().damaged_frames == 0);
+  const auto mean = [&](const std::vector<double>& forces) {  // while the hand rests
+    double sum = 0.0;
+    for (int k = 1700; k < 2200; ++k) sum += forces[static_cast<std::size_t>(k)] / 500.0;
+    return sum;
+  };
+  std::printf("at rest on the gallbladder: ideal %.3f N, commanded %.3f N, applied %.3f N\n",
+              mean(felt.ideal), mean(felt.commanded), mean(felt.applied));
+  CHECK(mean(felt.ideal) > 0.1);
+  CHECK(mean(felt.commanded) >
+        0.5 * mean(felt.ideal));  // the hand gives way, an ideal one does not
+  CHECK(mean(felt.commanded) <= 1.1 * mean(felt.ideal));
+  CHECK(mean(felt.applied) == doctest::Approx(mean(felt.commanded)).epsilon(0.1));
+  CHECK(std::abs(felt.commanded.back()) == 0.0);
+  if (const char* folder = std::getenv("PALPATE_CHARTS")) {
+    std::ofstream out(std::string(folder) + "/tissue_loop.csv");
+    out << "time,ideal,commanded,applied\n";
+    for (std::size_t k = 0; k < felt.time.size(); ++k) {
+      out << felt.time[k] << ',' << felt.ideal[k] << ',' << felt.commanded[k] << ','
+          << felt.applied[k] << '\n';
+    }
+  }
+}
