@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -63,27 +62,6 @@ def press_through(
     time, at, asked, motor = (np.array(column) for column in zip(*rows, strict=True))
     times = (moments.pressed + 0.8, moments.held + 0.8, moments.end + 0.8)
     return DeviceRun(time, at, asked, motor, *times, safe.fault())
-
-
-def press_wall(rule: Callable[[float], float], *, depth: float = 2e-3) -> DeviceRun:
-    """A hand on the simulated arm goes into a wall and stays: force [N] by a rule of depth [m]."""
-    center = palpate.Workspace().center
-    up = np.array([0.0, 0.0, 1.0])
-    frames = [
-        palpate.KeyFrame(time, height * up)
-        for time, height in ((0.0, 5e-3), (0.8, 5e-3), (1.0, -depth))
-    ]
-    arm = palpate.SimulatedArm(palpate.ScriptedDevice(frames))
-    arm.open()
-    rows = []
-    for k in range(2500):
-        sample = arm.read(k * DT)
-        asked = rule(-float(sample.position[2])) * up
-        arm.write(palpate.HapticCommand(asked))
-        where = palpate.find_tip(arm.core().plant(), arm.core().state()) - center
-        rows.append((k * DT, where, asked, np.array(arm.core().motor_force())))
-    time, at, asked, motor = (np.array(column) for column in zip(*rows, strict=True))
-    return DeviceRun(time, at, asked, motor, 1.0, 2.5, 2.5, palpate.DeviceFault.none)
 
 
 def shift(frames: list[palpate.KeyFrame], by: float) -> list[palpate.KeyFrame]:

@@ -10,6 +10,8 @@
 #include "palpate/sim/haptics/serial_device.h"
 #include "palpate/sim/haptics/serial_transport.h"
 
+#ifdef PALPATE_SERIAL
+
 using namespace palpate;
 
 // Through a real terminal of this machine, so function only: its latency is the machine's.
@@ -65,3 +67,5 @@ TEST_CASE("a port that is not there is refused by its name") {
 TEST_CASE("looking for ports finds files, or nothing where there are none") {
   for (const SerialPort& port : find_serial_ports()) CHECK(port.path.starts_with("/dev/tty"));
 }
+
+#endif
