@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import palpate
-from palpate.scene_file import compile_scene
+from palpate.scene_file import build_tissue, compile_scene
 from palpate.scene_parts import SceneFile
 
 from palpate_editor.document import Organ, Surface
@@ -43,8 +43,15 @@ def compile_organ(organ: Organ) -> palpate.Scene:
     """
     if organ.surface is None:
         raise ValueError("organ: found no surface, expected an imported mesh")
-    tissue = build_filled(organ) if organ.model.kind == "solid" else None
-    return compile_scene(parts_of(organ), mesh_of(organ.surface), tissue)
+    return compile_scene(parts_of(organ), mesh_of(organ.surface), build_organ(organ))
+
+
+def build_organ(organ: Organ) -> palpate.TissueModel:
+    """The tissue alone, of an organ that has a surface. Raises ValueError naming what is wrong."""
+    if organ.model.kind == "solid":
+        return build_filled(organ)
+    assert organ.surface is not None
+    return build_tissue(parts_of(organ), mesh_of(organ.surface))
 
 
 BUILT_FROM = ("surface", "material", "model", "fixed", "stiffness_scale", "tool", "hand")

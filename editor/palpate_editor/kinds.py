@@ -10,12 +10,11 @@ from pathlib import Path
 
 import numpy as np
 import palpate
-from palpate.scene_file import build_tissue
 from palpate.scene_parts import MaterialPart
 from palpate.verb import Refusal, Report
 
 from palpate_editor.check import compare_with_wall, split_refusal
-from palpate_editor.compile import mesh_of, parts_of
+from palpate_editor.compile import build_organ
 from palpate_editor.document import Organ
 from palpate_editor.document.problems import WallFit
 
@@ -157,9 +156,8 @@ def compare_kinds(organ: Organ, file: Path) -> Report:
 def build_kind(organ: Organ, kind: Kind) -> Report:
     built = replace(organ, model=replace(organ.model, **kind.model))
     row: Report = {"name": kind.name, "title": kind.title, "built": False}
-    assert organ.surface is not None
     try:
-        tissue = build_tissue(parts_of(built), mesh_of(organ.surface))
+        tissue = build_organ(built)
     except ValueError as problem:
         where, found, expected = split_refusal(str(problem))
         row["refusal"] = f"{where}: found {found}, expected {expected}"
@@ -172,6 +170,8 @@ def build_kind(organ: Organ, kind: Kind) -> Report:
         "links": len(tissue.springs.ends) + len(tissue.bonds.ends),
         "substeps": max(1, ceil(1.0 / (organ.hand.rate * stable_step))),
         "stable_step_ms": 1e3 * stable_step,
+        # as build_scene chooses: prisms have no packed form
+        "kernel": "reference" if len(tissue.prisms.corners) else "packed",
         "wall": None if wall is None else vars(wall),
         "cannot_represent": list(kind.find_limits(built, tissue, wall)),
     }
@@ -193,7 +193,8 @@ def describe_kind(row: Report) -> str:
     if row["built"]:
         head = (
             f"{row['title']}: {row['particles']} particles, {row['links']} links, "
-            f"{row['substeps']} substeps, stable step {row['stable_step_ms']:.3f} ms"
+            f"{row['substeps']} substeps, stable step {row['stable_step_ms']:.3f} ms, "
+            f"{row['kernel']} kernel"
         )
     else:
         head = f"{row['title']}: not built; {row['refusal']}"

@@ -325,8 +325,8 @@
         <translation>Elle seçilmiş</translation>
     </message>
     <message>
-        <source>Chosen so that a surface feels like an organ; not derived from tissue.</source>
-        <translation>Bir yüzey organ gibi hissettirsin diye seçildi; dokudan türetilmedi.</translation>
+        <source>Chosen by hand to feel like an organ, or given by what the tissue is made of.</source>
+        <translation>Organ gibi duyulsun diye elle seçilmiş ya da dokunun yapısından gelen sabitler.</translation>
     </message>
     <message>
         <source>Clear the force plo&amp;t</source>
@@ -1735,6 +1735,10 @@
     <message>
         <source>move</source>
         <translation>taşıma</translation>
+    </message>
+    <message>
+        <source>none at rest</source>
+        <translation>durgunken yok</translation>
     </message>
     <message>
         <source>none, it is closed</source>

@@ -47,8 +47,15 @@ HAND = (
     "hand.rate",
     "hand.force_error",
 )
+ROUNDING = 1e-6
+"""[-] an error of stretching below this is that of the computer's numbers."""
 GOOD_FIT = 0.05
 """[-] a larger error against the wall is shown as a warning, where constants come from tissue."""
+
+
+def say_error(error: float) -> str:
+    """Rounding is no error."""
+    return tr("none at rest") if error < ROUNDING else f"{number(100.0 * error, 2)} %"
 
 
 def say_origin(organ: Organ) -> str:
@@ -223,7 +230,7 @@ class MaterialPanel(StagePanel):
         return [
             (tr("Stretches like"), f"{like}, ν {number(wall.poisson_ratio, 3)}"),
             (tr("Of the wall's stiffness"), stiff),
-            (tr("Error of stretching"), f"{number(100.0 * wall.error, 2)} %", tone),
+            (tr("Error of stretching"), say_error(wall.error), tone),
         ]
 
     def good_news(self) -> list[str]:

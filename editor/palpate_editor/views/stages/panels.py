@@ -44,7 +44,7 @@ def build_panels(desk: Desk, parent: QWidget) -> Panels:
         ),
         MaterialPanel(
             desk,
-            tr("Chosen so that a surface feels like an organ; not derived from tissue."),
+            tr("Chosen by hand to feel like an organ, or given by what the tissue is made of."),
             parent,
         ),
         TestPanel(desk, parent),
