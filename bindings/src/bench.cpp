@@ -53,7 +53,8 @@ void bind_bench(py::module_& m) {
       .def_readwrite("press", &BenchOptions::press,
                      "And a row with a press held, at its own substeps.");
   def_repr(options, {"budget", "least_runs", "works", "air_substeps", "press"});
-  m.def("bench_works", &bench::bench_works, "Every work there is, in the order of the rows.");
+  m.def("bench_works", &bench::bench_works,
+        "Every work this machine can do, in the order of the rows.");
   m.def(
       "run_bench",
       [](const Scene& mass_spring, const Scene& molecular, const BenchOptions& chosen) {

@@ -5,9 +5,11 @@
 #include <functional>
 #include <stdexcept>
 
+#include "palpate/bench/time_active.h"
 #include "palpate/bench/time_queries.h"
 #include "palpate/bench/time_steps.h"
 #include "palpate/bench/time_ticks.h"
+#include "palpate/sim/dynamics/simd_targets.h"
 
 namespace palpate::bench {
 namespace {
@@ -43,6 +45,11 @@ Timer tick_timer(bool of_molecular, bool damped) {
   };
 }
 
+std::vector<BenchRow> time_active_work(const std::string& work, const Scene& mass_spring,
+                                       const Scene&, const BenchOptions& options) {
+  return {time_active_step(work, mass_spring, options)};
+}
+
 std::vector<BenchRow> time_tree_work(const std::string& work, const Scene& mass_spring,
                                      const Scene&, const BenchOptions& options) {
   return {work == "refit" ? time_refit(mass_spring.tissue, options)
@@ -63,6 +70,7 @@ const std::vector<Work>& works() {
       {"mss_dashpot_tick", tick_timer(false, true)},
       {"mms_tick", tick_timer(true, false)},
       {"mms_dashpot_tick", tick_timer(true, true)},
+      {"active_step", time_active_work},
   };
   return all;
 }
@@ -97,7 +105,11 @@ void check(const Scene& mass_spring, const Scene& molecular, const BenchOptions&
 
 std::vector<std::string> bench_works() {
   std::vector<std::string> names;
-  for (const Work& work : works()) names.push_back(work.name);
+  for (const Work& work : works()) {
+    // nothing sleeps under the reference kernel
+    if (work.name == "active_step" && simd_targets().empty()) continue;
+    names.push_back(work.name);
+  }
   return names;
 }
 
@@ -105,7 +117,9 @@ std::vector<BenchRow> run_bench(const Scene& mass_spring, const Scene& molecular
                                 const BenchOptions& options) {
   check(mass_spring, molecular, options);
   std::vector<BenchRow> rows;
+  const std::vector<std::string> names = bench_works();
   for (const auto& [name, time] : works()) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) continue;
     if (!is_wanted(name, options)) continue;
     for (BenchRow& row : time(name, mass_spring, molecular, options)) {
       row.vertices = particle_count(mass_spring.tissue);

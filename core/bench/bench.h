@@ -37,7 +37,7 @@ struct BenchOptions {
   bool press = true;                    ///< and a row with a press held, at its own substeps
 };
 
-/// Every work there is, in the order of the rows.
+/// Every work this machine can do, in the order of the rows.
 std::vector<std::string> bench_works();
 
 /// Times the steps, queries and ticks of two scenes on the same surface, one of the mass-spring

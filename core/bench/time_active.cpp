@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/bench/time_active.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+#include <stdexcept>
+
+#include "palpate/bench/naive.h"
+#include "palpate/bench/press_and_hold.h"
+#include "palpate/bench/time_steps.h"
+#include "palpate/bench/timing.h"
+#include "palpate/sim/dynamics/packed.h"
+
+namespace palpate::bench {
+namespace {
+
+/// [-] of the force of the press that sleeping tissue may cost.
+constexpr double kAllowedError = 2e-3;
+
+double largest_norm(const Vec3Array& forces) {
+  double largest = 0.0;
+  for (const Vec3& force : forces) largest = std::max(largest, force.norm());
+  return largest;
+}
+
+/// [-] of the largest force of the full run.
+double compare_forces(const Vec3Array& full, const Vec3Array& active) {
+  double most = 0.0;
+  for (std::size_t i = 0; i < full.size(); ++i) most = std::max(most, (full[i] - active[i]).norm());
+  return most / largest_norm(full);
+}
+
+std::string describe(const World& world, double error) {
+  std::ostringstream text;
+  text << "3 mm press held, springs with dashpots, home, drag; " << world.packed.slices.count
+       << " of " << world.packed_model->slice_count << " slices awake; force off by "
+       << std::setprecision(2) << 100.0 * error << " % of the press, " << 100.0 * kAllowedError
+       << " % allowed; naive steps all of it";
+  return text.str();
+}
+
+}  // namespace
+
+BenchRow time_active_step(const std::string& work, const Scene& scene,
+                          const BenchOptions& options) {
+  const Place place = find_press_place(scene.tissue);
+  World full(scene);
+  const Vec3Array forces = press_and_hold(work, scene, place, full);
+  Scene sleeping = scene;
+  sleeping.force_error = kAllowedError * largest_norm(forces);
+  World world(sleeping);
+  if (!world.packed_model) throw std::logic_error("bench: " + work + ": no vector code here");
+  const double error = compare_forces(forces, press_and_hold(work, sleeping, place, world));
+  if (!(error <= kAllowedError)) {
+    throw std::logic_error("bench: " + work + ": the force is off by " + std::to_string(error) +
+                           " of the press, expected at most " + std::to_string(kAllowedError));
+  }
+  const double dt = 1.0 / scene.rate / world.substeps;
+  BenchRow row = time_against(
+      options, 1, [&] { step(*world.packed_model, world.load, dt, world.packed); },
+      [&] { step_naively(scene.tissue, full.load, dt, full.tissue); });
+  row.work = work;
+  row.elements = static_cast<double>(scene.tissue.springs.ends.size());
+  const double awake = double(world.packed.slices.count) / world.packed_model->slice_count;
+  row.share_of_bound = awake * bound_step(scene.tissue) / row.median;
+  row.simd_target = simd_target(*world.packed_model);
+  row.physics = describe(world, error);
+  return row;
+}
+
+}  // namespace palpate::bench
