@@ -95,7 +95,8 @@ def test_the_shipped_organs_run_with_the_constants_and_particles_of_their_publis
             ours = np.sort(np.asarray(getattr(same.tissue, name)))
             theirs = np.sort(np.asarray(getattr(published.tissue, name)))
             assert np.allclose(ours, theirs, rtol=1e-9)
-        assert same.spectrum_stiffness == pytest.approx(published.spectrum_stiffness, rel=1e-6)
+        # estimated by iterations, which another order of particles ends elsewhere
+        assert same.spectrum_stiffness == pytest.approx(published.spectrum_stiffness, rel=1e-3)
 
 
 def test_renumbering_brings_neighbours_together_and_changes_nothing_else():
