@@ -1,7 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/sim/haptics/simulated_arm.h"
 
+#include <algorithm>
+
 namespace palpate {
+namespace {
+
+/// [m/s] A hand that says it is elsewhere, as a pointer does when it first shows up, goes there at
+/// this speed: its spring would fling the arm otherwise.
+constexpr double kFastestHand = 1.0;
+constexpr double kLongestTick = 2e-3;  // [s] that it may make up at once
+
+}  // namespace
 
 SimulatedArm::SimulatedArm(HapticDevice& hand, const Vec3& origin, const Plant& plant,
                            const NativeCoreOptions& options)
@@ -15,20 +25,26 @@ Vec3 SimulatedArm::to_arm(const Vec3& position) const noexcept {
 }
 
 void SimulatedArm::open() {
-  const Vec3 begin = to_arm(hand_.read(0.0).position);
-  if (const auto joints = find_joints(find_arm(core_.plant()), begin)) {
+  place_ = to_arm(hand_.read(0.0).position);
+  if (const auto joints = find_joints(find_arm(core_.plant()), place_)) {
     core_.state().joints = *joints;
     core_.state().rates.setZero();
   }
-  core_.hold({begin, Vec3::Zero(), true});
+  core_.hold({place_, Vec3::Zero(), true});
   driver_.open();
+  time_ = 0.0;
 }
 
 HapticSample SimulatedArm::read(double time) noexcept {
   const HapticSample wanted = hand_.read(time);
-  const Vec3 place = to_arm(wanted.position);
-  const bool inside = place.isApprox(wanted.position - origin_ + Workspace{}.center, 1e-12);
-  core_.hold({place, inside ? wanted.velocity : Vec3::Zero(), true});
+  const double dt = std::clamp(time - time_, 0.0, kLongestTick);
+  time_ = time;
+  const Vec3 way = to_arm(wanted.position) - place_;
+  const double most = kFastestHand * dt;
+  const Vec3 step = way.norm() > most ? Vec3(way * (most / way.norm())) : way;
+  // it has come to place_ by this tick, and goes on as it came until the next
+  place_ += step;
+  core_.hold({place_, dt > 0.0 ? Vec3(step / dt) : Vec3(Vec3::Zero()), true});
   core_.press_buttons(wanted.buttons);
   HapticSample sample = driver_.read(time);
   // turned by the hand as it likes: the mouse has no gimbal

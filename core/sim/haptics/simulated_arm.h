@@ -32,6 +32,8 @@ class SimulatedArm : public HapticDevice {
 
   HapticDevice& hand_;
   const Vec3 origin_;
+  Vec3 place_ = Workspace{}.center;  ///< [m] where the hand is, in the arm's frame
+  double time_ = 0.0;                ///< [s] of the last read
   NativeCore core_;
   SerialDevice driver_;
 };

@@ -75,3 +75,24 @@ TEST_CASE("the attach button of the hand comes back through the wire") {
   for (int k = 90; k < 120; ++k) sample = arm.read(1e-3 * k);
   CHECK(sample.buttons == kAttachButton);
 }
+
+TEST_CASE("a pointer that shows up elsewhere does not fling the arm there") {
+  PointerDevice pointer;
+  SimulatedArm arm(pointer);
+  arm.open();
+  Vec3 last = arm.read(0.0).position;
+  double fastest = 0.0;
+
+  for (int k = 1; k < 600; ++k) {
+    if (k == 100) pointer.set({.position = {0.08, 0.04, 0.05}});
+    arm.read(1e-3 * k);
+    arm.write({});
+    const Vec3 now = find_tip(arm.core().plant(), arm.core().state());
+    if (k > 1) fastest = std::max(fastest, (now - last).norm() / 1e-3);
+    last = now;
+  }
+
+  CHECK(fastest > 0.5);
+  CHECK(fastest < 1.5);  // [m/s]
+  CHECK((last - Workspace{}.center - Vec3(0.08, 0.04, 0.05)).norm() < 3e-3);
+}
