@@ -33,6 +33,7 @@ from palpate.run import (
 from palpate.scene_file import compile_scene
 from palpate.scene_parts import SceneFile
 from palpate.script_file import write_script_file
+from palpate.study.verb import STUDY
 from palpate.verb import Refusal, Report, Verb, quantity
 
 # ---------------------------------------------------------------- doctor
@@ -322,4 +323,5 @@ VERBS = [
         describe_render,
     ),
     BENCH,
+    STUDY,
 ]

@@ -83,6 +83,26 @@ def test_springs_and_home_springs_are_told_apart(tmp_path, organ, capsys):
     assert home["factor"] == pytest.approx(2.0 / 3.0, rel=0.05)
 
 
+def test_youngs_modulus_is_fitted_where_the_constants_come_from_the_tissue(tmp_path, organ, capsys):
+    walled = replace(
+        organ,
+        material=replace(organ.material, wall_thickness=2e-3, young_modulus=4e4),
+        model=replace(organ.model, constants="tissue"),
+    )
+    write_organ(tmp_path / "guess.organ", walled)
+    stiff = replace(
+        walled,
+        material=replace(walled.material, young_modulus=5.2e4),
+        model=replace(walled.model, home_stiffness=3.9e5),
+    )
+    curve = write_curve(tmp_path / "curve.csv", stiff)
+
+    report = calibrate(capsys, tmp_path / "guess.organ", "--curve", curve)
+
+    assert report["after"]["young_modulus"] == pytest.approx(5.2e4, rel=0.01)
+    assert report["after"]["home_stiffness"] == pytest.approx(3.9e5, rel=0.01)
+
+
 def test_a_noisy_curve_gives_an_interval_that_holds_the_truth(tmp_path, organ, capsys):
     write_organ(tmp_path / "guess.organ", organ)
     curve = write_curve(tmp_path / "curve.csv", organ, noise=0.03)

@@ -8,6 +8,7 @@ What it writes, solve_references.py presses.
 
 from __future__ import annotations
 
+import hashlib
 import sys
 from pathlib import Path
 
@@ -47,13 +48,18 @@ def wall(name: str) -> None:
 def read_surface(name: str):
     from palpate.mesh_file import read_mesh_file
 
-    return read_mesh_file(CHECKOUT / "meshes" / "published" / f"{name}.obj")
+    return read_mesh_file(path_of(name))
+
+
+def path_of(name: str) -> Path:
+    return CHECKOUT / "meshes" / "published" / f"{name}.obj"
 
 
 def save(name: str, vertices, tetrahedra) -> None:
     import numpy as np
 
-    np.savez(FILLED / name, vertices=vertices, tetrahedra=tetrahedra)
+    made_of = hashlib.sha256(path_of(name).read_bytes()).hexdigest()
+    np.savez(FILLED / name, vertices=vertices, tetrahedra=tetrahedra, sha256=made_of)
     print(f"{name}: {len(vertices)} vertices, {len(tetrahedra)} tetrahedra")
 
 

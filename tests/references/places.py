@@ -171,7 +171,8 @@ def organ(name: str) -> Subject:
     x, t = finish(body["vertices"], body["tetrahedra"])
     return Subject(
         title=title,
-        source=f"tests/references/fill_organs.py {name}: {how}",
+        source=f"tests/references/fill_organs.py {name}: {how}, of {name}.obj with SHA-256 "
+        f"{str(body['sha256'])[:16]}",
         x=x,
         t=t,
         directions=directions,

@@ -23,6 +23,8 @@ LEVELS = [0.0, -0.8, -2.0, -4.0, -7.0, -11.0, -17.0, -25.0]
 PUNCH, SPHERE = 5e-3, 5e-3
 """[m] Radii of the indenters."""
 DEPTHS = (1e-3, 2e-3, 3e-3)
+ROUNDED = 2e-6
+"""[m] Bodies are rounded to whole micrometres."""
 WIDEST = 7e-3
 """[m] The widest contact that is tried."""
 
@@ -36,10 +38,10 @@ def main() -> None:
     place = body.basis.doflocs.T
     radius = np.hypot(place[:, 0], place[:, 1])
     press = Press(body, "base", "base")
-    touched = body.tags["top"][radius[body.tags["top"]] <= WIDEST + 1e-9]
+    touched = body.tags["top"][radius[body.tags["top"]] <= WIDEST + ROUNDED]
     compliance = find_compliance(press, touched)
     within = radius[touched]
-    inside = within <= PUNCH + 1e-9
+    inside = within <= PUNCH + ROUNDED
     pushes = np.linalg.solve(compliance[np.ix_(inside, inside)], np.full(inside.sum(), 1e-3))
     layer = {
         "format": "palpate-layer",
@@ -79,8 +81,8 @@ def find_compliance(press: Press, touched: Floats) -> Floats:
 def press_sphere(compliance: Floats, within: Floats, depth: float) -> float:
     """[N] The greatest force over all widths of the contact."""
     forces = []
-    for width in np.unique(np.round(within, 9))[1:]:
-        inside = within <= width + 1e-9
+    for width in np.unique(np.ceil(within / ROUNDED) * ROUNDED)[1:]:
+        inside = within <= width + ROUNDED
         sink = depth - within[inside] ** 2 / (2.0 * SPHERE)
         forces.append(np.linalg.solve(compliance[np.ix_(inside, inside)], sink).sum())
     return float(max(forces))
@@ -94,7 +96,7 @@ def measure_sink(press: Press, pushed: Floats, pushes: Floats, radius: Floats) -
     top = np.searchsorted(press.free, press.body.tags["top"])
     around = np.round(radius[press.body.tags["top"]], 9)
     distances = [1e-3 * r for r in RINGS if r > 1e3 * PUNCH]
-    sinks = [round_off(u[top[np.abs(around - d) < 1e-9]].mean()) for d in distances]
+    sinks = [round_off(u[top[np.abs(around - d) < ROUNDED]].mean()) for d in distances]
     return {"distances": [round_off(d) for d in distances], "sinks": sinks}
 
 

@@ -19,7 +19,7 @@ import palpate
 
 Points = NDArray[np.float64]
 
-RESIDUAL = 1e-8
+RESIDUAL = 1e-7
 """Newton ends when the free forces are this part of those that hold the rest."""
 NEWTON_MAX = 60
 SOFTEST = 1e-9

@@ -23,14 +23,33 @@ from palpate_editor.document import Organ
 from palpate_editor.document.files import write_organ
 from palpate_editor.verbs.files import open_any
 
-ELASTIC = ("stiffness", "bend_stiffness", "stretch_coupling")
-FITS = {
-    "all": (("elastic constants", (*ELASTIC, "home_stiffness")),),
-    "springs": (("springs", ELASTIC),),
-    "home": (("home springs", ("home_stiffness",)),),
-    "both": (("springs", ELASTIC), ("home springs", ("home_stiffness",))),
-}
-"""What --fit names: factors, each with the constants of the model that it multiplies."""
+CHOSEN = (("model", "stiffness"), ("model", "bend_stiffness"), ("model", "stretch_coupling"))
+TISSUE = (("material", "young_modulus"),)
+HOME = (("model", "home_stiffness"),)
+FITS = ("all", "springs", "home", "both")
+"""What --fit names: one factor of everything elastic, of one part of it, or one of each part."""
+FROM_TISSUE = ("shell", "solid")
+"""Kinds whose constants always come from the material."""
+
+Field = tuple[str, str]
+"""A part of an organ, and a constant of it."""
+
+
+def name_factors(organ: Organ, fit: str) -> dict[str, tuple[Field, ...]]:
+    """Every factor of a fit and the constants that it multiplies."""
+    from_tissue = organ.model.constants == "tissue" or organ.model.kind in FROM_TISSUE
+    springs = TISSUE if from_tissue else CHOSEN
+    word = "Young's modulus" if from_tissue else "springs"
+    return {
+        "all": {"elastic constants": (*springs, *HOME)},
+        "springs": {word: springs},
+        "home": {"home springs": HOME},
+        "both": {word: springs, "home springs": HOME},
+    }[fit]
+
+
+def read_field(organ: Organ, field: Field) -> float:
+    return getattr(getattr(organ, field[0]), field[1]) or 0.0
 
 
 def add_calibrate(word: argparse.ArgumentParser) -> None:
@@ -41,7 +60,7 @@ def add_calibrate(word: argparse.ArgumentParser) -> None:
         required=True,
         help="CSV of depth and force, units in the header: 'depth [mm], force [N]'",
     )
-    word.add_argument("--fit", choices=tuple(FITS), default="all", help="what is fitted (all)")
+    word.add_argument("--fit", choices=FITS, default="all", help="what is fitted (all)")
     word.add_argument(
         "--at",
         type=read_point,
@@ -57,9 +76,12 @@ def add_calibrate(word: argparse.ArgumentParser) -> None:
 
 def scaled(organ: Organ, fit: str, factors: Sequence[float]) -> Organ:
     """The organ with the constants that a fit names multiplied."""
-    for (_, constants), factor in zip(FITS[fit], factors, strict=True):
-        values = {name: factor * getattr(organ.model, name) for name in constants}
-        organ = replace(organ, model=replace(organ.model, **values))
+    for fields, factor in zip(name_factors(organ, fit).values(), factors, strict=True):
+        for part, field in fields:
+            value = getattr(getattr(organ, part), field)
+            if value is not None:
+                changed = replace(getattr(organ, part), **{field: factor * value})
+                organ = replace(organ, **{part: changed})
     return organ
 
 
@@ -68,14 +90,14 @@ def prepare(call: argparse.Namespace) -> Organ:
     organ = open_any(call.file)
     if organ.surface is None:
         raise Refusal(call.file, "organ", "no surface", "an imported mesh")
-    if organ.model.home_stiffness is None:
+    if organ.model.home_stiffness is None and organ.model.kind != "solid":
         material = palpate.Material(**asdict(organ.material))
         usual = palpate.default_home_stiffness(mesh_of(organ.surface), material)
         organ = replace(organ, model=replace(organ.model, home_stiffness=usual))
     if call.tip_radius is not None:
         organ = replace(organ, tool=replace(organ.tool, radius=call.tip_radius))
-    for name, constants in FITS[call.fit]:
-        if not any(getattr(organ.model, constant) for constant in constants):
+    for name, fields in name_factors(organ, call.fit).items():
+        if not any(read_field(organ, field) for field in fields):
             raise Refusal(call.file, "model", f"no {name}", "a constant above 0 to fit")
     return organ
 
@@ -86,9 +108,8 @@ def fit_organ(call: argparse.Namespace, organ: Organ, curve: Curve) -> Fit:
         place = find_top(scene) if call.at is None else find_place(scene, call.at)
         return measure_indentation(scene, place, curve.depth)
 
-    names = [name for name, _ in FITS[call.fit]]
     try:
-        return fit_factors(curve, names, forces)
+        return fit_factors(curve, tuple(name_factors(organ, call.fit)), forces)
     except OutOfReach as problem:
         raise Refusal(call.curve, "depth", str(problem), "depths that the tool can reach") from None
     except NotFitted as problem:
@@ -108,7 +129,7 @@ def run_calibrate(call: argparse.Namespace) -> Report:
         write_organ(call.out, replace(fitted, tool=open_any(call.file).tool))
     if call.plot is not None:
         save_fit_plot(call.plot, curve, fit, f"{organ.name or call.file.stem}: {call.curve.name}")
-    constants = [name for _, names in FITS[call.fit] for name in names]
+    fields = [field for group in name_factors(organ, call.fit).values() for field in group]
     return {
         "organ": str(call.file),
         "curve": str(call.curve),
@@ -119,8 +140,8 @@ def run_calibrate(call: argparse.Namespace) -> Report:
                 fit.names, fit.factors, fit.low, fit.high, strict=True
             )
         ],
-        "before": {name: getattr(organ.model, name) for name in constants},
-        "after": {name: getattr(fitted.model, name) for name in constants},
+        "before": {field[1]: read_field(organ, field) for field in fields},
+        "after": {field[1]: read_field(fitted, field) for field in fields},
         "residual_N": fit.residual,
         "residual_of_peak": fit.residual / float(curve.force.max()),
         "explained": fit.explained,

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Rows of a study as tables for people; they are Markdown, so that they can be kept."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from palpate.study.accuracy import DEPTHS, Row
+
+
+def write_tables(references: Sequence[dict[str, Any]], rows: Sequence[Row]) -> str:
+    names = [reference["name"] for reference in references]
+    parts = [
+        write_table(
+            ["body", "tetrahedra", "places: thickness, error of the reference's force"],
+            [describe_reference(reference) for reference in references],
+        ),
+        "Force over the reference's, mean of the places (least to most); error of the displacement "
+        "of the free surface, root mean square, of the depth. Small presses, linear:",
+        write_table(["model", *names], list_kinds(names, rows, None)),
+    ]
+    if any(row.depth is not None for row in rows):
+        parts.append("Beside neo-Hookean elements on the same mesh, by depth over thickness:")
+    for part in (*DEPTHS, *(-depth for depth in DEPTHS)):
+        lines = list_kinds(names, rows, part)
+        if lines:
+            word = "pressed" if part > 0.0 else "pulled"
+            parts.append(write_table([f"{word} {abs(part):.0%}", *names], lines))
+    return "\n\n".join(parts)
+
+
+def describe_reference(reference: dict[str, Any]) -> list[str]:
+    places = ", ".join(
+        f"{place['name']} {1e3 * place['thickness_m']:.0f} mm {place['force_error']:.1%}"
+        for place in reference["places"]
+    )
+    return [reference["title"], str(reference["tetrahedra"]), places]
+
+
+def list_kinds(names: Sequence[str], rows: Sequence[Row], depth: float | None) -> list[list[str]]:
+    chosen = [row for row in rows if row.depth == depth]
+    kinds = list(dict.fromkeys(row.kind for row in chosen))
+    return [
+        [kind, *(describe_rows([r for r in chosen if (r.kind, r.reference) == (kind, name)])
+                 for name in names)]
+        for kind in kinds
+    ]  # fmt: skip
+
+
+def describe_rows(rows: Sequence[Row]) -> str:
+    """'1.18 (1.10 to 1.25), 3.5 %'; how many places had no equilibrium; inversions."""
+    found = [row for row in rows if row.force_ratio is not None and row.rms is not None]
+    lost = len(rows) - len(found)
+    if rows and lost == len(rows) and rows[0].depth is None:
+        return "cannot be built"
+    words = []
+    if found:
+        ratios = [row.force_ratio for row in found]
+        rms = sum(row.rms for row in found) / len(found)
+        mean = sum(ratios) / len(ratios)
+        words.append(f"{mean:.3g} ({min(ratios):.3g} to {max(ratios):.3g}), {100 * rms:.1f} %")
+        turned = sum(row.least_volume is not None and row.least_volume <= 0.0 for row in found)
+        if turned:
+            words.append(f"{turned} of {len(rows)} inside out")
+    if lost:
+        words.append(f"{lost} of {len(rows)} without equilibrium")
+    return "; ".join(words) or "-"
+
+
+def write_table(head: Sequence[str], lines: Sequence[Sequence[str]]) -> str:
+    widths = [max(len(row[i]) for row in [head, *lines]) for i in range(len(head))]
+    text = [
+        "| " + " | ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)) + " |"
+        for row in [head, *lines]
+    ]
+    text.insert(1, "|" + "|".join("-" * (width + 2) for width in widths) + "|")
+    return "\n".join(text)

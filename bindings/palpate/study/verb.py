@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The verb `study`: models held against finite elements, as a table and as a chart."""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import asdict
+from pathlib import Path
+
+from palpate.study.accuracy import Row, compare_deep, compare_linear
+from palpate.study.reference import list_references, read_reference
+from palpate.study.tables import write_tables
+from palpate.verb import Report, Verb
+
+SHIPPED = ("spleen", "kidney", "liver")
+
+
+def add_study(word: argparse.ArgumentParser) -> None:
+    word.add_argument("what", choices=("accuracy",), help="accuracy: models beside references")
+    word.add_argument(
+        "--reference",
+        action="append",
+        choices=list_references(),
+        help="may be repeated; without it the shipped solid organs",
+    )
+    word.add_argument("--deep", action="store_true", help="presses and pulls to 3, 8 and 15 %% too")
+    word.add_argument("--chart", type=Path, help="cost against error as PNG")
+
+
+def run_study(call: argparse.Namespace) -> Report:
+    references = [read_reference(name) for name in call.reference or SHIPPED]
+    rows = compare_linear(references)
+    if call.deep:
+        rows += compare_deep(references)
+    report: Report = {
+        "references": [
+            {
+                "name": reference.name,
+                "title": reference.title,
+                "vertices": len(reference.vertices),
+                "tetrahedra": len(reference.tetrahedra),
+                "command": reference.command,
+                "places": [
+                    {
+                        "name": place.name,
+                        "thickness_m": place.thickness,
+                        "force_error": place.find("linear", "P2").force_error,
+                        "displacement_error": place.find("linear", "P2").displacement_error,
+                    }
+                    for place in reference.places
+                ],
+            }
+            for reference in references
+        ],
+        "rows": [asdict(row) for row in rows],
+        "costs": [],
+        "chart": None,
+    }
+    if call.chart is not None:
+        # loads matplotlib, which the table does without
+        from palpate.study.chart import save_chart
+        from palpate.study.cost import measure_costs
+
+        costs = measure_costs(references)
+        save_chart(call.chart, rows, costs)
+        report["costs"] = [asdict(cost) for cost in costs]
+        report["chart"] = str(call.chart)
+    return report
+
+
+def describe_study(report: Report) -> str:
+    return write_tables(report["references"], [Row(**row) for row in report["rows"]])
+
+
+STUDY = Verb(
+    "study",
+    "hold the kinds of tissue model against finite elements",
+    "palpate study accuracy --reference spleen --deep",
+    add_study,
+    run_study,
+    describe_study,
+)
