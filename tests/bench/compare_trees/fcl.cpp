@@ -32,8 +32,7 @@ class Fcl : public Peer {
   std::string name() const override { return "FCL"; }
   std::string note(const std::string& work) const override {
     if (work == "segment") return "has no rays: a capsule of 1 nm; tells only whether it touches";
-    if (work == "closest")
-      return "distance to a triangle of 0.1 um; wrong to a ball as well";
+    if (work == "closest") return "distance to a triangle of 0.1 um; wrong to a ball as well";
     return work == "refit" ? "" : "contacts of a ball";
   }
   double tolerance() const override { return 1e-5; }
