@@ -85,8 +85,8 @@ void bind_energy(py::module_& m) {
                      "-p V; its gradient is the pressure force on closed surfaces.")
       .def("total", &Energy::total)
       .def("elastic", &Energy::elastic);
-  def_repr(energy, {"kinetic", "links", "angles", "prisms", "volumes", "home", "gravity",
-                    "pressure"});
+  def_repr(energy,
+           {"kinetic", "links", "angles", "prisms", "volumes", "home", "gravity", "pressure"});
   m.def(
       "compute_energy",
       [](const TissueModel& model, const Vec3& gravity, const State& state) {

@@ -183,8 +183,7 @@ void bind_surface(py::module_& m) {
       [](const py::object& world) {
         const std::span<const Vec3> surface = surface_position(world.cast<const World&>());
         // shown read-only, so nothing is written through it
-        return read_only(
-            view_entries(const_cast<Vec3*>(surface.data()), surface.size(), world));
+        return read_only(view_entries(const_cast<Vec3*>(surface.data()), surface.size(), world));
       },
       "world"_a,
       "[m] The vertices of the surface: the skin's, or the particles where there is none; a view, "

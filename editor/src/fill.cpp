@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "palpate/authoring/fill_interior.h"
-
 #include "bindings.h"
+#include "palpate/authoring/fill_interior.h"
 
 namespace palpate::authoring {
 

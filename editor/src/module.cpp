@@ -2,7 +2,9 @@
 #include "bindings.h"
 
 PYBIND11_MODULE(_authoring, m) {
-  m.doc() = "From foreign mesh files to clean surfaces, and tetrahedra inside them (assimp, OpenMesh, CGAL).";
+  m.doc() =
+      "From foreign mesh files to clean surfaces, and tetrahedra inside them (assimp, OpenMesh, "
+      "CGAL).";
   // SurfaceMesh and FileError are known to Python by the simulator's module
   pybind11::module_::import("palpate");
   palpate::authoring::bind_read(m);

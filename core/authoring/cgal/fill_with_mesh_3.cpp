@@ -30,6 +30,8 @@ constexpr double kFacetAngle = 25.0;      // [degree]
 constexpr double kFacetDistance = 0.15;   // of the cell size
 constexpr double kRadiusEdgeRatio = 2.0;  // of a cell's circumsphere to its shortest edge
 constexpr unsigned kSeed = 1;
+/// [s] Else perturbing and exuding may take as long as refining did, on this machine, just then.
+constexpr double kNoLimit = 0.0;
 
 Surface to_surface(const SurfaceMesh& mesh) {
   Surface surface;
@@ -77,7 +79,8 @@ SolidMesh fill_with_mesh_3(const SurfaceMesh& surface, double cell_size) {
                           parameters::cell_size = cell_size);
   const Complex complex =
       CGAL::make_mesh_3<Complex>(domain, criteria, parameters::no_lloyd(), parameters::no_odt(),
-                                 parameters::perturb(), parameters::exude());
+                                 parameters::perturb(parameters::time_limit = kNoLimit),
+                                 parameters::exude(parameters::time_limit = kNoLimit));
   return to_solid(complex);
 }
 

@@ -198,9 +198,8 @@ std::string describe(const TissueModel& model) {
       model.springs.ends.size(), " springs, ", model.bonds.ends.size(), " bonds, ",
       3 * model.angles.corners.size(), " angles, ",
       model.prisms.corners.empty() ? "" : write_text(model.prisms.corners.size(), " prisms, "),
-      describe_solid(model),
-      model.home.empty() ? "no home springs" : "home springs", "; total mass ",
-      1e3 * compute_total_mass(model), " g");
+      describe_solid(model), model.home.empty() ? "no home springs" : "home springs",
+      "; total mass ", 1e3 * compute_total_mass(model), " g");
 }
 
 void validate(const TissueModel& model) {

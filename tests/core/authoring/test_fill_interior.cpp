@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "palpate/authoring/fill_interior.h"
-
 #include <doctest/doctest.h>
 
 #include <numbers>
 
 #include "core/model/refusal.h"
+#include "palpate/authoring/fill_interior.h"
 #include "palpate/sim/mesh/measure.h"
 #include "palpate/sim/mesh/topology.h"
 #include "palpate/sim/model/build_solid.h"
@@ -43,7 +42,8 @@ TEST_CASE("the same surface and cell size give the same tetrahedra") {
 TEST_CASE("the surface rides on what fills it, where it was, to a nanometre") {
   const SurfaceMesh surface = organ();
 
-  const TissueModel model = cover_with_skin(build_solid(fill_interior(surface, 0.012), {}), surface);
+  const TissueModel model =
+      cover_with_skin(build_solid(fill_interior(surface, 0.012), {}), surface);
 
   for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
     Vec3 at = Vec3::Zero();
