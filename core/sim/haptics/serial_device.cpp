@@ -20,6 +20,7 @@ namespace {
 
 constexpr double kTick = 1e-3;        // [s]
 constexpr int kMostBridged = 3;       // missing reports
+constexpr double kLongestGap = 5e-3;  // [s] that a joint goes on without a report
 constexpr double kStatusTime = 8e-3;  // [s] between two of them
 
 }  // namespace
@@ -39,7 +40,8 @@ struct SerialDevice::Impl {
   bool has_arm = false, has_sample = false;
   std::array<VelocityWindow, 3> speeds;
   Vec3 joints = Vec3::Zero(), gimbal = Vec3::Zero(), tip = Vec3::Zero();
-  HapticSample sample;  // of the last report
+  HapticSample sample;       // of the last report
+  double device_time = 0.0;  // [s] of the last report
   double report_time = 0.0, last_time = 0.0, last_status = -1.0;
   int missing = 0;  // reports that should have come since the last
   bool was_read = false;
@@ -48,7 +50,9 @@ struct SerialDevice::Impl {
 };
 
 /// Angles of the newest report, and what the hand does by them: v = J dq/dt, the joints' speeds by
-/// windows that adapt to what a count is.
+/// windows that adapt to what a count is. Between two counts a joint goes on as it went, never out
+/// of what the count leaves open: steps of 0.3 mm would be blows to the tissue, and this smooths
+/// them without being late.
 void SerialDevice::Impl::take_report(double time) noexcept {
   const Calibration* calibration = link.calibration();
   if (!calibration) return;
@@ -60,11 +64,15 @@ void SerialDevice::Impl::take_report(double time) noexcept {
     has_arm = true;
   }
   const std::array<double, 6> angles = compute_angles(*calibration, link.counts());
+  const double dt = std::clamp(link.device_time() - device_time, 0.0, kLongestGap);
+  device_time = link.device_time();
   Vec3 rates;
   for (int j = 0; j < 3; ++j) {
-    joints[j] = angles[static_cast<std::size_t>(j)];
-    gimbal[j] = angles[static_cast<std::size_t>(j + 3)];
-    rates[j] = speeds[static_cast<std::size_t>(j)].add(link.device_time(), joints[j]);
+    const auto i = static_cast<std::size_t>(j);
+    gimbal[j] = angles[i + 3];
+    rates[j] = speeds[i].add(device_time, angles[i]);
+    const double half = 0.5 * std::abs(calibration->joints[i].scale);
+    joints[j] = std::clamp(joints[j] + dt * rates[j], angles[i] - half, angles[i] + half);
   }
   tip = compute_tip(arm, joints);
   sample.position = origin + tip - Workspace{}.center;

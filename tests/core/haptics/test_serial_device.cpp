@@ -69,6 +69,27 @@ TEST_CASE("the hand's velocity follows it through the sensors' steps") {
   CHECK(worst < 0.15);  // [m/s]; one count in one tick is 0.4
 }
 
+TEST_CASE("a hand that moves through the sensors' steps is told to move, not to jump") {
+  DeviceBench bench(clamped_plant());
+  bench.start();
+  const Vec3 velocity(0.0, 0.0, -0.04);
+  bench.core.hold({Workspace{}.center + Vec3(0, 0, 0.03), velocity, true});
+  bench.run(0.3, kNothing);
+  Vec3 last = bench.sample.position;
+  double fastest = 0.0, off = 0.0;
+
+  bench.run(0.5, [&](const HapticSample& sample) {
+    fastest = std::max(fastest, (sample.position - last).norm() / 1e-3);
+    last = sample.position;
+    const Vec3 tip = find_tip(bench.core.plant(), bench.core.state());
+    off = std::max(off, (sample.position - tip).norm());
+    return Vec3::Zero();
+  });
+
+  CHECK(fastest < 0.15);  // [m/s]; a step of one count in one tick would be 0.35
+  CHECK(off < 1e-3);
+}
+
 TEST_CASE("the force asked for is felt within 5 % and a step of the duty, all over the workspace") {
   DeviceBench bench(clamped_plant());
   bench.start();
