@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The common work in Palpate: whole haptic ticks, with all that a tick does.
 
-`palpate_engine.py N DT_MS CONTACT`. A step is a tick of DT_MS with as many substeps as it asks for:
-tree, candidates, tool, forces, alarm. The hand holds the tool by a spring so stiff that the ball is
-where the hand is, to a tenth of a millimetre. CONTACT is the tool's stiffness [N/m³].
+`palpate_engine.py N DT_MS CONTACT FORCE_ERROR`. A step is a tick of DT_MS with as many substeps as
+it asks for: tree, candidates, tool, forces, alarm. The hand holds the tool by a spring so stiff that
+the ball is where the hand is, to a tenth of a millimetre. CONTACT is the tool's stiffness [N/m³],
+FORCE_ERROR [N] by how much the force may be wrong so that tissue at rest may sleep; 0: none does.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ FORCE_MAX = 1e3
 """[N]"""
 
 
-def build_scene(body: Body, dt: float, contact: float) -> palpate.Scene:
+def build_scene(body: Body, dt: float, contact: float, force_error: float = 0.0) -> palpate.Scene:
     n, edges = body.vertices, len(body.edges)
     rest = np.linalg.norm(body.x[body.edges[:, 1]] - body.x[body.edges[:, 0]], axis=1)
     springs = palpate.Links(
@@ -46,6 +47,7 @@ def build_scene(body: Body, dt: float, contact: float) -> palpate.Scene:
             tool=palpate.Tool(radius=RADIUS, stiffness=contact),
             coupling=palpate.Coupling(stiffness=COUPLING, force_max=FORCE_MAX),
             rate=1.0 / dt,
+            force_error=force_error,
         )
     )
 
@@ -73,11 +75,18 @@ class Tissue:
 
 
 if __name__ == "__main__":
-    count, dt, contact = int(sys.argv[1]), 1e-3 * float(sys.argv[2]), float(sys.argv[3])
+    count, dt = int(sys.argv[1]), 1e-3 * float(sys.argv[2])
+    contact, force_error = float(sys.argv[3]), float(sys.argv[4])
     body = build_body(count)
-    tissue = Tissue(build_scene(body, dt, contact), dt)
+    tissue = Tissue(build_scene(body, dt, contact, force_error), dt)
     engine = Engine(tissue.step, tissue.positions, tissue.contacts)
     row = press(engine, body, dt)
-    about = {"engine": "Palpate", "vertices": count, "dt_ms": 1e3 * dt, "contact": contact}
+    about = {
+        "engine": "Palpate",
+        "vertices": count,
+        "dt_ms": 1e3 * dt,
+        "contact": contact,
+        "force_error_n": force_error,
+    }
     substeps = float(np.median(tissue.substeps or [0]))
     print(json.dumps({**about, "version": palpate.__version__, "substeps": substeps, **row}))
