@@ -2,9 +2,10 @@
 """The common work in Palpate: whole haptic ticks, with all that a tick does.
 
 `palpate_engine.py N DT_MS CONTACT FORCE_ERROR`. A step is a tick of DT_MS with as many substeps as
-it asks for: tree, candidates, tool, forces, alarm. The hand holds the tool by a spring so stiff that
-the ball is where the hand is, to a tenth of a millimetre. CONTACT is the tool's stiffness [N/m³],
-FORCE_ERROR [N] by how much the force may be wrong so that tissue at rest may sleep; 0: none does.
+it asks for: tree, candidates, tool, forces, alarm. The hand holds the tool by a spring so stiff
+that the ball is where the hand is, to a tenth of a millimetre. CONTACT is the tool's stiffness
+[N/m³], FORCE_ERROR [N] by how much the force may be wrong so that tissue at rest may sleep; 0: none
+does.
 """
 
 from __future__ import annotations
