@@ -79,7 +79,11 @@ def test_every_file_has_found_its_place(word):
 
 
 def test_nothing_is_compiled_with_arithmetic_that_is_not_written():
-    files = [name for name in source_files() if name.endswith("CMakeLists.txt")]
+    files = [
+        name
+        for name in source_files()
+        if name.endswith("CMakeLists.txt") and name != "tests/bench/peers/CMakeLists.txt"
+    ]  # the loop that other engines are measured against has the flags theirs were measured with
     words = "\n".join(read(name) for name in [*files, "CMakePresets.json"])
 
     assert "-ffast-math" not in words

@@ -24,7 +24,7 @@ from typing import Any
 import numpy as np
 import palpate
 from palpate import scenario
-from palpate.bench import generate_meshes
+from palpate.bench import generate_ellipsoid
 from palpate.live import LiveRun
 from palpate.play import open_play
 from palpate.player import TraineeWindow
@@ -56,7 +56,7 @@ def publish_organ(path: Path, vertices: int) -> None:
             tool=ToolPart(radius=4e-3, stiffness=3e6),
             hand=HandPart(hold_stiffness=100.0),
         ),
-        generate_meshes([vertices])[f"ellipsoid-{vertices}"],
+        generate_ellipsoid(vertices),
     )
     scenario.write(path, scenario.Scenario(scene=scene, title="A minute of play"))
 

@@ -138,7 +138,11 @@ REFUSED = [
     (edits.TurnOutward(), EMPTY.with_surface(open_surface()), "no outside"),
     (edits.Decimate(surface_of(150), COARSE, DECIMATION), SPLEEN, "changed since"),
     (edits.UseImported(), make_organ(imported=None), "in use already"),
-    (edits.SetChoice("kind", "jelly"), SPLEEN, "one of mass_spring, molecular, shell, got jelly"),
+    (
+        edits.SetChoice("kind", "jelly"),
+        SPLEEN,
+        "one of mass_spring, molecular, shell, solid, got jelly",
+    ),
     (edits.SetChoice("colour", "red"), SPLEEN, "colour must be one of none"),
     (edits.SetConstant("model", "colour", 1.0), SPLEEN, "no number model.colour"),
     (edits.SetConstant("model", "stiffness", 0.0), SPLEEN, "more than 0 N/m, got 0 N/m"),

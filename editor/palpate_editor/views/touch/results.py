@@ -63,7 +63,7 @@ def keep_record(outcome: Outcome, path: Path) -> Path:
     organ = outcome.organ
     title = organ.title or organ.name or path.stem
     write_scenario(replace(organ, title=title), outcome.scene, scene)
-    header = describe_build(scene, path, outcome.device)
+    header = describe_build(outcome.scene, scene, path, outcome.device)
     record = palpate.Record(
         header=json.dumps(header),
         hand=outcome.record.hand,
