@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""How large a frame is drawn while things move: as large as there is time for."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from palpate.render import Camera
+from palpate.render.context import create_context
+from palpate.viewport import canvas
+from palpate.viewport.canvas import Canvas
+from palpate.viewport.scenery import Scenery
+from surfaces import ellipsoid
+
+SIZE = (800, 600)
+
+
+@pytest.fixture
+def desk():
+    """A canvas and what it draws; skipped where a graphics card draws every frame in full."""
+    context = create_context()
+    with context:
+        made, scenery = Canvas(context), Scenery()
+        if not made.is_software:
+            pytest.skip("cannot be had here: a software renderer beside the graphics card")
+        scenery.build(context)
+        yield made, scenery
+        scenery.release()
+        made.release()
+    context.release()
+
+
+def show(scenery: Scenery, refinements: int) -> None:
+    mesh = ellipsoid((0.03, 0.025, 0.02), refinements)
+    scenery.show_surface(mesh.vertices, mesh.triangles)
+
+
+def draw(made: Canvas, scenery: Scenery) -> int:
+    """Pixels of the next quick frame, which is stretched to the view."""
+    scenery.version += 1
+    assert made.draw(scenery, Camera(target=np.zeros(3), distance=0.2), SIZE, 1.0)
+    width, height = made._targets["whole"].size
+    return width * height
+
+
+def test_frames_shrink_step_by_step_while_they_take_too_long(desk, monkeypatch):
+    made, scenery = desk
+    show(scenery, 2)
+    monkeypatch.setattr(canvas, "QUICK_TIME", 0.0)
+
+    sizes = [draw(made, scenery) for _ in range(5)]
+
+    wanted = [80_000, 40_000, 20_000, 20_000, 20_000]
+    assert sizes == pytest.approx(wanted, rel=0.02)
+
+
+def test_frames_grow_step_by_step_while_there_is_time(desk, monkeypatch):
+    made, scenery = desk
+    show(scenery, 2)
+    monkeypatch.setattr(canvas, "QUICK_TIME", 1e9)
+
+    sizes = [draw(made, scenery) for _ in range(4)]
+
+    assert sizes == pytest.approx([80_000, 160_000, 320_000, 320_000], rel=0.02)
+
+
+def test_the_first_frame_of_a_heavy_surface_is_small_and_a_light_ones_is_not(desk, monkeypatch):
+    made, scenery = desk
+    show(scenery, 2)
+    monkeypatch.setattr(canvas, "QUICK_TIME", 1e9)
+    draw(made, scenery)
+    show(scenery, 2)
+    light = draw(made, scenery)
+
+    show(scenery, 5)
+    assert len(scenery.triangles) > canvas.LIGHT_SURFACE
+    heavy = draw(made, scenery)
+
+    assert light == pytest.approx(160_000, rel=0.02)
+    assert heavy == pytest.approx(20_000, rel=0.02)
