@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+import signal
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -23,6 +26,16 @@ from windows import LEFT, look, move, turn_wheel
 
 KEY = Qt.Key
 PLAYER = Path(palpate.__file__).parent / "player"
+WAIT_TO_BE_SEEN = """
+import threading, time
+from palpate.player import start
+class Seen(start.Watch):
+    def __enter__(self):
+        super().__enter__()
+        threading.Timer(8.0, print, ["shown"], {"flush": True}).start()
+start.Watch = Seen
+""".strip()
+"""Says so when the window has come to rest and waits for nothing but its user."""
 
 
 # ---------------------------------------------------------------- the run of things
@@ -335,3 +348,22 @@ def test_a_lost_record_is_an_error_of_the_command(open_window, monkeypatch):
         window.report()
     assert play_in_window.__module__ == "palpate.player.start"
     assert trainee_window.FRAME_MS <= 17
+
+
+def test_ctrl_c_closes_a_window_in_which_nothing_happens(tmp_path):
+    program = "import sys; from palpate.cli import run_main; sys.exit(run_main())"
+    # a process of its own, as from a shell: whether the test's own parent ignores the signal is
+    # inherited otherwise
+    with subprocess.Popen(
+        [sys.executable, "-c", f"{WAIT_TO_BE_SEEN}\n{program}", "play", publish(tmp_path)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+    ) as process:
+        try:
+            assert process.stdout.readline() == "shown\n"
+            process.send_signal(signal.SIGINT)
+            assert process.wait(timeout=30.0) == 0
+        finally:
+            process.kill()

@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 import signal
+import socket
 import sys
 from types import FrameType, TracebackType
 
-from PySide6.QtCore import QLocale
+from PySide6.QtCore import QLocale, QSocketNotifier
 from PySide6.QtGui import QSurfaceFormat
 from PySide6.QtWidgets import QApplication
 
@@ -44,10 +45,19 @@ class Watch:
         self._window = window
         self._usual = sys.excepthook
         self._interrupt = signal.getsignal(signal.SIGINT)
+        # Python runs a handler between its own instructions, and a window at rest runs none: the
+        # signal's byte wakes Qt, and Qt wakes Python
+        self._woken, self._waker = socket.socketpair()
+        self._woken.setblocking(False)
+        self._waker.setblocking(False)
+        self._notifier = QSocketNotifier(self._woken.fileno(), QSocketNotifier.Type.Read)
+        self._notifier.activated.connect(self._read)
+        self._wakeup = -1
 
     def __enter__(self) -> None:
         sys.excepthook = self._tell
         signal.signal(signal.SIGINT, self._close)
+        self._wakeup = signal.set_wakeup_fd(self._waker.fileno(), warn_on_full_buffer=False)
 
     def __exit__(
         self,
@@ -57,6 +67,13 @@ class Watch:
     ) -> None:
         sys.excepthook = self._usual
         signal.signal(signal.SIGINT, self._interrupt)
+        signal.set_wakeup_fd(self._wakeup)
+        self._notifier.setEnabled(False)
+        self._woken.close()
+        self._waker.close()
+
+    def _read(self) -> None:
+        self._woken.recv(64)
 
     def _tell(
         self, kind: type[BaseException], error: BaseException, trace: TracebackType | None
