@@ -5,6 +5,7 @@
 #include "border.h"
 #include "palpate/sim/dynamics/energy.h"
 #include "palpate/sim/dynamics/guard.h"
+#include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/dynamics/simd_targets.h"
 #include "palpate/sim/dynamics/stable_step.h"
 #include "palpate/sim/dynamics/step.h"
@@ -218,6 +219,8 @@ void bind_stable_step(py::module_& m) {
         "[s] A step at which symplectic Euler is stable at rest, with a margin; coupling [N/m] is "
         "the stiffness that a tool may add at any one particle. Lies between 0.6 and 1.0 of the "
         "exact limit.");
+  m.def("has_packed_form", &has_packed_form, "model"_a,
+        "Whether a tissue can be packed, where there is vector code: all can but walls of prisms.");
   m.def("simd_targets", &simd_targets,
         "The vector targets this machine can run ('AVX3', 'AVX2', 'SSE4', ...), the best first; "
         "empty where Palpate was built without vector code.");

@@ -170,8 +170,7 @@ def build_kind(organ: Organ, kind: Kind) -> Report:
         "links": len(tissue.springs.ends) + len(tissue.bonds.ends),
         "substeps": max(1, ceil(1.0 / (organ.hand.rate * stable_step))),
         "stable_step_ms": 1e3 * stable_step,
-        # as build_scene chooses: prisms have no packed form
-        "kernel": "reference" if len(tissue.prisms.corners) else "packed",
+        "kernel": "packed" if palpate.has_packed_form(tissue) else "reference",
         "wall": None if wall is None else vars(wall),
         "cannot_represent": list(kind.find_limits(built, tissue, wall)),
     }

@@ -17,9 +17,13 @@ enum class PackedOrder {
 
 /// Renumbers and pads a tissue for one of simd_targets(); empty for the best.
 /// `order` is which particles become neighbours in memory.
-/// Throws std::invalid_argument for any other target, and where there is no vector code.
+/// Throws std::invalid_argument for any other target, where there is no vector code, and for a
+/// tissue without a packed form.
 PackedModel pack(const TissueModel& model, std::string_view target = {},
                  PackedOrder order = PackedOrder::bands);
+
+/// Whether a tissue can be packed, where there is vector code: all can but walls of prisms.
+bool has_packed_form(const TissueModel& model) noexcept;
 
 /// The target a model was packed for.
 std::string_view simd_target(const PackedModel& model) noexcept;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "palpate/sim/dynamics/follow_motion.h"
+#include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/dynamics/simd_targets.h"
 #include "palpate/sim/dynamics/stable_step.h"
 #include "palpate/sim/model/volumes.h"
@@ -83,8 +84,8 @@ std::vector<double> compute_rest_areas(const TissueModel& tissue) {
 /// massless tool yields before a contact gets as stiff as its row sum says (TOOLS section 1).
 Scene build_scene(Scene scene) {
   validate(scene);
-  // walls of prisms have no packed form; said here, so that a record tells the kernel that ran
-  if (!scene.tissue.prisms.corners.empty()) scene.kernel = Kernel::reference;
+  // said here, so that a record tells the kernel that ran
+  if (!has_packed_form(scene.tissue)) scene.kernel = Kernel::reference;
   scene.rest_areas = compute_rest_areas(scene.tissue);
   const Spectrum spectrum = estimate_spectrum(scene.tissue);
   scene.spectrum_stiffness = spectrum.stiffness;

@@ -44,7 +44,7 @@ World::World(const Scene& scene)
   load.gravity = scene.gravity;
   move_skin(scene.tissue.skin, tissue.position, skin);
   if (scene.kernel == Kernel::reference || simd_targets().empty() ||
-      !scene.tissue.prisms.corners.empty()) {
+      !has_packed_form(scene.tissue)) {
     return;
   }
   const bool sleeps = scene.force_error > 0.0;

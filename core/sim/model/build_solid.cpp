@@ -6,6 +6,7 @@
 #include <map>
 
 #include "palpate/sim/base/refuse.h"
+#include "palpate/sim/model/check_options.h"
 #include "palpate/sim/model/surface_particles.h"
 #include "palpate/sim/model/volumes.h"
 
@@ -26,26 +27,9 @@ void check_material(const Material& material) {
 }
 
 void check_options(const SolidOptions& options, std::size_t vertex_count) {
-  const std::vector<double>& scale = options.stiffness_scale;
-  if (!scale.empty() && scale.size() != vertex_count) {
-    refuse("options: stiffness_scale", write_text(scale.size(), " rows"),
-           write_text("none, or one per vertex: ", vertex_count));
-  }
-  for (std::size_t i = 0; i < scale.size(); ++i) {
-    if (std::isfinite(scale[i]) && scale[i] > 0.0) continue;
-    refuse(write_text("options: stiffness_scale: row ", i), write_text(scale[i]),
-           "a positive number");
-  }
-  for (std::size_t i = 0; i < options.fixed.size(); ++i) {
-    if (options.fixed[i] >= 0 && options.fixed[i] < static_cast<int>(vertex_count)) continue;
-    refuse(write_text("options: fixed: row ", i), write_text("vertex ", options.fixed[i]),
-           write_text("0 to ", vertex_count - 1));
-  }
+  check_common_options(options, vertex_count);
   if (!(options.nodal_share >= 0.0 && options.nodal_share <= 1.0)) {
     refuse("options: nodal_share", write_text(options.nodal_share), "0 to 1");
-  }
-  if (!(std::isfinite(options.drag) && options.drag >= 0.0)) {
-    refuse("options: drag", write_text(options.drag, " 1/s"), "0 or a positive number");
   }
 }
 

@@ -6,35 +6,19 @@
 
 #include "palpate/sim/base/refuse.h"
 #include "palpate/sim/mesh/measure.h"
+#include "palpate/sim/model/check_options.h"
 
 namespace palpate {
 namespace {
 
-void check_options(const SurfaceOptions& options, int vertex_count) {
-  const std::vector<double>& scale = options.stiffness_scale;
-  if (!scale.empty() && static_cast<int>(scale.size()) != vertex_count) {
-    refuse("options: stiffness_scale", write_text(scale.size(), " rows"),
-           write_text("none, or one per vertex: ", vertex_count));
-  }
-  for (std::size_t i = 0; i < scale.size(); ++i) {
-    if (std::isfinite(scale[i]) && scale[i] > 0.0) continue;
-    refuse(write_text("options: stiffness_scale: row ", i), write_text(scale[i]),
-           "a positive number");
-  }
-  for (std::size_t i = 0; i < options.fixed.size(); ++i) {
-    if (options.fixed[i] >= 0 && options.fixed[i] < vertex_count) continue;
-    refuse(write_text("options: fixed: row ", i), write_text("vertex ", options.fixed[i]),
-           write_text("0 to ", vertex_count - 1));
-  }
+void check_options(const SurfaceOptions& options, std::size_t vertex_count) {
+  check_common_options(options, vertex_count);
   const double home = options.home_stiffness.value_or(0.0);
   if (!(std::isfinite(home) && home >= 0.0)) {
     refuse("options: home_stiffness", write_text(home, " N/m³"), "0 or a positive number");
   }
   if (!std::isfinite(options.pressure)) {
     refuse("options: pressure", write_text(options.pressure, " Pa"), "a finite number");
-  }
-  if (!(std::isfinite(options.drag) && options.drag >= 0.0)) {
-    refuse("options: drag", write_text(options.drag, " 1/s"), "0 or a positive number");
   }
 }
 
@@ -92,7 +76,7 @@ TissueModel build_surface_particles(const SurfaceMesh& mesh, const Material& mat
                                     const SurfaceOptions& options) {
   validate(mesh);
   validate(material);
-  check_options(options, static_cast<int>(mesh.vertices.size()));
+  check_options(options, mesh.vertices.size());
 
   TissueModel model;
   model.rest_position = mesh.vertices;

@@ -9,6 +9,7 @@
 #include "palpate/sim/dynamics/stable_step.h"
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/model/build_membrane.h"
+#include "palpate/sim/model/build_shell.h"
 #include "scenes/solids.h"
 
 using namespace palpate;
@@ -274,4 +275,14 @@ TEST_CASE("every particle has a row of its own, and packing refuses an unknown t
   }
   CHECK(simd_target(packed) == simd_targets().front());
   CHECK_THROWS_AS(pack(model, "MMX"), std::invalid_argument);
+}
+
+TEST_CASE("a wall of prisms has no packed form, and packing it is refused") {
+  const TissueModel wall =
+      build_shell(scenes::make_ellipsoid({0.05, 0.035, 0.03}, 1), {.wall_thickness = 3e-3});
+  CHECK(has_packed_form(scenes::make_molecular_organ(1)));
+  CHECK_FALSE(has_packed_form(wall));
+  CHECK_THROWS_WITH_AS(pack(wall),
+                       "prisms: found 80 rows, expected none: walls of prisms have no packed form",
+                       std::invalid_argument);
 }
