@@ -39,3 +39,22 @@ def open_window(qtbot, tmp_path):
     translation.install(QApplication.instance(), "en")
     QLocale.setDefault(QLocale("en"))
     gc.collect()
+
+
+@pytest.fixture
+def view(qtbot, monkeypatch):
+    """A shown 3D view with the surface of viewports.py in it."""
+    from palpate.viewport import canvas, make_view
+    from viewports import FACES, SIZE, X
+
+    # frames of one size whatever the machine has to do beside, so that they can be compared
+    monkeypatch.setattr(canvas, "QUICK_PIXELS", (canvas.QUICK_PIXELS[-1],) * 5)
+    made = make_view()
+    qtbot.addWidget(made)
+    made.resize(*SIZE)
+    made.show_surface(X, FACES)
+    made.show()
+    qtbot.waitExposed(made)
+    yield made
+    made.hide()
+    gc.collect()

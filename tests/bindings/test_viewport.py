@@ -3,59 +3,29 @@
 
 from __future__ import annotations
 
-import gc
 import math
 
 import numpy as np
 import palpate
 import pytest
 from palpate.render import RenderError
-from palpate.viewport import FboView, GLView, canvas, fbo_view, make_view
+from palpate.viewport import FboView, GLView, fbo_view, make_view
 from palpate.viewport.make_view import has_window_gl
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QPointF
 from PySide6.QtGui import QColor
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
 from surfaces import ellipsoid, sheet
-from windows import LEFT, MIDDLE, RIGHT, at, drag, look, move, read_pixels, turn_wheel
-
-SIZE = (320, 240)
-MESH = ellipsoid((0.03, 0.025, 0.02), 3)
-X, FACES = np.array(MESH.vertices), np.array(MESH.triangles)
-MIDDLE_OF_VIEW = QPoint(SIZE[0] // 2, SIZE[1] // 2)
-CORNER = QPoint(4, 4)
-
-
-@pytest.fixture
-def view(qtbot, monkeypatch):
-    # frames of one size whatever the machine has to do beside, so that they can be compared
-    monkeypatch.setattr(canvas, "QUICK_PIXELS", (canvas.QUICK_PIXELS[-1],) * 5)
-    made = make_view()
-    qtbot.addWidget(made)
-    made.resize(*SIZE)
-    made.show_surface(X, FACES)
-    made.show()
-    qtbot.waitExposed(made)
-    yield made
-    made.hide()
-    gc.collect()
-
-
-def redness(pixels):
-    return pixels[..., 0] - np.maximum(pixels[..., 1], pixels[..., 2])
-
-
-def count_orange(pixels):
-    """What is selected: much red, some green, hardly any blue."""
-    r, g, b = np.moveaxis(pixels, -1, 0)
-    return int(((r - b > 120) & (g - b > 40) & (r - g > 30)).sum())
-
-
-def silhouette(pixels):
-    """(left, top, right, bottom) of what is red."""
-    rows, columns = np.nonzero(redness(pixels) > 40)
-    return columns.min(), rows.min(), columns.max(), rows.max()
-
+from viewports import (
+    CORNER,
+    FACES,
+    MIDDLE_OF_VIEW,
+    SIZE,
+    X,
+    count_orange,
+    redness,
+    silhouette,
+)
+from windows import look, read_pixels
 
 # ---------------------------------------------------------------- hosts and pictures
 
@@ -233,133 +203,6 @@ def test_a_pixel_has_the_size_it_has_in_the_world(view):
     one = view.world_to_pixel(hit.point + right * view.pixel_size_at(hit.point))
 
     assert one.x() - 160.0 == pytest.approx(1.0, abs=1e-6)
-
-
-# ---------------------------------------------------------------- mouse
-
-
-def test_a_left_drag_turns_and_the_surface_follows_the_mouse(view):
-    azimuth, elevation = view.camera.azimuth, view.camera.elevation
-    front = view.pick(QPointF(MIDDLE_OF_VIEW)).point
-
-    drag(view, CORNER, QPoint(30, 20))
-
-    assert view.camera.azimuth < azimuth
-    assert view.camera.elevation > elevation
-    assert view.world_to_pixel(front).x() > MIDDLE_OF_VIEW.x()
-    assert view.world_to_pixel(front).y() > MIDDLE_OF_VIEW.y()
-
-
-@pytest.mark.parametrize(
-    ("button", "keys"),
-    [(MIDDLE, Qt.KeyboardModifier.NoModifier), (LEFT, Qt.KeyboardModifier.ShiftModifier)],
-)
-def test_middle_or_shift_moves_what_is_seen_with_the_mouse(view, button, keys):
-    view.camera.target = np.zeros(3)
-    before = view.world_to_pixel(np.zeros(3))
-
-    drag(view, MIDDLE_OF_VIEW, QPoint(24, -16), button, keys)
-
-    after = view.world_to_pixel(np.zeros(3))
-    assert after.x() - before.x() == pytest.approx(24, abs=0.5)
-    assert after.y() - before.y() == pytest.approx(-16, abs=0.5)
-
-
-def test_a_right_drag_turns_too(view):
-    azimuth = view.camera.azimuth
-    drag(view, MIDDLE_OF_VIEW, QPoint(30, 0), RIGHT)
-    assert view.camera.azimuth < azimuth
-
-
-def test_the_wheel_comes_nearer_to_what_lies_under_the_pointer(view):
-    where = QPoint(190, 100)
-    hit = view.pick(QPointF(where))
-    distance = view.camera.distance
-
-    turn_wheel(view, where, 3)
-
-    assert view.camera.distance < distance
-    assert at(view.world_to_pixel(hit.point)) == where
-    for _ in range(80):
-        turn_wheel(view, where, 5)
-    assert view.camera.distance > 0.0
-    for _ in range(80):
-        turn_wheel(view, where, -5)
-    assert view.camera.distance < 10.0
-
-
-def test_a_view_that_nobody_moved_stays_fitted_when_it_is_resized(view, qtbot):
-    view.resize(200, 400)
-    qtbot.wait(20)
-    left, top, right, bottom = silhouette(look(view))
-    assert left > 0 and right < 199 and right - left > 120
-
-    drag(view, CORNER, QPoint(10, 0))
-    distance = view.camera.distance
-    view.resize(*SIZE)
-    qtbot.wait(20)
-    assert view.camera.distance == distance
-
-
-class Recorder:
-    """A tool that notes what it gets and takes what it is told to."""
-
-    def __init__(self, takes: bool):
-        self.takes, self.seen = takes, []
-
-    def note(self, name):
-        self.seen.append(name)
-        return self.takes
-
-    def press(self, view, event):
-        return self.note("press")
-
-    def move(self, view, event):
-        return self.note("move")
-
-    def release(self, view, event):
-        return self.note("release")
-
-    def wheel(self, view, event):
-        return self.note("wheel")
-
-    def leave(self, view):
-        self.note("leave")
-
-    def key(self, view, event):
-        return self.note("key")
-
-
-def test_a_tool_gets_everything_first_and_keeps_what_it_takes(view):
-    camera = (view.camera.azimuth, view.camera.distance)
-    view.tool = Recorder(takes=True)
-
-    drag(view, MIDDLE_OF_VIEW, QPoint(20, 20))
-    turn_wheel(view, MIDDLE_OF_VIEW, 2)
-    QTest.keyClick(view, Qt.Key.Key_A)
-
-    assert view.tool.seen == ["press", *["move"] * 4, "release", "wheel", "key"]
-    assert (view.camera.azimuth, view.camera.distance) == camera
-
-
-def test_what_a_tool_does_not_take_moves_the_camera(view):
-    camera = (view.camera.azimuth, view.camera.distance)
-    view.tool = Recorder(takes=False)
-
-    drag(view, MIDDLE_OF_VIEW, QPoint(20, 20))
-    turn_wheel(view, MIDDLE_OF_VIEW, 2)
-
-    assert view.tool.seen == ["press", "wheel"]
-    assert view.camera.azimuth != camera[0]
-    assert view.camera.distance < camera[1]
-
-
-def test_hovering_and_frames_are_told(view, qtbot):
-    with qtbot.waitSignal(view.hover) as told:
-        move(view, MIDDLE_OF_VIEW)
-    assert told.args == [QPointF(MIDDLE_OF_VIEW)]
-    with qtbot.waitSignal(view.frame_drawn):
-        view.orbit(5, 0)
 
 
 # ---------------------------------------------------------------- contexts
