@@ -1,34 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
+#include "calls.h"
 #include "palpate/sim/contact/balance_tool.h"
 #include "palpate/sim/contact/queries.h"
 #include "scenes/scenes.h"
 
-namespace {
-std::atomic<long> allocations{0};
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
-  throw std::bad_alloc();
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-
 using namespace palpate;
-
-TEST_CASE("the count of allocations counts") {
-  const long before = allocations;
-  const std::vector<int> grows(10);
-
-  CHECK(allocations == before + 1);
-}
+using namespace palpate::testing;
 
 TEST_CASE("refit, queries, candidates, balance and attaching never allocate") {
   SurfaceMesh mesh = scenes::make_ellipsoid(Vec3::Constant(0.025), 3);
@@ -44,7 +23,7 @@ TEST_CASE("refit, queries, candidates, balance and attaching never allocate") {
   const Coupling coupling;
   int answers = 0, touched = 0;
 
-  const long before = allocations;
+  const Calls before = count_calls_of_this_thread();
   for (int i = 0; i < 300; ++i) {
     const double depth = 1e-5 * i;
     for (Vec3& x : mesh.vertices) x.z() += 1e-6;
@@ -63,9 +42,9 @@ TEST_CASE("refit, queries, candidates, balance and attaching never allocate") {
     touched += bound_contact_stiffness(tool, candidates, mesh.triangles, mesh.vertices, mass, state,
                                        scratch) > 0.0;
   }
-  const long during = allocations - before;
+  const Calls after = count_calls_of_this_thread();
 
-  CHECK(during == 0);
+  CHECK(after.allocations == before.allocations);
   CHECK(answers == 5 * 300);
   CHECK(touched > 100);
 }

@@ -1,42 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
+#include "calls.h"
 #include "palpate/sim/dynamics/guard.h"
 #include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/dynamics/step.h"
 #include "scenes/tissues.h"
 
-namespace {
-std::atomic<long> allocations{0};
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
-  throw std::bad_alloc();
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  ++allocations;
-  const auto unit = static_cast<std::size_t>(alignment);
-  if (void* p = std::aligned_alloc(unit, (size + unit - 1) / unit * unit)) return p;
-  throw std::bad_alloc();
-}
-void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-
 using namespace palpate;
-
-TEST_CASE("the count of allocations counts") {
-  const long before = allocations;
-  const std::vector<int> grows(10);
-
-  CHECK(allocations == before + 1);
-}
+using namespace palpate::testing;
 
 TEST_CASE("no explicit step and no look for alarms allocates") {
   TissueModel model = scenes::make_molecular_organ(1, {.damping_ratio = 0.2, .drag = 1.0});
@@ -47,7 +19,7 @@ TEST_CASE("no explicit step and no look for alarms allocates") {
   Load load(4);
   int alarms = 0;
 
-  const long before = allocations;
+  const Calls before = count_calls_of_this_thread();
   for (int s = 0; s < 200; ++s) {
     load.clear();
     load.add({s % 7, {0.2, 0.3, 0.5}, {0, 0, -0.01}});
@@ -58,9 +30,9 @@ TEST_CASE("no explicit step and no look for alarms allocates") {
     step(model, load, 1e-5, state);
     alarms += static_cast<bool>(check(model, Vec3::Zero(), state, 1e-3, guard));
   }
-  const long after = allocations;
+  const Calls after = count_calls_of_this_thread();
 
-  CHECK(after == before);
+  CHECK(after.allocations == before.allocations);
   CHECK(alarms == 0);
 }
 
@@ -72,14 +44,14 @@ TEST_CASE("no packed step allocates") {
   PackedState running(packed, model, state);
   Load load(4);
 
-  const long before = allocations;
+  const Calls before = count_calls_of_this_thread();
   for (int s = 0; s < 200; ++s) {
     load.clear();
     load.add({s % 7, {0.2, 0.3, 0.5}, {0, 0, -0.01}});
     step(packed, load, 1e-5, running);
   }
   unpack(packed, model, running, state);
-  const long after = allocations;
+  const Calls after = count_calls_of_this_thread();
 
-  CHECK(after == before);
+  CHECK(after.allocations == before.allocations);
 }

@@ -6,7 +6,7 @@
 #include <shared_mutex>
 #include <vector>
 
-#include "core/haptics/calls.h"
+#include "calls.h"
 #include "core/haptics/press_scene.h"
 
 using namespace palpate;

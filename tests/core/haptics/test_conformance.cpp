@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/haptics/calls.h"
+#include "calls.h"
 #include "core/haptics/device_bench.h"
 #include "palpate/sim/haptics/conformance.h"
 #include "palpate/sim/haptics/faulty.h"

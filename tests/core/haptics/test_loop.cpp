@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "core/haptics/calls.h"
+#include "calls.h"
 #include "core/haptics/puppet.h"
 #include "palpate/sim/haptics/loop.h"
 

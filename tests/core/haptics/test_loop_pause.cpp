@@ -4,7 +4,7 @@
 #include <chrono>
 #include <thread>
 
-#include "core/haptics/calls.h"
+#include "calls.h"
 #include "core/haptics/puppet.h"
 
 using namespace palpate;

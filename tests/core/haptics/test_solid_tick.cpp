@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
-#include "core/haptics/calls.h"
+#include "calls.h"
 #include "core/haptics/press_scene.h"
 #include "palpate/sim/dynamics/forces.h"
 #include "palpate/sim/haptics/loop.h"

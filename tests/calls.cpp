@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/haptics/calls.h"
+#include "calls.h"
 
 #include <dlfcn.h>
 #include <pthread.h>
