@@ -4,11 +4,7 @@
 from __future__ import annotations
 
 import argparse
-import os
-import platform
-import sys
 import tempfile
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +13,7 @@ import numpy as np
 import palpate
 from palpate.bench.verb import BENCH
 from palpate.device import DEVICE
-from palpate.device_link import describe_low_latency
+from palpate.doctor import DOCTOR
 from palpate.mesh_file import read_mesh_file
 from palpate.play import PLAY
 from palpate.press import Place, PressScript, find_place, find_top, write_script
@@ -30,105 +26,9 @@ from palpate.run import (
     run_replay,
     run_script,
 )
-from palpate.scene_file import compile_scene
-from palpate.scene_parts import SceneFile
 from palpate.script_file import write_script_file
 from palpate.study.verb import STUDY
 from palpate.verb import Refusal, Report, Verb, quantity
-
-# ---------------------------------------------------------------- doctor
-
-
-def add_doctor(word: argparse.ArgumentParser) -> None:
-    del word
-
-
-def run_doctor(call: argparse.Namespace) -> Report:
-    checks = [check_python(), check_editor(), check_graphics(), check_realtime()]
-    checks += [check_serial(), check_data()]
-    return {
-        "palpate": version("palpate"),
-        "platform": platform.platform(),
-        "cores": os.cpu_count(),
-        "checks": checks,
-    }
-
-
-def check_python() -> Report:
-    ok = sys.version_info[:2] >= (3, 11)
-    return {
-        "name": "python",
-        "ok": ok,
-        "needed": True,
-        "detail": f"{platform.python_version()}, 3.11 is the reference",
-    }
-
-
-def check_editor() -> Report:
-    try:
-        detail, ok = f"palpate-editor {version('palpate-editor')}", True
-    except PackageNotFoundError:
-        detail, ok = "palpate-editor is not installed: import, decimate and demo need it", False
-    return {"name": "editor", "ok": ok, "needed": False, "detail": detail}
-
-
-def check_graphics() -> Report:
-    from palpate.render import describe_gl
-
-    try:
-        return {"name": "graphics", "ok": True, "needed": False, "detail": describe_gl()}
-    except RuntimeError as problem:
-        return {"name": "graphics", "ok": False, "needed": False, "detail": str(problem)}
-
-
-def check_realtime() -> Report:
-    """Runs the real loop for 0.2 s on four particles and reports what it was granted."""
-    corners = np.array([[0.0, 0.0, 0.0], [0.01, 0.0, 0.0], [0.0, 0.01, 0.0], [0.0, 0.0, 0.01]])
-    mesh = palpate.SurfaceMesh(
-        corners, np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]], dtype=np.int32)
-    )
-    scene = compile_scene(SceneFile(organ=None), mesh)
-    frame = palpate.KeyFrame()
-    frame.position = [0.0, 0.0, 0.1]
-    options = palpate.LoopOptions()
-    options.duration = 0.2
-    loop = palpate.Loop(scene, palpate.ScriptedDevice([frame]), options)
-    loop.start()
-    loop.wait(5.0)
-    report = loop.report()
-    priority = "real-time priority granted" if report.realtime else report.realtime_note
-    return {
-        "name": "realtime",
-        "ok": report.realtime,
-        "needed": False,
-        "detail": f"{priority}; lateness p99 {1e6 * report.lateness.p99:.0f} us, "
-        f"{report.missed_ticks} of {report.ticks} ticks missed",
-    }
-
-
-def check_serial() -> Report:
-    good, detail = describe_low_latency()
-    return {"name": "serial ports", "ok": good, "needed": False, "detail": detail}
-
-
-def check_data() -> Report:
-    folder = Path(os.environ.get("PALPATE_DATA", "../shared/data"))
-    ok = folder.is_dir()
-    return {
-        "name": "shared data",
-        "ok": ok,
-        "needed": False,
-        "detail": f"{folder} {'found' if ok else 'is not there; set PALPATE_DATA'}",
-    }
-
-
-def describe_doctor(report: Report) -> str:
-    lines = [f"palpate {report['palpate']} on {report['platform']}, {report['cores']} cores"]
-    for check in report["checks"]:
-        mark = "ok" if check["ok"] else "MISSING" if check["needed"] else "no"
-        lines.append(f"  {check['name']:12} {mark:8} {check['detail']}")
-    return "\n".join(lines)
-
 
 # ---------------------------------------------------------------- press
 
@@ -286,15 +186,7 @@ def describe_render(report: Report) -> str:
 
 
 VERBS = [
-    Verb(
-        "doctor",
-        "say what this machine can do for palpate",
-        "palpate doctor",
-        add_doctor,
-        run_doctor,
-        describe_doctor,
-        failed=lambda report: any(c["needed"] and not c["ok"] for c in report["checks"]),
-    ),
+    DOCTOR,
     Verb(
         "press",
         "press and pull an organ with a scripted tip through the live 1 kHz loop",
