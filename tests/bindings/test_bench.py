@@ -129,6 +129,20 @@ def test_the_largest_mesh_lies_between_the_two_sizes_around_a_millisecond():
     )
     assert chart.find_largest([row(1000, 100.0)], "mss", 1) is None
     assert chart.find_largest([row(1000, 2000.0)], "mss", 1) is None
+    assert chart.find_largest([row(1000, 100.0), row(10000, 1e4)], "mss", chart.STEP) is None
+
+
+def test_a_press_is_held_on_surfaces_that_somebody_could_feel():
+    small, large = (
+        meshes.BenchMesh(f"{n}", n, 2 * n, "", lambda: None)
+        for n in (rows.PRESSED, rows.PRESSED + 1)
+    )
+    options = rows.Options(air_substeps=(1, 12))
+
+    assert (options.count_ticks(small), options.count_ticks(large)) == (3, 2)
+    assert rows.find_missing([], [large], rows.Options(works=("mss_tick",)), {}) == [
+        f"{large.name}: mss_tick: 0 of 2 rows: no reason given"
+    ]
 
 
 def test_the_scaling_chart_is_drawn_from_its_report(tmp_path, monkeypatch, capsys):
@@ -139,9 +153,9 @@ def test_the_scaling_chart_is_drawn_from_its_report(tmp_path, monkeypatch, capsy
 
     assert code == 0
     assert out.read_bytes().startswith(b"\x89PNG")
-    assert len(report["rows"]) == 2 * 2 * 3
-    assert {row["substeps"] for row in report["rows"]} == {1, 4, 10}
-    assert [row["vertices"] for row in report["largest"]] == [None] * 6
+    assert len(report["rows"]) == 2 * 2 * (1 + 3)
+    assert {row["substeps"] for row in report["rows"]} == {None, 1, 4, 10}
+    assert [row["vertices"] for row in report["largest"]] == [None] * 8
     assert "not within the sizes" in verb.describe_bench(report)
 
 

@@ -21,33 +21,40 @@ from palpate.whole_file import write_whole
 SIZES = (1_000, 2_000, 5_400, 10_000, 20_000, 50_000, 100_000, 200_000, 500_000)
 QUICK_SIZES = (1_000, 5_400, 20_000)
 SUBSTEPS = (1, 4, 10)
+STEP = 0
+"""In place of substeps: a step alone, without contact, alarm, or dashpots."""
 LAWS = {"mss": "mass-spring", "mms": "molecular"}
 TICK = 1e3
 """[us] a tick may take at 1 kHz."""
-COLOURS = {1: "#1f6fb4", 4: "#1c8a5a", 10: "#c2571a"}
+COLOURS = {STEP: "#6b5fb5", 1: "#1f6fb4", 4: "#1c8a5a", 10: "#c2571a"}
 NAIVE_COLOUR = "#8a8f98"
 INK, FAINT = "#1d2127", "#616b77"
 
 
 def measure_scaling(budget: float, quick: bool, say: Callable[[str], None]) -> Report:
-    """Ticks in the air of both laws at 1, 4 and 10 substeps, on surfaces of many sizes."""
-    works = tuple(f"{law}_dashpot_tick" for law in LAWS)
+    """Steps, and ticks in the air at 1, 4 and 10 substeps, of both laws on many surfaces."""
+    works = tuple(name_work(law, substeps) for law in LAWS for substeps in (STEP, 1))
     options = Options(budget=budget, works=works, air_substeps=SUBSTEPS, press=False)
     report = bench_meshes(generate_meshes(QUICK_SIZES if quick else SIZES), options, say)
     report["largest"] = [
         {"law": law, "substeps": substeps, "vertices": find_largest(report["rows"], law, substeps)}
         for law in LAWS
-        for substeps in SUBSTEPS
+        for substeps in (STEP, *SUBSTEPS)
     ]
     return report
 
 
+def name_work(law: str, substeps: int) -> str:
+    return f"{law}_step" if substeps == STEP else f"{law}_dashpot_tick"
+
+
 def rows_of(rows: Sequence[Report], law: str, substeps: int) -> list[Report]:
-    return [r for r in rows if r["work"] == f"{law}_dashpot_tick" and r["substeps"] == substeps]
+    work = name_work(law, substeps)
+    return [r for r in rows if r["work"] == work and r["substeps"] == (substeps or None)]
 
 
 def find_largest(rows: Sequence[Report], law: str, substeps: int) -> int | None:
-    """Vertices at which the median tick takes a millisecond, between two that were measured.
+    """Vertices at which the median takes a millisecond, between two sizes that were measured.
 
     None where no two measured sizes have it between them.
     """
@@ -63,7 +70,7 @@ def find_largest(rows: Sequence[Report], law: str, substeps: int) -> int | None:
 
 
 def describe_scaling(report: Report) -> str:
-    lines = [f"wrote {report['picture']}", "largest surface whose median tick keeps 1 kHz:"]
+    lines = [f"wrote {report['picture']}", "largest surface whose median keeps 1 kHz:"]
     for row in report["largest"]:
         size = "not within the sizes measured" if row["vertices"] is None else row["vertices"]
         lines.append(f"  {LAWS[row['law']]}, {name_substeps(row['substeps'])}: {size}")
@@ -77,10 +84,11 @@ def save_scaling_chart(path: Path, report: Report) -> None:
     figures = figure.subplots(1, 2, sharey=True)
     for axes, law in zip(figures, LAWS, strict=True):
         draw_law(axes, report["rows"], law)
-    figures[0].set_ylabel("median of a whole tick", color=INK)
+    figures[0].set_ylabel("median of a step or a whole tick", color=INK)
     row = report["rows"][0]
     figure.supxlabel(
-        f"vertices; one core, {row['simd_target'] or 'plain code'}, {row['compiler_flags']}",
+        "vertices; at the end of a line, how many it takes at 1 kHz; one core, "
+        f"{row['simd_target'] or 'plain code'}, {row['compiler_flags']}",
         fontsize=8,
         color=FAINT,
     )
@@ -92,8 +100,15 @@ def save_scaling_chart(path: Path, report: Report) -> None:
 def draw_law(axes: Axes, rows: Sequence[Report], law: str) -> None:
     axes.set(xscale="log", yscale="log")
     axes.axhline(TICK, color=INK, lw=0.9, ls=(0, (4, 3)))
-    axes.text(0.012, 1.12 * TICK, "1 kHz", color=INK, fontsize=8, transform=blend(axes))
-    for substeps in SUBSTEPS:
+    axes.text(
+        0.012,
+        1.12 * TICK,
+        "1 kHz: the largest is written at the line's end",
+        color=INK,
+        fontsize=8,
+        transform=blend(axes),
+    )
+    for substeps in (STEP, *SUBSTEPS):
         draw_curve(axes, rows_of(rows, law, substeps), law, substeps, rows)
     naive = rows_of(rows, law, 1)
     sizes = [row["vertices"] for row in naive]
@@ -125,9 +140,12 @@ def draw_curve(
     sizes = [row["vertices"] for row in curve]
     costs = [row["median_us"] for row in curve]
     colour = COLOURS[substeps]
-    axes.plot(sizes, costs, color=colour, lw=2, marker="o", ms=4)
+    line = "--" if substeps == STEP else "-"
+    axes.plot(sizes, costs, color=colour, lw=2, ls=line, marker="o", ms=4)
+    largest = find_largest(rows, law, substeps)
+    name = name_substeps(substeps)
     axes.annotate(
-        name_substeps(substeps),
+        name if largest is None else f"{name}: {largest / 1e3:.0f}k",
         (sizes[-1], costs[-1]),
         xytext=(6, -3),
         textcoords="offset points",
@@ -135,21 +153,13 @@ def draw_curve(
         fontsize=8,
         annotation_clip=False,
     )
-    largest = find_largest(rows, law, substeps)
     if largest is not None:
         axes.plot([largest], [TICK], color=colour, marker="o", ms=8, mfc="white", mew=1.8)
-        axes.annotate(
-            f"{largest / 1e3:.0f}k",
-            (largest, TICK),
-            xytext=(7, -12),
-            textcoords="offset points",
-            color=colour,
-            fontsize=9,
-            fontweight="bold",
-        )
 
 
 def name_substeps(count: int) -> str:
+    if count == STEP:
+        return "step alone"
     return f"{count} substep" + ("s" if count > 1 else "")
 
 
