@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "palpate/sim/dynamics/step.h"
+#include "scenes/solids.h"
 #include "scenes/tissues.h"
 
 using namespace palpate;
@@ -71,6 +72,22 @@ TEST_CASE("every integrator converges with its order on a damped tissue in large
     const double measured = measure_order(model, load, start, integrator, 0.02, steps);
 
     CHECK(measured == Approx(order).epsilon(0.1));
+  }
+}
+
+TEST_CASE("every integrator converges with its order on a solid of springs and volumes") {
+  const TissueModel model = scenes::make_solid_organ(2, 0.9, {.damping_ratio = 0.1});
+  Load load(1);
+  load.gravity = {0.0, 2.0, -9.81};
+  State start(model);
+  scenes::shake(model, 1e-3, 0.1, start);
+
+  for (const auto& [integrator, order] : kEvery) {
+    CAPTURE(std::string(integrator_name(integrator)));
+    const int steps = integrator == Integrator::runge_kutta_4 ? 10 : order == 2 ? 25 : 100;
+
+    CHECK(measure_order(model, load, start, integrator, 0.005, steps) ==
+          Approx(order).epsilon(0.1));
   }
 }
 

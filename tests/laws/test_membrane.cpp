@@ -10,6 +10,7 @@
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/dynamics/tangent.h"
 #include "palpate/sim/model/build_membrane.h"
+#include "palpate/sim/model/build_shell.h"
 #include "scenes/scenes.h"
 
 using namespace palpate;
@@ -66,6 +67,19 @@ TEST_CASE(
     const auto compute_error = [&](int subdivisions) {
       const TissueModel model = build_membrane_molecular(make_sphere(subdivisions), wall, 0.0,
                                                          AngleLaw::gradient, make_bare());
+      return std::abs(compute_growth(model) / compute_exact_growth(wall) - 1.0);
+    };
+    CAPTURE(nu);
+    CHECK(compute_error(k642) < 0.01);
+    CHECK(compute_error(k642) < 0.5 * compute_error(k642 - 1));
+  }
+}
+
+TEST_CASE("so does a sphere of prisms, whose wall bends as well") {
+  for (const double nu : {0.0, 0.3, 0.45}) {
+    const Material wall = make_wall(nu);
+    const auto compute_error = [&](int subdivisions) {
+      const TissueModel model = build_shell(make_sphere(subdivisions), wall, make_bare());
       return std::abs(compute_growth(model) / compute_exact_growth(wall) - 1.0);
     };
     CAPTURE(nu);

@@ -49,6 +49,8 @@ class Subject:
     """[m] of a hollow body, whose mesh is its wall."""
     same_mesh_depths: tuple[float, ...] = ()
     """Of the thickness, for P1 on the same mesh at the first place; the usual three if none."""
+    shape: dict[str, str] | None = None
+    """File and SHA-256 of the shipped surface that it was made from; None if from a formula."""
 
     @cached_property
     def faces(self) -> Ints:
@@ -113,14 +115,14 @@ ROUND = {"top": (0.0, 0.0, 1.0), "side": (1.0, 0.0, 0.0), "shoulder": (0.6, 0.5,
 
 
 def ellipsoid() -> Subject:
-    x, t = build_ellipsoid((0.05, 0.035, 0.03), 8)
+    x, t, _ = read_filled("ellipsoid")
     return Subject(
         title="ellipsoid, 100 x 70 x 60 mm",
-        source="tests/references/bodies.py build_ellipsoid((0.05, 0.035, 0.03), 8)",
+        source=f"tests/references/fill_organs.py ellipsoid: {describe_cells('ellipsoid')}",
         x=x,
         t=t,
         directions=ROUND,
-        patch_radius=0.0125,
+        patch_radius=0.014,
         same_mesh_depths=(0.03, 0.05, 0.08, 0.10, 0.15, 0.20, 0.25),
     )
 
@@ -160,19 +162,28 @@ ORGANS = {
 """The shipped organs: title, Young's modulus [Pa] of tissues.toml, patch radius [m], places."""
 
 
-def organ(name: str) -> Subject:
-    title, young_modulus, patch_radius, directions = ORGANS[name]
+def describe_cells(name: str) -> str:
+    return f"cells of {1e3 * CELL_SIZE[name]:g} mm"
+
+
+def read_filled(name: str) -> tuple[Floats, Ints, str]:
+    """Vertices [m], tetrahedra, and the SHA-256 of the shipped surface; "" where there is none."""
     filled = FILLED / f"{name}.npz"
     if not filled.is_file():
         raise SystemExit(f"{filled} is missing: .venv/bin/python tests/references/fill_organs.py")
-    count, wall = WALLS.get(name, (None, None))
-    how = f"cells of {1e3 * CELL_SIZE[name]:g} mm" if wall is None else f"{count} vertices"
     body = np.load(filled)
-    x, t = finish(body["vertices"], body["tetrahedra"])
+    return *finish(body["vertices"], body["tetrahedra"]), str(body["sha256"])
+
+
+def organ(name: str) -> Subject:
+    title, young_modulus, patch_radius, directions = ORGANS[name]
+    count, wall = WALLS.get(name, (None, None))
+    how = describe_cells(name) if wall is None else f"{count} vertices"
+    x, t, sha256 = read_filled(name)
     return Subject(
         title=title,
-        source=f"tests/references/fill_organs.py {name}: {how}, of {name}.obj with SHA-256 "
-        f"{str(body['sha256'])[:16]}",
+        source=f"tests/references/fill_organs.py {name}: {how}",
+        shape={"file": f"{name}.obj", "sha256": sha256},
         x=x,
         t=t,
         directions=directions,

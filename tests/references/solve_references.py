@@ -55,6 +55,7 @@ def solve_reference(name: str) -> dict:
         "command": f"tests/references/solve_references.py {name}",
         "tools": {tool: version(tool) for tool in TOOLS},
         "source": subject.source,
+        "shape": subject.shape,
         "wall_thickness": subject.wall_thickness,
         "material": {
             "young_modulus": subject.young_modulus,

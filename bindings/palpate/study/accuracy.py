@@ -9,13 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from palpate.study.models import KINDS, Built, Kind, compute_volumes
+from palpate.study.models import KINDS, SOLID, Built, Kind, compute_volumes, form_of
 from palpate.study.reference import Answer, Place, Reference
 from palpate.study.statics import Unbalanced, follow, respond
 
-SHALLOW = 0.05
-"""Of the thickness: where the linear table is printed."""
-DEPTHS = (0.03, 0.08, 0.15)
 REACH = 0.05
 """Of the thickness, from one equilibrium to the next."""
 
@@ -104,15 +101,16 @@ def find_rms(reference: Reference, place: Place, u: NDArray[np.float64], truth: 
 
 
 def compare_deep(references: Iterable[Reference], kinds: Iterable[Kind] = KINDS) -> list[Row]:
-    """Every solid kind at every depth, pressed and pulled, beside neo-Hookean P1 on the same mesh.
+    """Kinds at every depth that a reference has, pressed and pulled, beside neo-Hookean elements.
 
-    The same mesh, so that what differs is the law and not the discretisation.
+    Solids beside P1 on the same mesh, so that what differs is the law and not the discretisation;
+    walls beside P2, because P1 locks where a wall bends.
     """
     return [
         row
         for reference in references
         for kind in kinds
-        if kind.deep
+        if kind.deep == form_of(reference)
         for organ in [kind.build(reference)]
         for place in reference.places
         for sign in (1.0, -1.0)
@@ -123,22 +121,24 @@ def compare_deep(references: Iterable[Reference], kinds: Iterable[Kind] = KINDS)
 def deep_rows(
     reference: Reference, place: Place, kind: Kind, organ: Built, sign: float
 ) -> list[Row]:
-    truths = [place.find("neo_hookean", "P1", sign * part * place.thickness) for part in DEPTHS]
+    elements = "P1" if form_of(reference) == SOLID else "P2"
+    parts = [p for p in place.list_parts("neo_hookean", elements) if sign * p > 0.0]
+    truths = [place.find("neo_hookean", elements, part * place.thickness) for part in parts]
     name = (reference.name, place.name, kind.name)
     depths = [truth.depth for truth in truths]
     found = follow(organ.press(place), depths, REACH * place.thickness)
     rows = []
-    for part, truth in zip(DEPTHS, truths, strict=True):
+    for part, truth in zip(parts, truths, strict=True):
         try:
             x, force = next(found)
         except (Unbalanced, StopIteration) as problem:
             note = str(problem) or rows[-1].note
-            rows.append(Row(*name, sign * part, None, None, None, note))
+            rows.append(Row(*name, part, None, None, None, note))
             continue
         u = spread(reference, organ, x - np.asarray(organ.model.rest_position))
         rms = find_rms(reference, place, u, truth)
         least = find_least_volume(reference, organ, x)
-        rows.append(Row(*name, sign * part, force / truth.force, rms, least))
+        rows.append(Row(*name, part, force / truth.force, rms, least))
     return rows
 
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.ticker import FuncFormatter, LogLocator
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from palpate.render.force_plot import DPI, dress
 from palpate.render.theme import THEMES, Theme
@@ -20,8 +20,8 @@ from palpate.study.accuracy import Row
 from palpate.study.cost import Cost
 from palpate.whole_file import write_whole
 
-SIZE = (1280, 760)
-"""[px]"""
+WIDTH, HEIGHT, KEYS = 1280, 480, 190
+"""[px] of the figure, of each row of panels, and of the keys with the title."""
 MARKERS = "osD^vP*"
 COLOURS = (
     "#8c8c8c",
@@ -37,32 +37,40 @@ TARGETS = (0.10, 0.05)
 """Of force and of displacement: what a hand and an eye let pass [SCIENCE 5]."""
 
 
-def save_chart(path: Path, rows: Sequence[Row], costs: Sequence[Cost]) -> None:
-    """Mean over the places of each body's linear errors; cost with its spread. Raises OSError."""
+def save_chart(
+    path: Path, rows: Sequence[Row], costs: Sequence[Cost], groups: Mapping[str, Sequence[str]]
+) -> None:
+    """Mean over the places of each body's linear errors; cost with its spread. Raises OSError.
+
+    Args:
+        path: Of the PNG.
+        rows: Of compare_linear.
+        costs: Of measure_costs.
+        groups: What bodies stand together in a row of panels -> their names.
+    """
     look = THEMES["light"]
+    groups = {title: names for title, names in groups.items() if names}
     figure = Figure(
-        figsize=(SIZE[0] / DPI, SIZE[1] / DPI), dpi=DPI, layout="constrained", facecolor=look.panel
+        figsize=(WIDTH / DPI, (KEYS + HEIGHT * len(groups)) / DPI),
+        dpi=DPI,
+        layout="constrained",
+        facecolor=look.panel,
     )
     canvas = FigureCanvasAgg(figure)
     figure.get_layout_engine().set(w_pad=0.15, h_pad=0.12)
-    panels = figure.subplots(1, 2, sharey=True)
+    grid = figure.subplots(len(groups), 2, sharey=True, squeeze=False)
     kinds = list(dict.fromkeys(cost.kind for cost in costs))
     bodies = list(dict.fromkeys(cost.reference for cost in costs))
-    titles = ("force: |ratio to the truth - 1|", "displacement: root mean square over the depth")
-    for axes, title, target, error in zip(
-        panels, titles, TARGETS, (find_force_error, find_displacement_error), strict=True
-    ):
-        for cost in costs:
-            plot_point(axes, cost, error(rows, cost), kinds, bodies)
-        axes.axvline(target, color=look.faint, linewidth=1.0, linestyle=(0, (4, 3)))
-        axes.axhline(1.0, color=look.faint, linewidth=1.0, linestyle=(0, (1, 2)))
-        axes.set_xscale("log")
-        axes.set_yscale("log")
-        axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-        axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{100 * value:g} %"))
-        axes.set_xlabel(title)
-        dress(axes, look)
-    panels[0].set_ylabel("seconds of one processor for a second of tissue at 1 kHz")
+    for panels, (title, names) in zip(grid, groups.items(), strict=True):
+        for axes, error, word, target in zip(panels, ERRORS, WORDS, TARGETS, strict=True):
+            for cost in costs:
+                if cost.reference in names:
+                    plot_point(axes, cost, error(rows, cost), kinds, bodies)
+            axes.axvline(target, color=look.faint, linewidth=1.0, linestyle=(0, (4, 3)))
+            scale(axes, look)
+            axes.set_xlabel(word)
+        panels[0].set_title(title, loc="left", color=look.text, fontsize=11, fontweight="bold")
+        panels[0].set_ylabel("processor seconds\nper second of tissue at 1 kHz")
     write_keys(figure, kinds, bodies, look)
     figure.suptitle(
         "What a model costs, and how far it is from finite elements", color=look.text,
@@ -71,6 +79,16 @@ def save_chart(path: Path, rows: Sequence[Row], costs: Sequence[Cost]) -> None:
     file = io.BytesIO()
     canvas.print_png(file)
     write_whole(path, file.getvalue())
+
+
+def scale(axes: Axes, look: Theme) -> None:
+    axes.axhline(1.0, color=look.faint, linewidth=1.0, linestyle=(0, (1, 2)))
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{100 * value:g} %"))
+    axes.xaxis.set_minor_formatter(NullFormatter())
+    dress(axes, look)
 
 
 def chosen(rows: Sequence[Row], cost: Cost) -> list[Row]:
@@ -87,6 +105,10 @@ def find_force_error(rows: Sequence[Row], cost: Cost) -> float:
 
 def find_displacement_error(rows: Sequence[Row], cost: Cost) -> float:
     return float(np.mean([row.rms for row in chosen(rows, cost)]))
+
+
+ERRORS = (find_force_error, find_displacement_error)
+WORDS = ("force: |ratio to the truth - 1|", "displacement: root mean square over the depth")
 
 
 def plot_point(

@@ -13,6 +13,8 @@ import palpate
 from palpate.study.reference import Place, Reference
 from palpate.study.statics import Press
 
+SOLID, WALL = "solid", "wall"
+"""What a body is: full of tissue, or hollow."""
 MEMBRANE, SHELL = 3e-3, 4e-3
 """[m] of the wall that a surface model of a solid is given: SCIENCE 2.4 has the same."""
 
@@ -35,8 +37,13 @@ class Kind:
 
     name: str
     build: Callable[[Reference], Built]
-    deep: bool = False
-    """Worth pressing deep: a solid whose small presses are near the truth."""
+    deep: str = ""
+    """Of which bodies it is worth pressing deep, "solid" or "wall"; "" where small presses are
+    far from the truth already."""
+
+
+def form_of(reference: Reference) -> str:
+    return SOLID if reference.wall_thickness is None else WALL
 
 
 def solid_of(reference: Reference) -> palpate.SolidMesh:
@@ -145,11 +152,11 @@ def build_shell(reference: Reference) -> Built:
 
 KINDS = (
     Kind("springs, one stiffness", lambda reference: build_springs(reference, True)),
-    Kind("springs, van Gelder", lambda reference: build_springs(reference, False), True),
-    Kind("springs + volumes, each", lambda reference: build_volumes(reference, 0.0), True),
-    Kind("springs + volumes, 0.9 nodal", lambda reference: build_volumes(reference, 0.9), True),
+    Kind("springs, van Gelder", lambda reference: build_springs(reference, False), SOLID),
+    Kind("springs + volumes, each", lambda reference: build_volumes(reference, 0.0), SOLID),
+    Kind("springs + volumes, 0.9 nodal", lambda reference: build_volumes(reference, 0.9), SOLID),
     Kind("springs + volumes, nodal", lambda reference: build_volumes(reference, 1.0)),
     Kind("surface springs (MSS)", build_membrane_springs),
     Kind("surface molecules (MMS), exact", build_membrane_molecular),
-    Kind("shell of prisms", build_shell),
+    Kind("shell of prisms", build_shell, WALL),
 )

@@ -45,6 +45,15 @@ class Answer:
 
 
 @dataclass(frozen=True)
+class Shape:
+    """The shipped surface that a body was made from."""
+
+    file: str
+    """In meshes/published."""
+    sha256: str
+
+
+@dataclass(frozen=True)
 class Place:
     """A patch that is moved as a whole, and what came of it."""
 
@@ -66,6 +75,14 @@ class Place:
             if law == "linear":
                 return scale(answer, depth)
         raise KeyError(f"{self.name}: no answer of {elements} {law} at {depth} m")
+
+    def list_parts(self, law: str, elements: str) -> list[float]:
+        """Depths over the thickness that have an answer, in the order of the file."""
+        return [
+            round(answer.depth / self.thickness, 3)
+            for answer in self.answers
+            if (answer.law, answer.elements) == (law, elements)
+        ]
 
 
 def scale(answer: Answer, depth: float) -> Answer:
@@ -92,6 +109,8 @@ class Reference:
     command: str
     source: str
     """What the mesh was made by."""
+    shape: Shape | None
+    """Of a shipped organ; None for a body that a formula makes."""
     young_modulus: float
     """[Pa]"""
     poisson_ratio: float
@@ -172,6 +191,7 @@ def read_reference(name: str) -> Reference:
         title=data["title"],
         command=data["command"],
         source=data["source"],
+        shape=None if data["shape"] is None else Shape(**data["shape"]),
         young_modulus=data["material"]["young_modulus"],
         poisson_ratio=data["material"]["poisson_ratio"],
         wall_thickness=data["wall_thickness"],

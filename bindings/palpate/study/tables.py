@@ -6,11 +6,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from palpate.study.accuracy import DEPTHS, Row
+from palpate.study.accuracy import Row
 
 
 def write_tables(references: Sequence[dict[str, Any]], rows: Sequence[Row]) -> str:
-    names = [reference["name"] for reference in references]
+    """Bodies full of tissue first, then walls: what is right for one is not for the other."""
     parts = [
         write_table(
             ["body", "tetrahedra", "places: thickness, error of the reference's force"],
@@ -18,16 +18,31 @@ def write_tables(references: Sequence[dict[str, Any]], rows: Sequence[Row]) -> s
         ),
         "Force over the reference's, mean of the places (least to most); error of the displacement "
         "of the free surface, root mean square, of the depth. Small presses, linear:",
-        write_table(["model", *names], list_kinds(names, rows, None)),
     ]
-    if any(row.depth is not None for row in rows):
-        parts.append("Beside neo-Hookean elements on the same mesh, by depth over thickness:")
-    for part in (*DEPTHS, *(-depth for depth in DEPTHS)):
-        lines = list_kinds(names, rows, part)
-        if lines:
-            word = "pressed" if part > 0.0 else "pulled"
-            parts.append(write_table([f"{word} {abs(part):.0%}", *names], lines))
+    solids = [r["name"] for r in references if r["wall_thickness_m"] is None]
+    walls = [r["name"] for r in references if r["wall_thickness_m"] is not None]
+    parts += [write_table(["model", *names], list_kinds(names, rows, None))
+              for names in (solids, walls) if names]  # fmt: skip
+    for names, truth in (
+        (solids, "Solids beside neo-Hookean P1 elements on the same mesh"),
+        (walls, "Walls beside neo-Hookean P2 elements on the same mesh"),
+    ):
+        tables = write_deep_tables(names, rows)
+        if tables:
+            parts += [f"{truth}, by depth over thickness:", *tables]
     return "\n\n".join(parts)
+
+
+def write_deep_tables(names: Sequence[str], rows: Sequence[Row]) -> list[str]:
+    """Presses from the shallowest, then pulls; kinds against bodies."""
+    depths = {row.depth for row in rows if row.reference in names and row.depth is not None}
+    return [
+        write_table(
+            [f"{'pressed' if depth > 0.0 else 'pulled'} {abs(depth):.0%}", *names],
+            list_kinds(names, rows, depth),
+        )
+        for depth in sorted(depths, key=lambda depth: (depth < 0.0, abs(depth)))
+    ]
 
 
 def describe_reference(reference: dict[str, Any]) -> list[str]:
@@ -39,7 +54,7 @@ def describe_reference(reference: dict[str, Any]) -> list[str]:
 
 
 def list_kinds(names: Sequence[str], rows: Sequence[Row], depth: float | None) -> list[list[str]]:
-    chosen = [row for row in rows if row.depth == depth]
+    chosen = [row for row in rows if row.depth == depth and row.reference in names]
     kinds = list(dict.fromkeys(row.kind for row in chosen))
     return [
         [kind, *(describe_rows([r for r in chosen if (r.kind, r.reference) == (kind, name)])

@@ -8,11 +8,12 @@ from dataclasses import asdict
 from pathlib import Path
 
 from palpate.study.accuracy import Row, compare_deep, compare_linear
+from palpate.study.models import SOLID, WALL, form_of
 from palpate.study.reference import list_references, read_reference
 from palpate.study.tables import write_tables
 from palpate.verb import Report, Verb
 
-SHIPPED = ("spleen", "kidney", "liver")
+SHIPPED = ("spleen", "kidney", "liver", "gallbladder", "stomach")
 
 
 def add_study(word: argparse.ArgumentParser) -> None:
@@ -21,9 +22,9 @@ def add_study(word: argparse.ArgumentParser) -> None:
         "--reference",
         action="append",
         choices=list_references(),
-        help="may be repeated; without it the shipped solid organs",
+        help="may be repeated; without it the shipped organs",
     )
-    word.add_argument("--deep", action="store_true", help="presses and pulls to 3, 8 and 15 %% too")
+    word.add_argument("--deep", action="store_true", help="deep presses and pulls too")
     word.add_argument("--chart", type=Path, help="cost against error as PNG")
 
 
@@ -39,6 +40,7 @@ def run_study(call: argparse.Namespace) -> Report:
                 "title": reference.title,
                 "vertices": len(reference.vertices),
                 "tetrahedra": len(reference.tetrahedra),
+                "wall_thickness_m": reference.wall_thickness,
                 "command": reference.command,
                 "places": [
                     {
@@ -62,7 +64,14 @@ def run_study(call: argparse.Namespace) -> Report:
         from palpate.study.cost import measure_costs
 
         costs = measure_costs(references)
-        save_chart(call.chart, rows, costs)
+        groups = {"Solid organs": SOLID, "Hollow organs, as their walls": WALL}
+        save_chart(
+            call.chart,
+            rows,
+            costs,
+            {title: [r.name for r in references if form_of(r) == form]
+             for title, form in groups.items()},
+        )  # fmt: skip
         report["costs"] = [asdict(cost) for cost in costs]
         report["chart"] = str(call.chart)
     return report

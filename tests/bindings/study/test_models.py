@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import dropwhile
 from pathlib import Path
 
 import numpy as np
@@ -138,14 +139,47 @@ def test_springs_and_volumes_keep_near_elements_where_springs_alone_soften(splee
     assert alone.force_ratio is None or alone.force_ratio < 0.75
 
 
-def test_what_is_written_in_accuracy_md_is_what_comes_out(linear):
-    table = ACCURACY.read_text(encoding="utf-8")
-    for kind in KINDS:
-        ratio, rms = mean_of(linear, kind.name)
-        line = next(line for line in table.splitlines() if line.startswith(f"| {kind.name} "))
-        cell = line.split("|")[2].strip()
-        assert cell.startswith(f"{ratio:.3g} ("), kind.name
-        assert cell.endswith(f", {100 * rms:.1f} %"), kind.name
+def find_cell(kind: str, body: str) -> str:
+    """Of the first table of ACCURACY.md that has a column of the body."""
+    lines = ACCURACY.read_text(encoding="utf-8").splitlines()
+    for number, line in enumerate(lines):
+        columns = [cell.strip() for cell in line.split("|")]
+        if columns[1:2] == ["model"] and body in columns:
+            table = dropwhile(lambda row: not row.startswith(f"| {kind} "), lines[number:])
+            return next(table).split("|")[columns.index(body)].strip()
+    raise AssertionError(f"no table has {body}")
+
+
+@pytest.mark.parametrize("body", ["spleen", "kidney", "liver", "gallbladder", "stomach"])
+def test_what_is_written_in_accuracy_md_is_what_comes_out(body):
+    rows = compare_linear([read_reference(body)])
+
+    for kind in dict.fromkeys(row.kind for row in rows):
+        assert find_cell(kind, body) == describe_rows([row for row in rows if row.kind == kind])
+
+
+def test_a_wall_of_prisms_stands_for_a_hollow_organ_and_a_membrane_does_not():
+    kinds = [BY_NAME["surface molecules (MMS), exact"], BY_NAME["shell of prisms"]]
+    rows = compare_linear([read_reference("gallbladder")], kinds)
+
+    membrane, shell = (mean_of(rows, kind.name) for kind in kinds)
+
+    # the truth itself is 5 to 7 % too stiff
+    assert shell[0] == pytest.approx(1.0, abs=0.1) and shell[1] < 0.05
+    # without bending it caves in where it is pressed
+    assert membrane[0] < 0.4 and membrane[1] > 1.0
+
+
+def test_a_wall_of_prisms_keeps_near_elements_in_deep_presses_and_pulls():
+    body = read_reference("gallbladder")
+
+    rows = compare_deep([replace(body, places=body.places[:1])])
+
+    assert [row.depth for row in rows] == [0.03, 0.08, 0.15, -0.03, -0.08, -0.15]
+    assert {row.kind for row in rows} == {"shell of prisms"}
+    for row in rows:
+        assert row.force_ratio == pytest.approx(1.0, abs=0.1)
+        assert row.rms < 0.11
 
 
 def test_rows_without_numbers_say_why():
@@ -161,6 +195,7 @@ def test_rows_without_numbers_say_why():
 def test_the_table_is_markdown(linear):
     places = [{"name": "top", "thickness_m": 0.03, "force_error": 0.05}]
     body = {"name": "spleen", "title": "Spleen", "tetrahedra": 2122, "places": places}
+    body["wall_thickness_m"] = None
 
     text = write_tables([body], linear)
 
@@ -174,7 +209,7 @@ def test_the_chart_is_drawn(tmp_path, spleen, linear):
     kinds = [BY_NAME["springs, van Gelder"], BY_NAME["surface springs (MSS)"]]
     costs = measure_costs([spleen], kinds)
 
-    save_chart(tmp_path / "chart.png", linear, costs)
+    save_chart(tmp_path / "chart.png", linear, costs, {"Solid": ["spleen"], "Hollow": []})
 
     assert all(0.0 < cost.least <= cost.median <= cost.most for cost in costs)
     assert (tmp_path / "chart.png").read_bytes().startswith(b"\x89PNG")
