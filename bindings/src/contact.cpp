@@ -3,6 +3,7 @@
 #include "border.h"
 #include "palpate/sim/contact/balance_tool.h"
 #include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/contact/tree_cost.h"
 #include "rows.h"
 #include "value.h"
 
@@ -94,6 +95,8 @@ void bind_tree(py::module_& m) {
             return view_span(self.cast<const AabbTree&>().triangles(), self);
           },
           "Shape (t, 3); a view, read-only.");
+  m.def("compute_query_cost", &compute_query_cost, "tree"_a,
+        "What a query of the tree costs on average, in nodes and leaves visited.");
   tree.attr("kWidth") = AabbTree::kWidth;
   tree.attr("kLeafSize") = AabbTree::kLeafSize;
   tree.attr("kMaxDepth") = AabbTree::kMaxDepth;

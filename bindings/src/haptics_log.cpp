@@ -77,6 +77,9 @@ void bind_log_rows(py::module_& m) {
       .value("released", HappeningKind::released)
       .value("paused", HappeningKind::paused,
              "value: how long [s] the loop rested before this tick")
+      .value("tree_exchanged", HappeningKind::tree_exchanged,
+             "index: ticks since its positions were taken; value: what the cost of queries had "
+             "grown by")
       .finalize();
   py::class_<Happening> happening(m, "Happening", "Something that happened at a tick.");
   happening

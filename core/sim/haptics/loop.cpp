@@ -13,6 +13,7 @@
 
 #include "palpate/sim/haptics/durations.h"
 #include "palpate/sim/haptics/realtime.h"
+#include "palpate/sim/haptics/tree_builder.h"
 
 namespace palpate {
 namespace {
@@ -28,9 +29,7 @@ const LoopOptions& validated(const LoopOptions& options) {
   if (!(options.duration >= 0.0) || !std::isfinite(options.duration)) {
     refuse("duration [s]", options.duration, "0 or more");
   }
-  if (!(options.spin >= 0.0 && options.spin <= 1.0)) {
-    refuse("spin [s]", options.spin, "0 to 1");
-  }
+  if (!(options.spin >= 0.0 && options.spin <= 1.0)) refuse("spin [s]", options.spin, "0 to 1");
   if (options.cpu < -1) refuse("cpu", options.cpu, "a core, or -1");
   return options;
 }
@@ -90,6 +89,7 @@ struct Loop::Impl {
 
   // the haptic thread's own while it runs
   World world;
+  TreeBuilder trees{world};
   SafeDevice safe;
   HapticSample sample;
   std::int64_t lateness = 0, spent = 0;  // [ns] of the last tick
@@ -120,7 +120,6 @@ void Loop::Impl::run() noexcept {
   running.store(true, std::memory_order_release);
   ready.store(true, std::memory_order_release);
   ready.notify_all();
-
   run_ticks();
   device.write(HapticCommand{});  // past the wrapper, whose slew limit would let the force linger
   leave_realtime(realtime);
@@ -204,6 +203,7 @@ void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
   costs.add(spent);
   ticks.store(number + 1, std::memory_order_relaxed);
   if (number % snapshot_ticks == 0) publish();
+  if (const auto told = trees.serve(world)) tell(told->tick, told->kind, told->index, told->value);
 }
 
 /// Leaves the tick in the log, and once a second the world's hash.

@@ -93,6 +93,7 @@ void refit_tree(World& world) noexcept {
   } else {
     world.tree.refit(surface_position(world));
   }
+  world.tree_cost.follow(world.tree);
 }
 
 void begin_moving(const Scene& scene, World& world) noexcept {

@@ -25,7 +25,9 @@ enum class HappeningKind : std::int32_t {
   fault = 4,         ///< index: DeviceFault
   attached = 5,
   released = 6,
-  paused = 7,  ///< value: how long [s] the loop rested before this tick
+  paused = 7,          ///< value: how long [s] the loop rested before this tick
+  tree_exchanged = 8,  ///< index: ticks since its positions were taken; value: what the cost of
+                       ///< queries had grown by (TreeCost)
 };
 
 /// Something that happened at a tick.

@@ -32,6 +32,7 @@ World::World(const Scene& scene)
     : tissue(validated(scene).tissue),
       skin(scene.tissue.skin.corners.size()),
       tree(compute_surface(scene.tissue, scene.tissue.rest_position), scene.tissue.triangles),
+      tree_cost(tree),
       candidates(static_cast<int>(scene.tissue.triangles.size())),
       tool(static_cast<int>(scene.tissue.triangles.size())),
       load(2 * static_cast<int>(scene.tissue.triangles.size())),

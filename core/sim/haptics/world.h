@@ -6,6 +6,7 @@
 
 #include "palpate/sim/contact/aabb_tree.h"
 #include "palpate/sim/contact/find_candidates.h"
+#include "palpate/sim/contact/tree_cost.h"
 #include "palpate/sim/dynamics/active_set.h"
 #include "palpate/sim/dynamics/guard.h"
 #include "palpate/sim/dynamics/packed_model.h"
@@ -21,6 +22,7 @@ struct World {
   State tissue;    ///< after every tick, whichever kernel moves it
   Vec3Array skin;  ///< [m] the vertices of the skin, after every tick; empty where there is none
   AabbTree tree;
+  TreeCost tree_cost;
   Candidates candidates;
   ToolState tool;
   Vec3 hand = Vec3::Zero();  ///< [m] where the tool is drawn to: the hand, unless that jumped

@@ -7,6 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "palpate/sim/haptics/exchange_tree.h"
+
 namespace palpate {
 namespace {
 
@@ -42,6 +44,44 @@ double distance(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
 
 }  // namespace
 
+/// The trees of the recorded run, each built over the same positions and taken up before the same
+/// tick. Answers do not depend on them; how long they take does.
+class RecordedTrees {
+ public:
+  /// Throws std::invalid_argument for exchanges that no run has: one tree is built at a time.
+  explicit RecordedTrees(const Record& record) {
+    std::int64_t last = 0;
+    for (const Happening& happening : record.happenings) {
+      if (happening.kind != HappeningKind::tree_exchanged) continue;
+      if (happening.index < 0 || happening.index > happening.tick - last) {
+        throw std::invalid_argument(
+            "replay: got at tick " + std::to_string(happening.tick) + " a tree built " +
+            std::to_string(happening.index) + " ticks before, expected 0 to " +
+            std::to_string(happening.tick - last) + ", after the exchange before it");
+      }
+      exchanges_.push_back(happening);
+      last = happening.tick;
+    }
+  }
+
+  /// Between two ticks.
+  void follow(World& world) {
+    for (; next_ < exchanges_.size(); ++next_) {
+      const Happening& exchange = exchanges_[next_];
+      if (exchange.tick - exchange.index == world.tick_count) {
+        built_ = build_over(surface_position(world), world.tree.triangles());
+      }
+      if (exchange.tick != world.tick_count) return;
+      exchange_tree(built_, world);
+    }
+  }
+
+ private:
+  std::vector<Happening> exchanges_;  // one after the other
+  std::size_t next_ = 0;
+  BuiltTree built_;
+};
+
 ReplayReport replay(const Scene& scene, const Record& record) {
   validate(record);
   ReplayReport report;
@@ -57,7 +97,9 @@ ReplayReport replay(const Scene& scene, const Record& record) {
   auto next = hashes.begin();
 
   World world(scene);
+  RecordedTrees trees(record);
   for (std::size_t i = 0; i < record.hand.size(); ++i) {
+    trees.follow(world);
     const HapticCommand command = tick(scene, record.hand[i], 1.0 / scene.rate, world);
     Felt felt = compute_felt(command, world);
     const Felt& then = record.felt[i];

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <thread>
+#include <utility>
 
-#include "core/haptics/press_scene.h"
+#include "core/haptics/collapse_scene.h"
 #include "core/session/some_record.h"
 #include "palpate/sim/dynamics/simd_targets.h"
 #include "palpate/sim/haptics/loop.h"
@@ -28,6 +30,24 @@ Record press_record(const Scene& scene) {
     if (i % 100 == 99) record.hashes.push_back({i, compute_hash(world)});
   }
   return record;
+}
+
+/// The tree exchanges of a record.
+std::vector<Happening> list_exchanges(const Record& record) {
+  std::vector<Happening> exchanges;
+  for (const Happening& happening : record.happenings) {
+    if (happening.kind == HappeningKind::tree_exchanged) exchanges.push_back(happening);
+  }
+  return exchanges;
+}
+
+std::string refusal_of(const Scene& scene, const Record& record) {
+  try {
+    replay(scene, record);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
 }
 
 }  // namespace
@@ -65,6 +85,63 @@ TEST_CASE("a run of the live loop replays to the same bits from its file") {
   CHECK(report.ticks == loop.report().ticks);
   CHECK(report.equal);
   CHECK_FALSE(record.hashes.empty());
+}
+
+TEST_CASE("a loop with a recorder, a reader and a tree built meanwhile replays to the same bits") {
+  const Folder folder;
+  const Scene scene = collapse_scene();
+  ScriptedDevice hand = sweep_script(1.2);
+  Recorder recorder(folder.file("run.prec"), "{}");
+  Loop loop(scene, hand, {.duration = 1.2}, &recorder.log());
+
+  loop.start();
+  long seen = 0;
+  std::thread reader([&] {
+    while (loop.running()) {
+      seen += loop.take_snapshot() && loop.snapshot().position.size() == 162;
+      seen += loop.report().ticks < 0;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  });
+  while (!loop.wait(10.0)) {
+  }
+  reader.join();
+  loop.stop();
+  recorder.finish();
+
+  const Record record = read_record(folder.file("run.prec"));
+  const ReplayReport report = replay(scene, record);
+  CHECK(seen > 0);
+  CHECK_FALSE(loop.report().alarm);
+  CHECK_FALSE(list_exchanges(record).empty());
+  CHECK(report.ticks == loop.report().ticks);
+  CHECK(report.equal);
+}
+
+TEST_CASE("trees are exchanged in a replay where the record says, even in its last ticks") {
+  const Scene scene = press_scene();
+  Record record = press_record(scene);
+  for (const auto& [tick, age] : {std::pair{0, 0}, {17, 3}, {200, 100}, {200, 0}, {499, 1}}) {
+    record.happenings.push_back({tick, HappeningKind::tree_exchanged, age, 2.0});
+  }
+  record.happenings.push_back({500, HappeningKind::tree_exchanged, 1, 2.0});  // never taken up
+
+  CHECK(replay(scene, record).equal);
+}
+
+TEST_CASE("a record whose trees no run could have built is refused with where and why") {
+  const Scene scene = press_scene();
+  Record early = press_record(scene), negative = early, crossed = early;
+  early.happenings = {{5, HappeningKind::tree_exchanged, 6, 2.0}};
+  negative.happenings = {{5, HappeningKind::tree_exchanged, -1, 2.0}};
+  crossed.happenings = {{50, HappeningKind::tree_exchanged, 10, 2.0},
+                        {60, HappeningKind::tree_exchanged, 15, 2.0}};
+
+  CHECK(refusal_of(scene, early) ==
+        "replay: got at tick 5 a tree built 6 ticks before, expected 0 to 5, after the exchange "
+        "before it");
+  CHECK(refusal_of(scene, negative).starts_with("replay: got at tick 5 a tree built -1"));
+  CHECK(refusal_of(scene, crossed).starts_with("replay: got at tick 60 a tree built 15"));
 }
 
 TEST_CASE("one changed sample makes the comparison fail, at its tick and in newtons") {
