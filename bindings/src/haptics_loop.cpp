@@ -50,7 +50,14 @@ void bind_devices(py::module_& m) {
       .def("write", &HapticDevice::write, "command"_a)
       .def("name", &HapticDevice::name)
       .def("failed", &HapticDevice::failed,
-           "True once the device is gone for good: what it says and is told no longer counts.");
+           "True once the device is gone for good: what it says and is told no longer counts.")
+      .def("report_rate", &HapticDevice::report_rate,
+           "[Hz] of the reports that can be waited for, 0 where the device has no clock of its "
+           "own. Where it is that of the ticks, the live loop ticks when a report has come.")
+      .def("wait_for_report", &HapticDevice::wait_for_report, "latest"_a,
+           py::call_guard<py::gil_scoped_release>(),
+           "Waits for a report that read has not seen, until latest [ns of the monotonic clock] "
+           "at most. False if none came.");
   bind_safe_device(m);
   bind_scripted_device(m);
   py::class_<PointerDevice, HapticDevice>(
@@ -126,6 +133,8 @@ void bind_report(py::module_& m) {
   report.def_readonly("ticks", &LoopReport::ticks)
       .def_readonly("missed_ticks", &LoopReport::missed_ticks,
                     "Skipped because an earlier tick was still at work.")
+      .def_readonly("unpaced_ticks", &LoopReport::unpaced_ticks,
+                    "Went without the report of a device that has its own pace.")
       .def_readonly("lateness", &LoopReport::lateness, "Start of a tick behind its due time.")
       .def_readonly("cost", &LoopReport::cost, "Of the tick itself, device included.")
       .def_readonly("realtime", &LoopReport::realtime, "Granted.")
@@ -133,8 +142,8 @@ void bind_report(py::module_& m) {
       .def_readonly("alarm", &LoopReport::alarm)
       .def_readonly("fault", &LoopReport::fault)
       .def_readonly("record_gaps", &LoopReport::record_gaps, "Ticks the log had no room for.");
-  def_repr(report, {"ticks", "missed_ticks", "lateness", "cost", "realtime", "realtime_note",
-                    "alarm", "fault", "record_gaps"});
+  def_repr(report, {"ticks", "missed_ticks", "unpaced_ticks", "lateness", "cost", "realtime",
+                    "realtime_note", "alarm", "fault", "record_gaps"});
 }
 
 /// Waits in short pieces, so that Ctrl-C is heard.

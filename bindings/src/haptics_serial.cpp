@@ -31,6 +31,10 @@ void bind_transports(py::module_& m) {
           },
           "time"_a, "bytes"_a)
       .def("is_open", &Transport::is_open, "False for good once the other end is gone.")
+      .def("can_wait", &Transport::can_wait,
+           "True if wait can: something of the machine's own tells that bytes have come.")
+      .def("wait", &Transport::wait, "latest"_a, Release(),
+           "Until bytes have come, or latest [ns of the monotonic clock]. False if none have.")
       .def("now", &Transport::now, "time"_a, "[s] of the clock that arrivals are told by.")
       .def("name", &Transport::name);
 
@@ -158,6 +162,8 @@ void bind_status(py::module_& m) {
                     "[s] reports off the line through their times.")
       .def_readonly("clock_drift", &DeviceStatus::clock_drift,
                     "By how much the device's clock is fast, 1e-6 for 1 ppm.")
+      .def_readonly("local_stiffness", &DeviceStatus::local_stiffness,
+                    "[N/m] along the force that it answers by itself.")
       .def_readonly("release", &DeviceStatus::release, "Of the firmware.")
       .def_readonly("serial_number", &DeviceStatus::serial_number);
   m.def("name_fault", &name_fault, "fault"_a,

@@ -24,7 +24,7 @@ ROOMS = {
 }
 """Room of core/sim -> what of core/sim it may include."""
 
-POSIX = ("fcntl.h", "pthread.h", "sched.h", "sys/", "time.h", "unistd.h")
+POSIX = ("fcntl.h", "poll.h", "pthread.h", "sched.h", "sys/", "time.h", "unistd.h")
 SYSTEM = {
     "core/sim/haptics/serial_transport.cpp": ("asio/", "termios.h", "linux/serial.h", *POSIX),
     "core/sim/haptics/pty_device.cpp": ("termios.h", *POSIX),

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "firmware/board/host.h"
 #include "host_of_device.h"
 
 namespace palpate {
@@ -12,10 +11,7 @@ namespace palpate {
 class Bench {
  public:
   explicit Bench(bool calibrated = true) {
-    std::uint8_t eeprom[PALPATE_EEPROM_BYTES];
-    const palpate_calibration calibration = plain_calibration();
-    palpate_write_eeprom(&calibration, eeprom);
-    palpate_board_init(&board, calibrated ? eeprom : nullptr);
+    palpate_board_init(&board, calibrated ? calibrated_eeprom().data() : nullptr);
   }
 
   void say(const Bytes& wire) {

@@ -6,6 +6,7 @@
 #include <deque>
 #include <vector>
 
+#include "firmware/board/host.h"
 #include "firmware/protocol/calibration.h"
 #include "firmware/protocol/frame.h"
 #include "firmware/protocol/messages.h"
@@ -29,6 +30,14 @@ inline palpate_calibration plain_calibration() {
   c.heat_rate = 105;  // 10 s
   c.serial_number = 20261121;
   return c;
+}
+
+/// An EEPROM with that in it.
+inline Bytes calibrated_eeprom() {
+  Bytes eeprom(PALPATE_EEPROM_BYTES);
+  const palpate_calibration calibration = plain_calibration();
+  palpate_write_eeprom(&calibration, eeprom.data());
+  return eeprom;
 }
 
 inline Bytes encode(const Bytes& body) {

@@ -2,10 +2,13 @@
 // The fuzz harness of the device without a fuzzer: good sessions, wounded; the same on every run.
 //
 //     test_mutated_frames COUNT
+//     test_mutated_frames seed FILE      a short session for the fuzzer to begin with
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <random>
+#include <string>
 
 #include "../firmware/bench.h"
 
@@ -50,6 +53,38 @@ Bytes record_session() {
   return stream;
 }
 
+/// A host that arms a device that was calibrated before: short enough for a fuzzer to play with.
+Bytes record_short_session() {
+  palpate::Bench bench(true);
+  Bytes stream = {128};
+  stream.resize(40, 0);
+  bench.wait();
+  const auto say = [&](Bytes wire) {
+    bench.say(wire);
+    bench.wait();
+    wire.resize(40, 0);
+    append(stream, wire);
+  };
+  say(bench.host.hello());
+  say(bench.host.clear());
+  for (int i = 0; i < 3; ++i) say(bench.host.command(0, 0, 0));
+  say(bench.host.enable());
+  if (!bench.board.enabled) {
+    std::fprintf(stderr, "a short session does not enable the motors\n");
+    std::abort();
+  }
+  for (int i = 0; i < 30; ++i) {
+    palpate_command command{};
+    command.has_law = i % 3 == 0;
+    command.shift = 4;
+    command.torque[0] = static_cast<std::int16_t>(1000 * i);
+    command.stiffness[0] = 3000;
+    say(bench.host.command(command));
+  }
+  say(bench.host.disable());
+  return stream;
+}
+
 Bytes wound(std::mt19937& random, Bytes stream) {
   const int wounds = static_cast<int>(random() % 6);
   for (int i = 0; i < wounds; ++i) {
@@ -83,11 +118,18 @@ Bytes noise(std::mt19937& random) {
 }  // namespace
 
 int main(int count, char** words) {
+  if (count > 2 && std::string(words[1]) == "seed") {
+    const Bytes seed = record_short_session();
+    std::ofstream file(words[2], std::ios::binary);
+    file.write(reinterpret_cast<const char*>(seed.data()),
+               static_cast<std::streamsize>(seed.size()));
+    return file.good() ? 0 : 1;
+  }
   const int inputs = count > 1 ? std::atoi(words[1]) : 2000;
-  const Bytes session = record_session();
+  const Bytes sessions[] = {record_session(), record_short_session()};
   for (int i = 0; i < inputs; ++i) {
     std::mt19937 random(static_cast<unsigned>(i));
-    const Bytes input = i % 4 ? wound(random, session) : noise(random);
+    const Bytes input = i % 4 ? wound(random, sessions[i % 2]) : noise(random);
     LLVMFuzzerTestOneInput(input.data(), input.size());
   }
   std::printf("%d inputs: each was obeyed or refused\n", inputs);

@@ -38,7 +38,7 @@ Contact touch(const char* name, Rule rule) {
   std::ofstream out;
   if (const char* folder = std::getenv("PALPATE_CHARTS")) {
     out.open(std::string(folder) + "/contact_" + name + ".csv");
-    out << "time,height,force\n";
+    out << "time,height,force,energy\n";
   }
   Contact contact;
   double lowest = 1.0, highest = -1.0;
@@ -62,7 +62,7 @@ Contact touch(const char* name, Rule rule) {
       lowest = std::min(lowest, height);
       highest = std::max(highest, height);
     }
-    if (out) out << 1e-3 * ms << ',' << height << ',' << force.z() << '\n';
+    if (out) out << 1e-3 * ms << ',' << height << ',' << force.z() << ',' << contact.energy << '\n';
   }
   contact.cycle = highest - lowest;
   std::printf("%s: the motors gave %.2f mJ, %.2f mm out of the tissue, %.2f mm from peak to peak\n",

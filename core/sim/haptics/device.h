@@ -38,6 +38,15 @@ class HapticDevice {
   /// True once the device is gone for good: what it says and is told no longer counts. From the
   /// haptic thread too.
   virtual bool failed() const noexcept { return false; }
+  /// [Hz] of the reports that can be waited for, 0 where the device has no clock of its own. Where
+  /// it is that of the ticks, the live loop ticks when a report has come.
+  virtual double report_rate() const noexcept { return 0.0; }
+  /// Waits for a report that read has not seen, until `latest` [ns of the monotonic clock] at most.
+  /// False if none came.
+  virtual bool wait_for_report(std::int64_t latest) noexcept {
+    (void)latest;
+    return false;
+  }
 };
 
 }  // namespace palpate

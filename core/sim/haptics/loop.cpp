@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "palpate/sim/haptics/durations.h"
+#include "palpate/sim/haptics/pace.h"
 #include "palpate/sim/haptics/realtime.h"
 #include "palpate/sim/haptics/tree_builder.h"
 
@@ -64,20 +65,18 @@ struct Loop::Impl {
         hash_ticks(ticks_in(kHashInterval, scene.rate)),
         world(scene),
         safe(device, options.safety),
+        pace(safe, scene.rate, std::llround(1e9 * options.spin)),
         snapshots(rest_snapshot(world)) {}
 
   void run() noexcept;
   void run_ticks() noexcept;
   void run_tick(std::int64_t index, long skipped) noexcept;
-  std::int64_t rest(std::int64_t index) noexcept;
+  void rest(std::int64_t index) noexcept;
   void keep(const HapticCommand& command) noexcept;
   void notice_faults(long number) noexcept;
   void publish() noexcept;
   void tell(long number, HappeningKind kind, std::int32_t index, double value = 0.0) noexcept {
     if (log) log->push(Happening{number, kind, index, value});
-  }
-  std::int64_t due_after_start(std::int64_t index) const noexcept {
-    return std::llround(double(index) * 1e9 * dt);
   }
 
   const Scene& scene;
@@ -91,6 +90,7 @@ struct Loop::Impl {
   World world;
   TreeBuilder trees{world};
   SafeDevice safe;
+  Pace pace;
   HapticSample sample;
   std::int64_t lateness = 0, spent = 0;  // [ns] of the last tick
   long lost_ticks = 0;                   // had no room in the log, not yet told
@@ -130,27 +130,25 @@ void Loop::Impl::run() noexcept {
   ended.notify_all();
 }
 
-/// Tick k is due k periods after the start. A due time that passes while an earlier tick is still
-/// at work is skipped, so the thread never hurries after the clock and always comes to sleep.
+/// A due time that passes while an earlier tick is still at work is skipped, so the thread never
+/// hurries after the clock and always comes to sleep.
 void Loop::Impl::run_ticks() noexcept {
-  const std::int64_t spin = std::llround(1e9 * options.spin);
   const std::int64_t end = options.duration > 0.0 ? ticks_in(options.duration, scene.rate)
                                                   : std::numeric_limits<std::int64_t>::max();
-  std::int64_t start = read_clock() + due_after_start(1);
+  pace.begin(0);
   long skipped = 0;
   for (std::int64_t index = 0; index < end;) {
-    const std::int64_t due = start + due_after_start(index);
-    wait_until(due, spin);
+    const std::int64_t due = pace.wait(index);
     if (stopping.load(std::memory_order_acquire)) break;
     if (pausing.load(std::memory_order_acquire)) {
-      start = rest(index);
+      rest(index);
       continue;
     }
     lateness = std::max<std::int64_t>(0, read_clock() - due);
     run_tick(index, skipped);
 
     const std::int64_t now = read_clock();
-    for (skipped = 0, ++index; index < end && start + due_after_start(index) < now; ++index) {
+    for (skipped = 0, ++index; index < end && pace.due(index) < now; ++index) {
       ++skipped;
     }
     missed.fetch_add(skipped, std::memory_order_relaxed);
@@ -164,21 +162,21 @@ void Loop::Impl::run_ticks() noexcept {
   if (done > 0) publish();
 }
 
-/// Keeps the device at rest before tick `index`. Returns the start [ns] that makes this tick due
-/// one period after the pause, so that nothing that follows is late for it.
-std::int64_t Loop::Impl::rest(std::int64_t index) noexcept {
+/// Keeps the device at rest before tick `index`, which is then due one period after the pause, so
+/// that nothing that follows is late for it.
+void Loop::Impl::rest(std::int64_t index) noexcept {
   const std::int64_t begun = read_clock();
   safe.rest();
   if (world.tick_count > 0) publish();
   resting.store(true, std::memory_order_release);
   while (pausing.load(std::memory_order_acquire) && !stopping.load(std::memory_order_acquire)) {
-    wait_until(read_clock() + due_after_start(1), 0);
+    wait_until(read_clock() + pace.period(), 0);
     safe.rest();  // again and again: a device may take silence for a fault
   }
   const std::int64_t now = read_clock();
   resting.store(false, std::memory_order_release);
   tell(world.tick_count, HappeningKind::paused, 0, to_seconds(now - begun));
-  return now + due_after_start(1) - due_after_start(index);
+  pace.begin(index);
 }
 
 void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
@@ -285,6 +283,7 @@ LoopReport Loop::report() const {
   LoopReport report;
   report.ticks = impl_->ticks.load(std::memory_order_relaxed);
   report.missed_ticks = impl_->missed.load(std::memory_order_relaxed);
+  report.unpaced_ticks = impl_->pace.unpaced();
   report.lateness = percentiles_of(impl_->latenesses);
   report.cost = percentiles_of(impl_->costs);
   if (impl_->ready.load(std::memory_order_acquire)) {

@@ -44,6 +44,7 @@ struct Percentiles {
 struct LoopReport {
   long ticks = 0;
   long missed_ticks = 0;      ///< skipped because an earlier tick was still at work
+  long unpaced_ticks = 0;     ///< went without the report of a device that has its own pace
   Percentiles lateness;       ///< start of a tick behind its due time
   Percentiles cost;           ///< of the tick itself, device included
   bool realtime = false;      ///< granted
@@ -55,6 +56,9 @@ struct LoopReport {
 
 /// The live 1 kHz loop: a thread that waits, reads, ticks, writes. Sleeps to an absolute time and
 /// spins the rest; ticks that were missed are skipped and counted, never made up in a burst.
+///
+/// A device that reports by its own clock sets the pace: a tick begins when its report has come, or
+/// half a period after that is due where none comes.
 ///
 /// The device is asked where the hand is at the time the tick was due, so a script gives the same
 /// hand in every run in which no tick is missed.

@@ -39,6 +39,10 @@ class SafeDevice : public HapticDevice {
   void rest() noexcept;
   std::string name() const override { return device_.name(); }
   bool failed() const noexcept override { return device_.failed(); }
+  double report_rate() const noexcept override { return device_.report_rate(); }
+  bool wait_for_report(std::int64_t latest) noexcept override {
+    return device_.wait_for_report(latest);
+  }
 
   DeviceFault fault() const noexcept { return fault_; }
   /// What was really sent last.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/sim/haptics/serial_device.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -12,6 +13,7 @@
 #include "palpate/sim/base/latest.h"
 #include "palpate/sim/base/refuse.h"
 #include "palpate/sim/haptics/calibration_bytes.h"
+#include "palpate/sim/haptics/local_law.h"
 #include "palpate/sim/haptics/serial_link.h"
 #include "palpate/sim/haptics/velocity_window.h"
 
@@ -31,6 +33,7 @@ struct SerialDevice::Impl {
   void take_report(double time) noexcept;
   void publish(double time) noexcept;
   double bridge() const noexcept;
+  Mat3 choose_law(const Vec3& force, const Vec3& torque, double share) noexcept;
   template <class Done>
   void wait_until_done(double timeout, Done done);
 
@@ -41,11 +44,16 @@ struct SerialDevice::Impl {
   std::array<VelocityWindow, 3> speeds;
   Vec3 joints = Vec3::Zero(), gimbal = Vec3::Zero(), tip = Vec3::Zero();
   HapticSample sample;       // of the last report
+  Vec3 told = Vec3::Zero();  // [m] where the hand was said to be
   double device_time = 0.0;  // [s] of the last report
   double report_time = 0.0, last_time = 0.0, last_status = -1.0;
   int missing = 0;  // reports that should have come since the last
   bool was_read = false;
+  bool has_news = false;  // a report came while it was waited for
   Vec3 force = Vec3::Zero();
+  StiffnessWatch watch;
+  double late = 0.0;             // [s] as a force is felt, some milliseconds ago
+  double local_stiffness = 0.0;  // [N/m] of the last command
   Latest<DeviceStatus> statuses;
 };
 
@@ -88,11 +96,32 @@ double SerialDevice::Impl::bridge() const noexcept {
   return std::clamp(1.0 - double(missing - 1) / kMostBridged, 0.0, 1.0);
 }
 
+/// The joints' stiffness [N·m/rad] that goes out beside `torque`, of J^T K J. None where a report
+/// is missing, for that would be taken for motion, nor where the motors give all they have, for
+/// then the force does not grow. The motors brake at least as those of the design do, which are the
+/// weakest of firmware/BUILDING.md.
+Mat3 SerialDevice::Impl::choose_law(const Vec3& wanted, const Vec3& torque, double share) noexcept {
+  local_stiffness = 0.0;
+  const Mat3 stiffness = share * watch.add(told, wanted);
+  const Vec3 most = link.torque_max();
+  const bool spent = (torque.cwiseAbs().array() > 0.999 * most.array()).any();
+  if (missing > 0 || spent || stiffness.isZero(0.0) || !link.obeys_law()) return Mat3::Zero();
+  const Mat3 jacobian = compute_jacobian(arm, joints);
+  const Mat3 law = choose_local_stiffness(Mat3(jacobian.transpose() * stiffness * jacobian), late,
+                                          compute_motor_damping(Motor{}));
+  const Vec3 turned = jacobian.inverse() * wanted.normalized();
+  local_stiffness = turned.dot(law * turned);
+  return law;
+}
+
 void SerialDevice::Impl::publish(double time) noexcept {
   if (time - last_status < kStatusTime && time >= last_status) return;
   last_status = time;
   DeviceStatus& status = statuses.back();
   link.fill(status);
+  // half a tick of holding it, if the acknowledgement did not wait for the next one
+  late = status.round_trip_median > 0.0 ? status.round_trip_median + 0.5 * kTick : 0.0;
+  status.local_stiffness = local_stiffness;
   status.degraded = missing > 0 && link.state() == LinkState::ready;
   status.joints = joints;
   status.gimbal = gimbal;
@@ -137,7 +166,8 @@ HapticSample SerialDevice::read(double time) noexcept {
   my.was_read = true;
   if (time < my.last_time) my.report_time = time;  // a new run begins
   my.last_time = time;
-  if (my.link.receive(time)) my.take_report(time);
+  const bool came = my.link.receive(time);
+  if (std::exchange(my.has_news, false) || came) my.take_report(time);
 
   const double since = std::clamp(time - my.report_time, 0.0, (kMostBridged + 1) * kTick);
   my.missing = static_cast<int>(std::floor(since / kTick + 0.01));
@@ -145,6 +175,7 @@ HapticSample SerialDevice::read(double time) noexcept {
   sample.time = time;
   sample.position += std::min(since, kMostBridged * kTick) * sample.velocity;
   if (my.missing > kMostBridged) sample.velocity.setZero();
+  my.told = sample.position;
   my.publish(time);
   return sample;
 }
@@ -155,15 +186,33 @@ void SerialDevice::write(const HapticCommand& command) noexcept {
   const bool paused = !std::exchange(my.was_read, false);
   my.force = command.force;
   Vec3 torque = Vec3::Zero();
+  Mat3 law = Mat3::Zero();
   if (my.has_arm) {
     const double share = paused ? 0.0 : my.bridge() * compute_edge_fade(my.arm, my.joints);
     torque = compute_torque(my.arm, my.joints, share * command.force, my.link.torque_max());
+    law = my.choose_law(command.force, torque, share);
   }
-  if (my.missing <= kMostBridged || paused) my.link.command(my.last_time, torque);
+  if (my.missing <= kMostBridged || paused) my.link.command(my.last_time, torque, law);
 }
 
 std::string SerialDevice::name() const { return "serial device on " + impl_->link.name(); }
 bool SerialDevice::failed() const noexcept { return impl_->link.state() == LinkState::lost; }
+
+double SerialDevice::report_rate() const noexcept {
+  const bool can_wait = impl_->link.can_wait() && impl_->link.state() == LinkState::ready;
+  return can_wait ? double(PALPATE_TICK_HZ) : 0.0;
+}
+
+bool SerialDevice::wait_for_report(std::int64_t latest) noexcept {
+  Impl& my = *impl_;
+  // a frame comes in pieces
+  while (!my.has_news && my.link.wait(latest)) {
+    my.has_news = my.link.receive(my.last_time);
+    if (my.link.state() == LinkState::lost) return false;
+  }
+  return my.has_news;
+}
+
 void SerialDevice::clear_fault() noexcept { impl_->link.clear_fault(); }
 void SerialDevice::enable(bool on) noexcept { impl_->link.enable(on); }
 bool SerialDevice::take_status() noexcept { return impl_->statuses.take(); }

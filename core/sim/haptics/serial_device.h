@@ -17,6 +17,9 @@ namespace palpate {
 /// is made up for, so there is never a burst. Up to three missing reports are bridged, the hand
 /// going on as it went and the force fading; then the force is zero until reports come again.
 /// Nothing is sent twice.
+///
+/// What is too stiff for the way to the host and back the device answers by itself between two
+/// commands (firmware/README.md, "The local law").
 class SerialDevice : public HapticDevice {
  public:
   /// The workspace's centre shall lie at `origin` [m] of the scene. `transport` must outlive this.
@@ -31,6 +34,9 @@ class SerialDevice : public HapticDevice {
   void write(const HapticCommand& command) noexcept override;
   std::string name() const override;
   bool failed() const noexcept override;
+  /// 0 where the machine does not tell of bytes that come, or no reports do.
+  double report_rate() const noexcept override;
+  bool wait_for_report(std::int64_t latest) noexcept override;
 
   /// From any thread: asks the device to forget its fault, if the cause is gone.
   void clear_fault() noexcept;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "palpate/sim/haptics/calibration_bytes.h"
+#include "palpate/sim/haptics/local_law.h"
 
 namespace palpate {
 namespace {
@@ -248,7 +249,7 @@ bool SerialLink::send_order(double time) noexcept {
   return true;
 }
 
-void SerialLink::command(double time, const Vec3& torque) noexcept {
+void SerialLink::command(double time, const Vec3& torque, const Mat3& stiffness) noexcept {
   if (state_ != LinkState::ready || !has_report_) return;
   const double since = time - last_command_;
   if (since >= 0.0 && since < kShortest && commands_ > 0) return;
@@ -262,6 +263,7 @@ void SerialLink::command(double time, const Vec3& torque) noexcept {
       command.torque[m] = static_cast<std::int16_t>(
           std::lround(std::clamp(part, -1.0, 1.0) * double(PALPATE_TORQUE_FULL)));
     }
+    if (!stiffness.isZero(0.0)) add_law(*calibration_, stiffness, counts_, command);
     zero_commands_ = 0;
   } else {
     ++zero_commands_;

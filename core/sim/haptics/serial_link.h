@@ -33,8 +33,9 @@ class SerialLink {
   /// Takes what has come by `time` [s] and asks for what is missing. True if a report was in it.
   bool receive(double time) noexcept;
   /// One command of `torque` [N·m], and whatever order is due before it. Zero torques go out
-  /// until the motors are on.
-  void command(double time, const Vec3& torque) noexcept;
+  /// until the motors are on. The device adds `stiffness` [N·m/rad], if any, times the way that the
+  /// joints have gone since the newest report, against it.
+  void command(double time, const Vec3& torque, const Mat3& stiffness = Mat3::Zero()) noexcept;
   void disable(double time) noexcept;
   void clear_fault() noexcept { clearing_.store(true, std::memory_order_relaxed); }  ///< any thread
   void enable(bool on) noexcept { enabled_.store(on, std::memory_order_relaxed); }   ///< any thread
@@ -54,11 +55,14 @@ class SerialLink {
   bool driving() const noexcept {
     return report_.mode == PALPATE_RAMP || report_.mode == PALPATE_RUN;
   }
+  bool obeys_law() const noexcept { return (info_.features & PALPATE_FEATURE_LAW) != 0; }
   double device_time() const noexcept { return clock_.device_time(); }
   Vec3 torque_max() const noexcept;  ///< [N·m] that the motors may be asked for
   void fill(DeviceStatus& status) const noexcept;
   std::string explain_silence() const;
   std::string name() const { return transport_.name(); }
+  bool can_wait() const noexcept { return transport_.can_wait(); }
+  bool wait(std::int64_t latest) noexcept { return transport_.wait(latest); }
   double now(double time) const noexcept { return transport_.now(time); }
 
  private:

@@ -2,6 +2,7 @@
 #include "palpate/sim/haptics/serial_transport.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
@@ -133,6 +134,13 @@ void SerialTransport::write(double, std::span<const std::uint8_t> bytes) noexcep
   if (count < 0 && errno != EAGAIN && errno != EINTR) {
     impl_->open.store(false, std::memory_order_relaxed);
   }
+}
+
+bool SerialTransport::wait(std::int64_t latest) noexcept {
+  pollfd port{impl_->port.native_handle(), POLLIN, 0};
+  const std::int64_t left = std::max<std::int64_t>(0, latest - read_clock());
+  const timespec patience{left / 1000000000, left % 1000000000};
+  return is_open() && ppoll(&port, 1, &patience, nullptr) > 0;
 }
 
 bool SerialTransport::is_open() const noexcept {

@@ -35,6 +35,8 @@ class SerialTransport : public Transport {
   std::size_t read(double time, std::span<std::uint8_t> bytes) noexcept override;
   void write(double time, std::span<const std::uint8_t> bytes) noexcept override;
   bool is_open() const noexcept override;
+  bool can_wait() const noexcept override { return true; }
+  bool wait(std::int64_t latest) noexcept override;
   double now(double time) const noexcept override;
   std::string name() const override;
   /// What was done about latency, and what could not be, in words.

@@ -21,6 +21,13 @@ class Transport {
   virtual void write(double time, std::span<const std::uint8_t> bytes) noexcept = 0;
   /// False for good once the other end is gone.
   virtual bool is_open() const noexcept = 0;
+  /// True if wait can: something of the machine's own tells that bytes have come.
+  virtual bool can_wait() const noexcept { return false; }
+  /// Until bytes have come, or `latest` [ns of the monotonic clock]. False if none have.
+  virtual bool wait(std::int64_t latest) noexcept {
+    (void)latest;
+    return false;
+  }
   /// [s] of the clock that arrivals are told by: that of the machine where the device has its own.
   virtual double now(double time) const noexcept { return time; }
   virtual std::string name() const = 0;

@@ -127,12 +127,17 @@ TEST_CASE("the driver, the firmware and the arm run without memory or locks once
   SafeDevice safe(arm);
   const Calls before = count_calls_of_this_thread();
 
+  double local = 0.0;
   for (int k = 0; k < 2000; ++k) {
-    safe.read(1e-3 * k);
-    safe.write({.force = {0.0, 0.0, 0.2}});
+    const HapticSample sample = safe.read(1e-3 * k);
+    safe.write({.force = Vec3(0.0, 0.0, 0.2) - 200.0 * sample.position});
+    if (arm.driver().take_status()) {
+      local = std::max(local, arm.driver().status().local_stiffness);
+    }
   }
 
   const Calls after = count_calls_of_this_thread();
   CHECK(after.allocations == before.allocations);
   CHECK(after.locks == before.locks);
+  CHECK(local > 0.0);  // the local law was at work too
 }

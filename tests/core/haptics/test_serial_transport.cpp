@@ -2,11 +2,16 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
+#include <cstdio>
 #include <memory>
 #include <optional>
 #include <thread>
 
+#include "core/haptics/press_scene.h"
 #include "palpate/sim/base/error.h"
+#include "palpate/sim/haptics/faulty.h"
+#include "palpate/sim/haptics/loop.h"
+#include "palpate/sim/haptics/realtime.h"
 #include "palpate/sim/haptics/serial_device.h"
 #include "palpate/sim/haptics/serial_transport.h"
 
@@ -36,6 +41,51 @@ TEST_CASE("the driver runs a device behind a pseudo terminal as it would behind 
   CHECK(driver.status().reports > 10);
   CHECK(transport.name() == device.path());
   CHECK_FALSE(transport.latency_note().empty());
+}
+
+TEST_CASE("a live loop ticks with the reports of a device that is a port away") {
+  const Scene scene = testing::press_scene();
+  for (bool paced : {true, false}) {
+    PtyDevice arm;
+    SerialTransport transport(arm.path());
+    SerialDevice driver(transport);
+    driver.open(20.0);
+    FaultyDevice without_pace(driver, {});  // hands samples on, not when they come
+    HapticDevice& device = paced ? static_cast<HapticDevice&>(driver) : without_pace;
+    CHECK(device.report_rate() == (paced ? 1000.0 : 0.0));
+
+    Loop loop(scene, device, {.duration = 0.5});
+    loop.start();
+    REQUIRE(loop.wait(60.0));
+
+    const LoopReport report = loop.report();
+    driver.take_status();
+    std::printf("%s: %ld ticks, %ld of them without their report; round trip %.2f ms, p99 %.2f\n",
+                paced ? "by the device's clock" : "by our own clock", report.ticks,
+                report.unpaced_ticks, 1e3 * driver.status().round_trip_median,
+                1e3 * driver.status().round_trip_p99);
+    CHECK(report.ticks > 0);
+    CHECK(report.fault == DeviceFault::none);
+    // all of them, on a machine that is not busy
+    if (paced) CHECK(report.unpaced_ticks < report.ticks);
+    if (!paced) CHECK(report.unpaced_ticks == 0);
+  }
+}
+
+TEST_CASE(
+    "a port that says nothing is waited for no longer than asked, one that closed not at all") {
+  auto device = std::make_unique<PtyDevice>();
+  SerialTransport transport(device->path());
+  const std::int64_t latest = read_clock() + 2000000;
+  CHECK_FALSE(transport.wait(latest));  // nobody has greeted it
+  CHECK(read_clock() >= latest);
+
+  device.reset();
+  std::array<std::uint8_t, 64> bytes;
+  transport.wait(read_clock() + 2000000);
+  transport.read(0.0, bytes);
+  CHECK_FALSE(transport.is_open());
+  CHECK_FALSE(transport.wait(read_clock() + 1000000000));
 }
 
 TEST_CASE("a port whose other end goes away is closed for good, without an exception") {

@@ -5,20 +5,12 @@
 #include <string>
 
 #include "../../firmware/host_of_device.h"
-#include "firmware/board/host.h"
 #include "palpate/simavr/sim_avr.h"
 
 namespace palpate {
 
 inline std::string image(int baud) {
   return std::string(PALPATE_IMAGES) + std::to_string(baud) + ".elf";
-}
-
-inline std::vector<std::uint8_t> calibrated_eeprom() {
-  std::vector<std::uint8_t> eeprom(PALPATE_EEPROM_BYTES);
-  const palpate_calibration calibration = plain_calibration();
-  palpate_write_eeprom(&calibration, eeprom.data());
-  return eeprom;
 }
 
 /// The image in the emulator with a host at its other end; a command each millisecond.

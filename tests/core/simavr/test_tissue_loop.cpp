@@ -48,20 +48,36 @@ ScriptedDevice press_on(const Vec3& point) {
       {at(0.0, 0.03), at(0.8, 0.03), at(1.4, -0.006), at(2.2, -0.006), at(2.7, 0.03)});
 }
 
+/// Along the surface's normal: forces [N], and heights of the tip over where it first touches [m].
 struct Forces {
-  std::vector<double> time, ideal, commanded, applied;
+  std::vector<double> time, ideal, commanded, applied, ideal_height, height;
 };
 
-/// Newtons along the surface's normal, as an ideal device gives them at once.
-std::vector<double> press_ideal(const Scene& scene, const Vec3& point) {
+/// What an ideal device gives at once.
+void press_ideal(const Scene& scene, const Vec3& point, Forces& felt) {
   World world(scene);
   ScriptedDevice hand = press_on(point);
-  std::vector<double> forces;
   for (int k = 0; k * kTick < hand.duration(); ++k) {
-    forces.push_back(tick(scene, hand.read(k * kTick), kTick, world).force.z());
+    const HapticSample sample = hand.read(k * kTick);
+    felt.ideal.push_back(tick(scene, sample, kTick, world).force.z());
+    felt.ideal_height.push_back((sample.position - point).z());
   }
   REQUIRE(world.alarm.kind == AlarmKind::none);
-  return forces;
+}
+
+/// What the duties are worth at the tip, without what carries the arm.
+Vec3 find_applied(const EmulatedCore& core) {
+  const Vec3 torque = compute_motor_torque(core.plant(), core.drive(), Vec3::Zero());
+  return compute_tip_force(find_arm(core.plant()), core.state().joints, torque);
+}
+
+void write_forces(const Forces& felt, const std::string& path) {
+  std::ofstream out(path);
+  out << "time,ideal,commanded,applied,ideal_height,height\n";
+  for (std::size_t k = 0; k < felt.time.size(); ++k) {
+    out << felt.time[k] << ',' << felt.ideal[k] << ',' << felt.commanded[k] << ','
+        << felt.applied[k] << ',' << felt.ideal_height[k] << ',' << felt.height[k] << '\n';
+  }
 }
 
 }  // namespace
@@ -71,7 +87,7 @@ TEST_CASE(
   const Scene scene = scenario::read(PALPATE_MESHES "/gallbladder.palpate").scene;
   const Vec3 point = find_top(scene.tissue);
   Forces felt;
-  felt.ideal = press_ideal(scene, point);
+  press_ideal(scene, point, felt);
 
   World world(scene);
   ScriptedDevice hand = press_on(point);
@@ -95,7 +111,8 @@ TEST_CASE(
     faulted += device.status().mode == DeviceMode::faulted;
     felt.time.push_back(time);
     felt.commanded.push_back(command.force.z());
-    felt.applied.push_back(device.status().force_applied.z());
+    felt.applied.push_back(find_applied(core).z());
+    felt.height.push_back((find_tip(core.plant(), core.state()) - Workspace{}.center).z());
   }
 
   CHECK(world.alarm.kind == AlarmKind::none);
@@ -117,11 +134,6 @@ TEST_CASE(
   CHECK(mean(felt.applied) == doctest::Approx(mean(felt.commanded)).epsilon(0.1));
   CHECK(std::abs(felt.commanded.back()) == 0.0);
   if (const char* folder = std::getenv("PALPATE_CHARTS")) {
-    std::ofstream out(std::string(folder) + "/tissue_loop.csv");
-    out << "time,ideal,commanded,applied\n";
-    for (std::size_t k = 0; k < felt.time.size(); ++k) {
-      out << felt.time[k] << ',' << felt.ideal[k] << ',' << felt.commanded[k] << ','
-          << felt.applied[k] << '\n';
-    }
+    write_forces(felt, std::string(folder) + "/tissue_loop.csv");
   }
 }

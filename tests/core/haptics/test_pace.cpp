@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include "palpate/sim/haptics/pace.h"
+#include "palpate/sim/haptics/realtime.h"
+
+using namespace palpate;
+
+namespace {
+
+constexpr std::int64_t kPeriod = 1000000;  // [ns]
+
+/// Reports at once, or never, and remembers how long it would have been waited for.
+struct ReportingDevice : HapticDevice {
+  HapticSample read(double) noexcept override { return {}; }
+  void write(const HapticCommand&) noexcept override {}
+  std::string name() const override { return "reporting"; }
+  double report_rate() const noexcept override { return rate; }
+  bool wait_for_report(std::int64_t until) noexcept override {
+    latest = until;
+    ++waits;
+    return reports;
+  }
+
+  double rate = 1000.0;
+  bool reports = true;
+  std::int64_t latest = 0;  // [ns]
+  int waits = 0;
+};
+
+}  // namespace
+
+TEST_CASE("a tick begins with its report, and the next is expected a period after that") {
+  ReportingDevice device;
+  Pace pace(device, 1000.0, 0);
+  pace.begin(0);
+
+  std::int64_t due = pace.wait(0);
+  CHECK(due <= read_clock());  // not when our clock would have had it
+  for (int k = 1; k < 5; ++k) {
+    CHECK(pace.due(k) == due + kPeriod);
+    const std::int64_t before = due;
+    due = pace.wait(k);
+    CHECK(device.latest == before + kPeriod + kPeriod / 2);
+    CHECK(due >= before);
+  }
+  CHECK(pace.unpaced() == 0);
+}
+
+TEST_CASE("where reports stop our own clock counts, at the ticks' rate, until they come again") {
+  ReportingDevice device;
+  Pace pace(device, 1000.0, 0);
+  pace.begin(0);
+  const std::int64_t first = pace.wait(0);
+
+  device.reports = false;
+  for (int k = 1; k < 5; ++k) CHECK(pace.wait(k) == first + k * kPeriod + kPeriod / 2);
+  CHECK(pace.unpaced() == 4);
+
+  device.reports = true;
+  const std::int64_t due = pace.wait(5);
+  CHECK(due <= read_clock());
+  CHECK(pace.unpaced() == 4);
+}
+
+TEST_CASE("a device of another rate, or without a clock of its own, does not set the pace") {
+  ReportingDevice device;
+  for (double rate : {0.0, 500.0, 2000.0}) {
+    device.rate = rate;
+    Pace pace(device, 1000.0, 0);
+    pace.begin(7);
+    const std::int64_t due = pace.due(7);
+    CHECK(pace.wait(7) == due);
+    CHECK(read_clock() >= due);
+  }
+  CHECK(device.waits == 0);
+}
