@@ -1,47 +1,90 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The verb `device`: which there are, what one of them does, whether it is sound."""
+"""The verb `device`: its window, and every action of the window as a word."""
 
 from __future__ import annotations
 
 import argparse
 from collections.abc import Callable
-
-import numpy as np
+from pathlib import Path
 
 import palpate
 from palpate.device_calibrate import describe_calibration, run_calibrate
 from palpate.device_link import NAMES, Link, build_link, list_devices, to_list
-from palpate.device_selftest import run_selftest
+from palpate.device_report import (
+    describe_feel,
+    describe_listed,
+    describe_monitor,
+    report_status,
+)
+from palpate.device_selftest import describe_selftest, run_selftest, write_selftest
+from palpate.display import require_display
 from palpate.verb import Report, Verb, WrongCall, quantity
+
+EXTRA = 'pip install "palpate[player]"'
+LONGEST = 24 * 3600.0
+"""[s]"""
+STIFFEST = 200.0
+"""[N/m] that the usual delay of a link bears."""
 
 
 def add_device(word: argparse.ArgumentParser) -> None:
-    actions = word.add_subparsers(dest="action", metavar="ACTION", required=True)
+    word.add_argument("--language", choices=("en", "tr"), help="of the window")
+    word.add_argument("--theme", choices=("dark", "light"), default="dark", help="of the window")
+    word.add_argument("--connect", metavar="DEVICE", help=f"the window begins with it: {NAMES}")
+    actions = word.add_subparsers(dest="action", metavar="ACTION")
 
-    def add(name: str, summary: str) -> argparse.ArgumentParser:
+    def add(name: str, summary: str, device: bool = True) -> argparse.ArgumentParser:
         action = actions.add_parser(name, help=summary, description=summary)
         action.add_argument(
             "--json", action="store_true", default=argparse.SUPPRESS, help="report as JSON"
         )
+        if device:
+            action.add_argument("device", metavar="DEVICE", help=NAMES)
         return action
 
-    add("list", "what could be a device here")
+    add("list", "what could be a device here", device=False)
     monitor = add("monitor", "watch a device for a while, its motors off")
-    monitor.add_argument("device", metavar="DEVICE", help=NAMES)
     monitor.add_argument("--duration", type=quantity("s"), default=2.0, help="(2s)")
+    add("clear", "let a device forget the fault that stopped its motors")
+    feel = add("feel", "motors on, and a spring to where the stylus is")
+    feel.add_argument("--stiffness", type=quantity("N/m"), default=80.0, help="(80N/m)")
+    feel.add_argument("--duration", type=quantity("s"), default=5.0, help="(5s)")
     selftest = add("selftest", "test a device: link, sensors, motors; hold its stylus")
-    selftest.add_argument("device", metavar="DEVICE", help=NAMES)
     selftest.add_argument("--no-motors", action="store_true", help="leave the motors off")
+    selftest.add_argument("--report", type=Path, metavar="FILE", help="write it, .txt or .json")
     calibrate = add("calibrate", "find what the counts of a device mean, and write it to it")
-    calibrate.add_argument("device", metavar="DEVICE", help=NAMES)
     calibrate.add_argument(
         "--dry-run", action="store_true", help="find it, but leave the device as it is"
+    )
+    calibrate.add_argument(
+        "--no-force-check", action="store_true", help="leave out the pushes against a scale"
     )
 
 
 def run_device_verb(call: argparse.Namespace) -> Report:
-    report = ACTIONS[call.action](call)
-    return {"action": call.action, **report}
+    if call.action is None:
+        return run_window(call)
+    return {"action": call.action, **ACTIONS[call.action](call)}
+
+
+def run_window(call: argparse.Namespace) -> Report:
+    """Opens the window and comes back when it is closed."""
+    if call.connect is not None:
+        require_name(call.connect)
+    try:
+        from palpate.device_window import open_device_window
+    except ImportError as problem:
+        raise RuntimeError(f"the window needs PySide6 ({problem}): {EXTRA}") from None
+    require_display("palpate device list, monitor, feel, selftest and calibrate need none")
+    return {"action": "window", **open_device_window(call.connect, call.language, call.theme)}
+
+
+def require_name(name: str) -> None:
+    """Raises WrongCall before a window opens."""
+    from palpate.device_link import NATIVE, PLANT, SERIAL
+
+    if name not in (PLANT, NATIVE) and not (name.startswith(SERIAL) and len(name) > len(SERIAL)):
+        raise WrongCall(f"device: got {name!r}, expected {NAMES}")
 
 
 def run_list(call: argparse.Namespace) -> Report:
@@ -49,63 +92,73 @@ def run_list(call: argparse.Namespace) -> Report:
     return {"devices": list_devices()}
 
 
-def run_monitor(call: argparse.Namespace) -> Report:
-    if not 0.1 <= call.duration <= 24 * 3600.0:
+def require_duration(call: argparse.Namespace) -> None:
+    if not 0.1 <= call.duration <= LONGEST:
         raise WrongCall(f"--duration: got {call.duration:g} s, expected 0.1 s to a day")
+
+
+def run_monitor(call: argparse.Namespace) -> Report:
+    require_duration(call)
     link = build_link(call.device)
-    link.hold(palpate.Workspace().center)
-    link.open()
-    link.driver.enable(False)
-    tips: list[list[float]] = []
-    every = max(1, round(0.1 / 1e-3))
-    seen = 0
-
-    def watch(sample: palpate.HapticSample) -> None:
-        nonlocal seen
-        if seen % every == 0:
-            tips.append([link.time, *to_list(sample.position)])
-        seen += 1
-
-    status = link.run(call.duration, each=watch)
-    return {**report_status(link, status), "tips": tips}
+    link.begin()
+    tips = []
+    for _ in range(round(call.duration / 0.1)):
+        tip = to_list(link.run(0.1).tip)
+        tips.append([link.time(), *tip])
+    return {**report_and_end(link), "tips": tips}
 
 
-def report_status(link: Link, status: palpate.DeviceStatus) -> Report:
-    """A status as JSON can hold it; angles in degrees for people, all else in SI units."""
-    return {
-        "device": link.name,
-        "latency": link.note,
-        "state": palpate.describe_status(status),
-        "serial_number": status.serial_number,
-        "firmware": ".".join(str(part) for part in status.release),
-        "counts": list(status.counts),
-        "joints_degree": to_list(np.degrees(status.joints)),
-        "gimbal_degree": to_list(np.degrees(status.gimbal)),
-        "tip_m": to_list(status.tip),
-        "force_applied_N": to_list(status.force_applied),
-        "faults": [palpate.name_fault(bit) for bit in range(12) if status.faults >> bit & 1],
-        "report_rate_Hz": status.report_rate,
-        "reports": status.reports,
-        "lost_reports": status.lost_reports,
-        "damaged_frames": status.damaged_frames,
-        "round_trip_median_ms": 1e3 * status.round_trip_median,
-        "round_trip_p99_ms": 1e3 * status.round_trip_p99,
-        "jitter_p99_ms": 1e3 * status.jitter_p99,
-        "clock_drift_ppm": 1e6 * status.clock_drift,
-    }
+def report_and_end(link: Link) -> Report:
+    report = report_status(link, link.status())
+    link.end()
+    return report
+
+
+def run_clear(call: argparse.Namespace) -> Report:
+    link = build_link(call.device)
+    link.begin()
+    link.driver.clear_fault()
+    link.run(0.3)
+    report = report_and_end(link)
+    return {**report, "ok": report["first_fault"] is None}
+
+
+def run_feel(call: argparse.Namespace) -> Report:
+    require_duration(call)
+    if not 0.0 <= call.stiffness <= STIFFEST:
+        raise WrongCall(f"--stiffness: got {call.stiffness:g} N/m, expected 0 to {STIFFEST:g} N/m")
+    link = build_link(call.device)
+    link.begin()
+    link.driver.enable(True)
+    runs = link.wait_for(palpate.DeviceMode.run, 2.0)
+    rows = []
+    if runs:
+        link.draw(call.stiffness, link.status().tip)
+        for _ in range(round(call.duration / 0.1)):
+            status = link.run(0.1)
+            rows.append(
+                [link.time(), *to_list(status.force_commanded), *to_list(status.force_applied)]
+            )
+    return {**report_and_end(link), "ok": runs, "forces": rows}
 
 
 def run_selftest_action(call: argparse.Namespace) -> Report:
-    return run_selftest(build_link(call.device), motors=not call.no_motors)
+    report = run_selftest(build_link(call.device), motors=not call.no_motors)
+    if call.report is not None:
+        write_selftest(call.report, report)
+    return report
 
 
 def run_calibrate_action(call: argparse.Namespace) -> Report:
-    return run_calibrate(build_link(call.device), store=not call.dry_run)
+    link = build_link(call.device)
+    return run_calibrate(link, store=not call.dry_run, forces=not call.no_force_check)
 
 
 ACTIONS: dict[str, Callable[[argparse.Namespace], Report]] = {
     "list": run_list,
     "monitor": run_monitor,
+    "clear": run_clear,
+    "feel": run_feel,
     "selftest": run_selftest_action,
     "calibrate": run_calibrate_action,
 }
@@ -114,48 +167,21 @@ ACTIONS: dict[str, Callable[[argparse.Namespace], Report]] = {
 def describe_device(report: Report) -> str:
     if report["action"] == "list":
         return "\n".join(describe_listed(row) for row in report["devices"])
-    if report["action"] == "monitor":
-        return describe_monitor(report)
-    if report["action"] == "calibrate":
-        return describe_calibration(report)
-    lines = [f"{report['device']}: firmware {report['firmware']}, no. {report['serial_number']}"]
-    for check in report["checks"]:
-        lines.append(f"  {'ok' if check['ok'] else 'FAILED':7} {check['name']}: {check['detail']}")
-    lines.append("sound" if report["ok"] else "NOT sound: do not let it push anyone")
-    return "\n".join(lines)
-
-
-def describe_listed(row: Report) -> str:
-    notes = [row["product"]]
-    if not row["permitted"]:
-        notes.append("not permitted")
-    if row["latency_timer_ms"] is not None:
-        notes.append(f"latency timer {row['latency_timer_ms']} ms")
-    return f"{row['device']:24} {', '.join(notes)}"
-
-
-def describe_monitor(report: Report) -> str:
-    joints = ", ".join(f"{angle:.1f}" for angle in report["joints_degree"])
-    tip = ", ".join(f"{1e3 * x:.1f}" for x in report["tip_m"])
-    return "\n".join(
-        [
-            f"{report['device']}: {report['state']}; {report['latency']}",
-            f"joints       {joints} degrees",
-            f"tip          {tip} mm",
-            f"reports      {report['report_rate_Hz']:.0f} Hz; {report['lost_reports']} lost, "
-            f"{report['damaged_frames']} damaged of {report['reports']}",
-            f"round trip   {report['round_trip_median_ms']:.1f} ms median, "
-            f"{report['round_trip_p99_ms']:.1f} ms p99",
-            f"clock        {report['clock_drift_ppm']:+.0f} ppm, "
-            f"jitter {report['jitter_p99_ms']:.2f} ms p99",
-            f"faults       {', '.join(report['faults']) or 'none'}",
-        ]
-    )
+    if report["action"] == "window":
+        return "closed"
+    describe = {
+        "monitor": describe_monitor,
+        "clear": describe_monitor,
+        "feel": describe_feel,
+        "selftest": describe_selftest,
+        "calibrate": describe_calibration,
+    }
+    return describe[report["action"]](report)
 
 
 DEVICE = Verb(
     "device",
-    "list, watch, test and calibrate haptic devices",
+    "open the device window; or list, watch, feel, test and calibrate haptic devices",
     "palpate device selftest plant --json",
     add_device,
     run_device_verb,

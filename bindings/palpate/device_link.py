@@ -3,9 +3,7 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable
-from dataclasses import dataclass, field
+import threading
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,63 +12,162 @@ import palpate
 from palpate.verb import Report, WrongCall
 
 PLANT = "plant"
+NATIVE = "native"
 SERIAL = "serial:"
-TICK = 1e-3
-"""[s]"""
-NAMES = f"{PLANT} or {SERIAL}PATH"
+NAMES = f"{PLANT}, {NATIVE} or {SERIAL}PATH"
+PARTING = 0.1
+"""[s] in which the motors have to be off before a device is left."""
+DRIVING = (palpate.DeviceMode.ramp, palpate.DeviceMode.run)
 
 
-@dataclass
+class Ended(Exception):
+    """The link was ended while somebody waited."""
+
+
 class Link:
-    """A driver and what it drives, run tick by tick without a tissue."""
+    """A driver, what it drives, and the loop that keeps both company without a tissue, all in the
+    arm's frame.
 
-    name: str
-    driver: palpate.SerialDevice
-    transport: palpate.Transport
-    core: palpate.NativeCore | None = None
-    """Of a device that is simulated, whose time passes as fast as the machine can."""
-    note: str = ""
-    """What was done about latency."""
-    time: float = 0.0
-    """[s] of the run."""
-    sample: palpate.HapticSample = field(default_factory=palpate.HapticSample)
+    Any thread may ask and order; nothing here holds up the haptic thread.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        driver: palpate.SerialDevice,
+        arm: palpate.SimulatedArm | None = None,
+        hand: palpate.PointerDevice | None = None,
+        far_end: object = None,
+        note: str = "",
+    ):
+        """`arm` and `hand` are of a simulated device, whose time may pass as fast as the machine
+        can; `far_end` is kept alive for as long as the link.
+        """
+        self.name, self.driver, self.arm, self.note = name, driver, arm, note
+        """`note` says what was done about latency."""
+        self._hand, self._far_end = hand, far_end
+        self._loop: palpate.DeviceLoop | None = None
+        self._lock = threading.Lock()
+        self._ending = threading.Event()
+
+    @property
+    def device(self) -> palpate.HapticDevice:
+        return self.driver if self.arm is None else self.arm
 
     def open(self) -> None:
-        """Raises DeviceError in words."""
-        self.driver.open()
-        self.time = 0.0
+        """Greets the device. Raises DeviceError in words."""
+        if self.arm is None:
+            self.driver.open()
+        else:
+            self.arm.open()
 
-    def run(
-        self,
-        seconds: float,
-        force: ArrayLike = (0.0, 0.0, 0.0),
-        each: Callable[[palpate.HapticSample], None] | None = None,
-    ) -> palpate.DeviceStatus:
-        """Ticks with a force [N]; `each` sees every sample. Returns the newest status."""
-        command = palpate.HapticCommand(np.asarray(force, dtype=float))
-        begun = time.monotonic() - self.time
-        for _ in range(max(1, round(seconds / TICK))):
-            self.sample = self.driver.read(self.time)
-            self.driver.write(command)
-            if each is not None:
-                each(self.sample)
-            self.time += TICK
-            if self.core is None:
-                time.sleep(max(0.0, begun + self.time - time.monotonic()))
+    def begin(self, live: bool | None = None) -> None:
+        """Greets the device and keeps it company, its motors off. Raises DeviceError in words.
+
+        `live` by the clock, in a thread of its own, as a device in real time needs; otherwise time
+        passes only while somebody waits.
+        """
+        self.open()
+        self.driver.enable(False)
+        self._ending.clear()
+        self._keep_company(self.arm is None if live is None else live)
+
+    def end(self) -> None:
+        """Motors off, then nothing is said any more. May be repeated."""
+        with self._lock:
+            loop, self._loop = self._loop, None
+        self._ending.set()
+        if loop is None:
+            return
+        self.driver.enable(False)
+        loop.set_task(palpate.DeviceTask())
+        for _ in range(round(PARTING / 0.01)):
+            if self.status().mode not in DRIVING or loop.fault() is not palpate.DeviceFault.none:
+                break
+            if loop.running():
+                threading.Event().wait(0.01)
+            else:
+                loop.run(0.01)
+        loop.stop()
+
+    def run(self, seconds: float) -> palpate.DeviceStatus:
+        """Lets time pass; the newest status. Raises Ended where the link is ended meanwhile."""
+        loop = self._loop
+        if loop is None:
+            raise Ended
+        if not loop.running():
+            loop.run(seconds)
+        elif self._ending.wait(seconds):
+            raise Ended
         return self.status()
 
+    def push(self, force: ArrayLike = (0.0, 0.0, 0.0)) -> None:
+        """A force [N] until another is asked for."""
+        self._set(palpate.DeviceTask(force=np.asarray(force, dtype=float)))
+
+    def draw(self, stiffness: float, rest: ArrayLike) -> None:
+        """A spring [N/m] to a place [m] until something else is asked for."""
+        self._set(palpate.DeviceTask(stiffness=stiffness, rest=np.asarray(rest, dtype=float)))
+
+    def fall_silent(self, seconds: float) -> None:
+        """As if the host had died for so long [s]."""
+        if self._loop is not None:
+            self._loop.fall_silent(seconds)
+
     def wait_for(self, mode: palpate.DeviceMode, seconds: float) -> bool:
-        """Ticks without force until the device is in a mode; False where it does not get there."""
+        """Until the device is in a mode; False where it does not get there."""
         return any(self.run(0.01).mode == mode for _ in range(max(1, round(seconds / 0.01))))
 
     def status(self) -> palpate.DeviceStatus:
-        self.driver.take_status()
-        return self.driver.status()
+        """The newest; of at most 8 ms ago while the device is heard."""
+        with self._lock:
+            self.driver.take_status()
+            return self.driver.status()
+
+    def missed_ticks(self) -> int:
+        return 0 if self._loop is None else self._loop.missed_ticks()
+
+    def time(self) -> float:
+        """[s] since it began."""
+        return 0.0 if self._loop is None else self._loop.time()
 
     def hold(self, position: ArrayLike) -> None:
-        """Puts a simulated hand on the stylus of a simulated device, at a place of the arm [m]."""
-        if self.core is not None:
-            self.core.hold(palpate.HandTarget(np.asarray(position, dtype=float), holding=True))
+        """Where the hand of a simulated device goes, in the arm's frame [m]."""
+        if self._hand is not None:
+            with self._lock:
+                self._hand.set(palpate.HapticSample(position=np.asarray(position, dtype=float)))
+
+    def limits(self) -> palpate.SafetyLimits:
+        """What the device can bear; of one that is not calibrated, nothing is known."""
+        try:
+            return palpate.find_safety_limits(self.driver.calibration())
+        except palpate.DeviceError:
+            return palpate.SafetyLimits()
+
+    def store(self, calibration: palpate.Calibration) -> palpate.Calibration:
+        """Writes a calibration to the device, motors off, and reads back what it kept.
+
+        Raises DeviceError in words, and ValueError for numbers it cannot hold.
+        """
+        loop, live = self._loop, False
+        if loop is not None:
+            live = loop.running()
+            self.end()
+        self.driver.store(calibration)
+        if loop is not None:
+            self._ending.clear()
+            self._keep_company(live)
+        return self.driver.calibration()
+
+    def _keep_company(self, live: bool) -> None:
+        self._loop = palpate.DeviceLoop(self.device, self.limits())
+        if live:
+            self._loop.start()
+
+    def _set(self, task: palpate.DeviceTask) -> None:
+        with self._lock:
+            if self._loop is not None:
+                self._loop.set_task(task)
 
 
 def build_link(name: str, origin: ArrayLike | None = None) -> Link:
@@ -79,17 +176,28 @@ def build_link(name: str, origin: ArrayLike | None = None) -> Link:
     """
     place = np.asarray(palpate.Workspace().center if origin is None else origin, dtype=float)
     if name == PLANT:
-        core = palpate.NativeCore()
-        return Link(name, palpate.SerialDevice(core, place), core, core, "in this process")
-    if name.startswith(SERIAL):
+        return hold_plant(palpate.Plant(), palpate.NativeCoreOptions())
+    if name == NATIVE:
+        pty = palpate.PtyDevice()
+        port = palpate.SerialTransport(pty.path())
+        note = f"the firmware's code behind {pty.path()}"
+        return Link(name, palpate.SerialDevice(port, place), far_end=pty, note=note)
+    if name.startswith(SERIAL) and len(name) > len(SERIAL):
         port = palpate.SerialTransport(name.removeprefix(SERIAL))
-        driver = palpate.SerialDevice(port, place)
-        return Link(name, driver, port, note=port.latency_note())
+        return Link(name, palpate.SerialDevice(port, place), note=port.latency_note())
     raise WrongCall(f"device: got {name!r}, expected {NAMES}")
 
 
+def hold_plant(plant: palpate.Plant, options: palpate.NativeCoreOptions) -> Link:
+    """A simulated arm, held by a hand that is moved by Link.hold."""
+    hand = palpate.PointerDevice()
+    hand.set(palpate.HapticSample(position=palpate.Workspace().center))
+    arm = palpate.SimulatedArm(hand, palpate.Workspace().center, plant, options)
+    return Link(PLANT, arm.driver(), arm, hand, note="in this process")
+
+
 def list_devices() -> list[Report]:
-    """The serial ports of this machine that could be a device, and the one that always is there."""
+    """The serial ports of this machine that could be a device, and those that always are there."""
     ports = [
         {
             "device": f"{SERIAL}{port.path}",
@@ -100,12 +208,13 @@ def list_devices() -> list[Report]:
         for port in palpate.find_serial_ports()
     ]
     simulated = {
-        "device": PLANT,
-        "product": "simulated arm with the real firmware",
-        "permitted": True,
-        "latency_timer_ms": None,
+        NATIVE: "the firmware's code behind a pseudo terminal, in real time",
+        PLANT: "simulated arm with the real firmware",
     }
-    return [*ports, simulated]
+    return ports + [
+        {"device": name, "product": product, "permitted": True, "latency_timer_ms": None}
+        for name, product in simulated.items()
+    ]
 
 
 def describe_low_latency() -> tuple[bool, str]:

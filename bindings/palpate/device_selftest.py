@@ -3,13 +3,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import json
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
 
 import numpy as np
 
 import palpate
 from palpate.device_link import Link
+from palpate.sentence import Sentence, sentence
 from palpate.verb import Report
+from palpate.whole_file import write_whole
 
 PUSH = 0.4
 """[N] of each push, which a hand that holds the stylus hardly notices."""
@@ -19,130 +24,193 @@ ROUND_TRIP = 20e-3
 """[s] after which the device would take the host for silent."""
 PLAY = 2e-3
 """[m] that the tip may drift in a second while the motors carry the arm."""
+SEEN = 0.01
+"""[s] between two looks at a device."""
+SILENCE = 0.03
+"""[s]"""
+WAYS = (sentence("push right %1 N"), sentence("push away %1 N"), sentence("push up %1 N"))
+
+
+@dataclass(frozen=True)
+class Check:
+    """One thing that was tested."""
+
+    name: Sentence
+    ok: bool
+    detail: Sentence
+
+    def report(self) -> Report:
+        return {"name": str(self.name), "ok": self.ok, "detail": str(self.detail)}
 
 
 @dataclass
 class Test:
     """A list of checks as it grows."""
 
-    checks: list[Report]
+    tell: Callable[[Check], None] = lambda check: None
+    """Hears of every check at once, in the thread that tests."""
+    checks: list[Check] = field(default_factory=list)
 
-    def note(self, name: str, ok: bool, detail: str) -> bool:
-        self.checks.append({"name": name, "ok": bool(ok), "detail": detail})
-        return ok
+    def note(self, name: Sentence, ok: bool, detail: Sentence) -> bool:
+        check = Check(name, bool(ok), detail)
+        self.checks.append(check)
+        self.tell(check)
+        return check.ok
 
 
-def run_selftest(link: Link, motors: bool = True) -> Report:
-    """Opens a link and tests what is at its end. Raises DeviceError where nothing answers.
+def run_selftest(
+    link: Link, motors: bool = True, tell: Callable[[Check], None] | None = None
+) -> Report:
+    """Begins a link and tests what is at its end. Raises DeviceError where nothing answers."""
+    link.begin()
+    try:
+        return inspect_link(link, motors, tell)
+    finally:
+        link.end()
+
+
+def inspect_link(
+    link: Link, motors: bool = True, tell: Callable[[Check], None] | None = None
+) -> Report:
+    """Tests what is at the end of a link that has begun, and leaves its motors off.
 
     The stylus has to be held: the motors push it gently, in every direction.
     """
-    test = Test([])
+    test = Test(tell) if tell else Test()
     link.hold(palpate.Workspace().center)
-    link.open()
     check_link(link, test)
     if check_sensors(link, test) and motors and check_motors(link, test):
         check_silence(link, test)
+    link.driver.enable(False)
+    status = link.status()
     return {
         "device": link.name,
-        "serial_number": link.status().serial_number,
-        "firmware": ".".join(str(part) for part in link.status().release),
+        "serial_number": status.serial_number,
+        "firmware": ".".join(str(part) for part in status.release),
         "latency": link.note,
-        "checks": test.checks,
-        "ok": all(check["ok"] for check in test.checks),
+        "checks": [check.report() for check in test.checks],
+        "ok": all(check.ok for check in test.checks),
     }
 
 
 def check_link(link: Link, test: Test) -> None:
     link.driver.enable(False)
     status = link.run(2.5)
-    test.note(
-        "calibration",
-        status.link == palpate.LinkState.ready,
-        palpate.describe_status(status)
-        if status.link != palpate.LinkState.ready
-        else "valid, in the device's EEPROM",
+    ready = status.link is palpate.LinkState.ready
+    found = (
+        sentence("valid, in the device's EEPROM")
+        if ready
+        else sentence("none that can be used: calibrate the device")
     )
+    test.note(sentence("calibration"), ready, found)
     rate = status.report_rate
-    test.note("report rate", abs(rate - 1000.0) < 10.0, f"{rate:.0f} Hz, expected 1000 Hz")
+    found = sentence("%1 Hz, expected %2 Hz", f"{rate:.0f}", 1000)
+    test.note(sentence("report rate"), abs(rate - 1000.0) < 10.0, found)
     lost = status.lost_reports / max(1, status.reports)
-    test.note("lost reports", lost <= LOSS, f"{100 * lost:.2f} %, at most {100 * LOSS:.0f} %")
-    test.note("damaged frames", status.damaged_frames <= LOSS * status.reports,
-              f"{status.damaged_frames} of {status.reports}")  # fmt: skip
+    found = sentence("%1 %, at most %2 %", f"{100 * lost:.2f}", f"{100 * LOSS:.0f}")
+    test.note(sentence("lost reports"), lost <= LOSS, found)
+    found = sentence("%1 of %2", status.damaged_frames, status.reports)
+    test.note(sentence("damaged frames"), status.damaged_frames <= LOSS * status.reports, found)
+    if not ready:  # it is sent no commands, so none comes back
+        return
     trip = status.round_trip_p99
-    test.note(
-        "round trip",
-        0.0 < trip < ROUND_TRIP,
-        f"{1e3 * status.round_trip_median:.1f} ms median, {1e3 * trip:.1f} ms p99, "
-        f"less than {1e3 * ROUND_TRIP:.0f} ms",
+    found = sentence(
+        "%1 ms median, %2 ms p99, less than %3 ms",
+        f"{1e3 * status.round_trip_median:.1f}",
+        f"{1e3 * trip:.1f}",
+        f"{1e3 * ROUND_TRIP:.0f}",
     )
+    test.note(sentence("round trip"), 0.0 < trip < ROUND_TRIP, found)
 
 
 def check_sensors(link: Link, test: Test) -> bool:
-    seen: list[list[int]] = []
-    link.run(0.5, each=lambda sample: seen.append(list(link.status().counts)))
-    counts = np.array(seen)
-    spread = counts.max(axis=0) - counts.min(axis=0)
-    test.note("sensor noise", bool((spread <= 6).all()),
-              f"{spread.max()} counts at most while the stylus is held, expected 6")  # fmt: skip
+    counts = np.array([list(link.run(SEEN).counts) for _ in range(round(0.5 / SEEN))])
+    spread = int((counts.max(axis=0) - counts.min(axis=0)).max())
+    found = sentence("%1 counts at most while the stylus is held, expected %2", spread, 6)
+    test.note(sentence("sensor noise"), spread <= 6, found)
     status = link.status()
-    if status.link != palpate.LinkState.ready:
+    if status.link is not palpate.LinkState.ready:
         return False
     arm = palpate.find_arm(link.driver.calibration())
+    degrees = ", ".join(f"{angle:.0f}" for angle in np.round(np.degrees(status.joints)) + 0.0)
     within = palpate.is_within(arm, status.joints)
-    degrees = ", ".join(f"{angle:.0f}" for angle in np.degrees(status.joints))
-    return test.note("arm within its range", within, f"joints at {degrees} degrees")
+    return test.note(
+        sentence("arm within its range"), within, sentence("joints at %1 degrees", degrees)
+    )
 
 
 def check_motors(link: Link, test: Test) -> bool:
     link.driver.enable(True)
     link.driver.clear_fault()
     runs = link.wait_for(palpate.DeviceMode.run, 2.0)
-    if not test.note("motors on", runs, palpate.describe_status(link.status())):
+    if not test.note(sentence("motors on"), runs, tell_mode(link)):
         return False
+    link.push()
     before = link.status().tip
     drift = float(np.linalg.norm(link.run(1.0).tip - before))
-    test.note("arm carried", drift < PLAY, f"{1e3 * drift:.1f} mm in a second without a force")
-    for axis, name in enumerate(("right", "away", "up")):
+    found = sentence("%1 mm in a second without a force", f"{1e3 * drift:.1f}")
+    test.note(sentence("arm carried"), drift < PLAY, found)
+    for axis, way in enumerate(WAYS):
         for sign in (1.0, -1.0):
-            check_push(link, test, sign * PUSH * np.eye(3)[axis], f"{name} {sign * PUSH:+.1f} N")
+            name = sentence(way.template, f"{sign * PUSH:+.1f}")
+            check_push(link, test, sign * PUSH * np.eye(3)[axis], name)
+    link.push()
     link.run(0.1)
     return True
 
 
-def check_push(link: Link, test: Test, force: np.ndarray, name: str) -> None:
+def check_push(link: Link, test: Test, force: np.ndarray, name: Sentence) -> None:
     """What the duties stand for is what was asked, within 5 % and a step of each duty."""
-    status = link.run(0.2, force)
+    link.push(force)
+    status = link.run(0.4)
     calibration = link.driver.calibration()
     arm = palpate.find_arm(calibration)
     carried = palpate.compute_weight_torque(arm, status.joints)
-    step = palpate.compute_tip_force(
-        arm, status.joints, carried + np.abs(calibration.torque_full) / 255.0
-    )
+    full = np.abs(calibration.torque_full)
+    step = palpate.compute_tip_force(arm, status.joints, carried + full / 255.0)
     off = float(np.linalg.norm(status.force_applied - force))
     allowed = 0.05 * float(np.linalg.norm(force)) + float(np.linalg.norm(step))
-    test.note(f"push {name}", off <= allowed, f"{off:.3f} N off, at most {allowed:.3f} N")
+    found = sentence("%1 N off, at most %2 N", f"{off:.3f}", f"{allowed:.3f}")
+    test.note(name, off <= allowed, found)
 
 
 def check_silence(link: Link, test: Test) -> None:
     """The host falls silent on purpose: the device has to cut its motors and say why."""
-    silence = 0.03
-    if link.core is not None:
-        link.core.advance(link.time + silence)
-    else:
-        import time
-
-        time.sleep(silence)
-    link.time += silence
-    link.driver.read(link.time)
+    link.fall_silent(SILENCE)
     # the status that is told lags by some milliseconds, and a command would change nothing any more
-    status = link.run(0.02)
-    cut = status.mode == palpate.DeviceMode.faulted
+    status = link.run(SILENCE + 0.03)
+    cut = status.mode is palpate.DeviceMode.faulted
     told = palpate.name_fault(status.first_fault)
-    test.note("silence stops the motors", cut and told == "host silent", f"after 30 ms: {told}")
+    found = sentence("after %1 ms: %2", f"{1e3 * SILENCE:.0f}", told)
+    test.note(sentence("silence stops the motors"), cut and told == "host silent", found)
     link.driver.clear_fault()
-    test.note("the fault clears", link.wait_for(palpate.DeviceMode.run, 2.0),
-              palpate.describe_status(link.status()))  # fmt: skip
+    runs = link.wait_for(palpate.DeviceMode.run, 2.0)
+    test.note(sentence("the fault clears"), runs, tell_mode(link))
     link.driver.enable(False)
-    test.note("motors off", link.wait_for(palpate.DeviceMode.idle, 1.0),
-              palpate.describe_status(link.status()))  # fmt: skip
+    rests = link.wait_for(palpate.DeviceMode.idle, 1.0)
+    test.note(sentence("motors off"), rests, tell_mode(link))
+
+
+def tell_mode(link: Link) -> Sentence:
+    status = link.status()
+    if status.mode is palpate.DeviceMode.run:
+        return sentence("runs")
+    if status.mode is palpate.DeviceMode.idle and status.link is palpate.LinkState.ready:
+        return sentence("idle")
+    return sentence(palpate.describe_status(status))
+
+
+def describe_selftest(report: Report) -> str:
+    lines = [f"{report['device']}: firmware {report['firmware']}, no. {report['serial_number']}"]
+    for check in report["checks"]:
+        lines.append(f"  {'ok' if check['ok'] else 'FAILED':7} {check['name']}: {check['detail']}")
+    lines.append("sound" if report["ok"] else "NOT sound: do not let it push anyone")
+    return "\n".join(lines)
+
+
+def write_selftest(path: Path, report: Report) -> None:
+    """As text, or as JSON where the name ends so. Raises OSError."""
+    text = describe_selftest(report)
+    if path.suffix.lower() == ".json":
+        text = json.dumps({"action": "selftest", **report}, indent=2, allow_nan=False)
+    write_whole(path, f"{text}\n".encode())

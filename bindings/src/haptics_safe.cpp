@@ -3,6 +3,7 @@
 
 #include "bindings.h"
 #include "palpate/sim/haptics/conformance.h"
+#include "palpate/sim/haptics/device_loop.h"
 #include "palpate/sim/haptics/safe_device.h"
 #include "value.h"
 
@@ -78,6 +79,46 @@ void bind_conformance(py::module_& m) {
         "device is pushed gently. Raises ValueError.");
 }
 
+void bind_device_loop(py::module_& m) {
+  using Release = py::call_guard<py::gil_scoped_release>;
+  py::class_<DeviceTask> task(m, "DeviceTask",
+                              "What the hand shall feel where there is no tissue: a force, and a "
+                              "spring to a place.");
+  task.def(py::init([](const Vec3& force, double stiffness, const Vec3& rest) {
+             return DeviceTask{force, stiffness, rest};
+           }),
+           py::kw_only(), "force"_a = Vec3::Zero().eval(), "stiffness"_a = 0.0,
+           "rest"_a = Vec3::Zero().eval());
+  def_vector(task, "force", &DeviceTask::force, "[N]");
+  task.def_readwrite("stiffness", &DeviceTask::stiffness, "[N/m] 0 for no spring.");
+  def_vector(task, "rest", &DeviceTask::rest, "[m] where the spring draws to.");
+  def_copy(task);
+  def_repr(task, {"force", "stiffness", "rest"});
+  m.def("validate", py::overload_cast<const DeviceTask&>(&validate), "task"_a,
+        "Raises ValueError naming the field, what it got and what was expected.");
+  py::class_<DeviceLoop>(m, "DeviceLoop", py::release_gil_before_calling_cpp_dtor(),
+                         "Keeps a device company at 1 kHz without a tissue: F = force + stiffness "
+                         "(rest - x), through a SafeDevice. Either in a thread of its own, by the "
+                         "clock; or, for a simulated device, as fast as the machine can.")
+      .def(py::init<HapticDevice&, const SafetyLimits&>(), "device"_a, "limits"_a = SafetyLimits{},
+           py::keep_alive<1, 2>(), "Raises ValueError as SafeDevice does.")
+      .def("start", &DeviceLoop::start, Release(),
+           "Raises RuntimeError while it runs; may be started again once stopped.")
+      .def("stop", &DeviceLoop::stop, Release(),
+           "Asks and waits; the device gets a zero force last.")
+      .def("running", &DeviceLoop::running)
+      .def("run", &DeviceLoop::run, "seconds"_a, Release(),
+           "Ticks for so many [s] in this thread, without waiting. Raises RuntimeError while the "
+           "loop's own thread runs, ValueError for no time or more than a day.")
+      .def("set_task", &DeviceLoop::set_task, "task"_a,
+           "One calling thread: felt from the next tick on. Raises ValueError.")
+      .def("fall_silent", &DeviceLoop::fall_silent, "seconds"_a,
+           "From any thread: the device hears nothing for so many [s], as if the host had died.")
+      .def("time", &DeviceLoop::time, "[s] that the loop has run.")
+      .def("missed_ticks", &DeviceLoop::missed_ticks)
+      .def("fault", &DeviceLoop::fault);
+}
+
 }  // namespace
 
 void bind_safe_device(py::module_& m) {
@@ -107,6 +148,7 @@ void bind_safe_device(py::module_& m) {
            "[J] that the hand has been given since it last felt nothing, fading within a second.")
       .def("heat", &SafeDevice::heat, "Of what the motors stand for ever, 0 to 1.");
   bind_conformance(m);
+  bind_device_loop(m);
 }
 
 }  // namespace palpate::bindings

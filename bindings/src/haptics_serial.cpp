@@ -158,6 +158,8 @@ void bind_status(py::module_& m) {
       .def_readonly("round_trip_median", &DeviceStatus::round_trip_median,
                     "[s] command to its acknowledgement.")
       .def_readonly("round_trip_p99", &DeviceStatus::round_trip_p99, "[s]")
+      .def_readonly("round_trips", &DeviceStatus::round_trips,
+                    "How many took 0 to 0.25 ms, to 0.5 ms ...; the last all longer ones.")
       .def_readonly("jitter_p99", &DeviceStatus::jitter_p99,
                     "[s] reports off the line through their times.")
       .def_readonly("clock_drift", &DeviceStatus::clock_drift,
@@ -197,6 +199,9 @@ void bind_drivers(py::module_& m) {
            "Writes a calibration to the device, which keeps it; then the device is greeted anew. "
            "Not while a run is on. Raises DeviceError in words, and ValueError for numbers it "
            "cannot hold.");
+}
+
+void bind_simulated_arm(py::module_& m) {
   py::class_<SimulatedArm, HapticDevice>(
       m, "SimulatedArm",
       "The low-cost device without its metal: a hand holds a simulated arm, whose firmware is the "
@@ -208,6 +213,15 @@ void bind_drivers(py::module_& m) {
            "middle of the arm's workspace. Raises ValueError.")
       .def("open", &SimulatedArm::open, Release(),
            "Puts the arm where the hand begins and makes the link. Raises DeviceError.")
+      .def("widen", &SimulatedArm::widen, "wide"_a,
+           "From any thread: whether the hand may leave the workspace and go to the joints' stops.")
+      .def("press_stop", &SimulatedArm::press_stop, "pressed"_a,
+           "From any thread: the emergency stop.")
+      .def("cut_sensor", &SimulatedArm::cut_sensor, "joint"_a, "cut"_a,
+           "From any thread: the wire of a sensor is off.")
+      .def("pull_cable", &SimulatedArm::pull_cable, "From any thread, and for good.")
+      .def("hand_force", &SimulatedArm::hand_force,
+           "From any thread: [N] of the hand on the stylus, as a scale between them would say.")
       .def("core", &SimulatedArm::core, py::return_value_policy::reference_internal)
       .def("driver", &SimulatedArm::driver, py::return_value_policy::reference_internal);
 }
@@ -253,6 +267,7 @@ void bind_serial(py::module_& m) {
   bind_ports(m);
   bind_status(m);
   bind_drivers(m);
+  bind_simulated_arm(m);
   bind_faults(m);
 }
 

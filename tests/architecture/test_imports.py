@@ -38,6 +38,7 @@ ARROWS = {
     "bindings/palpate/viewport": (*RENDER, "PySide6"),
     "bindings/palpate/translation": ("PySide6",),
     "bindings/palpate/player": ("palpate", "numpy", "PySide6"),
+    "bindings/palpate/device_window": ("palpate", "numpy", "PySide6"),
     "bindings/palpate": ("palpate", "numpy", "scipy", "matplotlib"),
     "editor/palpate_editor/document": DOCUMENT,
     "editor/palpate_editor/edits": EDITS,

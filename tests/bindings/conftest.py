@@ -58,3 +58,31 @@ def view(qtbot, monkeypatch):
     yield made
     made.hide()
     gc.collect()
+
+
+@pytest.fixture
+def open_device(qtbot):
+    """open_device(...) is a shown device window; English when all is over."""
+    from palpate import translation
+    from palpate.device_window import DeviceWindow
+    from PySide6.QtCore import QLocale
+    from PySide6.QtWidgets import QApplication
+
+    made = []
+
+    def open_it(**options) -> DeviceWindow:
+        window = DeviceWindow(**options)
+        window.resize(960, 640)
+        window.show()
+        qtbot.waitExposed(window)
+        made.append(window)
+        return window
+
+    yield open_it
+    for window in made:
+        window.close()
+        window.deleteLater()
+    QApplication.sendPostedEvents(None, 52)
+    translation.install(QApplication.instance(), "en")
+    QLocale.setDefault(QLocale("en"))
+    gc.collect()

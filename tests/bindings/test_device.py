@@ -9,12 +9,15 @@ from pathlib import Path
 import numpy as np
 import palpate
 import pytest
-from device_runs import press_through
+from device_runs import press_through, spoil
 from palpate.cli import main
-from palpate.device_calibrate import fit_joints, run_calibrate
-from palpate.device_link import Link, build_link
+from palpate.device_calibrate import run_calibrate
+from palpate.device_fit import Pull, fit_joints, fit_motors
+from palpate.device_link import build_link, hold_plant
+from palpate.device_poses import HOME, HOME_JOINTS, POSES, average_counts
 from palpate.device_selftest import run_selftest
 from palpate.play import open_play, split_device
+from palpate.sentence import PoorData
 from palpate.verb import WrongCall
 from published import publish, write_press
 
@@ -44,11 +47,45 @@ def test_monitoring_tells_where_the_arm_is_and_how_the_link_does(capsys):
 
     assert code == 0
     assert report["state"] == "idle"
+    assert sum(report["round_trips"]) > 2500
     assert report["report_rate_Hz"] == pytest.approx(1000.0, rel=0.01)
     assert (report["lost_reports"], report["damaged_frames"]) == (0, 0)
     assert np.linalg.norm(report["tip_m"]) == pytest.approx(0.158, abs=0.01)
     assert len(report["tips"]) == 30
     assert 0.0 < report["round_trip_median_ms"] < 10.0
+
+
+def test_a_spring_is_felt_from_the_command_line_and_starts_without_a_force(capsys):
+    words = ("--duration", "500ms", "--stiffness", "50N/m")
+    code, report, _ = call(capsys, "device", "feel", "plant", *words, "--json")
+
+    assert code == 0
+    assert len(report["forces"]) == 5
+    assert np.linalg.norm(np.array(report["forces"])[:, 1:4], axis=1).max() < 0.05
+    assert main(["device", "feel", "plant", *words]) == 0
+    assert "N asked at most" in capsys.readouterr().out
+
+
+def test_a_fault_is_cleared_from_the_command_line_once_its_cause_is_gone(capsys, monkeypatch):
+    code, report, _ = call(capsys, "device", "clear", "plant", "--json")
+    assert (code, report["first_fault"]) == (0, None)
+
+    stopped = build_link("plant")
+    stopped.arm.press_stop(True)
+    monkeypatch.setattr("palpate.device.build_link", lambda name: stopped)
+    code, report, _ = call(capsys, "device", "clear", "plant", "--json")
+    assert (code, report["first_fault"]) == (1, "stop pressed")
+
+
+def test_the_report_of_a_self_test_is_written_as_text_or_json(capsys, tmp_path):
+    text, data = tmp_path / "report.txt", tmp_path / "report.json"
+
+    assert main(["device", "selftest", "plant", "--no-motors", "--report", str(text)]) == 0
+    assert main(["device", "selftest", "plant", "--no-motors", "--report", str(data)]) == 0
+
+    assert "ok      report rate" in text.read_text()
+    assert json.loads(data.read_text())["ok"]
+    assert main(["device", "selftest", "plant", "--report", str(tmp_path / "no" / "x.txt")]) == 1
 
 
 def test_a_sound_device_passes_its_self_test_and_the_command_says_so(capsys):
@@ -67,21 +104,21 @@ def test_a_self_test_without_motors_leaves_them_off():
     report = run_selftest(link, motors=False)
 
     assert report["ok"]
-    assert not link.core.drive().enabled
+    assert not link.arm.core().drive().enabled
     assert not any(check["name"].startswith("push") for check in report["checks"])
 
 
 @pytest.mark.parametrize(
     ("break_it", "name"),
     [
-        (lambda core: core.press_stop(True), "motors on"),
-        (lambda core: core.cut_sensor(4, True), "motors on"),
+        (lambda arm: arm.press_stop(True), "motors on"),
+        (lambda arm: arm.cut_sensor(4, True), "motors on"),
     ],
     ids=["emergency stop", "sensor wire off"],
 )
 def test_a_device_that_is_not_sound_fails_its_self_test_and_is_told_why(break_it, name):
     link = build_link("plant")
-    break_it(link.core)
+    break_it(link.arm)
 
     report = run_selftest(link)
 
@@ -93,12 +130,7 @@ def test_a_device_that_is_not_sound_fails_its_self_test_and_is_told_why(break_it
 def test_a_calibration_finds_sensors_that_were_mounted_otherwise():
     link = build_link("plant")
     link.open()
-    wrong = link.driver.calibration()
-    joints = wrong.joints
-    for joint in joints[:3]:
-        joint.zero, joint.scale = joint.zero + 40, 0.93 * joint.scale
-    wrong.joints = joints
-    link.driver.store(wrong)
+    link.driver.store(spoil(link.driver.calibration()))
 
     report = run_calibrate(link)
 
@@ -113,17 +145,38 @@ def test_a_calibration_finds_sensors_that_were_mounted_otherwise():
             assert abs(np.degrees(off)) < 0.3
     assert report["stored"]
     assert abs(report["joints"][0]["moved_by_degree"]) > 1.0
+    assert all(row["residual_degree"] < 0.3 for row in report["joints"][:3])
+    assert max(map(abs, report["home_offset_degree"])) < 0.3
+
+
+def test_the_force_check_finds_what_the_motors_really_give():
+    link = build_link("plant")
+    link.open()
+    right = np.array(link.driver.calibration().torque_full)
+    link.driver.store(spoil(link.driver.calibration()))
+
+    report = run_calibrate(link)
+
+    assert np.array(link.driver.calibration().torque_full) == pytest.approx(right, rel=0.03)
+    assert report["torque_factors"] == pytest.approx([1 / 0.8, 1 / 1.3, 1 / 0.9], rel=0.03)
+
+
+def test_without_a_force_check_the_motors_stay_as_they_were():
+    link = build_link("plant")
+    link.open()
+    before = np.array(link.driver.calibration().torque_full)
+
+    report = run_calibrate(link, forces=False)
+
+    assert report["torque_factors"] is None
+    assert np.array(link.driver.calibration().torque_full) == pytest.approx(before)
 
 
 def test_a_new_device_gets_its_first_calibration_and_is_sound_with_it():
-    core = palpate.NativeCore(palpate.Plant(), palpate.NativeCoreOptions(calibrated=False))
-    driver = palpate.SerialDevice(core, palpate.Workspace().center)
-    link = Link("new", driver, core, core)
+    link = hold_plant(palpate.Plant(), palpate.NativeCoreOptions(calibrated=False))
 
     assert run_calibrate(link)["stored"]
 
-    link.driver.clear_fault()
-    link.driver.enable(True)
     assert run_selftest(link)["ok"]
 
 
@@ -132,25 +185,111 @@ def test_a_dry_run_leaves_the_device_as_it_is(capsys):
 
     assert code == 0
     assert not report["stored"]
-    assert [joint["joint"] for joint in report["joints"]] == ["yaw", "elevation", "forearm"]
+    assert [joint["joint"] for joint in report["joints"][:3]] == ["yaw", "elevation", "forearm"]
+    assert report["torque_factors"] is None
 
 
-def test_a_sensor_that_does_not_turn_is_refused_by_its_joint():
-    counts = np.array([[100.0, 900.0], [500.0, 503.0], [900.0, 100.0]])
-    lower, upper = palpate.Arm().joint_min, palpate.Arm().joint_max
+# ---------------------------------------------------------------- what cannot be used
 
-    with pytest.raises(RuntimeError, match="elevation: 3 counts between its stops"):
-        fit_joints(palpate.Calibration(), counts, lower, upper)
+
+def read_poses(**changed: tuple[int, float]) -> dict[str, np.ndarray]:
+    """Counts of a faultless arm in every pose, but for pose=(joint, count) by its first word."""
+    right = palpate.find_calibration(palpate.Plant())
+    counts = {}
+    for pose in POSES:
+        angles = [*pose.joints(), 0.0, 0.0, 0.0]
+        row = [j.zero + angle / j.scale for j, angle in zip(right.joints, angles, strict=True)]
+        counts[pose.name] = np.array(row)
+    for name, (joint, count) in changed.items():
+        counts[name.replace("_", " ")][joint] = count
+    return counts
+
+
+def test_faultless_poses_give_the_calibration_of_the_design():
+    right = palpate.find_calibration(palpate.Plant())
+
+    fit = fit_joints(palpate.Calibration(), read_poses())
+
+    assert np.degrees(fit.residual).max() < 1e-6
+    for found, expected in zip(fit.calibration.joints[:3], right.joints[:3], strict=True):
+        assert found.scale == pytest.approx(expected.scale)
+        assert abs(found.zero - expected.zero) <= 1
+
+
+@pytest.mark.parametrize(
+    ("changed", "sentence"),
+    [
+        ({"elevation_upper": (1, 116.0)}, "elevation: 3 counts between its stops"),
+        ({HOME: (0, 20.0)}, "yaw: home does not lie between its stops"),
+        ({HOME: (2, 640.0)}, "forearm: home lies .* degrees off the line through its stops"),
+    ],
+    ids=["a sensor that does not turn", "another joint", "a pose that was not reached"],
+)
+def test_poses_that_do_not_fit_are_refused_by_their_joint(changed, sentence):
+    with pytest.raises(PoorData, match=sentence):
+        fit_joints(palpate.Calibration(), read_poses(**changed))
+
+
+@pytest.mark.parametrize(
+    ("row", "sentence"),
+    [
+        (lambda k: [500 + k, *[500] * 5], "yaw moved by 39 counts"),
+        (lambda k: [*[500] * 5, 1020], "gimbal roll reads 1020 of 0 to 1023"),
+    ],
+    ids=["not still", "wire off"],
+)
+def test_readings_that_are_no_average_are_refused(row, sentence):
+    with pytest.raises(PoorData, match=sentence):
+        average_counts([row(k) for k in range(40)], POSES[0])
+    with pytest.raises(PoorData, match="Only 3 readings"):
+        average_counts([[500] * 6] * 3, POSES[0])
+
+
+def pull_at_home(true_factors: np.ndarray, joints: np.ndarray = HOME_JOINTS) -> list[Pull]:
+    """What a scale says where each motor gives so many times what is believed."""
+    before = palpate.find_calibration(palpate.Plant())
+    jacobian = np.array(palpate.compute_jacobian(palpate.find_arm(before), joints))
+    pulls = []
+    for way in np.eye(3):
+        torque = np.array([jacobian.T @ (force * way) for force in (0.3, 0.9)])
+        felt = np.linalg.solve(jacobian.T, (true_factors * torque).T).T @ way
+        pulls.append(Pull(way, joints, 255.0 * torque / before.torque_full, felt - 0.11))
+    return pulls
+
+
+def test_pulls_tell_each_motor_apart_and_a_weight_does_not_matter():
+    before = palpate.find_calibration(palpate.Plant())
+    truth = np.array([1.2, 0.8, 0.95])
+
+    found, factors = fit_motors(before, pull_at_home(truth))
+
+    assert factors == pytest.approx(truth)
+    assert np.array(found.torque_full) == pytest.approx(truth * before.torque_full)
+
+
+@pytest.mark.parametrize(
+    ("pulls", "sentence"),
+    [
+        (pull_at_home(np.array([1.0, -1.0, 1.0])), "elevation motor pulls where it should push"),
+        (pull_at_home(np.array([3.0, 1.0, 1.0])), "yaw motor gives 3.00 times"),
+        ([pull_at_home(np.ones(3))[0]] * 3, "do not tell the motors apart"),
+    ],
+    ids=["wires swapped", "too strong", "one direction only"],
+)
+def test_pulls_that_cannot_be_believed_are_refused_by_their_motor(pulls, sentence):
+    with pytest.raises(PoorData, match=sentence):
+        fit_motors(palpate.find_calibration(palpate.Plant()), pulls)
 
 
 @pytest.mark.parametrize(
     ("words", "code", "sentence"),
     [
-        (("monitor", "glove"), 2, "expected plant or serial:PATH"),
+        (("monitor", "glove"), 2, "expected plant, native or serial:PATH"),
         (("monitor", "plant", "--duration", "0s"), 2, "expected 0.1 s to a day"),
         (("monitor", "serial:/dev/none"), 1, "No such file"),
         (("selftest", "serial:/dev/null"), 1, "expected a serial port"),
-        ((), 2, "required: ACTION"),
+        (("--connect", "glove"), 2, "expected plant, native or serial:PATH"),
+        (("feel", "plant", "--stiffness", "900N/m"), 2, "expected 0 to 200 N/m"),
     ],
 )
 def test_what_is_no_device_is_refused_in_a_sentence(capsys, words, code, sentence):

@@ -27,22 +27,24 @@ class Shape:
     """(t, 3)"""
 
 
-def build_sphere(centre: ArrayLike, radius: float) -> Shape:
+def build_sphere(centre: ArrayLike, radius: float, segments: int = SEGMENTS) -> Shape:
     """A ball around `centre` [m]."""
-    return build_capsule(centre, centre, radius)
+    return build_capsule(centre, centre, radius, segments)
 
 
-def build_capsule(start: ArrayLike, end: ArrayLike, radius: float) -> Shape:
+def build_capsule(
+    start: ArrayLike, end: ArrayLike, radius: float, segments: int = SEGMENTS
+) -> Shape:
     """All within `radius` [m] of the segment from `start` to `end` [m]."""
     a, b = as_point(start, "start"), as_point(end, "end")
     require_positive(radius, "radius")
-    bend = np.linspace(-math.pi / 2, 0.0, SEGMENTS // 4 + 1)
+    bend = np.linspace(-math.pi / 2, 0.0, segments // 4 + 1)
     lower = np.stack([radius * np.cos(bend), radius * np.sin(bend)], axis=1)
     upper = lower[::-1] * [1.0, -1.0]
     length = float(np.linalg.norm(b - a))
     profile = np.concatenate([lower, upper + [0.0, length]])
     slopes = np.concatenate([lower, upper]) / radius
-    return turn(profile, slopes, a, b - a)
+    return turn(profile, slopes, a, b - a, segments)
 
 
 def build_arrow(start: ArrayLike, end: ArrayLike, radius: float) -> Shape:
@@ -79,6 +81,7 @@ def turn(
     slopes: NDArray[np.float64],
     origin: NDArray[np.float64],
     axis: NDArray[np.float64],
+    segments: int = SEGMENTS,
 ) -> Shape:
     """Turns a profile of (distance from the axis, height along it) into a surface around the axis.
 
@@ -89,13 +92,13 @@ def turn(
     helper = np.eye(3)[np.abs(along).argmin()]
     first = np.cross(along, helper)
     first /= np.linalg.norm(first)
-    angle = np.arange(SEGMENTS) * 2 * math.pi / SEGMENTS
+    angle = np.arange(segments) * 2 * math.pi / segments
     ring = np.cos(angle)[:, None] * first + np.sin(angle)[:, None] * np.cross(along, first)
     vertices = profile[:, :1, None] * ring + profile[:, 1:, None] * along + origin
     normals = slopes[:, :1, None] * ring + slopes[:, 1:, None] * along
-    j, i = np.meshgrid(np.arange(len(profile) - 1), np.arange(SEGMENTS), indexing="ij")
-    a, b = j * SEGMENTS + i, j * SEGMENTS + (i + 1) % SEGMENTS
-    c, d = b + SEGMENTS, a + SEGMENTS
+    j, i = np.meshgrid(np.arange(len(profile) - 1), np.arange(segments), indexing="ij")
+    a, b = j * segments + i, j * segments + (i + 1) % segments
+    c, d = b + segments, a + segments
     triangles = np.stack([a, b, c, a, c, d], axis=-1).reshape(-1, 3)
     return Shape(
         vertices.reshape(-1, 3).astype(np.float32),

@@ -10,23 +10,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 import palpate
-from palpate.render import Legend, Look, Renderer, build_arrow, build_sphere
-from palpate.render.theme import DARK, FORCE, STEEL, THEMES
+from palpate.render import Legend, Look, Renderer, Shape, build_arrow, build_sphere
+from palpate.render.theme import DARK, THEMES
+from palpate.viewport.looks import ARROW, PAINTED, PLAIN, RIM, RING, TOOL
 from palpate.viewport.ring import build_ring
 from palpate.viewport.sky_light import SkyLight
 from palpate.viewport.thing import Thing
 
 Array = NDArray[np.float64]
 
-PLAIN = Look(gloss=0.55, softness=0.3)
-# red light creeping round would be read as a value
-PAINTED = Look(mapped=True, gloss=0.4, softness=0.0)
-TOOL = Look(STEEL, gloss=1.0, softness=0.0, seen_through=True)
-ARROW = Look(FORCE, gloss=0.3, softness=0.0, seen_through=True, casts_shadow=False)
 BALL = build_sphere(np.zeros(3), 1.0)
-# light beside dark, so that it is seen on whatever is painted, and on what is selected
-RING = Look((0.97, 0.98, 1.0), gloss=0.0, softness=0.0, seen_through=True, casts_shadow=False)
-RIM = Look((0.05, 0.06, 0.08), gloss=0.0, softness=0.0, seen_through=True, casts_shadow=False)
 RING_THICKNESS = 0.004
 """[-] of the surface's radius."""
 ARROW_RADIUS = 0.0065
@@ -53,6 +46,8 @@ class Scenery:
         """[m] (n, 3) of the surface as it is shown; its own copy."""
         self.triangles: NDArray[np.int32] = np.zeros((0, 3), np.int32)
         self._used: NDArray[np.intp] = np.zeros(0, np.intp)
+        self.room: Array = np.zeros((0, 3))
+        """[m] (n, 3) what is to be in sight beside the surface."""
         self.centre, self.radius = np.zeros(3), 1.0
         """[m] the ball around the surface as it was shown first."""
         self._things: dict[str, Thing] = {}
@@ -86,7 +81,7 @@ class Scenery:
         self._tree, self.legend = None, None
         if not len(faces):
             return
-        used = x[self._used]
+        used = np.concatenate([x[self._used], self.room])
         self.centre = (used.min(axis=0) + used.max(axis=0)) / 2
         self.radius = max(1e-9, float(np.linalg.norm(used - self.centre, axis=1).max()))
         self._things["surface"] = Thing(len(x), faces, self._tissue)
@@ -148,10 +143,7 @@ class Scenery:
         if start is None or end is None or np.linalg.norm(np.subtract(end, start)) < 1e-9:
             self._hide("arrow")
             return
-        arrow = build_arrow(start, end, ARROW_RADIUS * 2 * self.radius)
-        thing = self._use("arrow", len(arrow.vertices), arrow.triangles, ARROW)
-        thing.write("normal", arrow.normals)
-        thing.write("position", arrow.vertices)
+        self.show_part("arrow", build_arrow(start, end, ARROW_RADIUS * 2 * self.radius), ARROW)
 
     def show_ring(
         self, centre: ArrayLike | None, normal: ArrayLike = (0, 0, 1), radius: float = 0.0
@@ -162,10 +154,17 @@ class Scenery:
             return
         thickness = RING_THICKNESS * self.radius
         for name, look, reach in (("ring", RING, radius), ("rim", RIM, radius + 1.7 * thickness)):
-            ring = build_ring(centre, normal, reach, thickness)
-            thing = self._use(name, len(ring.vertices), ring.triangles, look)
-            thing.write("normal", ring.normals)
-            thing.write("position", ring.vertices)
+            self.show_part(name, build_ring(centre, normal, reach, thickness), look)
+
+    def show_part(self, name: str, shape: Shape | None, look: Look = TOOL) -> None:
+        """Something beside the surface, by name; its triangles stay. None takes it away."""
+        if shape is None:
+            self._hide(name)
+            return
+        thing = self._use(name, len(shape.vertices), shape.triangles, look)
+        thing.look = look
+        thing.write("normal", shape.normals)
+        thing.write("position", shape.vertices)
 
     @property
     def wireframe(self) -> bool:
@@ -179,8 +178,9 @@ class Scenery:
     # ------------------------------------------------------------ what is asked
 
     def points(self) -> Array:
-        """[m] The vertices that some triangle uses, or one point where there is nothing."""
-        return self.vertices[self._used] if len(self._used) else np.zeros((1, 3))
+        """[m] The vertices that some triangle uses, and the room; one point without either."""
+        seen = np.concatenate([self.vertices[self._used], self.room])
+        return seen if len(seen) else np.zeros((1, 3))
 
     def pick(self, origin: Array, direction: Array) -> palpate.SurfacePoint | None:
         """Where a ray first meets the surface from its outer side."""

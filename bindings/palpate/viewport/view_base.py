@@ -11,7 +11,7 @@ from PySide6.QtCore import QPoint, QPointF, QTimer
 from PySide6.QtGui import QImage, QResizeEvent
 
 import palpate
-from palpate.render import Camera, Look, build_legend
+from palpate.render import Camera, Look, Shape, build_legend
 from palpate.viewport import navigation
 from palpate.viewport.canvas import Canvas
 from palpate.viewport.hud import Hud
@@ -117,6 +117,12 @@ class ViewBase(ViewEvents):
     ) -> None:
         """The cursor of a brush: a ring [m] on the surface; None takes it away."""
         self.scenery.show_ring(centre, normal, radius)
+        self.update()
+
+    def show_part(self, name: str, shape: Shape | None, look: Look) -> None:
+        """Something beside the surface, by a name of its own; its triangles stay. None takes it
+        away."""
+        self.scenery.show_part(name, shape, look)
         self.update()
 
     @property

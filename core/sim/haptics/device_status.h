@@ -45,9 +45,10 @@ struct DeviceStatus {
   long commands = 0;                                     ///< to the device
   double report_rate = 0.0;                              ///< [Hz] over the last second
   double round_trip_median = 0.0, round_trip_p99 = 0.0;  ///< [s] command to its acknowledgement
-  double jitter_p99 = 0.0;       ///< [s] reports off the line through their times
-  double clock_drift = 0.0;      ///< by how much the device's clock is fast, 1e-6 for 1 ppm
-  double local_stiffness = 0.0;  ///< [N/m] along the force that it answers by itself
+  std::array<long, 40> round_trips{};  ///< that took 0 to 0.25 ms, to 0.5 ms ...; last all longer
+  double jitter_p99 = 0.0;             ///< [s] reports off the line through their times
+  double clock_drift = 0.0;            ///< by how much the device's clock is fast, 1e-6 for 1 ppm
+  double local_stiffness = 0.0;        ///< [N/m] along the force that it answers by itself
 
   std::array<int, 3> release{};  ///< of the firmware
   std::uint32_t serial_number = 0;

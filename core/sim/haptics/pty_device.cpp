@@ -31,7 +31,9 @@ void make_raw(int handle) {
 }  // namespace
 
 struct PtyDevice::Impl {
-  Impl(const Plant& plant, const NativeCoreOptions& options) : core(plant, options) {}
+  Impl(const Plant& plant, const NativeCoreOptions& options) : core(plant, options) {
+    core.hold({Workspace{}.center, Vec3::Zero(), true});
+  }
   ~Impl() {
     stopping.store(true);
     if (thread.joinable()) thread.join();

@@ -15,6 +15,7 @@ constexpr double kStoreAgain = 3.0;    // [s] that the device may take to write 
 constexpr double kQuiet = 0.1;         // [s] without a report: the device was reset, or is gone
 constexpr double kGone = 1.0;          // [s] without a report: it is gone
 constexpr double kShortest = 0.75e-3;  // [s] between two commands, whatever the host's rate
+constexpr double kTripBin = 0.25e-3;   // [s] of DeviceStatus::round_trips
 constexpr int kZerosNeeded = 3;        // commands before the motors may be switched on
 
 std::int64_t to_nanoseconds(double seconds) noexcept {
@@ -37,6 +38,7 @@ void SerialLink::greet() noexcept {
 bool SerialLink::receive(double time) noexcept {
   if (time < last_time_) {  // a new run: no question is older than it
     last_heard_ = last_asked_ = last_command_ = second_began_ = time;
+    reports_before_ = reports_;
     sent_at_.fill(-1.0);
     clock_.restart();
   }
@@ -96,7 +98,11 @@ void SerialLink::measure(double time) noexcept {
   jitters_.add(to_nanoseconds(std::abs(late)));
   if (has_report_ && clock_.gap() > 1) lost_ += clock_.gap() - 1;
   double& sent = sent_at_[report_.ack];
-  if (sent >= 0.0) round_trips_.add(to_nanoseconds(now - sent));
+  if (sent >= 0.0) {
+    round_trips_.add(to_nanoseconds(now - sent));
+    const double last = double(round_trip_counts_.size() - 1);
+    ++round_trip_counts_[static_cast<std::size_t>(std::clamp((now - sent) / kTripBin, 0.0, last))];
+  }
   sent = -1.0;  // the same acknowledgement comes with every report until the next command
   if (now - second_began_ >= 1.0 || now < second_began_) {
     rate_ = double(reports_ - reports_before_) / std::max(1e-3, now - second_began_);

@@ -107,6 +107,7 @@ class SerialLink {
   std::array<double, 256> sent_at_{};  ///< [s] by seq, of commands; negative where none was
   ClockFit clock_;
   Durations round_trips_, jitters_;
+  std::array<long, 40> round_trip_counts_{};  ///< as DeviceStatus::round_trips
   std::array<int, 8> counters_{};
   long reports_ = 0, lost_ = 0, damaged_ = 0, strange_ = 0, commands_ = 0;
   long reports_before_ = 0;

@@ -21,6 +21,7 @@ void SerialLink::fill(DeviceStatus& status) const noexcept {
   status.report_rate = rate_;
   status.round_trip_median = 1e-9 * round_trips_.percentile(0.5);
   status.round_trip_p99 = 1e-9 * round_trips_.percentile(0.99);
+  status.round_trips = round_trip_counts_;
   status.jitter_p99 = 1e-9 * jitters_.percentile(0.99);
   status.clock_drift = clock_.drift();
   std::copy(std::begin(info_.release), std::end(info_.release), status.release.begin());

@@ -51,7 +51,8 @@ class SerialTransport : public Transport {
 /// serial port of the real one. It lives in real time in a thread of its own.
 class PtyDevice {
  public:
-  /// Throws DeviceError where the system gives no pseudo terminal.
+  /// A hand holds its stylus in the middle of the workspace. Throws DeviceError where the system
+  /// gives no pseudo terminal.
   explicit PtyDevice(const Plant& plant = {}, const NativeCoreOptions& options = {});
   ~PtyDevice();  ///< unplugs it
 

@@ -17,9 +17,31 @@ SimulatedArm::SimulatedArm(HapticDevice& hand, const Vec3& origin, const Plant& 
                            const NativeCoreOptions& options)
     : hand_(hand), origin_(origin), core_(plant, options), driver_(core_, origin) {}
 
+void SimulatedArm::cut_sensor(int joint, bool cut) noexcept {
+  if (joint < 0 || joint >= 6) return;
+  cut_[static_cast<std::size_t>(joint)].store(cut, std::memory_order_relaxed);
+}
+
+Vec3 SimulatedArm::hand_force() const noexcept {
+  Vec3 force;
+  for (int i = 0; i < 3; ++i) {
+    force[i] = hand_force_[static_cast<std::size_t>(i)].load(std::memory_order_relaxed);
+  }
+  return force;
+}
+
+void SimulatedArm::follow_orders() noexcept {
+  core_.press_stop(stopped_.load(std::memory_order_relaxed));
+  for (int j = 0; j < 6; ++j) {
+    core_.cut_sensor(j, cut_[static_cast<std::size_t>(j)].load(std::memory_order_relaxed));
+  }
+  if (unplugged_.load(std::memory_order_relaxed) && core_.is_open()) core_.pull_cable();
+}
+
 /// A hand that wants to be outside stays at the edge: it would only bend the arm's stops.
 Vec3 SimulatedArm::to_arm(const Vec3& position) const noexcept {
   const Workspace box;
+  if (wide_.load(std::memory_order_relaxed)) return box.center + (position - origin_);
   const Vec3 half = 0.5 * box.size;
   return box.center + (position - origin_).cwiseMax(-half).cwiseMin(half);
 }
@@ -36,6 +58,7 @@ void SimulatedArm::open() {
 }
 
 HapticSample SimulatedArm::read(double time) noexcept {
+  follow_orders();
   const HapticSample wanted = hand_.read(time);
   const double dt = std::clamp(time - time_, 0.0, kLongestTick);
   time_ = time;
@@ -47,6 +70,10 @@ HapticSample SimulatedArm::read(double time) noexcept {
   core_.hold({place_, dt > 0.0 ? Vec3(step / dt) : Vec3(Vec3::Zero()), true});
   core_.press_buttons(wanted.buttons);
   HapticSample sample = driver_.read(time);
+  for (int i = 0; i < 3; ++i) {
+    hand_force_[static_cast<std::size_t>(i)].store(core_.state().hand_force[i],
+                                                   std::memory_order_relaxed);
+  }
   // turned by the hand as it likes: the mouse has no gimbal
   sample.orientation = wanted.orientation;
   return sample;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <atomic>
+
 #include "palpate/sim/haptics/native_core.h"
 #include "palpate/sim/haptics/serial_device.h"
 
@@ -24,16 +27,30 @@ class SimulatedArm : public HapticDevice {
   std::string name() const override { return "simulated arm held by " + hand_.name(); }
   bool failed() const noexcept override { return driver_.failed(); }
 
+  /// From any thread, heard by the next read: whether the hand may leave the workspace and go to
+  /// the stops of the joints.
+  void widen(bool wide) noexcept { wide_.store(wide, std::memory_order_relaxed); }
+  /// Likewise, what can happen to a device; as NativeCore has it.
+  void press_stop(bool pressed) noexcept { stopped_.store(pressed, std::memory_order_relaxed); }
+  void cut_sensor(int joint, bool cut) noexcept;
+  void pull_cable() noexcept { unplugged_.store(true, std::memory_order_relaxed); }
+  /// From any thread: [N] of the hand on the stylus, as a scale between them would say.
+  Vec3 hand_force() const noexcept;
+
   NativeCore& core() noexcept { return core_; }
   SerialDevice& driver() noexcept { return driver_; }
 
  private:
   Vec3 to_arm(const Vec3& position) const noexcept;
+  void follow_orders() noexcept;
 
   HapticDevice& hand_;
   const Vec3 origin_;
   Vec3 place_ = Workspace{}.center;  ///< [m] where the hand is, in the arm's frame
   double time_ = 0.0;                ///< [s] of the last read
+  std::atomic<bool> wide_{false}, stopped_{false}, unplugged_{false};
+  std::array<std::atomic<bool>, 6> cut_{};
+  std::array<std::atomic<double>, 3> hand_force_{};  ///< [N]
   NativeCore core_;
   SerialDevice driver_;
 };

@@ -200,6 +200,14 @@ def simulate_orders(w: MainWindow) -> list[Order]:
             needs_organ=True,
             line_before=True,
         ),
+        Order(
+            "device",
+            "simulate",
+            tr("Haptic de&vice…"),
+            w.publishing.companions.open_device,
+            ("F7",),
+            line_before=True,
+        ),
     ]
 
 

@@ -3,24 +3,21 @@
 
 from __future__ import annotations
 
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QObject, QProcess, Signal
+from PySide6.QtCore import QObject, Signal
 
 from palpate_editor.check import Assessment
 from palpate_editor.document import Organ
 from palpate_editor.publish import publish
 from palpate_editor.views.command_lines import publish_words
+from palpate_editor.views.companions import Companions
 from palpate_editor.views.desk import Desk
 from palpate_editor.views.files import Files
 from palpate_editor.views.jobs import Progress
 from palpate_editor.views.words import tr
-
-GRACE = 2000
-"""[ms] for a player to end by itself."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,7 +47,7 @@ class Publishing(QObject):
         self.path: Path | None = None
         """The file published last from this window."""
         self.wanted = Path()
-        self.players: list[QProcess] = []
+        self.companions = Companions(desk, self)
 
     def ask(self) -> None:
         """Asks for the file; refuses with the red checks where there are some."""
@@ -99,36 +96,4 @@ class Publishing(QObject):
         if self.path is None or not self.path.is_file():
             self.desk.tell(tr("Publish first: the player plays the published file."), "warning")
             return
-        player = QProcess(self)
-        player.setProcessChannelMode(QProcess.ProcessChannelMode.MergedChannels)
-        player.errorOccurred.connect(self.on_error)
-        player.finished.connect(self.on_finished)
-        self.players.append(player)
-        player.start(sys.executable, ["-m", "palpate.cli", "play", str(self.path)])
-        self.desk.log_command(["palpate", "play", self.path])
-
-    def on_error(self, error: QProcess.ProcessError) -> None:
-        if error == QProcess.ProcessError.FailedToStart:
-            self.desk.tell(tr("The player could not be started."))
-
-    def on_finished(self, code: int, status: QProcess.ExitStatus) -> None:
-        ended = [p for p in self.players if p.state() == QProcess.ProcessState.NotRunning]
-        for player in ended:
-            self.players.remove(player)
-            words = bytes(player.readAll().data()).decode(errors="replace").strip()
-            player.deleteLater()
-            if code != 0 or status != QProcess.ExitStatus.NormalExit:
-                last = words.splitlines()[-1] if words else tr("it said nothing")
-                self.desk.tell(tr("The player ended: {words}").format(words=last))
-
-    def finish(self) -> None:
-        """The players end with the window that started them."""
-        for player in self.players:
-            player.errorOccurred.disconnect()
-            player.finished.disconnect()
-            player.terminate()
-        for player in self.players:
-            if not player.waitForFinished(GRACE):
-                player.kill()
-                player.waitForFinished(GRACE)
-        self.players.clear()
+        self.companions.start(["play", self.path])

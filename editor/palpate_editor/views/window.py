@@ -292,7 +292,7 @@ class MainWindow(QMainWindow):
         self.docks.keep(self.settings)
         self.test_panel.stop()
         self.desk.jobs.finish()
-        self.publishing.finish()
+        self.publishing.companions.finish()
         event.accept()
         self.closed.emit()
 

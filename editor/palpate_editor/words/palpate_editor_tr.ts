@@ -25,6 +25,10 @@
         <translation>&amp;Arkadan</translation>
     </message>
     <message>
+        <source>Haptic de&amp;vice…</source>
+        <translation>Dokunsal ay&amp;gıt…</translation>
+    </message>
+    <message>
         <source>&amp;Check the organ</source>
         <translation>Organı &amp;denetle</translation>
     </message>
@@ -1413,12 +1417,12 @@
         <translation>Organ şimdiki hâliyle hissedildi.</translation>
     </message>
     <message>
-        <source>The player could not be started.</source>
-        <translation>Oynatıcı başlatılamadı.</translation>
+        <source>The window could not be started.</source>
+        <translation>Pencere başlatılamadı.</translation>
     </message>
     <message>
-        <source>The player ended: {words}</source>
-        <translation>Oynatıcı kapandı: {words}</translation>
+        <source>The window ended: {words}</source>
+        <translation>Pencere kapandı: {words}</translation>
     </message>
     <message>
         <source>The run was stopped because the organ was changed. Start it again.</source>

@@ -167,13 +167,27 @@ def test_play_starts_the_player_in_a_process_of_its_own(qtbot, spleen_window, tm
 
     click(child(window, "play"))
 
-    player = window.publishing.players[0]
+    player = window.publishing.companions.running[0]
     assert player.waitForStarted(PATIENCE)
     assert player.processId() != 0
     assert f"palpate play {tmp_path / 'spleen.palpate'}" in log_of(window)
     player.kill()
-    qtbot.waitUntil(lambda: "The player ended" in window.messages.text, timeout=PATIENCE)
-    assert window.publishing.players == []
+    qtbot.waitUntil(lambda: "The window ended" in window.messages.text, timeout=PATIENCE)
+    assert window.publishing.companions.running == []
+
+
+def test_the_device_window_opens_from_the_menu_and_ends_with_the_editor(qtbot, spleen_window):
+    window = spleen_window
+
+    action(window, "device").trigger()
+
+    companions = window.publishing.companions
+    process = companions.running[0]
+    assert process.waitForStarted(PATIENCE)
+    assert "palpate device --theme" in log_of(window)
+    assert process.arguments()[2:4] == ["device", "--theme"]
+    companions.finish()
+    assert companions.running == []
 
 
 def test_publishing_is_refused_with_the_red_checks(qtbot, spleen_window):

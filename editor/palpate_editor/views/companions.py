@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Windows of `palpate` that the editor opens beside itself, each in a process of its own."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+
+from PySide6.QtCore import QObject, QProcess
+
+from palpate_editor.views.desk import Desk
+from palpate_editor.views.words import tr
+
+GRACE = 2000
+"""[ms] for one to end by itself."""
+
+
+class Companions(QObject):
+    """Starts them, tells why one ended badly, and ends them with the editor."""
+
+    def __init__(self, desk: Desk, parent: QObject | None = None):
+        super().__init__(parent)
+        self.desk = desk
+        self.running: list[QProcess] = []
+
+    def start(self, words: Sequence[object]) -> QProcess:
+        """`words` follow `palpate`."""
+        process = QProcess(self)
+        process.setProcessChannelMode(QProcess.ProcessChannelMode.MergedChannels)
+        process.errorOccurred.connect(self.on_error)
+        process.finished.connect(self.on_finished)
+        self.running.append(process)
+        process.start(sys.executable, ["-m", "palpate.cli", *(str(word) for word in words)])
+        self.desk.log_command(["palpate", *words])
+        return process
+
+    def open_device(self) -> None:
+        """The device window, in the colours and the language of the editor."""
+        words: list[object] = ["device", "--theme", self.desk.theme]
+        if self.desk.settings.language:
+            words += ["--language", self.desk.settings.language]
+        self.start(words)
+
+    def on_error(self, error: QProcess.ProcessError) -> None:
+        if error == QProcess.ProcessError.FailedToStart:
+            self.desk.tell(tr("The window could not be started."))
+
+    def on_finished(self, code: int, status: QProcess.ExitStatus) -> None:
+        ended = [p for p in self.running if p.state() == QProcess.ProcessState.NotRunning]
+        for process in ended:
+            self.running.remove(process)
+            words = bytes(process.readAll().data()).decode(errors="replace").strip()
+            process.deleteLater()
+            if code != 0 or status != QProcess.ExitStatus.NormalExit:
+                last = words.splitlines()[-1] if words else tr("it said nothing")
+                self.desk.tell(tr("The window ended: {words}").format(words=last))
+
+    def finish(self) -> None:
+        """They end with the window that started them."""
+        for process in self.running:
+            process.errorOccurred.disconnect()
+            process.finished.disconnect()
+            process.terminate()
+        for process in self.running:
+            if not process.waitForFinished(GRACE):
+                process.kill()
+                process.waitForFinished(GRACE)
+        self.running.clear()
