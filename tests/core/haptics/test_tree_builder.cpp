@@ -5,7 +5,7 @@
 #include <chrono>
 #include <thread>
 
-#include "core/haptics/calls.h"
+#include "calls.h"
 #include "core/haptics/collapse_scene.h"
 #include "palpate/sim/contact/queries.h"
 #include "palpate/sim/dynamics/simd_targets.h"
