@@ -40,9 +40,8 @@ HapticSample hold_at(const Scene& scene, const Place& place, double height) {
   return sample;
 }
 
-int afford(int wanted, int least, double work_each) {
-  constexpr double kAffordable = 3e8;
-  return static_cast<int>(std::clamp(kAffordable / work_each, double(least), double(wanted)));
+int afford(int wanted, int least, double work_each, double affordable) {
+  return static_cast<int>(std::clamp(affordable / work_each, double(least), double(wanted)));
 }
 
 double count_work(const Scene& scene, const World& world) {
@@ -50,10 +49,9 @@ double count_work(const Scene& scene, const World& world) {
 }
 
 Vec3Array press_and_hold(const std::string& work, const Scene& scene, const Place& place,
-                         World& world) {
+                         World& world, double affordable) {
   const double dt = 1.0 / scene.rate;
-  // slower is no other press: it is the cost of holding it that is asked for
-  const int ticks = afford(300, 60, count_work(scene, world));
+  const int ticks = afford(300, 60, count_work(scene, world), affordable);
   Vec3Array felt;
   for (int i = 0; i <= ticks; ++i) {
     const double above = 2.0 * kPressDepth * std::max(0.0, 1.0 - 1.5 * i / ticks);

