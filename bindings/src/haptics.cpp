@@ -216,8 +216,8 @@ void bind_tick(py::module_& m) {
       },
       "tree"_a, "x"_a, "hand_position"_a, "radius"_a, "tool"_a,
       "Puts a tool that is nowhere yet where the hand is, and returns whether it is in the scene. "
-      "A hand that begins inside the tissue has no tool until it has come out, and as far as the "
-      "tool's radius [m].");
+      "A hand that begins inside the tissue has no tool until it has come out, and as far as three "
+      "quarters of the tool's radius [m].");
   m.def(
       "compute_winding_number",
       [](const Integers& triangles, const Numbers& x, const Vec3& p) {

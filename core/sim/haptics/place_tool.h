@@ -11,9 +11,9 @@ namespace palpate {
 /// Puts a tool that is nowhere yet where the hand is, and returns whether it is in the scene.
 ///
 /// A hand that begins inside the tissue has no tool: nothing is touched or felt until it has come
-/// out, and as far as the tool's `radius` [m]. Put inside, the tool would be behind every triangle
-/// and be shot out where it breaks through; put where it overlaps the surface, it would tear that;
-/// put on the nearest outside, the hand would be struck with all the force there is.
+/// out, and as far as three quarters of the tool's `radius` [m]. Put inside, the tool would be
+/// behind every triangle and be shot out where it breaks through; put deep in the surface, it would
+/// tear that; put on the nearest outside, the hand would be struck with all the force there is.
 bool place_tool(const AabbTree& tree, std::span<const Vec3> x, const Vec3& hand_position,
                 double radius, ToolState& tool) noexcept;
 
