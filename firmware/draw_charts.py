@@ -3,7 +3,8 @@
 
 mkdir -p build/charts
 PALPATE_CHARTS=build/charts build/release/tests/test_laws -tc="full torque*"
-PALPATE_CHARTS=build/charts build/release/tests/test_simavr_loops -tc="the gallbladder*,search*"
+PALPATE_CHARTS=build/charts build/release/tests/test_haptics -tc="search*"
+PALPATE_CHARTS=build/charts build/release/tests/test_simavr_loops -tc="the gallbladder*"
 .venv/bin/python firmware/draw_charts.py build/charts firmware/pictures
 """
 
