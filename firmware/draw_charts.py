@@ -3,7 +3,8 @@
 
 mkdir -p build/charts
 PALPATE_CHARTS=build/charts build/release/tests/test_laws -tc="full torque*"
-PALPATE_CHARTS=build/charts build/release/tests/test_simavr_loops -tc="the gallbladder*,search*"
+PALPATE_CHARTS=build/charts build/release/tests/test_haptics -tc="search*"
+PALPATE_CHARTS=build/charts build/release/tests/test_simavr_loops -tc="the gallbladder*"
 .venv/bin/python firmware/draw_charts.py build/charts firmware/pictures
 """
 
@@ -17,6 +18,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+import numpy as np
 
 OURS, THEIRS, PLAIN = "#1f77b4", "#d62728", "#777777"
 
@@ -27,15 +29,31 @@ def read_columns(path: Path) -> dict[str, list[float]]:
     return {name: [float(row[name]) for row in rows] for name in rows[0]}
 
 
+def smooth(values: list[float], ticks: int = 20) -> np.ndarray:
+    """The mean over so many ticks about each."""
+    return np.convolve(values, np.full(ticks, 1.0 / ticks), mode="same")
+
+
 def draw_tissue_loop(folder: Path, out: Path) -> None:
     data = read_columns(folder / "tissue_loop.csv")
-    figure, axes = plt.subplots(figsize=(7.2, 3.4), layout="constrained")
-    axes.plot(data["time"], data["ideal"], color=PLAIN, label="ideal device")
-    axes.plot(data["time"], data["applied"], color=THEIRS, lw=0.7, label="what the motors give")
-    axes.plot(data["time"], data["commanded"], color=OURS, lw=0.7, label="what the tick asks for")
-    axes.set(xlabel="time [s]", ylabel="force [N]", xlim=(1.0, 2.7), ylim=(-0.02, 0.2))
-    axes.set_title("Pressing the gallbladder 6 mm deep", loc="left")
-    axes.legend(frameon=False, loc="lower center")
+    figure, (top, bottom) = plt.subplots(
+        2, 1, figsize=(7.2, 5.2), sharex=True, layout="constrained", height_ratios=(2, 1)
+    )
+    time = data["time"]
+    top.plot(time, data["ideal"], color=PLAIN, lw=1.8, label="ideal device")
+    for name, colour, label in (
+        ("applied", THEIRS, "what the motors give"),
+        ("commanded", OURS, "what the tick asks for"),
+    ):
+        top.plot(time, data[name], color=colour, lw=0.4, alpha=0.35)
+        top.plot(time, smooth(data[name]), color=colour, lw=1.3, label=f"{label}, mean of 20 ms")
+    top.set(ylabel="force [N]", xlim=(1.0, 2.7), ylim=(-0.03, 0.22))
+    top.set_title("A hand presses the gallbladder 6 mm deep and rests for a second", loc="left")
+    top.legend(frameon=False, loc="lower center")
+    bottom.plot(time, [1e3 * z for z in data["ideal_height"]], color=PLAIN, lw=1.8)
+    bottom.plot(time, [1e3 * z for z in data["height"]], color=OURS, lw=1.3)
+    bottom.axhline(0.0, color=PLAIN, lw=0.6)
+    bottom.set(xlabel="time [s]", ylabel="height of the tip [mm]", ylim=(-7, 10))
     figure.savefig(out / "tissue_loop.png", dpi=130)
 
 
@@ -43,12 +61,17 @@ def draw_local_law(folder: Path, out: Path) -> None:
     data = read_columns(folder / "local_law.csv")
     delay = [1e3 * value for value in data["delay"]]
     figure, axes = plt.subplots(figsize=(7.2, 3.4), layout="constrained")
-    axes.plot(delay, data["law"], "o-", color=OURS, label="as the device's local law")
-    axes.plot(delay, data["torque"], "o-", color=THEIRS, label="as a torque")
+    axes.plot(delay, data["law"], "o-", color=OURS, label="with the local law")
+    axes.plot(delay, data["torque"], "o-", color=THEIRS, label="without")
+    for x, with_law, without in zip(delay, data["law"], data["torque"], strict=True):
+        axes.annotate(
+            f"{with_law / without:.1f} times", (x, with_law), xytext=(0, 7),
+            textcoords="offset points", ha="center", fontsize=8,
+        )  # fmt: skip
     axes.set(xlabel="delay of the link, there and back [ms]", ylabel="largest stiffness [N/m]")
-    axes.set_ylim(bottom=0)
-    axes.set_title("How stiff a spring may be before it swings", loc="left")
-    axes.legend(frameon=False)
+    axes.set_ylim(0, 1.25 * max(data["law"]))
+    axes.set_title("How stiff a spring may be before the bare arm swings", loc="left")
+    axes.legend(frameon=False, loc="center right")
     figure.savefig(out / "local_law.png", dpi=130)
 
 
@@ -62,12 +85,15 @@ def draw_contact(folder: Path, out: Path) -> None:
     ):
         data = read_columns(folder / f"contact_{name}.csv")
         height = [1e3 * value for value in data["height"]]
-        top.plot(data["time"], height, color=colour, lw=0.9, label=label)
+        energy = 1e3 * data["energy"][-1]
+        given = f"{label}: {energy:.1f} mJ given"
+        top.plot(data["time"], height, color=colour, lw=0.9, label=given)
         bottom.plot(data["time"], data["force"], color=colour, lw=0.9)
     top.axhline(0.0, color=PLAIN, lw=0.6)
+    top.annotate("surface", (1.98, 0.4), ha="right", fontsize=8, color=PLAIN)
     top.set(ylabel="height of the tip [mm]", xlim=(0.2, 2.0))
-    top.set_title("A hand that wants to be 6 mm deep", loc="left")
-    top.legend(frameon=False)
+    top.set_title("A hand that wants to be 6 mm deep, under two rules", loc="left")
+    top.legend(frameon=False, loc="upper center")
     bottom.set(xlabel="time [s]", ylabel="motors, weight included [N]")
     figure.savefig(out / "contact.png", dpi=130)
 

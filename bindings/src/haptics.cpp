@@ -208,14 +208,16 @@ void bind_tick(py::module_& m) {
         "128 bits over positions, velocities and the tool: equal worlds, equal hashes.");
   m.def(
       "place_tool",
-      [](const AabbTree& tree, const Numbers& x, const Vec3& hand_position, ToolState& tool) {
+      [](const AabbTree& tree, const Numbers& x, const Vec3& hand_position, double radius,
+         ToolState& tool) {
         const auto xs = points(x, "x");
         require_fit(tree, xs);
-        return place_tool(tree, xs, hand_position, tool);
+        return place_tool(tree, xs, hand_position, radius, tool);
       },
-      "tree"_a, "x"_a, "hand_position"_a, "tool"_a,
+      "tree"_a, "x"_a, "hand_position"_a, "radius"_a, "tool"_a,
       "Puts a tool that is nowhere yet where the hand is, and returns whether it is in the scene. "
-      "A hand that begins inside the tissue has no tool until it has come out.");
+      "A hand that begins inside the tissue has no tool until it has come out, and as far as three "
+      "quarters of the tool's radius [m].");
   m.def(
       "compute_winding_number",
       [](const Integers& triangles, const Numbers& x, const Vec3& p) {

@@ -113,7 +113,7 @@ def test_contact_by_hand_balances_as_in_a_tick():
     state, load = palpate.ToolState(len(triangles)), palpate.Load(2 * len(triangles))
     over, hand = np.array([0.0, 0.0, 0.03]), np.array([0.0, 0.0, 0.022])
 
-    assert palpate.place_tool(tree, x, over, state)
+    assert palpate.place_tool(tree, x, over, scene.tool.radius, state)
     palpate.find_candidates(tree, x, scene.tool, over, hand, scene.rest_areas, candidates)
     for _ in range(2):  # from afar the first balance ends where the contacts begin
         force = palpate.balance_tool(

@@ -130,7 +130,7 @@ Vec3 tick_with_frozen_contacts(const Scene& scene, const Vec3& hand, World& worl
   const auto& x = world.tissue.position;
   const double r = scene.tool.radius, K = scene.coupling.stiffness;
   world.tree.refit(x);
-  if (!place_tool(world.tree, x, hand, world.tool)) return Vec3::Zero();
+  if (!place_tool(world.tree, x, hand, r, world.tool)) return Vec3::Zero();
   find_candidates(world.tree, x, scene.tool, world.tool.position, hand, scene.rest_areas,
                   world.candidates);
   std::vector<Vec3> weights;

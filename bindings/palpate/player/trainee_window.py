@@ -103,6 +103,7 @@ class TraineeWindow(QWidget):
             self.over.place()
             return
         self._time, self._force, self._second, self._missed = 0.0, 0.0, 0, 0
+        self.over.force.limit = self.play.force_limit()  # known once the device is open
         self.over.start_anew()
         self._tell_loss()
         self.view.move_surface(self._rest)

@@ -4,7 +4,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "palpate/sim/contact/queries.h"
+
 namespace palpate {
+namespace {
+
+/// Of the radius. A tool may begin by touching, but not so deep that it throws the surface.
+constexpr double kClear = 0.75;
+
+}  // namespace
 
 /// The sum of signed solid angles over 4 pi [Jacobson13], each from [VanOosteromStrackee83]:
 ///
@@ -25,12 +33,13 @@ double compute_winding_number(std::span<const Triangle> triangles, std::span<con
 }
 
 bool place_tool(const AabbTree& tree, std::span<const Vec3> x, const Vec3& hand_position,
-                ToolState& tool) noexcept {
+                double radius, ToolState& tool) noexcept {
   if (tool.placed) return true;
   const bool in_box = (hand_position.array() >= tree.low().array()).all() &&
                       (hand_position.array() <= tree.high().array()).all();
   tool.position = hand_position;
-  tool.placed = !in_box || compute_winding_number(tree.triangles(), x, hand_position) < 0.5;
+  tool.placed = !find_closest_point(tree, x, hand_position, kClear * radius) &&
+                (!in_box || compute_winding_number(tree.triangles(), x, hand_position) < 0.5);
   return tool.placed;
 }
 

@@ -11,10 +11,11 @@ namespace palpate {
 /// Puts a tool that is nowhere yet where the hand is, and returns whether it is in the scene.
 ///
 /// A hand that begins inside the tissue has no tool: nothing is touched or felt until it has come
-/// out. Put inside, the tool would be behind every triangle and be shot out where it breaks
-/// through; put on the nearest outside, the hand would be struck with all the force there is.
+/// out, and as far as three quarters of the tool's `radius` [m]. Put inside, the tool would be
+/// behind every triangle and be shot out where it breaks through; put deep in the surface, it would
+/// tear that; put on the nearest outside, the hand would be struck with all the force there is.
 bool place_tool(const AabbTree& tree, std::span<const Vec3> x, const Vec3& hand_position,
-                ToolState& tool) noexcept;
+                double radius, ToolState& tool) noexcept;
 
 /// How often the surface goes round `p`: 1 inside of a closed surface, 0 outside, and for an open
 /// one what is in between: the share of all directions from `p` that the surface covers.

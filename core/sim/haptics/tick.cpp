@@ -71,7 +71,7 @@ HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
   refit_tree(world);
   const Vec3 hand = follow_hand(sample.position, dt, world);
   const double way = world.tool.placed ? (hand - world.hand).norm() : 0.0;
-  if (place_tool(world.tree, surface, hand, world.tool)) {
+  if (place_tool(world.tree, surface, hand, scene.tool.radius, world.tool)) {
     find_candidates(world.tree, surface, scene.tool, world.tool.position, hand, scene.rest_areas,
                     world.candidates);
     follow_button(scene, sample.buttons, dt, world);

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the driver lets the device answer by itself: how stiff it is, how much of it, in the frame.
+//
+// With PALPATE_CHARTS set to a folder the largest stiffnesses with the law and without are searched
+// and left there for firmware/draw_charts.py.
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <string>
 
 #include "core/haptics/device_bench.h"
 #include "core/haptics/law_bench.h"
@@ -28,6 +35,23 @@ Vec3 obey(const Calibration& calibration, const palpate_command& command, const 
 
 const Mat3 kStiffness{{3.0, 0.4, -0.2}, {0.4, 5.0, 0.7}, {-0.2, 0.7, 2.0}};  // [N m/rad]
 const std::array<std::uint16_t, 6> kCounts = {500, 512, 530, 512, 512, 512};
+
+/// How a swing grows or fades in a second, `delay` [s] being that of the link, there and back.
+double find_growth(double stiffness, double delay, bool law) {
+  using Bench = LawBench<NativeCore>;
+  return Bench(law, Bench::plant(), NativeCoreOptions{.link_delay = 0.5 * delay})
+      .find_growth(stiffness);
+}
+
+/// [N/m] above which a swing grows, by halving.
+double find_stiffness_max(double delay, bool law) {
+  double least = 10.0, most = 1500.0;
+  for (int i = 0; i < 8; ++i) {
+    const double middle = std::sqrt(least * most);
+    (find_growth(middle, delay, law) > 1.0 ? most : least) = middle;
+  }
+  return std::sqrt(least * most);
+}
 
 }  // namespace
 
@@ -117,13 +141,21 @@ TEST_CASE("a law beyond the frame's numbers becomes softer, not another; none is
 TEST_CASE("a spring 1.5 times too stiff to come late calms with the driver's law: 1 and 2 ms") {
   for (double delay : {1e-3, 2e-3}) {
     CAPTURE(delay);
-    const NativeCoreOptions options{.link_delay = 0.5 * delay};
-    const double stiffness = delay < 1.5e-3 ? 123.0 : 110.0;
-    CHECK(
-        LawBench<NativeCore>(false, LawBench<NativeCore>::plant(), options).find_growth(stiffness) >
-        1.2);
-    LawBench<NativeCore> bench(true, LawBench<NativeCore>::plant(), options);
-    CHECK(bench.find_growth(stiffness) < 0.8);
+    const double stiffness = 1.5 * (delay < 1.5e-3 ? 82.0 : 73.0);  // of what is found below
+    CHECK(find_growth(stiffness, delay, false) > 1.2);
+    CHECK(find_growth(stiffness, delay, true) < 0.8);
+  }
+}
+
+TEST_CASE("search of the largest stiffness with and without the law" *
+          doctest::skip(std::getenv("PALPATE_CHARTS") == nullptr)) {
+  std::ofstream out(std::string(std::getenv("PALPATE_CHARTS")) + "/local_law.csv");
+  out << "delay,torque,law\n";
+  for (double delay : {0.0, 1e-3, 2e-3, 3e-3, 5e-3}) {
+    const double torque = find_stiffness_max(delay, false), law = find_stiffness_max(delay, true);
+    std::printf("link %.0f ms late: %.0f N/m without the law, %.0f N/m with it, %.1f times\n",
+                1e3 * delay, torque, law, law / torque);
+    out << delay << ',' << torque << ',' << law << '\n';
   }
 }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "core/haptics/press_scene.h"
 #include "palpate/sim/haptics/place_tool.h"
+#include "palpate/sim/haptics/tick.h"
 #include "scenes/scenes.h"
 
 using namespace palpate;
@@ -37,10 +40,10 @@ TEST_CASE("a tool appears where the hand is, unless that is inside") {
   const AabbTree tree(mesh.vertices, mesh.triangles);
   ToolState tool(8);
 
-  CHECK_FALSE(place_tool(tree, mesh.vertices, {0, 0, 0.005}, tool));
+  CHECK_FALSE(place_tool(tree, mesh.vertices, {0, 0, 0.005}, 1e-3, tool));
   CHECK(tool.position == Vec3(0, 0, 0.005));
   // in the box around the organ, yet beside it
-  CHECK(place_tool(tree, mesh.vertices, {0.025, 0.015, 0.009}, tool));
+  CHECK(place_tool(tree, mesh.vertices, {0.025, 0.015, 0.009}, 1e-3, tool));
   CHECK(tool.position == Vec3(0.025, 0.015, 0.009));
 }
 
@@ -48,9 +51,34 @@ TEST_CASE("a tool that is somewhere is left there") {
   const SurfaceMesh mesh = scenes::make_ellipsoid({0.03, 0.02, 0.01}, 2);
   const AabbTree tree(mesh.vertices, mesh.triangles);
   ToolState tool(8);
-  REQUIRE(place_tool(tree, mesh.vertices, {0, 0, 0.02}, tool));
+  REQUIRE(place_tool(tree, mesh.vertices, {0, 0, 0.02}, 1e-3, tool));
 
-  CHECK(place_tool(tree, mesh.vertices, {0, 0, 0}, tool));
+  CHECK(place_tool(tree, mesh.vertices, {0, 0, 0}, 1e-3, tool));
 
   CHECK(tool.position == Vec3(0, 0, 0.02));
+}
+
+TEST_CASE("a tool that would be deep in the surface is not there before the hand is clear of it") {
+  const SurfaceMesh mesh = scenes::make_ellipsoid({0.03, 0.02, 0.01}, 2);
+  const AabbTree tree(mesh.vertices, mesh.triangles);
+  ToolState tool(8);
+
+  CHECK_FALSE(place_tool(tree, mesh.vertices, {0, 0, 0.0101}, 3e-3, tool));
+  CHECK_FALSE(place_tool(tree, mesh.vertices, {0, 0, 0.0122}, 3e-3, tool));
+  CHECK(place_tool(tree, mesh.vertices, {0, 0, 0.0123}, 3e-3, tool));
+}
+
+TEST_CASE("a hand that leaves the organ it began in, at a metre a second, tears nothing") {
+  const Scene scene = testing::press_scene();
+  World world(scene);
+  double strongest = 0.0;
+  for (int k = 0; k < 60; ++k) {
+    HapticSample sample;
+    sample.position = Vec3(0.001, 0.002, 1e-3 * k);
+    strongest = std::max(strongest, tick(scene, sample, 1e-3, world).force.norm());
+  }
+
+  CHECK_FALSE(world.alarm);
+  CHECK(world.tool.placed);
+  CHECK(strongest == 0.0);
 }

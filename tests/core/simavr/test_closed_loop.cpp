@@ -26,6 +26,23 @@ TEST_CASE("through driver and image, force out is force in within 5 % and a step
   CHECK(worst < 0.05);
 }
 
+TEST_CASE("through driver and image, a calibration is stored in the chip and read back from it") {
+  EmulatedBench bench;
+  bench.device.open();
+  Calibration wanted = bench.device.calibration();
+  wanted.joints[2].zero += 7;
+  wanted.torque_full = {0.31, -0.42, 0.53};
+  wanted.serial_number = 4711;
+
+  bench.device.store(wanted);
+
+  const Calibration found = bench.device.calibration();
+  CHECK(found.joints[2].zero == wanted.joints[2].zero);
+  CHECK(found.torque_full.isApprox(wanted.torque_full, 1e-5));
+  CHECK(found.serial_number == 4711);
+  CHECK_FALSE(bench.core.drive().enabled);
+}
+
 TEST_CASE("through driver and image, the arm left alone drifts by less than a millimetre") {
   EmulatedBench bench;
   bench.start();

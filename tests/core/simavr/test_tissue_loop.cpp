@@ -102,6 +102,7 @@ TEST_CASE(
   hold(0.0);
   device.open();
   int faulted = 0;
+  double local = 0.0;  // [N/m] the most that the device answered by itself
   for (std::size_t k = 0; k < felt.ideal.size(); ++k) {
     const double time = static_cast<double>(k) * kTick;
     hold(time);
@@ -109,6 +110,7 @@ TEST_CASE(
     device.write(command);
     device.take_status();
     faulted += device.status().mode == DeviceMode::faulted;
+    local = std::max(local, device.status().local_stiffness);
     felt.time.push_back(time);
     felt.commanded.push_back(command.force.z());
     felt.applied.push_back(find_applied(core).z());
@@ -125,8 +127,9 @@ TEST_CASE(
     for (int k = 1700; k < 2200; ++k) sum += forces[static_cast<std::size_t>(k)] / 500.0;
     return sum;
   };
-  std::printf("at rest on the gallbladder: ideal %.3f N, commanded %.3f N, applied %.3f N\n",
-              mean(felt.ideal), mean(felt.commanded), mean(felt.applied));
+  std::printf("at rest on the gallbladder: ideal %.3f N, commanded %.3f N, applied %.3f N; "
+              "local law up to %.0f N/m\n",
+              mean(felt.ideal), mean(felt.commanded), mean(felt.applied), local);
   CHECK(mean(felt.ideal) > 0.1);
   CHECK(mean(felt.commanded) >
         0.5 * mean(felt.ideal));  // the hand gives way, an ideal one does not
