@@ -6,11 +6,13 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import jsonschema
 import numpy as np
 import palpate
 import pytest
 from device_runs import press_through, spoil
 from palpate.cli import main
+from palpate.device import ACTIONS
 from palpate.device_calibrate import run_calibrate
 from palpate.device_fit import Pull, fit_joints, fit_motors
 from palpate.device_link import build_link, hold_plant
@@ -21,6 +23,7 @@ from palpate.sentence import PoorData
 from palpate.verb import WrongCall
 from published import publish, write_press
 
+SCHEMAS = Path(palpate.__file__).parent / "schemas"
 GALLBLADDER = Path(__file__).resolve().parents[2] / "meshes" / "published" / "gallbladder.palpate"
 
 
@@ -298,6 +301,32 @@ def test_what_is_no_device_is_refused_in_a_sentence(capsys, words, code, sentenc
 
     assert (got, out) == (code, "")
     assert sentence in err
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("list",),
+        ("monitor", "plant", "--duration", "300ms"),
+        ("clear", "plant"),
+        ("feel", "plant", "--duration", "300ms"),
+        ("selftest", "plant", "--no-motors"),
+        ("calibrate", "plant"),
+        ("calibrate", "plant", "--dry-run"),
+    ],
+    ids=" ".join,
+)
+def test_what_an_action_prints_as_json_is_what_its_schema_says(capsys, words):
+    schema = json.loads((SCHEMAS / "device.schema.json").read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(schema)
+
+    code, report, _ = call(capsys, "device", *words, "--json")
+
+    assert code == 0
+    jsonschema.Draft202012Validator(schema).validate(report)
+    assert set(schema["$defs"]) == {*ACTIONS, "window"}
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.Draft202012Validator(schema).validate({**report, "more": 1})
 
 
 def test_doctor_speaks_of_serial_ports(capsys):

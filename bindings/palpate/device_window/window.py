@@ -164,6 +164,7 @@ class DeviceWindow(QWidget):
         if job.problem is None:
             self.link = job.result
             self.last_device = self.link.name
+            self.view.setFocus()
             self._read_arm()
         elif isinstance(job.problem, WrongCall | OSError):
             words = translate("Device", "It cannot be connected to: %1.")
