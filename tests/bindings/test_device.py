@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import threading
 from pathlib import Path
 
 import jsonschema
@@ -15,7 +16,7 @@ from palpate.cli import main
 from palpate.device import ACTIONS
 from palpate.device_calibrate import run_calibrate
 from palpate.device_fit import Pull, fit_joints, fit_motors
-from palpate.device_link import build_link, hold_plant
+from palpate.device_link import Ended, build_link, hold_plant
 from palpate.device_poses import HOME, HOME_JOINTS, POSES, average_counts
 from palpate.device_selftest import run_selftest
 from palpate.play import open_play, split_device
@@ -181,6 +182,21 @@ def test_a_new_device_gets_its_first_calibration_and_is_sound_with_it():
     assert run_calibrate(link)["stored"]
 
     assert run_selftest(link)["ok"]
+
+
+def test_who_waits_for_a_device_is_told_when_its_link_is_interrupted():
+    link = build_link("plant")
+    link.begin(live=True)
+    threading.Timer(0.05, link.interrupt).start()
+
+    with pytest.raises(Ended):
+        link.run(60.0)
+    kept = link.store(link.driver.calibration())
+
+    assert kept.joints[0].zero == 512
+    with pytest.raises(Ended):  # it is not kept company again
+        link.run(0.1)
+    link.end()
 
 
 def test_a_dry_run_leaves_the_device_as_it_is(capsys):

@@ -128,8 +128,11 @@ class DeviceWindow(QWidget):
         link, self.link = self.link, None
         self._tell("")
         if link is not None:
-            link.end()
+            link.interrupt()
+        # whatever is at work with the device ends before its motors are switched off for good
         self._show_link()
+        if link is not None:
+            link.end()
 
     def follow(self) -> None:
         """Shows what the device did since the last frame."""
