@@ -134,6 +134,12 @@ class Link:
             self.driver.take_status()
             return self.driver.status()
 
+    def is_lost(self) -> bool:
+        """Whether the device is gone for good, or says what nobody can use."""
+        loop = self._loop
+        failed = loop is not None and loop.fault() is not palpate.DeviceFault.none
+        return failed or self.status().link is palpate.LinkState.lost
+
     def missed_ticks(self) -> int:
         return 0 if self._loop is None else self._loop.missed_ticks()
 
@@ -163,9 +169,11 @@ class Link:
         if loop is not None:
             live = loop.running()
             self._part()
-        self.driver.store(calibration)
-        if loop is not None and not self._over:
-            self._keep_company(live)
+        try:
+            self.driver.store(calibration)
+        finally:
+            if loop is not None and not self._over:
+                self._keep_company(live)
         return self.driver.calibration()
 
     def _keep_company(self, live: bool) -> None:

@@ -184,6 +184,23 @@ def test_a_new_device_gets_its_first_calibration_and_is_sound_with_it():
     assert run_selftest(link)["ok"]
 
 
+def test_a_link_says_that_its_device_is_gone_and_a_calibration_cannot_be_written():
+    link = build_link("plant")
+    link.begin()
+    link.run(0.1)
+    assert not link.is_lost()
+    kept = link.driver.calibration()
+
+    link.arm.pull_cable()
+    link.run(0.1)
+
+    assert link.is_lost()
+    with pytest.raises(palpate.DeviceError, match="the cable is out"):
+        link.store(kept)
+    link.run(0.1)  # it is kept company all the same
+    link.end()
+
+
 def test_who_waits_for_a_device_is_told_when_its_link_is_interrupted():
     link = build_link("plant")
     link.begin(live=True)

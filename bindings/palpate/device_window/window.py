@@ -141,8 +141,8 @@ class DeviceWindow(QWidget):
         if link is None:
             return
         status = link.status()
-        if status.link is palpate.LinkState.lost or link.device.failed():
-            self._lose(status)
+        if link.is_lost():
+            self._lose()
             return
         self._frame += 1
         self.calibrate.follow()
@@ -178,11 +178,9 @@ class DeviceWindow(QWidget):
         if self.link and self.link.status().link is palpate.LinkState.uncalibrated:
             self.pages.open("calibrate")
 
-    def _lose(self, status: palpate.DeviceStatus) -> None:
+    def _lose(self) -> None:
         self.disconnect_device()
-        state, tone = translate("Device", "Gone"), "bad"
-        self.bar.show_state(state, tone)
-        del status
+        self.bar.show_state(translate("Device", "Gone"), "bad")
         self._tell(
             translate(
                 "Device",
