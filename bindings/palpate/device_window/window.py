@@ -241,6 +241,7 @@ class DeviceWindow(QWidget):
 
     def say(self) -> None:
         """Sets all words anew, in the language of the program."""
+        self.setLocale(QLocale())
         self.setWindowTitle(translate("Device", "Device \N{EN DASH} Palpate"))
         self.bar.say(self.theme, self.language)
         self.bar.show_connection(self.link is not None, self._opening is not None)
