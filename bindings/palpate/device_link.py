@@ -49,6 +49,7 @@ class Link:
         self._loop: palpate.DeviceLoop | None = None
         self._lock = threading.Lock()
         self._ending = threading.Event()
+        self._over = False
 
     @property
     def device(self) -> palpate.HapticDevice:
@@ -69,14 +70,23 @@ class Link:
         """
         self.open()
         self.driver.enable(False)
+        self._over = False
         self._ending.clear()
         self._keep_company(self.arm is None if live is None else live)
 
+    def interrupt(self) -> None:
+        """Whoever waits in another thread gets Ended at once, and so does who waits later."""
+        self._over = True
+        self._ending.set()
+
     def end(self) -> None:
         """Motors off, then nothing is said any more. May be repeated."""
+        self.interrupt()
+        self._part()
+
+    def _part(self) -> None:
         with self._lock:
             loop, self._loop = self._loop, None
-        self._ending.set()
         if loop is None:
             return
         self.driver.enable(False)
@@ -124,6 +134,12 @@ class Link:
             self.driver.take_status()
             return self.driver.status()
 
+    def is_lost(self) -> bool:
+        """Whether the device is gone for good, or says what nobody can use."""
+        loop = self._loop
+        failed = loop is not None and loop.fault() is not palpate.DeviceFault.none
+        return failed or self.status().link is palpate.LinkState.lost
+
     def missed_ticks(self) -> int:
         return 0 if self._loop is None else self._loop.missed_ticks()
 
@@ -152,11 +168,12 @@ class Link:
         loop, live = self._loop, False
         if loop is not None:
             live = loop.running()
-            self.end()
-        self.driver.store(calibration)
-        if loop is not None:
-            self._ending.clear()
-            self._keep_company(live)
+            self._part()
+        try:
+            self.driver.store(calibration)
+        finally:
+            if loop is not None and not self._over:
+                self._keep_company(live)
         return self.driver.calibration()
 
     def _keep_company(self, live: bool) -> None:

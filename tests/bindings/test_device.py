@@ -4,16 +4,19 @@
 from __future__ import annotations
 
 import json
+import threading
 from pathlib import Path
 
+import jsonschema
 import numpy as np
 import palpate
 import pytest
 from device_runs import press_through, spoil
 from palpate.cli import main
+from palpate.device import ACTIONS
 from palpate.device_calibrate import run_calibrate
 from palpate.device_fit import Pull, fit_joints, fit_motors
-from palpate.device_link import build_link, hold_plant
+from palpate.device_link import Ended, build_link, hold_plant
 from palpate.device_poses import HOME, HOME_JOINTS, POSES, average_counts
 from palpate.device_selftest import run_selftest
 from palpate.play import open_play, split_device
@@ -21,6 +24,7 @@ from palpate.sentence import PoorData
 from palpate.verb import WrongCall
 from published import publish, write_press
 
+SCHEMAS = Path(palpate.__file__).parent / "schemas"
 GALLBLADDER = Path(__file__).resolve().parents[2] / "meshes" / "published" / "gallbladder.palpate"
 
 
@@ -180,6 +184,38 @@ def test_a_new_device_gets_its_first_calibration_and_is_sound_with_it():
     assert run_selftest(link)["ok"]
 
 
+def test_a_link_says_that_its_device_is_gone_and_a_calibration_cannot_be_written():
+    link = build_link("plant")
+    link.begin()
+    link.run(0.1)
+    assert not link.is_lost()
+    kept = link.driver.calibration()
+
+    link.arm.pull_cable()
+    link.run(0.1)
+
+    assert link.is_lost()
+    with pytest.raises(palpate.DeviceError, match="the cable is out"):
+        link.store(kept)
+    link.run(0.1)  # it is kept company all the same
+    link.end()
+
+
+def test_who_waits_for_a_device_is_told_when_its_link_is_interrupted():
+    link = build_link("plant")
+    link.begin(live=True)
+    threading.Timer(0.05, link.interrupt).start()
+
+    with pytest.raises(Ended):
+        link.run(60.0)
+    kept = link.store(link.driver.calibration())
+
+    assert kept.joints[0].zero == 512
+    with pytest.raises(Ended):  # it is not kept company again
+        link.run(0.1)
+    link.end()
+
+
 def test_a_dry_run_leaves_the_device_as_it_is(capsys):
     code, report, _ = call(capsys, "device", "calibrate", "plant", "--dry-run", "--json")
 
@@ -298,6 +334,32 @@ def test_what_is_no_device_is_refused_in_a_sentence(capsys, words, code, sentenc
 
     assert (got, out) == (code, "")
     assert sentence in err
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("list",),
+        ("monitor", "plant", "--duration", "300ms"),
+        ("clear", "plant"),
+        ("feel", "plant", "--duration", "300ms"),
+        ("selftest", "plant", "--no-motors"),
+        ("calibrate", "plant"),
+        ("calibrate", "plant", "--dry-run"),
+    ],
+    ids=" ".join,
+)
+def test_what_an_action_prints_as_json_is_what_its_schema_says(capsys, words):
+    schema = json.loads((SCHEMAS / "device.schema.json").read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(schema)
+
+    code, report, _ = call(capsys, "device", *words, "--json")
+
+    assert code == 0
+    jsonschema.Draft202012Validator(schema).validate(report)
+    assert set(schema["$defs"]) == {*ACTIONS, "window"}
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.Draft202012Validator(schema).validate({**report, "more": 1})
 
 
 def test_doctor_speaks_of_serial_ports(capsys):

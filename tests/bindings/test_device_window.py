@@ -321,6 +321,9 @@ def test_the_window_changes_its_language_while_a_device_is_connected(open_device
 
     said = texts(window)
     assert {"Aygıt", "Bağlantıyı kes", "Motorlar kapalı", "EKLEMLER"} <= set(said)
+    assert "," in window.calibrate.scale.text()
+    page = window.monitor
+    assert page.widget().minimumSizeHint().width() <= page.viewport().width()
     window.use_language("en")
     assert "Disconnect" in texts(window)
 

@@ -128,8 +128,11 @@ class DeviceWindow(QWidget):
         link, self.link = self.link, None
         self._tell("")
         if link is not None:
-            link.end()
+            link.interrupt()
+        # whatever is at work with the device ends before its motors are switched off for good
         self._show_link()
+        if link is not None:
+            link.end()
 
     def follow(self) -> None:
         """Shows what the device did since the last frame."""
@@ -138,8 +141,8 @@ class DeviceWindow(QWidget):
         if link is None:
             return
         status = link.status()
-        if status.link is palpate.LinkState.lost or link.device.failed():
-            self._lose(status)
+        if link.is_lost():
+            self._lose()
             return
         self._frame += 1
         self.calibrate.follow()
@@ -164,6 +167,7 @@ class DeviceWindow(QWidget):
         if job.problem is None:
             self.link = job.result
             self.last_device = self.link.name
+            self.view.setFocus()
             self._read_arm()
         elif isinstance(job.problem, WrongCall | OSError):
             words = translate("Device", "It cannot be connected to: %1.")
@@ -174,11 +178,9 @@ class DeviceWindow(QWidget):
         if self.link and self.link.status().link is palpate.LinkState.uncalibrated:
             self.pages.open("calibrate")
 
-    def _lose(self, status: palpate.DeviceStatus) -> None:
+    def _lose(self) -> None:
         self.disconnect_device()
-        state, tone = translate("Device", "Gone"), "bad"
-        self.bar.show_state(state, tone)
-        del status
+        self.bar.show_state(translate("Device", "Gone"), "bad")
         self._tell(
             translate(
                 "Device",
@@ -239,6 +241,7 @@ class DeviceWindow(QWidget):
 
     def say(self) -> None:
         """Sets all words anew, in the language of the program."""
+        self.setLocale(QLocale())
         self.setWindowTitle(translate("Device", "Device \N{EN DASH} Palpate"))
         self.bar.say(self.theme, self.language)
         self.bar.show_connection(self.link is not None, self._opening is not None)

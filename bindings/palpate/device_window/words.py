@@ -22,7 +22,9 @@ def say(words: Sentence) -> str:
 
 def number(value: float, decimals: int) -> str:
     """As the language of the window writes it, with a true minus sign."""
-    return QLocale().toString(value, "f", decimals).replace("-", "\N{MINUS SIGN}")
+    locale = QLocale()
+    locale.setNumberOptions(QLocale.NumberOption.OmitGroupSeparator)
+    return locale.toString(value, "f", decimals).replace("-", "\N{MINUS SIGN}")
 
 
 def say_state(status: palpate.DeviceStatus) -> tuple[str, str]:

@@ -9,15 +9,15 @@
 
 #include "palpate/sim/base/latest.h"
 #include "palpate/sim/base/refuse.h"
+#include "palpate/sim/haptics/pace.h"
 #include "palpate/sim/haptics/realtime.h"
 
 namespace palpate {
 namespace {
 
-constexpr double kTick = 1e-3;               // [s]
-constexpr std::int64_t kTickTime = 1000000;  // [ns]
-constexpr std::int64_t kSpin = 150000;       // [ns] spun instead of slept before every tick
-constexpr double kLongest = 24 * 3600.0;     // [s]
+constexpr double kTick = 1e-3;            // [s]
+constexpr std::int64_t kSpin = 150000;    // [ns] spun instead of slept before every tick
+constexpr double kLongest = 24 * 3600.0;  // [s]
 
 }  // namespace
 
@@ -72,17 +72,23 @@ void DeviceLoop::Impl::run_tick() noexcept {
   fault.store(safe.fault(), std::memory_order_relaxed);
 }
 
-/// As the live loop: what was due while an earlier tick was at work is skipped, never made up.
+/// As the live loop: a tick is due when the device's report has come, and what was due while an
+/// earlier tick was at work is skipped, never made up.
 void DeviceLoop::Impl::run() noexcept {
   const Realtime granted = enter_realtime(true, -1);
-  const std::int64_t start = read_clock() - kTickTime * tick;
+  Pace pace(safe, 1.0 / kTick, kSpin);
+  pace.begin(tick);
   while (!stopping.load(std::memory_order_acquire)) {
-    wait_until(start + kTickTime * tick, kSpin);
+    if (tick < silent_until) {  // reports that nobody reads would make every tick due
+      wait_until(read_clock() + pace.period(), 0);
+      run_tick();
+      pace.begin(tick);
+      continue;
+    }
+    pace.wait(tick);
     run_tick();
-    const std::int64_t due = (read_clock() - start) / kTickTime;
-    if (due > tick) {
-      missed.fetch_add(static_cast<long>(due - tick), std::memory_order_relaxed);
-      tick = static_cast<long>(due);
+    for (const std::int64_t now = read_clock(); pace.due(tick) < now; ++tick) {
+      missed.fetch_add(1, std::memory_order_relaxed);
     }
   }
   safe.rest();

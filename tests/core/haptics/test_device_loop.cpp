@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <limits>
 #include <stdexcept>
 #include <thread>
 
 #include "palpate/sim/haptics/device_loop.h"
+#include "palpate/sim/haptics/serial_transport.h"
 #include "palpate/sim/haptics/simulated_arm.h"
 #include "palpate/sim/haptics/simulated_devices.h"
 
@@ -148,3 +150,33 @@ TEST_CASE("round trips are counted by how long they took") {
   CHECK(all > 900);
   CHECK(median == doctest::Approx(status.round_trip_median).epsilon(0.3));
 }
+
+#ifdef PALPATE_SERIAL
+
+TEST_CASE("a silence lasts although the device's reports come on") {
+  PtyDevice device;
+  SerialTransport transport(device.path());
+  SerialDevice driver(transport);
+  driver.open(20.0);
+  DeviceLoop loop(driver);
+  const auto wait_for = [&](auto&& done) {
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    do {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      driver.take_status();
+    } while (!done() && std::chrono::steady_clock::now() < until);
+    return done();
+  };
+  loop.start();
+  // a machine that is busy may have been silent on its own
+  REQUIRE(wait_for([&] { return driver.status().mode >= DeviceMode::ramp; }));
+  driver.clear_fault();
+  wait_for([&] { return driver.status().mode == DeviceMode::run; });
+
+  loop.fall_silent(0.03);
+
+  CHECK(wait_for([&] { return name_fault(driver.status().first_fault) == "host silent"; }));
+  loop.stop();
+}
+
+#endif

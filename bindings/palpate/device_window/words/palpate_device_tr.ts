@@ -69,7 +69,7 @@
     </message>
     <message>
         <source>99 % within</source>
-        <translation>%99 şunun içinde</translation>
+        <translation>%99 içinde</translation>
     </message>
     <message>
         <source>A sensor reads the end of its scale: a wire is off or shorted. Mend it, then clear the fault.</source>
@@ -653,11 +653,11 @@
     </message>
     <message>
         <source>gimbal pitch</source>
-        <translation>askı yunuslama</translation>
+        <translation>askı eğilme</translation>
     </message>
     <message>
         <source>gimbal roll</source>
-        <translation>askı yuvarlanma</translation>
+        <translation>askı dönme</translation>
     </message>
     <message>
         <source>gimbal yaw</source>
@@ -697,11 +697,11 @@
     </message>
     <message>
         <source>off home</source>
-        <translation>sapma</translation>
+        <translation>fark</translation>
     </message>
     <message>
         <source>pitch</source>
-        <translation>yunuslama</translation>
+        <translation>eğilme</translation>
     </message>
     <message>
         <source>push away %1 N</source>
@@ -729,7 +729,7 @@
     </message>
     <message>
         <source>roll</source>
-        <translation>yuvarlanma</translation>
+        <translation>dönme</translation>
     </message>
     <message>
         <source>round trip</source>
@@ -749,7 +749,7 @@
     </message>
     <message>
         <source>stylus yaw</source>
-        <translation>kalem sapma</translation>
+        <translation>kalem: sapma</translation>
     </message>
     <message>
         <source>the fault clears</source>
