@@ -44,6 +44,7 @@ def test_one_factor_near_one_makes_a_solid_organ_feel_as_theory_says(monkeypatch
     assert fit.factors[0] == pytest.approx(0.88, abs=0.05)
     assert fit.high[0] < 1.2 * fit.low[0]
     assert fit.residual < 0.05 * fit.force.max()
+    assert fit.misses_shape()
 
 
 def test_the_modulus_of_a_solid_is_found_again_from_a_noisy_curve(tmp_path, capsys, monkeypatch):
@@ -66,4 +67,5 @@ def test_the_modulus_of_a_solid_is_found_again_from_a_noisy_curve(tmp_path, caps
     assert found["low"] < 1.32 and found["high"] > 1.3
     assert report["after"]["young_modulus"] == pytest.approx(1.3 * 5e3, rel=0.05)
     assert report["residual_of_peak"] < 0.04
+    assert not report["misses_shape"]
     assert (tmp_path / "fit.png").read_bytes().startswith(b"\x89PNG")
