@@ -137,6 +137,17 @@ def test_the_report_is_told_in_words(tmp_path, organ, capsys):
     assert "mN root mean square" in words and "of 10 points" in words
 
 
+def test_a_curve_of_another_shape_is_said_to_be_one(tmp_path, organ, capsys):
+    write_organ(tmp_path / "guess.organ", organ)
+    rows = [f"{1e3 * d:.3f},{1e6 * d**3:.6f}" for d in DEPTH]
+    (tmp_path / "curve.csv").write_text("\n".join(["depth [mm],force [N]", *rows]) + "\n")
+
+    call = ["calibrate", str(tmp_path / "guess.organ"), "--curve", str(tmp_path / "curve.csv")]
+    assert main(call) == 0
+
+    assert "what is left over is no noise" in capsys.readouterr().out
+
+
 @pytest.mark.parametrize(
     ("text", "options", "sentence"),
     [

@@ -8,76 +8,23 @@ up; references by the keys of core/README.md.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cache
 from math import inf, pi, sqrt
 
 import numpy as np
 import palpate
 import pytest
+from layers import RADIUS, THICKNESS, fill_layer
 from palpate.study.half_space import compute_punch_force, compute_sphere_force
-from palpate_editor import authoring
 from scipy.sparse.linalg import eigsh, splu
 
 YOUNG, POISSON, DENSITY = 5e3, 0.45, 1000.0
 SHEAR = YOUNG / (2.0 * (1.0 + POISSON))
 TISSUE = (YOUNG, POISSON)
-RADIUS, THICKNESS = 0.04, 0.02
-"""[m] Twice as wide as thick: its side is not felt in the middle."""
 COARSE, FINE = 5e-3, 3.2e-3
 """[m] Cells."""
 PUNCH = SPHERE = 0.01
 """[m] Radius of the punch, half of that of the sphere."""
-
-
-@dataclass(frozen=True)
-class Layer:
-    x: np.ndarray
-    tetrahedra: np.ndarray
-    top: np.ndarray
-    """Vertices of the surface that is pressed."""
-    share: np.ndarray
-    """[m²] (n,) of that surface, by vertex."""
-    base: np.ndarray
-    border: np.ndarray
-    """Vertices of the side and the base."""
-
-    def distance(self) -> np.ndarray:
-        return np.hypot(self.x[:, 0], self.x[:, 1])
-
-
-@cache
-def fill_layer(cell: float) -> Layer:
-    around = 2.0 * pi * np.arange(64) / 64
-    rim = RADIUS * np.column_stack([np.cos(around), np.sin(around)])
-    x = np.vstack(
-        [np.column_stack([rim, 0 * around]), np.column_stack([rim, 0 * around - THICKNESS])]
-    )
-    x = np.vstack([x, [[0.0, 0.0, 0.0], [0.0, 0.0, -THICKNESS]]])
-    i, j = np.arange(64), np.roll(np.arange(64), -1)
-    sides = [
-        (i, i + 64, j + 64),
-        (i, j + 64, j),
-        (0 * i + 128, i, j),
-        (0 * i + 129, j + 64, i + 64),
-    ]
-    triangles = np.vstack([np.column_stack(corners) for corners in sides]).astype(np.int32)
-    solid = authoring.fill_interior(palpate.SurfaceMesh(x, triangles), cell)
-    x, faces = np.asarray(solid.vertices), np.asarray(palpate.find_boundary(solid))
-    flat = (x[faces][:, :, 2] > -1e-6).all(axis=1)
-    a, b, c = (x[faces[flat, k]] for k in range(3))
-    area = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
-    share = np.bincount(faces[flat].ravel(), np.repeat(area / 3.0, 3), minlength=len(x))
-    surface = np.unique(faces)
-    return Layer(
-        x=x,
-        tetrahedra=np.asarray(solid.tetrahedra),
-        top=np.unique(faces[flat]),
-        share=share,
-        # filling rounds the edge of the base off
-        base=surface[x[surface, 2] < -THICKNESS + 0.3 * cell],
-        border=np.unique(faces[~flat]),
-    )
 
 
 @cache

@@ -3,12 +3,15 @@
 
     python -m venv build/reference
     build/reference/bin/pip install --require-hashes -r tests/references/requirements.txt
-    build/reference/bin/python tests/references/solve_references.py ellipsoid block sphere
+    .venv/bin/python tests/references/fill_organs.py
+    build/reference/bin/python tests/references/solve_references.py block sphere ellipsoid \\
+        spleen kidney liver gallbladder stomach
 
-scikit-sparse is compiled against libsuitesparse-dev; a BLAS such as libopenblas0-serial makes it
-an order of magnitude faster. Linear truth is P2 on the once refined mesh, neo-Hookean truth P2 on
-the mesh itself; the error of both is how much the linear answers of the two meshes differ. P1 on
-the mesh itself tells what a law costs, apart from what the mesh costs.
+Ten minutes of one processor. scikit-sparse is compiled against libsuitesparse-dev; a BLAS such as
+libopenblas0-serial makes it an order of magnitude faster. Linear truth is P2 on the once refined
+mesh, neo-Hookean truth P2 on the mesh itself; the error of both is how much the linear answers of
+the two meshes differ. P1 on the mesh itself tells what a law costs, apart from what the mesh costs.
+core/ACCURACY.md is written anew afterwards, from what `palpate study accuracy` prints.
 """
 
 from __future__ import annotations

@@ -19,6 +19,10 @@ Forces = Callable[[Sequence[float]], NDArray[np.float64]]
 FARTHEST = 1e4
 """Largest factor, and one over the smallest, that is tried."""
 CONFIDENCE = 0.95
+PATTERNED = 0.8
+"""Of Durbin and Watson: below it, what is left over is no noise (10 points, 95 %: 0.88)."""
+NOTICED = 0.01
+"""Of the peak: what is left over where its pattern matters."""
 STEP = 0.03
 """Of a factor: the difference that slopes are taken over, well above what settling leaves."""
 
@@ -39,7 +43,13 @@ class Fit:
     """[N], root mean square."""
     explained: float
     """[-] R²: 1 where the curve is met."""
+    durbin_watson: float
+    """[-] 2 where what is left over is noise, near 0 where it swings slowly [DurbinWatson50]."""
     evaluations: int
+
+    def misses_shape(self) -> bool:
+        """Whether the model's curve has another shape, so that the intervals are too narrow."""
+        return self.durbin_watson < PATTERNED and self.residual > NOTICED * self.force.max()
 
 
 class NotFitted(ValueError):
@@ -84,6 +94,7 @@ def fit_factors(curve: Curve, names: Sequence[str], forces: Forces) -> Fit:
         force=curve.force + residuals,
         residual=float(np.sqrt((residuals**2).mean())),
         explained=1.0 - float((residuals**2).sum() / (around**2).sum()),
+        durbin_watson=float((np.diff(residuals) ** 2).sum() / max((residuals**2).sum(), 1e-300)),
         evaluations=int(found.nfev),
     )
 

@@ -44,6 +44,10 @@ def save_fit_plot(path: Path, curve: Curve, fit: Fit, title: str, theme: str = "
     reach = 1.15e3 * float(np.abs(curve.force - fit.force).max()) + 1e-9
     below.set_ylim(-reach, reach)
     below.set_ylabel("measured less\nfitted [mN]")
+    below.set_title(
+        f"left over: {1e3 * fit.residual:.3g} mN root mean square, R² {fit.explained:.4f}",
+        loc="left", color=look.text, fontsize=9,
+    )  # fmt: skip
     below.set_xlabel("depth of the tip below the surface at rest [mm]")
     for axes in (top, below):
         dress(axes, look)
@@ -57,7 +61,7 @@ def save_fit_plot(path: Path, curve: Curve, fit: Fit, title: str, theme: str = "
 
 def describe_fit(fit: Fit) -> str:
     factors = ", ".join(
-        f"{name} x {factor:.3g} ({low:.3g} to {high:.3g})"
+        f"{name} x {factor:.3g} (95 %: {low:.3g} to {high:.3g})"
         for name, factor, low, high in zip(fit.names, fit.factors, fit.low, fit.high, strict=True)
     )
     return f"fitted: {factors}"

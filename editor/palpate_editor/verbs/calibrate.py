@@ -145,6 +145,7 @@ def run_calibrate(call: argparse.Namespace) -> Report:
         "residual_N": fit.residual,
         "residual_of_peak": fit.residual / float(curve.force.max()),
         "explained": fit.explained,
+        "misses_shape": fit.misses_shape(),
         "evaluations": fit.evaluations,
         "out": str(call.out) if call.out else None,
         "plot": str(call.plot) if call.plot else None,
@@ -167,6 +168,11 @@ def describe_calibrate(report: Report) -> str:
         f"{report['residual_of_peak']:.2%} of the peak; R² {report['explained']:.4f} "
         f"of {report['points']} points"
     )
+    if report["misses_shape"]:
+        lines.append(
+            "what is left over is no noise: the model's curve has another shape, and the true "
+            "factors may lie outside of these intervals"
+        )
     lines += [f"wrote {report[key]}" for key in ("out", "plot") if report[key]]
     return "\n".join(lines)
 

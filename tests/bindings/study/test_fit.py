@@ -74,6 +74,19 @@ def test_more_noise_widens_the_interval_and_shows_in_the_residual():
     )
 
 
+def test_a_model_whose_curve_has_another_shape_is_told_from_one_that_is_only_noisy():
+    noise = np.random.default_rng(3).normal(0.0, 4e-3, len(DEPTH))
+
+    noisy, bent = (
+        fit_factors(Curve(DEPTH, force), ("all",), lambda f: made_of(f[0], f[0]))
+        for force in (made_of(1.0, 1.0) + noise, made_of(0.2, 2.0))
+    )
+
+    assert bent.residual > noisy.residual > 0.01 * noisy.force.max()
+    assert bent.misses_shape()
+    assert not noisy.misses_shape()
+
+
 def test_factors_that_the_curve_cannot_tell_apart_are_refused():
     with pytest.raises(NotFitted, match="cannot tell one and two apart: fit one of them"):
         fit_factors(Curve(DEPTH, made_of(1, 1)), ("one", "two"), lambda f: made_of(f[0] * f[1], 0))
