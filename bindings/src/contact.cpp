@@ -15,7 +15,7 @@ py::dtype row_dtype<AabbTree::Node>() {
   const auto shaped = [](const py::dtype& type, auto... shape) {
     return py::make_tuple(type, py::make_tuple(shape...));
   };
-  const auto number = py::dtype::of<double>(), index = py::dtype::of<int>();
+  const auto number = py::dtype::of<float>(), index = py::dtype::of<int>();
   py::list names, formats, offsets;
   for (const char* name : {"low", "high", "first", "count"}) names.append(name);
   for (int side = 0; side < 2; ++side) formats.append(shaped(number, 3, AabbTree::kWidth));
@@ -72,9 +72,8 @@ void bind_tree(py::module_& m) {
             const auto rows = self.cast<const AabbTree&>().nodes();
             return read_only(view_rows(rows.data(), rows.size(), self));
           },
-          "Four boxes each, depth first, a structured array: low and high (3, 4) by axis and "
-          "child, "
-          "first and count (4,); a view.")
+          "Eight boxes each, rounded outwards, depth first, a structured array: low and high "
+          "(3, 8) by axis and child, first and count (8,); a view.")
       .def("low", &AabbTree::low, "The corner of the box around the whole surface [m].")
       .def("high", &AabbTree::high, "The opposite corner [m].")
       .def(

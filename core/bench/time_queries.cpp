@@ -100,7 +100,7 @@ double bound_refit(const AabbTree& tree) {
   // a corner: least and most of three coordinates; a box within a box the same. Each is in double,
   // so one counts as two float operations
   const double operations = 2.0 * (18.0 * triangles + 6.0 * boxes);
-  const double bytes = 12.0 * triangles + 12.0 * triangles + 48.0 * boxes;
+  const double bytes = 12.0 * triangles + 12.0 * triangles + 24.0 * boxes;
   const Limits limits = measure_limits(simd_targets().front(), static_cast<std::size_t>(bytes));
   return compute_bound(limits, operations, bytes);
 }

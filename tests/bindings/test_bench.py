@@ -8,7 +8,7 @@ import json
 import numpy as np
 import palpate
 import pytest
-from palpate.bench import chart, frames, meshes, rows, table1, verb
+from palpate.bench import chart, frames, lateness, meshes, rows, table1, verb
 from palpate.bench.frames import Frames
 from palpate.cli import main
 
@@ -39,6 +39,64 @@ def test_every_work_of_a_shipped_organ_has_its_rows_and_columns(capsys):
         assert row["compiler_flags"]
     ticks = [row["substeps"] for row in report["rows"] if row["work"] == "mss_tick"]
     assert ticks[:2] == [1, 12]
+    assert [row["mesh"] for row in report["loop"]] == ["simple_tissue"]
+
+
+def test_the_loop_is_late_by_so_much_or_claims_nothing_without_real_time_priority(capsys):
+    code, report = bench(capsys, "--organ", "simple_tissue", "--work", "loop")
+
+    assert code == 0
+    assert report["rows"] == []
+    (row,) = report["loop"]
+    assert row["ticks"] + row["missed_ticks"] == 25
+    late = [row[f"lateness_{name}_us"] for name in ("p50", "p99", "p99_9", "max")]
+    if row["realtime"]:
+        assert late[0] >= 0.0 and late == sorted(late)
+    else:
+        assert late == [None] * 4
+        assert row["realtime_note"]
+    assert "25 ticks missed" in verb.describe_bench(report)
+
+
+def test_a_loop_without_priority_says_so_and_shows_no_figures():
+    row = {
+        "rate_hz": 1000.0,
+        "mesh": "spleen",
+        "duration_s": 10.0,
+        "ticks": 9990,
+        "missed_ticks": 10,
+        "realtime": False,
+        "realtime_note": "SCHED_FIFO: Operation not permitted",
+    }
+
+    words = lateness.describe_loop(row)
+
+    assert "10 of 10000 ticks missed" in words
+    assert "refused, so nothing is claimed (SCHED_FIFO: Operation not permitted)" in words
+
+
+def test_a_loop_that_ends_with_an_alarm_is_missing(capsys, monkeypatch):
+    def fail(*_):
+        raise RuntimeError("the run ended with an alarm")
+
+    monkeypatch.setattr(rows, "measure_loop", fail)
+
+    code, report = bench(capsys, "--organ", "simple_tissue", "--work", "loop")
+
+    assert code == 1
+    assert report["missing"] == ["simple_tissue: loop: the run ended with an alarm"]
+
+
+def test_presses_come_and_go_above_and_below_the_top():
+    mesh = meshes.read_shipped(["simple_tissue"])[0]
+    scene = mesh.build()[0]
+
+    hand = lateness.script_presses(scene, 3.5)
+
+    heights = [hand.read(t).position[2] for t in (0.0, 0.5, 1.0, 3.5)]
+    assert heights[1] == pytest.approx(heights[3])
+    assert heights[0] == pytest.approx(heights[2])
+    assert heights[0] - heights[1] > 4e-3
 
 
 def test_a_work_that_cannot_be_timed_is_named_and_fails_the_run(capsys, monkeypatch):

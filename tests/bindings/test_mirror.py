@@ -25,6 +25,7 @@ PRIVATE_HEADERS = {
     "contact/crossing.h": "inside of the queries",
     "contact/four-inl.h": "compiled once per vector target",
     "contact/four_plain.h": "four-inl.h without vector code",
+    "contact/tree_boxes-inl.h": "compiled once per target",
     "contact/tree_distances-inl.h": "compiled once per target",
     "contact/tree_kernels.h": "inside of the tree and its queries: what is compiled per target",
     "contact/tree_points-inl.h": "compiled once per target",

@@ -7,6 +7,13 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import palpate
+from palpate.bench.lateness import (
+    LOOP,
+    SECONDS_PER_BUDGET,
+    choose_mesh,
+    describe_loop,
+    measure_loop,
+)
 from palpate.bench.meshes import BenchMesh
 from palpate.verb import Report
 
@@ -21,7 +28,7 @@ class Options:
 
     budget: float = 0.4
     """[s] CPU time a row."""
-    works: tuple[str, ...] = field(default_factory=lambda: tuple(palpate.bench_works()))
+    works: tuple[str, ...] = field(default_factory=lambda: tuple(list_works()))
     air_substeps: tuple[int, ...] = (1, 12)
     """Of ticks with the hand in the air: a row for each."""
     press: bool = True
@@ -35,21 +42,46 @@ class Options:
         return self.press and mesh.vertices <= PRESSED
 
 
+def list_works() -> list[str]:
+    """All that can be timed here: `palpate.bench_works()`, and the live loop."""
+    return [*palpate.bench_works(), LOOP]
+
+
 def bench_meshes(
     meshes: Sequence[BenchMesh], options: Options, say: Callable[[str], None] = lambda words: None
 ) -> Report:
-    """`rows`, and under `missing` in words what could not be timed and why."""
+    """`rows`, `loop`, and under `missing` in words what could not be timed and why."""
     rows: list[Report] = []
     reasons: dict[tuple[str, str], str] = {}
     for mesh in meshes:
         say(f"{mesh.name}: {mesh.vertices} vertices")
         scenes = mesh.build()
-        for work in options.works:
+        for work in palpate.bench_works():
+            if work not in options.works:
+                continue
             try:
                 rows += time_work(mesh, scenes, work, options)
             except RuntimeError as problem:  # the ends of ours and the naive form disagree, ...
                 reasons[mesh.name, work] = str(problem)
-    return {"rows": rows, "missing": find_missing(rows, meshes, options, reasons)}
+    missing = find_missing(rows, meshes, options, reasons)
+    loops = run_loop(meshes, options, missing, say) if LOOP in options.works else []
+    return {"rows": rows, "loop": loops, "missing": missing}
+
+
+def run_loop(
+    meshes: Sequence[BenchMesh],
+    options: Options,
+    missing: list[str],
+    say: Callable[[str], None],
+) -> list[Report]:
+    """The row of the live loop, or why there is none among what is missing."""
+    mesh, duration = choose_mesh(meshes), SECONDS_PER_BUDGET * options.budget
+    say(f"{mesh.name}: the live loop for {duration:g} s")
+    try:
+        return [measure_loop(mesh, mesh.build()[0], duration)]
+    except RuntimeError as problem:
+        missing.append(f"{mesh.name}: {LOOP}: {problem}")
+        return []
 
 
 def time_work(
@@ -92,6 +124,8 @@ def find_missing(
     missing = []
     for mesh in meshes:
         for work in options.works:
+            if work == LOOP:
+                continue
             wanted = options.count_ticks(mesh) if work.endswith("_tick") else 1
             found = sum(row["mesh"] == mesh.name and row["work"] == work for row in rows)
             if found != wanted:
@@ -101,6 +135,8 @@ def find_missing(
 
 
 def describe_rows(report: Report) -> str:
+    if not report["rows"]:
+        return "\n".join([describe_loop(row) for row in report["loop"]] + describe_missing(report))
     lines = [
         f"{'work':18} {'mesh':16} {'vertices':>8} {'substeps':>8} {'median us':>10} {'p99 us':>10} "
         f"{'ns each':>11} {'of bound':>8} {'x naive':>8}"
@@ -115,8 +151,12 @@ def describe_rows(report: Report) -> str:
             + f" {row['ratio_to_naive']:8.2f}"
         )
     lines += describe_columns(report["rows"])
-    lines += [f"missing: {sentence}" for sentence in report["missing"]]
-    return "\n".join(lines)
+    lines += [describe_loop(row) for row in report["loop"]]
+    return "\n".join(lines + describe_missing(report))
+
+
+def describe_missing(report: Report) -> list[str]:
+    return [f"missing: {sentence}" for sentence in report["missing"]]
 
 
 def describe_columns(rows: Sequence[Report]) -> list[str]:

@@ -7,7 +7,6 @@ import argparse
 import sys
 from pathlib import Path
 
-import palpate
 from palpate.bench.meshes import (
     SIZES,
     BenchMesh,
@@ -16,7 +15,7 @@ from palpate.bench.meshes import (
     read_shipped,
     read_surface,
 )
-from palpate.bench.rows import Options, bench_meshes, describe_rows
+from palpate.bench.rows import Options, bench_meshes, describe_rows, list_works
 from palpate.verb import Report, Verb, WrongCall, quantity
 
 BUDGET, QUICK_BUDGET = 0.4, 0.05
@@ -43,7 +42,7 @@ def add_bench(word: argparse.ArgumentParser) -> None:
     word.add_argument(
         "--work",
         action="append",
-        choices=palpate.bench_works(),
+        choices=list_works(),
         help="what is timed; may be repeated; without it everything",
     )
     word.add_argument("--budget", type=quantity("s"), help="CPU time a row (400ms; quick: 50ms)")
@@ -73,7 +72,7 @@ def choose_meshes(call: argparse.Namespace, named: bool) -> list[BenchMesh]:
 
 def choose_options(call: argparse.Namespace) -> Options:
     budget = call.budget or (QUICK_BUDGET if call.quick else BUDGET)
-    works = tuple(work for work in palpate.bench_works() if not call.work or work in call.work)
+    works = tuple(work for work in list_works() if not call.work or work in call.work)
     return Options(budget=budget, works=works)
 
 

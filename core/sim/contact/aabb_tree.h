@@ -9,22 +9,22 @@
 
 namespace palpate {
 
-/// Axis-aligned boxes around the triangles of a deforming surface, four to a node.
+/// Axis-aligned boxes around the triangles of a deforming surface, eight to a node.
 ///
 /// Built once over the surface at rest; refit() follows the deformation in one sweep without
 /// changing the shape of the tree. Queries (queries.h) are right for any positions the tree has
 /// been refitted to; large deformations only make them slower.
 class AabbTree {
  public:
-  static constexpr int kWidth = 4;  ///< children of a node
+  static constexpr int kWidth = 8;  ///< children of a node
   static constexpr int kLeafSize = 4;
   /// No leaf lies deeper, whatever the triangles.
   static constexpr int kMaxDepth = 64;
 
-  using Lanes = std::array<double, kWidth>;
+  using Lanes = std::array<float, kWidth>;
 
-  /// Four boxes. Nodes stand depth first, children behind their parent.
-  struct alignas(32) Node {
+  /// Eight boxes, rounded outwards. Nodes stand depth first, children behind their parent.
+  struct alignas(64) Node {
     std::array<Lanes, 3> low{};       ///< [m] by axis, then by child
     std::array<Lanes, 3> high{};      ///< [m]
     std::array<int, kWidth> first{};  ///< leaf: first entry in order(); else: index of a node

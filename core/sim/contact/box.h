@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 
@@ -67,6 +68,16 @@ inline constexpr double kSliver = 1e-6;
 inline double compute_squared_distance(const Vec3& p, const Vec3& low, const Vec3& high) noexcept {
   return square((low - p).cwiseMax(p - high).cwiseMax(Vec3::Zero()));
 }
+
+/// The largest float that is surely not above a number, and the smallest surely not below it, or
+/// nearly so: in float a box becomes larger, never smaller.
+inline constexpr double kOutwards = 1.2e-7;  // two roundings to float
+inline constexpr double kLeastOutwards = 1e-44;
+inline float round_down(double v) noexcept {
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  return static_cast<float>(std::min(kLargest, v - (std::abs(v) * kOutwards + kLeastOutwards)));
+}
+inline float round_up(double v) noexcept { return -round_down(-v); }
 
 /// A way from `from` along `direction`, at parameters t in [0, end], with boxes grown by `grow`
 /// [m] on every side.

@@ -41,7 +41,7 @@ Box bound_centres(std::span<const Item> items) {
 
 /// How many vectors a run of triangles fills: one takes as long as it is full or not.
 double count_vectors(int triangles) {
-  return static_cast<double>((triangles + AabbTree::kWidth - 1) / AabbTree::kWidth);
+  return static_cast<double>((triangles + AabbTree::kLeafSize - 1) / AabbTree::kLeafSize);
 }
 
 /// The cheapest of the 15 planes between the bins along one axis by the surface area heuristic:
@@ -154,7 +154,7 @@ class Builder {
                                      static_cast<std::size_t>(part.count));
   }
 
-  /// Halves the largest part until there are four or none is larger than a leaf.
+  /// Halves the largest part until there are eight or none is larger than a leaf.
   int open(const Part& whole, int depth, std::array<Part, AabbTree::kWidth>& parts) {
     parts[0] = whole;
     int count = 1;

@@ -23,7 +23,7 @@ std::optional<Vec3> find_crossing(const Shear& shear, const Way& way, const Vec3
   const double u = c.x() * b.y() - c.y() * b.x();
   const double v = a.x() * c.y() - a.y() * c.x();
   const double w = b.x() * a.y() - b.y() * a.x();
-  if ((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0)) return std::nullopt;
+  if (std::min(std::min(u, v), w) < 0.0 && std::max(std::max(u, v), w) > 0.0) return std::nullopt;
   const double determinant = u + v + w;
   if (determinant == 0.0) return std::nullopt;
 

@@ -12,9 +12,13 @@ namespace palpate {
 /// question about signs in the plane.
 struct Shear {
   explicit Shear(const Vec3& direction) noexcept {
-    direction.cwiseAbs().maxCoeff(&kz);
-    kx = (kz + 1) % 3;
-    ky = (kz + 2) % 3;
+    // without branches, which would be guessed wrongly as often as not
+    const Vec3 size = direction.cwiseAbs();
+    kz = size.y() > size.x() ? 1 : 0;
+    kz = size.z() > std::max(size.x(), size.y()) ? 2 : kz;
+    constexpr int kNext[] = {1, 2, 0, 1};
+    kx = kNext[kz];
+    ky = kNext[kz + 1];
     sx = direction[kx] / direction[kz];
     sy = direction[ky] / direction[kz];
     sz = 1.0 / direction[kz];

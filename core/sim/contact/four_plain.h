@@ -78,4 +78,86 @@ inline void transpose(const Four (&rows)[4], Four& x, Four& y, Four& z) {
   z = each([&](int k) { return rows[k].lane[2]; });
 }
 
+inline void store_rounded_down(const Four& a, float* to) {
+  for (int k = 0; k < 4; ++k) to[k] = round_down(a.lane[k]);
+}
+inline void store_rounded_up(const Four& a, float* to) {
+  for (int k = 0; k < 4; ++k) to[k] = round_up(a.lane[k]);
+}
+
+struct EightMask {
+  bool lane[8];
+};
+
+struct Eight {
+  float lane[8];
+};
+
+template <class Operation>
+inline Eight each_of_eight(Operation operation) {
+  Eight result;
+  for (int k = 0; k < 8; ++k) result.lane[k] = operation(k);
+  return result;
+}
+
+inline Eight set_eight(float s) {
+  return each_of_eight([&](int) { return s; });
+}
+inline Eight load_eight(const float* from) {
+  return each_of_eight([&](int k) { return from[k]; });
+}
+inline void store(const Eight& a, float* to) { std::copy_n(a.lane, 8, to); }
+
+inline Eight operator+(const Eight& a, const Eight& b) {
+  return each_of_eight([&](int k) { return a.lane[k] + b.lane[k]; });
+}
+inline Eight operator-(const Eight& a, const Eight& b) {
+  return each_of_eight([&](int k) { return a.lane[k] - b.lane[k]; });
+}
+inline Eight operator*(const Eight& a, const Eight& b) {
+  return each_of_eight([&](int k) { return a.lane[k] * b.lane[k]; });
+}
+inline Eight min(const Eight& a, const Eight& b) {
+  return each_of_eight([&](int k) { return a.lane[k] < b.lane[k] ? a.lane[k] : b.lane[k]; });
+}
+inline Eight max(const Eight& a, const Eight& b) {
+  return each_of_eight([&](int k) { return a.lane[k] > b.lane[k] ? a.lane[k] : b.lane[k]; });
+}
+inline EightMask operator<=(const Eight& a, const Eight& b) {
+  EightMask m;
+  for (int k = 0; k < 8; ++k) m.lane[k] = a.lane[k] <= b.lane[k];
+  return m;
+}
+inline EightMask operator&(const EightMask& a, const EightMask& b) {
+  EightMask m;
+  for (int k = 0; k < 8; ++k) m.lane[k] = a.lane[k] && b.lane[k];
+  return m;
+}
+inline Eight select(const EightMask& m, const Eight& a, const Eight& b) {
+  return each_of_eight([&](int k) { return m.lane[k] ? a.lane[k] : b.lane[k]; });
+}
+inline unsigned bits(const EightMask& m) {
+  unsigned set = 0;
+  for (int k = 0; k < 8; ++k) set |= unsigned{m.lane[k]} << k;
+  return set;
+}
+inline unsigned find_negative(const std::array<int, 8>& numbers) {
+  unsigned set = 0;
+  for (std::size_t k = 0; k < 8; ++k) set |= unsigned{numbers[k] < 0} << k;
+  return set;
+}
+
+/// Numbers that are not negative sort as the integers of the same bits, and of those the last three
+/// are free to say which child it is, so no two are alike: rounded down, the least stays a least.
+inline void make_keys(const Eight& least, std::int32_t (&keys)[8]) {
+  for (int k = 0; k < 8; ++k) keys[k] = (std::bit_cast<std::int32_t>(least.lane[k]) & ~7) | k;
+}
+inline float least_of(std::int32_t key) { return std::bit_cast<float>(key & ~7); }
+/// Bits of the keys below one of them.
+inline unsigned find_less(const std::int32_t (&keys)[8], std::int32_t key) {
+  unsigned set = 0;
+  for (int k = 0; k < 8; ++k) set |= unsigned{keys[k] < key} << k;
+  return set;
+}
+
 }  // namespace palpate::tree_kernels::PALPATE_TREE_TARGET

@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/sim/contact/queries.h"
 
+#include <cmath>
+
 #include "palpate/sim/contact/tree_kernels.h"
 
 namespace palpate {
 namespace {
+
+/// [m] Plainly where the squares are safe numbers, which is nearly always.
+double measure_length(const Vec3& direction) noexcept {
+  const double squared = square(direction);
+  return squared > 1e-200 && squared < 1e200 ? std::sqrt(squared) : direction.stableNorm();
+}
 
 /// [m] For the whole surface and a way.
 double find_slack(const AabbTree& tree, const Vec3& from, const Vec3& to) noexcept {
@@ -16,7 +24,7 @@ double find_slack(const AabbTree& tree, const Vec3& from, const Vec3& to) noexce
 std::optional<SurfacePoint> find_segment_hit(const AabbTree& tree, std::span<const Vec3> x,
                                              const Vec3& from, const Vec3& to) noexcept {
   const Vec3 direction = to - from;
-  const double length = direction.stableNorm();
+  const double length = measure_length(direction);
   if (tree.nodes().empty() || !(length > 0.0)) return std::nullopt;
   const Way way{from, direction, 1.0, find_slack(tree, from, to)};
   return tree_kernels::best().find_first_hit(tree, x, way, length);
@@ -24,7 +32,7 @@ std::optional<SurfacePoint> find_segment_hit(const AabbTree& tree, std::span<con
 
 std::optional<SurfacePoint> find_ray_hit(const AabbTree& tree, std::span<const Vec3> x,
                                          const Vec3& origin, const Vec3& direction) noexcept {
-  const double length = direction.stableNorm();
+  const double length = measure_length(direction);
   if (tree.nodes().empty() || !(length > 0.0)) return std::nullopt;
   const Way way{origin, direction.stableNormalized(), std::numeric_limits<double>::max(),
                 find_slack(tree, origin, origin)};
@@ -33,7 +41,7 @@ std::optional<SurfacePoint> find_ray_hit(const AabbTree& tree, std::span<const V
 
 std::optional<SurfacePoint> find_closest_point(const AabbTree& tree, std::span<const Vec3> x,
                                                const Vec3& p, double max_distance) noexcept {
-  if (!(max_distance >= 0.0)) return std::nullopt;
+  if (!(max_distance >= 0.0) || !p.allFinite()) return std::nullopt;
   const int triangle = tree_kernels::best().find_closest(tree, x, p, max_distance);
   if (triangle < 0) return std::nullopt;
   const Triangle& t = tree.triangles()[static_cast<std::size_t>(triangle)];
@@ -46,7 +54,7 @@ std::optional<SurfacePoint> find_closest_point(const AabbTree& tree, std::span<c
 
 int find_in_sphere(const AabbTree& tree, std::span<const Vec3> x, const Vec3& centre, double radius,
                    std::span<int> out) noexcept {
-  if (!(radius >= 0.0)) return 0;
+  if (!(radius >= 0.0) || !centre.allFinite()) return 0;
   Collector collector(out);
   tree_kernels::best().collect_in_sphere(tree, x, centre, radius, collector);
   return collector.finish();

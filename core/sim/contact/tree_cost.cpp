@@ -2,6 +2,7 @@
 #include "palpate/sim/contact/tree_cost.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "palpate/sim/contact/box.h"
 
@@ -10,16 +11,17 @@ namespace {
 
 /// [m²] Half the area of the boxes in these nodes.
 double sum_half_areas(std::span<const AabbTree::Node> nodes) noexcept {
-  AabbTree::Lanes sums{};
+  std::array<double, AabbTree::kWidth> sums{};
   for (const AabbTree::Node& node : nodes) {
     for (std::size_t k = 0; k < AabbTree::kWidth; ++k) {
-      const double x = node.high[0][k] - node.low[0][k], y = node.high[1][k] - node.low[1][k],
-                   z = node.high[2][k] - node.low[2][k];
-      // a box that holds nothing is infinitely smaller than nothing
-      sums[k] += node.count[k] < 0 ? 0.0 : x * y + y * z + z * x;
+      if (node.count[k] < 0) continue;
+      const double x = double(node.high[0][k]) - double(node.low[0][k]),
+                   y = double(node.high[1][k]) - double(node.low[1][k]),
+                   z = double(node.high[2][k]) - double(node.low[2][k]);
+      sums[k] += x * y + y * z + z * x;
     }
   }
-  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 /// A line that meets a convex box meets a box within it with the ratio of their areas. A child is

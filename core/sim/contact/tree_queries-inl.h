@@ -7,6 +7,7 @@
 #define PALPATE_TREE_QUERIES_INL_H
 #endif
 
+#include "palpate/sim/contact/tree_boxes-inl.h"
 #include "palpate/sim/contact/tree_distances-inl.h"
 #include "palpate/sim/contact/tree_refit-inl.h"
 #include "palpate/sim/contact/tree_walk-inl.h"
@@ -17,6 +18,11 @@ namespace palpate::tree_kernels::PALPATE_TREE_TARGET {
 
 PALPATE_TREE_INLINE int triangle_at(const AabbTree& tree, int first, std::size_t lane) {
   return tree.order()[static_cast<std::size_t>(first) + lane];
+}
+
+/// The triangles of a leaf.
+PALPATE_TREE_INLINE std::span<const int> leaf_order(const AabbTree& tree, int first, int count) {
+  return tree.order().subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
 }
 
 /// Whether a way along z may pass inside: the first refusal of find_hit(), by the same operations.
@@ -33,45 +39,59 @@ PALPATE_TREE_INLINE unsigned pass_inside(const Shear& shear, Four ax, Four ay, F
   return bits((zero <= least) | (most <= zero));
 }
 
+/// kAxis is shear.kz, known to the compiler: a branch by it would be guessed wrongly in most
+/// leaves.
+template <int kAxis>
 PALPATE_TREE_INLINE unsigned pass_inside(const Shear& shear, const Corners& k, const Points& from) {
   const Points a = k.a - from, b = k.b - from, c = k.c - from;
-  switch (shear.kz) {
-    case 0:
-      return pass_inside(shear, a.y, a.z, a.x, b.y, b.z, b.x, c.y, c.z, c.x);
-    case 1:
-      return pass_inside(shear, a.z, a.x, a.y, b.z, b.x, b.y, c.z, c.x, c.y);
-    default:
-      return pass_inside(shear, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z);
+  if constexpr (kAxis == 0) {
+    return pass_inside(shear, a.y, a.z, a.x, b.y, b.z, b.x, c.y, c.z, c.x);
+  } else if constexpr (kAxis == 1) {
+    return pass_inside(shear, a.z, a.x, a.y, b.z, b.x, b.y, c.z, c.x, c.y);
+  } else {
+    return pass_inside(shear, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z);
   }
+}
+
+template <int kAxis>
+inline SurfacePoint find_first_along(const AabbTree& tree, std::span<const Vec3> x, const Way& way,
+                                     const Shear& shear, double length) noexcept {
+  const Slabs slabs(way);
+  const Points from = set_points(way.from);
+  SurfacePoint best;
+  best.distance = std::numeric_limits<double>::max();
+  // a box that is missed measures infinity and is never wanted
+  float most = std::numeric_limits<float>::max();
+  walk_nearest_first(
+      tree, [&](const AabbTree::Node& node) { return enter_boxes(slabs, node); },
+      [&] { return most; },
+      [&](int first, int count) {
+        unsigned passed =
+            pass_inside<kAxis>(shear, gather_leaf(tree, x, first, count), from) & filled(count);
+        while (passed != 0) {
+          const std::size_t lane = take_lowest(passed);
+          const Triangle& t = tree.leaf_triangles()[static_cast<std::size_t>(first) + lane];
+          const auto hit =
+              find_hit(shear, way, length, x[static_cast<std::size_t>(t[0])],
+                       x[static_cast<std::size_t>(t[1])], x[static_cast<std::size_t>(t[2])]);
+          if (!hit) continue;
+          const int triangle = triangle_at(tree, first, lane);
+          if (!is_better(hit->distance, triangle, best.distance, best.triangle)) continue;
+          best = *hit;
+          best.triangle = triangle;
+          most = std::min(widen(best.distance / length), std::numeric_limits<float>::max());
+        }
+      });
+  return best;
 }
 
 inline std::optional<SurfacePoint> find_first_hit(const AabbTree& tree, std::span<const Vec3> x,
                                                   const Way& way, double length) noexcept {
   const Shear shear(way.direction);
-  const Points from = set_points(way.from);
-  SurfacePoint best;
-  // a box that is missed measures infinity and is never wanted
-  best.distance = std::numeric_limits<double>::max();
-  double most = best.distance;
-  walk_nearest_first(
-      tree,
-      [&](const AabbTree::Node& node) { return enter_boxes(way, load_low(node), load_high(node)); },
-      [&] { return most; },
-      [&](int first, int count) {
-        unsigned passed =
-            pass_inside(shear, gather_leaf(tree, x, first, count), from) & filled(count);
-        while (passed != 0) {
-          const int triangle = triangle_at(tree, first, take_lowest(passed));
-          const Triangle& t = tree.triangles()[static_cast<std::size_t>(triangle)];
-          const auto hit =
-              find_hit(shear, way, length, x[static_cast<std::size_t>(t[0])],
-                       x[static_cast<std::size_t>(t[1])], x[static_cast<std::size_t>(t[2])]);
-          if (!hit || !is_better(hit->distance, triangle, best.distance, best.triangle)) continue;
-          best = *hit;
-          best.triangle = triangle;
-          most = best.distance / length * (1.0 + 8.0 * std::numeric_limits<double>::epsilon());
-        }
-      });
+  const auto find = shear.kz == 0   ? &find_first_along<0>
+                    : shear.kz == 1 ? &find_first_along<1>
+                                    : &find_first_along<2>;
+  const SurfacePoint best = find(tree, x, way, shear, length);
   if (best.triangle < 0) return std::nullopt;
   return best;
 }
@@ -79,18 +99,21 @@ inline std::optional<SurfacePoint> find_first_hit(const AabbTree& tree, std::spa
 inline int find_closest(const AabbTree& tree, std::span<const Vec3> x, const Vec3& point,
                         double max_distance) noexcept {
   const Points p = set_points(point);
+  const Cell cell(point);
   double nearest = max_distance, most = square_upwards(max_distance);
+  const double rounding = tree.nodes().empty() ? 0.0 : bound_rounding(tree, point);
+  double perhaps = square_upwards(max_distance + rounding);
+  float widened = widen(most);
   int best = -1;
   walk_nearest_first(
-      tree,
-      [&](const AabbTree::Node& node) {
-        return measure_distances(p, load_low(node), load_high(node));
-      },
-      [&] { return most; },
+      tree, [&](const AabbTree::Node& node) { return measure_distances(cell, node); },
+      [&] { return widened; },
       [&](int first, int count) {
-        const Four square = measure_triangles(p, gather_leaf(tree, x, first, count));
+        const Corners corners = gather_leaf(tree, x, first, count);
+        const Found found = find_nearest(p, corners);
+        if ((bits(found.square <= set(perhaps)) & filled(count)) == 0) return;
+        const Four square = measure_found(p, corners, found);
         unsigned wanted = bits(square <= set(most)) & filled(count);
-        if (wanted == 0) return;
         alignas(32) double distances[4];
         store(sqrt(square), distances);
         while (wanted != 0) {
@@ -101,6 +124,8 @@ inline int find_closest(const AabbTree& tree, std::span<const Vec3> x, const Vec
           best = triangle;
         }
         most = square_upwards(nearest);
+        perhaps = square_upwards(nearest + rounding);
+        widened = widen(most);
       });
   return best;
 }
@@ -108,32 +133,38 @@ inline int find_closest(const AabbTree& tree, std::span<const Vec3> x, const Vec
 inline void collect_in_sphere(const AabbTree& tree, std::span<const Vec3> x, const Vec3& centre,
                               double radius, Collector& collector) noexcept {
   const Points p = set_points(centre);
-  const double most = square_upwards(radius);
+  const Cell cell(centre);
+  // nearly all triangles are surely inside or surely not; only the others are measured to the bit
+  const double rounding = tree.nodes().empty() ? 0.0 : bound_rounding(tree, centre);
+  const double less = radius - 2.0 * rounding;
+  const double surely = less > 0.0 ? less * less : -1.0;
+  const double perhaps = square_upwards(radius + rounding);
   walk(
-      tree,
-      [&](const AabbTree::Node& node) {
-        return measure_distances(p, load_low(node), load_high(node));
-      },
-      most,
+      tree, [&](const AabbTree::Node& node) { return measure_distances(cell, node); },
+      widen(square_upwards(radius)),
       [&](int first, int count) {
-        const Four square = measure_triangles(p, gather_leaf(tree, x, first, count));
-        unsigned inside = bits(sqrt(square) <= set(radius)) & filled(count);
-        while (inside != 0) collector.add(triangle_at(tree, first, take_lowest(inside)));
+        const Corners corners = gather_leaf(tree, x, first, count);
+        const Found found = find_nearest(p, corners);
+        unsigned inside = bits(found.square <= set(surely));
+        if ((bits(found.square <= set(perhaps)) & filled(count) & ~inside) != 0) {
+          inside = bits(sqrt(measure_found(p, corners, found)) <= set(radius));
+        }
+        collector.add(leaf_order(tree, first, count), inside & filled(count));
       });
 }
 
 inline void collect_near_way(const AabbTree& tree, std::span<const Vec3> x, const Way& way,
                              Collector& collector) noexcept {
+  const Slabs slabs(way);
   const double most = std::numeric_limits<double>::max();
   walk(
-      tree,
-      [&](const AabbTree::Node& node) { return enter_boxes(way, load_low(node), load_high(node)); },
-      most,
+      tree, [&](const AabbTree::Node& node) { return enter_boxes(slabs, node); },
+      std::numeric_limits<float>::max(),
       [&](int first, int count) {
         const Corners k = gather_leaf(tree, x, first, count);
         const Four in = enter_boxes(way, min(min(k.a, k.b), k.c), max(max(k.a, k.b), k.c));
-        unsigned entered = bits(in <= set(most)) & filled(count);
-        while (entered != 0) collector.add(triangle_at(tree, first, take_lowest(entered)));
+        const unsigned entered = bits(in <= set(most)) & filled(count);
+        collector.add(leaf_order(tree, first, count), entered);
       });
 }
 

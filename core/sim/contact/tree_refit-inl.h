@@ -42,27 +42,34 @@ PALPATE_TREE_INLINE void store_row(const Row& row, std::array<double, 8>& to) {
   store(row.high, to.data() + 4);
 }
 
-PALPATE_TREE_INLINE void store_sides(const Four (&rows)[4], std::array<AabbTree::Lanes, 3>& sides) {
-  Points points;
-  transpose(rows, points.x, points.y, points.z);
-  store(points.x, sides[0].data());
-  store(points.y, sides[1].data());
-  store(points.z, sides[2].data());
+/// Four children of a node, from the one at `first` on; the box around them.
+PALPATE_TREE_INLINE Row bound_four(const TreeRefit& refit, const int* child_rows, std::size_t first,
+                                   AabbTree::Node& node) {
+  Four low[4], high[4];
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Row child = load_row(refit.rows[static_cast<std::size_t>(child_rows[first + k])]);
+    low[k] = child.low;
+    high[k] = child.high;
+  }
+  Points sides;
+  transpose(low, sides.x, sides.y, sides.z);
+  store_rounded_down(sides.x, node.low[0].data() + first);
+  store_rounded_down(sides.y, node.low[1].data() + first);
+  store_rounded_down(sides.z, node.low[2].data() + first);
+  transpose(high, sides.x, sides.y, sides.z);
+  store_rounded_up(sides.x, node.high[0].data() + first);
+  store_rounded_up(sides.y, node.high[1].data() + first);
+  store_rounded_up(sides.z, node.high[2].data() + first);
+  return {min(min(low[0], low[1]), min(low[2], low[3])),
+          max(max(high[0], high[1]), max(high[2], high[3]))};
 }
 
 PALPATE_TREE_INLINE void bound_node(std::size_t n, TreeRefit& refit,
                                     std::span<AabbTree::Node> nodes) noexcept {
-  Four low[4], high[4];
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Row child = load_row(refit.rows[static_cast<std::size_t>(refit.child_rows[n][k])]);
-    low[k] = child.low;
-    high[k] = child.high;
-  }
-  store_row({min(min(low[0], low[1]), min(low[2], low[3])),
-             max(max(high[0], high[1]), max(high[2], high[3]))},
-            refit.rows[n]);
-  store_sides(low, nodes[n].low);
-  store_sides(high, nodes[n].high);
+  const int* child_rows = refit.child_rows[n].data();
+  const Row a = bound_four(refit, child_rows, 0, nodes[n]);
+  const Row b = bound_four(refit, child_rows, 4, nodes[n]);
+  store_row({min(a.low, b.low), max(a.high, b.high)}, refit.rows[n]);
 }
 
 /// Children stand behind their parent, so one sweep from the back finds every child done.

@@ -20,7 +20,7 @@ struct TreeRefit {
 
   std::vector<std::array<int, kFew>> few;      ///< filled up with a corner of the same leaf
   std::vector<std::array<int, kMany>> many;    ///< likewise
-  std::vector<std::array<int, 4>> child_rows;  ///< per node
+  std::vector<std::array<int, 8>> child_rows;  ///< per node
   CacheAligned<std::array<double, 8>> rows;    ///< [m] low and high, a fourth number unused
 
   // the part of it that is followed where not everything moves

@@ -128,9 +128,18 @@ inline Soup make_geometric_soup(int count) {
   return soup;
 }
 
+/// Larger or smaller than any float, which the boxes are held in.
+inline Soup make_scaled_soup(int count, double scale) {
+  Soup soup = make_plain_soup(count);
+  soup.name = "scaled";
+  for (Vec3& x : soup.x) x *= scale;
+  return soup;
+}
+
 inline std::vector<Soup> make_soups() {
-  return {make_plain_soup(400),     make_degenerate_soup(300), make_coplanar_soup(10),
-          make_far_apart_soup(300), make_stacked_soup(40),     make_geometric_soup(60)};
+  return {make_plain_soup(400),        make_degenerate_soup(300),   make_coplanar_soup(10),
+          make_far_apart_soup(300),    make_stacked_soup(40),       make_geometric_soup(60),
+          make_scaled_soup(100, 1e45), make_scaled_soup(100, 1e-45)};
 }
 
 /// Bends, twists and shakes positions, by as much as their own size.

@@ -37,6 +37,14 @@ Box bound_leaf(const AabbTree& tree, const Vec3Array& x, int first, int count) {
   return box;
 }
 
+/// Not above, and no farther below than two roundings of a float, or what float can hold at all.
+void check_rounded_down(double rounded, double exact) {
+  REQUIRE(rounded <= exact);
+  const double held = std::clamp(exact, -double(std::numeric_limits<float>::max()),
+                                 double(std::numeric_limits<float>::max()));
+  if (exact == held) REQUIRE(rounded >= exact - 2e-7 * std::abs(exact) - 2e-44);
+}
+
 /// The box of a node, once those of its children and their children are found right.
 Box check_boxes(const AabbTree& tree, const Vec3Array& x, int node) {
   const AabbTree::Node& n = tree.nodes()[static_cast<std::size_t>(node)];
@@ -48,9 +56,9 @@ Box check_boxes(const AabbTree& tree, const Vec3Array& x, int node) {
       REQUIRE(n.first[k] > node);
       child = check_boxes(tree, x, n.first[k]);
     }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      REQUIRE(n.low[axis][k] == child.low[static_cast<Eigen::Index>(axis)]);
-      REQUIRE(n.high[axis][k] == child.high[static_cast<Eigen::Index>(axis)]);
+    for (std::size_t axis = 0; n.count[k] >= 0 && axis < 3; ++axis) {
+      check_rounded_down(n.low[axis][k], child.low[static_cast<Eigen::Index>(axis)]);
+      check_rounded_down(-n.high[axis][k], -child.high[static_cast<Eigen::Index>(axis)]);
     }
     box.add(child);
   }
@@ -74,7 +82,7 @@ std::string message_of(const Vec3Array& x, const std::vector<Triangle>& triangle
 
 }  // namespace
 
-TEST_CASE("every triangle stands in exactly one leaf and every box is the tightest, refitted too") {
+TEST_CASE("every triangle stands in one leaf, every box is the tightest in float, refitted too") {
   for (const Soup& soup : make_soups()) {
     CAPTURE(soup.name);
     AabbTree tree(soup.x, soup.triangles);
@@ -99,7 +107,7 @@ TEST_CASE("no tree is deeper than the stack of a query") {
     CHECK(measure_depth(AabbTree(soup.x, soup.triangles)) <= AabbTree::kMaxDepth);
   }
   const Soup stacked = make_stacked_soup(4096);
-  CHECK(measure_depth(AabbTree(stacked.x, stacked.triangles)) == 6);
+  CHECK(measure_depth(AabbTree(stacked.x, stacked.triangles)) == 5);
 }
 
 TEST_CASE("a tree over a plain soup is nearly balanced") {
@@ -107,8 +115,8 @@ TEST_CASE("a tree over a plain soup is nearly balanced") {
 
   const AabbTree tree(soup.x, soup.triangles);
 
-  CHECK(measure_depth(tree) <= 12);
-  CHECK(tree.nodes().size() < 1700);
+  CHECK(measure_depth(tree) <= 8);
+  CHECK(tree.nodes().size() < 800);
 }
 
 TEST_CASE("a tree without triangles, or with indices or positions that are none, is refused") {

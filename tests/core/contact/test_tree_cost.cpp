@@ -75,7 +75,7 @@ TEST_CASE("moving, growing and shrinking as a whole make no tree dearer") {
   tree.refit(moved);
   follow_for_a_round(tree, cost);
 
-  CHECK(cost.growth() == doctest::Approx(1.0));
+  CHECK(cost.growth() == doctest::Approx(1.0).epsilon(1e-3));
 }
 
 TEST_CASE("a surface bent to a ring makes its tree dear by half, and a new one is cheap again") {
