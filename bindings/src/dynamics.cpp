@@ -220,7 +220,7 @@ void bind_stable_step(py::module_& m) {
         "the stiffness that a tool may add at any one particle. Lies between 0.6 and 1.0 of the "
         "exact limit.");
   m.def("has_packed_form", &has_packed_form, "model"_a,
-        "Whether a tissue can be packed, where there is vector code: all can but walls of prisms.");
+        "Whether a tissue can be packed, where there is vector code: every tissue can.");
   m.def("simd_targets", &simd_targets,
         "The vector targets this machine can run ('AVX3', 'AVX2', 'SSE4', ...), the best first; "
         "empty where Palpate was built without vector code.");

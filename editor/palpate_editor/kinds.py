@@ -91,7 +91,6 @@ def find_shell_limits(
     yield from find_stretch_limits(organ, wall)
     yield "what is inside: contents are a pressure that does not know their volume"
     yield "being pressed thin: the wall's thickness resists as springs, without Poisson's ratio"
-    yield "speed: it has no vector code, so it runs on the reference kernel"
 
 
 def find_solid_limits(

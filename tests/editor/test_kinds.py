@@ -54,6 +54,7 @@ def test_every_kind_of_a_wall_is_built_and_says_what_it_cannot_represent(wall, c
     assert springs["wall"]["poisson_ratio"] == pytest.approx(1 / 3, abs=0.01)
     assert springs["wall"]["young_modulus"] == pytest.approx(5e3, rel=0.05)
     assert rows["shell"]["particles"] == 2 * exact["particles"]
+    assert rows["shell"]["kernel"] == "packed"
     assert any("bending" in limit for limit in exact["cannot_represent"])
     assert not any("bending" in limit for limit in rows["shell"]["cannot_represent"])
 

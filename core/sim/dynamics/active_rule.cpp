@@ -80,6 +80,9 @@ ActiveRule derive_active_rule(const TissueModel& model, double radius, double fo
   if (!model.volumes.corners.empty()) {
     refuse(where, "a tissue with volumes", "0: solids are moved whole");
   }
+  if (!model.prisms.corners.empty()) {
+    refuse(where, "a tissue with prisms", "0: walls of prisms are moved whole");
+  }
   bool has_home = !model.home.empty() && !model.triangles.empty();
   for_each_free(
       model, [&](int i) { has_home = has_home && model.home[static_cast<std::size_t>(i)] > 0.0; });

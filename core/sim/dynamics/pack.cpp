@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "palpate/sim/base/refuse.h"
+#include "palpate/sim/dynamics/pack_prisms.h"
 #include "palpate/sim/dynamics/pack_solid.h"
 #include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/dynamics/packed_kernels.h"
@@ -267,10 +268,6 @@ std::vector<std::string> simd_targets() {
 
 PackedModel pack(const TissueModel& model, std::string_view target, PackedOrder order) {
   validate(model);
-  if (!has_packed_form(model)) {
-    refuse("prisms", write_text(model.prisms.corners.size(), " rows"),
-           "none: walls of prisms have no packed form");
-  }
   PackedModel packed;
   packed.kernels = &find_kernels(target);
   packed.width = packed.kernels->width;
@@ -283,10 +280,13 @@ PackedModel pack(const TissueModel& model, std::string_view target, PackedOrder 
   const ChosenLinks tables[] = {{&model.springs, all}, {&model.bonds, shares.left}};
   pack_links(tables, packed);
   pack_triangles(model, shares, packed);
+  pack_prisms(model, packed);
   pack_solid(model, packed);
   drop_zeros(packed.triangles.bond_damping);
-  // where triangles are damped there are velocities, and links are asked for theirs
-  if (packed.triangles.bond_damping.values.empty()) drop_zeros(packed.links.damping);
+  // where triangles or prisms are damped there are velocities, and links are asked for theirs
+  if (packed.triangles.bond_damping.values.empty() && packed.prisms.damping.empty()) {
+    drop_zeros(packed.links.damping);
+  }
   return packed;
 }
 

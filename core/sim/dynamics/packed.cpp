@@ -19,7 +19,7 @@ std::size_t find_in_slices(const PackedModel& model, std::size_t row) noexcept {
 /// Whether more than pushes is added to the force rows.
 bool has_added_forces(const PackedModel& model) noexcept {
   return model.triangles.pack_count > 0 || model.skin.pack_count > 0 ||
-         model.volumes.pack_count > 0;
+         model.prisms.pack_count > 0 || model.volumes.pack_count > 0;
 }
 
 /// Calls take(row, weight) for every particle that carries a vertex of the surface.
@@ -95,7 +95,8 @@ PackedState::PackedState(const PackedModel& model, const TissueModel& tissue, co
       skin(model.skin.pack_count) {
   const std::size_t rows = 4 * model.particle.size();
   position_rows.fill(CacheAligned<float>(rows, 0.0f));
-  if (!model.links.damping.values.empty() || !model.triangles.bond_damping.values.empty()) {
+  if (!model.links.damping.values.empty() || !model.triangles.bond_damping.values.empty() ||
+      !model.prisms.damping.empty()) {
     velocity_rows.fill(CacheAligned<float>(rows, 0.0f));
   }
   const auto width = static_cast<std::size_t>(model.width);
@@ -117,7 +118,7 @@ PackedState::PackedState(const PackedModel& model, const TissueModel& tissue, co
   if (model.skin.pack_count > 0) last_rows = position_rows[0];
 }
 
-bool has_packed_form(const TissueModel& model) noexcept { return model.prisms.corners.empty(); }
+bool has_packed_form(const TissueModel&) noexcept { return true; }
 
 std::string_view simd_target(const PackedModel& model) noexcept {
   return model.kernels ? model.kernels->target : "";
@@ -127,6 +128,7 @@ void step(const PackedModel& model, const Load& load, double dt, PackedState& st
           PackedMeasure* measure) noexcept {
   if (measure != nullptr) *measure = {};
   if (model.triangles.pack_count > 0) model.kernels->accumulate_triangles(model, state, measure);
+  if (model.prisms.pack_count > 0) model.kernels->accumulate_prisms(model, state, measure);
   if (model.volumes.pack_count > 0) model.kernels->accumulate_volumes(model, state, measure);
   if (model.skin.pack_count > 0) model.kernels->accumulate_pressure(model, state);
   add_pushes(model, load, state);

@@ -13,6 +13,7 @@
 #include <hwy/highway.h>
 
 #include "palpate/sim/dynamics/packed_compare-inl.h"
+#include "palpate/sim/dynamics/packed_prisms-inl.h"
 #include "palpate/sim/dynamics/packed_triangles-inl.h"
 #include "palpate/sim/dynamics/packed_volumes-inl.h"
 
@@ -26,6 +27,7 @@ const Kernels& kernels() noexcept {
   static const Kernels kernels = {hwy::TargetName(HWY_TARGET),
                                   static_cast<int>(kWidth),
                                   &accumulate_triangles,
+                                  &accumulate_prisms,
                                   &accumulate_volumes,
                                   &accumulate_pressure,
                                   &advance,

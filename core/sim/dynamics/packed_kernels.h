@@ -23,6 +23,9 @@ struct Kernels {
   /// energy, unless it is null.
   void (*accumulate_triangles)(const PackedModel& model, PackedState& state,
                                PackedMeasure* measure) noexcept = nullptr;
+  /// The same for what resists the shear of walls.
+  void (*accumulate_prisms)(const PackedModel& model, PackedState& state,
+                            PackedMeasure* measure) noexcept = nullptr;
   /// The same for what resists a change of volume.
   void (*accumulate_volumes)(const PackedModel& model, PackedState& state,
                              PackedMeasure* measure) noexcept = nullptr;

@@ -65,6 +65,17 @@ struct PackedVolumes {
   CacheAligned<float> stiffness_around;     ///< [Pa] of their mean, a quarter; empty likewise
 };
 
+/// Prisms of a wall, `width` of them in a pack. Columns hold three vectors per pack, one for each
+/// side, as in Prisms. Lanes without one have six times the same corner.
+struct PackedPrisms {
+  int pack_count = 0;
+  CacheAligned<int> corner;             ///< row, 6 x `width` per pack
+  CacheAligned<float> rest_difference;  ///< [m]
+  CacheAligned<float> stiffness;        ///< [N/m] of the shear
+  CacheAligned<float> damping;          ///< [N·s/m] likewise; empty where nothing is damped
+  float least_square = 0.0f;            ///< [m²] below, a diagonal loses its direction
+};
+
 /// A tissue as the vector kernels read it; made once by pack().
 struct PackedModel {
   const packed_kernels::Kernels* kernels = nullptr;  ///< those of one vector target
@@ -82,6 +93,7 @@ struct PackedModel {
   PackedLinks links;
   PackedTriangles triangles;  ///< with angles or bonds; may be empty
   PackedTriangles skin;       ///< under pressure; empty without one
+  PackedPrisms prisms;        ///< of walls; may be empty
   PackedVolumes volumes;      ///< of solids; may be empty
   Skin riding;                ///< TissueModel::skin, its corners as rows
   float pressure = 0.0f;      ///< [Pa]

@@ -16,7 +16,7 @@ constexpr int kPatch = 16;
 
 using Neighbours = std::vector<std::vector<int>>;
 
-/// Who moves with whom: over links and the sides of triangles, ascending.
+/// Who moves with whom: over links and within triangles, tetrahedra and prisms, ascending.
 Neighbours find_neighbours(const TissueModel& model) {
   Neighbours neighbours(model.rest_position.size());
   const auto join = [&](int i, int j) {
@@ -34,6 +34,11 @@ Neighbours find_neighbours(const TissueModel& model) {
   for (const auto& corners : model.volumes.corners) {
     for (std::size_t p = 0; p < 4; ++p) join(corners[p], corners[(p + 1) % 4]);
     join(corners[0], corners[2]), join(corners[1], corners[3]);
+  }
+  for (const auto& corners : model.prisms.corners) {
+    for (std::size_t p = 0; p < 6; ++p) {
+      for (std::size_t q = 0; q < p; ++q) join(corners[p], corners[q]);
+    }
   }
   for (std::vector<int>& row : neighbours) {
     std::sort(row.begin(), row.end());
@@ -180,5 +185,6 @@ std::vector<int> find_pack_order(std::span<const std::array<int, N>> elements, i
 
 template std::vector<int> find_pack_order<3>(std::span<const Triangle>, int, int);
 template std::vector<int> find_pack_order<4>(std::span<const std::array<int, 4>>, int, int);
+template std::vector<int> find_pack_order<6>(std::span<const std::array<int, 6>>, int, int);
 
 }  // namespace palpate

@@ -13,9 +13,9 @@ namespace palpate {
 std::vector<int> find_bands(const TissueModel& model);
 std::vector<int> find_patches(const TissueModel& model);
 
-/// Triangles (N = 3) or tetrahedra (4) in the sequence in which packs of `width` take them: such
-/// that those of a pack share no corner, as far as can be had among the next `lookahead`. -1 where
-/// a lane stays empty.
+/// Triangles (N = 3), tetrahedra (4) or prisms (6) in the sequence in which packs of `width` take
+/// them: such that those of a pack share no corner, as far as can be had among the next
+/// `lookahead`. -1 where a lane stays empty.
 template <std::size_t N>
 std::vector<int> find_pack_order(std::span<const std::array<int, N>> elements, int width,
                                  int lookahead);

@@ -30,7 +30,7 @@ struct Scene {
   double force_error = 0.0;
 
   /// packed is reference where Palpate has no vector code for this machine; build_scene chooses
-  /// reference for a tissue with prisms, which have no packed form
+  /// reference for a tissue that has no packed form
   Kernel kernel = Kernel::packed;
   std::string simd_target;  ///< of the packed kernel: one of simd_targets(), empty for the best
 

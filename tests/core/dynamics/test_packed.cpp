@@ -9,7 +9,7 @@
 #include "palpate/sim/dynamics/stable_step.h"
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/model/build_membrane.h"
-#include "palpate/sim/model/build_shell.h"
+#include "scenes/shells.h"
 #include "scenes/solids.h"
 
 using namespace palpate;
@@ -67,6 +67,10 @@ std::vector<TissueModel> make_every_tissue() {
     tissues.push_back(scenes::make_solid_organ(5, share, axis));
     tissues.push_back(scenes::make_covered_organ(4, share, isotropic));
   }
+  tissues.push_back(scenes::make_shell_organ(2, {}));
+  tissues.push_back(scenes::make_shell_organ(2, axis));
+  tissues.push_back(scenes::make_shell_organ(1, isotropic));
+  tissues.push_back(scenes::make_damped_prism());
   // a bond beside the triangles, and home springs under a molecular model
   TissueModel odd = scenes::make_molecular_organ(1, axis);
   odd.bonds.ends.push_back({0, 40});
@@ -188,7 +192,8 @@ TEST_CASE("after 0.1 s a packed tissue is where the reference is, to 1e-4 mm") {
 
 TEST_CASE("a packed tissue without home and support keeps its momentum") {
   for (TissueModel model : {scenes::make_spring_organ(2, {.damping_ratio = 0.2}),
-                            scenes::make_molecular_organ(2, {.damping_ratio = 0.2})}) {
+                            scenes::make_molecular_organ(2, {.damping_ratio = 0.2}),
+                            scenes::make_shell_organ(2, {.damping_ratio = 0.2})}) {
     model.fixed.clear();
     const State start = shake(model, 3e-4, 0.1);
     const auto momentum = [&](const State& state) {
@@ -222,15 +227,17 @@ TEST_CASE("a packed step is stable at 0.98 of the exact limit and not at 1.05") 
 }
 
 TEST_CASE("a packed run gives the same bits twice") {
-  const TissueModel model = scenes::make_molecular_organ(2, {.damping_ratio = 0.2});
-  const State start = shake(model, 1e-4, 0.02);
-  const double dt = 0.5 * stable_step(model);
+  for (const TissueModel& model : {scenes::make_molecular_organ(2, {.damping_ratio = 0.2}),
+                                   scenes::make_shell_organ(2, {.damping_ratio = 0.2})}) {
+    const State start = shake(model, 1e-4, 0.02);
+    const double dt = 0.5 * stable_step(model);
 
-  const State once = run_packed(pack(model), model, make_load(model), start, dt, 500);
-  const State again = run_packed(pack(model), model, make_load(model), start, dt, 500);
+    const State once = run_packed(pack(model), model, make_load(model), start, dt, 500);
+    const State again = run_packed(pack(model), model, make_load(model), start, dt, 500);
 
-  CHECK(once.position == again.position);
-  CHECK(once.velocity == again.velocity);
+    CHECK(once.position == again.position);
+    CHECK(once.velocity == again.velocity);
+  }
 }
 
 TEST_CASE("collapsed triangles and links feel the reference's forces") {
@@ -275,14 +282,4 @@ TEST_CASE("every particle has a row of its own, and packing refuses an unknown t
   }
   CHECK(simd_target(packed) == simd_targets().front());
   CHECK_THROWS_AS(pack(model, "MMX"), std::invalid_argument);
-}
-
-TEST_CASE("a wall of prisms has no packed form, and packing it is refused") {
-  const TissueModel wall =
-      build_shell(scenes::make_ellipsoid({0.05, 0.035, 0.03}, 1), {.wall_thickness = 3e-3});
-  CHECK(has_packed_form(scenes::make_molecular_organ(1)));
-  CHECK_FALSE(has_packed_form(wall));
-  CHECK_THROWS_WITH_AS(pack(wall),
-                       "prisms: found 80 rows, expected none: walls of prisms have no packed form",
-                       std::invalid_argument);
 }
