@@ -267,6 +267,10 @@ std::vector<std::string> simd_targets() {
 
 PackedModel pack(const TissueModel& model, std::string_view target, PackedOrder order) {
   validate(model);
+  if (!model.elastic.corners.empty()) {
+    refuse("elastic", write_text(model.elastic.corners.size(), " rows"),
+           "none: linear solids have no packed form");
+  }
   if (!has_packed_form(model)) {
     refuse("prisms", write_text(model.prisms.corners.size(), " rows"),
            "none: walls of prisms have no packed form");

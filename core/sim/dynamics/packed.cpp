@@ -117,7 +117,9 @@ PackedState::PackedState(const PackedModel& model, const TissueModel& tissue, co
   if (model.skin.pack_count > 0) last_rows = position_rows[0];
 }
 
-bool has_packed_form(const TissueModel& model) noexcept { return model.prisms.corners.empty(); }
+bool has_packed_form(const TissueModel& model) noexcept {
+  return model.prisms.corners.empty() && model.elastic.corners.empty();
+}
 
 std::string_view simd_target(const PackedModel& model) noexcept {
   return model.kernels ? model.kernels->target : "";

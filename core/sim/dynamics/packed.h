@@ -22,7 +22,8 @@ enum class PackedOrder {
 PackedModel pack(const TissueModel& model, std::string_view target = {},
                  PackedOrder order = PackedOrder::bands);
 
-/// Whether a tissue can be packed, where there is vector code: all can but walls of prisms.
+/// Whether a tissue can be packed, where there is vector code: all can but walls of prisms
+/// and linear solids.
 bool has_packed_form(const TissueModel& model) noexcept;
 
 /// The target a model was packed for.
