@@ -38,9 +38,10 @@ def describe_build(
 ) -> dict[str, str]:
     """The header of a record: all that must match for a replay to give the same bits."""
     targets = palpate.simd_targets() if scene.kernel == palpate.Kernel.packed else []
+    unpacked = scene.kernel == palpate.Kernel.packed and not targets
     return {
         "palpate": version("palpate"),
-        "kernel": (palpate.Kernel.packed if targets else palpate.Kernel.reference).name,
+        "kernel": (palpate.Kernel.reference if unpacked else scene.kernel).name,
         "vector_target": targets[0] if targets else platform.machine(),
         "scene": os.path.relpath(scene_path.resolve(), record_path.resolve().parent),
         "scene_sha256": hash_file(scene_path),
@@ -85,6 +86,12 @@ def run_device(
     costs = run.finish()
     if not ended:
         raise RuntimeError(f"the loop did not end within {duration + GRACE:.0f} s")
+    if costs.alarm.kind == palpate.AlarmKind.pressed_deep:
+        raise RuntimeError(
+            f"at {costs.alarm.time:.3f} s the tool had moved the tissue by "
+            f"{1e3 * costs.alarm.value:.1f} mm; there a linear solid is good for "
+            f"{1e3 * costs.alarm.limit:.1f} mm, {palpate.kShallow:.0%} of its thickness"
+        )
     if costs.alarm.kind != palpate.AlarmKind.none:
         raise RuntimeError(
             f"the tissue blew up at {costs.alarm.time:.3f} s ({costs.alarm.kind.name}: "

@@ -21,6 +21,7 @@ kMostParticles: int
 kMostTriangles: int
 kMostLinks: int
 kMostTetrahedra: int
+kMostElastic: int
 
 class Container:
     def __init__(

@@ -18,7 +18,7 @@ from typing import Any, get_type_hints
 import palpate
 from palpate.json_part import read_part
 from palpate.mesh_file import read_mesh_file
-from palpate.scene_parts import ORIGINS, MaterialPart, SceneFile
+from palpate.scene_parts import FILLED, ORIGINS, MaterialPart, SceneFile
 from palpate.verb import Refusal
 from palpate.whole_file import write_whole
 
@@ -71,10 +71,10 @@ def build_material(part: MaterialPart) -> palpate.Material:
 def build_tissue(scene: SceneFile, mesh: palpate.SurfaceMesh) -> palpate.TissueModel:
     """The compiled model of a scene's organ. Raises ValueError naming what is wrong."""
     model = scene.model
-    if model.kind == "solid":
+    if model.kind in FILLED:
         raise ValueError(
-            "model.kind: got 'solid', expected a law of surfaces: a scene file has no tetrahedra; "
-            "palpate-editor fills an organ and publishes it with them"
+            f"model.kind: got {model.kind!r}, expected a law of surfaces: a scene file has no "
+            "tetrahedra; palpate-editor fills an organ and publishes it with them"
         )
     if model.kind not in BUILDERS:
         raise ValueError(f"model.kind: got {model.kind!r}, expected one of {', '.join(BUILDERS)}")

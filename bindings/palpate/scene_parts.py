@@ -8,8 +8,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-KINDS = ("mass_spring", "molecular", "shell", "solid")
+KINDS = ("mass_spring", "molecular", "shell", "solid", "linear_solid")
 """The laws that can hold an organ together."""
+FILLED = ("solid", "linear_solid")
+"""Those of tetrahedra inside the surface."""
 ORIGINS = ("chosen", "tissue")
 """Where the constants of springs, bonds and angles come from: the model part, or the material."""
 SPRING_RULES = ("van_gelder", "lloyd")

@@ -17,6 +17,8 @@ void bind_membrane(pybind11::module_& m);
 void bind_solids(pybind11::module_& m);
 void bind_dynamics(pybind11::module_& m);
 void bind_forces(pybind11::module_& m);
+void bind_response(pybind11::module_& m);
+void bind_guard(pybind11::module_& m);
 void bind_contact(pybind11::module_& m);
 void bind_queries(pybind11::module_& m);
 void bind_haptics(pybind11::module_& m);

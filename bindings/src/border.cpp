@@ -57,6 +57,18 @@ void require_volumes(const Volumes& volumes, std::size_t particles) {
   }
 }
 
+void require_elastic(const Elastic& elastic, std::size_t particles) {
+  const std::size_t count = elastic.corners.size();
+  require_below(std::span<const std::array<int, 4>>(elastic.corners), particles, "elastic.corners");
+  require_count("elastic.lame", elastic.lame.size(), count);
+  require_count("elastic.shear", elastic.shear.size(), count);
+  // as of volumes
+  if (count > 0 && elastic.first_around.size() > particles + 1) {
+    refuse("elastic.first_around", std::to_string(elastic.first_around.size()) + " entries",
+           std::to_string(particles + 1));
+  }
+}
+
 void require_positive(const char* name, double value) {
   if (!(value > 0.0) || !std::isfinite(value)) refuse(name, text(value), "a positive number");
 }

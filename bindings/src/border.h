@@ -21,6 +21,7 @@ void require_triangles(std::span<const Triangle> triangles, std::size_t particle
 void require_links(const Links& links, std::size_t particles);
 void require_angles(const Angles& angles, std::size_t particles);
 void require_volumes(const Volumes& volumes, std::size_t particles);
+void require_elastic(const Elastic& elastic, std::size_t particles);
 
 void require_positive(const char* name, double value);
 void require_finite(const char* name, const Vec3& value);

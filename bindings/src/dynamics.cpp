@@ -80,14 +80,15 @@ void bind_energy(py::module_& m) {
       .def_readwrite("angles", &Energy::angles, "Eq 9 and Eq 11.")
       .def_readwrite("prisms", &Energy::prisms, "Transverse shear of walls.")
       .def_readwrite("volumes", &Energy::volumes, "Of tetrahedra.")
+      .def_readwrite("strain", &Energy::strain, "Of linear solids.")
       .def_readwrite("home", &Energy::home)
       .def_readwrite("gravity", &Energy::gravity, "Relative to the origin.")
       .def_readwrite("pressure", &Energy::pressure,
                      "-p V; its gradient is the pressure force on closed surfaces.")
       .def("total", &Energy::total)
       .def("elastic", &Energy::elastic);
-  def_repr(energy,
-           {"kinetic", "links", "angles", "prisms", "volumes", "home", "gravity", "pressure"});
+  def_repr(energy, {"kinetic", "links", "angles", "prisms", "volumes", "strain", "home", "gravity",
+                    "pressure"});
   m.def(
       "compute_energy",
       [](const TissueModel& model, const Vec3& gravity, const State& state) {
@@ -111,8 +112,9 @@ void bind_tangent(py::module_& m) {
         return compute_stiffness(model, xs, projection);
       },
       "model"_a, "x"_a, "projection"_a,
-      "K = -df/dx at positions x [N/m], (3n, 3n), springs, bonds, angles and home; pressure and "
-      "pushes are left out. Rows and columns of fixed particles are zero.");
+      "K = -df/dx at positions x [N/m], (3n, 3n), springs, bonds, angles, prisms, volumes, linear "
+      "solids and home; pressure and pushes are left out. Rows and columns of fixed particles are "
+      "zero.");
   m.def(
       "compute_damping",
       [](const TissueModel& model, const Numbers& x) {
@@ -121,7 +123,8 @@ void bind_tangent(py::module_& m) {
         return compute_damping(model, xs);
       },
       "model"_a, "x"_a,
-      "C = -df/dv at positions x [N·s/m], (3n, 3n), links and drag. Fixed as above.");
+      "C = -df/dv at positions x [N·s/m], (3n, 3n), links, prisms, linear solids and drag. "
+      "Fixed as above.");
 }
 
 void bind_integrators(py::module_& m) {
@@ -220,76 +223,10 @@ void bind_stable_step(py::module_& m) {
         "the stiffness that a tool may add at any one particle. Lies between 0.6 and 1.0 of the "
         "exact limit.");
   m.def("has_packed_form", &has_packed_form, "model"_a,
-        "Whether a tissue can be packed, where there is vector code: every tissue can.");
+        "Whether a tissue can be packed, where there is vector code: all can but linear solids.");
   m.def("simd_targets", &simd_targets,
         "The vector targets this machine can run ('AVX3', 'AVX2', 'SSE4', ...), the best first; "
         "empty where Palpate was built without vector code.");
-}
-
-void bind_alarm(py::module_& m) {
-  py::native_enum<AlarmKind>(m, "AlarmKind", "enum.Enum")
-      .value("none", AlarmKind::none)
-      .value("not_finite", AlarmKind::not_finite, "index: particle")
-      .value("moved_far", AlarmKind::moved_far,
-             "index: particle; more than 0.3 of the shortest rest length in one step")
-      .value("overstretched", AlarmKind::overstretched, "index: link; strain above 2")
-      .value("collapsed", AlarmKind::collapsed, "index: link; shorter than 0.05 of its rest length")
-      .value("energy", AlarmKind::energy,
-             "index: -1; elastic and kinetic energy exceed what was given")
-      .value("inverted", AlarmKind::inverted,
-             "index: tetrahedron; volume below 0.05 of that at rest")
-      .finalize();
-  py::class_<Alarm> alarm(m, "Alarm",
-                          "What is wrong with a running tissue, as a value; false for nothing.");
-  alarm.def(py::init<>())
-      .def_readwrite("kind", &Alarm::kind)
-      .def_readwrite("index", &Alarm::index)
-      .def_readwrite("value", &Alarm::value, "What was measured.")
-      .def_readwrite("limit", &Alarm::limit, "What it may be.")
-      .def_readwrite("time", &Alarm::time, "[s]")
-      .def("__bool__", [](const Alarm& self) { return static_cast<bool>(self); });
-  def_repr(alarm, {"kind", "index", "value", "limit", "time"});
-}
-
-void bind_guard(py::module_& m) {
-  py::class_<Guard> guard(m, "Guard", "The memory of the blow-up alarm between looks.");
-  guard.def(py::init([](const TissueModel& model, const Vec3& gravity, const State& state) {
-              require_fit(model, state);
-              return Guard(model, gravity, state);
-            }),
-            "model"_a, "gravity"_a, "state"_a);
-  def_view(guard, "last_position", &Guard::last_position,
-           "[m] at the last look that found nothing wrong, shape (n, 3); a view.");
-  guard.def_readwrite("last_time", &Guard::last_time, "[s] of the last look.")
-      .def_readwrite("shortest_rest_length", &Guard::shortest_rest_length, "[m]")
-      .def_readwrite("start_energy", &Guard::start_energy, "[J] elastic and kinetic.")
-      .def_readwrite("last_energy", &Guard::last_energy, "[J] elastic and kinetic.")
-      .def_readwrite("work", &Guard::work,
-                     "[J] done by pushes, gravity and pressure since the start.")
-      .def_readwrite("unnoticed_energy", &Guard::unnoticed_energy,
-                     "[J] less than anybody could see or feel.")
-      .def_readwrite("given_energy", &Guard::given_energy,
-                     "[J] of start and work, less what has long been lost.")
-      .def_readwrite("reference_energy", &Guard::reference_energy,
-                     "[J] the most that has lately been given.")
-      .def_readwrite("rising_steps", &Guard::rising_steps,
-                     "Looks in a row at which energy rose without work.")
-      .def_readwrite("strained_looks", &Guard::strained_looks,
-                     "Looks in a row at which a link was out of its bounds.");
-  def_copy(guard);
-  m.def(
-      "check",
-      [](const TissueModel& model, const Vec3& gravity, const State& state, double work,
-         Guard& memory, int steps) {
-        require_fit(model, state);
-        require_fit(model, memory);
-        require_positive("steps", steps);
-        return check(model, gravity, state, work, memory, steps);
-      },
-      "model"_a, "gravity"_a, "state"_a, "work"_a, "guard"_a, "steps"_a = 1,
-      "Looks at a tissue after a step; the first thing wrong comes back. work [J] is what pushes "
-      "have done to the tissue since the last look; what gravity and pressure have done is found "
-      "here. steps taken since then may have moved a particle that many times as far.");
 }
 
 }  // namespace
@@ -298,12 +235,12 @@ void bind_dynamics(py::module_& m) {
   bind_state(m);
   bind_load(m);
   bind_forces(m);
+  bind_response(m);
   bind_energy(m);
   bind_tangent(m);
   bind_integrators(m);
   bind_step(m);
   bind_stable_step(m);
-  bind_alarm(m);
   bind_guard(m);
 }
 

@@ -77,6 +77,23 @@ void bind_volume_forces(py::module_& m) {
       "volumes"_a, "x"_a, "f"_a.noconvert(), "Adds to f [N] what resists a change of volume.");
 }
 
+void bind_elastic_forces(py::module_& m) {
+  m.def(
+      "accumulate_elastic_forces",
+      [](const Elastic& elastic, const Numbers& rest, const Numbers& x, const Numbers& v,
+         NumbersOut f) {
+        const auto rests = points(rest, "rest"), xs = points(x, "x"), vs = points(v, "v");
+        const auto fs = points_out(f, "f");
+        require_like(xs, rests, "rest");
+        require_like(xs, vs, "v");
+        require_like(xs, fs, "f");
+        require_elastic(elastic, xs.size());
+        accumulate_elastic_forces(elastic, rests, xs, vs, fs);
+      },
+      "elastic"_a, "rest"_a, "x"_a, "v"_a, "f"_a.noconvert(),
+      "Adds to f [N] what resists strain; rest [m] are the places at rest.");
+}
+
 void bind_surface_forces(py::module_& m) {
   m.def(
       "accumulate_home_forces",
@@ -165,6 +182,7 @@ void bind_forces(py::module_& m) {
   bind_link_and_angle_forces(m);
   bind_prism_forces(m);
   bind_volume_forces(m);
+  bind_elastic_forces(m);
   bind_surface_forces(m);
   bind_body_forces(m);
 }

@@ -102,13 +102,20 @@ void bind_scene_fields(py::class_<Scene>& scene) {
       .def_readonly("spectrum_stiffness", &Scene::spectrum_stiffness,
                     "[1/s²] largest eigenvalue of M⁻¹K at rest, filled in by build_scene.")
       .def_readonly("spectrum_damping", &Scene::spectrum_damping,
-                    "[1/s] of M⁻¹C, filled in by build_scene.");
+                    "[1/s] of M⁻¹C, filled in by build_scene.")
+      .def_property_readonly(
+          "response",
+          // Python knows no const; everything of a Response is read-only
+          [](const Scene& self) { return std::const_pointer_cast<Response>(self.response); },
+          "Under the response kernel, filled in by build_scene; else None.");
 }
 
 void bind_scene(py::module_& m) {
   py::native_enum<Kernel>(m, "Kernel", "enum.Enum", "Which form of the tissue's laws a tick runs.")
       .value("reference", Kernel::reference, "Double, plain, one particle after the other.")
       .value("packed", Kernel::packed, "Float, in vector code.")
+      .value("response", Kernel::response,
+             "Of a linear solid: quasi-static, from its precomputed response.")
       .finalize();
   const Scene usual;
   py::class_<Scene> scene(m, "Scene",
@@ -173,6 +180,8 @@ void bind_world(py::module_& m) {
            "[m] the vertices of the skin, after every tick; empty where there is none; a view.");
   def_view(world, "surface_mass", &World::surface_mass,
            "[kg] per vertex of the surface, see compute_surface_mass; a view.");
+  def_view(world, "deepest", &World::deepest,
+           "[m] per vertex of the surface: how far a linear solid may go; else empty; a view.");
   def_view(world, "scratch", &World::scratch, "Per vertex of the surface; a view.");
   def_copy(world);
 }

@@ -137,9 +137,10 @@ void bind_prisms(py::module_& m) {
 /// As validate() would refuse it anyway, but before a table is looked at by index.
 TissueModel make_model(const Numbers& rest_position, const Numbers& mass, const Integers& fixed,
                        const Links& springs, const Links& bonds, const Angles& angles,
-                       const Prisms& prisms, const Volumes& volumes, const Skin& skin,
-                       const Numbers& home, double pressure, const Integers& triangles, double drag,
-                       DampingLaw damping_law, AngleLaw angle_law) {
+                       const Prisms& prisms, const Volumes& volumes, const Elastic& elastic,
+                       const Skin& skin, const Numbers& home, double pressure,
+                       const Integers& triangles, double drag, DampingLaw damping_law,
+                       AngleLaw angle_law) {
   TissueModel model{copy_points(rest_position, "rest_position"),
                     copy_numbers(mass, "mass"),
                     copy_indices(fixed, "fixed"),
@@ -148,6 +149,7 @@ TissueModel make_model(const Numbers& rest_position, const Numbers& mass, const 
                     angles,
                     prisms,
                     volumes,
+                    elastic,
                     skin,
                     copy_numbers(home, "home"),
                     pressure,
@@ -169,6 +171,7 @@ void bind_tissue_fields(py::class_<TissueModel>& model) {
       .def_readonly("angles", &TissueModel::angles, "Molecular model; may be empty.")
       .def_readonly("prisms", &TissueModel::prisms, "Walls that bend; may be empty.")
       .def_readonly("volumes", &TissueModel::volumes, "Solids; may be empty.")
+      .def_readonly("elastic", &TissueModel::elastic, "Linear solids; may be empty.")
       .def_readonly("skin", &TissueModel::skin, "Solids under a finer surface; may be empty.");
   def_view(model, "home", &TissueModel::home,
            "[N/m] pull of every particle to its rest position, shape (n,) or empty; a view.");
@@ -191,9 +194,9 @@ void bind_tissue_model(py::module_& m) {
   model.def(py::init(&make_model), py::kw_only(), "rest_position"_a, "mass"_a,
             "fixed"_a = py::tuple(), "springs"_a = Links(), "bonds"_a = Links(),
             "angles"_a = Angles(), "prisms"_a = Prisms(), "volumes"_a = Volumes(),
-            "skin"_a = Skin(), "home"_a = py::tuple(), "pressure"_a = usual.pressure,
-            "triangles"_a = py::tuple(), "drag"_a = usual.drag, "damping_law"_a = usual.damping_law,
-            "angle_law"_a = usual.angle_law,
+            "elastic"_a = Elastic(), "skin"_a = Skin(), "home"_a = py::tuple(),
+            "pressure"_a = usual.pressure, "triangles"_a = py::tuple(), "drag"_a = usual.drag,
+            "damping_law"_a = usual.damping_law, "angle_law"_a = usual.angle_law,
             "Copies its tables and validates the whole. Raises ValueError.");
   bind_tissue_fields(model);
   def_copy(model);

@@ -41,6 +41,41 @@ void bind_volumes(py::module_& m) {
         "Volumes with the tables of what lies around each particle filled in. Copies its tables.");
 }
 
+Elastic copy_elastic(int particle_count, const Integers& corners, const Numbers& lame,
+                     const Numbers& shear, double nodal_share, double damping_time) {
+  auto rows = copy_index_rows<4>(corners, "corners");
+  if (particle_count < 0) refuse("particle_count", std::to_string(particle_count), "0 or more");
+  require_below<4>(rows, static_cast<std::size_t>(particle_count), "corners");
+  return build_elastic(particle_count, std::move(rows), copy_numbers(lame, "lame"),
+                       copy_numbers(shear, "shear"), nodal_share, damping_time);
+}
+
+void bind_elastic(py::module_& m) {
+  py::class_<Elastic> elastic(
+      m, "Elastic",
+      "Tetrahedra of a linear elastic solid, for shallow presses: constant strain and Hooke's law. "
+      "The part nodal_share of lambda acts on the mean trace of the strain around each particle.");
+  elastic.def(py::init<>());
+  def_table(elastic, "corners", &Elastic::corners,
+            "Particle indices, shape (t, 4); a view, read-only.");
+  def_view(elastic, "lame", &Elastic::lame,
+           "[Pa] lambda, Lamé's first constant, shape (t,); a view.");
+  def_view(elastic, "shear", &Elastic::shear, "[Pa] mu, shape (t,); a view.");
+  def_table(elastic, "first_around", &Elastic::first_around, "As in Volumes; a view, read-only.");
+  def_table(elastic, "around", &Elastic::around, "As in Volumes; a view, read-only.");
+  def_table(elastic, "reach", &Elastic::reach,
+            "Particles that pushes may move, ascending; empty for all that carry the surface; a "
+            "view, read-only.");
+  elastic.def_readwrite("nodal_share", &Elastic::nodal_share, "[-] 0 to 1")
+      .def_readwrite("damping_time", &Elastic::damping_time,
+                     "[s] in which strain follows stress (Kelvin-Voigt).");
+  def_copy(elastic);
+  m.def("build_elastic", &copy_elastic, "particle_count"_a, "corners"_a, "lame"_a, "shear"_a,
+        "nodal_share"_a = 0.0, "damping_time"_a = 0.0,
+        "A linear solid's table with what lies around each particle filled in; pushes reach all of "
+        "its surface. Copies its tables.");
+}
+
 void bind_skin(py::module_& m) {
   py::class_<Skin> skin(
       m, "Skin",
@@ -71,6 +106,12 @@ void bind_skin(py::module_& m) {
 }
 
 void bind_surface_of_model(py::module_& m) {
+  m.def(
+      "list_tetrahedra",
+      [](const TissueModel& model) {
+        return own(std::vector<std::array<int, 4>>(list_tetrahedra(model)));
+      },
+      "model"_a, "Tetrahedra of a solid of either law, shape (t, 4).");
   m.def(
       "compute_surface",
       [](const TissueModel& model, const Numbers& x) {
@@ -147,6 +188,7 @@ void bind_lame(py::module_& m) {
 
 void bind_solid_tables(py::module_& m) {
   bind_volumes(m);
+  bind_elastic(m);
   bind_skin(m);
 }
 
@@ -159,6 +201,18 @@ void bind_solids(py::module_& m) {
         "The mass-spring model of a solid with true volumes: a spring along every edge of the "
         "tetrahedra, and what resists a change of volume in each of them. Raises ValueError, also "
         "for a Poisson's ratio outside of 0.25 to 0.49.");
+  m.def("build_linear_solid", &build_linear_solid, "solid"_a, "material"_a,
+        "options"_a = SolidOptions(), py::call_guard<py::gil_scoped_release>(),
+        "The linear elastic model of the same solid, for shallow presses: Hooke's law in every "
+        "tetrahedron, no links. Raises ValueError as build_solid does.");
+  m.def(
+      "limit_reach",
+      [](const TissueModel& model, const Integers& surface_vertices) {
+        return limit_reach(model, copy_indices(surface_vertices, "surface_vertices"));
+      },
+      "model"_a, "surface_vertices"_a,
+      "The same linear solid for pushes on these vertices of its surface alone; elsewhere it does "
+      "not give. Raises ValueError for another model, no vertices, or one that is not there.");
   m.def("build_skin", &build_skin, "surface"_a, "solid"_a, py::call_guard<py::gil_scoped_release>(),
         "The skin by which a surface rides on the tetrahedra of a solid.");
   m.def("cover_with_skin", &cover_with_skin, "model"_a, "surface"_a,

@@ -89,6 +89,7 @@ void bind_limits(py::module_& m) {
   m.attr("kMostTriangles") = scenario::kMostTriangles;
   m.attr("kMostLinks") = scenario::kMostLinks;
   m.attr("kMostTetrahedra") = scenario::kMostTetrahedra;
+  m.attr("kMostElastic") = scenario::kMostElastic;
 }
 
 void bind_container(py::module_& m) {

@@ -15,6 +15,8 @@ constexpr std::initializer_list<const char*> kAngleLaws = {"gradient", "eq10"};
 
 Json print_tissue(const TissueModel& tissue) {
   return {{"nodal_share", tissue.volumes.nodal_share},
+          {"elastic_nodal_share", tissue.elastic.nodal_share},
+          {"elastic_damping_time", tissue.elastic.damping_time},
           {"pressure", tissue.pressure},
           {"drag", tissue.drag},
           {"damping_law", kDampingLaws.begin()[static_cast<int>(tissue.damping_law)]},
@@ -40,6 +42,8 @@ Json print_scene(const Scene& scene) {
 
 void parse_tissue(Fields fields, TissueModel& tissue) {
   tissue.volumes.nodal_share = fields.number("nodal_share");
+  tissue.elastic.nodal_share = fields.number("elastic_nodal_share");
+  tissue.elastic.damping_time = fields.number("elastic_damping_time");
   tissue.pressure = fields.number("pressure");
   tissue.drag = fields.number("drag");
   tissue.damping_law = static_cast<DampingLaw>(fields.choice("damping_law", kDampingLaws));

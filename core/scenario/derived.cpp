@@ -36,16 +36,17 @@ void check_counts(const TissueModel& tissue) {
   check_count("angles", tissue.angles.corners.size(), kMostTriangles);
   check_count("prisms", tissue.prisms.corners.size(), kMostTriangles);
   check_count("volumes", tissue.volumes.corners.size(), kMostTetrahedra);
+  check_count("elastic", tissue.elastic.corners.size(), kMostElastic);
   check_count("skin", tissue.skin.corners.size(), kMostParticles);
   check_count("triangles", tissue.triangles.size(), kMostTriangles);
 }
 
-void check_built(const Scene& scene) {
+Scene check_built(const Scene& scene) {
   check_counts(scene.tissue);
   if (scene.substeps < 1 || scene.substeps_max < 1) {
     refuse("scene.substeps", "0", "the result of build_scene");
   }
-  const Scene built = build_scene(scene);
+  Scene built = build_scene(scene);
   if (scene.rest_areas.size() != built.rest_areas.size()) {
     refuse("scene.rest_areas", write_text(scene.rest_areas.size(), " rows"),
            write_text(built.rest_areas.size(), ", one per triangle"));
@@ -57,6 +58,7 @@ void check_built(const Scene& scene) {
   compare("scene.spectrum_stiffness", scene.spectrum_stiffness, built.spectrum_stiffness,
           kSpectrumError);
   compare("scene.spectrum_damping", scene.spectrum_damping, built.spectrum_damping, kSpectrumError);
+  return built;
 }
 
 }  // namespace palpate::scenario

@@ -8,8 +8,8 @@
 namespace palpate::scenario {
 
 /// Validates a scene as build_scene does, and that what is derived in it is what build_scene
-/// derives. Throws std::invalid_argument: "where: found this, expected that".
-void check_built(const Scene& scene);
+/// derives, which comes back. Throws std::invalid_argument: "where: found this, expected that".
+Scene check_built(const Scene& scene);
 
 /// Throws std::invalid_argument where a tissue has more rows than a file may hold.
 void check_counts(const TissueModel& tissue);

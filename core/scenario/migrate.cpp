@@ -33,7 +33,21 @@ void add_prisms_and_solids(Container& container) {
   container.content = content.dump();
 }
 
-constexpr std::array<Migration, 1> kMigrations = {add_prisms_and_solids};
+/// Version 3 has linear solids.
+void add_linear_solids(Container& container) {
+  add_empty<std::array<int, 4>>("elastic/corners", container);
+  add_empty<double>("elastic/lame", container);
+  add_empty<double>("elastic/shear", container);
+  add_empty<int>("elastic/reach", container);
+  Json content = parse_object(container.content, "", "content");
+  if (content.contains("scene") && content["scene"].contains("tissue")) {
+    content["scene"]["tissue"]["elastic_nodal_share"] = 0.0;
+    content["scene"]["tissue"]["elastic_damping_time"] = 0.0;
+  }
+  container.content = content.dump();
+}
+
+constexpr std::array<Migration, 2> kMigrations = {add_prisms_and_solids, add_linear_solids};
 
 }  // namespace
 

@@ -48,18 +48,29 @@ void take_authored(Arrays& arrays, const std::string& file, Arrays& authored) {
   }
 }
 
+void check_tetrahedra(const std::string& file, const std::string& table,
+                      const std::vector<std::array<int, 4>>& corners, int particles) {
+  for (std::size_t t = 0; t < corners.size(); ++t) {
+    for (const int i : corners[t]) {
+      if (i >= 0 && i < particles) continue;
+      throw FileError(file, "scene/tissue/" + table + "/corners: row " + std::to_string(t),
+                      "particle " + std::to_string(i), "0 to " + std::to_string(particles - 1));
+    }
+  }
+}
+
 /// Fills in what lies around each particle, which no file has. Before that, corners must be
 /// particles: all else is checked with the rest of the tissue.
 void find_around(const std::string& file, TissueModel& tissue) {
   Volumes& volumes = tissue.volumes;
-  for (std::size_t t = 0; t < volumes.corners.size(); ++t) {
-    for (const int i : volumes.corners[t]) {
-      if (i >= 0 && i < particle_count(tissue)) continue;
-      throw FileError(file, "scene/tissue/volumes/corners: row " + std::to_string(t),
-                      "particle " + std::to_string(i),
-                      "0 to " + std::to_string(particle_count(tissue) - 1));
-    }
-  }
+  Elastic& elastic = tissue.elastic;
+  check_tetrahedra(file, "volumes", volumes.corners, particle_count(tissue));
+  check_tetrahedra(file, "elastic", elastic.corners, particle_count(tissue));
+  std::vector<int> reach = std::move(elastic.reach);
+  elastic =
+      build_elastic(particle_count(tissue), std::move(elastic.corners), std::move(elastic.lame),
+                    std::move(elastic.shear), elastic.nodal_share, elastic.damping_time);
+  elastic.reach = std::move(reach);
   volumes =
       build_volumes(particle_count(tissue), std::move(volumes.corners),
                     std::move(volumes.rest_volume), std::move(volumes.bulk), volumes.nodal_share);
@@ -93,7 +104,9 @@ Scenario unpack(Container container, const std::string& file) {
   take_authored(container.arrays, file, scenario.authored_arrays);
   find_around(file, scenario.scene.tissue);
   try {
-    check_built(scenario.scene);
+    const Scene built = check_built(scenario.scene);
+    scenario.scene.kernel = built.kernel;
+    scenario.scene.response = built.response;
   } catch (const std::invalid_argument& problem) {
     refuse(file, problem.what());
   }

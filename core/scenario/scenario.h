@@ -16,6 +16,8 @@ inline constexpr std::size_t kMostTriangles =
     2 * kMostParticles;  ///< of the surface, angles, or prisms
 inline constexpr std::size_t kMostLinks = 3 * kMostParticles;  ///< springs, or bonds
 inline constexpr std::size_t kMostTetrahedra = 2 * kMostParticles;
+/// Of linear solids, whose response is solved for.
+inline constexpr std::size_t kMostElastic = 6000;
 
 /// What a trainee opens: a scene that ticks, what to do with it, and what it was made from.
 struct Scenario {

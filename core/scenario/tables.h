@@ -50,6 +50,16 @@ void visit_volumes(const std::string& name, SomeVolumes& volumes, Visit& visit) 
   visit(name + "/bulk", bulk);
 }
 
+template <class SomeElastic, class Visit>
+void visit_elastic(const std::string& name, SomeElastic& elastic, Visit& visit) {
+  // as of volumes
+  auto& [corners, lame, shear, first_around, around, reach, nodal_share, damping_time] = elastic;
+  visit(name + "/corners", corners);
+  visit(name + "/lame", lame);
+  visit(name + "/shear", shear);
+  visit(name + "/reach", reach);
+}
+
 template <class SomeSkin, class Visit>
 void visit_skin(const std::string& name, SomeSkin& skin, Visit& visit) {
   auto& [corners, weights] = skin;
@@ -61,11 +71,12 @@ void visit_skin(const std::string& name, SomeSkin& skin, Visit& visit) {
 /// not tables: content.cpp has them.
 template <class SomeScene, class Visit>
 void visit_tables(SomeScene& scene, Visit visit) {
-  // kernel and vector target belong to the machine a scene runs on: no file has them
+  // kernel and vector target belong to the machine a scene runs on, and a response is solved for
+  // again: no file has them
   auto& [tissue, tool, coupling, hold_stiffness, gravity, rate, substeps, substeps_max, force_error,
-         kernel, simd_target, rest_areas, spectrum_stiffness, spectrum_damping] = scene;
-  auto& [rest_position, mass, fixed, springs, bonds, angles, prisms, volumes, skin, home, pressure,
-         triangles, drag, damping_law, angle_law] = tissue;
+         kernel, simd_target, rest_areas, spectrum_stiffness, spectrum_damping, response] = scene;
+  auto& [rest_position, mass, fixed, springs, bonds, angles, prisms, volumes, elastic, skin, home,
+         pressure, triangles, drag, damping_law, angle_law] = tissue;
   const std::string t = "scene/tissue/";
   visit(t + "rest_position", rest_position);
   visit(t + "mass", mass);
@@ -75,6 +86,7 @@ void visit_tables(SomeScene& scene, Visit visit) {
   visit_angles(t + "angles", angles, visit);
   visit_prisms(t + "prisms", prisms, visit);
   visit_volumes(t + "volumes", volumes, visit);
+  visit_elastic(t + "elastic", elastic, visit);
   visit_skin(t + "skin", skin, visit);
   visit(t + "home", home);
   visit(t + "triangles", triangles);

@@ -227,9 +227,13 @@ def describe_problem(problem: Problem) -> Report:
 def describe_model(scene: palpate.Scene) -> str:
     tissue = scene.tissue
     links = len(tissue.springs.ends) + len(tissue.bonds.ends)
-    tetrahedra = len(tissue.volumes.corners)
+    tetrahedra = len(palpate.list_tetrahedra(tissue))
     solid = f"{tetrahedra} tetrahedra, " if tetrahedra else ""
+    if scene.response is not None:
+        moves = f"a response of {1e-6 * scene.response.size.bytes:.1f} MB"
+    else:
+        moves = f"{scene.substeps} substeps"
     return (
         f"{len(tissue.mass)} particles, {links} links, {solid}total mass "
-        f"{1e3 * palpate.compute_total_mass(tissue):.1f} g, {scene.substeps} substeps"
+        f"{1e3 * palpate.compute_total_mass(tissue):.1f} g, {moves}"
     )

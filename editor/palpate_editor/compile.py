@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import palpate
 from palpate.scene_file import build_tissue, compile_scene
-from palpate.scene_parts import SceneFile
+from palpate.scene_parts import FILLED, SceneFile
 
 from palpate_editor.document import Organ, Surface
 from palpate_editor.fill import build_filled
@@ -39,7 +39,7 @@ def compile_organ(organ: Organ) -> palpate.Scene:
     """A scene that ticks. Raises ValueError naming what is wrong.
 
     Takes as long as finding the largest eigenvalues does, and filling a solid: some tenths of a
-    second for a large organ, on any thread.
+    second for a large organ, on any thread; a linear solid's response some seconds.
     """
     if organ.surface is None:
         raise ValueError("organ: found no surface, expected an imported mesh")
@@ -48,7 +48,7 @@ def compile_organ(organ: Organ) -> palpate.Scene:
 
 def build_organ(organ: Organ) -> palpate.TissueModel:
     """The tissue alone, of an organ that has a surface. Raises ValueError naming what is wrong."""
-    if organ.model.kind == "solid":
+    if organ.model.kind in FILLED:
         return build_filled(organ)
     assert organ.surface is not None
     return build_tissue(parts_of(organ), mesh_of(organ.surface))

@@ -46,7 +46,9 @@ def build_filled(organ: Organ) -> palpate.TissueModel:
         drag=organ.model.drag,
         damping_law=enumerator(palpate.DampingLaw, "model.damping_law", organ.model.damping_law),
     )
-    model = palpate.build_solid(solid, build_material(organ.material), options)
+    linear = organ.model.kind == "linear_solid"
+    build = palpate.build_linear_solid if linear else palpate.build_solid
+    model = build(solid, build_material(organ.material), options)
     return palpate.cover_with_skin(model, surface)
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import palpate
-from palpate.scene_parts import MaterialPart
+from palpate.scene_parts import FILLED, MaterialPart
 from palpate.verb import Refusal, Report
 
 from palpate_editor.check import compare_with_wall, split_refusal
@@ -105,6 +105,29 @@ def find_solid_limits(
     yield "a Poisson's ratio below 0.25 or above 0.49"
 
 
+def find_linear_limits(
+    organ: Organ, tissue: palpate.TissueModel, wall: WallFit | None
+) -> Iterator[str]:
+    del organ, wall
+    size = palpate.measure_response(tissue)
+    yield (
+        f"presses deeper than {palpate.kShallow:.0%} of the thickness at the place: up to there it "
+        "is within 11 % of neo-Hookean elements, pulled within 15 %; beyond, an alarm stops it"
+    )
+    yield "being turned: it is strained by rotation, so only a body that is held is one"
+    yield "swinging: it follows its loads in the time of its damping, without inertia"
+    yield (
+        f"what is smaller than its {len(tissue.elastic.corners)} tetrahedra: it is as much too "
+        "stiff as they are too coarse, 20 to 44 % under a small patch of two to four thousand "
+        "(core/README.md)"
+    )
+    yield (
+        f"more surface than memory: its response is {1e-6 * size.bytes:.1f} MB of at most "
+        f"{1e-6 * palpate.kMostResponseBytes:.1f}"
+    )
+    yield "a Poisson's ratio below 0.25 or above 0.49"
+
+
 TISSUE_KINDS = (
     Kind(
         "mass_spring van_gelder",
@@ -132,6 +155,7 @@ TISSUE_KINDS = (
     ),
     Kind("shell", "shell of prisms", {"kind": "shell"}, find_shell_limits),
     Kind("solid", "solid, springs and volumes", {"kind": "solid"}, find_solid_limits),
+    Kind("linear_solid", "linear solid", {"kind": "linear_solid"}, find_linear_limits),
 )
 """Every kind whose constants come from tissue."""
 
@@ -169,14 +193,19 @@ def build_kind(organ: Organ, kind: Kind) -> Report:
         "links": len(tissue.springs.ends) + len(tissue.bonds.ends),
         "substeps": max(1, ceil(1.0 / (organ.hand.rate * stable_step))),
         "stable_step_ms": 1e3 * stable_step,
-        "kernel": "packed" if palpate.has_packed_form(tissue) else "reference",
+        "kernel": choose_kernel(tissue),
         "wall": None if wall is None else vars(wall),
         "cannot_represent": list(kind.find_limits(built, tissue, wall)),
     }
 
 
+def choose_kernel(tissue: palpate.TissueModel) -> str:
+    """As build_scene does."""
+    return "packed" if palpate.has_packed_form(tissue) else "response"
+
+
 def find_refused_limits(organ: Organ) -> Iterator[str]:
-    if organ.material.wall_thickness is None and organ.model.kind != "solid":
+    if organ.material.wall_thickness is None and organ.model.kind not in FILLED:
         yield (
             f"a solid: its surface alone answers with about {SURFACE_SHARE:.0%} of the organ's "
             "force, whatever its constants are; a wall needs a thickness"
@@ -188,7 +217,9 @@ def describe_kinds(report: Report) -> str:
 
 
 def describe_kind(row: Report) -> str:
-    if row["built"]:
+    if row["built"] and row["kernel"] == "response":
+        head = f"{row['title']}: {row['particles']} particles, from its precomputed response"
+    elif row["built"]:
         head = (
             f"{row['title']}: {row['particles']} particles, {row['links']} links, "
             f"{row['substeps']} substeps, stable step {row['stable_step_ms']:.3f} ms, "

@@ -313,7 +313,7 @@ HOSTILE: dict[str, tuple[Make, str]] = {
         'found "organ", expected "palpate"',
     ),
     "a newer version": (
-        lambda good: with_manifest(good, set_in("version", 3)),
+        lambda good: with_manifest(good, set_in("version", 4)),
         "the file was made by a newer program",
     ),
     "version 0": (lambda good: with_manifest(good, set_in("version", 0)), "version: found 0"),

@@ -77,7 +77,7 @@ def test_a_look_has_the_fields_of_a_look_or_is_null():
 
 
 CHANGES = {
-    "newer version": set_in("version", 3),
+    "newer version": set_in("version", 4),
     "unknown member": set_in("script", "x"),
     "no title": remove("content|title"),
     "text for a number": set_in("content|scene|rate", "fast"),

@@ -42,8 +42,8 @@ def test_every_kind_of_a_wall_is_built_and_says_what_it_cannot_represent(wall, c
 
     rows = {row["name"]: row for row in report["kinds"]}
     assert list(rows) == [kind.name for kind in TISSUE_KINDS]
-    filled = rows.pop("solid")
-    assert filled["refusal"].startswith("material: wall_thickness: found 2 mm, expected none")
+    for filled in (rows.pop("solid"), rows.pop("linear_solid")):
+        assert filled["refusal"].startswith("material: wall_thickness: found 2 mm, expected none")
     for row in rows.values():
         assert row["built"], row
         assert row["cannot_represent"]
@@ -92,9 +92,13 @@ def test_a_solid_says_why_its_surface_cannot_carry_it(tmp_path, capsys):
         assert "material: wall_thickness: found none" in row["refusal"]
         assert "about 2% of the organ's force" in row["cannot_represent"][0]
     assert not report["kinds"][0]["built"]
-    filled = report["kinds"][-1]
+    filled, linear = report["kinds"][-2:]
     assert filled["name"] == "solid" and filled["built"]
     assert filled["kernel"] == "packed"
+    assert linear["name"] == "linear_solid" and linear["built"]
+    assert linear["kernel"] == "response"
+    limits = " ".join(linear["cannot_represent"])
+    assert "deeper than 15%" in limits and "MB of at most 67.1" in limits
 
 
 def test_in_words_each_kind_has_its_lines(wall, capsys):

@@ -19,6 +19,12 @@ def say_trouble(report: palpate.LoopReport) -> str:
     """Why a run has come to nothing; empty where it has not."""
     if report.fault is not palpate.DeviceFault.none:
         return say_fault(report.fault)
+    if report.alarm.kind is palpate.AlarmKind.pressed_deep:
+        return translate(
+            "Player",
+            "The tissue was pressed deeper than its model is good for, so the force was switched "
+            "off. Press R to start again.",
+        )
     if report.alarm.kind is not palpate.AlarmKind.none:
         words = translate(
             "Player",

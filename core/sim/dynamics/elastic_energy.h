@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/sim/dynamics/elastic_law.h"
 #include "palpate/sim/dynamics/prism_law.h"
 #include "palpate/sim/dynamics/tensions.h"
 #include "palpate/sim/dynamics/volume_law.h"
@@ -70,6 +71,13 @@ double compute_volume_energy(const Volumes& volumes, At at) noexcept {
   return sum;
 }
 
+/// Of a linear solid; see compute_strain_energy.
+template <class At>
+double compute_linear_energy(const TissueModel& model, At at) noexcept {
+  const auto u = [&](int i) noexcept -> Vec3 { return at(i) - model.rest_position[i]; };
+  return compute_strain_energy(model.elastic, model.rest_position, u);
+}
+
 /// h |x - X|² / 2 over all particles, X their places at rest.
 template <class At>
 double compute_home_energy(const TissueModel& model, At at) noexcept {
@@ -80,14 +88,14 @@ double compute_home_energy(const TissueModel& model, At at) noexcept {
   return sum;
 }
 
-/// [J] of springs, bonds, angles, prisms, volumes and home; Eq 10 has no energy.
+/// [J] of springs, bonds, angles, prisms, volumes, linear solids and home; Eq 10 has no energy.
 template <class At>
 double compute_elastic_energy(const TissueModel& model, At at) noexcept {
   const double angles =
       model.angle_law == AngleLaw::gradient ? compute_angle_energy(model.angles, at) : 0.0;
   return compute_link_energy(model.springs, at) + compute_link_energy(model.bonds, at) + angles +
          compute_prism_energy(model.prisms, at) + compute_volume_energy(model.volumes, at) +
-         compute_home_energy(model, at);
+         compute_linear_energy(model, at) + compute_home_energy(model, at);
 }
 
 }  // namespace palpate

@@ -29,6 +29,7 @@ Energy compute_energy(const TissueModel& model, const Vec3& gravity, const State
   if (model.angle_law == AngleLaw::gradient) energy.angles = compute_angle_energy(model.angles, at);
   energy.prisms = compute_prism_energy(model.prisms, at);
   energy.volumes = compute_volume_energy(model.volumes, at);
+  energy.strain = compute_linear_energy(model, at);
   energy.home = compute_home_energy(model, at);
   if (model.pressure != 0.0) {
     energy.pressure = -model.pressure * compute_enclosed_volume(model.triangles, x);

@@ -208,6 +208,7 @@ void compute_forces(const TissueModel& model, const Load& load, std::span<const 
   }
   accumulate_prism_forces(model.prisms, x, v, f);
   accumulate_volume_forces(model.volumes, x, f);
+  accumulate_elastic_forces(model.elastic, model.rest_position, x, v, f);
   accumulate_home_forces(model.home, model.rest_position, x, f);
   if (model.pressure != 0.0) accumulate_pressure_forces(model.triangles, model.pressure, x, f);
   if (load.gravity != Vec3::Zero()) accumulate_gravity(model.mass, load.gravity, f);

@@ -30,6 +30,11 @@ void accumulate_prism_forces(const Prisms& prisms, std::span<const Vec3> x, std:
 void accumulate_volume_forces(const Volumes& volumes, std::span<const Vec3> x,
                               std::span<Vec3> f) noexcept;
 
+/// What resists strain; see Elastic. `rest` [m] are the places at rest.
+void accumulate_elastic_forces(const Elastic& elastic, std::span<const Vec3> rest,
+                               std::span<const Vec3> x, std::span<const Vec3> v,
+                               std::span<Vec3> f) noexcept;
+
 void accumulate_home_forces(std::span<const double> home, std::span<const Vec3> rest,
                             std::span<const Vec3> x, std::span<Vec3> f) noexcept;
 

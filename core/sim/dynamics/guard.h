@@ -13,6 +13,8 @@ enum class AlarmKind {
   collapsed,      ///< index: link; shorter than 0.05 of its rest length, ten looks in a row
   energy,         ///< index: -1; elastic and kinetic energy exceed what was given (SCIENCE 3)
   inverted,       ///< index: tetrahedron; volume below 0.05 of that at rest, ten looks in a row
+  pressed_deep,   ///< index: vertex of the surface; a linear solid moved beyond kShallow [m],
+                  ///< likewise
 };
 
 /// What is wrong with a running tissue, as a value: the haptic thread never throws.

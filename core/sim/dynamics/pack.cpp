@@ -268,6 +268,10 @@ std::vector<std::string> simd_targets() {
 
 PackedModel pack(const TissueModel& model, std::string_view target, PackedOrder order) {
   validate(model);
+  if (!has_packed_form(model)) {
+    refuse("elastic", write_text(model.elastic.corners.size(), " rows"),
+           "none: linear solids have no packed form");
+  }
   PackedModel packed;
   packed.kernels = &find_kernels(target);
   packed.width = packed.kernels->width;

@@ -118,7 +118,7 @@ PackedState::PackedState(const PackedModel& model, const TissueModel& tissue, co
   if (model.skin.pack_count > 0) last_rows = position_rows[0];
 }
 
-bool has_packed_form(const TissueModel&) noexcept { return true; }
+bool has_packed_form(const TissueModel& model) noexcept { return model.elastic.corners.empty(); }
 
 std::string_view simd_target(const PackedModel& model) noexcept {
   return model.kernels ? model.kernels->target : "";

@@ -22,7 +22,7 @@ enum class PackedOrder {
 PackedModel pack(const TissueModel& model, std::string_view target = {},
                  PackedOrder order = PackedOrder::bands);
 
-/// Whether a tissue can be packed, where there is vector code: every tissue can.
+/// Whether a tissue can be packed, where there is vector code: all can but linear solids.
 bool has_packed_form(const TissueModel& model) noexcept;
 
 /// The target a model was packed for.

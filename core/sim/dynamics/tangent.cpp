@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/sim/dynamics/elastic_tangent.h"
 #include "palpate/sim/dynamics/prism_tangent.h"
 #include "palpate/sim/dynamics/tensions.h"
 #include "palpate/sim/dynamics/volume_tangent.h"
@@ -264,6 +265,7 @@ SparseMatrix compute_stiffness(const TissueModel& model, std::span<const Vec3> x
   SparseMatrix stiffness = assembly.build();
   if (!model.prisms.corners.empty()) stiffness += compute_prism_stiffness(model, x, projection);
   if (!model.volumes.corners.empty()) stiffness += compute_volume_stiffness(model, x, projection);
+  if (!model.elastic.corners.empty()) stiffness += compute_elastic_stiffness(model);
   return stiffness;
 }
 
@@ -285,6 +287,9 @@ SparseMatrix compute_damping(const TissueModel& model, std::span<const Vec3> x) 
   }
   SparseMatrix damping = assembly.build();
   if (!model.prisms.corners.empty()) damping += compute_prism_damping(model, x);
+  if (!model.elastic.corners.empty()) {
+    damping += model.elastic.damping_time * compute_elastic_stiffness(model);
+  }
   return damping;
 }
 

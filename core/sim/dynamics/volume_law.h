@@ -37,11 +37,11 @@ inline double measure_volume(const Volumes& volumes, std::size_t t,
   return compute_volume(x[a], x[b], x[c], x[d]);
 }
 
-/// The rows of the tetrahedra around particle i.
-inline std::span<const int> list_around(const Volumes& volumes, std::size_t i) noexcept {
-  const auto first = static_cast<std::size_t>(volumes.first_around[i]);
-  return {volumes.around.data() + first,
-          static_cast<std::size_t>(volumes.first_around[i + 1]) - first};
+/// The rows of the tetrahedra around particle i, of Volumes or Elastic.
+template <class Table>
+std::span<const int> list_around(const Table& table, std::size_t i) noexcept {
+  const auto first = static_cast<std::size_t>(table.first_around[i]);
+  return {table.around.data() + first, static_cast<std::size_t>(table.first_around[i + 1]) - first};
 }
 
 /// The sums over all tetrahedra around a particle.

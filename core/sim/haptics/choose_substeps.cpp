@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "palpate/sim/dynamics/measure_stretch.h"
+#include "palpate/sim/haptics/linear_tick.h"
 
 namespace palpate {
 namespace {
@@ -76,6 +77,7 @@ double count_blow_substeps(double way, const World& world) noexcept {
 /// it opens, or the other way round, is no longer symplectic and pumps a bouncing contact up. They
 /// are taken back one by one once the tool is away, while the tissue calms.
 int choose_substeps(const Scene& scene, double way, double dt, World& world) noexcept {
+  if (world.response) return count_linear_substeps(scene, way, dt, world);
   follow_stretch(world);
   const double fewest = count_free_substeps(scene, dt, world);
   double wanted = std::max(fewest, double(world.substeps - 1));

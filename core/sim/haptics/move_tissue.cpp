@@ -5,6 +5,7 @@
 #include "palpate/sim/dynamics/measure_stretch.h"
 #include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/dynamics/step.h"
+#include "palpate/sim/haptics/linear_tick.h"
 #include "palpate/sim/model/volumes.h"
 
 namespace palpate {
@@ -56,13 +57,17 @@ void add_near(const Scene& scene, int triangle, World& world) noexcept {
   }
 }
 
-/// Brings particles and skin up to date where the tool may touch.
+/// Brings particles up to date where the tool may touch.
 void unpack_near(const TissueModel& tissue, World& world) noexcept {
   for (int n = 0; n < world.near_count; ++n) {
     unpack_particle(*world.packed_model, tissue, world.packed,
                     static_cast<std::size_t>(world.near[static_cast<std::size_t>(n)]),
                     world.tissue);
   }
+}
+
+/// And the skin on them.
+void move_near_skin(const TissueModel& tissue, World& world) noexcept {
   const Vec3Array& x = world.tissue.position;
   for (int n = 0; n < world.near_skin_count; ++n) {
     const auto v = static_cast<std::size_t>(world.near_skin[static_cast<std::size_t>(n)]);
@@ -97,7 +102,7 @@ void refit_tree(World& world) noexcept {
 }
 
 void begin_moving(const Scene& scene, World& world) noexcept {
-  if (!world.packed_model) return;
+  if (!world.packed_model && !world.response) return;
   world.near_count = world.near_skin_count = 0;
   for (int c = 0; c < world.candidates.count; ++c) {
     add_near(scene, world.candidates.triangles[static_cast<std::size_t>(c)], world);
@@ -113,9 +118,15 @@ void begin_moving(const Scene& scene, World& world) noexcept {
 }
 
 double move_tissue(const Scene& scene, double dt, bool last, World& world) noexcept {
+  if (world.response) {
+    move_linear(scene, dt, world);
+    move_near_skin(scene.tissue, world);
+    return 0.0;  // nothing swings, so that there is no energy to account for
+  }
   if (world.packed_model) {
     step(*world.packed_model, world.load, dt, world.packed, last ? &world.measure : nullptr);
     unpack_near(scene.tissue, world);
+    move_near_skin(scene.tissue, world);
   } else {
     step(scene.tissue, world.load, dt, world.tissue);
     move_skin(scene.tissue.skin, world.tissue.position, world.skin);
@@ -124,6 +135,7 @@ double move_tissue(const Scene& scene, double dt, bool last, World& world) noexc
 }
 
 Alarm end_moving(const Scene& scene, double work, World& world) noexcept {
+  if (world.response) return end_linear(scene, world);
   if (!world.packed_model) {
     world.stretch = measure_stretch(scene.tissue, world.tissue.position);
     return check(scene.tissue, scene.gravity, world.tissue, work, world.guard, world.substeps);

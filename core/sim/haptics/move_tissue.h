@@ -5,7 +5,7 @@
 
 namespace palpate {
 
-// The tissue's part of a tick, under either kernel. Between begin and end the packed kernel keeps
+// The tissue's part of a tick, under any kernel. Between begin and end all but the reference keep
 // world.tissue where the tool may touch it and nowhere else.
 
 /// Brings the tree to where the last tick has left the tissue.

@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "palpate/sim/dynamics/follow_motion.h"
-#include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/dynamics/simd_targets.h"
 #include "palpate/sim/dynamics/stable_step.h"
 #include "palpate/sim/model/volumes.h"
@@ -77,6 +76,22 @@ std::vector<double> compute_rest_areas(const TissueModel& tissue) {
   return areas;
 }
 
+/// A linear solid answers from its response, unless the reference is asked for: then its masses
+/// swing as those of any other tissue, and every substep costs a pass over the tetrahedra. Said in
+/// the scene, so that a record tells what ran.
+void choose_kernel(Scene& scene) {
+  scene.response.reset();
+  const bool linear = !scene.tissue.elastic.corners.empty();
+  if (scene.kernel == Kernel::response && !linear) {
+    throw std::invalid_argument(
+        "scene: kernel: got response, expected packed or reference for a tissue that is no linear "
+        "solid");
+  }
+  if (!linear || scene.kernel == Kernel::reference) return;
+  scene.kernel = Kernel::response;
+  scene.response = std::make_shared<const Response>(build_response(scene.tissue, scene.gravity));
+}
+
 }  // namespace
 
 /// Substeps are what stable_step() allows at rest, n = ceil(dt / stable_step). Contact may raise
@@ -84,8 +99,7 @@ std::vector<double> compute_rest_areas(const TissueModel& tissue) {
 /// massless tool yields before a contact gets as stiff as its row sum says (TOOLS section 1).
 Scene build_scene(Scene scene) {
   validate(scene);
-  // said here, so that a record tells the kernel that ran
-  if (!has_packed_form(scene.tissue)) scene.kernel = Kernel::reference;
+  choose_kernel(scene);
   scene.rest_areas = compute_rest_areas(scene.tissue);
   const Spectrum spectrum = estimate_spectrum(scene.tissue);
   scene.spectrum_stiffness = spectrum.stiffness;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "palpate/sim/contact/balance_tool.h"
+#include "palpate/sim/dynamics/response.h"
 #include "palpate/sim/model/tissue_model.h"
 
 namespace palpate {
@@ -12,6 +14,7 @@ namespace palpate {
 enum class Kernel {
   reference,  ///< double, plain, one particle after the other
   packed,     ///< float, in vector code
+  response,   ///< of a linear solid: quasi-static, from its precomputed response
 };
 
 /// A tissue, a tool, and how the hand is coupled to it: all that a tick needs and never changes.
@@ -30,14 +33,15 @@ struct Scene {
   double force_error = 0.0;
 
   /// packed is reference where Palpate has no vector code for this machine; build_scene chooses
-  /// reference for a tissue that has no packed form
+  /// response in its place for a linear solid
   Kernel kernel = Kernel::packed;
   std::string simd_target;  ///< of the packed kernel: one of simd_targets(), empty for the best
 
   // filled in by build_scene
-  std::vector<double> rest_areas;   ///< [m²] per triangle
-  double spectrum_stiffness = 0.0;  ///< [1/s²] largest eigenvalue of M⁻¹K at rest
-  double spectrum_damping = 0.0;    ///< [1/s] of M⁻¹C
+  std::vector<double> rest_areas;            ///< [m²] per triangle
+  double spectrum_stiffness = 0.0;           ///< [1/s²] largest eigenvalue of M⁻¹K at rest
+  double spectrum_damping = 0.0;             ///< [1/s] of M⁻¹C
+  std::shared_ptr<const Response> response;  ///< under the response kernel, else null
 };
 
 /// Checks a scene once and fills in what is derived from it.

@@ -7,6 +7,7 @@
 
 #include "palpate/sim/dynamics/follow_motion.h"
 #include "palpate/sim/dynamics/packed.h"
+#include "palpate/sim/haptics/linear_tick.h"
 #include "palpate/sim/model/volumes.h"
 
 namespace palpate {
@@ -21,6 +22,11 @@ const Scene& validated(const Scene& scene) {
       scene.rest_areas.size() != scene.tissue.triangles.size()) {
     throw std::invalid_argument(
         "world: got a scene whose derived fields are not filled in, expected one from build_scene");
+  }
+  const bool linear = !scene.tissue.elastic.corners.empty();
+  if (linear && scene.kernel != Kernel::reference && !scene.response) {
+    throw std::invalid_argument(
+        "world: got a linear solid without its response, expected a scene from build_scene");
   }
   return scene;
 }
@@ -44,6 +50,13 @@ World::World(const Scene& scene)
       surface_mass(compute_surface_mass(scene.tissue)) {
   load.gravity = scene.gravity;
   move_skin(scene.tissue.skin, tissue.position, skin);
+  if (scene.kernel != Kernel::reference && !scene.tissue.elastic.corners.empty()) {
+    response = scene.response;
+    answer = ResponseState(*response);
+    deepest = compute_shallow_depths(scene.tissue, tree);
+    make_near();
+    return;
+  }
   if (scene.kernel == Kernel::reference || simd_targets().empty() ||
       !has_packed_form(scene.tissue)) {
     return;
@@ -54,15 +67,19 @@ World::World(const Scene& scene)
   packed = PackedState(*packed_model, scene.tissue, tissue);
   tool.lanes =
       ContactLanes(static_cast<int>(scene.tissue.triangles.size()), simd_target(*packed_model));
-  near.resize(scene.tissue.rest_position.size());
-  last_near_at.resize(near.size(), -1);
-  near_skin.resize(skin.size());
-  last_skin_near_at.resize(skin.size(), -1);
+  make_near();
   if (!sleeps) return;
   active = ActiveSet(*packed_model, scene.tissue, load, tissue,
                      derive_active_rule(scene.tissue, scene.tool.radius, scene.force_error),
                      std::max(1, static_cast<int>(std::lround(kPatience * scene.rate))), packed);
   in_tree.assign(static_cast<std::size_t>(packed_model->slice_count), 0);
+}
+
+void World::make_near() {
+  near.resize(tissue.position.size());
+  last_near_at.resize(near.size(), -1);
+  near_skin.resize(skin.size());
+  last_skin_near_at.resize(skin.size(), -1);
 }
 
 }  // namespace palpate

@@ -49,8 +49,15 @@ struct World {
   std::vector<int> near_skin;      ///< vertices of the skin likewise
   int near_skin_count = 0;
   std::vector<long> last_skin_near_at;
+  std::shared_ptr<const Response> response;  ///< the scene's, where that kernel runs
+  ResponseState answer;
+  std::vector<double> deepest;  ///< [m] per vertex of the surface: how far a linear solid may go
+
   ActiveSet active;                    ///< off where the scene allows no error of the force
   std::vector<unsigned char> in_tree;  ///< per slice: moved in the last tick, and the tree follows
+
+ private:
+  void make_near();
 };
 
 /// [m] The vertices of the surface: the skin's, or the particles where there is none.

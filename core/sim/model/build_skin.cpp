@@ -4,6 +4,7 @@
 
 #include "palpate/sim/base/refuse.h"
 #include "palpate/sim/model/build_solid.h"
+#include "palpate/sim/model/volumes.h"
 
 namespace palpate {
 namespace {
@@ -83,10 +84,10 @@ Skin build_skin(const SurfaceMesh& surface, const SolidMesh& solid) {
 }
 
 TissueModel cover_with_skin(TissueModel model, const SurfaceMesh& surface) {
-  if (model.volumes.corners.empty()) {
+  if (list_tetrahedra(model).empty()) {
     refuse("skin: model", "no tetrahedra", "a solid, as build_solid makes it");
   }
-  model.skin = build_skin(surface, {model.rest_position, model.volumes.corners});
+  model.skin = build_skin(surface, {model.rest_position, list_tetrahedra(model)});
   model.triangles = surface.triangles;
   validate(model);
   return model;

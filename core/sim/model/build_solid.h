@@ -43,6 +43,18 @@ inline constexpr double kMostSolidPoisson = 0.49;
 TissueModel build_solid(const SolidMesh& solid, const Material& material,
                         const SolidOptions& options = {});
 
+/// The linear elastic model of the same solid, for shallow presses: Hooke's law in every
+/// tetrahedron, no links. Strain follows stress in the time in which a shear wave passes an edge,
+/// times 2 damping_ratio. Drag and damping law of the options have no part in it.
+/// Throws as build_solid does.
+TissueModel build_linear_solid(const SolidMesh& solid, const Material& material,
+                               const SolidOptions& options = {});
+
+/// The same linear solid for pushes on these vertices of its surface alone, in any order: the
+/// precomputed response has room for no others (response.h), and elsewhere it does not give.
+/// Throws std::invalid_argument for another model, no vertices, or one that is not there.
+TissueModel limit_reach(TissueModel model, const std::vector<int>& surface_vertices);
+
 /// The skin by which `surface` rides on the tetrahedra of a solid: each vertex in the one that it
 /// lies in, or outside of all of them in the nearest.
 Skin build_skin(const SurfaceMesh& surface, const SolidMesh& solid);

@@ -73,6 +73,24 @@ struct Volumes {
   double nodal_share = 0.0;  ///< [-] 0 to 1
 };
 
+/// Tetrahedra of a linear elastic solid, for shallow presses: the strain of each is constant, and
+/// Hooke's law gives its stress. Strain is what displacements from rest have of it to first order,
+/// so that turning a body far strains it.
+///
+/// With theta the trace of the strain, the part 1 - nodal_share of each tetrahedron's lambda acts
+/// on its own theta; the part nodal_share on the mean theta around each of its particles.
+struct Elastic {
+  std::vector<std::array<int, 4>> corners;  ///< particle indices, (b - a) x (c - a) towards d
+  std::vector<double> lame;                 ///< [Pa] lambda, Lamé's first constant
+  std::vector<double> shear;                ///< [Pa] mu
+  std::vector<int> first_around;            ///< as in Volumes; see build_elastic
+  std::vector<int> around;
+  /// particles that pushes may move, ascending; empty for all that carry the surface
+  std::vector<int> reach;
+  double nodal_share = 0.0;   ///< [-] 0 to 1
+  double damping_time = 0.0;  ///< [s] in which strain follows stress (Kelvin-Voigt)
+};
+
 /// How a fine surface rides on coarse tetrahedra. Vertex v of the surface is at the sum over k of
 /// weights[v][k] times the position of particle corners[v][k]. Empty where the particles
 /// themselves are the surface.
@@ -92,6 +110,7 @@ struct TissueModel {
   Angles angles;             ///< molecular model; may be empty
   Prisms prisms;             ///< walls that bend; may be empty
   Volumes volumes;           ///< solids; may be empty
+  Elastic elastic;           ///< linear solids, which have no other law; may be empty
   Skin skin;                 ///< solids under a finer surface; may be empty
   std::vector<double> home;  ///< [N/m] pull of each particle to its rest; may be empty
   double pressure = 0.0;     ///< [Pa] inside above outside; 0 where there is a skin

@@ -5,27 +5,50 @@
 
 namespace palpate {
 
+namespace {
+
+/// Fills in a table's `first_around` and `around` from its corners.
+template <class Table>
+void find_around(int particle_count, Table& table) {
+  if (table.corners.empty()) return;
+  table.first_around.assign(static_cast<std::size_t>(particle_count) + 1, 0);
+  for (const auto& row : table.corners) {
+    for (const int i : row) ++table.first_around[static_cast<std::size_t>(i) + 1];
+  }
+  for (std::size_t i = 1; i < table.first_around.size(); ++i) {
+    table.first_around[i] += table.first_around[i - 1];
+  }
+  table.around.resize(4 * table.corners.size());
+  std::vector<int> next = table.first_around;
+  for (std::size_t t = 0; t < table.corners.size(); ++t) {
+    for (const int i : table.corners[t]) {
+      table.around[static_cast<std::size_t>(next[static_cast<std::size_t>(i)]++)] =
+          static_cast<int>(t);
+    }
+  }
+}
+
+}  // namespace
+
 Volumes build_volumes(int particle_count, std::vector<std::array<int, 4>> corners,
                       std::vector<double> rest_volume, std::vector<double> bulk,
                       double nodal_share) {
   Volumes volumes{std::move(corners), std::move(rest_volume), std::move(bulk), {}, {}, nodal_share};
-  if (volumes.corners.empty()) return volumes;
-  volumes.first_around.assign(static_cast<std::size_t>(particle_count) + 1, 0);
-  for (const auto& row : volumes.corners) {
-    for (const int i : row) ++volumes.first_around[static_cast<std::size_t>(i) + 1];
-  }
-  for (std::size_t i = 1; i < volumes.first_around.size(); ++i) {
-    volumes.first_around[i] += volumes.first_around[i - 1];
-  }
-  volumes.around.resize(4 * volumes.corners.size());
-  std::vector<int> next = volumes.first_around;
-  for (std::size_t t = 0; t < volumes.corners.size(); ++t) {
-    for (const int i : volumes.corners[t]) {
-      volumes.around[static_cast<std::size_t>(next[static_cast<std::size_t>(i)]++)] =
-          static_cast<int>(t);
-    }
-  }
+  find_around(particle_count, volumes);
   return volumes;
+}
+
+Elastic build_elastic(int particle_count, std::vector<std::array<int, 4>> corners,
+                      std::vector<double> lame, std::vector<double> shear, double nodal_share,
+                      double damping_time) {
+  Elastic elastic;
+  elastic.corners = std::move(corners);
+  elastic.lame = std::move(lame);
+  elastic.shear = std::move(shear);
+  elastic.nodal_share = nodal_share;
+  elastic.damping_time = damping_time;
+  find_around(particle_count, elastic);
+  return elastic;
 }
 
 void move_skin(const Skin& skin, std::span<const Vec3> x, std::span<Vec3> surface) noexcept {

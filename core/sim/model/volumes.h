@@ -13,6 +13,16 @@ Volumes build_volumes(int particle_count, std::vector<std::array<int, 4>> corner
                       std::vector<double> rest_volume, std::vector<double> bulk,
                       double nodal_share = 0.0);
 
+/// A linear solid's table likewise; pushes reach all of its surface.
+Elastic build_elastic(int particle_count, std::vector<std::array<int, 4>> corners,
+                      std::vector<double> lame, std::vector<double> shear, double nodal_share = 0.0,
+                      double damping_time = 0.0);
+
+/// Tetrahedra of a solid of either law: those of its volumes, or of its elastic table.
+inline const std::vector<std::array<int, 4>>& list_tetrahedra(const TissueModel& model) noexcept {
+  return model.elastic.corners.empty() ? model.volumes.corners : model.elastic.corners;
+}
+
 /// Sets `surface` [m] to where the vertices of a surface are that rides on particles at x [m].
 void move_skin(const Skin& skin, std::span<const Vec3> x, std::span<Vec3> surface) noexcept;
 

@@ -69,11 +69,19 @@ class Constant:
         return phrase(template, low=low, high=high, unit=unit)
 
 
-SHORT_KINDS = {"mss": "mass_spring", "mms": "molecular", "shell": "shell", "solid": "solid"}
+SHORT_KINDS = {
+    "mss": "mass_spring",
+    "mms": "molecular",
+    "shell": "shell",
+    "solid": "solid",
+    "linear": "linear_solid",
+}
 """What the command line calls them."""
 MOLECULAR = ("molecular",)
 SURFACES = ("mass_spring", "molecular")
 HOLLOW = (*SURFACES, "shell")
+SWINGING = (*HOLLOW, "solid")
+"""A linear solid is always at rest under its loads, but for the time its damping takes."""
 ANY = -math.inf
 
 CONSTANTS = (
@@ -122,14 +130,22 @@ CONSTANTS = (
         kinds=HOLLOW,
     ),
     Constant("model", "pressure", "Pressure", "kPa", scale=1e3, least=ANY, kinds=HOLLOW),
-    Constant("model", "drag", "Drag", "1/s", above=False),
+    Constant("model", "drag", "Drag", "1/s", above=False, kinds=SWINGING),
     Constant("tool", "radius", "Tip radius", "mm", scale=1e-3),
     Constant("tool", "stiffness", "Contact stiffness", "N/mm³", scale=1e9),
     Constant("hand", "coupling", "Hand coupling", "N/m"),
     Constant("hand", "force_max", "Largest force", "N"),
     Constant("hand", "hold_stiffness", "Grip stiffness", "N/m"),
     Constant("hand", "rate", "Tick rate", "Hz"),
-    Constant("hand", "force_error", "Allowed force error", "mN", scale=1e-3, above=False),
+    Constant(
+        "hand",
+        "force_error",
+        "Allowed force error",
+        "mN",
+        scale=1e-3,
+        above=False,
+        kinds=SWINGING,
+    ),
 )
 """In the order in which a form shows them."""
 
@@ -148,6 +164,8 @@ def counts_choice(field: str, model: ModelPart) -> bool:
         return model.kind == "molecular"
     if field == "constants":
         return model.kind in SURFACES
+    if field == "damping_law":
+        return model.kind in SWINGING
     if field == "spring_rule":
         return model.kind == "mass_spring" and model.constants == "tissue"
     return True

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from palpate.scene_parts import FILLED
+
 from palpate_editor.document.constants import CHOICES, CONSTANTS
 from palpate_editor.document.organ import Organ
 from palpate_editor.document.phrase import phrase
@@ -103,7 +105,7 @@ def find_support_problems(organ: Organ) -> Iterator[Problem]:
     # a builder's own choice is none for a solid, and for a wall that bends
     none_of_its_own = organ.material.wall_thickness is None or organ.model.kind == "shell"
     no_home = home == 0.0 or (home is None and none_of_its_own)
-    no_home |= organ.model.kind == "solid"
+    no_home |= organ.model.kind in FILLED
     if no_home and not organ.fixed.any():
         yield Problem(
             "loose",

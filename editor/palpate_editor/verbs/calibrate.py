@@ -10,6 +10,7 @@ from pathlib import Path
 
 import palpate
 from palpate.press import find_place, find_top
+from palpate.scene_parts import FILLED
 from palpate.study.calibrate import Fit, NotFitted, fit_factors
 from palpate.study.curve import Curve, read_curve
 from palpate.study.fit_plot import save_fit_plot
@@ -28,7 +29,7 @@ TISSUE = (("material", "young_modulus"),)
 HOME = (("model", "home_stiffness"),)
 FITS = ("all", "springs", "home", "both")
 """What --fit names: one factor of everything elastic, of one part of it, or one of each part."""
-FROM_TISSUE = ("shell", "solid")
+FROM_TISSUE = ("shell", *FILLED)
 """Kinds whose constants always come from the material."""
 
 Field = tuple[str, str]
@@ -90,7 +91,7 @@ def prepare(call: argparse.Namespace) -> Organ:
     organ = open_any(call.file)
     if organ.surface is None:
         raise Refusal(call.file, "organ", "no surface", "an imported mesh")
-    if organ.model.home_stiffness is None and organ.model.kind != "solid":
+    if organ.model.home_stiffness is None and organ.model.kind not in FILLED:
         material = palpate.Material(**asdict(organ.material))
         usual = palpate.default_home_stiffness(mesh_of(organ.surface), material)
         organ = replace(organ, model=replace(organ.model, home_stiffness=usual))

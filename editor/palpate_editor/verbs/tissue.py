@@ -9,6 +9,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 import palpate
+from palpate.scene_parts import FILLED
 from palpate.verb import Refusal, Report, Verb, quantity
 
 from palpate_editor.check import describe_model, split_refusal
@@ -74,7 +75,7 @@ def add_material(word: argparse.ArgumentParser) -> None:
     word.add_argument(
         "--kind",
         choices=tuple(SHORT_KINDS),
-        help="mass-spring, molecular, shell of prisms, or solid",
+        help="mass-spring, molecular, shell of prisms, solid, or linear solid (shallow presses)",
     )
     for constant in CONSTANTS:
         option, unit = OPTIONS[constant.key]
@@ -137,7 +138,7 @@ def run_material(call: argparse.Namespace) -> Report:
     organ = set_constants(call, open_any(call.file))
     if call.out is None:
         return {"out": None, **compare_kinds(organ, call.file)}
-    if organ.model.kind == "solid" and call.out.suffix != ".organ":
+    if organ.model.kind in FILLED and call.out.suffix != ".organ":
         raise Refusal(
             call.file,
             "--out",
@@ -162,7 +163,8 @@ def run_material(call: argparse.Namespace) -> Report:
         "springs": len(tissue.springs.ends),
         "bonds": len(tissue.bonds.ends),
         "angles": 3 * len(tissue.angles.corners),
-        "tetrahedra": len(tissue.volumes.corners),
+        "tetrahedra": len(palpate.list_tetrahedra(tissue)),
+        "response_bytes": compiled.response.size.bytes if compiled.response else None,
         "fixed": len(tissue.fixed),
         "total_mass_g": 1e3 * palpate.compute_total_mass(tissue),
         "stable_step_ms": 1e3 * palpate.stable_step(tissue),
@@ -174,10 +176,10 @@ def run_material(call: argparse.Namespace) -> Report:
 def describe_material(report: Report) -> str:
     if report["out"] is None:
         return describe_kinds(report)
-    return (
-        f"wrote {report['out']}: {report['description']}, {report['fixed']} fixed, stable step "
-        f"{report['stable_step_ms']:.3f} ms"
-    )
+    written = f"wrote {report['out']}: {report['description']}, {report['fixed']} fixed"
+    if report["response_bytes"] is not None:  # nothing of it swings
+        return written
+    return f"{written}, stable step {report['stable_step_ms']:.3f} ms"
 
 
 VERBS = [

@@ -67,7 +67,13 @@ class SceneTree(QTreeWidget):
             self.add(top, tr("Imported"), words, "mesh", "decimate")
         words = tr("{vertices} vertices").format(vertices=count(organ.vertex_count))
         self.add(top, tr("Surface"), words, "mesh", "decimate")
-        kinds = {"mass_spring": "MSS", "molecular": "MMS", "shell": tr("Shell"), "solid": "MSS+V"}
+        kinds = {
+            "mass_spring": "MSS",
+            "molecular": "MMS",
+            "shell": tr("Shell"),
+            "solid": "MSS+V",
+            "linear_solid": tr("Linear solid"),
+        }
         chosen = (
             organ.model.kind in ("mass_spring", "molecular") and organ.model.constants == "chosen"
         )

@@ -1201,6 +1201,14 @@
         <translation>Prizmalardan kabuk</translation>
     </message>
     <message>
+        <source>Linear solid</source>
+        <translation>Doğrusal dolu cisim</translation>
+    </message>
+    <message>
+        <source>Linear solid, shallow presses</source>
+        <translation>Doğrusal dolu cisim, sığ bastırma</translation>
+    </message>
+    <message>
         <source>Solid (MSS+V)</source>
         <translation>Dolu cisim (MSS+V)</translation>
     </message>
@@ -1453,6 +1461,10 @@
         <translation>En uzun kararlı adımın payı olarak zaman adımı: % 100'ün ötesinde doku patlar. Alt adımlar bunun altında kalacak biçimde seçilir.</translation>
     </message>
     <message>
+        <source>After {time:.2f} s the tissue was moved by {way:.1f} mm; there a linear solid is good for {limit:.1f} mm, and the run was stopped. A solid (MSS+V) goes deeper.</source>
+        <translation>{time:.2f} s sonra doku {way:.1f} mm yer değiştirdi; orada doğrusal dolu cisim {limit:.1f} mm için geçerlidir, çalışma durduruldu. Dolu cisim (MSS+V) daha derine gider.</translation>
+    </message>
+    <message>
         <source>The tissue blew up after {time:.2f} s ({what}): the run was stopped. Softer springs, more damping or a larger mass hold it together.</source>
         <translation>Doku {time:.2f} s sonra patladı ({what}): çalışma durduruldu. Daha yumuşak yaylar, daha çok sönüm ya da daha büyük kütle onu bir arada tutar.</translation>
     </message>
@@ -1671,6 +1683,18 @@
     <message>
         <source>Write one file that a trainee can open and feel.</source>
         <translation>Eğitim görenin açıp dokunabileceği tek bir dosya yazın.</translation>
+    </message>
+    <message>
+        <source>Its response</source>
+        <translation>Tepkisi</translation>
+    </message>
+    <message>
+        <source>Young's modulus and Poisson's ratio give springs and volumes their constants; nothing else need be chosen.</source>
+        <translation>Young modülü ve Poisson oranı yayların ve hacimlerin sabitlerini verir; başka bir şey seçmek gerekmez.</translation>
+    </message>
+    <message>
+        <source>Young's modulus and Poisson's ratio are its law. It is good for presses of up to {share} % of the thickness; a deeper one ends the run.</source>
+        <translation>Yasasını Young modülü ve Poisson oranı verir. Kalınlığın %{share} kadarına varan bastırmalar için geçerlidir; daha derini çalışmayı bitirir.</translation>
     </message>
     <message>
         <source>Young's modulus, Poisson's ratio and the wall's thickness give every spring and bond its constants. Choose them by hand to go on from there.</source>

@@ -104,6 +104,10 @@
         <translation>Doku %1 s sonra kararsızlaştı (%2), bu nedenle kuvvet kapatıldı. Yeniden başlamak için R tuşuna basın.</translation>
     </message>
     <message>
+        <source>The tissue was pressed deeper than its model is good for, so the force was switched off. Press R to start again.</source>
+        <translation>Doku, modelinin geçerli olduğundan daha derine bastırıldı; kuvvet kapatıldı. Yeniden başlamak için R tuşuna basın.</translation>
+    </message>
+    <message>
         <source>The device reported a position that is not a number, so its force was switched off. Check its cable, then press R to start again.</source>
         <translation>Cihaz sayı olmayan bir konum bildirdi, bu nedenle kuvveti kapatıldı. Kablosunu denetleyin, sonra yeniden başlamak için R tuşuna basın.</translation>
     </message>

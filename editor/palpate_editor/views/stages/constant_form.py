@@ -33,6 +33,7 @@ def choice_words(value: str) -> str:
         "van_gelder": tr("Van Gelder"),
         "lloyd": tr("Lloyd"),
         "solid": tr("Solid (MSS+V)"),
+        "linear_solid": tr("Linear solid, shallow presses"),
         "gradient": tr("Energy gradient (Eq 9, 11)"),
         "eq10": tr("Opposite edge (Eq 10)"),
         "axis": tr("Along the link"),

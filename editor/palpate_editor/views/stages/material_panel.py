@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from math import isfinite
 
 import numpy as np
+import palpate
 from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QHBoxLayout, QPushButton, QVBoxLayout
 
 from palpate_editor.document import Organ
@@ -64,6 +65,16 @@ def say_origin(organ: Organ) -> str:
         return tr(
             "These five give the wall its stretching and its bending; nothing else need be chosen."
         )
+    if organ.model.kind == "solid":
+        return tr(
+            "Young's modulus and Poisson's ratio give springs and volumes their constants; nothing "
+            "else need be chosen."
+        )
+    if organ.model.kind == "linear_solid":
+        return tr(
+            "Young's modulus and Poisson's ratio are its law. It is good for presses of up to "
+            "{share} % of the thickness; a deeper one ends the run."
+        ).format(share=f"{100 * palpate.kShallow:.0f}")
     if organ.model.constants == "tissue":
         return tr(
             "Young's modulus, Poisson's ratio and the wall's thickness give every spring and bond "
@@ -199,8 +210,12 @@ class MaterialPanel(StagePanel):
         assert assessment is not None and assessment.tissue is not None
         tissue, share = assessment.tissue, assessment.tick_share
         mass, step = tissue.total_mass, tissue.stable_step
-        rows: list[Fact] = [
-            (tr("Total mass"), quantity(None if mass is None else 1e3 * mass, "g")),
+        rows: list[Fact] = [(tr("Total mass"), quantity(None if mass is None else 1e3 * mass, "g"))]
+        scene = assessment.scene
+        if scene is not None and scene.response is not None:  # nothing of it swings
+            memory = quantity(1e-6 * scene.response.size.bytes, "MB", 3)
+            return [*rows, (tr("Its response"), memory)]
+        rows += [
             (tr("Links"), count(tissue.links)),
             (tr("Substeps a tick"), count(tissue.substeps)),
             (tr("Longest stable step"), quantity(None if step is None else 1e3 * step, "ms", 3)),

@@ -88,6 +88,7 @@ class PublishPanel(StagePanel):
             "molecular": tr("Molecular"),
             "shell": tr("Shell of prisms"),
             "solid": tr("Solid"),
+            "linear_solid": tr("Linear solid"),
         }
         mass = tissue.total_mass if tissue else None
         self.facts.show_facts(

@@ -139,6 +139,13 @@ def round_up(value: float) -> float:
 
 def describe_end(report: palpate.LoopReport) -> str | None:
     """Why a run did not end well, in a sentence; None where it did."""
+    if report.alarm.kind == palpate.AlarmKind.pressed_deep:
+        return tr(
+            "After {time:.2f} s the tissue was moved by {way:.1f} mm; there a linear solid is good "
+            "for {limit:.1f} mm, and the run was stopped. A solid (MSS+V) goes deeper."
+        ).format(
+            time=report.alarm.time, way=1e3 * report.alarm.value, limit=1e3 * report.alarm.limit
+        )
     if report.alarm.kind != palpate.AlarmKind.none:
         return tr(
             "The tissue blew up after {time:.2f} s ({what}): the run was stopped. Softer springs, "

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/haptics/linear_tick.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "palpate/sim/contact/queries.h"
+#include "palpate/sim/dynamics/alarms.h"
+#include "palpate/sim/dynamics/relax.h"
+#include "palpate/sim/model/volumes.h"
+
+namespace palpate {
+namespace {
+
+/// [m] by which a ray through the tissue begins below the surface.
+constexpr double kBelow = 1e-5;
+
+/// Substeps in contact: what three Newton steps of the tool leave over shall not lag
+/// (choose_substeps).
+constexpr double kFewestInContact = 3.0;
+
+/// Substeps in which the hand comes as far as the tool's radius.
+constexpr double kSubstepsPerRadius = 8.0;
+
+/// Ticks in a row in which a press must be too deep: as many as for any strain (guard.cpp).
+constexpr int kDeepLooks = 10;
+
+Vec3Array compute_normals(const TissueModel& tissue, const Vec3Array& x) {
+  Vec3Array normals(x.size(), Vec3::Zero());
+  for (const auto& [a, b, c] : tissue.triangles) {
+    const Vec3 normal = (x[b] - x[a]).cross(x[c] - x[a]);
+    normals[a] += normal;
+    normals[b] += normal;
+    normals[c] += normal;
+  }
+  for (Vec3& normal : normals) normal.normalize();
+  return normals;
+}
+
+/// [-] How many times as stiff as the tissue the contacts are, from above: with K_c = sum of
+/// k_t w_t w_tᵀ over contacts and holds, the largest eigenvalue of G K_c is at most its trace, and
+/// that at most the sum of k_t w_tv c_v over vertices, c_v their softness, for w_t sums to 1.
+double bound_contact_share(const Scene& scene, World& world) noexcept {
+  const std::vector<Triangle>& triangles = scene.tissue.triangles;
+  bound_contact_stiffness(scene.tool, world.candidates, triangles, surface_position(world),
+                          world.surface_mass, world.tool, world.scratch);
+  double sum = 0.0;
+  const auto take = [&](int triangle) noexcept {
+    for (const int vertex : triangles[static_cast<std::size_t>(triangle)]) {
+      const auto v = static_cast<std::size_t>(vertex);
+      sum += world.scratch[v] * world.response->softness[v];
+      world.scratch[v] = 0.0;
+    }
+  };
+  for (int c = 0; c < world.candidates.count; ++c) {
+    take(world.candidates.triangles[static_cast<std::size_t>(c)]);
+  }
+  for (int h = 0; h < world.tool.hold_count; ++h) {
+    take(world.tool.holds[static_cast<std::size_t>(h)].triangle);
+  }
+  return sum;
+}
+
+/// The tissue goes the share s of the way to where the pushes hold it, while these take back up to
+/// k of what it goes: stable below s = 2/(1 + k), and without overshoot up to 1/(1 + k). Where
+/// that is less than damping asks for, there is more damping.
+double choose_share(double dt, double contact, double damping_time) noexcept {
+  const double damped = damping_time > 0.0 ? 1.0 - std::exp(-dt / damping_time) : 1.0;
+  return std::min(damped, 1.0 / (1.0 + contact));
+}
+
+/// [m] of a vertex of the surface from where it was at rest.
+double measure_way(const TissueModel& tissue, const World& world, int vertex) noexcept {
+  const auto v = static_cast<std::size_t>(vertex);
+  const Vec3Array& rest = tissue.rest_position;
+  if (tissue.skin.corners.empty()) return (world.tissue.position[v] - rest[v]).norm();
+  const auto& [a, b, c, d] = tissue.skin.corners[v];
+  const auto& w = tissue.skin.weights[v];
+  return (world.skin[v] - (w[0] * rest[a] + w[1] * rest[b] + w[2] * rest[c] + w[3] * rest[d]))
+      .norm();
+}
+
+/// What is pushed farthest of where it may be.
+Alarm find_deepest(const Scene& scene, const World& world) noexcept {
+  Alarm alarm;
+  double worst = 1.0;
+  for (const Push& push : world.load.pushes()) {
+    for (const int v : scene.tissue.triangles[static_cast<std::size_t>(push.triangle)]) {
+      const double way = measure_way(scene.tissue, world, v);
+      const double limit = world.deepest[static_cast<std::size_t>(v)];
+      if (!(way > worst * limit)) continue;
+      worst = way / limit;
+      alarm = {AlarmKind::pressed_deep, v, way, limit};
+    }
+  }
+  return alarm;
+}
+
+}  // namespace
+
+std::vector<double> compute_shallow_depths(const TissueModel& tissue, const AabbTree& tree) {
+  const Vec3Array x = compute_surface(tissue, tissue.rest_position);
+  const Vec3Array normals = compute_normals(tissue, x);
+  std::vector<double> depths(x.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t v = 0; v < x.size(); ++v) {
+    if (!normals[v].allFinite()) continue;
+    const auto hit = find_ray_hit(tree, x, x[v] - kBelow * normals[v], -normals[v]);
+    if (hit) depths[v] = kShallow * (hit->distance + kBelow);
+  }
+  return depths;
+}
+
+int count_linear_substeps(const Scene& scene, double way, double dt, World& world) noexcept {
+  if (world.candidates.count == 0 && world.tool.hold_count == 0) return 1;
+  const double tau = world.response->damping_time;
+  const double contact = bound_contact_share(scene, world);
+  const double most = scene.substeps_max;
+  const double damped = tau > 0.0 ? std::ceil(dt / tau * (1.0 + contact)) : most;
+  const double blow = std::ceil(kSubstepsPerRadius * way / scene.tool.radius);
+  const double wanted = std::max({kFewestInContact, damped, blow});
+  return static_cast<int>(std::min(wanted, most));
+}
+
+void move_linear(const Scene& scene, double dt, World& world) noexcept {
+  const Response& response = *world.response;
+  const double contact = bound_contact_share(scene, world);
+  relax(response, scene.tissue, world.load, choose_share(dt, contact, response.damping_time),
+        world.answer);
+  place_near(response, scene.tissue, world.answer,
+             std::span(world.near).first(static_cast<std::size_t>(world.near_count)),
+             world.tissue.position);
+  world.tissue.time += dt;
+}
+
+Alarm end_linear(const Scene& scene, World& world) noexcept {
+  settle(*world.response, scene.tissue, world.answer, world.tissue.position);
+  move_skin(scene.tissue.skin, world.tissue.position, world.skin);
+  Alarm alarm = check_particles(world.tissue, world.guard, 1);
+  if (!alarm) {
+    const Alarm deep = find_deepest(scene, world);
+    world.guard.strained_looks = deep ? world.guard.strained_looks + 1 : 0;
+    if (world.guard.strained_looks >= kDeepLooks) alarm = deep;
+  }
+  if (alarm) {
+    alarm.time = world.tissue.time;
+  } else {
+    std::copy(world.tissue.position.begin(), world.tissue.position.end(),
+              world.guard.last_position.begin());
+  }
+  return alarm;
+}
+
+}  // namespace palpate

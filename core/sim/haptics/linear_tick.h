@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/sim/haptics/world.h"
+
+namespace palpate {
+
+// A linear solid's part of a tick, under the response kernel.
+
+/// [m] per vertex of the surface: how far it may be moved, kShallow of what lies under it along its
+/// normal; infinite where nothing does. `tree` of the surface at rest.
+std::vector<double> compute_shallow_depths(const TissueModel& tissue, const AabbTree& tree);
+
+/// How many substeps the coming tick of dt [s] has; `way` [m] is how far the hand has come.
+int count_linear_substeps(const Scene& scene, double way, double dt, World& world) noexcept;
+
+/// One substep of dt [s] under world.load; only what the tool may touch is brought up to date.
+void move_linear(const Scene& scene, double dt, World& world) noexcept;
+
+/// Brings all of world.tissue up to date and looks whether the press is still shallow.
+Alarm end_linear(const Scene& scene, World& world) noexcept;
+
+}  // namespace palpate
