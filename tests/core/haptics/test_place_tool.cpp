@@ -80,5 +80,5 @@ TEST_CASE("a hand that leaves the organ it began in, at a metre a second, tears 
 
   CHECK_FALSE(world.alarm);
   CHECK(world.tool.placed);
-  CHECK(strongest == 0.0);
+  CHECK(strongest < 0.5);  // [N] of a tool that begins by touching
 }

@@ -127,9 +127,10 @@ TEST_CASE(
     for (int k = 1700; k < 2200; ++k) sum += forces[static_cast<std::size_t>(k)] / 500.0;
     return sum;
   };
-  std::printf("at rest on the gallbladder: ideal %.3f N, commanded %.3f N, applied %.3f N; "
-              "local law up to %.0f N/m\n",
-              mean(felt.ideal), mean(felt.commanded), mean(felt.applied), local);
+  std::printf(
+      "at rest on the gallbladder: ideal %.3f N, commanded %.3f N, applied %.3f N; "
+      "local law up to %.0f N/m\n",
+      mean(felt.ideal), mean(felt.commanded), mean(felt.applied), local);
   CHECK(mean(felt.ideal) > 0.1);
   CHECK(mean(felt.commanded) >
         0.5 * mean(felt.ideal));  // the hand gives way, an ideal one does not
