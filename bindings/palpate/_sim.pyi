@@ -617,6 +617,8 @@ class AabbTree:
     def __copy__(self) -> AabbTree: ...
     def __deepcopy__(self, memo: dict[int, object]) -> AabbTree: ...
 
+def compute_query_cost(tree: AabbTree) -> float: ...
+
 class SurfacePoint:
     @property
     def triangle(self) -> int: ...
@@ -859,6 +861,7 @@ class HappeningKind(enum.IntEnum):
     attached = 5
     released = 6
     paused = 7
+    tree_exchanged = 8
 
 class Happening:
     def __init__(
