@@ -149,6 +149,12 @@ def test_the_tree_follows_the_surface():
     assert tree.nodes()["low"][0].min(axis=1) == pytest.approx([0.0, 0.0, 0.1])
 
 
+def test_a_query_of_one_triangle_visits_a_node_and_a_leaf():
+    tree = palpate.AabbTree([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])
+
+    assert palpate.compute_query_cost(tree) == pytest.approx(2.0)
+
+
 def test_inside_and_outside_are_told_by_the_winding_number():
     mesh = ellipsoid((0.03, 0.025, 0.02), 2)
 
