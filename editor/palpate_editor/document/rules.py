@@ -18,9 +18,10 @@ ANGLE_LEAST = 15.0
 """[degree] Needles make a model stiff and its stretch-bend range collapse (SCIENCE 1.7)."""
 TICK_SHARE = 0.7
 """[-] of a tick that may be spent on the tissue; the rest is for the hand and the machine."""
-SUBSTEP_COST = {"mass_spring": 30e-9, "molecular": 100e-9, "shell": 1500e-9}
-"""[s] per vertex on the reference machine (./run bench: mss_step and mms_step over vertices). A
-solid costs by its tetrahedra, which are always about as many."""
+SUBSTEP_COST = {"mass_spring": 10e-9, "molecular": 16e-9, "shell": 65e-9}
+"""[s] per vertex on the reference machine, all of a pressed tick over its substeps (./run bench:
+mss_dashpot_tick and mms_dashpot_tick). A solid costs by its tetrahedra, which are always about as
+many."""
 SUBSTEPS_IN_CONTACT = 3
 """A touched tissue takes at least as many (core/sim/haptics/tick.cpp)."""
 
