@@ -119,8 +119,8 @@ def find_linear_limits(
     yield "swinging: it follows its loads in the time of its damping, without inertia"
     yield (
         f"what is smaller than its {len(tissue.elastic.corners)} tetrahedra: it is as much too "
-        "stiff as they are too coarse, 20 to 44 % under a small patch of two to four thousand "
-        "(core/README.md)"
+        "stiff as they are too coarse, 20 to 44 % under a small patch where there are two to four "
+        "thousand (core/README.md)"
     )
     yield (
         f"more surface than memory: its response is {1e-6 * size.bytes:.1f} MB of at most "
