@@ -112,14 +112,14 @@ def find_linear_limits(
     size = palpate.measure_response(tissue)
     yield (
         f"presses deeper than {palpate.kShallow:.0%} of the thickness at the place: up to there it "
-        "is within 11 % of neo-Hookean elements, pulled within 15 %; beyond, an alarm stops it"
+        "is within 12 % of neo-Hookean elements, 22 % at a pointed end; beyond, an alarm stops it"
     )
     yield "being turned: it is strained by rotation, so only a body that is held is one"
     yield "swinging: it follows its loads in the time of its damping, without inertia"
     yield (
         f"what is smaller than its {len(tissue.elastic.corners)} tetrahedra: it is as much too "
-        "stiff as they are too coarse, 20 to 44 % under a small patch of two to four thousand "
-        "(core/README.md)"
+        "stiff as they are too coarse, 18 to 45 % under a small patch where there are two to four "
+        "thousand (core/README.md)"
     )
     yield (
         f"more surface than memory: its response is {1e-6 * size.bytes:.1f} MB of at most "

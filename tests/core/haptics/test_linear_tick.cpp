@@ -3,6 +3,7 @@
 
 #include "calls.h"
 #include "core/model/refusal.h"
+#include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/haptics/tick.h"
 #include "palpate/sim/model/volumes.h"
 #include "scenes/linear_solids.h"
@@ -61,6 +62,9 @@ TEST_CASE("a linear solid runs from its response, unless the reference is asked 
   CHECK(scene.response->size.bytes > 0);
   CHECK(reference.kernel == Kernel::reference);
   CHECK(reference.response == nullptr);
+  CHECK(!has_packed_form(scene.tissue));
+  CHECK(find_refusal([&] { pack(scene.tissue); }) ==
+        "elastic: found 750 rows, expected none: linear solids have no packed form");
   Scene springs;
   springs.kernel = Kernel::response;
   springs.tissue = scenes::make_solid_organ(2, 0.0);

@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 from hands import child, click, type_into
 from palpate_editor.document.constants import CONSTANTS
-from palpate_editor.edits import SetChoice, SetConstant
+from palpate_editor.edits import FixLowest, SetChoice, SetConstant
 from palpate_editor.views.quantity_box import QuantityBox, read_number, write_number
 from patience import settle
 from PySide6.QtCore import Qt
@@ -127,6 +127,21 @@ def test_a_coupling_that_no_triangle_can_take_says_which_it_can(panel, qtbot):
     click(row.button)
     settle(qtbot, window)
     assert panel.desk.assessment.scene is not None
+
+
+def test_a_linear_solid_tells_its_memory_and_asks_for_nothing_that_swings(panel, qtbot):
+    window = panel.window()
+    window.desk.apply(FixLowest(0.2))
+
+    choose(panel, "model.kind", "linear_solid")
+    settle(qtbot, window)
+
+    words = panel.facts.words()
+    assert list(words) == ["Total mass", "Its response"]
+    assert words["Its response"].endswith("MB")
+    assert not panel.links.isVisible()
+    assert "up to 15 % of the thickness" in panel.origin_note.text()
+    assert "--kind linear" in window.log.log.toPlainText()
 
 
 def test_gravity_gives_the_organ_weight(panel):

@@ -111,7 +111,8 @@ class MaterialPanel(StagePanel):
         self.add_constants(tissue, TISSUE)
         self.origin_note = tissue.add(write_label("", "note", self))
         self.origin_note.setWordWrap(True)
-        self.add_constants(self.section(tr("Springs and bonds")), LINKS, self.build_laws())
+        self.links = self.section(tr("Springs and bonds"))
+        self.add_constants(self.links, LINKS, self.build_laws())
         self.build_support(self.section(tr("What holds it")))
         self.add_constants(self.section(tr("Tip of the tool")), TIP)
         self.add_constants(self.section(tr("Hand")), HAND)
@@ -170,6 +171,7 @@ class MaterialPanel(StagePanel):
         for field in self.fields:
             field.show_organ(organ)
         self.origin_note.setText(say_origin(organ))
+        self.links.setVisible(organ.model.kind != "linear_solid")
         there = organ.surface is not None
         self.lowest.setEnabled(there)
         self.free.setEnabled(bool(organ.fixed.any()))
