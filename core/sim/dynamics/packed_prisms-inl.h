@@ -14,15 +14,9 @@ HWY_BEFORE_NAMESPACE();
 namespace palpate::packed_kernels {
 namespace HWY_NAMESPACE {
 
-/// One point per corner of a prism: three inner, then the three above them.
-struct PrismPoints {
-  Points at[6];
-};
-
-HWY_INLINE PrismPoints gather_prism(const float* rows, const int* corner) {
-  PrismPoints prism;
-  for (std::size_t c = 0; c < 6; ++c) prism.at[c] = gather(rows, corner + c * kWidth);
-  return prism;
+/// The six corners of a prism: three inner, then the three above them.
+HWY_INLINE void gather_prism(const float* rows, const int* corner, Points* prism) {
+  for (std::size_t c = 0; c < 6; ++c) prism[c] = gather(rows, corner + c * kWidth);
 }
 
 /// A diagonal of a side: the vector from its first end to its second.
@@ -61,32 +55,31 @@ HWY_INLINE void accumulate_prism_pack(const PackedPrisms& prisms, std::size_t pa
   const int* corner = prisms.corner.data() + 6 * kWidth * pack;
   const Real zero = hn::Zero(kLanes), least = hn::Set(kLanes, prisms.least_square);
   const Points nothing = {zero, zero, zero};
-  const PrismPoints x = gather_prism(position_rows, corner);
-  PrismPoints v;
-  if constexpr (damped) v = gather_prism(velocity_rows, corner);
-  PrismPoints f = {{nothing, nothing, nothing, nothing, nothing, nothing}};
+  Points x[6], v[6], f[6] = {nothing, nothing, nothing, nothing, nothing, nothing};
+  gather_prism(position_rows, corner, x);
+  if constexpr (damped) gather_prism(velocity_rows, corner, v);
   for (std::size_t c = 0; c < 3; ++c) {
     const std::size_t i = (c + 1) % 3, j = (c + 2) % 3, block = kWidth * (3 * pack + c);
-    const Diagonal p = measure_diagonal(x.at[j + 3] - x.at[i], least);
-    const Diagonal q = measure_diagonal(x.at[i + 3] - x.at[j], least);
+    const Diagonal p = measure_diagonal(x[j + 3] - x[i], least);
+    const Diagonal q = measure_diagonal(x[i + 3] - x[j], least);
     const Real stiffness = load(prisms.stiffness.data() + block);
     const Real shear = compute_shear(p, q, load(prisms.rest_difference.data() + block));
     if constexpr (measured) measure_side(stiffness, shear, sums);
     Real tension = hn::Mul(stiffness, shear);
     if constexpr (damped) {
-      const Real longer = hn::Mul(dot(v.at[j + 3] - v.at[i], p.along), p.inverse);
-      const Real shorter = hn::Mul(dot(v.at[i + 3] - v.at[j], q.along), q.inverse);
+      const Real longer = hn::Mul(dot(v[j + 3] - v[i], p.along), p.inverse);
+      const Real shorter = hn::Mul(dot(v[i + 3] - v[j], q.along), q.inverse);
       const Real rate = hn::Sub(longer, shorter);
       tension = hn::MulAdd(load(prisms.damping.data() + block), rate, tension);
     }
     const Points along_p = hn::Mul(tension, p.inverse) * p.along;
     const Points along_q = hn::Mul(tension, q.inverse) * q.along;
-    f.at[i] = f.at[i] + along_p;
-    f.at[j + 3] = f.at[j + 3] - along_p;
-    f.at[j] = f.at[j] - along_q;
-    f.at[i + 3] = f.at[i + 3] + along_q;
+    f[i] = f[i] + along_p;
+    f[j + 3] = f[j + 3] - along_p;
+    f[j] = f[j] - along_q;
+    f[i + 3] = f[i + 3] + along_q;
   }
-  for (std::size_t c = 0; c < 6; ++c) scatter_add(f.at[c], corner + c * kWidth, force_rows);
+  for (std::size_t c = 0; c < 6; ++c) scatter_add(f[c], corner + c * kWidth, force_rows);
 }
 
 template <bool damped, bool measured>
