@@ -65,6 +65,13 @@ def build_volumes(reference: Reference, nodal_share: float) -> Built:
     return Built(model, np.arange(len(reference.vertices), dtype=np.int32))
 
 
+def build_linear(reference: Reference, nodal_share: float) -> Built:
+    """Linear elasticity on the mesh, its volumes averaged by so much."""
+    options = palpate.SolidOptions(nodal_share=nodal_share, fixed=reference.held)
+    model = palpate.build_linear_solid(solid_of(reference), material_of(reference), options)
+    return Built(model, np.arange(len(reference.vertices), dtype=np.int32))
+
+
 def build_springs(reference: Reference, uniform: bool) -> Built:
     """Springs along the edges alone: k = E sum V/L² [VanGelder98], or one k of the same energy."""
     whole = np.arange(len(reference.vertices), dtype=np.int32)
@@ -156,6 +163,7 @@ KINDS = (
     Kind("springs + volumes, each", lambda reference: build_volumes(reference, 0.0), SOLID),
     Kind("springs + volumes, 0.9 nodal", lambda reference: build_volumes(reference, 0.9), SOLID),
     Kind("springs + volumes, nodal", lambda reference: build_volumes(reference, 1.0)),
+    Kind("linear solid, 0.9 nodal", lambda reference: build_linear(reference, 0.9), SOLID),
     Kind("surface springs (MSS)", build_membrane_springs),
     Kind("surface molecules (MMS), exact", build_membrane_molecular),
     Kind("shell of prisms", build_shell, WALL),
