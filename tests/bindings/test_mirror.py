@@ -89,6 +89,7 @@ NOT_MIRRORED = {
     "CacheAlignedAllocator": "how C++ aligns memory",
     "PackedColumn": "inside of World; Python reads World.tissue",
     "PackedLinks": "inside of World; Python reads World.tissue",
+    "PackedPrisms": "inside of World; Python reads World.tissue",
     "PackedTriangles": "inside of World; Python reads World.tissue",
     "PackedVolumes": "inside of World; Python reads World.tissue",
     "PackedMeasure": "inside of World; Python reads World.alarm",
