@@ -64,6 +64,7 @@ def say_alarm(kind: palpate.AlarmKind) -> str:
         palpate.AlarmKind.collapsed: translate("Player", "a triangle collapsed"),
         palpate.AlarmKind.inverted: translate("Player", "a part was turned inside out"),
         palpate.AlarmKind.energy: translate("Player", "energy came from nowhere"),
+        palpate.AlarmKind.pressed_deep: translate("Player", "a press went too deep"),
     }.get(kind, kind.name)
 
 

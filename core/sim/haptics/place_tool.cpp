@@ -10,7 +10,7 @@ namespace palpate {
 namespace {
 
 /// Of the radius. A tool may begin by touching, but not so deep that it throws the surface.
-constexpr double kClear = 0.75;
+constexpr double kClear = 0.4;
 
 }  // namespace
 

@@ -11,7 +11,7 @@ namespace palpate {
 /// Puts a tool that is nowhere yet where the hand is, and returns whether it is in the scene.
 ///
 /// A hand that begins inside the tissue has no tool: nothing is touched or felt until it has come
-/// out, and as far as three quarters of the tool's `radius` [m]. Put inside, the tool would be
+/// out, and as far as two fifths of the tool's `radius` [m]. Put inside, the tool would be
 /// behind every triangle and be shot out where it breaks through; put deep in the surface, it would
 /// tear that; put on the nearest outside, the hand would be struck with all the force there is.
 bool place_tool(const AabbTree& tree, std::span<const Vec3> x, const Vec3& hand_position,

@@ -196,6 +196,10 @@
         <translation>bir parça ters yüz oldu</translation>
     </message>
     <message>
+        <source>a press went too deep</source>
+        <translation>fazla derine bastırıldı</translation>
+    </message>
+    <message>
         <source>energy came from nowhere</source>
         <translation>enerji yoktan arttı</translation>
     </message>
