@@ -8,27 +8,17 @@ import socket
 import sys
 from types import FrameType, TracebackType
 
-from PySide6.QtCore import QLocale, QSocketNotifier
-from PySide6.QtGui import QSurfaceFormat
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QSocketNotifier
 
-from palpate import translation
 from palpate.play import Play
 from palpate.player.trainee_window import TraineeWindow
 from palpate.verb import Report
-from palpate.viewport.gl_view import build_format
+from palpate.viewport.application import open_application
 
 
 def play_in_window(play: Play, language: str | None = None, theme: str = "dark") -> Report:
     """Shows the window until it is closed. Raises OSError where a record was lost."""
-    app = QApplication.instance()
-    if app is None:
-        QSurfaceFormat.setDefaultFormat(build_format())
-        app = QApplication(["palpate"])
-    app.setApplicationName("palpate")
-    app.setStyle("Fusion")
-    code = translation.install(app, language)
-    QLocale.setDefault(QLocale(code))
+    app, code = open_application(language)
     window = TraineeWindow(play, theme, code)
     window.show()
     if play.frames is not None:  # a script needs nobody to be ready

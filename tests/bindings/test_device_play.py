@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""An organ played and felt through the low-cost device without its metal."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import palpate
+import pytest
+from device_runs import press_through
+from palpate.cli import main
+from palpate.play import open_play, split_device
+from palpate.verb import WrongCall
+from published import publish, write_press
+
+GALLBLADDER = Path(__file__).resolve().parents[2] / "meshes" / "published" / "gallbladder.palpate"
+
+
+def test_devices_are_named_by_what_is_held_and_who_moves_it():
+    assert split_device("pointer") == ("", "")
+    assert split_device("script:a.json") == ("", "script:a.json")
+    assert split_device("plant") == ("plant", "")
+    assert split_device("plant:script:a:b.json") == ("plant", "script:a:b.json")
+    assert split_device("serial:/dev/ttyUSB0") == ("serial:/dev/ttyUSB0", "")
+    for wrong in ("glove", "plant:", "plant:pointer", "plants", "script", "serial:", ""):
+        with pytest.raises(WrongCall):
+            split_device(wrong)
+
+
+def test_a_scenario_is_played_on_the_simulated_arm_and_its_record_replays(tmp_path, capsys):
+    path, script, record = publish(tmp_path), write_press(tmp_path), tmp_path / "arm.prec"
+    words = ("--device", f"plant:script:{script}", "--headless", "--duration", "1200ms")
+
+    code = main(["play", str(path), *map(str, words), "--record", str(record), "--json"])
+
+    out, err = capsys.readouterr()
+    assert code == 0, err
+    assert json.loads(out)["ticks"] > 0
+    header = json.loads(palpate.read_record(record).header)
+    assert header["device"] == "simulated arm held by script"
+    assert main(["replay", str(record), "--json"]) == 0
+    assert json.loads(capsys.readouterr()[0])["equal"]
+
+
+def test_the_mouse_holds_the_simulated_arm_with_the_limits_of_its_motors(tmp_path):
+    play = open_play(publish(tmp_path), "plant")
+    hand = play.build_hand()
+
+    device = play.build_device(hand)
+
+    assert isinstance(hand, palpate.PointerDevice)
+    assert isinstance(device, palpate.SimulatedArm)
+    safety = play.find_safety(device)
+    assert 1.0 < safety.force_continuous < safety.force_max < 5.0
+
+
+def test_an_organ_felt_through_the_whole_device_is_the_one_the_ideal_device_feels():
+    scene = palpate.scenario.read(GALLBLADDER).scene
+
+    ideal = press_through(scene, "ideal")
+    arm = press_through(scene, "plant")
+
+    assert arm.fault is palpate.DeviceFault.none
+    held = (ideal.time > ideal.pressed) & (ideal.time < ideal.held)
+    asked, felt = arm.asked[held].mean(axis=0), arm.motor[held].mean(axis=0)
+    assert np.linalg.norm(asked) > 0.1
+    assert np.linalg.norm(felt - asked) < 0.05 * np.linalg.norm(asked) + 0.02
+    # the hand gives way by what its own spring yields, so a little less is felt, never more
+    strongest = np.linalg.norm(ideal.asked, axis=1).max()
+    assert 0.5 * strongest < np.linalg.norm(arm.asked, axis=1).max() < 1.1 * strongest
+    free = ideal.time > ideal.end - 0.05
+    assert np.linalg.norm(arm.motor[free], axis=1).max() < 0.1
+
+
+def test_the_tip_has_no_force_25_ms_after_the_host_dies_in_the_middle_of_a_press():
+    scene = palpate.scenario.read(GALLBLADDER).scene
+
+    run = press_through(scene, "plant", host_dies_at=1.6)
+
+    dead = run.time > 1.6 + 25e-3
+    before = (run.time > 1.5) & (run.time < 1.6)
+    assert np.linalg.norm(run.motor[before], axis=1).max() > 0.1
+    assert np.linalg.norm(run.motor[dead], axis=1).max() <= 0.1
