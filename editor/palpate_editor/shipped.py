@@ -9,7 +9,6 @@ from pathlib import Path
 
 import numpy as np
 from palpate.scene_parts import MaterialPart, ModelPart
-from palpate_meshes.anatomy import ATTACHMENT, find_regions, generate
 from palpate_meshes.catalogue import (
     PICTURES,
     Entry,
@@ -47,6 +46,9 @@ def make_organ(name: str, vertices: int | None = None) -> Organ:
 
     Raises ValueError for a name there is not or a number of vertices the shape cannot have.
     """
+    # loads SciPy, which every other command does without
+    from palpate_meshes.anatomy import ATTACHMENT, find_regions, generate
+
     entry = find_entry(name)
     if vertices is None or vertices == entry.vertices:
         x, triangles = read_organ_mesh(name)

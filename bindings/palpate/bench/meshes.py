@@ -13,11 +13,8 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import reverse_cuthill_mckee
 
 import palpate
-from palpate.authored import read_constants
 from palpate.mesh_file import read_mesh_file
 from palpate.scene_file import compile_scene
 from palpate.scene_parts import HandPart, MaterialPart, ModelPart, SceneFile
@@ -76,6 +73,9 @@ def find_published() -> Path:
 
 def read_published(path: Path) -> BenchMesh:
     """A published file: its own surface, constants, fixed particles and painted stiffness."""
+    # loads what draws, which every other command does without
+    from palpate.authored import read_constants
+
     scenario = palpate.scenario.read(path)
     tissue = scenario.scene.tissue
     mesh = palpate.SurfaceMesh(np.array(tissue.rest_position), np.array(tissue.triangles))
@@ -154,6 +154,9 @@ def renumber(mesh: palpate.SurfaceMesh, scene: SceneFile) -> tuple[palpate.Surfa
 
 def find_order(triangles: NDArray[np.int32], count: int) -> NDArray[np.int32]:
     """Old numbers in their new sequence [CuthillMcKee69]."""
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import reverse_cuthill_mckee
+
     a, b, c = triangles.T
     rows, columns = np.concatenate([a, b, c]), np.concatenate([b, c, a])
     graph = coo_matrix((np.ones(len(rows), dtype=np.int8), (rows, columns)), (count, count))

@@ -7,10 +7,7 @@ import argparse
 from dataclasses import asdict
 from pathlib import Path
 
-from palpate.study.accuracy import Row, compare_deep, compare_linear
-from palpate.study.models import SOLID, WALL, form_of
 from palpate.study.reference import list_references, read_reference
-from palpate.study.tables import write_tables
 from palpate.verb import Report, Verb
 
 SHIPPED = ("spleen", "kidney", "liver", "gallbladder", "stomach")
@@ -29,6 +26,9 @@ def add_study(word: argparse.ArgumentParser) -> None:
 
 
 def run_study(call: argparse.Namespace) -> Report:
+    # loads SciPy, which every other command does without
+    from palpate.study.accuracy import compare_deep, compare_linear
+
     references = [read_reference(name) for name in call.reference or SHIPPED]
     rows = compare_linear(references)
     if call.deep:
@@ -62,6 +62,7 @@ def run_study(call: argparse.Namespace) -> Report:
         # loads matplotlib, which the table does without
         from palpate.study.chart import save_chart
         from palpate.study.cost import measure_costs
+        from palpate.study.models import SOLID, WALL, form_of
 
         costs = measure_costs(references)
         groups = {"Solid organs": SOLID, "Hollow organs, as their walls": WALL}
@@ -78,6 +79,9 @@ def run_study(call: argparse.Namespace) -> Report:
 
 
 def describe_study(report: Report) -> str:
+    from palpate.study.accuracy import Row
+    from palpate.study.tables import write_tables
+
     return write_tables(report["references"], [Row(**row) for row in report["rows"]])
 
 

@@ -7,14 +7,12 @@ import argparse
 from collections.abc import Sequence
 from dataclasses import asdict, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import palpate
 from palpate.press import find_place, find_top
 from palpate.scene_parts import FILLED
-from palpate.study.calibrate import Fit, NotFitted, fit_factors
 from palpate.study.curve import Curve, read_curve
-from palpate.study.fit_plot import save_fit_plot
-from palpate.study.indent import OutOfReach, measure_indentation
 from palpate.verb import Refusal, Report, Verb, quantity
 from palpate.verbs import read_point
 
@@ -23,6 +21,9 @@ from palpate_editor.compile import compile_organ, mesh_of
 from palpate_editor.document import Organ
 from palpate_editor.document.files import write_organ
 from palpate_editor.verbs.files import open_any
+
+if TYPE_CHECKING:
+    from palpate.study.calibrate import Fit
 
 CHOSEN = (("model", "stiffness"), ("model", "bend_stiffness"), ("model", "stretch_coupling"))
 TISSUE = (("material", "young_modulus"),)
@@ -104,6 +105,10 @@ def prepare(call: argparse.Namespace) -> Organ:
 
 
 def fit_organ(call: argparse.Namespace, organ: Organ, curve: Curve) -> Fit:
+    # loads SciPy, which every other command does without
+    from palpate.study.calibrate import NotFitted, fit_factors
+    from palpate.study.indent import OutOfReach, measure_indentation
+
     def forces(factors: Sequence[float]):
         scene = compile_organ(scaled(organ, call.fit, factors))
         place = find_top(scene) if call.at is None else find_place(scene, call.at)
@@ -129,6 +134,8 @@ def run_calibrate(call: argparse.Namespace) -> Report:
     if call.out is not None:
         write_organ(call.out, replace(fitted, tool=open_any(call.file).tool))
     if call.plot is not None:
+        from palpate.study.fit_plot import save_fit_plot
+
         save_fit_plot(call.plot, curve, fit, f"{organ.name or call.file.stem}: {call.curve.name}")
     fields = [field for group in name_factors(organ, call.fit).values() for field in group]
     return {

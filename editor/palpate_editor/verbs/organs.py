@@ -15,7 +15,6 @@ from palpate_meshes.catalogue import (
     read_terms,
     read_tool_catalogue,
 )
-from palpate_meshes.tools import read_tool, read_tool_names
 
 from palpate_editor.document.files import write_organ
 from palpate_editor.publish import PublishError
@@ -56,6 +55,9 @@ def run_organs(call: argparse.Namespace) -> Report:
         except PublishError as refused:
             raise Refusal(call.write, "", str(refused), "organs that can be published") from None
     written += draw_pictures(call, chosen)
+    # loads SciPy, which every other command does without
+    from palpate_meshes.tools import read_tool_names
+
     return {
         **read_terms(),
         "organs": [describe_organ(entry, tissue) for entry, tissue in chosen],
@@ -136,6 +138,8 @@ def describe_organ(entry: Entry, tissue: Tissue) -> Report:
 
 
 def describe_tool(name: str) -> Report:
+    from palpate_meshes.tools import read_tool
+
     tool = read_tool(name)
     return {
         "name": name,
