@@ -14,6 +14,7 @@ constexpr double kAskAgain = 20e-3;    // [s] until a question counts as lost
 constexpr double kStoreAgain = 3.0;    // [s] that the device may take to write its EEPROM
 constexpr double kQuiet = 0.1;         // [s] without a report: the device was reset, or is gone
 constexpr double kGone = 1.0;          // [s] without a report: it is gone
+constexpr double kAway = 20e-3;        // [s] most that counts as silence between two looks
 constexpr double kShortest = 0.75e-3;  // [s] between two commands, whatever the host's rate
 constexpr double kTripBin = 0.25e-3;   // [s] of DeviceStatus::round_trips
 constexpr int kZerosNeeded = 3;        // commands before the motors may be switched on
@@ -32,16 +33,19 @@ void SerialLink::greet() noexcept {
   calibration_.reset();
   clock_.clear();
   sent_at_.fill(-1.0);
-  last_heard_ = last_time_;
+  silence_ = 0.0;
 }
 
 bool SerialLink::receive(double time) noexcept {
   if (time < last_time_) {  // a new run: no question is older than it
-    last_heard_ = last_asked_ = last_command_ = second_began_ = time;
+    last_time_ = last_heard_ = last_asked_ = last_command_ = second_began_ = time;
     reports_before_ = reports_;
     sent_at_.fill(-1.0);
     clock_.restart();
+    silence_ = 0.0;
   }
+  // a host that was stopped for a while has not listened: the device may have spoken
+  silence_ += std::min(time - last_time_, kAway);
   last_time_ = time;
   if (state_ == LinkState::lost) return false;
   const long before = reports_;
@@ -84,6 +88,7 @@ void SerialLink::take_report(double time) noexcept {
   for (std::size_t j = 0; j < counts_.size(); ++j) counts_[j] = report.position[j];
   counters_[report.seq & 7] = report.aux;
   last_heard_ = time;
+  silence_ = 0.0;
   ++reports_;
   measure(time);
   // what ended the last host's run is no reason against ours
@@ -180,13 +185,12 @@ void SerialLink::ask(double time) noexcept {
     state_ = LinkState::lost;
     return;
   }
-  const double silence = time - last_heard_;
-  if (was_ready_ && silence > kGone) state_ = LinkState::lost;
+  if (was_ready_ && silence_ > kGone) state_ = LinkState::lost;
   if (state_ == LinkState::lost) return;
-  if (state_ == LinkState::ready && silence > kQuiet) {
-    const double heard = last_heard_;
+  if (state_ == LinkState::ready && silence_ > kQuiet) {
+    const double silence = silence_;
     greet();
-    last_heard_ = heard;  // greeting is no sign of life
+    silence_ = silence;  // greeting is no sign of life
   }
   if (store_result_ == StoreResult::under_way) {
     send_store(time);

@@ -85,6 +85,7 @@ class SerialLink {
   std::array<std::uint8_t, PALPATE_BODY_MAX> body_{};
   std::uint8_t seq_ = 0;
   double last_time_ = 0.0, last_asked_ = 0.0, last_heard_ = 0.0, last_command_ = 0.0;
+  double silence_ = 0.0;  ///< [s] that was listened to since the last report
   bool asked_ = false, was_ready_ = false;
 
   palpate_info info_{};

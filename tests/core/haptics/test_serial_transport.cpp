@@ -72,6 +72,23 @@ TEST_CASE("a live loop ticks with the reports of a device that is a port away") 
   }
 }
 
+TEST_CASE("a host that was stopped for seconds comes back to its device") {
+  PtyDevice arm;
+  SerialTransport transport(arm.path());
+  SerialDevice driver(transport);
+  driver.open(20.0);
+
+  for (double time : {0.0, 1.5, 4.0, 4.2}) {  // after 1.5 s of silence a device would be gone
+    CAPTURE(time);
+    while (!driver.wait_for_report(read_clock() + 1000000)) REQUIRE_FALSE(driver.failed());
+    driver.read(time);
+    driver.take_status();
+
+    CHECK_FALSE(driver.failed());
+    CHECK(driver.status().link == LinkState::ready);
+  }
+}
+
 TEST_CASE(
     "a port that says nothing is waited for no longer than asked, one that closed not at all") {
   auto device = std::make_unique<PtyDevice>();
