@@ -10,28 +10,22 @@ import pytest
 
 
 @pytest.fixture
-def open_window(qtbot, tmp_path):
-    """open_window(play or path) is a shown window; English when all is over."""
+def shown(qtbot):
+    """shown(window) shows it and gives it back; closed and English when all is over."""
     from palpate import translation
-    from palpate.play import Play, open_play
-    from palpate.player import TraineeWindow
-    from published import publish
     from PySide6.QtCore import QLocale
     from PySide6.QtWidgets import QApplication
 
     made = []
 
-    def open_it(play: Play | Path | None = None, **options) -> TraineeWindow:
-        if not isinstance(play, Play):
-            play = open_play(play or publish(tmp_path))
-        window = TraineeWindow(play, **options)
+    def show(window):
         window.resize(960, 640)
         window.show()
         qtbot.waitExposed(window)
         made.append(window)
         return window
 
-    yield open_it
+    yield show
     for window in made:
         window.close()
         window.deleteLater()
@@ -39,6 +33,29 @@ def open_window(qtbot, tmp_path):
     translation.install(QApplication.instance(), "en")
     QLocale.setDefault(QLocale("en"))
     gc.collect()
+
+
+@pytest.fixture
+def open_window(shown, tmp_path):
+    """open_window(play or path) is a shown window of the trainee."""
+    from palpate.play import Play, open_play
+    from palpate.player import TraineeWindow
+    from published import publish
+
+    def open_it(play: Play | Path | None = None, **options) -> TraineeWindow:
+        if not isinstance(play, Play):
+            play = open_play(play or publish(tmp_path))
+        return shown(TraineeWindow(play, **options))
+
+    return open_it
+
+
+@pytest.fixture
+def open_device(shown):
+    """open_device(...) is a shown device window."""
+    from palpate.device_window import DeviceWindow
+
+    return lambda **options: shown(DeviceWindow(**options))
 
 
 @pytest.fixture
@@ -57,32 +74,4 @@ def view(qtbot, monkeypatch):
     qtbot.waitExposed(made)
     yield made
     made.hide()
-    gc.collect()
-
-
-@pytest.fixture
-def open_device(qtbot):
-    """open_device(...) is a shown device window; English when all is over."""
-    from palpate import translation
-    from palpate.device_window import DeviceWindow
-    from PySide6.QtCore import QLocale
-    from PySide6.QtWidgets import QApplication
-
-    made = []
-
-    def open_it(**options) -> DeviceWindow:
-        window = DeviceWindow(**options)
-        window.resize(960, 640)
-        window.show()
-        qtbot.waitExposed(window)
-        made.append(window)
-        return window
-
-    yield open_it
-    for window in made:
-        window.close()
-        window.deleteLater()
-    QApplication.sendPostedEvents(None, 52)
-    translation.install(QApplication.instance(), "en")
-    QLocale.setDefault(QLocale("en"))
     gc.collect()

@@ -131,6 +131,13 @@ inline void shake(const TissueModel& model, double offset, double speed, State& 
   }
 }
 
+/// Where everything is after a shake, at rest.
+inline Vec3Array strained(const TissueModel& model, double offset) {
+  State state(model);
+  shake(model, offset, 0.0, state);
+  return state.position;
+}
+
 inline double max_difference(std::span<const Vec3> a, std::span<const Vec3> b) {
   double most = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, (a[i] - b[i]).norm());

@@ -105,11 +105,3 @@ def build_button(parent: QWidget, main: bool = False, checkable: bool = False) -
         button.setObjectName("main")
     button.setCursor(Qt.CursorShape.PointingHandCursor)
     return button
-
-
-def set_tone(label: QLabel, tone: str) -> None:
-    """What a pill's colour is to say."""
-    if label.property("tone") != tone:
-        label.setProperty("tone", tone)
-        label.style().unpolish(label)
-        label.style().polish(label)

@@ -7,10 +7,11 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QWidget
 
 from palpate.device_link import NATIVE, PLANT, SERIAL, list_devices
-from palpate.device_window.cards import build_button, set_tone
+from palpate.device_window.cards import build_button
 from palpate.device_window.words import say_device, translate
 from palpate.player.cards import build_label
 from palpate.translation import LANGUAGES
+from palpate.viewport.tone import set_tone
 
 
 class TopBar(QWidget):

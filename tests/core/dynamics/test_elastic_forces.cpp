@@ -24,12 +24,6 @@ Vec3Array elastic_forces(const TissueModel& model, const Vec3Array& x) {
   return elastic_forces(model, x, Vec3Array(x.size(), Vec3::Zero()));
 }
 
-Vec3Array shaken(const TissueModel& model, double offset) {
-  State state(model);
-  scenes::shake(model, offset, 0.0, state);
-  return state.position;
-}
-
 double energy_at(const TissueModel& model, const Vec3Array& x) {
   State state(model);
   state.position = x;
@@ -88,7 +82,7 @@ TEST_CASE("a linear solid keeps momentum, and angular momentum about the places 
   for (const double share : kShares) {
     const TissueModel model = scenes::make_linear_organ(3, share);
 
-    const Vec3Array f = elastic_forces(model, shaken(model, 2e-3));
+    const Vec3Array f = elastic_forces(model, scenes::strained(model, 2e-3));
 
     CHECK(scenes::sum(f).norm() < 1e-12 * scenes::max_norm(f));
     CHECK(scenes::compute_torque(model.rest_position, f).norm() < 1e-13 * scenes::max_norm(f));
@@ -98,7 +92,7 @@ TEST_CASE("a linear solid keeps momentum, and angular momentum about the places 
 TEST_CASE("the forces of a linear solid are the negative slope of its energy") {
   for (const double share : kShares) {
     const TissueModel model = scenes::make_linear_organ(2, share);
-    Vec3Array x = shaken(model, 2e-3);
+    Vec3Array x = scenes::strained(model, 2e-3);
     const Vec3Array f = elastic_forces(model, x);
     for (const int i : {13, 20, 26}) {
       for (int axis = 0; axis < 3; ++axis) {
@@ -120,7 +114,7 @@ TEST_CASE("the tangent of a linear solid is its law, at any displacement") {
   for (const double share : kShares) {
     TissueModel model = scenes::make_linear_organ(2, share);
     model.fixed.clear();
-    const Vec3Array x = shaken(model, 5e-3);
+    const Vec3Array x = scenes::strained(model, 5e-3);
     const Eigen::VectorXd u = stack(x) - stack(model.rest_position);
 
     const auto k = compute_stiffness(model, x, Projection::none);
@@ -133,7 +127,7 @@ TEST_CASE("the tangent of a linear solid is its law, at any displacement") {
 
 TEST_CASE("damping of a linear solid counts a rate of strain as so much strain") {
   const TissueModel model = scenes::make_linear_organ(2, 0.9, 0.3);
-  const Vec3Array x = shaken(model, 1e-3);
+  const Vec3Array x = scenes::strained(model, 1e-3);
   Vec3Array v(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     v[i] = (x[i] - model.rest_position[i]) / model.elastic.damping_time;

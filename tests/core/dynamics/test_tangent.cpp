@@ -41,12 +41,6 @@ MatrixXd difference(const TissueModel& model, Vec3Array x, Vec3Array v, By by, d
   return slopes;
 }
 
-Vec3Array strained(const TissueModel& model, double offset) {
-  State state(model);
-  scenes::shake(model, offset, 0.0, state);
-  return state.position;
-}
-
 double smallest_eigenvalue_part(const MatrixXd& symmetric) {
   const Eigen::VectorXd all =
       Eigen::SelfAdjointEigenSolver<MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
@@ -94,7 +88,7 @@ TEST_CASE("the exact tangent is the derivative of the forces, whatever the law a
   for (const TissueModel& model : models) {
     for (const double offset : {0.0, 1e-4, 1e-3, 4e-3}) {
       CAPTURE(offset);
-      const Vec3Array x = strained(model, offset), v(x.size(), Vec3::Zero());
+      const Vec3Array x = scenes::strained(model, offset), v(x.size(), Vec3::Zero());
 
       const MatrixXd exact = compute_stiffness(model, x, Projection::none);
       const MatrixXd measured = difference(model, x, v, By::position, 1e-7);
@@ -126,7 +120,7 @@ TEST_CASE("the exact tangent is the derivative of the forces inside the guards t
 
 TEST_CASE("the exact tangent is symmetric where there is an energy, and not under Eq 10") {
   const auto asymmetry = [](const TissueModel& model) {
-    const MatrixXd k = compute_stiffness(model, strained(model, 1e-3), Projection::none);
+    const MatrixXd k = compute_stiffness(model, scenes::strained(model, 1e-3), Projection::none);
     return (k - k.transpose()).cwiseAbs().maxCoeff() / k.cwiseAbs().maxCoeff();
   };
 
@@ -143,7 +137,7 @@ TEST_CASE("projected, the tangent of no strained state has a negative eigenvalue
   for (const TissueModel& model : models) {
     for (const double offset : {0.0, 1e-3, 4e-3, 2e-2}) {
       CAPTURE(offset);
-      const Vec3Array x = strained(model, offset);
+      const Vec3Array x = scenes::strained(model, offset);
 
       const MatrixXd k = compute_stiffness(model, x, Projection::positive_semidefinite);
 
@@ -153,7 +147,7 @@ TEST_CASE("projected, the tangent of no strained state has a negative eigenvalue
   }
   // and without projection there are some, so this has something to show
   CHECK(smallest_eigenvalue_part(
-            compute_stiffness(strong, strained(strong, 4e-3), Projection::none)) < -1e-2);
+            compute_stiffness(strong, scenes::strained(strong, 4e-3), Projection::none)) < -1e-2);
 }
 
 TEST_CASE("at rest nothing needs projecting: both tangents are the same") {
@@ -193,7 +187,7 @@ TEST_CASE("the damping matrix is the derivative of the forces in the velocities"
   for (const DampingLaw law : {DampingLaw::axis, DampingLaw::isotropic}) {
     const TissueModel model =
         scenes::make_spring_organ(1, {.damping_ratio = 0.3, .drag = 5.0, .law = law});
-    const Vec3Array x = strained(model, 2e-3);
+    const Vec3Array x = scenes::strained(model, 2e-3);
 
     const MatrixXd exact = compute_damping(model, x);
     const MatrixXd measured =

@@ -29,12 +29,6 @@ Volumes one_tetrahedron(double bulk, double nodal_share) {
   return build_volumes(4, {{0, 1, 2, 3}}, {1.0 / 6.0}, {bulk}, nodal_share);
 }
 
-Vec3Array strained(const TissueModel& model, double offset) {
-  State state(model);
-  scenes::shake(model, offset, 0.0, state);
-  return state.position;
-}
-
 double energy_at(const TissueModel& model, const Vec3Array& x) {
   State state(model);
   state.position = x;
@@ -70,7 +64,7 @@ TEST_CASE("at rest, and however it is turned, a volume exerts no force") {
 TEST_CASE("volumes keep momentum and angular momentum, and turn with the body") {
   for (const double share : kShares) {
     const TissueModel model = scenes::make_solid_organ(3, share);
-    const Vec3Array x = strained(model, 2e-3);
+    const Vec3Array x = scenes::strained(model, 2e-3);
     const Quaternion turn(Eigen::AngleAxisd(0.7, Vec3(-1, 0.5, 2).normalized()));
     Vec3Array turned = x;
     for (Vec3& p : turned) p = turn * p;
@@ -89,7 +83,7 @@ TEST_CASE("the forces of a solid are the negative slope of its energy, inside ou
   for (const double share : kShares) {
     const TissueModel model = scenes::make_solid_organ(2, share);
     for (const double offset : {1e-3, 8e-3}) {  // cells of 30 mm; the second inverts
-      Vec3Array x = strained(model, offset), f(x.size()), v(x.size(), Vec3::Zero());
+      Vec3Array x = scenes::strained(model, offset), f(x.size()), v(x.size(), Vec3::Zero());
       if (offset > 5e-3) x[13] += Vec3(0.0, 0.0, 0.06);
       compute_forces(model, Load(), x, v, f);
       const double scale = scenes::max_norm(f);
@@ -142,7 +136,7 @@ TEST_CASE("the tangent of a solid is the slope of its forces, and projected it i
     const TissueModel model = scenes::make_solid_organ(2, share);
     const int n = particle_count(model);
     for (const double offset : {0.0, 3e-3}) {
-      Vec3Array x = strained(model, offset), v(x.size(), Vec3::Zero()), above(n), below(n);
+      Vec3Array x = scenes::strained(model, offset), v(x.size(), Vec3::Zero()), above(n), below(n);
       const Eigen::MatrixXd k = compute_stiffness(model, x, Projection::none);
       Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(3 * n, 3 * n);
       for (int j = 0; j < 3 * n; ++j) {

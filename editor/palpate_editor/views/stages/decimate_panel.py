@@ -3,11 +3,12 @@
 
 from __future__ import annotations
 
+from palpate.viewport.tone import set_tone
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QHBoxLayout, QLabel, QPushButton, QSpinBox
 
 from palpate_editor.document import Decimation, Organ
 from palpate_editor.edits import UseImported
-from palpate_editor.views.stages.facts import set_tone, write_label
+from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.stages.stage_panel import StagePanel
 from palpate_editor.views.words import count, number, quantity, tr
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from palpate.viewport.tone import set_tone
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QFrame,
@@ -31,14 +32,6 @@ def write_label(text: str, role: str, parent: QWidget | None = None) -> QLabel:
     label.setProperty("role", role)
     label.setTextFormat(Qt.TextFormat.PlainText)
     return label
-
-
-def set_tone(widget: QWidget, tone: str) -> None:
-    """Colours a widget by the style sheet: good, warning, bad or none."""
-    if widget.property("tone") != tone:
-        widget.setProperty("tone", tone)
-        widget.style().unpolish(widget)
-        widget.style().polish(widget)
 
 
 class Facts(QWidget):
