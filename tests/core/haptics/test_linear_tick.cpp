@@ -6,6 +6,7 @@
 #include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/haptics/tick.h"
 #include "palpate/sim/model/volumes.h"
+#include "scenes/kernels.h"
 #include "scenes/linear_solids.h"
 
 using namespace palpate;
@@ -99,23 +100,23 @@ TEST_CASE("a linear solid is pressed in, pushes back, and comes back, with its s
 }
 
 TEST_CASE("a press held still is what the swinging reference comes to rest in") {
-  for (const Vec3& gravity : {Vec3(0, 0, 0), Vec3(0, 2, -9.81)}) {
-    const Scene quick = linear_scene(true, Kernel::packed, gravity);
-    // damped so that its slow swinging has died away; where it comes to rest does not depend on it
-    const Scene reference = linear_scene(true, Kernel::reference, gravity, 4.0 * kDamping);
-    World one(quick), other(reference);
-    const double touch = find_touch(quick);
+  if (scenes::kernel_under_test() == Kernel::reference) return;  // both kernels run here
+  const Vec3 gravity(0, 2, -9.81);
+  const Scene quick = linear_scene(true, Kernel::packed, gravity);
+  // damped so that its slow swinging has died away; where it comes to rest does not depend on it
+  const Scene reference = linear_scene(true, Kernel::reference, gravity, 4.0 * kDamping);
+  World one(quick), other(reference);
+  const double touch = find_touch(quick);
 
-    move(quick, touch + 0.001, touch - 0.004, 200, one);
-    move(reference, touch + 0.001, touch - 0.004, 200, other);
-    const HapticCommand a = move(quick, touch - 0.004, touch - 0.004, 200, one);
-    const HapticCommand b = move(reference, touch - 0.004, touch - 0.004, 600, other);
+  move(quick, touch + 0.001, touch - 0.004, 200, one);
+  move(reference, touch + 0.001, touch - 0.004, 200, other);
+  const HapticCommand a = move(quick, touch - 0.004, touch - 0.004, 200, one);
+  const HapticCommand b = move(reference, touch - 0.004, touch - 0.004, 600, other);
 
-    CHECK(!one.alarm);
-    CHECK(b.force.z() > 0.03);
-    CHECK((a.force - b.force).norm() < 2e-3 * b.force.norm());
-    CHECK(scenes::max_difference(one.skin, other.skin) < 2e-5);
-  }
+  CHECK(!one.alarm);
+  CHECK(b.force.z() > 0.03);
+  CHECK((a.force - b.force).norm() < 2e-3 * b.force.norm());
+  CHECK(scenes::max_difference(one.skin, other.skin) < 2e-5);
 }
 
 TEST_CASE("a held press does not tremble") {
