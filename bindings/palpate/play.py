@@ -74,10 +74,12 @@ class Play:
 
     def find_safety(self, device: palpate.HapticDevice) -> palpate.SafetyLimits:
         """What a device may be sent: a real arm, or a simulated one, by its calibration."""
-        driver = device.driver() if isinstance(device, palpate.SimulatedArm) else device
-        if isinstance(driver, palpate.SerialDevice):
-            return palpate.find_safety_limits(driver.calibration())
-        return palpate.SafetyLimits()
+        driver = find_driver(device)
+        return (
+            palpate.SafetyLimits()
+            if driver is None
+            else palpate.find_safety_limits(driver.calibration())
+        )
 
     def begin(self, device: palpate.HapticDevice) -> LiveRun:
         """A run that has not started yet, and the file its record will be.
@@ -105,6 +107,12 @@ class Play:
     def force_limit(self) -> float:
         """[N] More than this no device is sent."""
         return min(self.scenario.scene.coupling.force_max, self.limit)
+
+
+def find_driver(device: palpate.HapticDevice) -> palpate.SerialDevice | None:
+    """Who speaks with an arm, a real or a simulated one; None where there is none."""
+    driver = device.driver() if isinstance(device, palpate.SimulatedArm) else device
+    return driver if isinstance(driver, palpate.SerialDevice) else None
 
 
 def find_middle(scene: palpate.Scene) -> NDArray[np.float64]:

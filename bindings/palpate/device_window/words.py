@@ -1,13 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the device window says: states, faults and what to do about them."""
+"""What the device window says of joints, poses and devices."""
 
 from __future__ import annotations
 
 from PySide6.QtCore import QCoreApplication, QLocale
 
-import palpate
 from palpate.device_poses import HOME, Pose
-from palpate.device_report import NO_FAULT
 from palpate.sentence import Sentence, fill
 
 translate = QCoreApplication.translate
@@ -25,93 +23,6 @@ def number(value: float, decimals: int) -> str:
     locale = QLocale()
     locale.setNumberOptions(QLocale.NumberOption.OmitGroupSeparator)
     return locale.toString(value, "f", decimals).replace("-", "\N{MINUS SIGN}")
-
-
-def say_state(status: palpate.DeviceStatus) -> tuple[str, str]:
-    """The state in a word or two, and its tone: good, warm, bad or plain."""
-    if status.link is palpate.LinkState.lost:
-        return translate("Device", "Gone"), "bad"
-    if status.link is palpate.LinkState.uncalibrated:
-        return translate("Device", "Not calibrated"), "warm"
-    if status.link is not palpate.LinkState.ready:
-        return translate("Device", "Greeting"), "plain"
-    if status.mode is palpate.DeviceMode.faulted:
-        return say_fault(status.first_fault), "bad"
-    if status.degraded:
-        return translate("Device", "Reports are missing"), "warm"
-    return {
-        palpate.DeviceMode.run: (translate("Device", "Motors on"), "good"),
-        palpate.DeviceMode.ramp: (translate("Device", "Motors coming on"), "good"),
-    }.get(status.mode, (translate("Device", "Motors off"), "plain"))
-
-
-def say_advice(status: palpate.DeviceStatus) -> str:
-    """What it means, and what to do."""
-    if status.link is palpate.LinkState.lost:
-        return translate(
-            "Device", "Its cable is out, or it has fallen silent. Plug it in and connect again."
-        )
-    if status.link is palpate.LinkState.uncalibrated:
-        return translate(
-            "Device",
-            "Its sensors are read, but nobody knows what they mean: calibrate it. Its motors stay "
-            "off until then.",
-        )
-    if status.link is not palpate.LinkState.ready:
-        return translate("Device", "It is being asked who it is.")
-    if status.mode is palpate.DeviceMode.faulted:
-        return say_remedy(status.first_fault)
-    if status.degraded:
-        return translate("Device", "The force is taken back until reports come again.")
-    if status.mode in (palpate.DeviceMode.run, palpate.DeviceMode.ramp):
-        return translate("Device", "It carries its own arm. Hold the stylus.")
-    return translate("Device", "Its joints are read; nothing can push.")
-
-
-def say_fault(fault: int) -> str:
-    """What cut the motors, in words."""
-    return {
-        0: translate("Device", "Host silent"),
-        1: translate("Device", "Emergency stop pressed"),
-        2: translate("Device", "Motor driver fault"),
-        3: translate("Device", "Sensor fault"),
-        4: translate("Device", "Moved too fast"),
-        5: translate("Device", "Motor too hot"),
-        6: translate("Device", "Firmware overrun"),
-        7: translate("Device", "Reset by its watchdog"),
-        8: translate("Device", "Bytes lost"),
-        9: translate("Device", "Damaged frame"),
-        10: translate("Device", "Calibration damaged"),
-        11: translate("Device", "Message refused"),
-        NO_FAULT: translate("Device", "No fault"),
-    }.get(fault, translate("Device", "Unknown fault"))
-
-
-def say_remedy(fault: int) -> str:
-    """What to do about it."""
-    return {
-        0: translate(
-            "Device",
-            "This computer did not speak to it for 20 ms, so it cut its motors. Clear the fault; "
-            "if it comes again, close what keeps the computer busy.",
-        ),
-        1: translate("Device", "Release the stop button, then clear the fault."),
-        2: translate(
-            "Device", "Check the motor drivers, their supply and its fuse, then clear the fault."
-        ),
-        3: translate(
-            "Device",
-            "A sensor reads the end of its scale: a wire is off or shorted. Mend it, then clear "
-            "the fault.",
-        ),
-        4: translate("Device", "The arm was thrown. Hold the stylus, then clear the fault."),
-        5: translate("Device", "Let the motors cool for a minute, then clear the fault."),
-        7: translate(
-            "Device", "Its program hung and was started anew. Clear the fault; if it comes again, "
-            "flash it again."
-        ),
-        10: translate("Device", "What it keeps of itself cannot be read: calibrate it."),
-    }.get(fault, translate("Device", "Clear the fault to go on."))  # fmt: skip
 
 
 def say_joint(name: str) -> str:

@@ -35,7 +35,7 @@ class Overlays(QObject):
         self.notice = Notice(view)
         self.keys = KeyLine(view, say_keys)
         self.warning, self.alarm = Banner(view, "warning"), Banner(view, "alarm")
-        self.pause = Banner(view, "warning")
+        self.pause, self.device = Banner(view, "warning"), Banner(view, "alarm")
         self.start = StartBoard(view, title, scenario.task)
         self.menu, self.end = MenuBoard(view), EndBoard(view)
         self._letter = 16.0
@@ -48,7 +48,14 @@ class Overlays(QObject):
         self.force.start_anew()
         self.alarm.tell("")
         self.warning.tell("")
+        self.device.tell("")
         self.show_pause(False)
+
+    def tell_device(self, sentence: str) -> None:
+        """Why the device gives no force; nothing where it gives its force."""
+        if sentence != self.device.label.text():
+            self.device.tell(sentence)
+            self.place()
 
     def show_pause(self, paused: bool) -> None:
         self.pause.tell(translate("Player", "Paused. Space goes on.") if paused else "")
@@ -115,7 +122,7 @@ class Overlays(QObject):
         if right - left < LEAST_BANNER * m:
             left, y = 0, self.task.geometry().bottom() + EDGE // 2
         room = right - left - 2 * EDGE
-        for banner in (self.alarm, self.warning, self.pause):
+        for banner in (self.alarm, self.device, self.warning, self.pause):
             if not banner.label.text():
                 continue
             banner.ensurePolished()

@@ -16,6 +16,7 @@ from palpate.authored import find_look
 from palpate.live import Frame, LiveRun
 from palpate.play import Play, describe_play, describe_run
 from palpate.player.boards import Board
+from palpate.player.device_watch import DeviceWatch
 from palpate.player.look import build_palette, build_style
 from palpate.player.overlays import Overlays
 from palpate.player.words import say_slow, say_trouble, translate
@@ -39,7 +40,9 @@ class Phase(enum.Enum):
 
 
 class TraineeWindow(QWidget):
-    """Plays a scenario. Space pauses, R starts again, F11 fills the screen, Esc opens the menu."""
+    """Plays a scenario. Space pauses, R starts again, F11 fills the screen, Esc opens the menu, and
+    C clears the fault of a device that has cut its motors.
+    """
 
     def __init__(self, play: Play, theme: str = "dark", language: str = translation.SOURCE):
         super().__init__()
@@ -50,6 +53,7 @@ class TraineeWindow(QWidget):
         self.theme, self.language = theme, language
         self._time = self._force = 0.0
         self._second, self._missed = 0, 0
+        self._watch = DeviceWatch()
         self._costs: palpate.LoopReport | None = None
         self._problem: OSError | None = None
         self.view = make_view(self)
@@ -103,6 +107,7 @@ class TraineeWindow(QWidget):
             self.over.place()
             return
         self._time, self._force, self._second, self._missed = 0.0, 0.0, 0, 0
+        self._watch = DeviceWatch(device)
         self.over.force.limit = self.play.force_limit()  # known once the device is open
         self.over.start_anew()
         self._tell_loss()
@@ -146,6 +151,7 @@ class TraineeWindow(QWidget):
         if frame is not None:
             self._show(frame)
         self.over.force.show_force(self._force)
+        self.over.tell_device(self._watch.say())
         trouble = say_trouble(run.report())
         if trouble or not run.running:
             self._end(trouble)
@@ -169,6 +175,7 @@ class TraineeWindow(QWidget):
         self._finish()
         self.phase = Phase.over
         record = str(self.play.records[-1])
+        self.over.tell_device("")
         self.over.end.tell(self._time, self.over.force.peak, record, trouble)
         self._show_board(self.over.end)
 
@@ -263,6 +270,8 @@ class TraineeWindow(QWidget):
                 self.open_menu()
         elif key == Qt.Key.Key_R:
             self.restart()
+        elif key == Qt.Key.Key_C:
+            self._watch.clear_fault()
         elif key == Qt.Key.Key_Space:
             {Phase.running: self.pause, Phase.paused: self.resume}.get(self.phase, self.restart)()
         else:

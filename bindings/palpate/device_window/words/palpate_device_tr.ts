@@ -72,10 +72,6 @@
         <translation>%99 içinde</translation>
     </message>
     <message>
-        <source>A sensor reads the end of its scale: a wire is off or shorted. Mend it, then clear the fault.</source>
-        <translation>Bir algılayıcı ölçeğinin ucunu okuyor: bir kablo kopuk ya da kısa devre. Onarın, sonra arızayı silin.</translation>
-    </message>
-    <message>
         <source>Back</source>
         <translation>Geri</translation>
     </message>
@@ -90,10 +86,6 @@
     <message>
         <source>Bring the arm home once more to see how far off it is now.</source>
         <translation>Şimdi ne kadar saptığını görmek için kolu bir kez daha başlangıç duruşuna getirin.</translation>
-    </message>
-    <message>
-        <source>Bytes lost</source>
-        <translation>Bayt kaybı</translation>
     </message>
     <message>
         <source>CALIBRATION</source>
@@ -112,10 +104,6 @@
         <translation>Kalibrasyon</translation>
     </message>
     <message>
-        <source>Calibration damaged</source>
-        <translation>Kalibrasyon bozuk</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Vazgeç</translation>
     </message>
@@ -124,20 +112,12 @@
         <translation>Denetim</translation>
     </message>
     <message>
-        <source>Check the motor drivers, their supply and its fuse, then clear the fault.</source>
-        <translation>Motor sürücülerini, beslemelerini ve sigortayı denetleyin, sonra arızayı silin.</translation>
-    </message>
-    <message>
         <source>Choose a device above and connect. The simulated one is always there.</source>
         <translation>Yukarıdan bir aygıt seçip bağlanın. Benzetim aygıtı her zaman vardır.</translation>
     </message>
     <message>
         <source>Clear the fault</source>
         <translation>Arızayı sil</translation>
-    </message>
-    <message>
-        <source>Clear the fault to go on.</source>
-        <translation>Sürdürmek için arızayı silin.</translation>
     </message>
     <message>
         <source>Connect</source>
@@ -156,10 +136,6 @@
         <translation>Bozuk</translation>
     </message>
     <message>
-        <source>Damaged frame</source>
-        <translation>Bozuk çerçeve</translation>
-    </message>
-    <message>
         <source>Dark</source>
         <translation>Koyu</translation>
     </message>
@@ -176,20 +152,12 @@
         <translation>Bağlantıyı kes</translation>
     </message>
     <message>
-        <source>Emergency stop pressed</source>
-        <translation>Acil durdurma basılı</translation>
-    </message>
-    <message>
         <source>FORCES</source>
         <translation>KUVVETLER</translation>
     </message>
     <message>
         <source>Feel a spring here</source>
         <translation>Burada yay hisset</translation>
-    </message>
-    <message>
-        <source>Firmware overrun</source>
-        <translation>Aygıt yazılımı yetişemedi</translation>
     </message>
     <message>
         <source>Firmware's code behind a pseudo terminal</source>
@@ -252,10 +220,6 @@
         <translation>Başlangıç duruşunda kaleme bir yaylı terazi takın. Motorlar açılır ve bu yöne önce hafif, sonra daha güçlü iter. Teraziniz yoksa bunu atlayın.</translation>
     </message>
     <message>
-        <source>Host silent</source>
-        <translation>Bilgisayar sustu</translation>
-    </message>
-    <message>
         <source>How long commands took there and back</source>
         <translation>Komutların gidiş dönüş süresi</translation>
     </message>
@@ -268,14 +232,6 @@
         <translation>Bağlanılamıyor: %1.</translation>
     </message>
     <message>
-        <source>It carries its own arm. Hold the stylus.</source>
-        <translation>Kendi kolunu taşıyor. Kalemi tutun.</translation>
-    </message>
-    <message>
-        <source>It is being asked who it is.</source>
-        <translation>Kim olduğu soruluyor.</translation>
-    </message>
-    <message>
         <source>It is not sound: do not let it push anyone</source>
         <translation>Sağlam değil: kimseyi itmesine izin vermeyin</translation>
     </message>
@@ -286,22 +242,6 @@
     <message>
         <source>It pushes %1 with %2</source>
         <translation>%2 ile %1 itiyor</translation>
-    </message>
-    <message>
-        <source>Its cable is out, or it has fallen silent. Plug it in and connect again.</source>
-        <translation>Kablosu çıkmış ya da aygıt susmuş. Takıp yeniden bağlanın.</translation>
-    </message>
-    <message>
-        <source>Its joints are read; nothing can push.</source>
-        <translation>Eklemleri okunuyor; hiçbir şey itemez.</translation>
-    </message>
-    <message>
-        <source>Its program hung and was started anew. Clear the fault; if it comes again, flash it again.</source>
-        <translation>Yazılımı takıldı ve yeniden başlatıldı. Arızayı silin; yinelenirse yazılımı yeniden yükleyin.</translation>
-    </message>
-    <message>
-        <source>Its sensors are read, but nobody knows what they mean: calibrate it. Its motors stay off until then.</source>
-        <translation>Algılayıcıları okunuyor ama ne anlama geldikleri bilinmiyor: kalibre edin. O zamana dek motorları kapalı kalır.</translation>
     </message>
     <message>
         <source>JOINTS</source>
@@ -328,10 +268,6 @@
         <translation>Motorları eskisi gibi bırak</translation>
     </message>
     <message>
-        <source>Let the motors cool for a minute, then clear the fault.</source>
-        <translation>Motorlar bir dakika soğusun, sonra arızayı silin.</translation>
-    </message>
-    <message>
         <source>Light</source>
         <translation>Açık</translation>
     </message>
@@ -356,44 +292,12 @@
         <translation>Başlangıçta ölç</translation>
     </message>
     <message>
-        <source>Message refused</source>
-        <translation>İleti geri çevrildi</translation>
-    </message>
-    <message>
         <source>Monitor</source>
         <translation>İzleme</translation>
     </message>
     <message>
-        <source>Motor driver fault</source>
-        <translation>Motor sürücüsü arızası</translation>
-    </message>
-    <message>
-        <source>Motor too hot</source>
-        <translation>Motor çok sıcak</translation>
-    </message>
-    <message>
-        <source>Motors coming on</source>
-        <translation>Motorlar açılıyor</translation>
-    </message>
-    <message>
-        <source>Motors off</source>
-        <translation>Motorlar kapalı</translation>
-    </message>
-    <message>
         <source>Motors on</source>
         <translation>Motorlar açık</translation>
-    </message>
-    <message>
-        <source>Moved too fast</source>
-        <translation>Çok hızlı hareket</translation>
-    </message>
-    <message>
-        <source>No fault</source>
-        <translation>Arıza yok</translation>
-    </message>
-    <message>
-        <source>Not calibrated</source>
-        <translation>Kalibre edilmemiş</translation>
     </message>
     <message>
         <source>Not connected</source>
@@ -416,24 +320,12 @@
         <translation>Aralıklar</translation>
     </message>
     <message>
-        <source>Release the stop button, then clear the fault.</source>
-        <translation>Durdurma düğmesini bırakın, sonra arızayı silin.</translation>
-    </message>
-    <message>
         <source>Report rate</source>
         <translation>Rapor hızı</translation>
     </message>
     <message>
         <source>Reports</source>
         <translation>Raporlar</translation>
-    </message>
-    <message>
-        <source>Reports are missing</source>
-        <translation>Raporlar eksik</translation>
-    </message>
-    <message>
-        <source>Reset by its watchdog</source>
-        <translation>Bekçi sıfırladı</translation>
     </message>
     <message>
         <source>Round trip, median</source>
@@ -462,10 +354,6 @@
     <message>
         <source>Self-test</source>
         <translation>Öz sınama</translation>
-    </message>
-    <message>
-        <source>Sensor fault</source>
-        <translation>Algılayıcı arızası</translation>
     </message>
     <message>
         <source>Seven poses tell what the sensors' counts mean, three pushes against a spring scale tell what the motors give. The motors stay off until the pushes. It takes five minutes.</source>
@@ -520,10 +408,6 @@
         <translation>%1 motoru itmesi gereken yerde çekiyor: iki kablosunu değiştirip yeniden deneyin.</translation>
     </message>
     <message>
-        <source>The arm was thrown. Hold the stylus, then clear the fault.</source>
-        <translation>Kol savruldu. Kalemi tutun, sonra arızayı silin.</translation>
-    </message>
-    <message>
         <source>The device is gone: its cable is out, or it has fallen silent. Plug it in and connect again.</source>
         <translation>Aygıt gitti: kablosu çıkmış ya da susmuş. Takıp yeniden bağlanın.</translation>
     </message>
@@ -534,10 +418,6 @@
     <message>
         <source>The device kept something else than was written: %1.</source>
         <translation>Aygıt yazılandan başka bir şey saklamış: %1.</translation>
-    </message>
-    <message>
-        <source>The force is taken back until reports come again.</source>
-        <translation>Raporlar yeniden gelene dek kuvvet geri çekilir.</translation>
     </message>
     <message>
         <source>The motors stay off: %1.</source>
@@ -556,10 +436,6 @@
         <translation>Terazinin gösterdiği</translation>
     </message>
     <message>
-        <source>This computer did not speak to it for 20 ms, so it cut its motors. Clear the fault; if it comes again, close what keeps the computer busy.</source>
-        <translation>Bu bilgisayar onunla 20 ms konuşmadı, o da motorlarını kesti. Arızayı silin; yinelenirse bilgisayarı meşgul eden programları kapatın.</translation>
-    </message>
-    <message>
         <source>This is what came out</source>
         <translation>Sonuç bu</translation>
     </message>
@@ -576,10 +452,6 @@
         <translation>Bu eklemi durdurucusuna dayanana dek çevirin ve orada tutun. Ötekiler aşağı yukarı resimdeki ince kol gibi durur.</translation>
     </message>
     <message>
-        <source>Unknown fault</source>
-        <translation>Bilinmeyen arıza</translation>
-    </message>
-    <message>
         <source>Upper stop: %1</source>
         <translation>Üst durdurucu: %1</translation>
     </message>
@@ -590,10 +462,6 @@
     <message>
         <source>WHAT CAN HAPPEN (SIMULATED)</source>
         <translation>NELER OLABİLİR (BENZETİM)</translation>
-    </message>
-    <message>
-        <source>What it keeps of itself cannot be read: calibrate it.</source>
-        <translation>Kendisi hakkında sakladığı okunamıyor: kalibre edin.</translation>
     </message>
     <message>
         <source>Wire off</source>

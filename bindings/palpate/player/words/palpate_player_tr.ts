@@ -52,6 +52,10 @@
         <translation>Kayıt: %1</translation>
     </message>
     <message>
+        <source>No force from the device. %1. %2 C clears the fault.</source>
+        <translation>Cihazdan kuvvet gelmiyor. %1. %2 C tuşu arızayı siler.</translation>
+    </message>
+    <message>
         <source>Time</source>
         <translation>Süre</translation>
     </message>
@@ -209,6 +213,153 @@
     <message>
         <source>The organ cannot be drawn on this machine: %1</source>
         <translation>Organ bu makinede çizilemiyor: %1</translation>
+    </message>
+</context>
+<context>
+    <name>Device</name>
+    <message>
+        <source>A sensor reads the end of its scale: a wire is off or shorted. Mend it, then clear the fault.</source>
+        <translation>Bir algılayıcı ölçeğinin ucunu okuyor: bir kablo kopuk ya da kısa devre. Onarın, sonra arızayı silin.</translation>
+    </message>
+    <message>
+        <source>Bytes lost</source>
+        <translation>Bayt kaybı</translation>
+    </message>
+    <message>
+        <source>Calibration damaged</source>
+        <translation>Kalibrasyon bozuk</translation>
+    </message>
+    <message>
+        <source>Check the motor drivers, their supply and its fuse, then clear the fault.</source>
+        <translation>Motor sürücülerini, beslemelerini ve sigortayı denetleyin, sonra arızayı silin.</translation>
+    </message>
+    <message>
+        <source>Clear the fault to go on.</source>
+        <translation>Sürdürmek için arızayı silin.</translation>
+    </message>
+    <message>
+        <source>Damaged frame</source>
+        <translation>Bozuk çerçeve</translation>
+    </message>
+    <message>
+        <source>Emergency stop pressed</source>
+        <translation>Acil durdurma basılı</translation>
+    </message>
+    <message>
+        <source>Firmware overrun</source>
+        <translation>Aygıt yazılımı yetişemedi</translation>
+    </message>
+    <message>
+        <source>Gone</source>
+        <translation>Gitti</translation>
+    </message>
+    <message>
+        <source>Greeting</source>
+        <translation>Tanışıyor</translation>
+    </message>
+    <message>
+        <source>Host silent</source>
+        <translation>Bilgisayar sustu</translation>
+    </message>
+    <message>
+        <source>It carries its own arm. Hold the stylus.</source>
+        <translation>Kendi kolunu taşıyor. Kalemi tutun.</translation>
+    </message>
+    <message>
+        <source>It is being asked who it is.</source>
+        <translation>Kim olduğu soruluyor.</translation>
+    </message>
+    <message>
+        <source>Its cable is out, or it has fallen silent. Plug it in and connect again.</source>
+        <translation>Kablosu çıkmış ya da aygıt susmuş. Takıp yeniden bağlanın.</translation>
+    </message>
+    <message>
+        <source>Its joints are read; nothing can push.</source>
+        <translation>Eklemleri okunuyor; hiçbir şey itemez.</translation>
+    </message>
+    <message>
+        <source>Its program hung and was started anew. Clear the fault; if it comes again, flash it again.</source>
+        <translation>Yazılımı takıldı ve yeniden başlatıldı. Arızayı silin; yinelenirse yazılımı yeniden yükleyin.</translation>
+    </message>
+    <message>
+        <source>Its sensors are read, but nobody knows what they mean: calibrate it. Its motors stay off until then.</source>
+        <translation>Algılayıcıları okunuyor ama ne anlama geldikleri bilinmiyor: kalibre edin. O zamana dek motorları kapalı kalır.</translation>
+    </message>
+    <message>
+        <source>Let the motors cool for a minute, then clear the fault.</source>
+        <translation>Motorlar bir dakika soğusun, sonra arızayı silin.</translation>
+    </message>
+    <message>
+        <source>Message refused</source>
+        <translation>İleti geri çevrildi</translation>
+    </message>
+    <message>
+        <source>Motor driver fault</source>
+        <translation>Motor sürücüsü arızası</translation>
+    </message>
+    <message>
+        <source>Motor too hot</source>
+        <translation>Motor çok sıcak</translation>
+    </message>
+    <message>
+        <source>Motors coming on</source>
+        <translation>Motorlar açılıyor</translation>
+    </message>
+    <message>
+        <source>Motors off</source>
+        <translation>Motorlar kapalı</translation>
+    </message>
+    <message>
+        <source>Motors on</source>
+        <translation>Motorlar açık</translation>
+    </message>
+    <message>
+        <source>Moved too fast</source>
+        <translation>Çok hızlı hareket</translation>
+    </message>
+    <message>
+        <source>No fault</source>
+        <translation>Arıza yok</translation>
+    </message>
+    <message>
+        <source>Not calibrated</source>
+        <translation>Kalibre edilmemiş</translation>
+    </message>
+    <message>
+        <source>Release the stop button, then clear the fault.</source>
+        <translation>Durdurma düğmesini bırakın, sonra arızayı silin.</translation>
+    </message>
+    <message>
+        <source>Reports are missing</source>
+        <translation>Raporlar eksik</translation>
+    </message>
+    <message>
+        <source>Reset by its watchdog</source>
+        <translation>Bekçi sıfırladı</translation>
+    </message>
+    <message>
+        <source>Sensor fault</source>
+        <translation>Algılayıcı arızası</translation>
+    </message>
+    <message>
+        <source>The arm was thrown. Hold the stylus, then clear the fault.</source>
+        <translation>Kol savruldu. Kalemi tutun, sonra arızayı silin.</translation>
+    </message>
+    <message>
+        <source>The force is taken back until reports come again.</source>
+        <translation>Raporlar yeniden gelene dek kuvvet geri çekilir.</translation>
+    </message>
+    <message>
+        <source>This computer did not speak to it for 20 ms, so it cut its motors. Clear the fault; if it comes again, close what keeps the computer busy.</source>
+        <translation>Bu bilgisayar onunla 20 ms konuşmadı, o da motorlarını kesti. Arızayı silin; yinelenirse bilgisayarı meşgul eden programları kapatın.</translation>
+    </message>
+    <message>
+        <source>Unknown fault</source>
+        <translation>Bilinmeyen arıza</translation>
+    </message>
+    <message>
+        <source>What it keeps of itself cannot be read: calibrate it.</source>
+        <translation>Kendisi hakkında sakladığı okunamıyor: kalibre edin.</translation>
     </message>
 </context>
 </TS>

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whether the device gives the force that a run asks it for."""
+
+from __future__ import annotations
+
+import palpate
+from palpate.play import find_driver
+from palpate.player.device_words import say_advice, say_fault, say_state
+from palpate.player.words import translate
+
+PATIENCE = 12
+"""Frames that anything but a fault has to last before it is told of."""
+
+
+class DeviceWatch:
+    """Looks at the device of a run, once a frame. A run goes on while the device's motors are off:
+    nobody could tell that from an organ without stiffness.
+    """
+
+    def __init__(self, device: palpate.HapticDevice | None = None):
+        self._driver = None if device is None else find_driver(device)
+        self._frames = 0
+
+    def say(self) -> str:
+        """Why no force can be felt, and what to do; empty where one can, or will at once."""
+        if self._driver is None:
+            return ""
+        self._driver.take_status()
+        status = self._driver.status()
+        if status.link is palpate.LinkState.ready and status.mode is palpate.DeviceMode.faulted:
+            words = translate("Player", "No force from the device. %1. %2 C clears the fault.")
+            words = words.replace("%1", say_fault(status.first_fault))
+            return words.replace("%2", say_advice(status))
+        gives = status.mode in (palpate.DeviceMode.run, palpate.DeviceMode.ramp)
+        if gives and not status.degraded and status.link is palpate.LinkState.ready:
+            self._frames = 0
+            return ""
+        self._frames += 1
+        if self._frames < PATIENCE:
+            return ""
+        return f"{say_state(status)[0]}. {say_advice(status)}"
+
+    def clear_fault(self) -> None:
+        """The motors come on again, slowly, where what cut them is gone."""
+        if self._driver is not None:
+            self._driver.clear_fault()

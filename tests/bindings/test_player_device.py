@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a trainee is told of a device that gives no force while the run goes on."""
+
+from __future__ import annotations
+
+import palpate
+import pytest
+from palpate.play import open_play
+from palpate.player.device_watch import PATIENCE, DeviceWatch
+from palpate.player.trainee_window import Phase
+from published import publish
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from trainees import texts
+from windows import LEFT, keep_picture
+
+MODE = palpate.DeviceMode
+SOON = 20_000
+"""[ms]"""
+
+
+@pytest.fixture
+def played(open_window, qtbot, tmp_path):
+    """A window whose run is on the simulated arm, and that arm, its motors on."""
+    play, arms = open_play(publish(tmp_path), "plant"), []
+    build = play.build_device
+    play.build_device = lambda hand: arms.append(build(hand)) or arms[-1]
+    window = open_window(play)
+    window.restart()
+    qtbot.waitUntil(lambda: arms[0].driver().status().mode is MODE.run, timeout=SOON)
+    return window, arms[0]
+
+
+def test_a_device_that_cut_its_motors_says_why_and_a_key_brings_them_back(played, qtbot):
+    window, arm = played
+    told = window.over.device.label
+    assert told.text() == ""
+
+    arm.press_stop(True)
+    qtbot.waitUntil(lambda: "Emergency stop pressed" in told.text(), timeout=SOON)
+    assert window.phase is Phase.running
+    assert told.text() in texts(window)
+    assert told.text().endswith("C clears the fault.")
+    QTest.keyClick(window, Qt.Key.Key_C)
+    qtbot.wait(100)
+    assert "Emergency stop pressed" in told.text()  # for its cause remains
+
+    arm.press_stop(False)
+    qtbot.wait(100)
+    QTest.keyClick(window, Qt.Key.Key_C)
+    qtbot.waitUntil(lambda: not told.isVisible(), timeout=SOON)
+    qtbot.waitUntil(lambda: arm.driver().status().mode is MODE.run, timeout=SOON)
+    assert window.phase is Phase.running
+
+
+def test_the_fault_of_a_device_is_told_in_the_windows_language_and_goes_with_the_run(played, qtbot):
+    window, arm = played
+    arm.press_stop(True)
+    window.use_language("tr")
+    qtbot.waitUntil(lambda: "Acil" in window.over.device.label.text(), timeout=SOON)
+    keep_picture(window, "player_device_fault")
+
+    QTest.keyClick(window, Qt.Key.Key_Escape)
+    QTest.mouseClick(window.over.menu.restart, LEFT)
+
+    # another run has another arm, on which nobody has pressed the stop
+    qtbot.waitUntil(lambda: not window.over.device.isVisible(), timeout=SOON)
+
+
+def test_what_lasts_less_than_a_fifth_of_a_second_is_not_told():
+    hand = palpate.ScriptedDevice([palpate.KeyFrame(0.0)])
+    arm = palpate.SimulatedArm(hand)
+    arm.open()
+    watch = DeviceWatch(arm)
+
+    said = [watch.say() for _ in range(PATIENCE)]
+
+    assert said[:-1] == [""] * (PATIENCE - 1)
+    assert said[-1] == "Motors off. Its joints are read; nothing can push."
+
+
+def test_a_mouse_has_no_motors_to_speak_of():
+    watch = DeviceWatch(palpate.PointerDevice())
+
+    watch.clear_fault()
+
+    assert [watch.say() for _ in range(2 * PATIENCE)] == [""] * 2 * PATIENCE
