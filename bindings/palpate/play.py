@@ -115,6 +115,15 @@ def find_driver(device: palpate.HapticDevice) -> palpate.SerialDevice | None:
     return driver if isinstance(driver, palpate.SerialDevice) else None
 
 
+def describe_device(device: palpate.HapticDevice) -> str | None:
+    """What an arm says of itself, a fault that has cut its motors first of all."""
+    driver = find_driver(device)
+    if driver is None:
+        return None
+    driver.take_status()
+    return palpate.describe_status(driver.status())
+
+
 def find_middle(scene: palpate.Scene) -> NDArray[np.float64]:
     """[m] (3,) of the tissue: there lies the middle of the arm's workspace."""
     x = scene.tissue.rest_position
@@ -175,7 +184,12 @@ def play_headless(play: Play) -> Report:
     device = play.build_device()
     safety = play.find_safety(device)
     costs = run_device(play.scenario.scene, device, play.duration, path, play.path, safety)
-    return {**describe_play(play), "record": str(path), **describe_run(play, path, costs)}
+    return {
+        **describe_play(play),
+        "record": str(path),
+        **describe_run(play, path, costs),
+        "device_state": describe_device(device),
+    }
 
 
 def describe_play(play: Play) -> Report:
@@ -248,6 +262,8 @@ def describe_play_report(report: Report) -> str:
             f"{report['tick_p99_us']:.0f} us p99",
             f"lateness     {report['lateness_p99_us']:.0f} us p99; {report['realtime']}",
         ]
+    if report.get("device_state"):
+        lines.append(f"device       {report['device_state']}")
     lines.append(f"record       {report['record'] or 'none: nothing was played'}")
     lines.append("not validated, not a medical device")
     return "\n".join(lines)

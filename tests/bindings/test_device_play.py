@@ -11,7 +11,7 @@ import palpate
 import pytest
 from device_runs import press_through
 from palpate.cli import main
-from palpate.play import open_play, split_device
+from palpate.play import Play, describe_play_report, open_play, play_headless, split_device
 from palpate.verb import WrongCall
 from published import publish, write_press
 
@@ -38,10 +38,28 @@ def test_a_scenario_is_played_on_the_simulated_arm_and_its_record_replays(tmp_pa
     out, err = capsys.readouterr()
     assert code == 0, err
     assert json.loads(out)["ticks"] > 0
+    assert json.loads(out)["device_state"] == "run"
     header = json.loads(palpate.read_record(record).header)
     assert header["device"] == "simulated arm held by script"
     assert main(["replay", str(record), "--json"]) == 0
     assert json.loads(capsys.readouterr()[0])["equal"]
+
+
+def test_a_run_whose_device_cut_its_motors_ends_in_a_report_that_says_so(tmp_path, monkeypatch):
+    play = open_play(publish(tmp_path), f"plant:script:{write_press(tmp_path)}", duration=0.3)
+    build = Play.build_device
+
+    def build_stopped(self, hand=None):
+        arm = build(self, hand)
+        arm.press_stop(True)
+        return arm
+
+    monkeypatch.setattr(Play, "build_device", build_stopped)
+
+    report = play_headless(play)
+
+    assert report["device_state"].startswith("motors off: stop pressed")
+    assert "device       motors off: stop pressed" in describe_play_report(report)
 
 
 def test_the_mouse_holds_the_simulated_arm_with_the_limits_of_its_motors(tmp_path):
