@@ -26,6 +26,8 @@ PLAY = 2e-3
 """[m] that the tip may drift in a second while the motors carry the arm."""
 SEEN = 0.01
 """[s] between two looks at a device."""
+LOOKS = 11
+"""At a force."""
 SILENCE = 0.03
 """[s]"""
 WAYS = (sentence("push right %1 N"), sentence("push away %1 N"), sentence("push up %1 N"))
@@ -162,7 +164,14 @@ def check_motors(link: Link, test: Test) -> bool:
 def check_push(link: Link, test: Test, force: np.ndarray, name: Sentence) -> None:
     """What the duties stand for is what was asked, within 5 % and a step of each duty."""
     link.push(force)
-    status = link.run(0.4)
+    link.run(0.3)
+    looks = [link.run(SEEN) for _ in range(LOOKS)]
+    if is_silenced(looks[-1]):  # by this computer, which is busy: no fault of the device
+        link.driver.clear_fault()
+        link.wait_for(palpate.DeviceMode.run, 2.0)
+        looks = [link.run(SEEN) for _ in range(LOOKS)]
+    # the median: while a report is late the force is taken back
+    status = sorted(looks, key=lambda look: np.linalg.norm(look.force_applied - force))[LOOKS // 2]
     calibration = link.driver.calibration()
     arm = palpate.find_arm(calibration)
     carried = palpate.compute_weight_torque(arm, status.joints)
@@ -174,15 +183,20 @@ def check_push(link: Link, test: Test, force: np.ndarray, name: Sentence) -> Non
     test.note(name, off <= allowed, found)
 
 
+def is_silenced(status: palpate.DeviceStatus) -> bool:
+    """Whether the device has cut its motors as it heard nothing from here."""
+    faulted = status.mode is palpate.DeviceMode.faulted
+    return faulted and palpate.name_fault(status.first_fault) == "host silent"
+
+
 def check_silence(link: Link, test: Test) -> None:
     """The host falls silent on purpose: the device has to cut its motors and say why."""
     link.fall_silent(SILENCE)
     # the status that is told lags by some milliseconds, and a command would change nothing any more
     status = link.run(SILENCE + 0.03)
-    cut = status.mode is palpate.DeviceMode.faulted
     told = palpate.name_fault(status.first_fault)
     found = sentence("after %1 ms: %2", f"{1e3 * SILENCE:.0f}", told)
-    test.note(sentence("silence stops the motors"), cut and told == "host silent", found)
+    test.note(sentence("silence stops the motors"), is_silenced(status), found)
     link.driver.clear_fault()
     runs = link.wait_for(palpate.DeviceMode.run, 2.0)
     test.note(sentence("the fault clears"), runs, tell_mode(link))
