@@ -25,6 +25,10 @@
         <translation>&amp;Arkadan</translation>
     </message>
     <message>
+        <source>About as many tetrahedra are made as are asked for; more are nearer to the tissue and take longer. A nodal share of 0 lets volumes lock, which makes the organ too stiff; 1 lets tetrahedra turn inside out.</source>
+        <translation>Yaklaşık istenen sayıda dörtyüzlü oluşturulur; sayı arttıkça model dokuya yaklaşır, hesap uzar. Düğüm payı 0 olursa hacimler kilitlenir, organ fazla sert olur; 1 olursa dörtyüzlüler tersyüz olabilir.</translation>
+    </message>
+    <message>
         <source>All of the surface</source>
         <translation>Yüzeyin tamamı</translation>
     </message>
@@ -851,10 +855,6 @@
     <message>
         <source>Molecular (MMS)</source>
         <translation>Moleküler (MMS)</translation>
-    </message>
-    <message>
-        <source>More tetrahedra are nearer to the tissue and take longer. A nodal share of 0 lets volumes lock, which makes the organ too stiff; 1 lets tetrahedra turn inside out.</source>
-        <translation>Dörtyüzlü sayısı arttıkça model dokuya yaklaşır, hesap uzar. Düğüm payı 0 olursa hacimler kilitlenir, organ fazla sert olur; 1 olursa dörtyüzlüler tersyüz olabilir.</translation>
     </message>
     <message>
         <source>Name of the organ</source>

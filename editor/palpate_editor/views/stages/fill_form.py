@@ -74,8 +74,9 @@ class FillForm(Section):
         self.setVisible(organ.model.kind in FILLED)
         self.reach.show_organ(organ)
         words = tr(
-            "More tetrahedra are nearer to the tissue and take longer. A nodal share of 0 lets "
-            "volumes lock, which makes the organ too stiff; 1 lets tetrahedra turn inside out."
+            "About as many tetrahedra are made as are asked for; more are nearer to the tissue and "
+            "take longer. A nodal share of 0 lets volumes lock, which makes the organ too stiff; 1 "
+            "lets tetrahedra turn inside out."
         )
         if organ.model.kind == "linear_solid":
             words += " " + tr(
