@@ -128,7 +128,7 @@ def test_the_verb_sets_the_filling_and_says_the_memory_first(file, capsys):
     said = capsys.readouterr()
     report = json.loads(said.out)
     assert report["scene"]["fill"] == {"tetrahedra": 500, "nodal_share": 0.5, "reach": REACH}
-    assert f"response of {1e-6 * report['response_bytes']:.1f} MB for " in said.err
+    assert f"its response takes {1e-6 * report['response_bytes']:.1f} MB for " in said.err
     assert read_organ(file).fill == FillPart(500, 0.5, REACH)
     assert main(["material", str(file), "--reach", "none", "-o", str(file), "--json"]) == 0
     assert read_organ(file).fill.reach == ""
@@ -153,11 +153,35 @@ def test_a_filling_that_cannot_be_is_refused_with_a_sentence(file, words, senten
 
 
 def test_a_response_too_large_for_memory_is_refused_before_it_is_solved(file, capsys):
-    words = ["--tetrahedra", "30000", "-o", str(file)]
+    words = ["--tetrahedra", "24000", "-o", str(file)]
 
     assert main(["material", str(file), *words]) == 1
 
     said = capsys.readouterr().err
-    assert "linear solid: response: found " in said
+    assert "its response takes 92.5 MB for 1603 of 1603 particles" in said
+    assert "linear solid: response: found 92.5" in said
     assert "expected at most 67.1089 MB: fill with fewer tetrahedra, or limit the reach" in said
     assert read_organ(file).fill.tetrahedra == 600
+
+
+@pytest.mark.parametrize(
+    ("kind", "reason"),
+    [
+        ("solid", "solids are moved whole, for they have no home springs"),
+        ("linear_solid", "it costs what is touched, so there is nothing to let sleep"),
+        ("shell", "how far springs carry a pull, which is not how far a wall bends"),
+    ],
+)
+def test_tissue_that_never_sleeps_says_why_it_allows_no_error_of_the_force(spleen, kind, reason):
+    wall = 2e-3 if kind == "shell" else None
+    organ = replace(
+        SetChoice("kind", kind)(spleen),
+        material=replace(spleen.material, wall_thickness=wall),
+        hand=replace(spleen.hand, force_error=1e-3),
+    )
+
+    (problem,) = assess(organ).errors
+
+    assert problem.where == "scene: force_error [N]"
+    assert str(problem.expected).startswith("0: ") and reason in str(problem.expected)
+    assert assess(SetConstant("hand", "force_error", 0.0)(organ)).errors == ()

@@ -135,6 +135,8 @@ class AssessWork:
         progress("", 0.0)
 
         def tell(size: palpate.ResponseSize) -> None:
+            if size.bytes > palpate.kMostResponseBytes:
+                return  # and a check says so
             words = tr("{memory}, being solved for").format(memory=say_memory(size))
             progress(words, 0.5)
 
