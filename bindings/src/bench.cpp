@@ -24,7 +24,7 @@ void bind_bench(py::module_& m) {
       .def_readonly("ratio_to_naive", &BenchRow::ratio_to_naive,
                     "[-] naive_median / median: above 1 is faster than naive.")
       .def_readonly("elements", &BenchRow::elements,
-                    "Links, triangles or queries that the time is for; 1 for a tick.")
+                    "Links, triangles, queries, ... that the time is for; 1 for a tick.")
       .def_readonly("share_of_bound", &BenchRow::share_of_bound,
                     "[-] The least time this machine needs, by its measured arithmetic and memory, "
                     "over median; 0 where no such time is stated.")
@@ -68,6 +68,20 @@ void bind_bench(py::module_& m) {
       "mass-spring "
       "and one of the molecular model. Raises RuntimeError where ours and the naive form disagree, "
       "ValueError where the scenes do not fit or a work is not known.");
+  m.def("bench_body_works", &bench::bench_body_works,
+        "Every work of bodies: walls of prisms, solids of springs and volumes, linear solids.");
+  m.def(
+      "run_body_bench",
+      [](const Scene& scene, const BenchOptions& chosen) {
+        require_built(scene);
+        const py::gil_scoped_release released;
+        return bench::run_body_bench(scene, chosen);
+      },
+      "scene"_a, "options"_a = usual,
+      "Times the step and the tick of one body beside its naive form, as run_bench does. What is "
+      "asked for and not of this kind of body is left out. A linear solid has one row in the air, "
+      "since its ticks there have one substep. Raises as run_bench does, and ValueError for a "
+      "tissue of another kind or under a skin.");
 }
 
 }  // namespace palpate::bindings

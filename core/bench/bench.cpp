@@ -5,6 +5,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "palpate/bench/check_options.h"
 #include "palpate/bench/time_active.h"
 #include "palpate/bench/time_queries.h"
 #include "palpate/bench/time_steps.h"
@@ -75,33 +76,36 @@ const std::vector<Work>& works() {
   return all;
 }
 
-/// Whether a work was asked for.
-bool is_wanted(const std::string& name, const BenchOptions& options) {
-  return options.works.empty() ||
-         std::find(options.works.begin(), options.works.end(), name) != options.works.end();
-}
-
 void check(const Scene& mass_spring, const Scene& molecular, const BenchOptions& options) {
   if (mass_spring.tissue.springs.ends.empty() || molecular.tissue.bonds.ends.empty() ||
       mass_spring.tissue.triangles != molecular.tissue.triangles) {
     throw std::invalid_argument(
         "run_bench: expected a mass-spring and a molecular scene on the same surface");
   }
-  const std::vector<std::string> names = bench_works();
-  for (const std::string& name : options.works) {
-    if (std::find(names.begin(), names.end(), name) == names.end()) {
-      throw std::invalid_argument("run_bench: works: got '" + name + "', expected bench_works()");
-    }
-  }
-  for (const int substeps : options.air_substeps) {
-    if (substeps < 1) {
-      throw std::invalid_argument("run_bench: air_substeps: got " + std::to_string(substeps) +
-                                  ", expected at least 1");
-    }
-  }
+  check_options("run_bench", bench_works(), options);
 }
 
 }  // namespace
+
+bool is_wanted(const std::string& work, const BenchOptions& options) {
+  return options.works.empty() ||
+         std::find(options.works.begin(), options.works.end(), work) != options.works.end();
+}
+
+void check_options(const std::string& where, const std::vector<std::string>& known,
+                   const BenchOptions& options) {
+  for (const std::string& work : options.works) {
+    if (std::find(known.begin(), known.end(), work) != known.end()) continue;
+    std::string names;
+    for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
+    throw std::invalid_argument(where + ": works: got '" + work + "', expected one of " + names);
+  }
+  for (const int substeps : options.air_substeps) {
+    if (substeps >= 1) continue;
+    throw std::invalid_argument(where + ": air_substeps: got " + std::to_string(substeps) +
+                                ", expected at least 1");
+  }
+}
 
 std::vector<std::string> bench_works() {
   std::vector<std::string> names;

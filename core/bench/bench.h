@@ -17,7 +17,7 @@ struct BenchRow {
   double p99 = 0.0;             ///< [s]
   double naive_median = 0.0;    ///< [s] of the naive form
   double ratio_to_naive = 0.0;  ///< [-] naive_median / median: above 1 is faster than naive
-  double elements = 1.0;        ///< links, triangles or queries that the time is for; 1 for a tick
+  double elements = 1.0;  ///< links, triangles, queries, ... that the time is for; 1 for a tick
   /// [-] the least time this machine needs, by its measured arithmetic and memory, over median; 0
   /// where no such time is stated
   double share_of_bound = 0.0;
@@ -47,5 +47,14 @@ std::vector<std::string> bench_works();
 /// work is not known.
 std::vector<BenchRow> run_bench(const Scene& mass_spring, const Scene& molecular,
                                 const BenchOptions& options = {});
+
+/// Every work of bodies: walls of prisms, solids of springs and volumes, linear solids.
+std::vector<std::string> bench_body_works();
+
+/// Times the step and the tick of one body beside its naive form, as run_bench does. What is asked
+/// for and not of this kind of body is left out. A linear solid has one row in the air, since its
+/// ticks there have one substep. Throws as run_bench does, and std::invalid_argument for a tissue
+/// of another kind or under a skin.
+std::vector<BenchRow> run_body_bench(const Scene& scene, const BenchOptions& options = {});
 
 }  // namespace palpate::bench

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/bench/naive.h"
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "palpate/sim/dynamics/forces.h"
+#include "palpate/sim/dynamics/volume_law.h"
 
 namespace palpate::bench {
 namespace {
@@ -50,9 +53,73 @@ void add_corner(const Angles& angles, std::size_t t, std::size_t corner, std::sp
   f[j] -= f_i + f_k;
 }
 
+/// -p dv/dx_c of tetrahedron t for its four corners, each a third of the face opposite.
+void add_pressure(const Volumes& volumes, std::size_t t, double pressure, std::span<const Vec3> x,
+                  std::span<Vec3> f) noexcept {
+  const auto& [a, b, c, d] = volumes.corners[t];
+  const Vec3 ab = x[b] - x[a], ac = x[c] - x[a], ad = x[d] - x[a];
+  const Vec3 at_b = pressure / 6.0 * ac.cross(ad);
+  const Vec3 at_c = pressure / 6.0 * ad.cross(ab);
+  const Vec3 at_d = pressure / 6.0 * ab.cross(ac);
+  f[b] -= at_b;
+  f[c] -= at_c;
+  f[d] -= at_d;
+  f[a] += at_b + at_c + at_d;
+}
+
+/// Volumes are summed around particles, there made a pressure, and given back: two loops over the
+/// tetrahedra, where the reference kernel takes each four times.
+void add_volumes(const Volumes& volumes, std::span<const Vec3> x, NaiveVolumes& kept,
+                 std::span<Vec3> f) noexcept {
+  const double share = volumes.nodal_share;
+  std::fill(kept.now.begin(), kept.now.end(), 0.0);
+  for (std::size_t t = 0; share > 0.0 && t < volumes.corners.size(); ++t) {
+    const double volume = measure_volume(volumes, t, x);
+    for (const int i : volumes.corners[t]) kept.now[static_cast<std::size_t>(i)] += volume;
+  }
+  for (std::size_t i = 0; share > 0.0 && i < kept.now.size(); ++i) {
+    const double slope = compute_volume_law(kept.now[i] / kept.rest[i]).slope;
+    kept.pressure[i] = 0.25 * share * kept.bulk[i] * slope;
+  }
+  for (std::size_t t = 0; t < volumes.corners.size(); ++t) {
+    double pressure = 0.0;
+    if (share < 1.0) {
+      const double j = measure_volume(volumes, t, x) / volumes.rest_volume[t];
+      pressure = (1.0 - share) * volumes.bulk[t] * compute_volume_law(j).slope;
+    }
+    if (share > 0.0) {
+      for (const int i : volumes.corners[t]) pressure += kept.pressure[static_cast<std::size_t>(i)];
+    }
+    add_pressure(volumes, t, pressure, x, f);
+  }
+}
+
 }  // namespace
 
+NaiveVolumes::NaiveVolumes(const Volumes& volumes)
+    : rest(volumes.first_around.empty() ? 0 : volumes.first_around.size() - 1, 0.0),
+      bulk(rest.size(), 0.0),
+      now(rest.size(), 0.0),
+      pressure(rest.size(), 0.0) {
+  for (std::size_t t = 0; t < volumes.corners.size(); ++t) {
+    for (const int i : volumes.corners[t]) {
+      rest[static_cast<std::size_t>(i)] += volumes.rest_volume[t];
+      bulk[static_cast<std::size_t>(i)] += volumes.rest_volume[t] * volumes.bulk[t];
+    }
+  }
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    if (rest[i] > 0.0) bulk[i] /= rest[i];
+  }
+}
+
 void step_naively(const TissueModel& model, const Load& load, double dt, State& state) noexcept {
+  assert(model.volumes.corners.empty());
+  NaiveVolumes none;
+  step_naively(model, load, dt, state, none);
+}
+
+void step_naively(const TissueModel& model, const Load& load, double dt, State& state,
+                  NaiveVolumes& kept) noexcept {
   const std::size_t n = state.position.size();
   std::vector<Vec3>& f = state.force;
   for (std::size_t i = 0; i < n; ++i) f[i] = Vec3::Zero();
@@ -63,6 +130,10 @@ void step_naively(const TissueModel& model, const Load& load, double dt, State& 
       add_corner(model.angles, t, corner, state.position, f);
     }
   }
+  if (!model.prisms.corners.empty()) {
+    accumulate_prism_forces(model.prisms, state.position, state.velocity, f);
+  }
+  if (!model.volumes.corners.empty()) add_volumes(model.volumes, state.position, kept, f);
   for (std::size_t i = 0; i < model.home.size(); ++i) {
     f[i] += model.home[i] * (model.rest_position[i] - state.position[i]);
   }

@@ -23,9 +23,15 @@ double reach(const TissueModel& tissue, const Vec3& p) {
 
 Place find_press_place(const TissueModel& tissue) {
   const auto& x = tissue.rest_position;
-  std::size_t best = 0;
+  std::vector<bool> outside(x.size(), false);
+  for (const Triangle& corners : tissue.triangles) {
+    for (const int i : corners) outside[static_cast<std::size_t>(i)] = true;
+  }
+  auto best =
+      static_cast<std::size_t>(std::find(outside.begin(), outside.end(), true) - outside.begin());
   double farthest = reach(tissue, x[best]);
-  for (std::size_t i = 1; i < x.size(); ++i) {
+  for (std::size_t i = best + 1; i < x.size(); ++i) {
+    if (!outside[i]) continue;
     const double here = reach(tissue, x[i]);
     if (here < farthest || (here == farthest && x[i].z() <= x[best].z())) continue;
     best = i;

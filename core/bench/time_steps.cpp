@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <random>
+#include <sstream>
 
 #include "palpate/bench/limits.h"
 #include "palpate/bench/naive.h"
@@ -38,11 +39,18 @@ Count count_step(const TissueModel& model) {
   const double per_end = damped ? 34.0 : 21.0;
   // per triangle: sides 9, squares 15, roots 15, lengths, cosines 18, tensions 45, pulls 18, sums 9
   const double per_triangle = damped ? 173.0 : 134.0;
+  // per tetrahedron: sides and faces 36, twice with means; volume 5, its law 36, pulls 27, sums 8
+  const double tetrahedra = static_cast<double>(model.volumes.corners.size());
+  const double per_tetrahedron = model.volumes.nodal_share > 0.0 ? 153.0 : 104.0;
+  // per prism: three sides of two diagonals, 16 each, shear 2, pulls 18; a dashpot 16
+  const double prisms = static_cast<double>(model.prisms.corners.size());
+  const double per_prism = damped ? 204.0 : 156.0;
   // a particle: rest, displacement, velocity and rows read and written
   const double per_particle = damped ? 130.0 : 98.0;
-  return {per_end * link_ends + per_triangle * triangles + 30.0 * particles,
+  return {per_end * link_ends + per_triangle * triangles + per_tetrahedron * tetrahedra +
+              per_prism * prisms + 30.0 * particles,
           (damped ? 16.0 : 12.0) * link_ends + (damped ? 48.0 : 36.0) * triangles +
-              per_particle * particles};
+              40.0 * tetrahedra + (damped ? 60.0 : 48.0) * prisms + per_particle * particles};
 }
 
 BenchRow time_packed(const TissueModel& model, const Load& load, double dt, const State& start,
@@ -57,16 +65,31 @@ BenchRow time_packed(const TissueModel& model, const Load& load, double dt, cons
 }
 
 std::string name_terms(const TissueModel& model) {
+  if (!model.volumes.corners.empty()) {
+    std::ostringstream share;
+    share << model.volumes.nodal_share;
+    return "springs with dashpots, volumes with a nodal share of " + share.str();
+  }
+  if (!model.prisms.corners.empty()) {
+    return "two exact membranes with dashpots, pillars, shear of the sides";
+  }
   const bool molecular = !model.bonds.ends.empty();
   const bool damped = is_damped(molecular ? model.bonds : model.springs);
   return std::string(molecular ? "bonds" : "springs") + (damped ? " with dashpots" : "") +
          (molecular ? ", angles, stretch-bend" : "");
 }
 
+std::size_t count_elements(const TissueModel& model) {
+  if (!model.volumes.corners.empty()) return model.volumes.corners.size();
+  if (!model.prisms.corners.empty()) return model.prisms.corners.size();
+  return std::max(model.springs.ends.size(), model.angles.corners.size());
+}
+
 /// [m] How far apart the naive form and ours are after some steps from the same start.
 double compare_ends(const TissueModel& model, const Load& load, double dt, const State& start) {
   State naive = start, ours = start;
-  for (int s = 0; s < kAgreementSteps; ++s) step_naively(model, load, dt, naive);
+  NaiveVolumes kept(model.volumes);
+  for (int s = 0; s < kAgreementSteps; ++s) step_naively(model, load, dt, naive, kept);
   if (simd_targets().empty()) {
     for (int s = 0; s < kAgreementSteps; ++s) step(model, load, dt, ours);
   } else {
@@ -121,14 +144,15 @@ BenchRow time_step(const std::string& work, const Scene& scene, const BenchOptio
                     packed ? kFloatAgreement : kDoubleAgreement);
 
   State naive = start, ours = start;
-  const auto naively = [&] { step_naively(model, load, dt, naive); };
+  NaiveVolumes kept(model.volumes);
+  const auto naively = [&] { step_naively(model, load, dt, naive, kept); };
   BenchRow row = packed ? time_packed(model, load, dt, start, naively, options)
                         : time_against(
                               options, 1, [&] { step(model, load, dt, ours); }, naively);
   row.work = work;
-  row.elements =
-      static_cast<double>(std::max(model.springs.ends.size(), model.angles.corners.size()));
-  row.physics = name_terms(model) + ", home, drag, gravity; symplectic Euler, " +
+  row.elements = static_cast<double>(count_elements(model));
+  row.physics = name_terms(model) + (model.home.empty() ? "" : ", home") +
+                ", drag, gravity; symplectic Euler, " +
                 (packed ? "packed kernel in float" : "reference kernel in double");
   return row;
 }

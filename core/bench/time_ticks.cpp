@@ -16,7 +16,7 @@ namespace {
 
 /// The tick of a first program: the textbook tree, plain steps, nothing guarded.
 void tick_naively(const Scene& scene, const HapticSample& sample, double dt, NaiveTree& tree,
-                  World& world) {
+                  NaiveVolumes& kept, World& world) {
   tree.refit(world.tissue.position);
   world.candidates.count = tree.find_in_sphere(
       world.tissue.position, world.tool.position,
@@ -30,7 +30,7 @@ void tick_naively(const Scene& scene, const HapticSample& sample, double dt, Nai
   for (int s = 0; s < world.substeps; ++s) {
     balance_tool(scene.tool, scene.coupling, sample.position, world.candidates,
                  scene.tissue.triangles, world.tissue.position, world.tool, world.load);
-    step_naively(scene.tissue, world.load, dt / world.substeps, world.tissue);
+    step_naively(scene.tissue, world.load, dt / world.substeps, world.tissue, kept);
   }
 }
 
@@ -38,10 +38,11 @@ void tick_naively(const Scene& scene, const HapticSample& sample, double dt, Nai
 double compare_ticks(const Scene& scene, const HapticSample& sample, double dt, World ours,
                      World naive) {
   NaiveTree tree(naive.tissue.position, scene.tissue.triangles);
+  NaiveVolumes kept(scene.tissue.volumes);
   const int ticks = afford(5, 1, 10.0 * count_work(scene, ours));
   for (int i = 0; i < ticks; ++i) {
     tick(scene, sample, dt, ours);
-    tick_naively(scene, sample, dt, tree, naive);
+    tick_naively(scene, sample, dt, tree, kept, naive);
   }
   return std::max(largest_difference(ours.tissue.position, naive.tissue.position),
                   (ours.tool.position - naive.tool.position).norm());
@@ -62,9 +63,10 @@ BenchRow time_world(const Scene& scene, const HapticSample& sample, World world,
   World naive = make_naive(world);
   require_agreement("tick", compare_ticks(scene, sample, dt, world, naive), kTickAgreement);
   NaiveTree tree(naive.tissue.position, scene.tissue.triangles);
+  NaiveVolumes kept(scene.tissue.volumes);
   BenchRow row = time_against(
       options, 1, [&] { tick(scene, sample, dt, world); },
-      [&] { tick_naively(scene, sample, dt, tree, naive); });
+      [&] { tick_naively(scene, sample, dt, tree, kept, naive); });
   row.substeps = world.substeps;
   row.share_of_bound = world.substeps * bound_step(scene.tissue) / row.median;
   if (world.packed_model) row.simd_target = simd_target(*world.packed_model);
@@ -80,7 +82,6 @@ constexpr double kAirHeight = 5e-3;
 /// Come from above and settled, a press held.
 BenchRow time_press(const std::string& work, const Scene& scene, const Place& place,
                     const BenchOptions& options) {
-  const double dt = 1.0 / scene.rate;
   const HapticSample pressed = hold_at(scene, place, -kPressDepth);
   World world(scene);
   press_and_hold(work, scene, place, world);

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import inf, isfinite
 from pathlib import Path
@@ -60,7 +61,11 @@ class Assessment:
 
 
 def assess(
-    organ: Organ, *, tested: bool | None = None, before: Assessment | None = None
+    organ: Organ,
+    *,
+    tested: bool | None = None,
+    before: Assessment | None = None,
+    measured: Callable[[palpate.ResponseSize], None] | None = None,
 ) -> Assessment:
     """Measures, builds and judges an organ: up to a second for a large one, on any thread.
 
@@ -69,11 +74,12 @@ def assess(
         tested: Whether it has been felt as it is; None where nobody can know.
         before: An earlier assessment; what it built is used again where nothing it depends on has
             changed.
+        measured: Told what memory a linear solid's response will take, before it is solved for.
     """
     if before is not None and is_built_alike(organ, before.organ):
         scene, tissue = before.scene, before.facts.tissue
     else:
-        scene, tissue = build(organ)
+        scene, tissue = build(organ, measured)
     report = surface = None
     if organ.surface is not None:
         report, surface = measure_surface(organ.surface)
@@ -104,13 +110,15 @@ def measure_surface(surface: Surface) -> tuple[authoring.MeshReport, SurfaceFact
     return measured[surface]
 
 
-def build(organ: Organ) -> tuple[palpate.Scene | None, TissueFacts | None]:
+def build(
+    organ: Organ, measured: Callable[[palpate.ResponseSize], None] | None = None
+) -> tuple[palpate.Scene | None, TissueFacts | None]:
     """The scene, or in what words it was refused; neither where nobody could feel it anyway."""
     if organ.surface is None or organ.vertex_count > scenario.kMostParticles:
         return None, None
     home = find_default_home(organ)
     try:
-        scene = compile_organ(organ)
+        scene = compile_organ(organ, measured)
     except ValueError as problem:
         refusal = split_refusal(str(problem))
         allowed = find_coupling_range(organ)
@@ -123,6 +131,7 @@ def build(organ: Organ) -> tuple[palpate.Scene | None, TissueFacts | None]:
         margin=compute_stability_margin(scene, stable_step),
         total_mass=palpate.compute_total_mass(tissue),
         links=len(tissue.springs.ends) + len(tissue.bonds.ends),
+        tetrahedra=len(palpate.list_tetrahedra(tissue)),
         default_home=home,
         wall=compare_with_wall(organ, tissue),
     )

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -35,15 +36,21 @@ def parts_of(organ: Organ) -> SceneFile:
     )
 
 
-def compile_organ(organ: Organ) -> palpate.Scene:
+def compile_organ(
+    organ: Organ, measured: Callable[[palpate.ResponseSize], None] | None = None
+) -> palpate.Scene:
     """A scene that ticks. Raises ValueError naming what is wrong.
 
     Takes as long as finding the largest eigenvalues does, and filling a solid: some tenths of a
-    second for a large organ, on any thread; a linear solid's response some seconds.
+    second for a large organ, on any thread; a linear solid's response some seconds, and `measured`
+    is told its size before.
     """
     if organ.surface is None:
         raise ValueError("organ: found no surface, expected an imported mesh")
-    return compile_scene(parts_of(organ), mesh_of(organ.surface), build_organ(organ))
+    tissue = build_organ(organ)
+    if measured is not None and len(tissue.elastic.corners):
+        measured(palpate.measure_response(tissue))
+    return compile_scene(parts_of(organ), mesh_of(organ.surface), tissue)
 
 
 def build_organ(organ: Organ) -> palpate.TissueModel:
@@ -54,13 +61,14 @@ def build_organ(organ: Organ) -> palpate.TissueModel:
     return build_tissue(parts_of(organ), mesh_of(organ.surface))
 
 
-BUILT_FROM = ("surface", "material", "model", "fixed", "stiffness_scale", "tool", "hand")
-"""What of an organ its scene depends on."""
+BUILT_FROM = ("surface", "material", "model", "fill", "fixed", "stiffness_scale", "tool", "hand")
+"""What of an organ its scene depends on, but for the region that is reached."""
 
 
 def is_built_alike(one: Organ, other: Organ) -> bool:
     """Whether two organs are known to make the same scene: they differ at most in words."""
-    return all(is_alike(getattr(one, name), getattr(other, name)) for name in BUILT_FROM)
+    alike = all(is_alike(getattr(one, name), getattr(other, name)) for name in BUILT_FROM)
+    return alike and one.regions.get(one.fill.reach) is other.regions.get(other.fill.reach)
 
 
 def is_alike(one: object, other: object) -> bool:

@@ -11,21 +11,31 @@ from palpate.scene_file import build_material, enumerator
 
 from palpate_editor import authoring
 from palpate_editor.document import Organ, Surface
+from palpate_editor.document.constants import LEAST_TETRAHEDRA, MOST_TETRAHEDRA
 
-TETRAHEDRA = 3000
-"""About how many fill an organ: what ticks a thousand times a second with time to spare."""
+MOST_KEPT = 4
+"""Fillings of one surface: enough to go back and forth between a few."""
 
-filled: WeakKeyDictionary[Surface, palpate.SolidMesh] = WeakKeyDictionary()
+filled: WeakKeyDictionary[Surface, dict[int, palpate.SolidMesh]] = WeakKeyDictionary()
 """A surface never changes, so neither does what fills it."""
 
 
-def fill_surface(surface: Surface) -> palpate.SolidMesh:
-    """About TETRAHEDRA inside a surface. Raises ValueError where it is open or crosses itself."""
-    if surface not in filled:
+def fill_surface(surface: Surface, tetrahedra: int) -> palpate.SolidMesh:
+    """About so many inside a surface. Raises ValueError where it is open or crosses itself."""
+    if not LEAST_TETRAHEDRA <= tetrahedra <= MOST_TETRAHEDRA:
+        raise ValueError(
+            f"fill.tetrahedra: found {tetrahedra}, expected a whole number of {LEAST_TETRAHEDRA} "
+            f"to {MOST_TETRAHEDRA}"
+        )
+    kept = filled.setdefault(surface, {})
+    solid = kept.get(tetrahedra)
+    if solid is None:
         mesh = palpate.SurfaceMesh(surface.vertices, surface.triangles)
-        cell_size = authoring.choose_cell_size(mesh, TETRAHEDRA)
-        filled[surface] = authoring.fill_interior(mesh, cell_size)
-    return filled[surface]
+        solid = authoring.fill_interior(mesh, authoring.choose_cell_size(mesh, tetrahedra))
+        if len(kept) >= MOST_KEPT:
+            kept.pop(next(iter(kept)), None)
+        kept[tetrahedra] = solid
+    return solid
 
 
 def build_filled(organ: Organ) -> palpate.TissueModel:
@@ -35,12 +45,14 @@ def build_filled(organ: Organ) -> palpate.TissueModel:
     nearest vertex of the surface is scaled, and held where it lies on the outside and that one is.
     """
     assert organ.surface is not None
+    reach = find_reach(organ)
     surface = palpate.SurfaceMesh(organ.surface.vertices, organ.surface.triangles)
-    solid = fill_surface(organ.surface)
+    solid = fill_surface(organ.surface, organ.fill.tetrahedra)
     nearest = find_nearest(np.asarray(solid.vertices), organ.surface.vertices)
     outside = np.zeros(len(nearest), dtype=bool)
     outside[palpate.find_boundary(solid)] = True
     options = palpate.SolidOptions(
+        nodal_share=organ.fill.nodal_share,
         fixed=np.flatnonzero(outside & organ.fixed[nearest]),
         stiffness_scale=organ.stiffness_scale[nearest],
         drag=organ.model.drag,
@@ -49,7 +61,24 @@ def build_filled(organ: Organ) -> palpate.TissueModel:
     linear = organ.model.kind == "linear_solid"
     build = palpate.build_linear_solid if linear else palpate.build_solid
     model = build(solid, build_material(organ.material), options)
-    return palpate.cover_with_skin(model, surface)
+    model = palpate.cover_with_skin(model, surface)
+    return model if reach is None else palpate.limit_reach(model, reach)
+
+
+def find_reach(organ: Organ) -> np.ndarray | None:
+    """(k,) the vertices of the surface on which a linear solid can be pushed; None for all of them.
+
+    Raises ValueError where they are those of a region that is not there, or has none.
+    """
+    name = organ.fill.reach
+    if organ.model.kind != "linear_solid" or not name:
+        return None
+    if name not in organ.regions:
+        known = ", ".join(map(repr, organ.regions)) or "this organ has none"
+        raise ValueError(f"fill.reach: found {name!r}, expected a region of the organ: {known}")
+    if not organ.regions[name].size:
+        raise ValueError(f"fill.reach: found no vertex in {name!r}, expected at least one")
+    return organ.regions[name]
 
 
 def find_nearest(points: np.ndarray, among: np.ndarray) -> np.ndarray:

@@ -17,6 +17,7 @@ from palpate_editor.edits import (
     KeepLargestShell,
     SetChoice,
     SetConstant,
+    SetReach,
     SetTask,
     SetUnit,
     SetUp,
@@ -56,6 +57,7 @@ def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
         "shells": KeepLargestShell(),
         "open_solid": SetConstant("material", "wall_thickness", WALL_THICKNESS),
         "loose": FixLowest(FIXED_SHARE),
+        "reach": SetReach(""),
     }.get(problem.key)
 
 

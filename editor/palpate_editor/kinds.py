@@ -10,7 +10,8 @@ from pathlib import Path
 
 import numpy as np
 import palpate
-from palpate.scene_parts import FILLED, MaterialPart
+from palpate.scene_parts import MaterialPart
+from palpate.study.findings import find_span
 from palpate.verb import Refusal, Report
 
 from palpate_editor.check import compare_with_wall, split_refusal
@@ -20,8 +21,23 @@ from palpate_editor.document.problems import WallFit
 
 EXACT = 1e-6
 """[-] An error below this is rounding."""
-SURFACE_SHARE = 0.02
-"""[-] of a solid organ's force that its surface alone answers with (SCIENCE 2.4)."""
+SOLIDS = ("spleen", "kidney", "liver")
+"""Bodies of the accuracy study: shipped organs of two to three thousand tetrahedra."""
+PRESSES = (0.03, 0.08, 0.15)
+"""Of the thickness: its deep presses."""
+SURFACE_KINDS = {
+    "mass_spring": "surface springs (MSS)",
+    "molecular": "surface molecules (MMS), exact",
+    "shell": "shell of prisms",
+}
+"""Model kind -> what the study calls it."""
+VOLUME_KINDS = {
+    0.0: "springs + volumes, each",
+    0.9: "springs + volumes, 0.9 nodal",
+    1.0: "springs + volumes, nodal",
+}
+"""Nodal share -> what the study calls it; the last was not pressed deep."""
+LINEAR_KIND, LINEAR_SHARE = "linear solid, 0.9 nodal", 0.9
 
 
 @dataclass(frozen=True)
@@ -96,31 +112,59 @@ def find_shell_limits(
 def find_solid_limits(
     organ: Organ, tissue: palpate.TissueModel, wall: WallFit | None
 ) -> Iterator[str]:
-    del organ, wall
-    yield (
-        f"what is smaller than its {len(tissue.volumes.corners)} tetrahedra: it is as much too "
-        "stiff as they are too coarse, some 20 % under a small tip (SCIENCE 2.4)"
-    )
-    yield "large strains: 4 to 12 % softer than neo-Hookean in a press by up to a quarter"
+    del wall
+    share = organ.fill.nodal_share
+    near = min(VOLUME_KINDS, key=lambda measured: abs(measured - share))
+    yield say_mesh_error(len(tissue.volumes.corners), share, near, VOLUME_KINDS[near])
+    near = min((0.0, 0.9), key=lambda measured: abs(measured - share))
+    yield say_softening(share, near, VOLUME_KINDS[near])
     yield "a Poisson's ratio below 0.25 or above 0.49"
+
+
+def say_mesh_error(tetrahedra: int, share: float, measured: float, kind: str) -> str:
+    found = find_span(kind, SOLIDS, (None,))
+    return (
+        f"what is smaller than its {tetrahedra} tetrahedra: it is as much too stiff as they are "
+        f"too coarse, {say_percents(found.least - 1.0, found.most - 1.0)} under a small patch "
+        f"where there are two to three thousand{say_measured(share, measured)} (core/ACCURACY.md)"
+    )
+
+
+def say_softening(share: float, measured: float, kind: str) -> str:
+    found = find_span(kind, SOLIDS, PRESSES)
+    # elements on the same mesh lock, so that what is averaged looks softer beside them than it is
+    lock = ", which lock where the nodal average does not" if measured > 0.0 else ""
+    return (
+        f"large strains: {say_percents(1.0 - found.most, 1.0 - found.least)} softer than "
+        f"neo-Hookean elements of the same mesh{lock}, in a press by up to {max(PRESSES):.0%} of "
+        f"the thickness{say_measured(share, measured)} (core/ACCURACY.md)"
+    )
+
+
+def say_percents(low: float, high: float) -> str:
+    return f"{100.0 * low:.0f} to {100.0 * high:.0f} %"
+
+
+def say_measured(share: float, measured: float) -> str:
+    return "" if share == measured else f", measured at a nodal share of {measured:g}"
 
 
 def find_linear_limits(
     organ: Organ, tissue: palpate.TissueModel, wall: WallFit | None
 ) -> Iterator[str]:
-    del organ, wall
-    size = palpate.measure_response(tissue)
+    del wall
+    size, share = palpate.measure_response(tissue), organ.fill.nodal_share
+    deep = find_span(LINEAR_KIND, SOLIDS, PRESSES)
     yield (
         f"presses deeper than {palpate.kShallow:.0%} of the thickness at the place: up to there it "
-        "is within 12 % of neo-Hookean elements, 22 % at a pointed end; beyond, an alarm stops it"
+        f"is {say_percents(1.0 - deep.most, 1.0 - deep.least)} softer than neo-Hookean elements of "
+        f"the same mesh{say_measured(share, LINEAR_SHARE)}; beyond, an alarm stops it"
     )
     yield "being turned: it is strained by rotation, so only a body that is held is one"
     yield "swinging: it follows its loads in the time of its damping, without inertia"
-    yield (
-        f"what is smaller than its {len(tissue.elastic.corners)} tetrahedra: it is as much too "
-        "stiff as they are too coarse, 18 to 45 % under a small patch where there are two to four "
-        "thousand (core/README.md)"
-    )
+    yield say_mesh_error(len(tissue.elastic.corners), share, LINEAR_SHARE, LINEAR_KIND)
+    if organ.fill.reach:
+        yield f"pushes outside of {organ.fill.reach}: there it does not give"
     yield (
         f"more surface than memory: its response is {1e-6 * size.bytes:.1f} MB of at most "
         f"{1e-6 * palpate.kMostResponseBytes:.1f}"
@@ -205,10 +249,12 @@ def choose_kernel(tissue: palpate.TissueModel) -> str:
 
 
 def find_refused_limits(organ: Organ) -> Iterator[str]:
-    if organ.material.wall_thickness is None and organ.model.kind not in FILLED:
+    if organ.material.wall_thickness is None and organ.model.kind in SURFACE_KINDS:
+        found = find_span(SURFACE_KINDS[organ.model.kind], SOLIDS, (None,))
+        share = say_percents(found.least_mean, found.most_mean)
         yield (
-            f"a solid: its surface alone answers with about {SURFACE_SHARE:.0%} of the organ's "
-            "force, whatever its constants are; a wall needs a thickness"
+            f"a solid: its surface alone answers with {share} of the organ's force, whatever its "
+            "constants are (core/ACCURACY.md); a wall needs a thickness"
         )
 
 

@@ -8,9 +8,11 @@ import json
 import numpy as np
 import palpate
 import pytest
-from palpate.bench import chart, frames, lateness, meshes, rows, table1, verb
+from palpate.bench import bodies, chart, frames, lateness, meshes, rows, table1, verb
 from palpate.bench.frames import Frames
 from palpate.cli import main
+from palpate.study import models
+from palpate.study.reference import read_reference
 
 pytest.importorskip("palpate_meshes", reason="the shipped organs come with palpate-editor")
 
@@ -255,3 +257,59 @@ def test_frames_are_drawn_of_the_organ_as_it_is_pressed(monkeypatch):
 
     assert -moved[:, 2].min() > 1e-3
     assert 0.0 < times.median <= times.p99
+
+
+def test_every_kind_of_body_has_its_rows(capsys, monkeypatch):
+    monkeypatch.setattr(
+        bodies, "NAMES", {"solid": ("spleen",), "linear": ("spleen",), "shell": ("gallbladder",)}
+    )
+    works = [word for work in palpate.bench_body_works() for word in ("--work", work)]
+
+    code, report = bench(capsys, "--organ", "spleen", "--organ", "gallbladder", *works)
+
+    assert (code, report["missing"]) == (0, [])
+    found = [(row["work"], row["mesh"], row["substeps"]) for row in report["rows"]]
+    assert [work for work, *_ in found] == (
+        ["solid_step", *["solid_tick"] * 3, "linear_step", *["linear_tick"] * 2]
+        + ["shell_step", *["shell_tick"] * 3]
+    )
+    assert {mesh for work, mesh, _ in found if work.startswith("shell")} == {"gallbladder"}
+    assert [row["substeps"] for row in report["rows"][1:3]] == [1, 12]
+    for row in report["rows"]:
+        assert 0.0 < row["median_us"] <= row["p99_us"]
+        assert row["ratio_to_naive"] > 0.0
+        assert row["share_of_bound"] is None or 0.0 < row["share_of_bound"] < 1.0
+        assert row["physics"] and row["constants"] == "from tissue"
+
+
+def test_a_body_that_cannot_be_timed_is_missing_by_every_work(capsys, monkeypatch):
+    def fail(*_):
+        raise RuntimeError("bench: solid_tick: the held press blew up")
+
+    monkeypatch.setattr(rows, "time_body", fail)
+
+    code, report = bench(
+        capsys, "--organ", "kidney", "--work", "solid_step", "--work", "solid_tick"
+    )
+
+    assert code == 1
+    assert report["missing"] == [
+        f"kidney: solid_{work} rows: bench: solid_tick: the held press blew up"
+        for work in ("step: 0 of 1", "tick: 0 of 3")
+    ]
+
+
+def test_bodies_are_the_same_when_they_are_renumbered():
+    for name in ("spleen", "gallbladder"):
+        reference = read_reference(name)
+
+        ordered = bodies.renumber(reference)
+
+        def spread(body):
+            return np.ptp(body.tetrahedra, axis=1).mean()
+
+        assert spread(ordered) < spread(reference)
+        build = models.build_shell if name == "gallbladder" else models.build_membrane_springs
+        one, other = build(reference).model, build(ordered).model
+        assert np.sort(one.mass) == pytest.approx(np.sort(other.mass))
+        assert len(one.fixed) == len(other.fixed) > 0

@@ -58,11 +58,12 @@ def test_every_kept_file_of_this_version_satisfies_the_schema(kept):
     [
         ("material", scene_parts.MaterialPart, set()),
         ("model", scene_parts.ModelPart, {"fixed", "stiffness_scale"}),
+        ("fill", scene_parts.FillPart, set()),
         ("tool", scene_parts.ToolPart, set()),
         ("hand", scene_parts.HandPart, set()),
     ],
 )
-def test_an_organ_has_the_fields_of_a_scene_file(section, part, elsewhere):
+def test_an_organ_has_the_fields_of_its_parts(section, part, elsewhere):
     content = validator("organ").schema["properties"]["content"]["properties"]
 
     assert content[section]["properties"].keys() == {f.name for f in fields(part)} - elsewhere

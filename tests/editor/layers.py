@@ -10,7 +10,7 @@ from math import pi
 import numpy as np
 import palpate
 from organs import make_organ
-from palpate.scene_parts import HandPart, MaterialPart, ModelPart, ToolPart
+from palpate.scene_parts import FillPart, HandPart, MaterialPart, ModelPart, ToolPart
 from palpate_editor import authoring
 from palpate_editor.document import Organ, Surface
 
@@ -77,6 +77,7 @@ def make_layer_organ(cell: float, sphere: float) -> Organ:
     return replace(
         make_organ(imported=None),
         name="layer",
+        fill=FillPart(),
         surface=surface,
         material=MaterialPart(),
         model=ModelPart(kind="solid", constants="tissue", drag=60.0),

@@ -8,7 +8,7 @@ from dataclasses import fields, replace
 from functools import cache
 
 import numpy as np
-from palpate.scene_parts import HandPart, LookPart, MaterialPart, ModelPart, ToolPart
+from palpate.scene_parts import FillPart, HandPart, LookPart, MaterialPart, ModelPart, ToolPart
 from palpate_editor.document import Decimation, Organ, Repairs, Source, Surface
 from palpate_meshes.generate import ellipsoid, sheet
 
@@ -76,6 +76,7 @@ def make_organ(vertices: int = 60, imported: int | None = 150) -> Organ:
         decimation=None if imported is None else decimation,
         material=MaterialPart(density=1050.0, damping_ratio=0.3),
         model=ModelPart(stiffness=120.0, home_stiffness=1e6, drag=8.0),
+        fill=FillPart(tetrahedra=1200, nodal_share=0.75, reach="hilum"),
         fixed=np.arange(vertices) < 5,
         stiffness_scale=1.0 + rng.random(vertices),
         regions={"hilum": np.array([1, 4, 7]), "alt uç": np.array([], int)},

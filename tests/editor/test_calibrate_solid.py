@@ -15,9 +15,9 @@ from palpate.study.calibrate import fit_factors
 from palpate.study.curve import Curve
 from palpate.study.half_space import compute_sphere_force
 from palpate.study.indent import measure_indentation
-from palpate_editor import fill
 from palpate_editor.compile import compile_organ
 from palpate_editor.document.files import write_organ
+from palpate_editor.edits import SetConstant
 
 SPHERE = 0.02
 """[m]"""
@@ -47,9 +47,8 @@ def test_one_factor_near_one_makes_a_solid_organ_feel_as_theory_says(monkeypatch
     assert fit.misses_shape()
 
 
-def test_the_modulus_of_a_solid_is_found_again_from_a_noisy_curve(tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr(fill, "TETRAHEDRA", 600)
-    organ = make_layer_organ(5e-3, SPHERE)
+def test_the_modulus_of_a_solid_is_found_again_from_a_noisy_curve(tmp_path, capsys):
+    organ = SetConstant("fill", "tetrahedra", 600)(make_layer_organ(5e-3, SPHERE))
     write_organ(tmp_path / "layer.organ", organ)
     depths = np.linspace(1e-3, 3e-3, 8)
     scene = compile_organ(organ)

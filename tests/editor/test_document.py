@@ -9,11 +9,17 @@ from dataclasses import FrozenInstanceError, fields, replace
 import numpy as np
 import pytest
 from organs import SOURCE, make_organ, surface_of
-from palpate.scene_parts import HandPart, MaterialPart, ModelPart, ToolPart
+from palpate.scene_parts import FillPart, HandPart, MaterialPart, ModelPart, ToolPart
 from palpate_editor.document import EMPTY, Organ, Surface, freeze, phrase
 from palpate_editor.document.constants import CHOICES, CONSTANTS, find_constant
 
-PARTS = {"material": MaterialPart, "model": ModelPart, "tool": ToolPart, "hand": HandPart}
+PARTS = {
+    "material": MaterialPart,
+    "model": ModelPart,
+    "fill": FillPart,
+    "tool": ToolPart,
+    "hand": HandPart,
+}
 
 
 def test_the_empty_organ_has_no_surface_and_nothing_painted():
@@ -112,7 +118,8 @@ def test_the_table_of_constants_names_fields_there_are_and_allows_their_defaults
 
 def test_every_number_and_law_of_the_parts_can_be_set_by_someone():
     known = {c.key for c in CONSTANTS} | set(CHOICES)
-    elsewhere = {"model.fixed", "model.stiffness_scale", "hand.gravity"}  # painted; SetGravity
+    # painted; SetReach and SetGravity
+    elsewhere = {"model.fixed", "model.stiffness_scale", "fill.reach", "hand.gravity"}
 
     there = {f"{name}.{f.name}" for name, part in PARTS.items() for f in fields(part)}
 

@@ -39,6 +39,7 @@ EXAMPLES = [
     (edits.SetConstant("model", "stiffness", 33.0), SPLEEN),
     (edits.SetGravity((0.0, 9.81, 0.0)), SPLEEN),
     (edits.SetMaterial(MaterialPart(density=900.0), ModelPart(stiffness=10.0)), SPLEEN),
+    (edits.SetReach(""), SPLEEN),
     (edits.FixVertices(np.array([20, 30])), SPLEEN),
     (edits.FixLowest(0.3), SPLEEN),
     (edits.PaintStiffness(np.array([1, 2]), 2.5), SPLEEN),
@@ -196,7 +197,8 @@ def test_a_refused_edit_changes_nothing_and_says_why(edit, organ, sentence):
 
 def test_every_number_of_the_table_can_be_set_and_is_refused_beyond_its_range():
     for constant in CONSTANTS:
-        allowed = constant.least + 0.25 if np.isfinite(constant.least) else -3.0
+        allowed = constant.least + (3.0 if constant.whole else 0.25)
+        allowed = allowed if np.isfinite(allowed) else -3.0
         after = edits.SetConstant(constant.part, constant.field, allowed)(SPLEEN)
         assert getattr(getattr(after, constant.part), constant.field) == allowed
         if np.isfinite(constant.least):

@@ -19,6 +19,7 @@ import numpy as np
 import palpate
 import pytest
 from organs import LOOK, make_organ, open_surface, same, surface_of
+from palpate.scene_parts import FillPart
 from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.files import VERSION, pack_organ, read_organ, write_organ
 
@@ -129,6 +130,7 @@ def test_a_kept_file_of_every_version_is_read(version):
     assert organ.decimation.max_distance == 1.0 / 3.0 * 1e-3
     assert organ.source.repairs.welded_vertices == 12
     assert organ.look == LOOK
+    assert organ.fill == (FillPart() if version < 3 else FillPart(1200, 0.75, "hilum"))
     assert {name: ids.tolist() for name, ids in organ.regions.items()} == {
         "hilum": [1, 4, 7],
         "alt uç": [],
@@ -186,6 +188,10 @@ def extra_array(good: bytes) -> bytes:
     return with_array(good, "paint", np.zeros(3))
 
 
+def with_manifest_without_share(good: bytes) -> bytes:
+    return with_manifest(good, remove("content|fill|nodal_share"))
+
+
 DAMAGED = {
     "empty": (lambda good: b"", "an empty file"),
     "text": (lambda good: b"solid spleen" * 9, "something other than a zip archive"),
@@ -196,6 +202,12 @@ DAMAGED = {
     "another format": (with_change("format", "palpate"), "format"),
     "no name": (lambda good: with_manifest(good, remove("content|name")), "name: found nothing"),
     "a field nobody knows": (with_change("content|colour", "red"), "colour: found an unknown"),
+    "half a tetrahedron": (
+        with_change("content|fill|tetrahedra", 1200.5),
+        "fill.tetrahedra: found 1200.5, expected a whole number",
+    ),
+    "no share": (with_manifest_without_share, "fill: found no nodal_share"),
+    "a number for a region": (with_change("content|fill|reach", 3), "fill.reach: found 3"),
     "text for a number": (with_change("content|model|drag", "fast"), 'model.drag: found "fast"'),
     "a constant nobody knows": (with_change("content|model|pace", 1.0), "model.pace"),
     "painted twice": (with_change("content|model|fixed", [1]), "model.fixed: found an unknown"),

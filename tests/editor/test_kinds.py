@@ -11,12 +11,14 @@ import palpate
 import pytest
 from organs import make_organ, same
 from palpate.cli import main
+from palpate.scene_parts import FillPart, ModelPart
+from palpate.study.findings import read_findings
 from palpate_editor.check import assess
 from palpate_editor.compile import compile_organ, mesh_of
 from palpate_editor.document import Organ
 from palpate_editor.document.files import read_organ, write_organ
 from palpate_editor.edits import SetChoice
-from palpate_editor.kinds import TISSUE_KINDS
+from palpate_editor.kinds import SOLIDS, SURFACE_KINDS, TISSUE_KINDS, find_solid_limits
 
 SOLID = replace(make_organ(200, None), stiffness_scale=np.ones(200))
 
@@ -90,7 +92,11 @@ def test_a_solid_says_why_its_surface_cannot_carry_it(tmp_path, capsys):
         if row["built"]:
             continue
         assert "material: wall_thickness: found none" in row["refusal"]
-        assert "about 2% of the organ's force" in row["cannot_represent"][0]
+        name = SURFACE_KINDS[row["name"].split()[0]]
+        small = [f for f in read_findings() if f.kind == name and f.depth is None]
+        shares = sorted(100 * f.force for f in small if f.body in SOLIDS)
+        words = f"{shares[0]:.0f} to {shares[-1]:.0f} % of the organ's force"
+        assert words in row["cannot_represent"][0]
     assert not report["kinds"][0]["built"]
     filled, linear = report["kinds"][-2:]
     assert filled["name"] == "solid" and filled["built"]
@@ -99,6 +105,29 @@ def test_a_solid_says_why_its_surface_cannot_carry_it(tmp_path, capsys):
     assert linear["kernel"] == "response"
     limits = " ".join(linear["cannot_represent"])
     assert "deeper than 15%" in limits and "MB of at most 67.1" in limits
+
+
+@pytest.mark.parametrize(
+    ("share", "kind", "also"),
+    [
+        (0.0, "springs + volumes, each", ""),
+        (0.9, "springs + volumes, 0.9 nodal", ", which lock where the nodal average does not"),
+        (0.7, "springs + volumes, 0.9 nodal", ", measured at a nodal share of 0.9"),
+    ],
+)
+def test_a_solid_says_what_the_study_found_of_its_nodal_share(share, kind, also):
+    organ = replace(SOLID, fill=FillPart(300, share), model=ModelPart(kind="solid"))
+    small = [f for f in read_findings() if f.kind == kind and f.depth is None]
+    solid = [f for f in small if f.body in SOLIDS]
+    deep = [f for f in read_findings() if f.kind == kind and f.depth and f.depth > 0.0]
+
+    mesh, strains, _ = find_solid_limits(organ, compile_organ(organ).tissue, None)
+
+    low, high = (100 * (f - 1) for f in (min(f.least for f in solid), max(f.most for f in solid)))
+    assert f"too coarse, {low:.0f} to {high:.0f} % under a small patch" in mesh
+    low, high = (100 * (1 - f) for f in (max(f.most for f in deep), min(f.least for f in deep)))
+    assert f"large strains: {low:.0f} to {high:.0f} % softer than neo-Hookean" in strains
+    assert also in strains
 
 
 def test_in_words_each_kind_has_its_lines(wall, capsys):

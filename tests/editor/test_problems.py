@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from organs import make_organ, open_surface, surface_of, two_shells, untitled
+from palpate.scene_parts import FillPart
 from palpate_editor import check
 from palpate_editor.check import Assessment, assess
 from palpate_editor.document import EMPTY, Organ, Surface
@@ -80,6 +81,10 @@ WRONG = {
     "all_fixed": (replace(SOUND, fixed=np.ones(60, bool)), "material", "error", "every vertex"),
     "loose": (replace(with_part("model", home_stiffness=None), fixed=np.zeros(60, bool)),
               "material", "warning", "neither home springs nor fixed"),
+    "reach": (replace(with_part("model", kind="linear_solid"), fill=FillPart(reach="apex")),
+              "material", "error", "'apex'"),
+    "slow_solid": (replace(with_part("model", kind="solid"), fill=FillPart(9000)), "material",
+                   "warning", "steps a tick"),
     "small_tip": (with_part("tool", radius=1e-3), "material", "warning", "1.0 mm"),
     "untested": (SOUND, "test", "note", "never felt"),
     "no_title": (untitled(SOUND), "publish", "error", "no title"),
@@ -127,7 +132,7 @@ def test_a_problem_is_not_found_where_it_is_not(key):
 
 FIXABLE = {
     "unit_guessed", "up_guessed", "inward", "shells", "constant", "choice", "open_solid",
-    "indefinite", "loose", "small_tip", "no_title",
+    "indefinite", "loose", "reach", "small_tip", "no_title",
 }  # fmt: skip
 
 

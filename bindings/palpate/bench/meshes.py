@@ -152,12 +152,11 @@ def renumber(mesh: palpate.SurfaceMesh, scene: SceneFile) -> tuple[palpate.Surfa
     return ordered, replace(scene, model=model)
 
 
-def find_order(triangles: NDArray[np.int32], count: int) -> NDArray[np.int32]:
-    """Old numbers in their new sequence [CuthillMcKee69]."""
+def find_order(cells: NDArray[np.int32], count: int) -> NDArray[np.int32]:
+    """Old numbers in their new sequence [CuthillMcKee69], from triangles or tetrahedra."""
     from scipy.sparse import coo_matrix
     from scipy.sparse.csgraph import reverse_cuthill_mckee
 
-    a, b, c = triangles.T
-    rows, columns = np.concatenate([a, b, c]), np.concatenate([b, c, a])
+    rows, columns = cells.ravel(), np.roll(cells, -1, axis=1).ravel()
     graph = coo_matrix((np.ones(len(rows), dtype=np.int8), (rows, columns)), (count, count))
     return reverse_cuthill_mckee((graph + graph.T).tocsr(), symmetric_mode=True)

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import palpate
+from palpate.bench.bodies import BenchBody
 from palpate.bench.lateness import (
     LOOP,
     SECONDS_PER_BUDGET,
@@ -43,12 +44,15 @@ class Options:
 
 
 def list_works() -> list[str]:
-    """All that can be timed here: `palpate.bench_works()`, and the live loop."""
-    return [*palpate.bench_works(), LOOP]
+    """All that can be timed here: works of surfaces, those of bodies, and the live loop."""
+    return [*palpate.bench_works(), *palpate.bench_body_works(), LOOP]
 
 
 def bench_meshes(
-    meshes: Sequence[BenchMesh], options: Options, say: Callable[[str], None] = lambda words: None
+    meshes: Sequence[BenchMesh],
+    options: Options,
+    say: Callable[[str], None] = lambda words: None,
+    bodies: Sequence[BenchBody] = (),
 ) -> Report:
     """`rows`, `loop`, and under `missing` in words what could not be timed and why."""
     rows: list[Report] = []
@@ -63,8 +67,16 @@ def bench_meshes(
                 rows += time_work(mesh, scenes, work, options)
             except RuntimeError as problem:  # the ends of ours and the naive form disagree, ...
                 reasons[mesh.name, work] = str(problem)
+    wanted = [body for body in bodies if set(body.works) & set(options.works)]
+    for body in wanted:
+        say(f"{body.name}: {body.kind}")
+        try:
+            rows += time_body(body, options)
+        except RuntimeError as problem:
+            reasons[body.name, body.kind] = str(problem)
     missing = find_missing(rows, meshes, options, reasons)
-    loops = run_loop(meshes, options, missing, say) if LOOP in options.works else []
+    missing += find_missing_of_bodies(rows, wanted, options, reasons)
+    loops = run_loop(meshes, options, missing, say) if LOOP in options.works and meshes else []
     return {"rows": rows, "loop": loops, "missing": missing}
 
 
@@ -94,24 +106,59 @@ def time_work(
         press=options.holds(mesh),
     )
     return [
-        {
-            "work": row.work,
-            "mesh": mesh.name,
-            "vertices": row.vertices,
-            "substeps": row.substeps or None,
-            "median_us": 1e6 * row.median,
-            "p99_us": 1e6 * row.p99,
-            "naive_median_us": 1e6 * row.naive_median,
-            "ratio_to_naive": row.ratio_to_naive,
-            "ns_per_element": row.ns_per_element(),
-            "share_of_bound": row.share_of_bound or None,
-            "simd_target": row.simd_target,
-            "compiler_flags": row.compiler_flags,
-            "physics": row.physics,
-            "constants": mesh.constants,
-        }
-        for row in palpate.run_bench(*scenes, chosen)
+        report_row(row, mesh.name, mesh.constants) for row in palpate.run_bench(*scenes, chosen)
     ]
+
+
+def time_body(body: BenchBody, options: Options) -> list[Report]:
+    chosen = palpate.BenchOptions(
+        budget=options.budget,
+        works=[work for work in body.works if work in options.works],
+        air_substeps=list(options.air_substeps),
+        press=options.press,
+    )
+    rows = palpate.run_body_bench(body.build(), chosen)
+    return [report_row(row, body.name, "from tissue") for row in rows]
+
+
+def report_row(row: palpate.BenchRow, mesh: str, constants: str) -> Report:
+    return {
+        "work": row.work,
+        "mesh": mesh,
+        "vertices": row.vertices,
+        "substeps": row.substeps or None,
+        "median_us": 1e6 * row.median,
+        "p99_us": 1e6 * row.p99,
+        "naive_median_us": 1e6 * row.naive_median,
+        "ratio_to_naive": row.ratio_to_naive,
+        "ns_per_element": row.ns_per_element(),
+        "share_of_bound": row.share_of_bound or None,
+        "simd_target": row.simd_target,
+        "compiler_flags": row.compiler_flags,
+        "physics": row.physics,
+        "constants": constants,
+    }
+
+
+def find_missing_of_bodies(
+    rows: Sequence[Report],
+    bodies: Sequence[BenchBody],
+    options: Options,
+    reasons: dict[tuple[str, str], str],
+) -> list[str]:
+    """A sentence for each work of each body without its rows."""
+    missing = []
+    for body in bodies:
+        for work in body.works:
+            if work not in options.works:
+                continue
+            air = 1 if body.kind == "linear" else len(options.air_substeps)
+            wanted = air + options.press if work.endswith("_tick") else 1
+            found = sum(row["mesh"] == body.name and row["work"] == work for row in rows)
+            if found != wanted:
+                why = reasons.get((body.name, body.kind), "no reason given")
+                missing.append(f"{body.name}: {work}: {found} of {wanted} rows: {why}")
+    return missing
 
 
 def find_missing(
@@ -124,7 +171,7 @@ def find_missing(
     missing = []
     for mesh in meshes:
         for work in options.works:
-            if work == LOOP:
+            if work not in palpate.bench_works():
                 continue
             wanted = options.count_ticks(mesh) if work.endswith("_tick") else 1
             found = sum(row["mesh"] == mesh.name and row["work"] == work for row in rows)
@@ -167,7 +214,8 @@ def describe_columns(rows: Sequence[Report]) -> list[str]:
     return [
         "ticks at 1 and 12 substeps: the hand in the air; then a press held, at what that asks",
         f"  for, on up to {PRESSED} vertices",
-        "ns each: per link, triangle or query, or per tick",
+        "ns each: per link, triangle, prism, tetrahedron or query, per particle of a response, or",
+        "  per tick",
         "of bound: the least time by this machine's arithmetic and memory, over the median",
         "x naive: how many times faster than the plain form in double, in the same process, with",
         "  the same flags, order of particles, terms and steps; its ends are compared first",

@@ -7,6 +7,7 @@ import argparse
 import sys
 from pathlib import Path
 
+from palpate.bench.bodies import list_bodies
 from palpate.bench.meshes import (
     SIZES,
     BenchMesh,
@@ -59,7 +60,10 @@ def run_bench(call: argparse.Namespace) -> Report:
     named = call.organ or call.scene or call.mesh or call.vertices
     if call.table1 or call.chart:
         return run_special(call, named)
-    return bench_meshes(choose_meshes(call, bool(named)), choose_options(call), say)
+    meshes, options = choose_meshes(call, bool(named)), choose_options(call)
+    # bodies are shipped organs, with constants of their own
+    bodies = list_bodies(call.organ or ()) if call.organ or not named else []
+    return bench_meshes(meshes, options, say, bodies)
 
 
 def choose_meshes(call: argparse.Namespace, named: bool) -> list[BenchMesh]:

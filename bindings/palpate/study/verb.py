@@ -7,6 +7,7 @@ import argparse
 from dataclasses import asdict
 from pathlib import Path
 
+from palpate.study.findings import write_findings
 from palpate.study.reference import list_references, read_reference
 from palpate.verb import Report, Verb
 
@@ -22,6 +23,12 @@ def add_study(word: argparse.ArgumentParser) -> None:
         help="may be repeated; without it the shipped organs",
     )
     word.add_argument("--deep", action="store_true", help="deep presses and pulls too")
+    word.add_argument(
+        "--findings",
+        type=Path,
+        metavar="FILE.json",
+        help="keep the forces of every kind, as palpate material says them",
+    )
     word.add_argument("--chart", type=Path, help="cost against error as PNG")
 
 
@@ -57,7 +64,11 @@ def run_study(call: argparse.Namespace) -> Report:
         "rows": [asdict(row) for row in rows],
         "costs": [],
         "chart": None,
+        "findings": None,
     }
+    if call.findings is not None:
+        write_findings(call.findings, rows)
+        report["findings"] = str(call.findings)
     if call.chart is not None:
         # loads matplotlib, which the table does without
         from palpate.study.chart import save_chart

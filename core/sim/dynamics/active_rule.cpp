@@ -78,10 +78,18 @@ double find_home_of_area(const TissueModel& model) {
 ActiveRule derive_active_rule(const TissueModel& model, double radius, double force_error) {
   const std::string where = "scene: force_error [N]";
   if (!model.volumes.corners.empty()) {
-    refuse(where, "a tissue with volumes", "0: solids are moved whole");
+    refuse(where, "a tissue with volumes",
+           "0: solids are moved whole, for they have no home springs, and without those a push is "
+           "felt with one over its distance");
   }
   if (!model.prisms.corners.empty()) {
-    refuse(where, "a tissue with prisms", "0: walls of prisms are moved whole");
+    refuse(where, "a tissue with prisms",
+           "0: walls of prisms are moved whole, for what may sleep follows from how far springs "
+           "carry a pull, which is not how far a wall bends");
+  }
+  if (!model.elastic.corners.empty()) {
+    refuse(where, "a linear solid",
+           "0: it costs what is touched, so there is nothing to let sleep");
   }
   bool has_home = !model.home.empty() && !model.triangles.empty();
   for_each_free(

@@ -122,11 +122,13 @@ int count_linear_substeps(const Scene& scene, double way, double dt, World& worl
   return static_cast<int>(std::min(wanted, most));
 }
 
+double choose_linear_share(const Scene& scene, double dt, World& world) noexcept {
+  return choose_share(dt, bound_contact_share(scene, world), world.response->damping_time);
+}
+
 void move_linear(const Scene& scene, double dt, World& world) noexcept {
   const Response& response = *world.response;
-  const double contact = bound_contact_share(scene, world);
-  relax(response, scene.tissue, world.load, choose_share(dt, contact, response.damping_time),
-        world.answer);
+  relax(response, scene.tissue, world.load, choose_linear_share(scene, dt, world), world.answer);
   place_near(response, scene.tissue, world.answer,
              std::span(world.near).first(static_cast<std::size_t>(world.near_count)),
              world.tissue.position);

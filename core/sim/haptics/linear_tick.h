@@ -14,6 +14,9 @@ std::vector<double> compute_shallow_depths(const TissueModel& tissue, const Aabb
 /// How many substeps the coming tick of dt [s] has; `way` [m] is how far the hand has come.
 int count_linear_substeps(const Scene& scene, double way, double dt, World& world) noexcept;
 
+/// [-] of the way to where the pushes hold it, which the tissue goes in a substep of dt [s].
+double choose_linear_share(const Scene& scene, double dt, World& world) noexcept;
+
 /// One substep of dt [s] under world.load; only what the tool may touch is brought up to date.
 void move_linear(const Scene& scene, double dt, World& world) noexcept;
 

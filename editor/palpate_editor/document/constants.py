@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from palpate.scene_parts import KINDS, ORIGINS, SPRING_RULES, ModelPart
+from palpate.scene_parts import FILLED, KINDS, ORIGINS, SPRING_RULES, ModelPart
 
 from palpate_editor.document.phrase import Phrase, phrase
 
@@ -19,7 +19,7 @@ class Constant:
     """One number of a part of an organ."""
 
     part: str
-    """material, model, tool or hand."""
+    """material, model, fill, tool or hand."""
     field: str
     label: str
     """What people call it."""
@@ -36,6 +36,8 @@ class Constant:
     absent: str = ""
     kinds: tuple[str, ...] = KINDS
     """The model kinds on which it has an effect."""
+    whole: bool = False
+    """A count of something."""
     chosen: bool = False
     """It counts only where the constants are chosen, not where tissue gives them."""
 
@@ -48,7 +50,7 @@ class Constant:
         return model.kind in self.kinds and (not self.chosen or model.constants == "chosen")
 
     def allows(self, value: float) -> bool:
-        if not math.isfinite(value):
+        if not math.isfinite(value) or (self.whole and value != int(value)):
             return False
         return (value > self.least if self.above else value >= self.least) and value <= self.most
 
@@ -56,6 +58,8 @@ class Constant:
         """In the unit shown: "above 0 mm", "0 to 1", "any finite number"."""
         low, high = self.least / self.scale, self.most / self.scale
         unit = f" {self.unit}" if self.unit else ""
+        if self.whole:
+            return phrase("a whole number of {low:g} to {high:g}", low=low, high=high)
         if math.isinf(low) and math.isinf(high):
             return phrase("any finite number")
         if math.isinf(high):
@@ -83,6 +87,8 @@ HOLLOW = (*SURFACES, "shell")
 SWINGING = (*HOLLOW, "solid")
 """A linear solid is always at rest under its loads, but for the time its damping takes."""
 ANY = -math.inf
+LEAST_TETRAHEDRA, MOST_TETRAHEDRA = 100, 40_000
+"""Fewer are no shape; more are not begun (core/authoring/fill_interior.h)."""
 
 CONSTANTS = (
     Constant("material", "density", "Density", "kg/m³"),
@@ -131,6 +137,18 @@ CONSTANTS = (
     ),
     Constant("model", "pressure", "Pressure", "kPa", scale=1e3, least=ANY, kinds=HOLLOW),
     Constant("model", "drag", "Drag", "1/s", above=False, kinds=SWINGING),
+    Constant(
+        "fill",
+        "tetrahedra",
+        "Tetrahedra",
+        "",
+        least=LEAST_TETRAHEDRA,
+        above=False,
+        most=MOST_TETRAHEDRA,
+        kinds=FILLED,
+        whole=True,
+    ),
+    Constant("fill", "nodal_share", "Nodal share", "", above=False, most=1.0, kinds=FILLED),
     Constant("tool", "radius", "Tip radius", "mm", scale=1e-3),
     Constant("tool", "stiffness", "Contact stiffness", "N/mm³", scale=1e9),
     Constant("hand", "coupling", "Hand coupling", "N/m"),

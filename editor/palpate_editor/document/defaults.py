@@ -9,7 +9,7 @@ from __future__ import annotations
 import tomllib
 from pathlib import Path
 
-from palpate.scene_parts import HandPart, MaterialPart, ModelPart, ToolPart
+from palpate.scene_parts import FillPart, HandPart, MaterialPart, ModelPart, ToolPart
 
 CONSTANTS = Path(__file__).parents[1] / "demo.toml"
 """The file, with the words for every number."""
@@ -28,5 +28,6 @@ MODEL = ModelPart(
     # chooses it; where both have one, the springs' counts
     **TABLES["mms"] | TABLES["mss"],
 )
+FILL = FillPart()
 TOOL = ToolPart(**TABLES["tool"])
 HAND = HandPart(**TABLES["hand"])

@@ -19,6 +19,7 @@ from palpate.error import FileError
 from palpate.json_part import json_kind, read_part, read_value
 from palpate.scenario import Container, read_container, write_container
 from palpate.scene_parts import (
+    FillPart,
     HandPart,
     LookPart,
     MaterialPart,
@@ -31,11 +32,17 @@ from palpate.verb import Refusal
 from palpate_editor.document.organ import Decimation, Organ, Source
 from palpate_editor.document.surface import Surface
 
-FORMAT, VERSION = "organ", 2
+FORMAT, VERSION = "organ", 3
 ARRAYS_OF_MODEL = ("fixed", "stiffness_scale")
 """Of the model part; arrays of the file stand for them."""
 WORDS = ("name", "title", "task")
-NUMBERS = {"material": MaterialPart, "model": ModelPart, "tool": ToolPart, "hand": HandPart}
+NUMBERS = {
+    "material": MaterialPart,
+    "model": ModelPart,
+    "fill": FillPart,
+    "tool": ToolPart,
+    "hand": HandPart,
+}
 OPTIONAL = {"source": Source, "decimation": Decimation, "look": LookPart}
 
 Json = dict[str, Any]
@@ -49,7 +56,16 @@ def choose_constants(content: Json, arrays: Arrays) -> tuple[Json, Arrays]:
     return content, arrays
 
 
-MIGRATIONS: dict[int, Callable[[Json, Arrays], tuple[Json, Arrays]]] = {1: choose_constants}
+def choose_filling(content: Json, arrays: Arrays) -> tuple[Json, Arrays]:
+    """Version 3 says how a solid is filled; before, all were filled alike."""
+    content["fill"] = {"tetrahedra": 3000, "nodal_share": 0.9, "reach": ""}
+    return content, arrays
+
+
+MIGRATIONS: dict[int, Callable[[Json, Arrays], tuple[Json, Arrays]]] = {
+    1: choose_constants,
+    2: choose_filling,
+}
 """Version -> what makes of a document of that version one of the next."""
 
 

@@ -79,8 +79,9 @@ def find_constant_problems(organ: Organ) -> Iterator[Problem]:
 def refuse_tissue(tissue: TissueFacts) -> Iterator[Problem]:
     assert tissue.refusal is not None
     where, found, expected = tissue.refusal
+    key = "reach" if where == "fill.reach" else "tissue"
     yield Problem(
-        "indefinite" if tissue.coupling_range else "tissue",
+        "indefinite" if tissue.coupling_range else key,
         "error",
         "material",
         where,

@@ -8,9 +8,9 @@ from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
 import numpy as np
-from palpate.scene_parts import HandPart, LookPart, MaterialPart, ModelPart, ToolPart
+from palpate.scene_parts import FillPart, HandPart, LookPart, MaterialPart, ModelPart, ToolPart
 
-from palpate_editor.document.defaults import HAND, MATERIAL, MODEL, TOOL
+from palpate_editor.document.defaults import FILL, HAND, MATERIAL, MODEL, TOOL
 from palpate_editor.document.surface import Surface, freeze
 
 NO_REGIONS: Mapping[str, np.ndarray] = MappingProxyType({})
@@ -89,6 +89,8 @@ class Organ:
     material: MaterialPart = MATERIAL
     model: ModelPart = MODEL
     """Its `fixed` and `stiffness_scale` are not used: the arrays below stand for them."""
+    fill: FillPart = FILL
+    """Of a solid; a surface has no use for it."""
     fixed: np.ndarray = field(default_factory=lambda: np.empty(0, bool))
     """(n,) bool per vertex of the surface, held at rest; read-only"""
     stiffness_scale: np.ndarray = field(default_factory=lambda: np.empty(0))

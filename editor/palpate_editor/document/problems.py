@@ -78,6 +78,8 @@ class TissueFacts:
     """[kg]"""
     links: int = 0
     """Springs and bonds."""
+    tetrahedra: int = 0
+    """Of a solid."""
     default_home: float | None = None
     """[N/m³] What home springs are where the designer says nothing."""
     wall: WallFit | None = None

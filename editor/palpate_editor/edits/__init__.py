@@ -18,6 +18,7 @@ from palpate_editor.edits.prepare import Prepared, prepare
 from palpate_editor.edits.regions import RemoveRegion, SetRegion
 from palpate_editor.edits.repair import KeepLargestShell, TurnOutward
 from palpate_editor.edits.set_constant import SetChoice, SetConstant, SetGravity, SetMaterial
+from palpate_editor.edits.set_reach import SetReach
 
 __all__ = [
     "EVERY_EDIT",
@@ -36,6 +37,7 @@ __all__ = [
     "SetGravity",
     "SetMaterial",
     "SetName",
+    "SetReach",
     "SetRegion",
     "SetTask",
     "SetUnit",
@@ -59,6 +61,7 @@ EVERY_EDIT: tuple[type, ...] = (
     SetConstant,
     SetGravity,
     SetMaterial,
+    SetReach,
     FixVertices,
     FixLowest,
     PaintStiffness,

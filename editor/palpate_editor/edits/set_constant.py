@@ -39,7 +39,7 @@ def check_constant(part: str, field: str, value: float | None) -> None:
 
 @dataclass(frozen=True)
 class SetConstant:
-    """Set one number of the material, the model, the tool or the hand."""
+    """Set one number of the material, the model, the filling, the tool or the hand."""
 
     part: str
     field: str
@@ -53,7 +53,9 @@ class SetConstant:
 
     def __call__(self, organ: Organ) -> Organ:
         check_constant(self.part, self.field, self.value)
-        value = None if self.value is None else float(self.value)
+        constant = find_constant(self.part, self.field)
+        kind = int if constant is not None and constant.whole else float
+        value = None if self.value is None else kind(self.value)
         return replace_field(organ, self.part, self.field, value)
 
 

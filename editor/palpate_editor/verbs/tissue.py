@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from collections.abc import Callable
 from dataclasses import asdict
 from pathlib import Path
@@ -17,7 +18,7 @@ from palpate_editor.compile import compile_organ
 from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.constants import CHOICES, CONSTANTS, SHORT_KINDS, Constant
 from palpate_editor.document.files import write_organ
-from palpate_editor.edits import FixLowest, SetChoice, SetConstant, SetGravity
+from palpate_editor.edits import FixLowest, SetChoice, SetConstant, SetGravity, SetReach
 from palpate_editor.kinds import compare_kinds, describe_kinds
 from palpate_editor.scene_files import write_scene
 from palpate_editor.verbs.files import apply, open_any
@@ -34,6 +35,8 @@ OPTIONS = {
     "material.damping_ratio": ("--damping", ""),
     "material.young_modulus": ("--young-modulus", "Pa"),
     "material.poisson_ratio": ("--poisson", ""),
+    "fill.tetrahedra": ("--tetrahedra", ""),
+    "fill.nodal_share": ("--nodal-share", ""),
     "tool.radius": ("--tool-radius", "m"),
     "tool.stiffness": ("--tool-stiffness", "N/m3"),
     "hand.coupling": ("--coupling", "N/m"),
@@ -92,6 +95,12 @@ def add_material(word: argparse.ArgumentParser) -> None:
     for key, option in LAWS.items():
         word.add_argument(option, dest=key, choices=CHOICES[key])
     word.add_argument(
+        "--reach",
+        metavar="REGION",
+        help="of a linear solid: the region on which it can be pushed, so that its response is "
+        f"smaller; elsewhere it does not give ('{NONE}': all of the surface)",
+    )
+    word.add_argument(
         "--gravity", type=read_vector, metavar="X,Y,Z", help="[m/s²] of the organ (0,0,0)"
     )
     word.add_argument(
@@ -127,6 +136,9 @@ def set_constants(call: argparse.Namespace, organ: Organ) -> Organ:
         if value is not None:
             edit = SetConstant(constant.part, constant.field, None if value == NONE else value)
             organ = apply(edit, organ, call.file, OPTIONS[constant.key][0])
+    if call.reach is not None:
+        everywhere = call.reach == NONE and NONE not in organ.regions
+        organ = apply(SetReach("" if everywhere else call.reach), organ, call.file, "--reach")
     if call.gravity is not None:
         organ = apply(SetGravity(call.gravity), organ, call.file, "--gravity")
     if call.fix_lowest != 0.0:
@@ -146,7 +158,7 @@ def run_material(call: argparse.Namespace) -> Report:
             "a name ending in .organ: a scene file has no tetrahedra",
         )
     try:
-        compiled = compile_organ(organ)
+        compiled = compile_organ(organ, say_size)
     except ValueError as problem:
         raise Refusal(call.file, *split_refusal(str(problem))) from None
     if call.out.suffix == ".organ":
@@ -154,7 +166,8 @@ def run_material(call: argparse.Namespace) -> Report:
     else:
         write_scene(call.out, organ, call.file if call.file.suffix == ".obj" else None)
     tissue = compiled.tissue
-    parts = {name: asdict(getattr(organ, name)) for name in ("material", "model", "tool", "hand")}
+    named = ("material", "model", "fill", "tool", "hand")
+    parts = {name: asdict(getattr(organ, name)) for name in named}
     parts["model"] |= {"fixed": len(tissue.fixed), "stiffness_scale": None}
     return {
         "out": str(call.out),
@@ -171,6 +184,12 @@ def run_material(call: argparse.Namespace) -> Report:
         "substeps": compiled.substeps,
         "description": describe_model(compiled),
     }
+
+
+def say_size(size: palpate.ResponseSize) -> None:
+    """For whoever waits; the report alone goes to standard output."""
+    words = f"{1e-6 * size.bytes:.1f} MB for {size.pushed} of {size.moved} particles"
+    print(f"its response takes {words}", file=sys.stderr, flush=True)
 
 
 def describe_material(report: Report) -> str:

@@ -7,6 +7,7 @@ in a thread after every change; what did not change is not done again.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,6 +21,7 @@ from palpate_editor.document import Organ, Surface
 from palpate_editor.document.problems import Problem, TissueFacts
 from palpate_editor.document.rules import compute_tick_share
 from palpate_editor.views.jobs import Jobs, Progress
+from palpate_editor.views.words import say_memory, tr
 
 PATIENCE = 60
 """[ms] without a change before work begins: a stroke of the keyboard is not yet a decision."""
@@ -75,9 +77,19 @@ class Assessment:
         return [problem for problem in self.problems if problem.stage == stage]
 
 
-def assess(organ: Organ, tested: bool, before: Assessment | None) -> Assessment:
-    """Finds everything out, on any thread; what `before` knows is used again where it holds."""
-    checked = check.assess(organ, tested=tested, before=before.checked if before else None)
+def assess(
+    organ: Organ,
+    tested: bool,
+    before: Assessment | None,
+    measured: Callable[[palpate.ResponseSize], None] | None = None,
+) -> Assessment:
+    """Finds everything out, on any thread; what `before` knows is used again where it holds.
+
+    `measured` is told what memory a response will take, before it is solved for.
+    """
+    checked = check.assess(
+        organ, tested=tested, before=before.checked if before else None, measured=measured
+    )
     share = compute_tick_share(organ, checked.facts)
     same = (
         before is not None
@@ -121,13 +133,22 @@ class AssessWork:
 
     def __call__(self, progress: Progress) -> Assessment:
         progress("", 0.0)
-        return assess(self.organ, self.tested, self.before)
+
+        def tell(size: palpate.ResponseSize) -> None:
+            if size.bytes > palpate.kMostResponseBytes:
+                return  # and a check says so
+            words = tr("{memory}, being solved for").format(memory=say_memory(size))
+            progress(words, 0.5)
+
+        return assess(self.organ, self.tested, self.before, tell)
 
 
 class Assessor(QObject):
     """Keeps the newest assessment of a session's organ."""
 
     assessed = Signal()
+    said = Signal(str)
+    """What is being built now, where that takes its time."""
 
     def __init__(self, session: Session, jobs: Jobs, parent: QObject | None = None):
         super().__init__(parent)
@@ -151,7 +172,14 @@ class Assessor(QObject):
         self.busy = True
         self.assessed_tested = self.session.is_tested
         work = AssessWork(self.session.organ, self.assessed_tested, self.assessment)
-        self.jobs.start_unseen("assessment", work, self.finish, self.give_up)
+        job = self.jobs.start_unseen("assessment", work, self.finish, self.give_up)
+        if job is not None:
+            job.progressed.connect(self.tell)
+
+    def tell(self, words: str, share: float) -> None:
+        del share
+        if words:
+            self.said.emit(words)
 
     def finish(self, assessment: Assessment) -> None:
         self.busy = False

@@ -27,6 +27,7 @@ from palpate_editor.edits import (
     SetConstant,
     SetGravity,
     SetMaterial,
+    SetReach,
     SetUnit,
     SetUp,
     TurnOutward,
@@ -107,6 +108,11 @@ def gravity_words(edit: SetGravity, organ: Organ, document: Path | str) -> Words
     return material_words(document, ["--gravity=" + ",".join(f"{g:g}" for g in edit.gravity)])
 
 
+def reach_words(edit: SetReach, organ: Organ, document: Path | str) -> Words:
+    del organ
+    return material_words(document, [f"--reach={edit.region or NONE}"])
+
+
 def lowest_words(edit: FixLowest, organ: Organ, document: Path | str) -> Words:
     del organ
     return material_words(document, [f"--fix-lowest={edit.share:.12g}"])
@@ -138,6 +144,7 @@ FINDERS: dict[type, Callable[[Any, Organ, Path | str], Words | None]] = {
     SetChoice: choice_words,
     SetGravity: gravity_words,
     SetMaterial: all_words,
+    SetReach: reach_words,
     FixLowest: lowest_words,
 }
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import palpate
 from PySide6.QtCore import QCoreApplication
 
 from palpate_editor.document import Phrase
@@ -79,3 +80,11 @@ def quantity(value: float | None, unit: str, digits: int = 4) -> str:
     # a degree sign stands at its number
     space = "" if unit in ("", "°") else "\N{NO-BREAK SPACE}"
     return f"{number(value, digits)}{space}{unit}"
+
+
+def say_memory(size: palpate.ResponseSize) -> str:
+    """What a response takes, and for how many particles."""
+    memory = quantity(1e-6 * size.bytes, "MB", 3)
+    return tr("{memory} for {pushed} of {moved} particles").format(
+        memory=memory, pushed=count(size.pushed), moved=count(size.moved)
+    )

@@ -25,6 +25,18 @@
         <translation>&amp;Arkadan</translation>
     </message>
     <message>
+        <source>About as many tetrahedra are made as are asked for; more are nearer to the tissue and take longer. A nodal share of 0 lets volumes lock, which makes the organ too stiff; 1 lets tetrahedra turn inside out.</source>
+        <translation>Yaklaşık istenen sayıda dörtyüzlü oluşturulur; sayı arttıkça model dokuya yaklaşır, hesap uzar. Düğüm payı 0 olursa hacimler kilitlenir, organ fazla sert olur; 1 olursa dörtyüzlüler tersyüz olabilir.</translation>
+    </message>
+    <message>
+        <source>All of the surface</source>
+        <translation>Yüzeyin tamamı</translation>
+    </message>
+    <message>
+        <source>Filling</source>
+        <translation>Dolgu</translation>
+    </message>
+    <message>
         <source>Haptic de&amp;vice…</source>
         <translation>Dokunsal ay&amp;gıt…</translation>
     </message>
@@ -1373,6 +1385,10 @@
         <translation>Dene</translation>
     </message>
     <message>
+        <source>Tetrahedra</source>
+        <translation>Dörtyüzlü</translation>
+    </message>
+    <message>
         <source>The device failed ({what}): the run was stopped.</source>
         <translation>Cihaz arızalandı ({what}): çalışma durduruldu.</translation>
     </message>
@@ -1401,6 +1417,10 @@
         <translation>Malzeme panoda.</translation>
     </message>
     <message>
+        <source>The memory of a linear solid grows with what can be pushed: name a region, and elsewhere it does not give.</source>
+        <translation>Doğrusal dolu cismin belleği, itilebilen yüzeyle büyür: bir bölge seçilirse öbür yerler esnemez.</translation>
+    </message>
+    <message>
         <source>The mouse is the hand: move over the organ, hold the left button to press, and turn the wheel to press deeper. The right button, or Ctrl, takes hold and pulls.</source>
         <translation>Fare eldir: organın üzerinde gezdirin, basmak için sol düğmeyi tutun, daha derine basmak için tekerleği çevirin. Sağ düğme ya da Ctrl tutar ve çeker.</translation>
     </message>
@@ -1423,6 +1443,10 @@
     <message>
         <source>The organ was felt as it is now.</source>
         <translation>Organ şimdiki hâliyle hissedildi.</translation>
+    </message>
+    <message>
+        <source>The tool reaches</source>
+        <translation>Aletin eriştiği yer</translation>
     </message>
     <message>
         <source>The window could not be started.</source>
@@ -1879,6 +1903,14 @@ Beklenen: {expected}.</translation>
         <translation>bir adımın % {median:.0f} kadarı, p99 % {p99:.0f}</translation>
     </message>
     <message>
+        <source>{memory} for {pushed} of {moved} particles</source>
+        <translation>{memory}; {moved} parçacığın {pushed} tanesi için</translation>
+    </message>
+    <message>
+        <source>{memory}, being solved for</source>
+        <translation>{memory}, hesaplanıyor</translation>
+    </message>
+    <message>
         <source>{name} has changes that are not saved.</source>
         <translation>{name} kaydedilmemiş değişiklikler içeriyor.</translation>
     </message>
@@ -1970,6 +2002,10 @@ Beklenen: {expected}.</translation>
         <translation>En büyük kuvvet</translation>
     </message>
     <message>
+        <source>Nodal share</source>
+        <translation>Düğüm payı</translation>
+    </message>
+    <message>
         <source>Poisson's ratio</source>
         <translation>Poisson oranı</translation>
     </message>
@@ -1984,6 +2020,10 @@ Beklenen: {expected}.</translation>
     <message>
         <source>Stretch-bend</source>
         <translation>Gerilme–eğilme</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation>Dörtyüzlü sayısı</translation>
     </message>
     <message>
         <source>Tick rate</source>
@@ -2101,6 +2141,10 @@ Beklenen: {expected}.</translation>
         <translation>En büyük kuvveti ayarla</translation>
     </message>
     <message>
+        <source>Set Nodal share</source>
+        <translation>Düğüm payını ayarla</translation>
+    </message>
+    <message>
         <source>Set Poisson's ratio</source>
         <translation>Poisson oranını ayarla</translation>
     </message>
@@ -2115,6 +2159,10 @@ Beklenen: {expected}.</translation>
     <message>
         <source>Set Stretch-bend</source>
         <translation>Gerilme–eğilmeyi ayarla</translation>
+    </message>
+    <message>
+        <source>Set Tetrahedra</source>
+        <translation>Dörtyüzlü sayısını ayarla</translation>
     </message>
     <message>
         <source>Set Tick rate</source>
@@ -2139,6 +2187,10 @@ Beklenen: {expected}.</translation>
     <message>
         <source>Set the axis that points up</source>
         <translation>Yukarı ekseni ayarla</translation>
+    </message>
+    <message>
+        <source>Set the reach</source>
+        <translation>Erişimi ayarla</translation>
     </message>
     <message>
         <source>Set the unit of the file</source>
@@ -2186,6 +2238,10 @@ Beklenen: {expected}.</translation>
     <message>
         <source>None of them is fixed.</source>
         <translation>Hiçbiri sabit değil.</translation>
+    </message>
+    <message>
+        <source>Region {name} has no vertices.</source>
+        <translation>{name} bölgesinde köşe yok.</translation>
     </message>
     <message>
         <source>The axis must be one of {known}, got {got}.</source>
@@ -2284,6 +2340,10 @@ Beklenen: {expected}.</translation>
         <translation>onayladığınız bir birim</translation>
     </message>
     <message>
+        <source>a whole number of {low:g} to {high:g}</source>
+        <translation>{low:g} ile {high:g} arasında bir tam sayı</translation>
+    </message>
+    <message>
         <source>an axis that you have confirmed</source>
         <translation>onayladığınız bir eksen</translation>
     </message>
@@ -2314,6 +2374,10 @@ Beklenen: {expected}.</translation>
     <message>
         <source>at most {most}: decimate</source>
         <translation>en çok {most}: sadeleştirin</translation>
+    </message>
+    <message>
+        <source>at most {share:.0%}: fewer tetrahedra, or a softer tissue</source>
+        <translation>en çok {share:.0%}: daha az dörtyüzlü ya da daha yumuşak doku</translation>
     </message>
     <message>
         <source>at most {share:.0%}: fewer vertices, softer links or more mass</source>
@@ -2418,6 +2482,10 @@ Beklenen: {expected}.</translation>
     <message>
         <source>{count} vertices, {substeps} steps a tick: about {share:.0%} of the time there is</source>
         <translation>{count} köşe, adım başına {substeps} alt adım: eldeki zamanın yaklaşık {share:.0%} kadarı</translation>
+    </message>
+    <message>
+        <source>{count}, {substeps} steps a tick: about {share:.0%} of the time there is</source>
+        <translation>{count}, adım başına {substeps} alt adım: eldeki zamanın yaklaşık {share:.0%} kadarı</translation>
     </message>
     <message>
         <source>{field} must be one of {allowed}, got {got}.</source>

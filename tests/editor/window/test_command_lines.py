@@ -54,7 +54,7 @@ def test_the_log_typed_anew_makes_the_same_organ(qtbot, window, spleen, folder, 
     again, organ = read_organ(folder / "VH_F_Spleen.organ"), window.session.organ
     assert np.array_equal(again.surface.vertices, organ.surface.vertices)
     assert np.array_equal(again.fixed, organ.fixed)
-    for part in ("material", "model", "tool", "hand"):
+    for part in ("material", "model", "fill", "tool", "hand"):
         assert getattr(again, part) == getattr(organ, part)
 
 

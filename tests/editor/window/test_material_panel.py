@@ -3,10 +3,14 @@
 
 from __future__ import annotations
 
+import re
+
+import numpy as np
 import pytest
 from hands import child, click, type_into
+from palpate.scene_parts import FillPart
 from palpate_editor.document.constants import CONSTANTS
-from palpate_editor.edits import FixLowest, SetChoice, SetConstant
+from palpate_editor.edits import FixLowest, RemoveRegion, SetChoice, SetConstant, SetRegion
 from palpate_editor.views.quantity_box import QuantityBox, read_number, write_number
 from patience import settle
 from PySide6.QtCore import Qt
@@ -137,8 +141,8 @@ def test_a_linear_solid_tells_its_memory_and_asks_for_nothing_that_swings(panel,
     settle(qtbot, window)
 
     words = panel.facts.words()
-    assert list(words) == ["Total mass", "Its response"]
-    assert words["Its response"].endswith("MB")
+    assert list(words) == ["Total mass", "Tetrahedra", "Its response"]
+    assert re.fullmatch(r"[\d.]+\u00a0MB for \d+ of \d+ particles", words["Its response"])
     assert not panel.links.isVisible()
     assert "up to 15 % of the thickness" in panel.origin_note.text()
     assert "--kind linear" in window.log.log.toPlainText()
@@ -218,3 +222,53 @@ def test_published_values_stand_with_their_source_and_can_be_used(panel, qtbot):
 def choose(panel, name: str, value: str) -> None:
     box = child(panel, name)
     box.activated.emit(box.values.index(value))
+
+
+def test_a_solid_is_filled_as_its_designer_says(panel, qtbot):
+    window, filling = panel.window(), panel.filling
+    assert not filling.isVisible()
+    choose(panel, "model.kind", "solid")
+    settle(qtbot, window)
+    assert filling.isVisible() and not filling.reach.isVisible()
+    before = panel.facts.words()["Tetrahedra"]
+
+    type_into(child(panel, "fill.tetrahedra"), "1500")
+    type_into(child(panel, "fill.nodal_share"), "0.5")
+    settle(qtbot, window)
+
+    assert panel.facts.words()["Tetrahedra"] != before
+    assert "--tetrahedra=1500" in window.log.log.toPlainText()
+    assert panel.desk.assessment.scene.tissue.volumes.nodal_share == 0.5
+    type_into(child(panel, "fill.tetrahedra"), "12.5")
+    assert "Tetrahedra must be a whole number of 100 to 40000" in window.messages.text
+    window.session.history.undo()
+    window.session.history.undo()
+    assert window.session.organ.fill == FillPart()
+
+
+def test_a_linear_solid_is_reached_where_a_region_says(panel, qtbot):
+    window, reach, said = panel.window(), panel.filling.reach, []
+    window.desk.apply(FixLowest(0.2))
+    window.desk.apply(SetConstant("fill", "tetrahedra", 800))
+    x = window.session.organ.surface.vertices
+    window.desk.apply(SetRegion("top", np.flatnonzero(x[:, 2] > np.median(x[:, 2]))))
+    window.desk.assessor.said.connect(said.append)
+    choose(panel, "model.kind", "linear_solid")
+    settle(qtbot, window)
+    whole = panel.facts.words()["Its response"]
+
+    reach.setCurrentIndex(reach.findText("top"))
+    reach.activated.emit(reach.currentIndex())
+    settle(qtbot, window)
+
+    part = panel.facts.words()["Its response"]
+    assert window.session.organ.fill.reach == "top"
+    assert read_number(part.split("\u00a0")[0]) < read_number(whole.split("\u00a0")[0])
+    assert said == [f"{words}, being solved for" for words in (whole, part)]
+    assert "--reach=top" in window.log.log.toPlainText()
+    window.desk.apply(RemoveRegion("top"))
+    settle(qtbot, window)
+    row = next(r for r in panel.rows if r.isVisible() and r.fix is not None)
+    assert reach.currentText() == "top" and "region of the organ" in row.words.text()
+    click(row.button)
+    assert window.session.organ.fill.reach == "" and reach.currentText() == "All of the surface"

@@ -14,9 +14,10 @@ from palpate_editor.document import Organ
 from palpate_editor.edits import FixLowest, FixVertices, SetGravity
 from palpate_editor.views.stages.constant_form import ChoiceField, ConstantField, build_grid
 from palpate_editor.views.stages.facts import Fact, Facts, Section, write_label
+from palpate_editor.views.stages.fill_form import FillForm
 from palpate_editor.views.stages.published_values import PublishedValues
 from palpate_editor.views.stages.stage_panel import StagePanel
-from palpate_editor.views.words import count, number, quantity, tr
+from palpate_editor.views.words import count, number, quantity, say_memory, tr
 
 WEIGHT = (0.0, 0.0, -9.81)
 """[m/s²]"""
@@ -111,6 +112,9 @@ class MaterialPanel(StagePanel):
         self.add_constants(tissue, TISSUE)
         self.origin_note = tissue.add(write_label("", "note", self))
         self.origin_note.setWordWrap(True)
+        self.filling = FillForm(self.desk, self)
+        self.form.addWidget(self.filling)
+        self.fields += self.filling.constants
         self.links = self.section(tr("Springs and bonds"))
         self.add_constants(self.links, LINKS, self.build_laws())
         self.build_support(self.section(tr("What holds it")))
@@ -119,6 +123,7 @@ class MaterialPanel(StagePanel):
         self.published = PublishedValues(self.desk, self)
         self.section(tr("Published values")).add(self.published)
         self.fields += [self.kind, self.origin]
+        self.desk.assessor.said.connect(self.show_building)
 
     def build_laws(self) -> list[ChoiceField]:
         return [
@@ -171,6 +176,7 @@ class MaterialPanel(StagePanel):
         for field in self.fields:
             field.show_organ(organ)
         self.origin_note.setText(say_origin(organ))
+        self.filling.show_organ(organ)
         self.links.setVisible(organ.model.kind != "linear_solid")
         there = organ.surface is not None
         self.lowest.setEnabled(there)
@@ -207,16 +213,21 @@ class MaterialPanel(StagePanel):
             return
         self.facts.show_facts(self.result_rows())
 
+    def show_building(self, words: str) -> None:
+        """What is being built, while it takes its time."""
+        self.facts.show_facts([(tr("Its response"), words)])
+
     def result_rows(self) -> list[Fact]:
         assessment = self.desk.assessment
         assert assessment is not None and assessment.tissue is not None
         tissue, share = assessment.tissue, assessment.tick_share
         mass, step = tissue.total_mass, tissue.stable_step
         rows: list[Fact] = [(tr("Total mass"), quantity(None if mass is None else 1e3 * mass, "g"))]
+        if tissue.tetrahedra:
+            rows.append((tr("Tetrahedra"), count(tissue.tetrahedra)))
         scene = assessment.scene
         if scene is not None and scene.response is not None:  # nothing of it swings
-            memory = quantity(1e-6 * scene.response.size.bytes, "MB", 3)
-            return [*rows, (tr("Its response"), memory)]
+            return [*rows, (tr("Its response"), say_memory(scene.response.size))]
         rows += [
             (tr("Links"), count(tissue.links)),
             (tr("Substeps a tick"), count(tissue.substeps)),

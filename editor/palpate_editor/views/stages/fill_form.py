@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How a solid is filled: tetrahedra, how their volumes count, and what the tool can reach."""
+
+from __future__ import annotations
+
+from palpate.scene_parts import FILLED
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtWidgets import QComboBox, QWidget
+
+from palpate_editor.document import Organ
+from palpate_editor.edits import SetReach
+from palpate_editor.views.desk import Desk
+from palpate_editor.views.stages.constant_form import build_grid
+from palpate_editor.views.stages.facts import Section, write_label
+from palpate_editor.views.words import tr
+
+FILLING = ("fill.tetrahedra", "fill.nodal_share")
+
+
+class ReachField(QComboBox):
+    """The region on which a linear solid can be pushed."""
+
+    def __init__(self, desk: Desk, parent: QWidget | None = None):
+        super().__init__(parent)
+        self.desk = desk
+        self.names: list[str] = []
+        """One for each item; empty for all of the surface."""
+        label = tr("The tool reaches")
+        self.setObjectName("fill.reach")
+        self.setAccessibleName(label)
+        self.label = write_label(label, "name", parent)
+        self.label.setBuddy(self)
+        self.activated.connect(self.choose)
+
+    def choose(self, row: int) -> None:
+        if self.names[row] != self.desk.session.organ.fill.reach:
+            self.desk.apply(SetReach(self.names[row]))
+        self.show_organ(self.desk.session.organ)
+
+    def show_organ(self, organ: Organ) -> None:
+        chosen = organ.fill.reach
+        names = ["", *organ.regions]
+        if chosen not in names:  # a region that is gone, of which a check says so
+            names.append(chosen)
+        if names != self.names:
+            self.names = names
+            self.clear()
+            self.addItems([name or tr("All of the surface") for name in names])
+        self.setCurrentIndex(names.index(chosen))
+        shown = organ.model.kind == "linear_solid"
+        self.label.setVisible(shown)
+        self.setVisible(shown)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Scrolling the form must not change the reach on the way."""
+        event.ignore()
+
+
+class FillForm(Section):
+    """Shown for solids alone."""
+
+    def __init__(self, desk: Desk, parent: QWidget | None = None):
+        super().__init__(tr("Filling"), parent)
+        grid, self.constants = build_grid(desk, FILLING, self)
+        self.reach = ReachField(desk, self)
+        grid.addWidget(self.reach.label, len(FILLING), 0)
+        grid.addWidget(self.reach, len(FILLING), 1)
+        self.body.addLayout(grid)
+        self.note = write_label("", "note", self)
+        self.note.setWordWrap(True)
+        self.add(self.note)
+
+    def show_organ(self, organ: Organ) -> None:
+        self.setVisible(organ.model.kind in FILLED)
+        self.reach.show_organ(organ)
+        words = tr(
+            "About as many tetrahedra are made as are asked for; more are nearer to the tissue and "
+            "take longer. A nodal share of 0 lets volumes lock, which makes the organ too stiff; 1 "
+            "lets tetrahedra turn inside out."
+        )
+        if organ.model.kind == "linear_solid":
+            words += " " + tr(
+                "The memory of a linear solid grows with what can be pushed: name a region, and "
+                "elsewhere it does not give."
+            )
+        self.note.setText(words)

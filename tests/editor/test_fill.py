@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How a solid is filled is the designer's choice: tetrahedra, nodal share, reach."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import palpate
+import pytest
+from palpate.cli import main
+from palpate.scene_parts import FillPart
+from palpate_editor import _authoring
+from palpate_editor.check import assess
+from palpate_editor.compile import build_organ
+from palpate_editor.document.constants import MOST_TETRAHEDRA
+from palpate_editor.document.files import read_organ, write_organ
+from palpate_editor.document.rules import compute_tick_share
+from palpate_editor.edits import EditError, RemoveRegion, SetChoice, SetConstant, SetReach
+from palpate_editor.fill import fill_surface
+from palpate_editor.shipped import make_organ as make_shipped
+
+REACH = "diaphragmatic surface"
+
+
+@pytest.fixture(scope="module")
+def spleen():
+    return replace(SetChoice("kind", "linear_solid")(make_shipped("spleen")), fill=FillPart(600))
+
+
+@pytest.fixture
+def file(spleen, tmp_path) -> Path:
+    write_organ(tmp_path / "spleen.organ", spleen)
+    return tmp_path / "spleen.organ"
+
+
+def test_what_a_new_organ_is_filled_with_is_what_the_library_chooses():
+    assert FillPart().nodal_share == palpate.SolidOptions().nodal_share
+    assert _authoring.kMostTetrahedra == MOST_TETRAHEDRA
+
+
+def test_more_tetrahedra_fill_the_same_organ_finer_and_cost_more(spleen):
+    solid = SetChoice("kind", "solid")(spleen)
+    finer = SetConstant("fill", "tetrahedra", 1800.0)(solid)
+
+    coarse, fine = assess(solid), assess(finer)
+
+    assert finer.fill.tetrahedra == 1800 and isinstance(finer.fill.tetrahedra, int)
+    counts = [found.facts.tissue.tetrahedra for found in (coarse, fine)]
+    assert 600 / 1.6 < counts[0] < 1.6 * 600
+    assert 1800 / 1.6 < counts[1] < 1.6 * 1800
+    shares = [compute_tick_share(found.organ, found.facts) for found in (coarse, fine)]
+    assert shares[1] / shares[0] >= counts[1] / counts[0]
+
+
+def test_the_nodal_share_is_that_of_the_tissue(spleen):
+    for kind, table in (("solid", "volumes"), ("linear_solid", "elastic")):
+        organ = SetConstant("fill", "nodal_share", 0.25)(SetChoice("kind", kind)(spleen))
+
+        assert getattr(build_organ(organ), table).nodal_share == 0.25
+
+
+def test_a_filling_is_kept_while_other_constants_change(spleen):
+    once = fill_surface(spleen.surface, 600)
+
+    assert fill_surface(spleen.surface, 600) is once
+    assert fill_surface(spleen.surface, 700) is not once
+
+
+@pytest.mark.parametrize("count", [99, 0, -3, MOST_TETRAHEDRA + 1, 2**40, 600.5])
+def test_a_count_that_fills_nothing_is_refused_with_the_range(spleen, count):
+    with pytest.raises(EditError, match="a whole number of 100 to 40000"):
+        SetConstant("fill", "tetrahedra", count)(spleen)
+    if count == int(count):
+        with pytest.raises(ValueError, match="fill.tetrahedra: found .*100 to 40000"):
+            build_organ(replace(spleen, fill=FillPart(int(count))))
+
+
+def test_a_reach_makes_the_response_smaller_and_the_same_where_it_reaches(spleen):
+    whole, part = build_organ(spleen), build_organ(SetReach(REACH)(spleen))
+
+    sizes = [palpate.measure_response(tissue) for tissue in (whole, part)]
+
+    assert sizes[1].moved == sizes[0].moved
+    assert sizes[1].bytes < 0.8 * sizes[0].bytes
+    skin = np.asarray(part.skin.corners)[spleen.regions[REACH]]
+    assert set(np.asarray(part.elastic.reach)) == set(skin.ravel())
+
+
+def test_the_memory_is_told_before_anything_is_solved_and_no_more_where_nothing_changed(spleen):
+    told = []
+
+    found = assess(SetReach(REACH)(spleen), measured=told.append)
+    assess(replace(found.organ, title="Spleen"), before=found, measured=told.append)
+
+    assert [size.bytes for size in told] == [found.scene.response.size.bytes]
+
+
+def test_another_region_is_another_tissue(spleen):
+    found = assess(SetReach(REACH)(spleen))
+    fewer = {**found.organ.regions, REACH: found.organ.regions[REACH][::2]}
+
+    again = assess(replace(found.organ, regions=fewer), before=found)
+
+    assert again.scene.response.size.pushed < found.scene.response.size.pushed
+
+
+def test_a_reach_that_is_gone_is_an_error_with_the_regions_there_are(spleen):
+    gone = RemoveRegion(REACH)(SetReach(REACH)(spleen))
+
+    (problem,) = assess(gone).errors
+
+    assert problem.where == "fill.reach" and "'lower pole'" in str(problem.expected)
+    assert assess(problem.fix(gone)).errors == ()
+    with pytest.raises(EditError, match="no region apex"):
+        SetReach("apex")(spleen)
+    with pytest.raises(EditError, match="hilum has no vertices"):
+        SetReach("hilum")(replace(spleen, regions={"hilum": np.empty(0, int)}))
+
+
+def test_the_verb_sets_the_filling_and_says_the_memory_first(file, capsys):
+    words = ["--tetrahedra", "500", "--nodal-share", "0.5", "--reach", REACH]
+
+    assert main(["material", str(file), *words, "-o", str(file), "--json"]) == 0
+
+    said = capsys.readouterr()
+    report = json.loads(said.out)
+    assert report["scene"]["fill"] == {"tetrahedra": 500, "nodal_share": 0.5, "reach": REACH}
+    assert f"its response takes {1e-6 * report['response_bytes']:.1f} MB for " in said.err
+    assert read_organ(file).fill == FillPart(500, 0.5, REACH)
+    assert main(["material", str(file), "--reach", "none", "-o", str(file), "--json"]) == 0
+    assert read_organ(file).fill.reach == ""
+    assert json.loads(capsys.readouterr().out)["response_bytes"] > report["response_bytes"]
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (["--tetrahedra", "12"], "Tetrahedra must be a whole number of 100 to 40000, got 12"),
+        (["--nodal-share", "1.5"], "Nodal share must be 0 to 1, got 1.5"),
+        (["--reach", "apex"], "There is no region apex"),
+    ],
+)
+def test_a_filling_that_cannot_be_is_refused_with_a_sentence(file, words, sentence, capsys):
+    before = file.read_bytes()
+
+    assert main(["material", str(file), *words, "-o", str(file)]) == 1
+
+    assert sentence in capsys.readouterr().err
+    assert file.read_bytes() == before
+
+
+def test_a_response_too_large_for_memory_is_refused_before_it_is_solved(file, capsys):
+    words = ["--tetrahedra", "24000", "-o", str(file)]
+
+    assert main(["material", str(file), *words]) == 1
+
+    said = capsys.readouterr().err
+    assert "its response takes 92.5 MB for 1603 of 1603 particles" in said
+    assert "linear solid: response: found 92.5" in said
+    assert "expected at most 67.1089 MB: fill with fewer tetrahedra, or limit the reach" in said
+    assert read_organ(file).fill.tetrahedra == 600
+
+
+@pytest.mark.parametrize(
+    ("kind", "reason"),
+    [
+        ("solid", "solids are moved whole, for they have no home springs"),
+        ("linear_solid", "it costs what is touched, so there is nothing to let sleep"),
+        ("shell", "how far springs carry a pull, which is not how far a wall bends"),
+    ],
+)
+def test_tissue_that_never_sleeps_says_why_it_allows_no_error_of_the_force(spleen, kind, reason):
+    wall = 2e-3 if kind == "shell" else None
+    organ = replace(
+        SetChoice("kind", kind)(spleen),
+        material=replace(spleen.material, wall_thickness=wall),
+        hand=replace(spleen.hand, force_error=1e-3),
+    )
+
+    (problem,) = assess(organ).errors
+
+    assert problem.where == "scene: force_error [N]"
+    assert str(problem.expected).startswith("0: ") and reason in str(problem.expected)
+    assert assess(SetConstant("hand", "force_error", 0.0)(organ)).errors == ()
