@@ -17,7 +17,7 @@ from palpate.whole_file import write_whole
 Report = dict[str, Any]
 INK, FAINT, LINE = "#1d2127", "#616b77", "#e6e8eb"
 MEASURED, QUOTED, SLOWER = "#1f6fb4", "#a9c6de", "#c2571a"
-ORGAN, SHELL = "gallbladder", 5400
+ORGAN, SOLID, SHELL = "gallbladder", "spleen", 5400
 
 
 @dataclass(frozen=True)
@@ -56,17 +56,20 @@ def save_ratio_chart(path: Path, report: Report) -> None:
 
 def bars_of_rows(report: Report) -> list[Bar]:
     names = {
-        ("mss_step", None): "mass-spring step",
-        ("mss_dashpot_step", None): "mass-spring step, dashpots",
-        ("mms_step", None): "molecular step",
-        ("mss_dashpot_tick", 12): "mass-spring tick, 12 substeps",
-        ("mms_dashpot_tick", 12): "molecular tick, 12 substeps",
+        (ORGAN, "mss_step", None): "mass-spring step",
+        (ORGAN, "mss_dashpot_step", None): "mass-spring step, dashpots",
+        (ORGAN, "mms_step", None): "molecular step",
+        (ORGAN, "mss_dashpot_tick", 12): "mass-spring tick, 12 substeps",
+        (ORGAN, "mms_dashpot_tick", 12): "molecular tick, 12 substeps",
+        (ORGAN, "shell_step", None): "step of a wall of prisms",
+        (SOLID, "solid_step", None): f"step of a solid ({SOLID})",
+        (SOLID, "linear_step", None): f"step of a linear solid ({SOLID})",
     }
     return [
         Bar(label, row["ratio_to_naive"])
-        for (work, substeps), label in names.items()
+        for named, label in names.items()
         for row in report["rows"]
-        if (row["mesh"], row["work"], row["substeps"]) == (ORGAN, work, substeps)
+        if (row["mesh"], row["work"], row["substeps"]) == named
     ]
 
 

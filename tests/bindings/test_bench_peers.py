@@ -175,7 +175,19 @@ def test_the_chart_of_ratios_is_drawn_with_what_could_not_be_compared(tmp_path):
                     "work": "mss_step",
                     "substeps": None,
                     "ratio_to_naive": 7.0,
-                }
+                },
+                {
+                    "mesh": "spleen",
+                    "work": "solid_step",
+                    "substeps": None,
+                    "ratio_to_naive": 3.0,
+                },
+                {
+                    "mesh": "liver",
+                    "work": "solid_step",
+                    "substeps": None,
+                    "ratio_to_naive": 4.0,
+                },
             ]
         },
         "trees": {
@@ -199,6 +211,8 @@ def test_the_chart_of_ratios_is_drawn_with_what_could_not_be_compared(tmp_path):
     ratio_chart.save_ratio_chart(out, report)
 
     assert out.read_bytes().startswith(b"\x89PNG")
+    rows = ratio_chart.bars_of_rows(report["rows"])
+    assert [bar.label for bar in rows] == ["mass-spring step", "step of a solid (spleen)"]
     bars = ratio_chart.bars_of_peers(report["peers"])
     assert [(bar.label, bar.ratio) for bar in bars] == [
         ("Slow", 12.0),

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -181,3 +182,25 @@ def test_choosing_by_hand_without_a_wall_keeps_the_numbers():
     chosen = SetChoice("constants", "chosen")(organ)
 
     assert same(chosen, SOLID)
+
+
+def test_a_stretch_bend_that_a_triangle_cannot_take_is_refused_with_triangle_and_range(
+    wall, capsys
+):
+    before = wall.read_bytes()
+    words = ["material", str(wall), "--kind", "mms", "--bend", "1mJ", "-o", str(wall)]
+
+    assert main([*words, "--stretch-bend=50N"]) == 1
+
+    said = capsys.readouterr().err
+    found = re.search(
+        r"triangle \d+: found K_btheta 50 N, which makes its tangent at rest indefinite, expected "
+        r"(\S+) to (\S+) N on this mesh",
+        said,
+    )
+    assert found, said
+    low, high = map(float, found.groups())
+    assert wall.read_bytes() == before
+    for beyond, code in ((low, 1), (high, 1), (low, 0), (high, 0)):
+        value = (1.01 if code else 0.99) * beyond
+        assert main([*words, f"--stretch-bend={value}N"]) == code
