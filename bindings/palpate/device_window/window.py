@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from PySide6.QtCore import QCoreApplication, QEvent, QLocale, Qt, QTimer
+from PySide6.QtCore import QEvent, QLocale, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QResizeEvent
 from PySide6.QtWidgets import QWidget
 
@@ -29,6 +29,7 @@ from palpate.player.cards import Banner, Notice
 from palpate.player.look import build_palette
 from palpate.verb import Report, WrongCall
 from palpate.viewport import make_view
+from palpate.viewport.application import use_language
 
 FRAME_MS = 16
 DRAW_EVERY = 2
@@ -233,10 +234,7 @@ class DeviceWindow(QWidget):
     def use_language(self, code: str) -> None:
         """One of palpate.translation.LANGUAGES."""
         self.language = code
-        QLocale.setDefault(QLocale(code))
-        app = QCoreApplication.instance()
-        assert app is not None
-        translation.install(app, code)
+        use_language(code)
         self.say()
 
     def say(self) -> None:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import enum
 
 import numpy as np
-from PySide6.QtCore import QCoreApplication, QEvent, QLocale, Qt, QTimer
+from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
@@ -21,6 +21,7 @@ from palpate.player.overlays import Overlays
 from palpate.player.words import say_slow, say_trouble, translate
 from palpate.verb import Report
 from palpate.viewport import PointerHand, make_view
+from palpate.viewport.application import use_language
 
 FRAME_MS = 16
 SLOW = 0.02
@@ -215,10 +216,7 @@ class TraineeWindow(QWidget):
     def use_language(self, code: str) -> None:
         """One of palpate.translation.LANGUAGES."""
         self.language = code
-        QLocale.setDefault(QLocale(code))
-        app = QCoreApplication.instance()
-        assert app is not None
-        translation.install(app, code)
+        use_language(code)
         for board in (self.over.start, self.over.menu):
             board.languages.choose(code)
         self.over.say()
