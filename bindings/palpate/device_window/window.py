@@ -27,6 +27,7 @@ from palpate.device_window.top_bar import TopBar
 from palpate.device_window.words import say_advice, say_state, translate
 from palpate.player.cards import Banner, Notice
 from palpate.player.look import build_palette
+from palpate.translation.refusals import say_refusal
 from palpate.verb import Report, WrongCall
 from palpate.viewport import make_view
 from palpate.viewport.application import use_language
@@ -172,7 +173,7 @@ class DeviceWindow(QWidget):
             self._read_arm()
         elif isinstance(job.problem, WrongCall | OSError):
             words = translate("Device", "It cannot be connected to: %1.")
-            self._tell(words.replace("%1", str(job.problem)))
+            self._tell(words.replace("%1", say_refusal(str(job.problem))))
         else:
             self.tell_unexpected(job.problem)
         self._show_link()

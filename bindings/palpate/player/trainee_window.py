@@ -19,6 +19,7 @@ from palpate.player.boards import Board
 from palpate.player.look import build_palette, build_style
 from palpate.player.overlays import Overlays
 from palpate.player.words import say_slow, say_trouble, translate
+from palpate.translation.refusals import say_refusal
 from palpate.verb import Report
 from palpate.viewport import PointerHand, make_view
 from palpate.viewport.application import use_language
@@ -100,7 +101,7 @@ class TraineeWindow(QWidget):
                 words = translate("Player", "The device cannot be used, so nothing was started: %1")
             else:
                 words = translate("Player", "No record can be written, so nothing was started: %1")
-            self.over.alarm.tell(words.replace("%1", str(problem)))
+            self.over.alarm.tell(words.replace("%1", say_refusal(str(problem))))
             self.over.place()
             return
         self._time, self._force, self._second, self._missed = 0.0, 0.0, 0, 0
@@ -190,7 +191,7 @@ class TraineeWindow(QWidget):
         """Of a record, until the window is closed: somebody may count on it."""
         if self._problem is not None:
             words = translate("Player", "The record could not be completed: %1")
-            self.over.alarm.tell(words.replace("%1", str(self._problem)))
+            self.over.alarm.tell(words.replace("%1", say_refusal(str(self._problem))))
 
     def report(self) -> Report:
         """What was played, for the command line. Raises OSError where a record was lost."""
