@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 import palpate
+from palpate.alarms import ALARMS, describe_alarm
 from palpate.live import LiveRun
 from palpate.press import Moments, Place, PressScript, measure_press, write_script
 from palpate.scene_file import hash_file, open_scene
@@ -77,7 +78,7 @@ def run_device(
 ) -> palpate.LoopReport:
     """Runs a device for a time [s] through the live 1 kHz loop and its recorder.
 
-    Raises RuntimeError where the loop did not end, the tissue blew up or the device failed.
+    Raises RuntimeError where the loop did not end, the tissue raised an alarm or the device failed.
     """
     header = describe_build(scene, scene_path, record_path, device.name())
     options = palpate.LoopOptions(duration=duration, safety=safety or palpate.SafetyLimits())
@@ -86,16 +87,10 @@ def run_device(
     costs = run.finish()
     if not ended:
         raise RuntimeError(f"the loop did not end within {duration + GRACE:.0f} s")
-    if costs.alarm.kind == palpate.AlarmKind.pressed_deep:
-        raise RuntimeError(
-            f"at {costs.alarm.time:.3f} s the tool had moved the tissue by "
-            f"{1e3 * costs.alarm.value:.1f} mm; there a linear solid is good for "
-            f"{1e3 * costs.alarm.limit:.1f} mm, {palpate.kShallow:.0%} of its thickness"
-        )
     if costs.alarm.kind != palpate.AlarmKind.none:
         raise RuntimeError(
-            f"the tissue blew up at {costs.alarm.time:.3f} s ({costs.alarm.kind.name}: "
-            f"{costs.alarm.value:g}, limit {costs.alarm.limit:g})"
+            f"the run was stopped at {costs.alarm.time:.3f} s: {describe_alarm(costs.alarm)}. "
+            f"{ALARMS[costs.alarm.kind].design}"
         )
     if costs.fault != palpate.DeviceFault.none:
         raise RuntimeError(f"the device failed: {costs.fault.name}")
@@ -119,7 +114,7 @@ def run_script(
 ) -> Run:
     """Runs a press through the live 1 kHz loop and its recorder; reads the record back.
 
-    Raises RuntimeError where the loop did not end, the tissue blew up or the device failed.
+    Raises RuntimeError where the loop did not end, the tissue raised an alarm or the device failed.
     """
     frames, moments = write_script(place, scene.tool.radius, script)
     device = palpate.ScriptedDevice(frames)

@@ -28,7 +28,7 @@ from palpate.run import (
 )
 from palpate.script_file import write_script_file
 from palpate.study.verb import STUDY
-from palpate.verb import Refusal, Report, Verb, quantity
+from palpate.verb import Refusal, Report, Verb, WrongCall, quantity
 
 # ---------------------------------------------------------------- press
 
@@ -159,6 +159,8 @@ def run_render(call: argparse.Namespace) -> Report:
     if call.file.suffix == ".prec":
         moment = picture_of_record(call.out, call.file, call.time, look)
         return {"picture": str(call.out), "time_s": moment}
+    if call.time is not None:
+        raise WrongCall(f"--time: {call.file} is no record (.prec), so it has only its rest")
     if call.file.suffix == ".obj":
         mesh = read_mesh_file(call.file)
     elif is_published(call.file):

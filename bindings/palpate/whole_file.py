@@ -19,7 +19,10 @@ def write_whole(path: str | os.PathLike[str], data: bytes) -> None:
     target = Path(path).resolve()
     # os.open and not tempfile: the latter makes files only their owner may read
     beside = target.with_name(f".{target.name}.{secrets.token_hex(6)}")
-    handle = os.open(beside, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC, 0o666)
+    try:
+        handle = os.open(beside, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC, 0o666)
+    except OSError as problem:  # of the name that was asked for, not of ours
+        raise OSError(problem.errno, problem.strerror, str(path)) from None
     try:
         with os.fdopen(handle, "wb") as file:
             file.write(data)

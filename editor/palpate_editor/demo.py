@@ -133,7 +133,8 @@ def make_organ(
     try:
         edit = decimate_organ(organ, vertices)
     except EditError as refused:
-        raise Refusal(source, "--vertices", str(vertices), str(refused)) from None
+        expected = f"a number that can be had ({refused})"
+        raise Refusal(source, "--vertices", str(vertices), expected) from None
     made = edit.decimation
     say(
         f"decimate  {made.vertices} vertices, {made.triangles} triangles, smallest angle "

@@ -36,7 +36,7 @@ DESK = (
 ARROWS = {
     "bindings/palpate/render": (*RENDER, "matplotlib"),
     "bindings/palpate/viewport": (*RENDER, "PySide6"),
-    "bindings/palpate/translation": ("PySide6",),
+    "bindings/palpate/translation": ("palpate.translation", "PySide6"),
     "bindings/palpate/player": ("palpate", "numpy", "PySide6"),
     "bindings/palpate/device_window": ("palpate", "numpy", "PySide6"),
     "bindings/palpate": ("palpate", "numpy", "scipy", "matplotlib"),

@@ -40,6 +40,7 @@ def test_help_shows_one_example_that_parses(name, capsys):
         ["press", "a.json", "--depth", "six mm"],
         ["press", "a.json", "--depth", "nanmm"],
         ["render", "a.obj"],
+        ["render", "a.obj", "-o", "a.png", "--time", "1s"],
         ["render", "a.obj", "-o", "a.png", "--size", "3x3"],
     ],
     ids=" ".join,

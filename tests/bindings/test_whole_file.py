@@ -38,8 +38,12 @@ def test_a_rename_that_is_refused_leaves_nothing_behind(tmp_path):
 
 
 def test_a_missing_folder_is_an_error_of_the_system(tmp_path):
-    with pytest.raises(FileNotFoundError):
-        write_whole(tmp_path / "nowhere" / "organ.bin", b"data")
+    path = tmp_path / "nowhere" / "organ.bin"
+
+    with pytest.raises(FileNotFoundError) as missing:
+        write_whole(path, b"data")
+
+    assert missing.value.filename == str(path)
 
 
 def test_a_whole_file_has_the_permissions_of_any_new_file(tmp_path):

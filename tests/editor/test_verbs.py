@@ -142,6 +142,14 @@ def test_a_count_that_cannot_be_reached_is_refused(spleen, tmp_path, capsys, ver
     assert not out.exists()
 
 
+@pytest.mark.parametrize("name", ["spleen.txt", "spleen"])
+def test_a_surface_goes_only_into_files_it_can_be_read_from(name, spleen, tmp_path, capsys):
+    assert main(["decimate", str(spleen), "--vertices", "300", "-o", str(tmp_path / name)]) == 1
+
+    assert "expected .organ, or .obj or .stl for the surface alone" in capsys.readouterr().err
+    assert not (tmp_path / name).exists()
+
+
 def test_check_names_every_problem_at_once(spleen, tmp_path, capsys):
     mesh = tmp_path / "spleen.obj"
     mesh.write_bytes(spleen.read_bytes())

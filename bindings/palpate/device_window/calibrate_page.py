@@ -22,6 +22,7 @@ from palpate.device_window.results import Results
 from palpate.device_window.steps import Steps
 from palpate.device_window.words import say, translate
 from palpate.sentence import PoorData
+from palpate.translation.refusals import say_refusal
 
 
 class CalibratePage(Page):
@@ -186,7 +187,8 @@ class CalibratePage(Page):
         self.job = Job(work)
 
     def _tell(self, problem: Exception) -> None:
-        self._problem = say(problem.sentence) if isinstance(problem, PoorData) else str(problem)
+        known = isinstance(problem, PoorData)
+        self._problem = say(problem.sentence) if known else say_refusal(str(problem))
 
     # ------------------------------------------------------------ what is shown
 

@@ -14,6 +14,7 @@ from palpate.device_window.cards import Page, build_button
 from palpate.device_window.job import Job
 from palpate.device_window.words import say, translate
 from palpate.player.cards import build_label
+from palpate.translation.refusals import say_refusal
 from palpate.verb import Report
 
 
@@ -76,7 +77,7 @@ class SelftestPage(Page):
         if job is not None and job.done and self._made.empty():
             self.job, self.report, news = None, job.result, True
             if job.problem is not None and not isinstance(job.problem, Ended):
-                self._problem = str(job.problem)
+                self._problem = say_refusal(str(job.problem))
         if news:
             self.say()
             # the newest is in sight while they come, the verdict afterwards
@@ -102,7 +103,8 @@ class SelftestPage(Page):
             write_selftest(path, self.report)
             words = translate("Device", "Saved: %1").replace("%1", str(path))
         except OSError as problem:
-            words = translate("Device", "Could not be saved: %1").replace("%1", str(problem))
+            words = translate("Device", "Could not be saved: %1")
+            words = words.replace("%1", say_refusal(str(problem)))
         self.explained.setText(words)
 
     def say(self) -> None:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from PySide6.QtCore import QCoreApplication, QEvent, QLocale, Qt, QTimer
+from PySide6.QtCore import QEvent, QLocale, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QResizeEvent
 from PySide6.QtWidgets import QWidget
 
@@ -28,8 +28,10 @@ from palpate.device_window.words import translate
 from palpate.player.cards import Banner, Notice
 from palpate.player.device_words import say_advice, say_state
 from palpate.player.look import build_palette
+from palpate.translation.refusals import say_refusal
 from palpate.verb import Report, WrongCall
 from palpate.viewport import make_view
+from palpate.viewport.application import use_language
 
 FRAME_MS = 16
 DRAW_EVERY = 2
@@ -172,7 +174,7 @@ class DeviceWindow(QWidget):
             self._read_arm()
         elif isinstance(job.problem, WrongCall | OSError):
             words = translate("Device", "It cannot be connected to: %1.")
-            self._tell(words.replace("%1", str(job.problem)))
+            self._tell(words.replace("%1", say_refusal(str(job.problem))))
         else:
             self.tell_unexpected(job.problem)
         self._show_link()
@@ -234,10 +236,7 @@ class DeviceWindow(QWidget):
     def use_language(self, code: str) -> None:
         """One of palpate.translation.LANGUAGES."""
         self.language = code
-        QLocale.setDefault(QLocale(code))
-        app = QCoreApplication.instance()
-        assert app is not None
-        translation.install(app, code)
+        use_language(code)
         self.say()
 
     def say(self) -> None:

@@ -22,7 +22,9 @@ def number(value: float, decimals: int) -> str:
     """As the language of the window writes it, with a true minus sign."""
     locale = QLocale()
     locale.setNumberOptions(QLocale.NumberOption.OmitGroupSeparator)
-    return locale.toString(value, "f", decimals).replace("-", "\N{MINUS SIGN}")
+    # what is rounded away has no sign: adding nothing makes -0.0 to 0.0
+    shown = round(value, decimals) + 0.0
+    return locale.toString(shown, "f", decimals).replace("-", "\N{MINUS SIGN}")
 
 
 def say_joint(name: str) -> str:

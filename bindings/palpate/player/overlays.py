@@ -83,7 +83,9 @@ class Overlays(QObject):
             panel.say()
         self.force.update()
         self.show_pause(paused)
-        self.show_board(next((b for b in (self.start, self.menu, self.end) if b.isVisible()), None))
+        self.show_board(
+            next((b for b in (self.start, self.menu, self.end) if not b.isHidden()), None)
+        )
 
     def place(self) -> None:
         """Everything to where it belongs, for the size the window has now."""

@@ -6,7 +6,7 @@ from __future__ import annotations
 import enum
 
 import numpy as np
-from PySide6.QtCore import QCoreApplication, QEvent, QLocale, Qt, QTimer
+from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
@@ -20,8 +20,10 @@ from palpate.player.device_watch import DeviceWatch
 from palpate.player.look import build_palette, build_style
 from palpate.player.overlays import Overlays
 from palpate.player.words import say_slow, say_trouble, translate
+from palpate.translation.refusals import say_refusal
 from palpate.verb import Report
 from palpate.viewport import PointerHand, make_view
+from palpate.viewport.application import use_language
 
 FRAME_MS = 16
 SLOW = 0.02
@@ -103,7 +105,7 @@ class TraineeWindow(QWidget):
                 words = translate("Player", "The device cannot be used, so nothing was started: %1")
             else:
                 words = translate("Player", "No record can be written, so nothing was started: %1")
-            self.over.alarm.tell(words.replace("%1", str(problem)))
+            self.over.alarm.tell(words.replace("%1", say_refusal(str(problem))))
             self.over.place()
             return
         self._time, self._force, self._second, self._missed = 0.0, 0.0, 0, 0
@@ -196,7 +198,7 @@ class TraineeWindow(QWidget):
         """Of a record, until the window is closed: somebody may count on it."""
         if self._problem is not None:
             words = translate("Player", "The record could not be completed: %1")
-            self.over.alarm.tell(words.replace("%1", str(self._problem)))
+            self.over.alarm.tell(words.replace("%1", say_refusal(str(self._problem))))
 
     def report(self) -> Report:
         """What was played, for the command line. Raises OSError where a record was lost."""
@@ -222,10 +224,7 @@ class TraineeWindow(QWidget):
     def use_language(self, code: str) -> None:
         """One of palpate.translation.LANGUAGES."""
         self.language = code
-        QLocale.setDefault(QLocale(code))
-        app = QCoreApplication.instance()
-        assert app is not None
-        translation.install(app, code)
+        use_language(code)
         for board in (self.over.start, self.over.menu):
             board.languages.choose(code)
         self.over.say()

@@ -6,6 +6,8 @@ from __future__ import annotations
 from PySide6.QtCore import QCoreApplication, QLocale
 
 import palpate
+from palpate.alarms import advise_hand, say_alarm
+from palpate.sentence import fill
 
 translate = QCoreApplication.translate
 
@@ -19,21 +21,20 @@ def say_trouble(report: palpate.LoopReport) -> str:
     """Why a run has come to nothing; empty where it has not."""
     if report.fault is not palpate.DeviceFault.none:
         return say_fault(report.fault)
-    if report.alarm.kind is palpate.AlarmKind.pressed_deep:
-        return translate(
-            "Player",
-            "The tissue was pressed deeper than its model is good for, so the force was switched "
-            "off. Press R to start again.",
-        )
     if report.alarm.kind is not palpate.AlarmKind.none:
-        words = translate(
-            "Player",
-            "The tissue became unstable after %1 s (%2), so the force was switched off. "
-            "Press R to start again.",
-        )
-        seconds = format_number(report.alarm.time, 1)
-        return words.replace("%1", seconds).replace("%2", say_alarm(report.alarm.kind))
+        return say_end(report.alarm)
     return ""
+
+
+def say_end(alarm: palpate.Alarm) -> str:
+    """What an alarm was, and what the hand can do about it."""
+    words = translate(
+        "Player",
+        "The force was switched off after %1 s: %2. %3 Press R to start again.",
+    )
+    advice = advise_hand(alarm.kind, translate)
+    values = format_number(alarm.time, 1), say_alarm(alarm, translate, format_short), advice
+    return fill(words, values)
 
 
 def say_fault(fault: palpate.DeviceFault) -> str:
@@ -54,18 +55,6 @@ def say_fault(fault: palpate.DeviceFault) -> str:
         "The computed force was not a number, so the force was switched off. "
         "Press R to start again.",
     )
-
-
-def say_alarm(kind: palpate.AlarmKind) -> str:
-    return {
-        palpate.AlarmKind.not_finite: translate("Player", "a position is not a number"),
-        palpate.AlarmKind.moved_far: translate("Player", "a point moved too far at once"),
-        palpate.AlarmKind.overstretched: translate("Player", "a link was stretched too far"),
-        palpate.AlarmKind.collapsed: translate("Player", "a triangle collapsed"),
-        palpate.AlarmKind.inverted: translate("Player", "a part was turned inside out"),
-        palpate.AlarmKind.energy: translate("Player", "energy came from nowhere"),
-        palpate.AlarmKind.pressed_deep: translate("Player", "a press went too deep"),
-    }.get(kind, kind.name)
 
 
 def say_slow(missed: int, due: int) -> str:
@@ -99,6 +88,11 @@ def say_keys() -> list[tuple[str, str]]:
 def format_number(value: float, decimals: int) -> str:
     """As the language of the window writes it."""
     return QLocale().toString(value, "f", decimals)
+
+
+def format_short(value: float) -> str:
+    """Three digits that count, as the language of the window writes them."""
+    return QLocale().toString(value, "g", 3)
 
 
 def format_clock(seconds: float) -> str:

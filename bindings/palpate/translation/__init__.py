@@ -16,7 +16,7 @@ from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QObject, QTr
 LANGUAGES = {"en": "English", "tr": "Türkçe"}
 """Code -> what its speakers call it."""
 SOURCE = "en"
-PACKAGES = ("palpate.player", "palpate.device_window", "palpate_editor")
+PACKAGES = ("palpate.translation", "palpate.player", "palpate.device_window", "palpate_editor")
 
 Words = dict[tuple[str, str], str]
 """(context, source) -> translation."""

@@ -22,3 +22,14 @@ def open_application(language: str | None) -> tuple[QApplication, str]:
     code = translation.install(app, language)
     QLocale.setDefault(QLocale(code))
     return app, code
+
+
+def use_language(code: str) -> None:
+    """One of palpate.translation.LANGUAGES, from now on, in the words and numbers of all windows.
+
+    Numbers first: windows say everything anew when they are told of the words.
+    """
+    app = QApplication.instance()
+    assert app is not None
+    QLocale.setDefault(QLocale(code))
+    translation.install(app, code)

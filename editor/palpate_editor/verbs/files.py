@@ -16,6 +16,9 @@ from palpate_editor.document.files import write_organ
 from palpate_editor.edits import Edit, EditError
 from palpate_editor.open_organ import open_organ
 
+MESHES = (".obj", ".stl")
+"""What authoring.write_mesh makes."""
+
 
 def open_any(path: Path) -> Organ:
     """Every file that open_organ takes, and OBJ files of ours, whose organ is a bare surface."""
@@ -30,6 +33,9 @@ def write_any(path: Path, organ: Organ) -> None:
     if path.suffix == ".organ":
         write_organ(path, organ)
         return
+    if path.suffix.lower() not in MESHES:
+        expected = f".organ, or {' or '.join(MESHES)} for the surface alone"
+        raise Refusal(path, "", f"a name ending in {path.suffix!r}", expected)
     assert organ.surface is not None
     authoring.write_mesh(path, mesh_of(organ.surface))
 

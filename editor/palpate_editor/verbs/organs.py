@@ -77,12 +77,15 @@ def choose(names: list[str]) -> list[tuple[Entry, Tissue]]:
 
 
 def write_one(call: argparse.Namespace) -> str:
-    if len(call.names) != 1 or call.out.suffix != ".organ":
-        raise Refusal(call.out, "--out", "another call", "one NAME, and a file ending in .organ")
+    if len(call.names) != 1:
+        raise Refusal(None, "NAME", f"{len(call.names)} names", "one NAME, which --out writes")
+    if call.out.suffix != ".organ":
+        raise Refusal(call.out, "", f"a name ending in {call.out.suffix!r}", ".organ")
     try:
         organ = make_organ(call.names[0], call.vertices)
     except ValueError as problem:
-        raise Refusal(call.out, "--vertices", str(problem), "a number the shape can have") from None
+        expected = f"a number the shape can have ({problem})"
+        raise Refusal(call.names[0], "--vertices", str(call.vertices), expected) from None
     write_organ(call.out, organ)
     return str(call.out)
 

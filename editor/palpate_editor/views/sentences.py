@@ -9,6 +9,7 @@ import threading
 from types import TracebackType
 
 from palpate import FileError
+from palpate.translation.refusals import say_refusal
 from palpate.verb import Refusal
 from PySide6.QtCore import QObject, Signal
 
@@ -27,9 +28,10 @@ def sentence_of(problem: BaseException) -> str:
         found = "; ".join(f"{say(p.found)} ({say(p.expected)})" for p in problem.problems)
         return tr("Not published: {problems}.").format(problems=found)
     if isinstance(problem, Refusal | FileError | ValueError):
-        return str(problem)
+        return say_refusal(str(problem))
     if isinstance(problem, OSError):
-        return f"{problem.filename}: {problem.strerror}" if problem.filename else str(problem)
+        words = f"{problem.filename}: {problem.strerror}" if problem.filename else str(problem)
+        return say_refusal(words)
     if isinstance(problem, MemoryError):
         return tr("This needs more memory than the machine has.")
     if isinstance(problem, RuntimeError) and str(problem):

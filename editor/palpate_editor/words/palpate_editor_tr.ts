@@ -582,7 +582,7 @@
     </message>
     <message>
         <source>Free all</source>
-        <translation>Hepsini serbest bırak</translation>
+        <translation>Hepsini bırak</translation>
     </message>
     <message>
         <source>Free the selected vertices</source>
@@ -1482,15 +1482,11 @@
     </message>
     <message>
         <source>The time step as a share of the longest stable one: beyond 100 % the tissue blows up. Substeps are chosen so that it stays below.</source>
-        <translation>En uzun kararlı adımın payı olarak zaman adımı: % 100'ün ötesinde doku patlar. Alt adımlar bunun altında kalacak biçimde seçilir.</translation>
+        <translation>En uzun kararlı adımın payı olarak zaman adımı: yüzde 100'ün ötesinde doku patlar. Alt adımlar bunun altında kalacak biçimde seçilir.</translation>
     </message>
     <message>
-        <source>After {time:.2f} s the tissue was moved by {way:.1f} mm; there a linear solid is good for {limit:.1f} mm, and the run was stopped. A solid (MSS+V) goes deeper.</source>
-        <translation>{time:.2f} s sonra doku {way:.1f} mm yer değiştirdi; orada doğrusal dolu cisim {limit:.1f} mm için geçerlidir, çalışma durduruldu. Dolu cisim (MSS+V) daha derine gider.</translation>
-    </message>
-    <message>
-        <source>The tissue blew up after {time:.2f} s ({what}): the run was stopped. Softer springs, more damping or a larger mass hold it together.</source>
-        <translation>Doku {time:.2f} s sonra patladı ({what}): çalışma durduruldu. Daha yumuşak yaylar, daha çok sönüm ya da daha büyük kütle onu bir arada tutar.</translation>
+        <source>The run was stopped after {time:.2f} s: {what}. {advice}</source>
+        <translation>Çalışma {time:.2f} s sonra durduruldu: {what}. {advice}</translation>
     </message>
     <message>
         <source>The tissue can be built and stays stable.</source>
@@ -1726,7 +1722,7 @@
     </message>
     <message>
         <source>about {share} % of its time</source>
-        <translation>zamanının yaklaşık % {share} kadarı</translation>
+        <translation>zamanının yaklaşık %{share} kadarı</translation>
     </message>
     <message>
         <source>an organ without a name</source>
@@ -1900,7 +1896,7 @@ Beklenen: {expected}.</translation>
     </message>
     <message>
         <source>{median:.0f} % of a tick, p99 {p99:.0f} %</source>
-        <translation>bir adımın % {median:.0f} kadarı, p99 % {p99:.0f}</translation>
+        <translation>bir adımın %{median:.0f} kadarı, p99 %{p99:.0f}</translation>
     </message>
     <message>
         <source>{memory} for {pushed} of {moved} particles</source>

@@ -306,7 +306,8 @@ def test_an_organ_that_blows_up_ends_the_run_with_a_sentence(panel, qtbot):
     press(panel, qtbot)
 
     assert len(told) == 1 and told[0][1] == "error"
-    assert told[0][0].startswith("The tissue blew up after")
+    assert told[0][0].startswith("The run was stopped after")
+    assert "the tissue blew up: " in told[0][0]
     assert not panel.desk.session.is_tested
 
 

@@ -80,6 +80,7 @@ def test_the_window_is_turkish_and_back_with_the_same_organ(qtbot, make_editor):
 def test_no_text_is_cut_off_in_either_language(qtbot, make_editor):
     for language in ("en", "tr"):
         window = make_editor(language=language).window
+        window.resize(1280, 800)
         for stage in window.stage_bar.steps:
             window.show_stage(stage)
             qtbot.wait(1)

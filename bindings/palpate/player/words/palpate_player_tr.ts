@@ -104,12 +104,8 @@
         <translation>Bu bilgisayar şu anda çok yavaş: son %2 kuvvet güncellemesinden %1 tanesi kaçırıldı.</translation>
     </message>
     <message>
-        <source>The tissue became unstable after %1 s (%2), so the force was switched off. Press R to start again.</source>
-        <translation>Doku %1 s sonra kararsızlaştı (%2), bu nedenle kuvvet kapatıldı. Yeniden başlamak için R tuşuna basın.</translation>
-    </message>
-    <message>
-        <source>The tissue was pressed deeper than its model is good for, so the force was switched off. Press R to start again.</source>
-        <translation>Doku, modelinin geçerli olduğundan daha derine bastırıldı; kuvvet kapatıldı. Yeniden başlamak için R tuşuna basın.</translation>
+        <source>The force was switched off after %1 s: %2. %3 Press R to start again.</source>
+        <translation>%1 s sonra kuvvet kapatıldı: %2. %3 Yeniden başlamak için R tuşuna basın.</translation>
     </message>
     <message>
         <source>The device reported a position that is not a number, so its force was switched off. Check its cable, then press R to start again.</source>
@@ -178,34 +174,6 @@
     <message>
         <source>menu</source>
         <translation>menü</translation>
-    </message>
-    <message>
-        <source>a position is not a number</source>
-        <translation>bir konum sayı değil</translation>
-    </message>
-    <message>
-        <source>a point moved too far at once</source>
-        <translation>bir nokta bir anda çok uzağa gitti</translation>
-    </message>
-    <message>
-        <source>a link was stretched too far</source>
-        <translation>bir bağ aşırı gerildi</translation>
-    </message>
-    <message>
-        <source>a triangle collapsed</source>
-        <translation>bir üçgen çöktü</translation>
-    </message>
-    <message>
-        <source>a part was turned inside out</source>
-        <translation>bir parça ters yüz oldu</translation>
-    </message>
-    <message>
-        <source>a press went too deep</source>
-        <translation>fazla derine bastırıldı</translation>
-    </message>
-    <message>
-        <source>energy came from nowhere</source>
-        <translation>enerji yoktan arttı</translation>
     </message>
 </context>
 <context>

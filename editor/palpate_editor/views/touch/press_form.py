@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 from palpate.press import PressScript
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLabel, QPushButton, QWidget
 
 from palpate_editor.views.quantity_box import QuantityBox, QuantityRow
@@ -43,6 +43,7 @@ class PressForm(QWidget):
         form.setContentsMargins(0, 0, 0, 0)
         form.setHorizontalSpacing(12)
         form.setVerticalSpacing(7)
+        form.setLabelAlignment(Qt.AlignmentFlag.AlignVCenter)
         self._add(form, "depth", tr("Depth"), "mm", tr("How far the tip goes below the surface"))
         self._add(form, "pull", tr("Pull"), "mm", tr("Then it grips and pulls this far above"))
         self._add(form, "speed", tr("Speed"), "mm/s", tr("Mean speed of the press and the pull"))

@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 import palpate
+from palpate.alarms import advise_design, say_alarm
 from palpate.live import LiveRun
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 
 from palpate_editor.views.words import tr
 
@@ -139,18 +140,12 @@ def round_up(value: float) -> float:
 
 def describe_end(report: palpate.LoopReport) -> str | None:
     """Why a run did not end well, in a sentence; None where it did."""
-    if report.alarm.kind == palpate.AlarmKind.pressed_deep:
-        return tr(
-            "After {time:.2f} s the tissue was moved by {way:.1f} mm; there a linear solid is good "
-            "for {limit:.1f} mm, and the run was stopped. A solid (MSS+V) goes deeper."
-        ).format(
-            time=report.alarm.time, way=1e3 * report.alarm.value, limit=1e3 * report.alarm.limit
-        )
     if report.alarm.kind != palpate.AlarmKind.none:
-        return tr(
-            "The tissue blew up after {time:.2f} s ({what}): the run was stopped. Softer springs, "
-            "more damping or a larger mass hold it together."
-        ).format(time=report.alarm.time, what=report.alarm.kind.name.replace("_", " "))
+        return tr("The run was stopped after {time:.2f} s: {what}. {advice}").format(
+            time=report.alarm.time,
+            what=say_alarm(report.alarm, QCoreApplication.translate),
+            advice=advise_design(report.alarm.kind, QCoreApplication.translate),
+        )
     if report.fault != palpate.DeviceFault.none:
         return tr("The device failed ({what}): the run was stopped.").format(
             what=report.fault.name.replace("_", " ")

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Refusals of the core and of the system, said in the language of the window.
+
+They come as finished English sentences: where, what was found and what was expected. They are
+known by their pattern: a template such as "%1 bytes", and what stands in its places, which may be
+a sentence again. What no template fits stays as it is. words/ lists the templates.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+from PySide6.QtCore import QCoreApplication
+
+from palpate import translation
+
+CONTEXT = "Refusal"
+PLACE = re.compile(r"%(\d)")
+DEEPEST = 6
+"""Sentences within sentences that are looked into."""
+
+
+def say_refusal(text: str, depth: int = DEEPEST) -> str:
+    """A sentence of the core in the language of the window; in English as it is."""
+    for template, pattern in read_patterns():
+        found = pattern.fullmatch(text)
+        if found is None:
+            continue
+        said = QCoreApplication.translate(CONTEXT, template)
+        values = {place: say_inside(value, depth) for place, value in enumerate(found.groups(), 1)}
+        return PLACE.sub(lambda place, values=values: values[int(place.group(1))], said)
+    head, colon, rest = text.partition(": ")
+    # a name of a file or a device before what happened to it
+    return f"{head}: {say_inside(rest, depth)}" if colon else text
+
+
+def say_inside(text: str, depth: int) -> str:
+    return say_refusal(text, depth - 1) if depth > 0 else text
+
+
+@cache
+def read_patterns() -> list[tuple[str, re.Pattern[str]]]:
+    """(template, what fits it), those with most words of their own first."""
+    words = translation.read_words("palpate.translation", "tr")
+    templates = [source for context, source in words if context == CONTEXT]
+    templates.sort(key=lambda source: (-len(PLACE.sub("", source)), source))
+    return [(source, build_pattern(source)) for source in templates]
+
+
+def build_pattern(template: str) -> re.Pattern[str]:
+    """Places are numbered in the order of the English sentence."""
+    parts = PLACE.split(template)
+    return re.compile("(.*?)".join(re.escape(part) for part in parts[::2]), re.DOTALL)

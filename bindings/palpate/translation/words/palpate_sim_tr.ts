@@ -1,0 +1,439 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!-- SPDX-License-Identifier: BSD-3-Clause -->
+<!DOCTYPE TS>
+<TS version="2.1" language="tr" sourcelanguage="en">
+<context>
+    <name>Alarm</name>
+    <message>
+        <source>the tissue blew up: a position is not a number</source>
+        <translation>doku patladı: bir konum sayı değil</translation>
+    </message>
+    <message>
+        <source>the tissue blew up: a point moved %1 mm between two looks, at most %2 mm is right</source>
+        <translation>doku patladı: bir nokta iki bakış arasında %1 mm yer değiştirdi, en çok %2 mm olmalı</translation>
+    </message>
+    <message>
+        <source>the tissue blew up: its energy rose to %1 mJ, what it was given allows %2 mJ</source>
+        <translation>doku patladı: enerjisi %1 mJ oldu, verilen enerji en çok %2 mJ için yeter</translation>
+    </message>
+    <message>
+        <source>a link was stretched to %1 times its length at rest, at most %2 times is right</source>
+        <translation>bir bağ durgun boyunun %1 katına gerildi, en çok %2 katı olmalı</translation>
+    </message>
+    <message>
+        <source>a link was squeezed to %1 % of its length at rest, at least %2 % is right</source>
+        <translation>bir bağ durgun boyunun %%1 kadarına sıkıştı, en az %%2 kalmalı</translation>
+    </message>
+    <message>
+        <source>a tetrahedron was squeezed to %1 % of its volume at rest, at least %2 % is right</source>
+        <translation>bir dörtyüzlü durgun hacminin %%1 kadarına sıkıştı, en az %%2 kalmalı</translation>
+    </message>
+    <message>
+        <source>the tissue was moved by %1 mm; there a linear solid is good for %2 mm</source>
+        <translation>doku %1 mm yer değiştirdi; orada doğrusal dolu cisim %2 mm için geçerlidir</translation>
+    </message>
+    <message>
+        <source>Press less deep or more slowly.</source>
+        <translation>Daha az derine ya da daha yavaş bastırın.</translation>
+    </message>
+    <message>
+        <source>Move more slowly. If it comes again, whoever made this organ has to make it more stable.</source>
+        <translation>Daha yavaş hareket edin. Yine olursa bu organı hazırlayan onu daha kararlı yapmalıdır.</translation>
+    </message>
+    <message>
+        <source>Press less deep or more slowly, or make the organ stiffer.</source>
+        <translation>Daha az derine ya da daha yavaş bastırın ya da organı sertleştirin.</translation>
+    </message>
+    <message>
+        <source>More substeps, softer springs, more damping or a larger mass hold it together.</source>
+        <translation>Daha çok alt adım, daha yumuşak yaylar, daha çok sönüm ya da daha büyük kütle onu bir arada tutar.</translation>
+    </message>
+    <message>
+        <source>Press less deep, or take a solid (MSS+V), which goes deeper.</source>
+        <translation>Daha az derine bastırın ya da daha derine giden dolu cismi (MSS+V) seçin.</translation>
+    </message>
+</context>
+<context>
+    <name>Refusal</name>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 bayt</translation>
+    </message>
+    <message>
+        <source>%1 bytes for so many</source>
+        <translation>bu kadarı için %1 bayt</translation>
+    </message>
+    <message>
+        <source>%1 entries</source>
+        <translation>%1 girdi</translation>
+    </message>
+    <message>
+        <source>%1 of %2 that cross others</source>
+        <translation>%2 üçgenden %1 tanesi başkalarıyla kesişiyor</translation>
+    </message>
+    <message>
+        <source>%1 triangles in %2 bytes</source>
+        <translation>%2 bayt içinde %1 üçgen</translation>
+    </message>
+    <message>
+        <source>%1 with more than two triangles</source>
+        <translation>ikiden çok üçgeni olan %1 kenar</translation>
+    </message>
+    <message>
+        <source>%1: %2, expected a serial port that takes %3 bit/s</source>
+        <translation>%1: %2; beklenen: %3 bit/s hızını alan bir seri kapı</translation>
+    </message>
+    <message>
+        <source>%1: did not take the calibration: %2</source>
+        <translation>%1: kalibrasyonu kabul etmedi: %2</translation>
+    </message>
+    <message>
+        <source>%1: found %2, expected %3</source>
+        <translation>%1: bulunan: %2; beklenen: %3</translation>
+    </message>
+    <message>
+        <source>%1: has no calibration</source>
+        <translation>%1: kalibrasyonu yok</translation>
+    </message>
+    <message>
+        <source>0 bytes</source>
+        <translation>0 bayt</translation>
+    </message>
+    <message>
+        <source>84 bytes of header, or text that begins with 'solid'</source>
+        <translation>84 baytlık başlık ya da 'solid' ile başlayan metin</translation>
+    </message>
+    <message>
+        <source>; fewer parts may do (--part)</source>
+        <translation>; daha az parça yetebilir (--part)</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>aygıt başkası tarafından kullanılıyor</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>dosya zaten var</translation>
+    </message>
+    <message>
+        <source>Inappropriate ioctl for device</source>
+        <translation>bu bir seri kapı değil</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>giriş/çıkış hatası</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>bu bir klasör</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>diskte yer kalmadı</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>böyle bir aygıt yok</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>böyle bir dosya ya da klasör yok</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>bu bir klasör değil</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>izin yok</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>salt okunur dosya sistemi</translation>
+    </message>
+    <message>
+        <source>a coordinate that is not a finite number</source>
+        <translation>sonlu bir sayı olmayan bir koordinat</translation>
+    </message>
+    <message>
+        <source>a damaged entry</source>
+        <translation>bozuk bir girdi</translation>
+    </message>
+    <message>
+        <source>a damaged zip archive (%1)</source>
+        <translation>bozuk bir zip arşivi (%1)</translation>
+    </message>
+    <message>
+        <source>a directory of too many entries</source>
+        <translation>çok fazla girdisi olan bir dizin</translation>
+    </message>
+    <message>
+        <source>a file that can be written</source>
+        <translation>yazılabilen bir dosya</translation>
+    </message>
+    <message>
+        <source>a file that cannot be read</source>
+        <translation>okunamayan bir dosya</translation>
+    </message>
+    <message>
+        <source>a link or a folder</source>
+        <translation>bir bağlantı ya da klasör</translation>
+    </message>
+    <message>
+        <source>a mesh file</source>
+        <translation>bir ağ dosyası</translation>
+    </message>
+    <message>
+        <source>a mesh that can be read in that time</source>
+        <translation>bu sürede okunabilen bir ağ</translation>
+    </message>
+    <message>
+        <source>a plain file</source>
+        <translation>sıradan bir dosya</translation>
+    </message>
+    <message>
+        <source>a plain one</source>
+        <translation>şifresiz bir girdi</translation>
+    </message>
+    <message>
+        <source>a readable %1 file</source>
+        <translation>okunabilir bir %1 dosyası</translation>
+    </message>
+    <message>
+        <source>a readable STL file</source>
+        <translation>okunabilir bir STL dosyası</translation>
+    </message>
+    <message>
+        <source>a readable mesh file</source>
+        <translation>okunabilir bir ağ dosyası</translation>
+    </message>
+    <message>
+        <source>a reader that ended with code %1</source>
+        <translation>%1 koduyla biten bir okuyucu</translation>
+    </message>
+    <message>
+        <source>a reader that used up its processor time</source>
+        <translation>işlemci süresini tüketen bir okuyucu</translation>
+    </message>
+    <message>
+        <source>a surface</source>
+        <translation>bir yüzey</translation>
+    </message>
+    <message>
+        <source>a surface a tissue can be built on</source>
+        <translation>üzerine doku kurulabilecek bir yüzey</translation>
+    </message>
+    <message>
+        <source>a surface made of triangles or polygons</source>
+        <translation>üçgen ya da çokgenlerden oluşan bir yüzey</translation>
+    </message>
+    <message>
+        <source>a surface that does not cross itself%1</source>
+        <translation>kendisiyle kesişmeyen bir yüzey%1</translation>
+    </message>
+    <message>
+        <source>a surface with one side only, like a Moebius band</source>
+        <translation>Möbius şeridi gibi tek yüzlü bir yüzey</translation>
+    </message>
+    <message>
+        <source>a whole one</source>
+        <translation>sağlam bir arşiv</translation>
+    </message>
+    <message>
+        <source>a zip archive</source>
+        <translation>bir zip arşivi</translation>
+    </message>
+    <message>
+        <source>an empty file</source>
+        <translation>boş bir dosya</translation>
+    </message>
+    <message>
+        <source>an encrypted entry</source>
+        <translation>şifreli bir girdi</translation>
+    </message>
+    <message>
+        <source>an index below %1</source>
+        <translation>%1 değerinden küçük bir sıra numarası</translation>
+    </message>
+    <message>
+        <source>an organ's surface</source>
+        <translation>bir organın yüzeyi</translation>
+    </message>
+    <message>
+        <source>answered, but not with its calibration or a report</source>
+        <translation>yanıt verdi ama kalibrasyonunu ya da bir rapor göndermedi</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>en çok %1</translation>
+    </message>
+    <message>
+        <source>at most %1 entries</source>
+        <translation>en çok %1 girdi</translation>
+    </message>
+    <message>
+        <source>at most %1%2</source>
+        <translation>en çok %1%2</translation>
+    </message>
+    <message>
+        <source>at most 1 GB</source>
+        <translation>en çok 1 GB</translation>
+    </message>
+    <message>
+        <source>at most two triangles at every edge%1</source>
+        <translation>her kenarda en çok iki üçgen%1</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>ikisi de</translation>
+    </message>
+    <message>
+        <source>compression method %1</source>
+        <translation>sıkıştırma yöntemi %1</translation>
+    </message>
+    <message>
+        <source>content assimp refuses (%1)</source>
+        <translation>assimp'in kabul etmediği içerik (%1)</translation>
+    </message>
+    <message>
+        <source>content still being read after %1</source>
+        <translation>%1 sonra hâlâ okunan içerik</translation>
+    </message>
+    <message>
+        <source>content that crashes the reader (%1)</source>
+        <translation>okuyucuyu çökerten içerik (%1)</translation>
+    </message>
+    <message>
+        <source>damaged bytes</source>
+        <translation>bozuk baytlar</translation>
+    </message>
+    <message>
+        <source>did not confirm what was to be stored</source>
+        <translation>saklanması isteneni onaylamadı</translation>
+    </message>
+    <message>
+        <source>does not answer: expected a Palpate device that is switched on</source>
+        <translation>yanıt vermiyor; beklenen: açık bir Palpate aygıtı</translation>
+    </message>
+    <message>
+        <source>entries that share their bytes</source>
+        <translation>aynı baytları paylaşan girdiler</translation>
+    </message>
+    <message>
+        <source>fewer</source>
+        <translation>daha az</translation>
+    </message>
+    <message>
+        <source>finite coordinates</source>
+        <translation>sonlu koordinatlar</translation>
+    </message>
+    <message>
+        <source>more bytes than stated</source>
+        <translation>belirtilenden çok bayt</translation>
+    </message>
+    <message>
+        <source>more than %1 levels</source>
+        <translation>%1 düzeyden çok</translation>
+    </message>
+    <message>
+        <source>more than ten million triangles</source>
+        <translation>on milyondan çok üçgen</translation>
+    </message>
+    <message>
+        <source>no extension</source>
+        <translation>uzantısı olmayan bir ad</translation>
+    </message>
+    <message>
+        <source>no name or size</source>
+        <translation>adı ya da boyu olmayan bir girdi</translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation>böyle bir dosya yok</translation>
+    </message>
+    <message>
+        <source>no triangle that has an area</source>
+        <translation>alanı olan üçgen yok</translation>
+    </message>
+    <message>
+        <source>no triangles</source>
+        <translation>hiç üçgen yok</translation>
+    </message>
+    <message>
+        <source>none such</source>
+        <translation>böyle girdi olmaması</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>bir tane</translation>
+    </message>
+    <message>
+        <source>one of .obj .stl .ply .glb .gltf .3ds .fbx .dae .off</source>
+        <translation>şunlardan biri: .obj .stl .ply .glb .gltf .3ds .fbx .dae .off</translation>
+    </message>
+    <message>
+        <source>one that can be opened</source>
+        <translation>açılabilen bir girdi</translation>
+    </message>
+    <message>
+        <source>one with an inside and an outside%1</source>
+        <translation>içi ve dışı olan bir yüzey%1</translation>
+    </message>
+    <message>
+        <source>pseudo terminal: %1</source>
+        <translation>sözde uçbirim: %1</translation>
+    </message>
+    <message>
+        <source>sends what is no frame of ours: another device, or another baud rate</source>
+        <translation>bizim olmayan iletiler gönderiyor: başka bir aygıt ya da başka bir hız</translation>
+    </message>
+    <message>
+        <source>so many on top of each other that counting was given up</source>
+        <translation>sayılamayacak kadar çok üst üste üçgen</translation>
+    </message>
+    <message>
+        <source>something other than a zip archive</source>
+        <translation>zip arşivi olmayan bir şey</translation>
+    </message>
+    <message>
+        <source>something that is not a regular file</source>
+        <translation>sıradan bir dosya olmayan bir şey</translation>
+    </message>
+    <message>
+        <source>speaks version %1 of the protocol, expected %2</source>
+        <translation>protokolün %1 sürümünü konuşuyor; beklenen: %2</translation>
+    </message>
+    <message>
+        <source>stored or deflated</source>
+        <translation>saklanmış ya da deflate ile sıkıştırılmış</translation>
+    </message>
+    <message>
+        <source>the bytes its checksum tells</source>
+        <translation>sağlama toplamının söylediği baytlar</translation>
+    </message>
+    <message>
+        <source>the cable is out</source>
+        <translation>kablosu çıkmış</translation>
+    </message>
+    <message>
+        <source>the extension %1</source>
+        <translation>%1 uzantısı</translation>
+    </message>
+    <message>
+        <source>the program palpate-read-mesh of this installation</source>
+        <translation>bu kurulumun palpate-read-mesh programı</translation>
+    </message>
+    <message>
+        <source>two entries of one name</source>
+        <translation>aynı adda iki girdi</translation>
+    </message>
+    <message>
+        <source>two entries of this name</source>
+        <translation>bu adda iki girdi</translation>
+    </message>
+    <message>
+        <source>vertex %1</source>
+        <translation>köşe %1</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What an alarm says, in every language, and what to do about it."""
+
+from __future__ import annotations
+
+import re
+from types import SimpleNamespace
+
+import palpate
+import pytest
+from palpate.alarms import (
+    ALARMS,
+    CONTEXT,
+    advise_design,
+    advise_hand,
+    describe_alarm,
+    say_alarm,
+)
+from palpate.run import run_device
+from palpate.translation import read_words
+
+AlarmKind = palpate.AlarmKind
+KINDS = [kind for kind in AlarmKind if kind is not AlarmKind.none]
+TURKISH = read_words("palpate.translation", "tr")
+
+
+def say_turkish(context: str, text: str) -> str:
+    return TURKISH[context, text]
+
+
+def raise_alarm(kind: palpate.AlarmKind, value: float, limit: float) -> palpate.Alarm:
+    alarm = palpate.Alarm()
+    alarm.kind, alarm.value, alarm.limit, alarm.time = kind, value, limit, 0.412
+    return alarm
+
+
+def test_every_alarm_has_words_of_its_own_in_english_and_turkish():
+    assert set(ALARMS) == set(KINDS)
+    alarms = [raise_alarm(kind, 3.0, 2.0) for kind in KINDS]
+
+    assert len({str(describe_alarm(alarm)) for alarm in alarms}) == len(KINDS)
+    assert len({say_alarm(alarm, say_turkish) for alarm in alarms}) == len(KINDS)
+    spoken = {text for words in ALARMS.values() for text in (words.found, words.hand, words.design)}
+    assert {text for context, text in TURKISH if context == CONTEXT} == spoken
+
+
+def test_a_translated_alarm_has_the_numbers_of_the_english_one():
+    for kind in KINDS:
+        alarm = raise_alarm(kind, 0.0321, 0.0123)
+        told, said = str(describe_alarm(alarm)), say_alarm(alarm, say_turkish)
+        assert sorted(re.findall(r"\d[\d.]*", told)) == sorted(re.findall(r"\d[\d.]*", said))
+        assert not re.search(r"%\d\b(?!\d)", told.replace("%", "", told.count(" %")))
+
+
+def test_a_strain_of_two_is_three_times_the_length_at_rest():
+    words = str(describe_alarm(raise_alarm(AlarmKind.overstretched, 2.1, 2.0)))
+
+    assert words == "a link was stretched to 3.1 times its length at rest, at most 3 times is right"
+
+
+def test_only_what_is_unstable_is_said_to_have_blown_up():
+    blown = {kind for kind in KINDS if "blew up" in ALARMS[kind].found}
+
+    assert blown == {AlarmKind.not_finite, AlarmKind.moved_far, AlarmKind.energy}
+    for kind in set(KINDS) - blown:
+        assert advise_hand(kind, lambda _, text: text).startswith("Press less deep")
+        assert advise_design(kind, lambda _, text: text).startswith("Press less deep")
+
+
+def test_a_press_that_overstretches_says_so_and_what_to_do(monkeypatch, tmp_path):
+    alarm = raise_alarm(AlarmKind.overstretched, 2.1, 2.0)
+    costs = SimpleNamespace(alarm=alarm, fault=palpate.DeviceFault.none)
+
+    class Over:
+        def __init__(self, *_, **__): ...
+        def __enter__(self):
+            return self
+
+        def __exit__(self, *_): ...
+        def wait(self, _):
+            return True
+
+        def finish(self):
+            return costs
+
+    monkeypatch.setattr("palpate.run.LiveRun", Over)
+    monkeypatch.setattr("palpate.run.describe_build", lambda *_: {})
+    with pytest.raises(RuntimeError) as stopped:
+        run_device(None, SimpleNamespace(name=str), 1.0, tmp_path / "r", tmp_path / "s")
+
+    assert str(stopped.value) == (
+        "the run was stopped at 0.412 s: a link was stretched to 3.1 times its length at rest, "
+        "at most 3 times is right. Press less deep or more slowly, or make the organ stiffer."
+    )
