@@ -10,7 +10,7 @@ namespace palpate::scenes {
 /// A box around the origin with the given sides [m], cut into cells and each of these into six
 /// tetrahedra, inner vertices moved by up to a tenth of a cell.
 inline SolidMesh make_block(const Vec3& sides, const std::array<int, 3>& cells) {
-  const auto [nx, ny, nz] = cells;
+  const int nx = cells[0], ny = cells[1], nz = cells[2];  // clang 14 captures no structured binding
   const auto number = [&](int i, int j, int k) { return (k * (ny + 1) + j) * (nx + 1) + i; };
   SolidMesh solid;
   for (int k = 0; k <= nz; ++k) {

@@ -94,7 +94,9 @@ TEST_CASE("every kind of body has its rows, with positive figures") {
       {"shell", scene_of(scenes::make_shell_organ(2, {.damping_ratio = 0.2, .drag = 2.0}))},
       {"solid", scene_of(make_damped_solid(0.9))},
       {"linear", scene_of(scenes::make_linear_organ(4, 0.9, 0.2))}};
-  for (const auto& [kind, scene] : bodies) {
+  for (const auto& body : bodies) {
+    const std::string& kind = body.first;  // clang 14 captures no structured binding
+    const Scene& scene = body.second;
     CAPTURE(kind);
     const auto rows =
         bench::run_body_bench(scene, {.budget = 1e-3, .least_runs = 3, .air_substeps = {1, 12}});
