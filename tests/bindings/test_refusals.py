@@ -90,6 +90,12 @@ def test_a_silent_device_is_said_in_turkish_behind_its_name(turkish):
     )
 
 
+def test_the_words_of_another_library_are_not_taken_apart(turkish):
+    said = say_refusal("found: content assimp refuses (OBJ: vertex index out of range)")
+
+    assert said.endswith("assimp'in kabul etmediği içerik (OBJ: vertex index out of range)")
+
+
 def test_what_nobody_translated_stays_as_it_is(turkish):
     assert say_refusal("a.obj: moon: something new") == "a.obj: moon: something new"
     assert say_refusal("") == ""

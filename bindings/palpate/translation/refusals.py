@@ -17,6 +17,8 @@ from palpate import translation
 
 CONTEXT = "Refusal"
 PLACE = re.compile(r"%(\d)")
+FOREIGN = re.compile(r"\(%(\d)\)")
+"""A place in brackets holds the words of another library."""
 DEEPEST = 6
 """Sentences within sentences that are looked into."""
 
@@ -28,7 +30,9 @@ def say_refusal(text: str, depth: int = DEEPEST) -> str:
         if found is None:
             continue
         said = QCoreApplication.translate(CONTEXT, template)
-        values = {place: say_inside(value, depth) for place, value in enumerate(found.groups(), 1)}
+        values = dict(enumerate(found.groups(), 1))
+        foreign = {int(place) for place in FOREIGN.findall(template)}
+        values = {k: v if k in foreign else say_inside(v, depth) for k, v in values.items()}
         return PLACE.sub(lambda place, values=values: values[int(place.group(1))], said)
     head, colon, rest = text.partition(": ")
     # a name of a file or a device before what happened to it

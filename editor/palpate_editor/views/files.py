@@ -140,7 +140,7 @@ class Files(QObject):
     def load(self, path: Path) -> None:
         """Opens a document, or imports a mesh into a new one."""
         if not path.is_file():
-            self.desk.tell(tr("{file} is not there any more.").format(file=path))
+            self.desk.tell(tr("There is no file {file}.").format(file=path))
             return
         if is_mesh(path):
             if self.desk.session.organ.surface is not None:

@@ -1877,8 +1877,8 @@
         <translation>{file} artık yerinde değil: yeniden seçin.</translation>
     </message>
     <message>
-        <source>{file} is not there any more.</source>
-        <translation>{file} artık yok.</translation>
+        <source>There is no file {file}.</source>
+        <translation>{file} adında bir dosya yok.</translation>
     </message>
     <message>
         <source>{file}: the editor opens .organ and .palpate files and imports {meshes}.</source>

@@ -6,8 +6,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 from palpate.press import PressScript
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLabel, QPushButton, QWidget
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
 from palpate_editor.views.quantity_box import QuantityBox, QuantityRow
 from palpate_editor.views.stages.facts import write_label
@@ -43,7 +43,6 @@ class PressForm(QWidget):
         form.setContentsMargins(0, 0, 0, 0)
         form.setHorizontalSpacing(12)
         form.setVerticalSpacing(7)
-        form.setLabelAlignment(Qt.AlignmentFlag.AlignVCenter)
         self._add(form, "depth", tr("Depth"), "mm", tr("How far the tip goes below the surface"))
         self._add(form, "pull", tr("Pull"), "mm", tr("Then it grips and pulls this far above"))
         self._add(form, "speed", tr("Speed"), "mm/s", tr("Mean speed of the press and the pull"))
@@ -64,7 +63,10 @@ class PressForm(QWidget):
         }[field]
         row.entered.connect(take)
         self._rows[field] = row
-        form.addRow(write_label(title, "name", self), row)
+        name = write_label(title, "name", self)
+        # a form keeps a label that does not grow at the top of its field
+        name.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
+        form.addRow(name, row)
 
     def _build_place(self) -> QWidget:
         box = QWidget(self)

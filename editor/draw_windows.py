@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pictures of the editor and the trainee's window: an organ pressed by a scripted hand.
+
+export QT_QPA_PLATFORM=offscreen
+.venv/bin/python editor/draw_windows.py editor/pictures
+"""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from palpate import scenario
+from palpate.play import TAIL, Play
+from palpate.player.trainee_window import TraineeWindow
+from palpate.press import PressScript, find_top, write_script
+from palpate.viewport.application import open_application
+from palpate_editor.app.settings import Settings
+from palpate_editor.views.editor import Editor
+from PySide6.QtCore import QSettings
+from PySide6.QtWidgets import QApplication, QWidget
+
+PUBLISHED = Path(__file__).resolve().parents[1] / "meshes" / "published"
+SIZE = (1440, 900)
+"""[px] of the editor."""
+PLAYER_SIZE = (1280, 800)
+PATIENCE = 60.0
+"""[s]"""
+DEEPEST = 0.5
+"""[s] after which the press that the panel proposes is held at its depth."""
+DEPTH = 6e-3
+"""[m] of the player's press."""
+
+
+def wait(app: QApplication, done: Callable[[], bool]) -> None:
+    """Lets the windows live until something has come about. Raises RuntimeError."""
+    until = time.monotonic() + PATIENCE
+    while not done():
+        app.processEvents()
+        time.sleep(2e-3)
+        if time.monotonic() > until:
+            raise RuntimeError("the window did not get there in time")
+
+
+def live(app: QApplication, seconds: float) -> None:
+    until = time.monotonic() + seconds
+    wait(app, lambda: time.monotonic() > until)
+
+
+def save(window: QWidget, out: Path) -> None:
+    window.view.grab_picture()
+    if not window.grab().save(str(out)):
+        raise RuntimeError(f"{out}: cannot be written")
+
+
+def draw_editor(app: QApplication, out: Path, folder: Path) -> None:
+    """Test, at the deepest point of a press of the spleen."""
+    settings = Settings(QSettings(str(folder / "settings.ini"), QSettings.Format.IniFormat))
+    editor = Editor(app, settings, theme="dark", language="en", recovery_folder=folder)
+    window = editor.window
+    window.resize(*SIZE)
+    editor.show()
+    window.files.open(PUBLISHED / "spleen.organ")
+    wait(app, lambda: window.session.organ.surface is not None and window.desk.assessor.is_current)
+    window.show_stage("test")
+    panel = window.test_panel
+    panel.tabs.setCurrentIndex(1)
+    live(app, 0.5)
+    panel.start_button.click()
+    wait(app, lambda: find_time(panel) > DEEPEST)
+    # nothing moves on between here and the picture: the window lives in wait() only
+    save(window, out)
+    panel.start_button.click()
+    window.may_close = True
+    window.close()
+
+
+def find_time(panel: QWidget) -> float:
+    """[s] that the press has run."""
+    trace = panel.plot.traces[-1] if panel.plot.traces else ()
+    return float(trace.time[-1]) if len(trace) else 0.0
+
+
+def draw_player(app: QApplication, out: Path, folder: Path) -> None:
+    """A gallbladder, with the tool at its deepest."""
+    path = PUBLISHED / "gallbladder.palpate"
+    made = scenario.read(str(path))
+    script = PressScript(DEPTH, hold=PATIENCE)
+    frames, moments = write_script(find_top(made.scene), made.scene.tool.radius, script)
+    play = Play(path, made, frames, duration=moments.end + TAIL, record=folder / "played.prec")
+    window = TraineeWindow(play, "dark", "en")
+    window.resize(*PLAYER_SIZE)
+    window.show()
+    window.restart()
+    wait(app, lambda: window.over.force.peak > 0.05)
+    live(app, 0.3)
+    save(window, out)
+    window.close()
+
+
+if __name__ == "__main__":
+    target = Path(sys.argv[1])
+    application, _ = open_application("en")
+    with tempfile.TemporaryDirectory() as made_here:
+        draw_editor(application, target / "editor.png", Path(made_here))
+        draw_player(application, target / "player.png", Path(made_here))
