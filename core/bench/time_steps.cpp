@@ -56,13 +56,6 @@ BenchRow time_packed(const TissueModel& model, const Load& load, double dt, cons
   return row;
 }
 
-std::string name_terms(const TissueModel& model) {
-  const bool molecular = !model.bonds.ends.empty();
-  const bool damped = is_damped(molecular ? model.bonds : model.springs);
-  return std::string(molecular ? "bonds" : "springs") + (damped ? " with dashpots" : "") +
-         (molecular ? ", angles, stretch-bend" : "");
-}
-
 /// [m] How far apart the naive form and ours are after some steps from the same start.
 double compare_ends(const TissueModel& model, const Load& load, double dt, const State& start) {
   State naive = start, ours = start;
@@ -84,6 +77,13 @@ TissueModel without_dashpots(TissueModel model) {
   std::fill(model.springs.damping.begin(), model.springs.damping.end(), 0.0);
   std::fill(model.bonds.damping.begin(), model.bonds.damping.end(), 0.0);
   return model;
+}
+
+std::string name_terms(const TissueModel& model) {
+  const bool molecular = !model.bonds.ends.empty();
+  const bool damped = is_damped(molecular ? model.bonds : model.springs);
+  return std::string(molecular ? "bonds" : "springs") + (damped ? " with dashpots" : "") +
+         (molecular ? ", angles, stretch-bend" : "");
 }
 
 State shake(const TissueModel& model) {
