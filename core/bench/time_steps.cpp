@@ -64,6 +64,7 @@ BenchRow time_packed(const TissueModel& model, const Load& load, double dt, cons
   return row;
 }
 
+<<<<<<< HEAD
 std::string name_terms(const TissueModel& model) {
   if (!model.volumes.corners.empty()) {
     std::ostringstream share;
@@ -85,6 +86,8 @@ std::size_t count_elements(const TissueModel& model) {
   return std::max(model.springs.ends.size(), model.angles.corners.size());
 }
 
+=======
+>>>>>>> 6411c6c63a66309f0b84c19b7bd7c3f9ca542628
 /// [m] How far apart the naive form and ours are after some steps from the same start.
 double compare_ends(const TissueModel& model, const Load& load, double dt, const State& start) {
   State naive = start, ours = start;
@@ -107,6 +110,13 @@ TissueModel without_dashpots(TissueModel model) {
   std::fill(model.springs.damping.begin(), model.springs.damping.end(), 0.0);
   std::fill(model.bonds.damping.begin(), model.bonds.damping.end(), 0.0);
   return model;
+}
+
+std::string name_terms(const TissueModel& model) {
+  const bool molecular = !model.bonds.ends.empty();
+  const bool damped = is_damped(molecular ? model.bonds : model.springs);
+  return std::string(molecular ? "bonds" : "springs") + (damped ? " with dashpots" : "") +
+         (molecular ? ", angles, stretch-bend" : "");
 }
 
 State shake(const TissueModel& model) {
