@@ -49,7 +49,7 @@ Outcome watch_packed(const TissueModel& model, const Vec3& velocity, double dt, 
   for (; outcome.step < steps && !outcome.alarm; ++outcome.step) {
     step(packed, Load(), dt, running, &measure);
     unpack(packed, model, running, state);
-    outcome.alarm = check(packed, model, Vec3::Zero(), state, measure, 0.0, running, guard, 1);
+    outcome.alarm = check(packed, model, state, measure, 0.0, running, guard, 1);
   }
   outcome.energy = guard.last_energy / guard.start_energy;
   return outcome;

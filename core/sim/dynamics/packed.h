@@ -36,9 +36,9 @@ void step(const PackedModel& model, const Load& load, double dt, PackedState& st
 
 /// Looks at a packed tissue after steps of which the last was measured, as check() in guard.h does
 /// at a plain one; `state` is the unpacked form of `packed`.
-Alarm check(const PackedModel& model, const TissueModel& tissue, const Vec3& gravity,
-            const State& state, const PackedMeasure& measure, double work, PackedState& packed,
-            Guard& guard, int steps) noexcept;
+Alarm check(const PackedModel& model, const TissueModel& tissue, const State& state,
+            const PackedMeasure& measure, double work, PackedState& packed, Guard& guard,
+            int steps) noexcept;
 
 /// Writes time, and positions [m] and velocities [m/s] of all particles that move, into `state`, in
 /// the tissue's own numbering.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Included once per vector target by packed_kernels.cpp: what has changed since the last look.
+// Included once per vector target by packed_kernels.cpp: what a look at the tissue needs.
 #if defined(PALPATE_PACKED_COMPARE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PALPATE_PACKED_COMPARE_INL_H
 #undef PALPATE_PACKED_COMPARE_INL_H
@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE {
 
 /// [J] the pressure's work on the way from the last look: the force half way times the way, which
 /// on open surfaces too is right to third order.
-double compute_pressure_work(const PackedModel& model, const PackedState& state) {
+double compute_pressure_work(const PackedModel& model, const PackedState& state) noexcept {
   const float* now = state.position_rows[static_cast<std::size_t>(state.current)].data();
   const float* last = state.last_rows.data();
   const Real half = hn::Set(kLanes, 0.5f);
@@ -93,31 +93,6 @@ void find_moved(const PackedModel&, float threshold, const float* anchor, const 
     // what is not a number has moved
     moved[s] = !hn::AllTrue(kLanes, hn::Le(dot(way, way), most));
   }
-}
-
-Change compare(const PackedModel& model, const Eigen::Vector3f& gravity, float farthest,
-               const PackedState& state) noexcept {
-  const Points g = {hn::Set(kLanes, gravity.x()), hn::Set(kLanes, gravity.y()),
-                    hn::Set(kLanes, gravity.z())};
-  const Real most = hn::Set(kLanes, farthest * farthest);
-  Real work = hn::Zero(kLanes);
-  auto within = hn::Eq(most, most);
-  for (const int slice : state.slices.span()) {
-    const auto s = static_cast<std::size_t>(slice);
-    const std::size_t at = 3 * kWidth * s;
-    const Points way = load_points(state.displacement.data() + at) -
-                       load_points(state.last_displacement.data() + at);
-    const Points v = load_points(state.velocity.data() + at);
-    // what is not a number is not within anything
-    const Real none = hn::Mul(hn::Zero(kLanes), dot(v, v));
-    within = hn::And(within, hn::Le(hn::Add(dot(way, way), none), most));
-    work = hn::MulAdd(load(model.mass.data() + kWidth * s), dot(g, way), work);
-  }
-  Change change;
-  change.moved_far = !hn::AllTrue(kLanes, within);
-  change.gravity_work = hn::GetLane(hn::SumOfLanes(kLanes, work));
-  if (model.skin.pack_count > 0) change.pressure_work = compute_pressure_work(model, state);
-  return change;
 }
 
 }  // namespace HWY_NAMESPACE

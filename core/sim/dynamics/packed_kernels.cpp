@@ -31,7 +31,7 @@ const Kernels& kernels() noexcept {
                                   &accumulate_volumes,
                                   &accumulate_pressure,
                                   &advance,
-                                  &compare,
+                                  &compute_pressure_work,
                                   &unpack_all,
                                   &find_moved};
   return kernels;

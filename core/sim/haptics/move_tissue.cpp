@@ -143,8 +143,8 @@ Alarm end_moving(const Scene& scene, double work, World& world) noexcept {
   world.stretch = world.measure.stretch;
   unpack(*world.packed_model, scene.tissue, world.packed, world.tissue);
   move_skin(scene.tissue.skin, world.tissue.position, world.skin);
-  const Alarm alarm = check(*world.packed_model, scene.tissue, scene.gravity, world.tissue,
-                            world.measure, work, world.packed, world.guard, world.substeps);
+  const Alarm alarm = check(*world.packed_model, scene.tissue, world.tissue, world.measure, work,
+                            world.packed, world.guard, world.substeps);
   if (world.active.on && !alarm) {
     follow_motion(*world.packed_model, world.active, world.packed, world.tissue);
   }
