@@ -122,6 +122,19 @@ TEST_CASE("a packed tissue raises the same alarms, at the same speed of growth")
   }
 }
 
+TEST_CASE("what trembles by nothing but its rounding raises no alarm, however long and undamped") {
+  TissueModel model = scenes::make_spring_organ(2);
+  // as stiff for its mass as a hundred thousand particles are
+  for (double& stiffness : model.springs.stiffness) stiffness *= 2000.0;
+  const double limit = 2.0 / find_top_mode(LinearTissue(model)).frequency;
+
+  const Outcome rest = watch_packed(model, Vec3::Zero(), 0.9 * limit, 20000);
+  const Outcome burst = watch_packed(model, Vec3::Zero(), 1.02 * limit, 20000);
+
+  CHECK(rest.alarm.kind == AlarmKind::none);
+  CHECK(burst.alarm);
+}
+
 TEST_CASE("an oscillator up to half its limit raises no alarm, under any explicit integrator") {
   const TissueModel model = scenes::make_oscillator_model();
   const double w = std::sqrt(1e5);

@@ -76,6 +76,15 @@ void recall_last_look(const PackedModel& model, const TissueModel& tissue,
   }
 }
 
+bool has_moved_far(const PackedMeasure& measure, const Guard& guard, int steps) noexcept {
+  return !(measure.largest_move <= kFarthestMove * guard.shortest_rest_length * steps);
+}
+
+bool is_strained(const Stretch& stretch) noexcept {
+  return stretch.longest > 1.0 + kLargestStrain || stretch.shortest < kShortestLink ||
+         stretch.smallest_volume < kSmallestVolume;
+}
+
 /// Where the pressure's work will begin.
 void remember_rows(const PackedModel& model, PackedState& packed) noexcept {
   if (packed.last_rows.empty()) return;
@@ -156,9 +165,21 @@ void unpack_particle(const PackedModel& model, const TissueModel& tissue, const 
 
 void unpack(const PackedModel& model, const TissueModel& tissue, const PackedState& packed,
             State& state) noexcept {
-  model.kernels->unpack(model, tissue.rest_position.data(), packed, state.position.data(),
-                        state.velocity.data());
+  const std::span<const int> slices = packed.slices.span();
+  unpack_positions(model, tissue, packed.displacement, slices, state.position);
+  model.kernels->unpack(model, nullptr, packed.velocity.data(), slices, state.velocity.data());
   state.time = packed.time;
+}
+
+void unpack_positions(const PackedModel& model, const TissueModel& tissue,
+                      std::span<const float> displacement, std::span<const int> slices,
+                      std::span<Vec3> position) noexcept {
+  model.kernels->unpack(model, tissue.rest_position.data(), displacement.data(), slices,
+                        position.data());
+}
+
+bool looks_wrong(const PackedMeasure& measure, const Guard& guard, int steps) noexcept {
+  return has_moved_far(measure, guard, steps) || is_strained(measure.stretch);
 }
 
 /// The kernels only tell that something is wrong; which particle or link it is, and how wrong, the
@@ -166,15 +187,12 @@ void unpack(const PackedModel& model, const TissueModel& tissue, const PackedSta
 Alarm check(const PackedModel& model, const TissueModel& tissue, const State& state,
             const PackedMeasure& measure, double work, PackedState& packed, Guard& guard,
             int steps) noexcept {
-  const double farthest = kFarthestMove * guard.shortest_rest_length * steps;
   Alarm alarm;
-  if (!(measure.largest_move <= farthest)) {
+  if (has_moved_far(measure, guard, steps)) {
     recall_last_look(model, tissue, packed, guard.last_position);
     alarm = check_particles(state, guard, steps);
   }
-  const bool strained = measure.stretch.longest > 1.0 + kLargestStrain ||
-                        measure.stretch.shortest < kShortestLink ||
-                        measure.stretch.smallest_volume < kSmallestVolume;
+  const bool strained = is_strained(measure.stretch);
   if (!alarm && strained) alarm = check_strains(tissue, state.position, guard);
   if (!strained) guard.strained_looks = 0;
   if (!alarm) {

@@ -71,15 +71,15 @@ HWY_INLINE void write_points(const Points& points, const int* particle, const do
   write_blocks(kLanes, rows.row3, particle + 3, from, step, to);
 }
 
-void unpack_all(const PackedModel& model, const Vec3* rest, const PackedState& packed,
-                Vec3* position, Vec3* velocity) noexcept {
+void unpack(const PackedModel& model, const Vec3* from, const float* values,
+            std::span<const int> slices, Vec3* to) noexcept {
   static constexpr double kZero[3] = {0.0, 0.0, 0.0};
-  for (const int slice : packed.slices.span()) {
+  const double* added = from == nullptr ? kZero : from->data();
+  const int step = from == nullptr ? 0 : 3;
+  for (const int slice : slices) {
     const auto s = static_cast<std::size_t>(slice);
     const int* particle = model.particle.data() + kWidth * s;
-    const std::size_t at = 3 * kWidth * s;
-    write_points(load_points(packed.displacement.data() + at), particle, rest->data(), 3, position);
-    write_points(load_points(packed.velocity.data() + at), particle, kZero, 0, velocity);
+    write_points(load_points(values + 3 * kWidth * s), particle, added, step, to);
   }
 }
 

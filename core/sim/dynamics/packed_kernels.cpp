@@ -32,7 +32,7 @@ const Kernels& kernels() noexcept {
                                   &accumulate_pressure,
                                   &advance,
                                   &compute_pressure_work,
-                                  &unpack_all,
+                                  &unpack,
                                   &find_moved};
   return kernels;
 }

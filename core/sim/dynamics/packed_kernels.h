@@ -33,9 +33,10 @@ struct Kernels {
   /// [J] done by the pressure since the last look, for a model that has one.
   double (*compute_pressure_work)(const PackedModel& model,
                                   const PackedState& state) noexcept = nullptr;
-  /// Writes position [m] and velocity [m/s] of every particle that moves, in double.
-  void (*unpack)(const PackedModel& model, const Vec3* rest, const PackedState& packed,
-                 Vec3* position, Vec3* velocity) noexcept = nullptr;
+  /// Writes `values`, laid out as PackedState::displacement, of every particle of these slices in
+  /// double, added to what stands at `from`; unless that is null.
+  void (*unpack)(const PackedModel& model, const Vec3* from, const float* values,
+                 std::span<const int> slices, Vec3* to) noexcept = nullptr;
   /// Says of each slice that moves whether any of its displacements is more than `threshold` [m]
   /// from where `anchor` has it.
   void (*find_moved)(const PackedModel& model, float threshold, const float* anchor,
