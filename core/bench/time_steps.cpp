@@ -64,30 +64,12 @@ BenchRow time_packed(const TissueModel& model, const Load& load, double dt, cons
   return row;
 }
 
-<<<<<<< HEAD
-std::string name_terms(const TissueModel& model) {
-  if (!model.volumes.corners.empty()) {
-    std::ostringstream share;
-    share << model.volumes.nodal_share;
-    return "springs with dashpots, volumes with a nodal share of " + share.str();
-  }
-  if (!model.prisms.corners.empty()) {
-    return "two exact membranes with dashpots, pillars, shear of the sides";
-  }
-  const bool molecular = !model.bonds.ends.empty();
-  const bool damped = is_damped(molecular ? model.bonds : model.springs);
-  return std::string(molecular ? "bonds" : "springs") + (damped ? " with dashpots" : "") +
-         (molecular ? ", angles, stretch-bend" : "");
-}
-
 std::size_t count_elements(const TissueModel& model) {
   if (!model.volumes.corners.empty()) return model.volumes.corners.size();
   if (!model.prisms.corners.empty()) return model.prisms.corners.size();
   return std::max(model.springs.ends.size(), model.angles.corners.size());
 }
 
-=======
->>>>>>> 6411c6c63a66309f0b84c19b7bd7c3f9ca542628
 /// [m] How far apart the naive form and ours are after some steps from the same start.
 double compare_ends(const TissueModel& model, const Load& load, double dt, const State& start) {
   State naive = start, ours = start;
@@ -113,6 +95,14 @@ TissueModel without_dashpots(TissueModel model) {
 }
 
 std::string name_terms(const TissueModel& model) {
+  if (!model.volumes.corners.empty()) {
+    std::ostringstream share;
+    share << model.volumes.nodal_share;
+    return "springs with dashpots, volumes with a nodal share of " + share.str();
+  }
+  if (!model.prisms.corners.empty()) {
+    return "two exact membranes with dashpots, pillars, shear of the sides";
+  }
   const bool molecular = !model.bonds.ends.empty();
   const bool damped = is_damped(molecular ? model.bonds : model.springs);
   return std::string(molecular ? "bonds" : "springs") + (damped ? " with dashpots" : "") +

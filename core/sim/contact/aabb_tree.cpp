@@ -41,8 +41,10 @@ AabbTree::AabbTree(std::span<const Vec3> x, std::span<const Triangle> triangles)
   refit(x);
 }
 
-void AabbTree::refit(std::span<const Vec3> x) noexcept {
-  tree_kernels::best().refit(x, refit_, nodes_);
+void AabbTree::refit(std::span<const Vec3> x) noexcept { refit_steps(x, 0, refit_step_count()); }
+
+void AabbTree::refit_steps(std::span<const Vec3> x, std::size_t begin, std::size_t end) noexcept {
+  tree_kernels::best().refit(x, begin, end, refit_, nodes_);
 }
 
 void AabbTree::set_moving(std::span<const int> particles, bool moving) noexcept {

@@ -39,6 +39,12 @@ class AabbTree {
   /// Follows the surface to positions x; the same particle count as at the start.
   void refit(std::span<const Vec3> x) noexcept;
 
+  /// A refit in parts: of refit_step_count() steps those from `begin` to `end`. Whoever has taken
+  /// all of them in their sequence has refitted the tree. Where the surface moves on meanwhile
+  /// every box is one of those it has had since the first of them.
+  void refit_steps(std::span<const Vec3> x, std::size_t begin, std::size_t end) noexcept;
+  std::size_t refit_step_count() const noexcept { return refit_.step_count(); }
+
   /// From now on refit_moving() follows these particles, or no longer does; at first, none.
   void set_moving(std::span<const int> particles, bool moving) noexcept;
   /// As refit(), for when no others have moved since: the same boxes, in less time.

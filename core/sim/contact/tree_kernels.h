@@ -12,8 +12,8 @@ namespace palpate::tree_kernels {
 struct Kernels {
   const char* target = nullptr;
 
-  /// Brings the boxes of `nodes` up to positions x.
-  void (*refit)(std::span<const Vec3> x, TreeRefit& refit,
+  /// Steps `begin` to `end` of bringing the boxes of `nodes` up to positions x.
+  void (*refit)(std::span<const Vec3> x, std::size_t begin, std::size_t end, TreeRefit& refit,
                 std::span<AabbTree::Node> nodes) noexcept = nullptr;
   /// The same for what TreeRefit lists as moving.
   void (*refit_moving)(std::span<const Vec3> x, TreeRefit& refit,
@@ -30,6 +30,8 @@ struct Kernels {
   /// Triangles whose grown boxes `way` enters.
   void (*collect_near_way)(const AabbTree& tree, std::span<const Vec3> x, const Way& way,
                            Collector& collector) noexcept = nullptr;
+  /// All triangles of the leaves whose grown boxes `way` enters; how many.
+  int (*list_near_way)(const AabbTree& tree, const Way& way, std::span<int> out) noexcept = nullptr;
 };
 
 /// Those this machine can run, the best first; plain code is always the last.

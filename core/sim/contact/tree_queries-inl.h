@@ -168,11 +168,32 @@ inline void collect_near_way(const AabbTree& tree, std::span<const Vec3> x, cons
       });
 }
 
+/// Writes no more than `out` holds, which is not less than the tree has.
+inline int list_near_way(const AabbTree& tree, const Way& way, std::span<int> out) noexcept {
+  const Slabs slabs(way);
+  std::size_t found = 0;
+  walk(
+      tree, [&](const AabbTree::Node& node) { return enter_boxes(slabs, node); },
+      std::numeric_limits<float>::max(),
+      [&](int first, int count) {
+        const std::span<const int> leaf = leaf_order(tree, first, count);
+        const std::size_t taken = std::min(leaf.size(), out.size() - found);
+        std::copy_n(leaf.begin(), taken, out.begin() + static_cast<std::ptrdiff_t>(found));
+        found += taken;
+      });
+  return static_cast<int>(found);
+}
+
 /// All of it, for the table.
 inline Kernels list_kernels(const char* target) {
-  return {target,           &refit,        &refit_moving,
-          &find_first_hit,  &find_closest, &collect_in_sphere,
-          &collect_near_way};
+  return {target,
+          &refit,
+          &refit_moving,
+          &find_first_hit,
+          &find_closest,
+          &collect_in_sphere,
+          &collect_near_way,
+          &list_near_way};
 }
 
 }  // namespace palpate::tree_kernels::PALPATE_TREE_TARGET

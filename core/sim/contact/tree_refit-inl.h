@@ -72,14 +72,18 @@ PALPATE_TREE_INLINE void bound_node(std::size_t n, TreeRefit& refit,
   store_row({min(a.low, b.low), max(a.high, b.high)}, refit.rows[n]);
 }
 
-/// Children stand behind their parent, so one sweep from the back finds every child done.
-inline void refit(std::span<const Vec3> x, TreeRefit& refit,
+/// Children stand behind their parent, so steps that go through the nodes from the last one on find
+/// every child done.
+inline void refit(std::span<const Vec3> x, std::size_t begin, std::size_t end, TreeRefit& refit,
                   std::span<AabbTree::Node> nodes) noexcept {
-  std::array<double, 8>* row = refit.rows.data() + nodes.size();
-  for (const auto& list : refit.few) store_row(bound_list(x, list), *row++);
-  for (const auto& list : refit.many) store_row(bound_list(x, list), *row++);
-
-  for (std::size_t n = nodes.size(); n-- > 0;) bound_node(n, refit, nodes);
+  std::array<double, 8>* leaves = refit.rows.data() + nodes.size();
+  const std::size_t few = refit.few.size(), lists = few + refit.many.size();
+  std::size_t step = begin;
+  for (; step < std::min(few, end); ++step) store_row(bound_list(x, refit.few[step]), leaves[step]);
+  for (; step < std::min(lists, end); ++step) {
+    store_row(bound_list(x, refit.many[step - few]), leaves[step]);
+  }
+  for (; step < end; ++step) bound_node(nodes.size() - 1 - (step - lists), refit, nodes);
 }
 
 /// The same for the rows that the lists name.

@@ -31,6 +31,9 @@ struct TreeRefit {
   std::vector<int> moving_nodes;             ///< children before parents
   std::size_t few_count = 0, many_count = 0, node_count = 0;  ///< that move
   bool listed = true;                                         ///< the lists are those of `moving`
+
+  /// A refit is so many steps: a leaf with few corners each, with many, and then a node each.
+  std::size_t step_count() const noexcept { return few.size() + many.size() + child_rows.size(); }
 };
 
 }  // namespace palpate

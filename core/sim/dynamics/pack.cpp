@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 
 #include "palpate/sim/base/refuse.h"
+#include "palpate/sim/dynamics/pack_links.h"
 #include "palpate/sim/dynamics/pack_prisms.h"
 #include "palpate/sim/dynamics/pack_solid.h"
 #include "palpate/sim/dynamics/packed.h"
@@ -19,28 +19,7 @@ namespace {
 // triangles to choose from for each lane of a pack
 constexpr int kLookaheadPerLane = 12;
 
-/// Stands where a column has no number: lanes without a link or triangle.
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-/// `values` in blocks of `block`; one block alone where all of them that are numbers are the same.
-/// The others become `filler`, which must be harmless.
-PackedColumn make_column(std::vector<float> values, std::size_t block, float filler) {
-  const auto first = std::find_if(values.begin(), values.end(), [](float v) { return v == v; });
-  const bool same =
-      std::all_of(first, values.end(), [&](float v) { return v != v || v == *first; });
-  PackedColumn column;
-  if (same) {
-    column.values.assign(block, first == values.end() ? filler : *first);
-    return column;
-  }
-  std::replace_if(
-      values.begin(), values.end(), [](float v) { return v != v; }, filler);
-  column.values.assign(values.begin(), values.end());
-  column.stride = block;
-  return column;
-}
 
 /// Numbers the particles and lays out what each of them has.
 void pack_particles(const TissueModel& model, PackedOrder order, PackedModel& packed) {
@@ -73,73 +52,6 @@ void pack_particles(const TissueModel& model, PackedOrder order, PackedModel& pa
   for (const int i : model.fixed) {
     packed.mass[at(packed.row[at(i)])] = packed.inverse_mass[at(packed.row[at(i)])] = 0.0f;
   }
-}
-
-/// Those rows of `links` that are chosen.
-struct ChosenLinks {
-  const Links* links;
-  std::vector<bool> chosen;
-};
-
-/// One end of a link, as the particle at its other end sees it.
-struct LinkEnd {
-  int neighbour;
-  float stiffness, rest_tension, damping;
-};
-
-std::vector<std::vector<LinkEnd>> list_ends(const PackedModel& packed,
-                                            std::span<const ChosenLinks> tables) {
-  std::vector<std::vector<LinkEnd>> ends(packed.particle.size());
-  for (const auto& [links, chosen] : tables) {
-    for (std::size_t l = 0; l < links->ends.size(); ++l) {
-      if (!chosen[l]) continue;
-      const int a = packed.row[at(links->ends[l][0])], b = packed.row[at(links->ends[l][1])];
-      const auto k = static_cast<float>(links->stiffness[l]);
-      const auto tension = static_cast<float>(links->stiffness[l] * links->rest_length[l]);
-      const auto c = static_cast<float>(links->damping[l]);
-      ends[at(a)].push_back({b, k, tension, c});
-      ends[at(b)].push_back({a, k, tension, c});
-    }
-  }
-  for (auto& row : ends) {
-    std::stable_sort(row.begin(), row.end(),
-                     [](const LinkEnd& a, const LinkEnd& b) { return a.neighbour < b.neighbour; });
-  }
-  return ends;
-}
-
-void pack_links(std::span<const ChosenLinks> tables, PackedModel& packed) {
-  const auto ends = list_ends(packed, tables);
-  const std::size_t width = at(packed.width);
-  std::vector<float> stiffness, tension, damping;
-  PackedLinks& links = packed.links;
-  links.first_slot.push_back(0);
-  for (std::size_t first = 0; first < ends.size(); first += width) {
-    std::size_t most = 0;
-    for (std::size_t r = first; r < first + width; ++r) most = std::max(most, ends[r].size());
-    for (std::size_t slot = 0; slot < most; ++slot) {
-      for (std::size_t r = first; r < first + width; ++r) {
-        const bool used = slot < ends[r].size();
-        const LinkEnd end =
-            used ? ends[r][slot] : LinkEnd{static_cast<int>(r), kNone, kNone, kNone};
-        links.neighbour.push_back(end.neighbour);
-        stiffness.push_back(end.stiffness);
-        tension.push_back(end.rest_tension);
-        damping.push_back(end.damping);
-      }
-    }
-    links.first_slot.push_back(links.first_slot.back() + static_cast<int>(most));
-  }
-  links.stiffness = make_column(std::move(stiffness), width, 0.0f);
-  links.rest_tension = make_column(std::move(tension), width, 0.0f);
-  links.damping = make_column(std::move(damping), width, 0.0f);
-
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const auto& [table, chosen] : tables) {
-    for (const double length : table->rest_length) shortest = std::min(shortest, length);
-  }
-  const double least = std::isfinite(shortest) ? kNoDirection * shortest : 1e-9;
-  links.least_square = static_cast<float>(least * least);
 }
 
 /// A side of a row of Angles.
@@ -209,7 +121,7 @@ std::vector<int> pack_corners(const PackedModel& packed, std::span<const Triangl
 template <class Number>
 PackedColumn pack_column(const std::vector<int>& order, int width,
                          const std::vector<std::array<Number, 3>>& table, float filler = 0.0f) {
-  std::vector<float> values(3 * order.size(), kNone);
+  std::vector<float> values(3 * order.size(), kNoNumber);
   for (int lane = 0; lane < static_cast<int>(order.size()); ++lane) {
     if (order[at(lane)] < 0) continue;
     for (int c = 0; c < 3; ++c) {

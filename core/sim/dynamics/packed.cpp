@@ -57,28 +57,42 @@ void clear_pushed(const PackedModel& model, const Load& load, PackedState& state
   }
 }
 
-/// [m] where all was at the last look.
+/// [m] where all was at the last look. What sleeps has not moved since.
 void recall_last_look(const PackedModel& model, const TissueModel& tissue,
                       const PackedState& packed, Vec3Array& position) noexcept {
   const auto width = static_cast<std::size_t>(model.width);
-  for (std::size_t i = 0; i < model.row.size(); ++i) {
+  const auto recall = [&](std::size_t i, const CacheAligned<float>& displacement) noexcept {
     const std::size_t at = find_in_slices(model, static_cast<std::size_t>(model.row[i]));
-    const float* u = packed.last_displacement.data() + at;
+    const float* u = displacement.data() + at;
     position[i] = tissue.rest_position[i] + Vec3(u[0], u[width], u[2 * width]);
+  };
+  for (std::size_t i = 0; i < model.row.size(); ++i) recall(i, packed.displacement);
+  if (packed.looked) return;
+  for (const int slice : packed.slices.span()) {
+    const auto first = width * static_cast<std::size_t>(slice);
+    for (const int particle : std::span(model.particle).subspan(first, width)) {
+      if (particle >= 0) recall(static_cast<std::size_t>(particle), packed.last_displacement);
+    }
   }
 }
 
-/// What sleeps is where it was.
-void remember_look(const PackedModel& model, PackedState& packed) noexcept {
-  const auto width = static_cast<std::size_t>(model.width);
-  const float* rows = packed.position_rows[static_cast<std::size_t>(packed.current)].data();
+bool has_moved_far(const PackedMeasure& measure, const Guard& guard, int steps) noexcept {
+  return !(measure.largest_move <= kFarthestMove * guard.shortest_rest_length * steps);
+}
+
+bool is_strained(const Stretch& stretch) noexcept {
+  return stretch.longest > 1.0 + kLargestStrain || stretch.shortest < kShortestLink ||
+         stretch.smallest_volume < kSmallestVolume;
+}
+
+/// Where the pressure's work will begin.
+void remember_rows(const PackedModel& model, PackedState& packed) noexcept {
+  if (packed.last_rows.empty()) return;
+  const std::size_t rows = 4 * static_cast<std::size_t>(model.width);
+  const float* now = packed.position_rows[static_cast<std::size_t>(packed.current)].data();
   for (const int slice : packed.slices.span()) {
-    const std::size_t at = width * static_cast<std::size_t>(slice);
-    std::copy_n(packed.displacement.data() + 3 * at, 3 * width,
-                packed.last_displacement.data() + 3 * at);
-    if (!packed.last_rows.empty()) {
-      std::copy_n(rows + 4 * at, 4 * width, packed.last_rows.data() + 4 * at);
-    }
+    const std::size_t at = rows * static_cast<std::size_t>(slice);
+    std::copy_n(now + at, rows, packed.last_rows.data() + at);
   }
 }
 
@@ -133,6 +147,7 @@ void step(const PackedModel& model, const Load& load, double dt, PackedState& st
   if (model.skin.pack_count > 0) model.kernels->accumulate_pressure(model, state);
   add_pushes(model, load, state);
   model.kernels->advance(model, load.gravity.cast<float>(), static_cast<float>(dt), state, measure);
+  state.looked = false;
   if (!has_added_forces(model)) clear_pushed(model, load, state);
   state.current = 1 - state.current;
   state.time += dt;
@@ -150,33 +165,42 @@ void unpack_particle(const PackedModel& model, const TissueModel& tissue, const 
 
 void unpack(const PackedModel& model, const TissueModel& tissue, const PackedState& packed,
             State& state) noexcept {
-  model.kernels->unpack(model, tissue.rest_position.data(), packed, state.position.data(),
-                        state.velocity.data());
+  const std::span<const int> slices = packed.slices.span();
+  unpack_positions(model, tissue, packed.displacement, slices, state.position);
+  model.kernels->unpack(model, nullptr, packed.velocity.data(), slices, state.velocity.data());
   state.time = packed.time;
+}
+
+void unpack_positions(const PackedModel& model, const TissueModel& tissue,
+                      std::span<const float> displacement, std::span<const int> slices,
+                      std::span<Vec3> position) noexcept {
+  model.kernels->unpack(model, tissue.rest_position.data(), displacement.data(), slices,
+                        position.data());
+}
+
+bool looks_wrong(const PackedMeasure& measure, const Guard& guard, int steps) noexcept {
+  return has_moved_far(measure, guard, steps) || is_strained(measure.stretch);
 }
 
 /// The kernels only tell that something is wrong; which particle or link it is, and how wrong, the
 /// reference says. Energies are those one step back, which symplectic Euler keeps (guard.cpp).
-Alarm check(const PackedModel& model, const TissueModel& tissue, const Vec3& gravity,
-            const State& state, const PackedMeasure& measure, double work, PackedState& packed,
-            Guard& guard, int steps) noexcept {
-  const double farthest = kFarthestMove * guard.shortest_rest_length * steps;
-  const packed_kernels::Change change =
-      model.kernels->compare(model, gravity.cast<float>(), static_cast<float>(farthest), packed);
+Alarm check(const PackedModel& model, const TissueModel& tissue, const State& state,
+            const PackedMeasure& measure, double work, PackedState& packed, Guard& guard,
+            int steps) noexcept {
   Alarm alarm;
-  if (change.moved_far) {
+  if (has_moved_far(measure, guard, steps)) {
     recall_last_look(model, tissue, packed, guard.last_position);
     alarm = check_particles(state, guard, steps);
   }
-  const bool strained = measure.stretch.longest > 1.0 + kLargestStrain ||
-                        measure.stretch.shortest < kShortestLink ||
-                        measure.stretch.smallest_volume < kSmallestVolume;
+  const bool strained = is_strained(measure.stretch);
   if (!alarm && strained) alarm = check_strains(tissue, state.position, guard);
   if (!strained) guard.strained_looks = 0;
   if (!alarm) {
     const double elapsed = std::max(0.0, state.time - guard.last_time);
+    const double pressed =
+        model.skin.pack_count > 0 ? model.kernels->compute_pressure_work(model, packed) : 0.0;
     alarm = check_energy(tissue, measure.kinetic + measure.elastic + packed.asleep_energy,
-                         work + change.gravity_work + change.pressure_work, elapsed, guard);
+                         work + measure.gravity_work + pressed, elapsed, guard);
   }
   guard.last_time = state.time;
   if (alarm) {
@@ -184,7 +208,8 @@ Alarm check(const PackedModel& model, const TissueModel& tissue, const Vec3& gra
     alarm.time = state.time;
     return alarm;
   }
-  remember_look(model, packed);
+  packed.looked = true;
+  remember_rows(model, packed);
   return alarm;
 }
 

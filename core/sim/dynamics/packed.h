@@ -34,16 +34,26 @@ std::string_view simd_target(const PackedModel& model) noexcept;
 void step(const PackedModel& model, const Load& load, double dt, PackedState& state,
           PackedMeasure* measure = nullptr) noexcept;
 
+/// Whether check() will look at single particles and links: `state` must then be the unpacked form
+/// of `packed`, otherwise only its time is read.
+bool looks_wrong(const PackedMeasure& measure, const Guard& guard, int steps) noexcept;
+
 /// Looks at a packed tissue after steps of which the last was measured, as check() in guard.h does
-/// at a plain one; `state` is the unpacked form of `packed`.
-Alarm check(const PackedModel& model, const TissueModel& tissue, const Vec3& gravity,
-            const State& state, const PackedMeasure& measure, double work, PackedState& packed,
-            Guard& guard, int steps) noexcept;
+/// at a plain one.
+Alarm check(const PackedModel& model, const TissueModel& tissue, const State& state,
+            const PackedMeasure& measure, double work, PackedState& packed, Guard& guard,
+            int steps) noexcept;
 
 /// Writes time, and positions [m] and velocities [m/s] of all particles that move, into `state`, in
 /// the tissue's own numbering.
 void unpack(const PackedModel& model, const TissueModel& tissue, const PackedState& packed,
             State& state) noexcept;
+
+/// Writes the positions [m] of the particles of these slices, from displacements laid out as
+/// PackedState::displacement.
+void unpack_positions(const PackedModel& model, const TissueModel& tissue,
+                      std::span<const float> displacement, std::span<const int> slices,
+                      std::span<Vec3> position) noexcept;
 
 /// Writes position and velocity of one particle, as unpack() would.
 void unpack_particle(const PackedModel& model, const TissueModel& tissue, const PackedState& packed,

@@ -7,6 +7,9 @@
 #define PALPATE_PACKED_ADVANCE_INL_H
 #endif
 
+#include <cmath>
+#include <limits>
+
 #include "palpate/sim/dynamics/packed_kernels.h"
 #include "palpate/sim/dynamics/packed_vector-inl.h"
 
@@ -18,14 +21,16 @@ namespace HWY_NAMESPACE {
 enum class Damping { none, axis, isotropic };
 
 /// What is measured on the way, lane by lane: energies, and lengths and volumes in parts of those
-/// at rest.
+/// at rest; the longest way squared, work of gravity, and 0, or NaN once a particle is nowhere.
 struct Sums {
   Real kinetic, elastic, longest, shortest, smallest_volume, smallest_mean;
+  Real way, fallen, nowhere;
+  Real least_rest, most_rest;  ///< parts that lengths at rest are of lengths
 };
 
 HWY_INLINE Sums begin_sums() {
   const Real zero = hn::Zero(kLanes), one = hn::Set(kLanes, 1.0f);
-  return {zero, zero, one, one, one, one};
+  return {zero, zero, one, one, one, one, zero, zero, zero, one, one};
 }
 
 HWY_INLINE void add_sums(const Sums& sums, PackedMeasure& measure) {
@@ -33,12 +38,19 @@ HWY_INLINE void add_sums(const Sums& sums, PackedMeasure& measure) {
   measure.elastic += hn::GetLane(hn::SumOfLanes(kLanes, sums.elastic));
   const double longest = hn::GetLane(hn::MaxOfLanes(kLanes, sums.longest));
   const double shortest = hn::GetLane(hn::MinOfLanes(kLanes, sums.shortest));
-  measure.stretch.longest = std::max(measure.stretch.longest, longest);
-  measure.stretch.shortest = std::min(measure.stretch.shortest, shortest);
+  const double least_rest = hn::GetLane(hn::MinOfLanes(kLanes, sums.least_rest));
+  const double most_rest = hn::GetLane(hn::MaxOfLanes(kLanes, sums.most_rest));
+  measure.stretch.longest = std::max({measure.stretch.longest, longest, 1.0 / least_rest});
+  measure.stretch.shortest = std::min({measure.stretch.shortest, shortest, 1.0 / most_rest});
   const double volume = hn::GetLane(hn::MinOfLanes(kLanes, sums.smallest_volume));
   const double mean = hn::GetLane(hn::MinOfLanes(kLanes, sums.smallest_mean));
   measure.stretch.smallest_volume = std::min(measure.stretch.smallest_volume, volume);
   measure.stretch.smallest_mean = std::min(measure.stretch.smallest_mean, mean);
+  const bool somewhere = hn::GetLane(hn::SumOfLanes(kLanes, sums.nowhere)) == 0.0f;
+  const double way = std::sqrt(double(hn::GetLane(hn::MaxOfLanes(kLanes, sums.way))));
+  measure.largest_move =
+      std::max(measure.largest_move, somewhere ? way : std::numeric_limits<double>::infinity());
+  measure.gravity_work += hn::GetLane(hn::SumOfLanes(kLanes, sums.fallen));
 }
 
 /// Notes what `sums` has of one slice or pack, where that is wanted, and adds what was before.
@@ -80,6 +92,18 @@ HWY_INLINE void measure_slot(const PackedLinks& links, std::size_t slot, const i
   measure_part(weighs, length, hn::Mul(k, invert(rest_tension)), sums);
 }
 
+/// The same energy where every lane has a link with a stiffness and a length. With the pull
+/// p = k - k L / l it is (l p)² / (2 k), and L/l is what p was made of: no division is left.
+HWY_INLINE void measure_plain(const Real k, const Real rest_tension, const Real square,
+                              const Real inverse, const Real compliance, Sums& sums) {
+  const Real rest_part = hn::Mul(hn::Mul(rest_tension, inverse), compliance);
+  const Real pull = hn::NegMulAdd(rest_tension, inverse, k);
+  const Real quarter = hn::Mul(compliance, hn::Set(kLanes, 0.25f));
+  sums.elastic = hn::MulAdd(hn::Mul(hn::Mul(pull, pull), quarter), square, sums.elastic);
+  sums.least_rest = hn::Min(rest_part, sums.least_rest);
+  sums.most_rest = hn::Max(rest_part, sums.most_rest);
+}
+
 /// Adds the pull of all links of slice s on its particles at x, with velocities v. In the form
 ///
 ///     f += (k - k L / |d| + c (w·d) / |d|²) d,   d = x_j - x,  w = v_j - v
@@ -95,16 +119,23 @@ HWY_INLINE Points add_links(const PackedModel& model, const PackedState& state, 
   const float* velocity_rows = state.velocity_rows[here].data();
   const Real least = hn::Set(kLanes, links.least_square);
   const auto end = static_cast<std::size_t>(links.first_slot[s + 1]);
+  const auto plain_end = static_cast<std::size_t>(links.plain_end[s]);
+  const bool alike = links.stiffness.stride == 0;
+  Real compliance = invert(load(links.stiffness.block(0)));
   for (auto slot = static_cast<std::size_t>(links.first_slot[s]); slot < end; ++slot) {
     const int* neighbour = links.neighbour.data() + kWidth * slot;
     const Points d = gather(position_rows, neighbour) - x;
     const Real square = hn::Max(dot(d, d), least);
     const Real inverse = invert_root(square);
-    if constexpr (measured) {
+    const Real k = load(links.stiffness.block(slot));
+    const Real rest_tension = load(links.rest_tension.block(slot));
+    if (measured && slot < plain_end) {
+      if (!alike) compliance = invert(k);
+      measure_plain(k, rest_tension, square, inverse, compliance, sums);
+    } else if constexpr (measured) {
       measure_slot(links, slot, model.self.data() + kWidth * s, square, inverse, sums);
     }
-    Real scale = hn::NegMulAdd(load(links.rest_tension.block(slot)), inverse,
-                               load(links.stiffness.block(slot)));
+    Real scale = hn::NegMulAdd(rest_tension, inverse, k);
     if constexpr (damping != Damping::none) {
       const Points w = gather(velocity_rows, neighbour) - v;
       const Real c = load(links.damping.block(slot));
@@ -126,6 +157,15 @@ HWY_INLINE void measure_slice(const PackedModel& model, std::size_t s, const Poi
   const Real home = hn::Mul(load(model.home.data() + kWidth * s), hn::Set(kLanes, 0.5f));
   sums.kinetic = hn::MulAdd(mass, dot(twice, twice), sums.kinetic);
   sums.elastic = hn::MulAdd(home, dot(u, u), sums.elastic);
+}
+
+/// How far the particles of a slice have gone since the last look, and how far fallen.
+HWY_INLINE void measure_way(const PackedModel& model, std::size_t s, const Points& gravity,
+                            const Points& way, const Points& v, Sums& sums) {
+  const Real square = dot(way, way);
+  sums.way = hn::Max(square, sums.way);
+  sums.nowhere = hn::MulAdd(hn::Zero(kLanes), hn::Add(square, dot(v, v)), sums.nowhere);
+  sums.fallen = hn::MulAdd(load(model.mass.data() + kWidth * s), dot(gravity, way), sums.fallen);
 }
 
 /// One step of one slice: v += dt (f/m + g - drag v), u += dt v with the new v.
@@ -157,7 +197,12 @@ HWY_INLINE void advance_slice(const PackedModel& model, const Points& gravity, f
   const Points v_new = add_scaled(step, kick, kept * v);
   const Points u_new = add_scaled(step, v_new, u);
 
-  if constexpr (measured) measure_slice(model, s, u, v, v_new, sums);
+  float* last = state.last_displacement.data() + 3 * kWidth * s;
+  if (state.looked) store_points(u, last);
+  if constexpr (measured) {
+    measure_slice(model, s, u, v, v_new, sums);
+    measure_way(model, s, gravity, u_new - load_points(last), v_new, sums);
+  }
   store_points(v_new, velocity);
   store_points(u_new, displacement);
   const auto there = static_cast<std::size_t>(1 - state.current);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Included once per vector target by packed_kernels.cpp: what has changed since the last look.
+// Included once per vector target by packed_kernels.cpp: what a look at the tissue needs.
 #if defined(PALPATE_PACKED_COMPARE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PALPATE_PACKED_COMPARE_INL_H
 #undef PALPATE_PACKED_COMPARE_INL_H
@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE {
 
 /// [J] the pressure's work on the way from the last look: the force half way times the way, which
 /// on open surfaces too is right to third order.
-double compute_pressure_work(const PackedModel& model, const PackedState& state) {
+double compute_pressure_work(const PackedModel& model, const PackedState& state) noexcept {
   const float* now = state.position_rows[static_cast<std::size_t>(state.current)].data();
   const float* last = state.last_rows.data();
   const Real half = hn::Set(kLanes, 0.5f);
@@ -71,15 +71,15 @@ HWY_INLINE void write_points(const Points& points, const int* particle, const do
   write_blocks(kLanes, rows.row3, particle + 3, from, step, to);
 }
 
-void unpack_all(const PackedModel& model, const Vec3* rest, const PackedState& packed,
-                Vec3* position, Vec3* velocity) noexcept {
+void unpack(const PackedModel& model, const Vec3* from, const float* values,
+            std::span<const int> slices, Vec3* to) noexcept {
   static constexpr double kZero[3] = {0.0, 0.0, 0.0};
-  for (const int slice : packed.slices.span()) {
+  const double* added = from == nullptr ? kZero : from->data();
+  const int step = from == nullptr ? 0 : 3;
+  for (const int slice : slices) {
     const auto s = static_cast<std::size_t>(slice);
     const int* particle = model.particle.data() + kWidth * s;
-    const std::size_t at = 3 * kWidth * s;
-    write_points(load_points(packed.displacement.data() + at), particle, rest->data(), 3, position);
-    write_points(load_points(packed.velocity.data() + at), particle, kZero, 0, velocity);
+    write_points(load_points(values + 3 * kWidth * s), particle, added, step, to);
   }
 }
 
@@ -98,31 +98,6 @@ void find_moved(const PackedModel&, float least, float yield, const float* ancho
         hn::Or(hn::Le(square, least_square), hn::Le(hn::Mul(square, longer), yield_square));
     moved[s] = !hn::AllTrue(kLanes, rests);
   }
-}
-
-Change compare(const PackedModel& model, const Eigen::Vector3f& gravity, float farthest,
-               const PackedState& state) noexcept {
-  const Points g = {hn::Set(kLanes, gravity.x()), hn::Set(kLanes, gravity.y()),
-                    hn::Set(kLanes, gravity.z())};
-  const Real most = hn::Set(kLanes, farthest * farthest);
-  Real work = hn::Zero(kLanes);
-  auto within = hn::Eq(most, most);
-  for (const int slice : state.slices.span()) {
-    const auto s = static_cast<std::size_t>(slice);
-    const std::size_t at = 3 * kWidth * s;
-    const Points way = load_points(state.displacement.data() + at) -
-                       load_points(state.last_displacement.data() + at);
-    const Points v = load_points(state.velocity.data() + at);
-    // what is not a number is not within anything
-    const Real none = hn::Mul(hn::Zero(kLanes), dot(v, v));
-    within = hn::And(within, hn::Le(hn::Add(dot(way, way), none), most));
-    work = hn::MulAdd(load(model.mass.data() + kWidth * s), dot(g, way), work);
-  }
-  Change change;
-  change.moved_far = !hn::AllTrue(kLanes, within);
-  change.gravity_work = hn::GetLane(hn::SumOfLanes(kLanes, work));
-  if (model.skin.pack_count > 0) change.pressure_work = compute_pressure_work(model, state);
-  return change;
 }
 
 }  // namespace HWY_NAMESPACE

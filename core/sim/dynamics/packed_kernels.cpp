@@ -31,8 +31,8 @@ const Kernels& kernels() noexcept {
                                   &accumulate_volumes,
                                   &accumulate_pressure,
                                   &advance,
-                                  &compare,
-                                  &unpack_all,
+                                  &compute_pressure_work,
+                                  &unpack,
                                   &find_moved};
   return kernels;
 }

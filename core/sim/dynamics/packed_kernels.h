@@ -7,13 +7,6 @@
 
 namespace palpate::packed_kernels {
 
-/// What a tissue has done since the last look.
-struct Change {
-  bool moved_far = false;      ///< some particle beyond the limit, or nowhere
-  double gravity_work = 0.0;   ///< [J]
-  double pressure_work = 0.0;  ///< [J]
-};
-
 /// The kernels compiled for one vector target. Each works on models of its own width.
 struct Kernels {
   const char* target = nullptr;
@@ -32,17 +25,18 @@ struct Kernels {
   /// Adds the forces of the pressure to the force rows.
   void (*accumulate_pressure)(const PackedModel& model, PackedState& state) noexcept = nullptr;
   /// Adds links, home springs, gravity [m/s²], drag and the force rows, moves every particle by
-  /// one step of dt [s] into the other tables of rows, and leaves the force rows zero. Adds to
-  /// `measure` the energies of all these, unless it is null.
+  /// one step of dt [s] into the other tables of rows, and leaves the force rows zero. The first
+  /// step after a look keeps where all was. Adds to `measure` the energies of all these, and how
+  /// far all has gone since, unless it is null.
   void (*advance)(const PackedModel& model, const Eigen::Vector3f& gravity, float dt,
                   PackedState& state, PackedMeasure* measure) noexcept = nullptr;
-  /// Compares with where all was at the last look. `farthest` [m] is how far a particle may have
-  /// gone.
-  Change (*compare)(const PackedModel& model, const Eigen::Vector3f& gravity, float farthest,
-                    const PackedState& state) noexcept = nullptr;
-  /// Writes position [m] and velocity [m/s] of every particle that moves, in double.
-  void (*unpack)(const PackedModel& model, const Vec3* rest, const PackedState& packed,
-                 Vec3* position, Vec3* velocity) noexcept = nullptr;
+  /// [J] done by the pressure since the last look, for a model that has one.
+  double (*compute_pressure_work)(const PackedModel& model,
+                                  const PackedState& state) noexcept = nullptr;
+  /// Writes `values`, laid out as PackedState::displacement, of every particle of these slices in
+  /// double, added to what stands at `from`; unless that is null.
+  void (*unpack)(const PackedModel& model, const Vec3* from, const float* values,
+                 std::span<const int> slices, Vec3* to) noexcept = nullptr;
   /// Says of each slice that moves whether a particle in it has moved: whether it is more than
   /// `least` [m] from where `anchor` has it, and that way, times the longer of it and the way from
   /// where `still` has it, is more than `yield` [m²].

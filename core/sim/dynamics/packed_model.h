@@ -32,6 +32,7 @@ struct PackedColumn {
 /// need lead back to itself, where no force comes from.
 struct PackedLinks {
   std::vector<int> first_slot;  ///< of each slice, and the end
+  std::vector<int> plain_end;   ///< of each slice: before it every lane has a link with a length
   CacheAligned<int> neighbour;  ///< row, `width` per slot
   PackedColumn stiffness;       ///< [N/m]
   PackedColumn rest_tension;    ///< [N] k L: the tension is k l less this
@@ -104,10 +105,13 @@ struct PackedModel {
 };
 
 /// What a step finds on its way for a look at the tissue: energies [J] where the step began, with
-/// the velocities half way through its kick, and how far links and sides are from their rest.
+/// the velocities half way through its kick, how far links and sides are from their rest, and what
+/// has moved since the last look.
 struct PackedMeasure {
   double kinetic = 0.0, elastic = 0.0;
   Stretch stretch;
+  double largest_move = 0.0;  ///< [m] of a particle; infinite where one is nowhere
+  double gravity_work = 0.0;  ///< [J]
 };
 
 /// Numbers of slices or packs, ascending. There is always room for all of them.
@@ -137,7 +141,8 @@ struct PackedState {
   std::array<CacheAligned<float>, 2> position_rows;  ///< [m] x, y, z, 0 of each row
   std::array<CacheAligned<float>, 2> velocity_rows;  ///< [m/s] likewise; empty without damping
   CacheAligned<float> force_rows;         ///< [N] likewise; 0 between steps where it moves
-  CacheAligned<float> last_displacement;  ///< [m] at the last look
+  bool looked = true;                     ///< no step since the last look
+  CacheAligned<float> last_displacement;  ///< [m] then, of what has moved since
   CacheAligned<float> last_rows;          ///< [m] position rows then; empty without pressure
   std::vector<unsigned char> pushed;      ///< per slice: force_rows holds something
 

@@ -21,6 +21,7 @@ void exchange_tree(BuiltTree& built, World& world) noexcept {
   std::swap(world.tree_cost, built.cost);
   world.tree.refit(surface_position(world));
   // the new tree follows nothing yet; the next tick tells it what moves
+  world.lag.next = 0;
   std::fill(world.in_tree.begin(), world.in_tree.end(), static_cast<unsigned char>(0));
 }
 

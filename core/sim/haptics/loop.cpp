@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "palpate/sim/haptics/durations.h"
+#include "palpate/sim/haptics/follow_tissue.h"
 #include "palpate/sim/haptics/pace.h"
 #include "palpate/sim/haptics/realtime.h"
 #include "palpate/sim/haptics/tree_builder.h"
@@ -23,8 +24,8 @@ constexpr double kSnapshotInterval = 8e-3;  // [s] twice as often as a screen wa
 constexpr double kHashInterval = 1.0;       // [s]
 
 const LoopOptions& validated(const LoopOptions& options) {
-  const auto refuse = [](const char* field, double found, const char* expected) {
-    throw std::invalid_argument(std::string("loop: ") + field + ": got " + std::to_string(found) +
+  const auto refuse = [](const std::string& field, double found, const std::string& expected) {
+    throw std::invalid_argument("loop: " + field + ": got " + std::to_string(found) +
                                 ", expected " + expected);
   };
   if (!(options.duration >= 0.0) || !std::isfinite(options.duration)) {
@@ -39,12 +40,6 @@ long ticks_in(double seconds, double rate) {
   return std::max(1L, static_cast<long>(std::llround(std::min(seconds * rate, 9e15))));
 }
 double to_seconds(std::int64_t nanoseconds) noexcept { return 1e-9 * double(nanoseconds); }
-Snapshot rest_snapshot(const World& world) {
-  Snapshot snapshot;
-  std::ranges::copy(surface_position(world), std::back_inserter(snapshot.position));
-  snapshot.substeps = world.substeps;
-  return snapshot;
-}
 
 Percentiles percentiles_of(const Durations& d) {
   return {1e-9 * d.percentile(0.5), 1e-9 * d.percentile(0.99), 1e-9 * d.percentile(0.999),
@@ -66,7 +61,8 @@ struct Loop::Impl {
         world(scene),
         safe(device, options.safety),
         pace(safe, scene.rate, std::llround(1e9 * options.spin)),
-        snapshots(rest_snapshot(world)) {}
+        moments(Moment(world)),
+        reader(world) {}
 
   void run() noexcept;
   void run_ticks() noexcept;
@@ -75,6 +71,10 @@ struct Loop::Impl {
   void keep(const HapticCommand& command) noexcept;
   void notice_faults(long number) noexcept;
   void publish() noexcept;
+  void log_hash(long number) noexcept {
+    catch_up(scene, world);
+    log->push(StateHash{number, compute_hash(world)});
+  }
   void tell(long number, HappeningKind kind, std::int32_t index, double value = 0.0) noexcept {
     if (log) log->push(Happening{number, kind, index, value});
   }
@@ -100,7 +100,8 @@ struct Loop::Impl {
   std::atomic<bool> ready{false};
 
   // between the threads
-  Latest<Snapshot> snapshots;
+  Latest<Moment> moments;
+  SnapshotReader reader;  // the reader's own
   Durations latenesses, costs;
   std::atomic<long> ticks{0}, missed{0};
   std::atomic<DeviceFault> fault{DeviceFault::none};
@@ -116,6 +117,7 @@ struct Loop::Impl {
 };
 
 void Loop::Impl::run() noexcept {
+  world.follows_all = false;
   realtime = enter_realtime(options.realtime, options.cpu);
   running.store(true, std::memory_order_release);
   ready.store(true, std::memory_order_release);
@@ -156,9 +158,7 @@ void Loop::Impl::run_ticks() noexcept {
   const long done = ticks.load(std::memory_order_relaxed);
   if (skipped > 0) tell(done, HappeningKind::missed_ticks, static_cast<std::int32_t>(skipped));
   if (lost_ticks > 0) tell(done, HappeningKind::record_gap, static_cast<std::int32_t>(lost_ticks));
-  if (log && done > 0 && done % hash_ticks != 0) {
-    log->push(StateHash{done - 1, compute_hash(world)});
-  }
+  if (log && done > 0 && done % hash_ticks != 0) log_hash(done - 1);
   if (done > 0) publish();
 }
 
@@ -201,6 +201,7 @@ void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
   costs.add(spent);
   ticks.store(number + 1, std::memory_order_relaxed);
   if (number % snapshot_ticks == 0) publish();
+  if (trees.will_ask(world)) catch_up(scene, world);
   if (const auto told = trees.serve(world)) tell(told->tick, told->kind, told->index, told->value);
 }
 
@@ -217,7 +218,7 @@ void Loop::Impl::keep(const HapticCommand& command) noexcept {
     tell(number, HappeningKind::record_gap, static_cast<std::int32_t>(lost_ticks));
     lost_ticks = 0;
   }
-  if ((number + 1) % hash_ticks == 0) log->push(StateHash{number, compute_hash(world)});
+  if ((number + 1) % hash_ticks == 0) log_hash(number);
 }
 
 void Loop::Impl::notice_faults(long number) noexcept {
@@ -233,19 +234,13 @@ void Loop::Impl::notice_faults(long number) noexcept {
 }
 
 void Loop::Impl::publish() noexcept {
-  Snapshot& snapshot = snapshots.back();
-  snapshot.tick = world.tick_count - 1;
-  snapshot.time = sample.time;
-  std::ranges::copy(surface_position(world), snapshot.position.begin());
-  snapshot.sample = sample;
-  snapshot.tool_position = world.tool.position;
+  note_world(world, sample, moments.back());
+  Snapshot& snapshot = moments.back().seen;
   snapshot.force = safe.sent().force;
-  snapshot.touching = world.tool.touching;
   snapshot.cost = to_seconds(spent);
   snapshot.lateness = to_seconds(lateness);
-  snapshot.substeps = world.substeps;
   snapshot.missed_ticks = missed.load(std::memory_order_relaxed);
-  snapshots.publish();
+  moments.publish();
 }
 
 Loop::Loop(const Scene& scene, HapticDevice& device, const LoopOptions& options, TickLog* log)
@@ -276,8 +271,12 @@ bool Loop::running() const noexcept { return impl_->running.load(std::memory_ord
 void Loop::pause() noexcept { impl_->pausing.store(true, std::memory_order_release); }
 void Loop::resume() noexcept { impl_->pausing.store(false, std::memory_order_release); }
 bool Loop::paused() const noexcept { return impl_->resting.load(std::memory_order_acquire); }
-bool Loop::take_snapshot() noexcept { return impl_->snapshots.take(); }
-const Snapshot& Loop::snapshot() const noexcept { return impl_->snapshots.front(); }
+bool Loop::take_snapshot() {
+  const bool taken = impl_->moments.take();
+  if (taken) impl_->reader.read(impl_->scene, impl_->moments.front());
+  return taken;
+}
+const Snapshot& Loop::snapshot() const noexcept { return impl_->reader.snapshot(); }
 
 LoopReport Loop::report() const {
   LoopReport report;

@@ -7,6 +7,7 @@
 
 #include "palpate/sim/base/latest.h"
 #include "palpate/sim/haptics/safe_device.h"
+#include "palpate/sim/haptics/snapshot.h"
 #include "palpate/sim/haptics/tick.h"
 #include "palpate/sim/haptics/tick_log.h"
 
@@ -18,21 +19,6 @@ struct LoopOptions {
   int cpu = -1;           ///< pin the thread to this core, -1 for none
   double spin = 150e-6;   ///< [s] spun instead of slept before every tick
   SafetyLimits safety = {};
-};
-
-/// What a reader outside the haptic thread sees: the world as it was at most 8 ms ago.
-struct Snapshot {
-  long tick = 0;
-  double time = 0.0;   ///< [s]
-  Vec3Array position;  ///< [m] of the vertices of the surface
-  HapticSample sample;
-  Vec3 tool_position = Vec3::Zero();
-  Vec3 force = Vec3::Zero();  ///< [N] on the hand
-  bool touching = false;
-  double cost = 0.0;      ///< [s] of the last tick
-  double lateness = 0.0;  ///< [s] of the last tick
-  int substeps = 0;
-  long missed_ticks = 0;
 };
 
 /// Right within 0.4 %, the largest exactly.
@@ -83,7 +69,7 @@ class Loop {
   bool paused() const noexcept;  ///< the last command has gone out, a zero force after it
 
   /// For one reader thread: true if something newer than last time was taken.
-  bool take_snapshot() noexcept;
+  bool take_snapshot();
   const Snapshot& snapshot() const noexcept;
 
   /// Costs so far; while running, of the ticks finished by now.

@@ -5,11 +5,15 @@
 #include "palpate/sim/dynamics/measure_stretch.h"
 #include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/dynamics/step.h"
+#include "palpate/sim/haptics/follow_tissue.h"
 #include "palpate/sim/haptics/linear_tick.h"
 #include "palpate/sim/model/volumes.h"
 
 namespace palpate {
 namespace {
+
+/// Makes a way measured in float no shorter than it was.
+constexpr double kWiden = 1.0 + 1e-6;
 
 /// [W] what the pushes do to the tissue at velocities v; times the substep it is their work to the
 /// last bit, because symplectic Euler moves particles with the new velocity.
@@ -68,12 +72,9 @@ void unpack_near(const TissueModel& tissue, World& world) noexcept {
 
 /// And the skin on them.
 void move_near_skin(const TissueModel& tissue, World& world) noexcept {
-  const Vec3Array& x = world.tissue.position;
   for (int n = 0; n < world.near_skin_count; ++n) {
     const auto v = static_cast<std::size_t>(world.near_skin[static_cast<std::size_t>(n)]);
-    const auto& [a, b, c, d] = tissue.skin.corners[v];
-    const auto& w = tissue.skin.weights[v];
-    world.skin[v] = w[0] * x[a] + w[1] * x[b] + w[2] * x[c] + w[3] * x[d];
+    world.skin[v] = place_on_skin(tissue.skin, v, world.tissue.position);
   }
 }
 
@@ -141,10 +142,14 @@ Alarm end_moving(const Scene& scene, double work, World& world) noexcept {
     return check(scene.tissue, scene.gravity, world.tissue, work, world.guard, world.substeps);
   }
   world.stretch = world.measure.stretch;
-  unpack(*world.packed_model, scene.tissue, world.packed, world.tissue);
-  move_skin(scene.tissue.skin, world.tissue.position, world.skin);
-  const Alarm alarm = check(*world.packed_model, scene.tissue, scene.gravity, world.tissue,
-                            world.measure, work, world.packed, world.guard, world.substeps);
+  world.tissue.time = world.packed.time;
+  world.lag.behind = true;
+  world.lag.moved += kWiden * world.skin_gain * world.measure.largest_move;
+  if (!lags(world) || looks_wrong(world.measure, world.guard, world.substeps)) {
+    catch_up(scene, world);
+  }
+  const Alarm alarm = check(*world.packed_model, scene.tissue, world.tissue, world.measure, work,
+                            world.packed, world.guard, world.substeps);
   if (world.active.on && !alarm) {
     follow_motion(*world.packed_model, world.active, world.packed, world.tissue);
   }

@@ -17,8 +17,8 @@ void begin_moving(const Scene& scene, World& world) noexcept;
 /// One substep of dt [s] under world.load; `last` of its tick. Returns the work [J] of the pushes.
 double move_tissue(const Scene& scene, double dt, bool last, World& world) noexcept;
 
-/// Brings all of world.tissue up to date, and looks at it after a tick in which pushes have done
-/// `work` [J].
+/// Brings world.tissue up to date, all of it unless it lags (follow_tissue.h), and looks at it
+/// after a tick in which pushes have done `work` [J].
 Alarm end_moving(const Scene& scene, double work, World& world) noexcept;
 
 }  // namespace palpate

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "palpate/sim/haptics/choose_substeps.h"
+#include "palpate/sim/haptics/follow_tissue.h"
 #include "palpate/sim/haptics/move_tissue.h"
 #include "palpate/sim/haptics/place_tool.h"
 #include "palpate/sim/model/volumes.h"
@@ -56,6 +57,7 @@ void stand_still(const Scene& scene, World& world) noexcept {
             world.tissue.position.begin());
   move_skin(scene.tissue.skin, world.tissue.position, world.skin);
   std::fill(world.tissue.velocity.begin(), world.tissue.velocity.end(), Vec3::Zero());
+  world.lag.behind = false;
   release_tool(world.tool);
   world.tool.touching = false;
 }
@@ -68,12 +70,11 @@ HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
   if (world.alarm) return {};
 
   const std::span<const Vec3> surface = surface_position(world);
-  refit_tree(world);
+  follow_tissue(scene, world);
   const Vec3 hand = follow_hand(sample.position, dt, world);
   const double way = world.tool.placed ? (hand - world.hand).norm() : 0.0;
   if (place_tool(world.tree, surface, hand, scene.tool.radius, world.tool)) {
-    find_candidates(world.tree, surface, scene.tool, world.tool.position, hand, scene.rest_areas,
-                    world.candidates);
+    find_touchable(scene, hand, world);
     follow_button(scene, sample.buttons, dt, world);
   }
   world.substeps = choose_substeps(scene, way, dt, world);

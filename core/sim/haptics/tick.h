@@ -24,7 +24,8 @@ HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
 /// What a record keeps of a tick, lateness left at 0.
 Felt compute_felt(const HapticCommand& command, const World& world) noexcept;
 
-/// 128 bits over positions, velocities and the tool: equal worlds, equal hashes.
+/// 128 bits over positions, velocities and the tool: equal worlds, equal hashes. Nothing of the
+/// world may be behind (catch_up).
 std::array<std::uint64_t, 2> compute_hash(const World& world) noexcept;
 
 }  // namespace palpate

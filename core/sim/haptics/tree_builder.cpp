@@ -22,9 +22,13 @@ void TreeBuilder::call_worker() noexcept {
   calls_.notify_one();
 }
 
+bool TreeBuilder::will_ask(const World& world) const noexcept {
+  return turn_.load(std::memory_order_acquire) == Turn::free && wants_tree(world);
+}
+
 std::optional<Happening> TreeBuilder::serve(World& world) noexcept {
   const Turn turn = turn_.load(std::memory_order_acquire);
-  if (turn == Turn::free && wants_tree(world)) {
+  if (turn == Turn::free && wants_tree(world) && !world.lag.behind) {
     std::ranges::copy(surface_position(world), surface_.begin());
     asked_at_ = world.tick_count;
     growth_ = world.tree_cost.growth();

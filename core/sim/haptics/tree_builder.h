@@ -21,6 +21,10 @@ class TreeBuilder {
   explicit TreeBuilder(const World& world);
   ~TreeBuilder();  ///< waits for a tree that is being built
 
+  /// Haptic thread: whether serve() would now have a tree built, were the world's surface up to
+  /// date (catch_up).
+  bool will_ask(const World& world) const noexcept;
+
   /// Haptic thread, between two ticks: takes over a tree that is ready, and says what a record
   /// keeps of that; or has one built where the world's own has become dear.
   std::optional<Happening> serve(World& world) noexcept;

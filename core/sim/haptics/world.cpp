@@ -50,6 +50,11 @@ World::World(const Scene& scene)
       surface_mass(compute_surface_mass(scene.tissue)) {
   load.gravity = scene.gravity;
   move_skin(scene.tissue.skin, tissue.position, skin);
+  for (const auto& weights : scene.tissue.skin.weights) {
+    double gain = 0.0;
+    for (const double w : weights) gain += std::abs(w);
+    skin_gain = std::max(skin_gain, gain);
+  }
   if (scene.kernel != Kernel::reference && !scene.tissue.elastic.corners.empty()) {
     response = scene.response;
     answer = ResponseState(*response);
@@ -76,6 +81,8 @@ World::World(const Scene& scene)
 }
 
 void World::make_near() {
+  suspects.resize(tree.triangles().size());
+  last_read_at.resize(scratch.size(), -1);
   near.resize(tissue.position.size());
   last_near_at.resize(near.size(), -1);
   near_skin.resize(skin.size());

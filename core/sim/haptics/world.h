@@ -15,13 +15,29 @@
 
 namespace palpate {
 
+/// How far behind the packed tissue is what a world has in double, where World::follows_all is off.
+/// A round brings positions and the tree up to date in parts, one in every tick.
+struct Lag {
+  bool behind = false;         ///< tissue and skin are not all what the last tick has left
+  std::size_t next = 0;        ///< part of the round
+  double moved = 0.0;          ///< [m] no particle has gone farther since the start
+  double at_round = 0.0;       ///< [m] `moved` when this round began
+  double at_last_round = 0.0;  ///< [m] when the one before it did, and no box is older
+};
+
 /// A running scene. Everything a tick needs is allocated here, once.
 struct World {
   explicit World(const Scene& scene);
 
   State tissue;    ///< after every tick, whichever kernel moves it
   Vec3Array skin;  ///< [m] the vertices of the skin, after every tick; empty where there is none
-  AabbTree tree;
+  /// Whether tick() keeps all of tissue, skin and tree up to date. Forces are the same to the bit
+  /// without, and a large tissue takes half the time: its packed form is then the truth, and
+  /// whoever reads tissue or skin calls catch_up() first (follow_tissue.h). Nothing is ever behind
+  /// under another kernel, or where parts of the tissue may sleep.
+  bool follows_all = true;
+  Lag lag;
+  AabbTree tree;  ///< where not all is followed, of boxes as they were up to two rounds ago
   TreeCost tree_cost;
   Candidates candidates;
   ToolState tool;
@@ -49,6 +65,10 @@ struct World {
   std::vector<int> near_skin;      ///< vertices of the skin likewise
   int near_skin_count = 0;
   std::vector<long> last_skin_near_at;
+  std::vector<int> suspects;  ///< work space: triangles that may be near the tool
+  std::vector<long>
+      last_read_at;        ///< per vertex of the surface: the last tick in which it was one's
+  double skin_gain = 1.0;  ///< [-] no vertex of the skin goes farther than a particle times this
   std::shared_ptr<const Response> response;  ///< the scene's, where that kernel runs
   ResponseState answer;
   std::vector<double> deepest;  ///< [m] per vertex of the surface: how far a linear solid may go

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -97,6 +98,26 @@ TEST_CASE("every triangle stands in one leaf, every box is the tightest in float
     const Vec3Array bent = deform(soup.x, 7);
     tree.refit(bent);
     check_boxes(tree, bent);
+  }
+}
+
+TEST_CASE("a refit in parts is a refit, and boxes of parts are those of their moment") {
+  for (const Soup& soup : make_soups()) {
+    CAPTURE(soup.name);
+    AabbTree whole(soup.x, soup.triangles), parts = whole;
+    const Vec3Array bent = deform(soup.x, 7);
+    whole.refit(bent);
+
+    const std::size_t steps = parts.refit_step_count();
+    for (std::size_t begin = 0; begin < steps; begin += 3) {
+      parts.refit_steps(bent, begin, std::min(begin + 3, steps));
+    }
+
+    check_boxes(parts, bent);
+    CHECK(std::memcmp(whole.nodes().data(), parts.nodes().data(), whole.nodes().size_bytes()) == 0);
+    AabbTree half = AabbTree(soup.x, soup.triangles);
+    half.refit_steps(bent, 0, steps - 1);
+    CHECK(half.low() == AabbTree(soup.x, soup.triangles).low());
   }
 }
 

@@ -293,3 +293,35 @@ TEST_CASE("candidates are all triangles in reach of the way, with their areas at
     }
   }
 }
+
+TEST_CASE(
+    "candidates chosen from the leaves near a way are those found, whatever else is in them") {
+  Bench bench(make_ball());
+  Candidates chosen = bench.candidates;
+  std::vector<int> leaves(bench.mesh.triangles.size());
+  Dice dice(36);
+  int most = 0, least = static_cast<int>(leaves.size());
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 from = Vec3(0, 0, 0.025) + dice.vector(0.008), to = from + dice.vector(0.004);
+    find_candidates(bench.tree, bench.mesh.vertices, bench.tool, from, to, bench.areas,
+                    bench.candidates);
+
+    const double reach = bench.tool.radius + kCandidateMargin + dice.number(0.0, 0.004);
+    const int found = find_leaves_near_segment(bench.tree, from, to, reach, leaves);
+    choose_candidates(bench.tree, bench.mesh.vertices, bench.tool, from, to, bench.areas,
+                      std::span(leaves).first(static_cast<std::size_t>(found)), chosen);
+
+    REQUIRE(found >= chosen.count);
+    REQUIRE(chosen.count == bench.candidates.count);
+    REQUIRE(std::equal(chosen.triangles.begin(), chosen.triangles.begin() + chosen.count,
+                       bench.candidates.triangles.begin()));
+    REQUIRE(std::equal(chosen.areas.begin(), chosen.areas.begin() + chosen.count,
+                       bench.candidates.areas.begin()));
+    most = std::max(most, chosen.count);
+    least = std::min(least, chosen.count);
+  }
+  CHECK(most > least);
+  CHECK(find_leaves_near_segment(bench.tree, Vec3(0, 0, 1), Vec3(0, 0, 2), 0.1, leaves) == 0);
+  const Vec3 nowhere = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+  CHECK(find_leaves_near_segment(bench.tree, nowhere, Vec3(0, 0, 2), 0.1, leaves) == 0);
+}

@@ -56,16 +56,16 @@ TEST_CASE("boxes are the same bits on every target, followed whole or where they
     CAPTURE(soup.name);
     const Vec3Array x = deform(soup.x, 7);
     Boxes expected = plan(soup);
-    tree_kernels::plain().refit(x, expected.refit, expected.nodes);
+    tree_kernels::plain().refit(x, 0, expected.refit.step_count(), expected.refit, expected.nodes);
     for (const tree_kernels::Kernels* kernels : tree_kernels::available()) {
       CAPTURE(kernels->target);
       Boxes whole = plan(soup), part = plan(soup);
-      kernels->refit(x, whole.refit, whole.nodes);
+      kernels->refit(x, 0, whole.refit.step_count(), whole.refit, whole.nodes);
       CHECK(same(whole, expected));
 
       // of every third particle moved back, the boxes around it, and no others
       Vec3Array y = x;
-      kernels->refit(x, part.refit, part.nodes);
+      kernels->refit(x, 0, part.refit.step_count(), part.refit, part.nodes);
       for (std::size_t i = 0; i < y.size(); i += 3) {
         y[i] = soup.x[i];
         for (int n = part.refit.first_row[i]; n < part.refit.first_row[i + 1]; ++n) {
@@ -75,7 +75,7 @@ TEST_CASE("boxes are the same bits on every target, followed whole or where they
       }
       list_moving(part.nodes.size(), part.refit);
       kernels->refit_moving(y, part.refit, part.nodes);
-      kernels->refit(y, whole.refit, whole.nodes);
+      kernels->refit(y, 0, whole.refit.step_count(), whole.refit, whole.nodes);
       CHECK(same(part, whole));
     }
   }
