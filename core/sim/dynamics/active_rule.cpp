@@ -66,6 +66,30 @@ double find_home_of_area(const TissueModel& model) {
   return home / area;
 }
 
+/// [m] By how much whoever moves a ring may be off, over how much the ring itself has moved and how
+/// deep the tool is. Where what sleeps begins, at r, it holds the tissue on both sides of it by
+///
+///     S = 2 pi h l² / (I0(r/l) K0(r/l)) < 4 pi h l r     [N/m]
+///
+/// of what it stands off by. A tool that has moved the ring by u when it has moved by d moves it by
+/// 2 u/d at most when it moves by 1 more: the pull along a wall grows as the square of a dent. So
+/// by Betti's theorem an U too much or too little there is felt as S U 2 u/d, and what may sleep is
+///
+///     U u < force_error d / (2 S).
+///
+/// r is where this ends at U = u. With the field K0(r/l)/K0(radius/l) = u/d around a tool, and
+/// K0/I0 < pi exp(-2r/l), it is l/2 log(4 pi² h l² d / (force_error K0²(radius/l))). Deeper than l
+/// no dent is small, and a tool counts as that deep.
+double derive_yield(const ActiveRule& rule, double home_of_area, double radius,
+                    double force_error) {
+  constexpr double kPi = std::numbers::pi;
+  const double pull = home_of_area * rule.decay * rule.decay;  // [N/m]
+  const double at_tool = std::cyl_bessel_k(0.0, radius / rule.decay);
+  const double ring =
+      0.5 * std::log(4.0 * kPi * kPi * pull * rule.decay / (force_error * at_tool * at_tool));
+  return force_error / (8.0 * kPi * pull * std::max(rule.reach / rule.decay, ring));
+}
+
 }  // namespace
 
 /// Let everything outside a ring of radius r stand off from where it belongs by at most u. It takes
@@ -74,7 +98,8 @@ double find_home_of_area(const TissueModel& model) {
 ///
 /// to move the ring, and a tool moved by 1 moves the ring by less than exp(-2) where that is two
 /// decay lengths away. By Betti's theorem the tool then feels at most S u exp(-2) too much or too
-/// little: u = force_error exp(2) / S. Farther out r exp(-r/l) only falls.
+/// little: u = force_error exp(2) / S. Farther out r exp(-r/l) only falls. That is for any tool,
+/// and far too careful for one whose dent can be seen: derive_yield().
 ActiveRule derive_active_rule(const TissueModel& model, double radius, double force_error) {
   const std::string where = "scene: force_error [N]";
   if (!model.volumes.corners.empty()) {
@@ -93,9 +118,10 @@ ActiveRule derive_active_rule(const TissueModel& model, double radius, double fo
   ActiveRule rule;
   rule.decay = find_decay(model);
   rule.reach = radius + kDecayLengths * rule.decay;
-  const double ring =
-      2.0 * std::numbers::pi * rule.reach * rule.decay * find_home_of_area(model) * kSteepness;
+  const double home_of_area = find_home_of_area(model);
+  const double ring = 2.0 * std::numbers::pi * rule.reach * rule.decay * home_of_area * kSteepness;
   rule.threshold = force_error * std::exp(kDecayLengths) / ring;
+  rule.yield_per_depth = derive_yield(rule, home_of_area, radius, force_error);
   return rule;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 #include "palpate/sim/dynamics/elastic_energy.h"
 #include "palpate/sim/dynamics/follow_motion.h"
@@ -9,9 +10,6 @@
 
 namespace palpate {
 namespace {
-
-/// How far the tool may go, in parts of its reach, before what it keeps awake is found anew.
-constexpr double kKeptMargin = 0.03;
 
 /// Part of the threshold by which the forces at the start may move what begins asleep.
 constexpr double kStill = 0.1;
@@ -78,74 +76,6 @@ ActiveSet::Table find_neighbours(const PackedModel& model) {
   return make_table(std::move(rows));
 }
 
-void list_awake(std::span<const unsigned char> awake, PackedList& list) noexcept {
-  list.count = 0;
-  for (std::size_t i = 0; i < awake.size(); ++i) {
-    if (awake[i] != 0) list.numbers[at(list.count++)] = static_cast<int>(i);
-  }
-}
-
-void list_pulling(std::span<const int> pulling, PackedList& list) noexcept {
-  list.count = 0;
-  for (std::size_t i = 0; i < pulling.size(); ++i) {
-    if (pulling[i] > 0) list.numbers[at(list.count++)] = static_cast<int>(i);
-  }
-}
-
-void list_all(const ActiveSet& active, PackedState& packed) noexcept {
-  list_awake(active.awake, packed.slices);
-  list_pulling(active.pulling, packed.packs);
-  list_pulling(active.pulling_skin, packed.skin);
-}
-
-void take_anchor(const PackedModel& model, int slice, ActiveSet& active,
-                 const PackedState& packed) noexcept {
-  const std::size_t size = 3 * at(model.width), from = size * at(slice);
-  std::copy_n(packed.displacement.data() + from, size, active.anchor.data() + from);
-  active.quiet[at(slice)] = 0;
-}
-
-/// What sleeps keeps the energy it had. While it slept, whoever moved has left forces in its rows.
-void wake(const PackedModel& model, int slice, ActiveSet& active, PackedState& packed) noexcept {
-  active.awake[at(slice)] = 1;
-  take_anchor(model, slice, active, packed);
-  packed.asleep_energy -= packed.slice_energy[at(slice)];
-  std::fill_n(packed.force_rows.data() + 4 * at(model.width) * at(slice), 4 * at(model.width),
-              0.0f);
-  for (const int p : active.packs.row(slice)) {
-    if (active.pulling[at(p)]++ == 0) packed.asleep_energy -= packed.pack_energy[at(p)];
-  }
-  for (const int p : active.skin.row(slice)) ++active.pulling_skin[at(p)];
-}
-
-/// Both tables of rows get the same numbers: whoever reads on sees it at rest in every step.
-void put_to_sleep(const PackedModel& model, int slice, ActiveSet& active,
-                  PackedState& packed) noexcept {
-  const std::size_t width = at(model.width), rows = 4 * width * at(slice);
-  const auto here = at(packed.current), there = 1 - here;
-  active.awake[at(slice)] = 0;
-  std::fill_n(packed.velocity.data() + 3 * width * at(slice), 3 * width, 0.0f);
-  std::copy_n(packed.position_rows[here].data() + rows, 4 * width,
-              packed.position_rows[there].data() + rows);
-  if (!packed.velocity_rows[0].empty()) {
-    for (auto& velocities : packed.velocity_rows) {
-      std::fill_n(velocities.data() + rows, 4 * width, 0.0f);
-    }
-  }
-  packed.asleep_energy += packed.slice_energy[at(slice)];
-  for (const int p : active.packs.row(slice)) {
-    if (--active.pulling[at(p)] == 0) packed.asleep_energy += packed.pack_energy[at(p)];
-  }
-  for (const int p : active.skin.row(slice)) --active.pulling_skin[at(p)];
-}
-
-void stop(const PackedModel& model, int slice, State& state) noexcept {
-  for (int lane = 0; lane < model.width; ++lane) {
-    const int particle = model.particle[at(slice * model.width + lane)];
-    if (particle >= 0) state.velocity[at(particle)].setZero();
-  }
-}
-
 /// Whether the forces of the start leave every particle of a slice where it is.
 bool starts_still(const PackedModel& model, const TissueModel& tissue, const State& state,
                   const Vec3Array& force, int slice, double threshold) {
@@ -182,15 +112,14 @@ void measure_slices(const PackedModel& model, const TissueModel& tissue, ActiveS
   }
 }
 
-/// Who lies within reach of a place at rest [m]; the margin is for the way until the next time.
-void keep_about(const Vec3& place, ActiveSet& active) noexcept {
-  const double reach = active.reach * (1.0 + kKeptMargin);
-  for (std::size_t s = 0; s < active.kept.size(); ++s) {
-    const double far = reach + active.radius[s];
-    active.kept[s] = (active.centre[s] - place).squaredNorm() < far * far;
-  }
-  active.kept_about = place;
-  active.keeps = true;
+/// [-] What a slice at the edge of what sleeps moves by, of what it would if nothing slept: over
+/// its width the field falls to nothing, where a pull would fade over a decay length to either
+/// side.
+double compute_edge_part(const ActiveSet& active) {
+  double radius = 0.0;
+  for (const double r : active.radius) radius += r;
+  const double width = std::numbers::sqrt2 * radius / static_cast<double>(active.radius.size());
+  return std::min(1.0, 2.0 * width / active.decay);
 }
 
 }  // namespace
@@ -201,16 +130,20 @@ ActiveSet::ActiveSet(const PackedModel& model, const TissueModel& tissue, const 
     : on(true),
       threshold(static_cast<float>(rule.threshold)),
       reach(rule.reach),
+      decay(rule.decay),
       patience(patience_in),
       neighbours(find_neighbours(model)),
       packs(find_packs(model, model.triangles)),
       skin(find_packs(model, model.skin)),
-      anchor(packed.displacement) {
+      anchor(packed.displacement),
+      still(packed.displacement) {
   const std::size_t slices = at(model.slice_count);
-  for (auto* flags : {&kept, &moved, &stirred}) flags->assign(slices, 0);
+  for (auto* flags : {&kept, &moved, &stirred, &settled}) flags->assign(slices, 0);
   awake.assign(slices, 1);
   quiet.assign(slices, 0);
   measure_slices(model, tissue, *this);
+  const double edge_part = compute_edge_part(*this);
+  yield_per_depth = edge_part * edge_part * rule.yield_per_depth;
   pulling.assign(at(model.triangles.pack_count), 0);
   pulling_skin.assign(at(model.skin.pack_count), 0);
   for (const int p : packs.numbers) ++pulling[at(p)];
@@ -226,66 +159,7 @@ ActiveSet::ActiveSet(const PackedModel& model, const TissueModel& tissue, const 
       put_to_sleep(model, s, *this, packed);
     }
   }
-  list_all(*this, packed);
-}
-
-void wake_near(const PackedModel& model, const TissueModel& tissue, std::span<const int> near,
-               ActiveSet& active, PackedState& packed) noexcept {
-  if (near.empty()) {
-    if (active.keeps) std::fill(active.kept.begin(), active.kept.end(), 0);
-    active.keeps = false;
-    return;
-  }
-  Vec3 middle = Vec3::Zero();
-  for (const int i : near) middle += tissue.rest_position[at(i)];
-  middle /= static_cast<double>(near.size());
-  bool changed = false;
-  const auto rouse = [&](int slice) noexcept {
-    if (active.awake[at(slice)] != 0) return;
-    wake(model, slice, active, packed);
-    changed = true;
-  };
-  if (!active.keeps || (middle - active.kept_about).norm() > kKeptMargin * active.reach) {
-    keep_about(middle, active);
-    for (int s = 0; s < model.slice_count; ++s) {
-      if (active.kept[at(s)] != 0) rouse(s);
-    }
-  }
-  // a hand that flies past may touch beyond the reach
-  for (const int i : near) {
-    const int slice = model.row[at(i)] / model.width;
-    rouse(slice);
-    active.quiet[at(slice)] = 0;
-  }
-  if (changed) list_all(active, packed);
-}
-
-void follow_motion(const PackedModel& model, ActiveSet& active, PackedState& packed,
-                   State& state) noexcept {
-  model.kernels->find_moved(model, active.threshold, active.anchor.data(), packed,
-                            active.moved.data());
-  std::fill(active.stirred.begin(), active.stirred.end(), 0);
-  for (const int s : packed.slices.span()) {
-    if (active.moved[at(s)] == 0) continue;
-    take_anchor(model, s, active, packed);
-    active.stirred[at(s)] = 1;
-    for (const int n : active.neighbours.row(s)) active.stirred[at(n)] = 1;
-  }
-  bool changed = false;
-  for (int s = 0; s < model.slice_count; ++s) {
-    if (active.awake[at(s)] == 0) {
-      if (active.stirred[at(s)] == 0) continue;
-      wake(model, s, active, packed);
-      changed = true;
-    } else if (active.stirred[at(s)] != 0 || active.kept[at(s)] != 0) {
-      active.quiet[at(s)] = 0;
-    } else if (++active.quiet[at(s)] >= active.patience) {
-      put_to_sleep(model, s, active, packed);
-      stop(model, s, state);
-      changed = true;
-    }
-  }
-  if (changed) list_all(active, packed);
+  list_moving(*this, packed);
 }
 
 }  // namespace palpate

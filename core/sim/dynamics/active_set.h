@@ -8,9 +8,12 @@ namespace palpate {
 
 /// What decides which particles move.
 struct ActiveRule {
-  double threshold = 0.0;  ///< [m] who has moved less is at rest
+  double threshold = 0.0;  ///< [m] who has moved less is at rest, wherever the tool is
   double reach = 0.0;      ///< [m] at rest; nobody so near to what the tool may touch ever sleeps
   double decay = 0.0;      ///< [m] the way on which a pull along the surface falls to 1/e
+  /// [m] times the depth of the tool, at most a decay length: who has moved less than that over
+  /// how far it has moved in all is at rest too
+  double yield_per_depth = 0.0;
 };
 
 /// The active set: which slices of a packed tissue move. The others sleep, that is, they stand
@@ -35,17 +38,23 @@ struct ActiveSet {
             const State& state, const ActiveRule& rule, int patience, PackedState& packed);
 
   bool on = false;
-  float threshold = 0.0f;  ///< [m]
-  double reach = 0.0;      ///< [m]
-  int patience = 0;        ///< looks
+  float threshold = 0.0f;        ///< [m]
+  double reach = 0.0;            ///< [m]
+  double decay = 0.0;            ///< [m]
+  double yield_per_depth = 0.0;  ///< [m] of the rule, for slices of this width
+  double depth = 0.0;            ///< [m] of the tool, as the tissue has had time to follow it
+  float yield = 0.0f;            ///< [m²] of the tool as it stands: zero where it touches nothing
+  int patience = 0;              ///< looks
 
   Table neighbours, packs, skin;  ///< of each slice
   Vec3Array centre;               ///< [m] of each slice, at rest
   std::vector<double> radius;     ///< [m] likewise
 
   std::vector<unsigned char> awake, kept, moved, stirred;  ///< per slice
-  std::vector<int> quiet;                                  ///< looks since it last moved
-  CacheAligned<float> anchor;                              ///< [m] displacements then
+  std::vector<unsigned char> settled;      ///< per slice: has slept with the tool away
+  std::vector<int> quiet;                  ///< looks since it last moved
+  CacheAligned<float> anchor;              ///< [m] displacements then
+  CacheAligned<float> still;               ///< [m] where it last slept so
   std::vector<int> pulling, pulling_skin;  ///< per pack: how many of its slices are awake
   Vec3 kept_about = Vec3::Zero();          ///< [m] at rest
   bool keeps = false;                      ///< some are kept

@@ -10,6 +10,13 @@ namespace palpate {
 /// springs or without a surface: nothing there fades with distance.
 ActiveRule derive_active_rule(const TissueModel& model, double radius, double force_error);
 
+/// A slice stands still from here on.
+void put_to_sleep(const PackedModel& model, int slice, ActiveSet& active,
+                  PackedState& packed) noexcept;
+
+/// Brings the lists of what moves up to date with who is awake.
+void list_moving(const ActiveSet& active, PackedState& packed) noexcept;
+
 /// Before a tick: whatever lies within reach of `near`, the particles that the tool may touch,
 /// wakes and stays awake.
 void wake_near(const PackedModel& model, const TissueModel& tissue, std::span<const int> near,

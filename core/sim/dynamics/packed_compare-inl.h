@@ -83,15 +83,20 @@ void unpack_all(const PackedModel& model, const Vec3* rest, const PackedState& p
   }
 }
 
-void find_moved(const PackedModel&, float threshold, const float* anchor, const PackedState& state,
-                unsigned char* moved) noexcept {
-  const Real most = hn::Set(kLanes, threshold * threshold);
+void find_moved(const PackedModel&, float least, float yield, const float* anchor,
+                const float* still, const PackedState& state, unsigned char* moved) noexcept {
+  const Real least_square = hn::Set(kLanes, least * least);
+  const Real yield_square = hn::Set(kLanes, yield * yield);
   for (const int slice : state.slices.span()) {
     const auto s = static_cast<std::size_t>(slice);
     const std::size_t at = 3 * kWidth * s;
-    const Points way = load_points(state.displacement.data() + at) - load_points(anchor + at);
+    const Points u = load_points(state.displacement.data() + at);
+    const Points way = u - load_points(anchor + at), out = u - load_points(still + at);
+    const Real square = dot(way, way), longer = hn::Max(square, dot(out, out));
     // what is not a number has moved
-    moved[s] = !hn::AllTrue(kLanes, hn::Le(dot(way, way), most));
+    const auto rests =
+        hn::Or(hn::Le(square, least_square), hn::Le(hn::Mul(square, longer), yield_square));
+    moved[s] = !hn::AllTrue(kLanes, rests);
   }
 }
 

@@ -43,10 +43,12 @@ struct Kernels {
   /// Writes position [m] and velocity [m/s] of every particle that moves, in double.
   void (*unpack)(const PackedModel& model, const Vec3* rest, const PackedState& packed,
                  Vec3* position, Vec3* velocity) noexcept = nullptr;
-  /// Says of each slice that moves whether any of its displacements is more than `threshold` [m]
-  /// from where `anchor` has it.
-  void (*find_moved)(const PackedModel& model, float threshold, const float* anchor,
-                     const PackedState& state, unsigned char* moved) noexcept = nullptr;
+  /// Says of each slice that moves whether a particle in it has moved: whether it is more than
+  /// `least` [m] from where `anchor` has it, and that way, times the longer of it and the way from
+  /// where `still` has it, is more than `yield` [m²].
+  void (*find_moved)(const PackedModel& model, float least, float yield, const float* anchor,
+                     const float* still, const PackedState& state,
+                     unsigned char* moved) noexcept = nullptr;
 };
 
 /// Those this machine can run, the best first.

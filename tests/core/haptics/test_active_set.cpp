@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "core/haptics/press_scene.h"
@@ -55,6 +56,52 @@ void advance(const Scene& scene, World& world, int begin, int end, Run& run) {
     run.forces.push_back(tick(scene, sample, 1e-3, world).force);
     run.largest = std::max(run.largest, run.forces.back().norm());
   }
+}
+
+/// Where the hand is from tick `at` on [m], on a straight way from the key before.
+struct Key {
+  int at;
+  double x, z;
+  bool attached = false;
+};
+
+/// The pole gives `depth` [m] in 0.2 s, is held, slowly let go to a tenth of it, and left; then the
+/// same 12 mm away.
+std::vector<Key> press_twice(double depth) {
+  constexpr double kTouch = 0.0229, kTouchAway = 0.0216, kAir = 0.026;
+  return {{0, 0, 0.024},
+          {50, 0, kTouch},
+          {250, 0, kTouch - depth},
+          {400, 0, kTouch - depth},
+          {800, 0, kTouch - 0.1 * depth},
+          {900, 0, kTouch - 0.1 * depth},
+          {950, 0, kAir},
+          {1050, 0.012, kAir},
+          {1100, 0.012, kTouchAway},
+          {1300, 0.012, kTouchAway - depth},
+          {1400, 0.012, kTouchAway - depth}};
+}
+
+void follow(const Scene& scene, World& world, const std::vector<Key>& keys, Run& run) {
+  for (std::size_t k = 1; k < keys.size(); ++k) {
+    const Key &from = keys[k - 1], &to = keys[k];
+    for (int i = from.at; i < to.at; ++i) {
+      const double part = double(i - from.at) / (to.at - from.at);
+      HapticSample sample;
+      sample.position = {from.x + part * (to.x - from.x), 0.002, from.z + part * (to.z - from.z)};
+      sample.buttons = to.attached ? kAttachButton : 0;
+      run.forces.push_back(tick(scene, sample, 1e-3, world).force);
+      run.largest = std::max(run.largest, run.forces.back().norm());
+    }
+  }
+  REQUIRE_FALSE(world.alarm);
+}
+
+Run follow(const Scene& scene, const std::vector<Key>& keys) {
+  World world(scene);
+  Run run;
+  follow(scene, world, keys, run);
+  return run;
 }
 
 double compare(const Run& a, const Run& b, int begin, int end) {
@@ -217,4 +264,111 @@ TEST_CASE("a tissue without home springs cannot sleep, and a force error is refu
   scene.tissue.home.clear();
   CHECK_THROWS_WITH_AS(build_scene(scene), doctest::Contains("home springs"),
                        std::invalid_argument);
+}
+
+TEST_CASE("however deep, let go and pressed elsewhere: the force stays within what is allowed") {
+  if (!can_sleep()) return;
+  struct Case {
+    bool molecular;
+    double depth, share;  ///< [m], [-] of the largest force
+  };
+  for (const auto& [molecular, depth, share] :
+       {Case{false, 0.5e-3, 2e-3}, Case{false, 1.5e-3, 2e-2}, Case{false, 4e-3, 2e-3},
+        Case{true, 1.5e-3, 2e-3}, Case{true, 4e-3, 2e-2}}) {
+    CAPTURE(molecular);
+    CAPTURE(depth);
+    const Run full = follow(make_wall(molecular, 0.0), press_twice(depth));
+    const double allowed = share * full.largest;
+    const Run part = follow(make_wall(molecular, allowed), press_twice(depth));
+    CHECK(compare(full, part, 0, 400) < allowed);     // press, hold
+    CHECK(compare(full, part, 400, 900) < allowed);   // retreat, rest
+    CHECK(compare(full, part, 900, 1400) < allowed);  // elsewhere
+    CHECK(compare(full, part, 300, 400) > 0.0);       // it does sleep
+  }
+}
+
+TEST_CASE("a tip that chatters on the wall is felt rightly only once it lies still") {
+  if (!can_sleep()) return;
+  // so lightly that it bounces, between ticks 90 and 180: an instability that sleeping tissue, and
+  // anything else, nudges into another beat
+  const std::vector<Key> keys = {
+      {0, 0, 0.024}, {50, 0, 0.0229}, {250, 0, 0.0224}, {400, 0, 0.0224}};
+  const Run full = follow(make_wall(true, 0.0), keys);
+  const double allowed = 2e-3 * full.largest;
+  CHECK(compare(full, follow(make_wall(true, allowed), keys), 250, 400) < allowed);
+}
+
+TEST_CASE("a tool that pulls along the wall is felt within what is allowed") {
+  if (!can_sleep()) return;
+  const std::vector<Key> keys = {{0, 0, 0.024},
+                                 {100, 0, 0.0219},
+                                 {150, 0, 0.0219},
+                                 {400, 0.003, 0.0219, true},
+                                 {700, 0.003, 0.0219, true},
+                                 {1000, 0, 0.0219, true}};
+  for (const bool molecular : {false, true}) {
+    CAPTURE(molecular);
+    const Run full = follow(make_wall(molecular, 0.0), keys);
+    const double allowed = 2e-3 * full.largest;
+    CHECK(compare(full, follow(make_wall(molecular, allowed), keys), 0, 1000) < allowed);
+  }
+}
+
+TEST_CASE("what stands off at the rule's ring is felt by what is allowed, and not much less") {
+  const Scene scene = make_wall(false, 0.0);
+  constexpr double kAllowed = 1e-4, kHome = 1e6;
+  const ActiveRule rule = derive_active_rule(scene.tissue, 3e-3, kAllowed);
+  const double depth = rule.decay;
+  const double off = std::sqrt(rule.yield_per_depth * depth);
+  // the ring that such a tool moves by as much, found by halving
+  double near = 2.0, far = 20.0;
+  for (int i = 0; i < 60; ++i) {
+    const double x = 0.5 * (near + far);
+    const double field = std::cyl_bessel_k(0.0, x) / std::cyl_bessel_k(0.0, 3e-3 / rule.decay);
+    (field * depth > off ? near : far) = x;
+  }
+  const double stiffness = 2.0 * std::numbers::pi * kHome * rule.decay * rule.decay /
+                           (std::cyl_bessel_i(0.0, near) * std::cyl_bessel_k(0.0, near));
+  const double felt = stiffness * off * 2.0 * off / depth;
+  CHECK(felt < kAllowed);
+  CHECK(felt > 0.9 * kAllowed);
+}
+
+TEST_CASE("more sleeps under a deep tool than under one that might do anything") {
+  if (!can_sleep()) return;
+  const Scene scene = make_wall(false, 1e-4);
+  World any(scene), deep(scene);
+  any.active.yield_per_depth = 0.0;
+  Run run;
+  long awake_under_any = 0, awake_under_deep = 0;
+  for (int i = 0; i < 400; ++i) {
+    advance(scene, any, i, i + 1, run);
+    advance(scene, deep, i, i + 1, run);
+    awake_under_any += any.packed.slices.count;
+    awake_under_deep += deep.packed.slices.count;
+  }
+  CHECK(awake_under_deep < 0.8 * awake_under_any);
+
+  // as deep as it is, and a tenth of a second after it has gone it counts no more
+  CHECK(deep.active.depth > 1e-3);
+  CHECK(deep.active.depth < 4e-3);
+  CHECK(deep.active.yield == doctest::Approx(deep.active.yield_per_depth * deep.active.depth));
+  advance(scene, deep, 400, 1100, run);
+  CHECK(deep.active.yield == 0.0f);
+}
+
+TEST_CASE("the depth of a tool counts only where tissue has been seen at rest without it") {
+  if (!can_sleep()) return;
+  Scene scene = make_wall(false, 1e-3);
+  scene.gravity = {0, 0, -9.81};
+  World world(scene);
+  Run run;
+  advance(scene, world, 0, 380, run);  // what sags is pressed before it has settled
+  CHECK(run.largest > 0.05);
+  CHECK(world.active.depth == 0.0);
+  advance(scene, world, 900, 2500, run);
+  CHECK(world.packed.slices.count == 0);
+  advance(scene, world, 0, 380, run);
+  CHECK(world.active.depth > 1e-3);
+  CHECK(world.active.depth < 4e-3);
 }
