@@ -75,7 +75,8 @@ BenchRow time_world(const Scene& scene, const HapticSample& sample, World world,
   row.substeps = world.substeps;
   row.share_of_bound = world.substeps * bound_step(scene.tissue) / row.median;
   if (world.packed_model) row.simd_target = simd_target(*world.packed_model);
-  row.physics = std::to_string(world.load.push_count) + " contacts, refit in turn, candidates, alarm, " +
+  row.physics = std::to_string(world.load.push_count) +
+                " contacts, refit in turn, candidates, alarm, " +
                 (world.packed_model ? "packed" : "reference") +
                 " kernel; naive has a textbook tree, steps naively and has no alarm";
   return row;

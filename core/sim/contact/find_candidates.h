@@ -29,11 +29,4 @@ void find_candidates(const AabbTree& tree, std::span<const Vec3> x, const Tool& 
                      const Vec3& tool_position, const Vec3& hand_position,
                      std::span<const double> rest_areas, Candidates& candidates) noexcept;
 
-/// The same from `suspects`, which hold every triangle that find_candidates() would find and
-/// perhaps others, in any order: only their positions need be up to date, and no box is looked at.
-void choose_candidates(const AabbTree& tree, std::span<const Vec3> x, const Tool& tool,
-                       const Vec3& tool_position, const Vec3& hand_position,
-                       std::span<const double> rest_areas, std::span<const int> suspects,
-                       Candidates& candidates) noexcept;
-
 }  // namespace palpate

@@ -70,11 +70,4 @@ int find_near_segment(const AabbTree& tree, std::span<const Vec3> x, const Vec3&
   return collector.finish();
 }
 
-int find_leaves_near_segment(const AabbTree& tree, const Vec3& from, const Vec3& to, double radius,
-                             std::span<int> out) noexcept {
-  if (tree.nodes().empty() || !(radius >= 0.0) || !from.allFinite() || !to.allFinite()) return 0;
-  const Way way{from, to - from, 1.0, radius + find_slack(tree, from, to)};
-  return tree_kernels::best().list_near_way(tree, way, out);
-}
-
 }  // namespace palpate

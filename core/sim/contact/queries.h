@@ -50,10 +50,4 @@ int find_in_sphere(const AabbTree& tree, std::span<const Vec3> x, const Vec3& ce
 int find_near_segment(const AabbTree& tree, std::span<const Vec3> x, const Vec3& from,
                       const Vec3& to, double radius, std::span<int> out) noexcept;
 
-/// Triangles of all leaves whose boxes, as they stand, meet the segment when grown by `radius` [m]:
-/// where no triangle has left its boxes by more than a part of the radius, all of them that are
-/// within the rest of it. In any order; returns how many there are, never more than `out` holds.
-int find_leaves_near_segment(const AabbTree& tree, const Vec3& from, const Vec3& to, double radius,
-                             std::span<int> out) noexcept;
-
 }  // namespace palpate

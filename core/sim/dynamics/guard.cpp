@@ -24,9 +24,9 @@ constexpr double kExcess = 0.5;  // of E_ref, at any time
 constexpr double kMemory = 1.0;
 
 /// [m/s] Energy below that of the whole tissue moving this fast is no reason for an alarm: what
-/// blows up swings in two steps, by less than 10 um at that speed, which no hand or eye notices. And
-/// near rest it may be nothing but rounding: floats heat an undamped tissue of 100 000 particles to a
-/// tenth of this speed within some hundred steps.
+/// blows up swings in two steps, by less than 10 um at that speed, which no hand or eye notices.
+/// And near rest it may be nothing but rounding: floats heat an undamped tissue of 100 000
+/// particles to a tenth of this speed within some hundred steps.
 constexpr double kUnnoticed = 1e-2;
 
 /// [J] Kinetic and elastic energy one step back, at x - dt v, with the velocity halfway through the

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/sim/contact/queries.h"
+#include "palpate/sim/contact/find_suspects.h"
 #include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/haptics/move_tissue.h"
 #include "palpate/sim/model/volumes.h"

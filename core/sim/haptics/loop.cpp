@@ -13,6 +13,7 @@
 
 #include "palpate/sim/haptics/durations.h"
 #include "palpate/sim/haptics/follow_tissue.h"
+#include "palpate/sim/haptics/moment.h"
 #include "palpate/sim/haptics/pace.h"
 #include "palpate/sim/haptics/realtime.h"
 #include "palpate/sim/haptics/tree_builder.h"

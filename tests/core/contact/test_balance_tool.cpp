@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/contact/find_suspects.h"
 #include "palpate/sim/contact/queries.h"
 #include "soups.h"
 #include "tool_bench.h"

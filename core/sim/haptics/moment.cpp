@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/haptics/snapshot.h"
+#include "palpate/sim/haptics/moment.h"
 
 #include <algorithm>
 #include <utility>
