@@ -35,9 +35,9 @@ double compare_forces(const Vec3Array& full, const Vec3Array& active) {
   return most / largest_norm(full);
 }
 
-std::string describe(const TissueModel& tissue, const World& world, double error) {
+std::string describe(const World& world, double error) {
   std::ostringstream text;
-  text << "3 mm press held, " << name_terms(tissue) << ", home, drag; " << world.packed.slices.count
+  text << "3 mm press held, springs with dashpots, home, drag; " << world.packed.slices.count
        << " of " << world.packed_model->slice_count << " slices awake; force off by "
        << std::setprecision(2) << 100.0 * error << " % of the press, " << 100.0 * kAllowedError
        << " % allowed; naive steps all of it";
@@ -70,7 +70,7 @@ BenchRow time_active_step(const std::string& work, const Scene& scene,
   const double awake = double(world.packed.slices.count) / world.packed_model->slice_count;
   row.share_of_bound = awake * bound_step(scene.tissue) / row.median;
   row.simd_target = simd_target(*world.packed_model);
-  row.physics = describe(scene.tissue, world, error);
+  row.physics = describe(world, error);
   return row;
 }
 

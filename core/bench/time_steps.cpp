@@ -64,6 +64,21 @@ BenchRow time_packed(const TissueModel& model, const Load& load, double dt, cons
   return row;
 }
 
+std::string name_terms(const TissueModel& model) {
+  if (!model.volumes.corners.empty()) {
+    std::ostringstream share;
+    share << model.volumes.nodal_share;
+    return "springs with dashpots, volumes with a nodal share of " + share.str();
+  }
+  if (!model.prisms.corners.empty()) {
+    return "two exact membranes with dashpots, pillars, shear of the sides";
+  }
+  const bool molecular = !model.bonds.ends.empty();
+  const bool damped = is_damped(molecular ? model.bonds : model.springs);
+  return std::string(molecular ? "bonds" : "springs") + (damped ? " with dashpots" : "") +
+         (molecular ? ", angles, stretch-bend" : "");
+}
+
 std::size_t count_elements(const TissueModel& model) {
   if (!model.volumes.corners.empty()) return model.volumes.corners.size();
   if (!model.prisms.corners.empty()) return model.prisms.corners.size();
@@ -92,21 +107,6 @@ TissueModel without_dashpots(TissueModel model) {
   std::fill(model.springs.damping.begin(), model.springs.damping.end(), 0.0);
   std::fill(model.bonds.damping.begin(), model.bonds.damping.end(), 0.0);
   return model;
-}
-
-std::string name_terms(const TissueModel& model) {
-  if (!model.volumes.corners.empty()) {
-    std::ostringstream share;
-    share << model.volumes.nodal_share;
-    return "springs with dashpots, volumes with a nodal share of " + share.str();
-  }
-  if (!model.prisms.corners.empty()) {
-    return "two exact membranes with dashpots, pillars, shear of the sides";
-  }
-  const bool molecular = !model.bonds.ends.empty();
-  const bool damped = is_damped(molecular ? model.bonds : model.springs);
-  return std::string(molecular ? "bonds" : "springs") + (damped ? " with dashpots" : "") +
-         (molecular ? ", angles, stretch-bend" : "");
 }
 
 State shake(const TissueModel& model) {

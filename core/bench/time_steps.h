@@ -8,9 +8,6 @@ namespace palpate::bench {
 
 TissueModel without_dashpots(TissueModel model);
 
-/// The terms of a model, in words.
-std::string name_terms(const TissueModel& model);
-
 /// A body in motion: every particle off its rest by a thousandth of the diagonal,
 /// but no more than a tenth of the shortest link.
 State shake(const TissueModel& model);

@@ -58,25 +58,12 @@ TEST_CASE("the bench has one row for every piece of work, with positive figures"
 
   const auto rows = bench::run_bench(mass_spring, mms, {.budget = 1e-3, .least_runs = 3});
 
-  std::vector<std::string> expected = {"mss_step",
-                                       "mss_dashpot_step",
-                                       "mms_step",
-                                       "mms_dashpot_step",
-                                       "refit",
-                                       "segment",
-                                       "closest",
-                                       "sphere",
-                                       "mss_tick",
-                                       "mss_tick",
-                                       "mss_dashpot_tick",
-                                       "mss_dashpot_tick",
-                                       "mms_tick",
-                                       "mms_tick",
-                                       "mms_dashpot_tick",
-                                       "mms_dashpot_tick",
-                                       "active_step",
-                                       "active_dashpot_step"};
-  if (simd_targets().empty()) expected.resize(expected.size() - 2);
+  std::vector<std::string> expected = {
+      "mss_step",         "mss_dashpot_step", "mms_step", "mms_dashpot_step", "refit",
+      "segment",          "closest",          "sphere",   "mss_tick",         "mss_tick",
+      "mss_dashpot_tick", "mss_dashpot_tick", "mms_tick", "mms_tick",         "mms_dashpot_tick",
+      "mms_dashpot_tick", "active_step"};
+  if (simd_targets().empty()) expected.pop_back();
   REQUIRE(rows.size() == expected.size());
   for (std::size_t r = 0; r < rows.size(); ++r) {
     CHECK(rows[r].work == expected[r]);
