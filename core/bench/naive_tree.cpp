@@ -193,4 +193,18 @@ void NaiveTree::collect(std::span<const Vec3> x, const Node& node, const Vec3& c
   }
 }
 
+void find_naively(const Scene& scene, const HapticSample& sample, NaiveTree& tree,
+                  World& world) noexcept {
+  tree.refit(world.tissue.position);
+  world.candidates.count = tree.find_in_sphere(
+      world.tissue.position, world.tool.position,
+      scene.tool.radius + kCandidateMargin + (sample.position - world.tool.position).norm(),
+      world.candidates.triangles);
+  for (int i = 0; i < world.candidates.count; ++i) {
+    const auto slot = static_cast<std::size_t>(i);
+    world.candidates.areas[slot] =
+        scene.rest_areas[static_cast<std::size_t>(world.candidates.triangles[slot])];
+  }
+}
+
 }  // namespace palpate::bench

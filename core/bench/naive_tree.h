@@ -7,6 +7,8 @@
 
 #include "palpate/sim/contact/box.h"
 #include "palpate/sim/contact/queries.h"
+#include "palpate/sim/haptics/device.h"
+#include "palpate/sim/haptics/world.h"
 
 namespace palpate::bench {
 
@@ -51,5 +53,10 @@ class NaiveTree {
   std::vector<int> order_;
   std::span<const Triangle> triangles_;
 };
+
+/// What a first program's tick begins with: the whole tree refitted, and world.candidates found in
+/// it for the tool on its way to the hand.
+void find_naively(const Scene& scene, const HapticSample& sample, NaiveTree& tree,
+                  World& world) noexcept;
 
 }  // namespace palpate::bench

@@ -59,16 +59,7 @@ World press(const std::string& work, const Scene& scene, const Place& place) {
 /// The tick of a first program: the textbook tree, everything moved in every substep.
 void tick_naively(const Scene& scene, const HapticSample& sample, double dt, NaiveTree& tree,
                   NaiveResponse& response, World& world) {
-  tree.refit(world.tissue.position);
-  world.candidates.count = tree.find_in_sphere(
-      world.tissue.position, world.tool.position,
-      scene.tool.radius + kCandidateMargin + (sample.position - world.tool.position).norm(),
-      world.candidates.triangles);
-  for (int i = 0; i < world.candidates.count; ++i) {
-    const auto slot = static_cast<std::size_t>(i);
-    world.candidates.areas[slot] =
-        scene.rest_areas[static_cast<std::size_t>(world.candidates.triangles[slot])];
-  }
+  find_naively(scene, sample, tree, world);
   for (int s = 0; s < world.substeps; ++s) {
     balance_tool(scene.tool, scene.coupling, sample.position, world.candidates,
                  scene.tissue.triangles, world.tissue.position, world.tool, world.load);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/bench/scene_of.h"
 #include "palpate/bench/bench.h"
 #include "palpate/bench/naive.h"
 #include "palpate/bench/naive_linear.h"
@@ -16,12 +17,6 @@
 using namespace palpate;
 
 namespace {
-
-Scene scene_of(TissueModel tissue) {
-  Scene scene;
-  scene.tissue = std::move(tissue);
-  return build_scene(std::move(scene));
-}
 
 TissueModel make_damped_solid(double nodal_share) {
   return scenes::make_solid_organ(4, nodal_share, {.damping_ratio = 0.2, .drag = 2.0});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
+#include "core/bench/scene_of.h"
 #include "palpate/bench/bench.h"
 #include "palpate/bench/naive.h"
 #include "palpate/bench/naive_tree.h"
@@ -13,12 +14,6 @@
 using namespace palpate;
 
 namespace {
-
-Scene scene_of(TissueModel tissue) {
-  Scene scene;
-  scene.tissue = std::move(tissue);
-  return build_scene(std::move(scene));
-}
 
 SurfaceMesh organ() { return scenes::make_ellipsoid({0.05, 0.035, 0.03}, 2); }
 
