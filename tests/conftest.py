@@ -18,6 +18,16 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ.setdefault("LP_NUM_THREADS", "0")
 
 
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Tests marked `verify` run only where -m asks for them."""
+    if "verify" in config.getoption("markexpr"):
+        return
+    sweeps = [item for item in items if item.get_closest_marker("verify")]
+    if sweeps:
+        config.hook.pytest_deselected(items=sweeps)
+        items[:] = [item for item in items if not item.get_closest_marker("verify")]
+
+
 @pytest.fixture(scope="session")
 def shared_data() -> Callable[[str], Path]:
     """shared_data("organs/VH_F_Spleen.glb") is that file; the test is skipped where it is not."""
