@@ -6,13 +6,24 @@ static bool is_zero(const struct palpate_command *command) {
   return !command->has_law && !command->torque[0] && !command->torque[1] && !command->torque[2];
 }
 
+// Numbers the torque can be computed from; the bits that mean nothing yet must be zero.
+static bool is_sound(const struct palpate_command *command) {
+  if (command->shift > PALPATE_SHIFT_MAX || command->spare) return false;
+  if (!command->has_law) return true;
+  const uint16_t most = (PALPATE_COUNTS - 1) * PALPATE_SAMPLES << PALPATE_FRACTION_BITS;
+  for (uint8_t m = 0; m < PALPATE_MOTORS; m++) {
+    if (command->rest[m] > most) return false;
+  }
+  return true;
+}
+
 static void take_command(struct palpate_device *device, const uint8_t *body, uint8_t count) {
   struct palpate_command command;
   if (!palpate_read_command(body, count, &command)) {
     palpate_answer(device, body[1], PALPATE_COMMAND, PALPATE_WRONG_LENGTH);
     return;
   }
-  if (command.shift > 8) {
+  if (!is_sound(&command)) {
     palpate_answer(device, body[1], PALPATE_COMMAND, PALPATE_BAD_VALUE);
     return;
   }

@@ -17,6 +17,7 @@ extern "C" {
 
 enum {
   PALPATE_ADC_BITS = 10,
+  PALPATE_COUNTS = 1 << PALPATE_ADC_BITS,
   PALPATE_SAMPLES = 1,       ///< summed into a position
   PALPATE_RAIL_LOW = 8,      ///< [counts] below or
   PALPATE_RAIL_HIGH = 1015,  ///< above: a wire is off, or short

@@ -7,6 +7,18 @@ static int16_t clamp(int32_t value, int16_t most) {
   return value < -most ? (int16_t)-most : (int16_t)value;
 }
 
+// No joint is further from its rest than its whole range, so the sum of three products of 16 bits
+// stays within 32.
+enum { FARTHEST = (PALPATE_COUNTS - 1) * PALPATE_SAMPLES << PALPATE_FRACTION_BITS };
+_Static_assert(3 * (int64_t)FARTHEST * 32768 <= INT32_MAX, "the local law would overflow");
+
+static int16_t find_way(uint16_t rest, uint16_t position) {
+  uint16_t last = FARTHEST >> PALPATE_FRACTION_BITS;
+  if (rest > FARTHEST) rest = FARTHEST;
+  if (position > last) position = last;
+  return (int16_t)((int16_t)rest - (int16_t)(position << PALPATE_FRACTION_BITS));
+}
+
 // tau = tau0 + Kq (q0 - q): with the newest samples, not the ones the host knew.
 static void compute_torque(const struct palpate_device *device, int16_t torque[PALPATE_MOTORS]) {
   const struct palpate_command *command = &device->command;
@@ -16,7 +28,7 @@ static void compute_torque(const struct palpate_device *device, int16_t torque[P
   const int16_t *k = command->stiffness;
   int16_t away[PALPATE_MOTORS];
   for (uint8_t m = 0; m < PALPATE_MOTORS; m++) {
-    away[m] = (int16_t)(command->rest[m] - (device->position[m] << PALPATE_FRACTION_BITS));
+    away[m] = find_way(command->rest[m], device->position[m]);
   }
   int32_t sum[PALPATE_MOTORS] = {
       (int32_t)k[0] * away[0] + (int32_t)k[1] * away[1] + (int32_t)k[2] * away[2],

@@ -59,12 +59,16 @@ const uint8_t *board_next_frame(uint8_t *count) {
 void board_free_frame(void) {
   uint8_t frame = oldest_frame;
   uint8_t count = received[frame | OFFSET];
-  if (count < PALPATE_WIRE_MAX) received_now += count + 1;  // a broken one costs nothing
+  uint8_t cost = count < PALPATE_WIRE_MAX ? count + 1 : 0;  // a broken one costs nothing
   oldest_frame = frame + STEP;
-  if (received_now <= RECEIVE_BUDGET || deaf) return;
+  // the tick's interrupt forgets what was heard: what it forgot must not come back
   uint8_t was = board_lock(0);
-  deaf = true;
-  UCSR0B &= (uint8_t)~_BV(RXCIE0);
+  uint8_t now = received_now + cost;
+  received_now = now;
+  if (now > RECEIVE_BUDGET && !deaf) {
+    deaf = true;
+    UCSR0B &= (uint8_t)~_BV(RXCIE0);
+  }
   board_unlock(0, was);
 }
 

@@ -17,6 +17,7 @@ enum {
   PAGE_BYTES = 3 + PALPATE_PAGE_BYTES,
   STORE_BYTES = 4,
   HAS_LAW = 1,
+  SPARE_FLAGS = 0x0e,
 };
 
 uint8_t palpate_write_hello(const struct palpate_hello *hello, uint8_t *body) {
@@ -55,6 +56,7 @@ bool palpate_read_command(const uint8_t *body, uint8_t count, struct palpate_com
   command->seq = body[1];
   command->has_law = has_law;
   command->shift = flags >> 4;
+  command->spare = flags & SPARE_FLAGS;
   const uint8_t *at = body + 3;
   for (uint8_t m = 0; m < PALPATE_MOTORS; m++) command->torque[m] = (int16_t)take_16(&at);
   if (!has_law) return true;

@@ -19,6 +19,7 @@ enum {
   PALPATE_DUTY_FULL = 255,      ///< duty of a torque of full scale
   PALPATE_TORQUE_FULL = 32767,  ///< full scale of a torque on the wire
   PALPATE_FRACTION_BITS = 4,    ///< a count of the local law has this many binary places
+  PALPATE_SHIFT_MAX = 8,        ///< largest shift of the local law
 };
 
 enum palpate_type {
@@ -95,8 +96,9 @@ struct palpate_command {
   uint8_t seq;
   bool has_law;
   uint8_t shift;  ///< 0..8, the law's sum is divided by 2^(shift + 4)
+  uint8_t spare;  ///< flag bits that mean nothing yet, and must be zero
   int16_t torque[PALPATE_MOTORS];
-  uint16_t rest[PALPATE_MOTORS];  ///< [1/16 count]
+  uint16_t rest[PALPATE_MOTORS];  ///< [1/16 count] 0 to the largest position
   int16_t stiffness[6];           ///< symmetric: 00 01 02 11 12 22
 };
 

@@ -37,7 +37,7 @@ TEST_CASE("a command has 13 bytes on the wire, a state 32, and a command with th
 }
 
 TEST_CASE("a command is laid out as PROTOCOL.md states it") {
-  const palpate_command command{0x11, false, 0, {1, -2, 0x1234}, {}, {}};
+  const palpate_command command{0x11, false, 0, 0, {1, -2, 0x1234}, {}, {}};
   Bytes body(PALPATE_BODY_MAX);
 
   body.resize(palpate_write_command(&command, body.data()));

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "bench.h"
 
@@ -103,6 +105,84 @@ TEST_CASE("the steepest law saturates and never turns over") {
   }
 
   for (int m = 0; m < 3; ++m) CHECK(bench.board.duty[m] == PALPATE_DUTY_MAX);
+}
+
+TEST_CASE("a law whose numbers no sensor can reach is refused and changes nothing") {
+  Bench bench;
+  bench.power_up();
+  bench.drive(12, 3000, 0, 0);
+  const int before = bench.board.duty[0];
+  const int most = 1023 << PALPATE_FRACTION_BITS;
+  for (int rest : {most + 1, 32768, 50000, 65535}) {
+    palpate_command command = law(32767, 0);
+    command.rest[2] = static_cast<std::uint16_t>(rest);
+    CHECK(bench.ask(bench.host.command(command)) == PALPATE_BAD_VALUE);
+    CHECK(bench.board.duty[0] == before);
+    bench.drive(1, 3000, 0, 0);
+  }
+  palpate_command command = law(0, 0);
+  command.rest[2] = static_cast<std::uint16_t>(most);
+  command.torque[0] = 3000;
+  CHECK(bench.ask(bench.host.command(command)) == -1);  // obeyed without a word
+}
+
+TEST_CASE("flag bits 1 to 3 are refused, and so is a shift above 8, with the law or without") {
+  Bench bench;
+  bench.power_up();
+  for (bool has_law : {false, true}) {
+    for (int flags : {2, 4, 8, 9 << 4, 15 << 4}) {
+      Bytes body(has_law ? 27 : 9);
+      body[0] = PALPATE_COMMAND;
+      body[1] = 200;
+      body[2] = static_cast<std::uint8_t>(flags | has_law);
+      bench.drive(1, 0, 0, 0);
+      bench.say(encode(body));
+      bench.wait();
+      REQUIRE(!bench.host.answers.empty());
+      CHECK(bench.host.answers.back().result == PALPATE_BAD_VALUE);
+      bench.host.answers.clear();
+    }
+  }
+  CHECK(bench.host.state.mode == PALPATE_RUN);
+}
+
+TEST_CASE("no law that is taken turns its sign over: what 64 bits give is what the motors get") {
+  std::mt19937 random(5);
+  const auto pick = [&](int low, int high) {
+    // the ends as often as all between them
+    const auto r = random();
+    return r % 4 == 0 ? low : r % 4 == 1 ? high : low + static_cast<int>(r / 4) % (high - low + 1);
+  };
+  Bench bench;
+  bench.power_up();
+  for (int round = 0; round < 400; ++round) {
+    palpate_command command{};
+    command.has_law = true;
+    command.shift = static_cast<std::uint8_t>(pick(0, 8));
+    for (auto& torque : command.torque) torque = static_cast<std::int16_t>(pick(-32768, 32767));
+    for (auto& rest : command.rest) rest = static_cast<std::uint16_t>(pick(0, 16368));
+    for (auto& k : command.stiffness) k = static_cast<std::int16_t>(pick(-32768, 32767));
+    for (int j = 0; j < 3; ++j) bench.board.adc[j] = static_cast<std::uint16_t>(pick(8, 1015));
+    bench.board.device.fast_ticks = 0;  // these joints leap
+    for (int i = 0; i < 12; ++i) {
+      bench.say(bench.host.command(command));
+      bench.wait();
+    }
+    REQUIRE(bench.host.state.mode == PALPATE_RUN);
+    const int index[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
+    for (int m = 0; m < 3; ++m) {
+      std::int64_t sum = 0;
+      for (int j = 0; j < 3; ++j) {
+        sum += std::int64_t(command.stiffness[index[m][j]]) *
+               (command.rest[j] - 16 * bench.board.adc[j]);
+      }
+      const std::int64_t wanted =
+          std::clamp<std::int64_t>(command.torque[m] + (sum >> (4 + command.shift)), -32767, 32767);
+      const auto duty = static_cast<int>(std::lround(255.0 * double(wanted) / 32768.0));
+      const int limit = bench.board.device.duty_limit[m];
+      CHECK(std::abs(bench.board.duty[m] - std::clamp(duty, -limit, limit)) <= 1);
+    }
+  }
 }
 
 TEST_CASE("the local law too falls to zero when the host is silent") {
