@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/sim/haptics/pace.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "palpate/sim/haptics/realtime.h"
@@ -36,9 +37,12 @@ std::int64_t Pace::wait(std::int64_t index) noexcept {
     unpaced_.fetch_add(1, std::memory_order_relaxed);
     return latest;
   }
+  // longer than a report was waited for, we were stopped ourselves: this tick is late, and those
+  // that were due meanwhile are missed
   const std::int64_t now = read_clock();
+  if (now - latest > period()) return due(index);
   start_ = now - after_start(index);
-  return now;
+  return std::min(now, latest);
 }
 
 }  // namespace palpate

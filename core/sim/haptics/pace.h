@@ -13,7 +13,9 @@ namespace palpate {
 /// Tick k is due k periods after the start. Where the device reports at the ticks' rate, it is due
 /// when its report has come, and the start moves with it: the two clocks drift, and a report that
 /// waits for our clock is felt later by as much. A report may be late by half a period before the
-/// tick goes on without it; then our clock counts until reports come again.
+/// tick goes on without it; then our clock counts until reports come again. A report found later
+/// than that by a period and more waited for a host that was stopped: the start stays, so the tick
+/// is late and those before it are missed.
 class Pace {
  public:
   /// `rate` [Hz] of the ticks; `spin` is spun instead of slept where our clock counts.

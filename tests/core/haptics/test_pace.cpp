@@ -19,6 +19,7 @@ struct ReportingDevice : HapticDevice {
   bool wait_for_report(std::int64_t until) noexcept override {
     latest = until;
     ++waits;
+    if (stopped > 0) wait_until(until + stopped, 0);
     return reports;
   }
 
@@ -26,6 +27,7 @@ struct ReportingDevice : HapticDevice {
   bool reports = true;
   std::int64_t latest = 0;  // [ns]
   int waits = 0;
+  std::int64_t stopped = 0;  // [ns] that the process is stopped for, beyond what it would wait
 };
 
 }  // namespace
@@ -61,6 +63,42 @@ TEST_CASE("where reports stop our own clock counts, at the ticks' rate, until th
   const std::int64_t due = pace.wait(5);
   CHECK(due <= read_clock());
   CHECK(pace.unpaced() == 4);
+}
+
+TEST_CASE("ticks missed by a host that was stopped are late, whether a report lies ready or not") {
+  constexpr std::int64_t kStop = 40 * kPeriod;
+  for (bool reports : {true, false}) {
+    ReportingDevice device;
+    Pace pace(device, 1000.0, 0);
+    pace.begin(0);
+    pace.wait(0);
+    const std::int64_t expected = pace.due(1);
+
+    device.reports = reports;
+    device.stopped = kStop;
+    const std::int64_t due = pace.wait(1);
+
+    CHECK(due <= expected + kPeriod / 2);
+    CHECK(read_clock() - due >= kStop);
+    CHECK(pace.due(2) == expected + kPeriod);  // so all that were due meanwhile count as missed
+  }
+}
+
+TEST_CASE("after a stop the next report sets the pace again") {
+  ReportingDevice device;
+  Pace pace(device, 1000.0, 0);
+  pace.begin(0);
+  pace.wait(0);
+  device.stopped = 5 * kPeriod;
+  pace.wait(1);
+
+  device.stopped = 0;
+  constexpr int kFar = 10000;  // ten seconds from now by our clock, but its report lies ready
+  const std::int64_t before = pace.due(kFar);
+  const std::int64_t due = pace.wait(kFar);
+
+  CHECK(due < before);
+  CHECK(pace.due(kFar + 1) == due + kPeriod);
 }
 
 TEST_CASE("a device of another rate, or without a clock of its own, does not set the pace") {
