@@ -642,6 +642,7 @@ class AlarmKind(enum.Enum):
     energy = 5
     inverted = 6
     pressed_deep = 7
+    invalid_input = 8
 
 class Alarm:
     def __init__(self) -> None: ...
@@ -652,6 +653,23 @@ class Alarm:
     time: float
     def __bool__(self) -> bool: ...
     def __repr__(self) -> str: ...
+
+class TickInput(enum.IntEnum):
+    time = 0
+    position = 1
+    orientation = 2
+    velocity = 3
+    grip = 4
+    dt = 5
+    scene = 6
+    tool_radius = 7
+    tool_stiffness = 8
+    coupling_stiffness = 9
+    coupling_force_max = 10
+    hold_stiffness = 11
+    gravity = 12
+    substeps = 13
+    substeps_max = 14
 
 class Guard:
     def __init__(self, model: TissueModel, gravity: ArrayLike, state: State) -> None: ...

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from palpate import Alarm, AlarmKind
+from palpate import Alarm, AlarmKind, TickInput
 from palpate.sentence import Sentence, fill, sentence
 
 CONTEXT = "Alarm"
@@ -79,7 +79,31 @@ ALARMS = {
         "Press less deep, or take a solid (MSS+V), which goes deeper.",
         scale=1e3,
     ),
+    AlarmKind.invalid_input: Words(
+        "a tick was given a value that it cannot use",
+        "Start again. If it comes again, the device or the program that runs it is at fault.",
+        "Give every tick finite numbers, and the scene as build_scene returned it.",
+    ),
 }
+
+INPUTS = {
+    TickInput.time: "the device gave a time of %1 s, expected a finite number",
+    TickInput.position: "the device gave a position of %1 m, expected at most %2 m",
+    TickInput.orientation: "the device gave an orientation with %1, expected finite numbers",
+    TickInput.velocity: "the device gave a velocity of %1 m/s, expected a finite number",
+    TickInput.grip: "the device gave a grip of %1 rad, expected a finite number",
+    TickInput.dt: "a tick was asked to last %1 s, expected more than 0",
+    TickInput.scene: "a tick was given scene %1, expected scene %2, which its world was made for",
+    TickInput.tool_radius: "the radius of the tool became %1 m, expected more than 0",
+    TickInput.tool_stiffness: "the stiffness of the tool became %1 N/m³, expected more than 0",
+    TickInput.coupling_stiffness: "the coupling stiffness became %1 N/m, expected more than 0",
+    TickInput.coupling_force_max: "the largest coupling force became %1 N, expected more than 0",
+    TickInput.hold_stiffness: "the hold stiffness became %1 N/m, expected more than 0",
+    TickInput.gravity: "gravity became %1 m/s², expected a finite number",
+    TickInput.substeps: "the substeps became %1, expected at least %2",
+    TickInput.substeps_max: "the most substeps became %1, expected at least %2",
+}
+"""What AlarmKind.invalid_input found, by the index of the alarm."""
 
 
 def write_plain(value: float) -> str:
@@ -89,8 +113,11 @@ def write_plain(value: float) -> str:
 def describe_alarm(alarm: Alarm, write: Write = write_plain) -> Sentence:
     """What happened, without a capital and a stop."""
     words = ALARMS[alarm.kind]
+    found = words.found
+    if alarm.kind is AlarmKind.invalid_input:
+        found = INPUTS.get(alarm.index, found)
     shown = (words.scale * value + words.offset for value in (alarm.value, alarm.limit))
-    return sentence(words.found, *(write(value) for value in shown))
+    return sentence(found, *(write(value) for value in shown))
 
 
 def say_alarm(alarm: Alarm, say: Say, write: Write = write_plain) -> str:

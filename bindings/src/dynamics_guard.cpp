@@ -4,6 +4,7 @@
 #include "bindings.h"
 #include "border.h"
 #include "palpate/sim/dynamics/guard.h"
+#include "palpate/sim/haptics/check_input.h"
 #include "value.h"
 
 namespace palpate::bindings {
@@ -24,6 +25,8 @@ void bind_alarm(py::module_& m) {
              "index: tetrahedron; volume below 0.05 of that at rest")
       .value("pressed_deep", AlarmKind::pressed_deep,
              "index: vertex of the surface; a linear solid moved beyond kShallow")
+      .value("invalid_input", AlarmKind::invalid_input,
+             "index: TickInput; a tick cannot use what it was given")
       .finalize();
   py::class_<Alarm> alarm(m, "Alarm",
                           "What is wrong with a running tissue, as a value; false for nothing.");
@@ -35,6 +38,27 @@ void bind_alarm(py::module_& m) {
       .def_readwrite("time", &Alarm::time, "[s]")
       .def("__bool__", [](const Alarm& self) { return static_cast<bool>(self); });
   def_repr(alarm, {"kind", "index", "value", "limit", "time"});
+}
+
+void bind_input(py::module_& m) {
+  py::native_enum<TickInput>(m, "TickInput", "enum.IntEnum",
+                             "What a tick cannot use: the index of an invalid_input alarm.")
+      .value("time", TickInput::time, "[s] of the sample")
+      .value("position", TickInput::position, "[m] of the sample, its largest coordinate")
+      .value("orientation", TickInput::orientation, "of the sample")
+      .value("velocity", TickInput::velocity, "[m/s] of the sample")
+      .value("grip", TickInput::grip, "[rad] of the sample")
+      .value("dt", TickInput::dt, "[s]")
+      .value("scene", TickInput::scene, "not the scene of the world")
+      .value("tool_radius", TickInput::tool_radius, "[m]")
+      .value("tool_stiffness", TickInput::tool_stiffness, "[N/m^3]")
+      .value("coupling_stiffness", TickInput::coupling_stiffness, "[N/m]")
+      .value("coupling_force_max", TickInput::coupling_force_max, "[N]")
+      .value("hold_stiffness", TickInput::hold_stiffness, "[N/m]")
+      .value("gravity", TickInput::gravity, "[m/s^2]")
+      .value("substeps", TickInput::substeps)
+      .value("substeps_max", TickInput::substeps_max)
+      .finalize();
 }
 
 void bind_memory(py::module_& m) {
@@ -82,6 +106,7 @@ void bind_memory(py::module_& m) {
 
 void bind_guard(py::module_& m) {
   bind_alarm(m);
+  bind_input(m);
   bind_memory(m);
 }
 

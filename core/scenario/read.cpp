@@ -105,6 +105,7 @@ Scenario unpack(Container container, const std::string& file) {
   find_around(file, scenario.scene.tissue);
   try {
     const Scene built = check_built(scenario.scene);
+    scenario.scene.identity = built.identity;
     scenario.scene.kernel = built.kernel;
     scenario.scene.response = built.response;
   } catch (const std::invalid_argument& problem) {

@@ -41,6 +41,35 @@ def test_an_installed_header_is_all_a_program_needs(prefix):
     assert not any("authoring" in name or "bench" in name for name in headers)
 
 
+def test_the_umbrella_header_includes_every_header_that_is_installed_and_no_other(prefix):
+    root = prefix / "include"
+    umbrella = (root / "palpate/sim.h").read_text(encoding="utf-8")
+
+    installed = {str(path.relative_to(root)) for path in root.rglob("*.h")}
+    included = re.findall(r'#include "([^"]+)"', umbrella)
+    assert set(included) == installed - {"palpate/sim.h"}
+    assert len(included) == len(set(included))
+
+
+def test_the_version_header_is_that_of_the_project_and_of_the_library(prefix, tmp_path):
+    (version,) = re.findall(
+        r"project\(palpate VERSION (\S+)", (CHECKOUT / "CMakeLists.txt").read_text()
+    )
+    (tmp_path / "main.cpp").write_text(
+        '#include <cstdio>\n#include "palpate/version.h"\n'
+        "int main() {\n"
+        '  std::printf("%d.%d.%d %s %s", PALPATE_VERSION_MAJOR, PALPATE_VERSION_MINOR,\n'
+        "              PALPATE_VERSION_PATCH, PALPATE_VERSION_STRING,\n"
+        "              palpate::library_version());\n"
+        "}\n"
+    )
+    (library,) = prefix.rglob("libpalpate_sim.a")
+    run("g++", "-std=c++20", "-I", prefix / "include", tmp_path / "main.cpp", library,
+        "-o", tmp_path / "version")  # fmt: skip
+
+    assert run(tmp_path / "version") == f"{version} {version} {version}"
+
+
 def test_a_program_of_thirty_lines_presses_an_organ_and_prints_forces(prefix, tmp_path):
     source = CHECKOUT / "tests/examples/press_an_organ"
     run("cmake", "-S", source, "-B", tmp_path, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",

@@ -11,6 +11,7 @@ import pytest
 from palpate.alarms import (
     ALARMS,
     CONTEXT,
+    INPUTS,
     advise_design,
     advise_hand,
     describe_alarm,
@@ -41,7 +42,18 @@ def test_every_alarm_has_words_of_its_own_in_english_and_turkish():
     assert len({str(describe_alarm(alarm)) for alarm in alarms}) == len(KINDS)
     assert len({say_alarm(alarm, say_turkish) for alarm in alarms}) == len(KINDS)
     spoken = {text for words in ALARMS.values() for text in (words.found, words.hand, words.design)}
+    spoken |= set(INPUTS.values())
     assert {text for context, text in TURKISH if context == CONTEXT} == spoken
+
+
+@pytest.mark.parametrize("name", palpate.TickInput.__members__)
+def test_every_value_that_no_tick_can_use_has_a_sentence_with_what_it_was(name):
+    alarm = raise_alarm(AlarmKind.invalid_input, 0.25, 7.5)
+    alarm.index = int(palpate.TickInput[name])
+
+    for told in (str(describe_alarm(alarm)), say_alarm(alarm, say_turkish)):
+        assert "0.25" in told
+        assert ("7.5" in told) == ("%2" in INPUTS[palpate.TickInput[name]])
 
 
 def test_a_translated_alarm_has_the_numbers_of_the_english_one():
@@ -62,7 +74,7 @@ def test_only_what_is_unstable_is_said_to_have_blown_up():
     blown = {kind for kind in KINDS if "blew up" in ALARMS[kind].found}
 
     assert blown == {AlarmKind.not_finite, AlarmKind.moved_far, AlarmKind.energy}
-    for kind in set(KINDS) - blown:
+    for kind in set(KINDS) - blown - {AlarmKind.invalid_input}:
         assert advise_hand(kind, lambda _, text: text).startswith("Press less deep")
         assert advise_design(kind, lambda _, text: text).startswith("Press less deep")
 

@@ -10,7 +10,10 @@ namespace palpate {
 
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
-using Quaternion = Eigen::Quaterniond;
+// Eigen aligns what fills whole vector registers, and how wide those are depends on the flags of
+// the program: such a type in a public struct would lie elsewhere in a program than in the library.
+using Quaternion = Eigen::Quaternion<double, Eigen::DontAlign>;
+using Mat34 = Eigen::Matrix<double, 3, 4, Eigen::DontAlign>;
 
 /// Points or vectors, one after the other in memory, so NumPy sees (n, 3) without a copy.
 using Vec3Array = std::vector<Vec3>;
@@ -19,5 +22,8 @@ using Vec3Array = std::vector<Vec3>;
 using Triangle = std::array<int, 3>;
 
 static_assert(sizeof(Vec3) == 3 * sizeof(double), "a Vec3Array must be contiguous (n, 3)");
+static_assert(alignof(Vec3) == alignof(double) && alignof(Mat3) == alignof(double));
+static_assert(sizeof(Quaternion) == 4 * sizeof(double) && alignof(Quaternion) == alignof(double));
+static_assert(sizeof(Mat34) == 12 * sizeof(double) && alignof(Mat34) == alignof(double));
 
 }  // namespace palpate

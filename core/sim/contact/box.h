@@ -29,6 +29,7 @@ struct Box {
     return d.x() * d.y() + d.y() * d.z() + d.z() * d.x();
   }
 };
+static_assert(sizeof(Box) == 48 && alignof(Box) == 8);
 
 inline Box bound_triangle(const Vec3& a, const Vec3& b, const Vec3& c) noexcept {
   return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};

@@ -36,5 +36,6 @@ struct ContactLanes {
   Column force;                     ///< [N], 0 where there is no contact
   Column stiffness;                 ///< [N/m]
 };
+static_assert(alignof(ContactLanes) == 8);
 
 }  // namespace palpate

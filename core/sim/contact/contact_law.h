@@ -26,6 +26,7 @@ struct Contact {
   double force = 0.0;             ///< [N] along direction on the tool, against it on the tissue
   double stiffness = 0.0;         ///< [N/m] d force / d depth
 };
+static_assert(sizeof(Contact) == 72 && alignof(Contact) == 8);
 
 /// The contact of a tip at `centre` with the triangle a, b, c of `rest_area` [m²]; false where
 /// there is none, or where the centre lies behind the triangle.

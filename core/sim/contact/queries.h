@@ -17,6 +17,7 @@ struct SurfacePoint {
   Vec3 point = Vec3::Zero();    ///< [m]
   double distance = 0.0;        ///< [m] from where the query began
 };
+static_assert(sizeof(SurfacePoint) == 64 && alignof(SurfacePoint) == 8);
 
 /// The closest point of one triangle; degenerate triangles are segments or points.
 /// Fills weights, point and distance.

@@ -40,5 +40,6 @@ struct ToolState {
   ContactLanes lanes;            ///< balance_tool's vector code and its work space; may be empty
   Vec3 residual = Vec3::Zero();  ///< [N] left between hand and tissue after the last substep
 };
+static_assert(alignof(ToolState) == 8);
 
 }  // namespace palpate

@@ -59,5 +59,6 @@ struct ActiveSet {
   Vec3 kept_about = Vec3::Zero();          ///< [m] at rest
   bool keeps = false;                      ///< some are kept
 };
+static_assert(alignof(ActiveSet) == 8);
 
 }  // namespace palpate

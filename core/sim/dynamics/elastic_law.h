@@ -24,9 +24,10 @@ struct RestTetrahedron {
   }
 
   std::array<int, 4> corners;
-  Eigen::Matrix<double, 3, 4> slopes;  ///< [m²] dV/dx of the corners
-  double volume;                       ///< [m³]
+  Mat34 slopes;   ///< [m²] dV/dx of the corners
+  double volume;  ///< [m³]
 };
+static_assert(sizeof(RestTetrahedron) == 120 && alignof(RestTetrahedron) == 8);
 
 /// The mean trace of the strain around a particle, by rest volume, and what resists it.
 struct DilatationAround {

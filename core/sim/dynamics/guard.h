@@ -15,6 +15,7 @@ enum class AlarmKind {
   inverted,       ///< index: tetrahedron; volume below 0.05 of that at rest, ten looks in a row
   pressed_deep,   ///< index: vertex of the surface; a linear solid moved beyond kShallow [m],
                   ///< likewise
+  invalid_input,  ///< index: TickInput (haptics/check_input.h); a tick cannot use what it was given
 };
 
 /// What is wrong with a running tissue, as a value: the haptic thread never throws.

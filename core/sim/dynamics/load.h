@@ -13,6 +13,7 @@ struct Push {
   Vec3 weights = Vec3::Zero();  ///< barycentric, sum 1
   Vec3 force = Vec3::Zero();    ///< [N]
 };
+static_assert(sizeof(Push) == 56 && alignof(Push) == 8);
 
 /// What the surroundings do to a tissue during one step. Pushes have a fixed capacity, so the
 /// haptic thread never allocates.

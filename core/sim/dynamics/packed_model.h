@@ -103,6 +103,7 @@ struct PackedModel {
   AngleLaw angle_law = AngleLaw::gradient;
   std::vector<Triangle> surface;  ///< TissueModel::triangles: of rows, or of vertices of the skin
 };
+static_assert(alignof(PackedModel) == 8);
 
 /// What a step finds on its way for a look at the tissue: energies [J] where the step began, with
 /// the velocities half way through its kick, how far links and sides are from their rest, and what

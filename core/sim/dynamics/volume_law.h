@@ -66,10 +66,10 @@ inline VolumeAround measure_around(const Volumes& volumes, std::size_t i,
 
 /// What the volume v of a tetrahedron changes by as its corners move: column c is dv/dx_c [m²], a
 /// third of the area of the face opposite, inwards. The columns sum to 0.
-inline Eigen::Matrix<double, 3, 4> compute_volume_slopes(const Vec3& a, const Vec3& b,
-                                                         const Vec3& c, const Vec3& d) noexcept {
+inline Mat34 compute_volume_slopes(const Vec3& a, const Vec3& b, const Vec3& c,
+                                   const Vec3& d) noexcept {
   const Vec3 ab = b - a, ac = c - a, ad = d - a;
-  Eigen::Matrix<double, 3, 4> slopes;
+  Mat34 slopes;
   slopes.col(1) = ac.cross(ad) / 6.0;
   slopes.col(2) = ad.cross(ab) / 6.0;
   slopes.col(3) = ab.cross(ac) / 6.0;

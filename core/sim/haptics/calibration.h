@@ -31,6 +31,7 @@ struct Calibration {
   int speed_max = 40;  ///< [counts/ms] of an arm joint; more is a fault
   std::uint32_t serial_number = 0;
 };
+static_assert(sizeof(Calibration) == 240 && alignof(Calibration) == 8);
 
 /// Throws std::invalid_argument naming the field, what it got and what was expected: what the
 /// device's own numbers can hold.

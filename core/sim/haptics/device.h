@@ -17,6 +17,7 @@ struct HapticSample {
   std::uint8_t buttons = 0;                         ///< bit 0: attach while held
   double grip = 0.0;                                ///< [rad]
 };
+static_assert(sizeof(HapticSample) == 104 && alignof(HapticSample) == 8);
 
 inline constexpr std::uint8_t kAttachButton = 1;
 
@@ -24,6 +25,7 @@ inline constexpr std::uint8_t kAttachButton = 1;
 struct HapticCommand {
   Vec3 force = Vec3::Zero();  ///< [N]
 };
+static_assert(sizeof(HapticCommand) == 24 && alignof(HapticCommand) == 8);
 
 /// A haptic device, real or simulated: the one thing chosen at run time.
 /// read and write are called from the haptic thread: no exception, allocation, lock or log.

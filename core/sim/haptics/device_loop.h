@@ -13,6 +13,7 @@ struct DeviceTask {
   double stiffness = 0.0;     ///< [N/m] 0 for no spring
   Vec3 rest = Vec3::Zero();   ///< [m] where the spring draws to
 };
+static_assert(sizeof(DeviceTask) == 56 && alignof(DeviceTask) == 8);
 
 /// Throws std::invalid_argument naming the field, what it got and what was expected.
 void validate(const DeviceTask& task);

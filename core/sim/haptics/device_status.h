@@ -53,6 +53,7 @@ struct DeviceStatus {
   std::array<int, 3> release{};  ///< of the firmware
   std::uint32_t serial_number = 0;
 };
+static_assert(alignof(DeviceStatus) == 8);
 
 /// A fault's name in words, for instance "host silent"; "none" for no fault.
 std::string name_fault(int fault);

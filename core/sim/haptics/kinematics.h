@@ -23,6 +23,7 @@ struct Arm {
   Vec3 joint_max = {1.0472, 1.5708, 1.3963};     ///< [rad]
   double bend_max = 1.1345;  ///< [rad] between upper link and forearm, 0 at a right angle
 };
+static_assert(sizeof(Arm) == 88 && alignof(Arm) == 8);
 
 /// Throws std::invalid_argument naming the field, what it got and what was expected.
 void validate(const Arm& arm);
@@ -65,5 +66,6 @@ struct Workspace {
   Vec3 center = {0.0, -0.13, -0.09};  ///< [m] in the arm's frame
   Vec3 size = {0.20, 0.12, 0.14};     ///< [m]
 };
+static_assert(sizeof(Workspace) == 48 && alignof(Workspace) == 8);
 
 }  // namespace palpate

@@ -39,6 +39,7 @@ struct LoopReport {
   DeviceFault fault = DeviceFault::none;
   long record_gaps = 0;  ///< ticks the log had no room for
 };
+static_assert(alignof(LoopReport) == 8);
 
 /// The live 1 kHz loop: a thread that waits, reads, ticks, writes. Sleeps to an absolute time and
 /// spins the rest; ticks that were missed are skipped and counted, never made up in a burst.
@@ -54,6 +55,7 @@ class Loop {
   /// drains it (session/record.h) may do so in any other single thread.
   Loop(const Scene& scene, HapticDevice& device, const LoopOptions& options = {},
        TickLog* log = nullptr);
+  Loop(Scene&&, HapticDevice&, const LoopOptions& = {}, TickLog* = nullptr) = delete;
   ~Loop();  ///< stops and joins
 
   void start();               ///< throws std::logic_error the second time: a loop runs once

@@ -51,12 +51,14 @@ struct Plant {
   std::uint64_t seed = 1;
   double step = 50e-6;  ///< [s] the longest step of its motion
 };
+static_assert(sizeof(Plant) == 256 && alignof(Plant) == 8);
 
 /// What the drivers are told.
 struct Drive {
   Vec3 duty = Vec3::Zero();  ///< -255 to 255
   bool enabled = false;      ///< off, the motors are not connected
 };
+static_assert(sizeof(Drive) == 32 && alignof(Drive) == 8);
 
 /// Where the hand wants to be.
 struct HandTarget {
@@ -64,6 +66,7 @@ struct HandTarget {
   Vec3 velocity = Vec3::Zero();  ///< [m/s]
   bool holding = false;          ///< no hand holds the stylus otherwise
 };
+static_assert(sizeof(HandTarget) == 56 && alignof(HandTarget) == 8);
 
 struct PlantState {
   explicit PlantState(const Plant& plant);  ///< at rest in the middle of its workspace
@@ -75,6 +78,7 @@ struct PlantState {
   Vec3 hand_force = Vec3::Zero();  ///< [N] of the hand on the stylus
   std::uint64_t random = 0;
 };
+static_assert(sizeof(PlantState) == 112 && alignof(PlantState) == 8);
 
 inline constexpr int kSensorMiddle = 512;  ///< counts at an angle in the middle of a joint's range
 inline constexpr int kSensorEnd = 1023;

@@ -79,5 +79,6 @@ class SafeDevice : public HapticDevice {
   DeviceFault fault_ = DeviceFault::none;
   long limited_count_ = 0, damped_count_ = 0;
 };
+static_assert(alignof(SafeDevice) == 8);
 
 }  // namespace palpate

@@ -2,6 +2,7 @@
 #include "palpate/sim/haptics/scene.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -98,7 +99,9 @@ void choose_kernel(Scene& scene) {
 /// them by a third, and to kSubstepsInBlow at least: more brings no more stability, for the
 /// massless tool yields before a contact gets as stiff as its row sum says (TOOLS section 1).
 Scene build_scene(Scene scene) {
+  static std::atomic<std::uint64_t> built{0};
   validate(scene);
+  scene.identity = ++built;
   choose_kernel(scene);
   scene.rest_areas = compute_rest_areas(scene.tissue);
   const Spectrum spectrum = estimate_spectrum(scene.tissue);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -38,11 +39,13 @@ struct Scene {
   std::string simd_target;  ///< of the packed kernel: one of simd_targets(), empty for the best
 
   // filled in by build_scene
+  std::uint64_t identity = 0;                ///< another in every call of it; copies share it
   std::vector<double> rest_areas;            ///< [m²] per triangle
   double spectrum_stiffness = 0.0;           ///< [1/s²] largest eigenvalue of M⁻¹K at rest
   double spectrum_damping = 0.0;             ///< [1/s] of M⁻¹C
   std::shared_ptr<const Response> response;  ///< under the response kernel, else null
 };
+static_assert(alignof(Scene) == 8);
 
 /// Checks a scene once and fills in what is derived from it.
 /// Throws std::invalid_argument naming the field, what it got and what was expected.

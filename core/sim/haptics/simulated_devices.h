@@ -15,6 +15,7 @@ struct KeyFrame {
   Vec3 position = Vec3::Zero();
   std::uint8_t buttons = 0;
 };
+static_assert(sizeof(KeyFrame) == 40 && alignof(KeyFrame) == 8);
 
 /// A hand that follows a script, the same in every run.
 class ScriptedDevice : public HapticDevice {

@@ -20,5 +20,6 @@ struct Snapshot {
   int substeps = 0;
   long missed_ticks = 0;
 };
+static_assert(alignof(Snapshot) == 8);
 
 }  // namespace palpate

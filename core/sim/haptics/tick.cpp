@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/sim/haptics/check_input.h"
 #include "palpate/sim/haptics/choose_substeps.h"
 #include "palpate/sim/haptics/follow_tissue.h"
 #include "palpate/sim/haptics/move_tissue.h"
@@ -62,12 +63,31 @@ void stand_still(const Scene& scene, World& world) noexcept {
   world.tool.touching = false;
 }
 
+/// [s] in which the force of the last tick before an alarm is taken back: dropped at once it would
+/// be felt as a knock.
+constexpr double kFadeTime = 0.02;
+
+/// The force after an alarm: f_n = f_0 (1 - n / N), N the whole ticks of kFadeTime.
+HapticCommand fade_out(const Scene& scene, World& world) noexcept {
+  if (world.fade_ticks++ == 0) world.fade_from = world.last_force;
+  const double rate = scene.rate > 0.0 && std::isfinite(scene.rate) ? scene.rate : 1000.0;
+  const double ticks = std::max(1.0, std::floor(kFadeTime * rate));
+  world.last_force = world.fade_from * std::max(0.0, 1.0 - world.fade_ticks / ticks);
+  return {.force = world.last_force};
+}
+
 }  // namespace
 
 HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
                    World& world) noexcept {
   ++world.tick_count;
-  if (world.alarm) return {};
+  if (world.alarm) return fade_out(scene, world);
+  world.alarm = check_input(scene, sample, dt, world);
+  if (world.alarm) {
+    release_tool(world.tool);
+    world.tool.touching = false;
+    return fade_out(scene, world);
+  }
 
   const std::span<const Vec3> surface = surface_position(world);
   follow_tissue(scene, world);
@@ -94,11 +114,15 @@ HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
     work += move_tissue(scene, substep, s + 1 == world.substeps, world);
   }
   world.alarm = end_moving(scene, work, world);
+  if (!world.alarm && !felt.allFinite()) {
+    world.alarm = {AlarmKind::not_finite, -1, felt.norm(), 0.0, world.tissue.time};
+  }
   if (world.alarm) {
     stand_still(scene, world);
-    return {};
+    return fade_out(scene, world);
   }
-  return {.force = felt / world.substeps};
+  world.last_force = felt / world.substeps;
+  return {.force = world.last_force};
 }
 
 Felt compute_felt(const HapticCommand& command, const World& world) noexcept {

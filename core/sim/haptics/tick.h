@@ -16,8 +16,11 @@ namespace palpate {
 ///
 /// The tool is drawn to the hand, which is followed at up to 3 m/s. It appears there with the first
 /// sample outside the tissue (place_tool.h). Pressing the attach button fastens it to what it
-/// touched last, letting go releases it. After an alarm the tissue stands still as it was before
-/// the tick that raised it.
+/// touched last, letting go releases it.
+///
+/// What cannot be used is an alarm too (check_input.h). After an alarm the tissue stands still as
+/// it was before the tick that raised it, and the force fades from that of the tick before to zero
+/// within 20 ms.
 HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
                    World& world) noexcept;
 

@@ -17,6 +17,7 @@ struct Felt {
   std::uint8_t touched = 0;                            ///< bit 0: touching, bit 1: attached
   std::uint16_t lateness_us = 0;                       ///< [us] saturates
 };
+static_assert(sizeof(Felt) == 28 && alignof(Felt) == 4);
 
 enum class HappeningKind : std::int32_t {
   missed_ticks = 1,  ///< index: how many were skipped before this tick

@@ -35,7 +35,8 @@ const Scene& validated(const Scene& scene) {
 
 // every triangle may be touched and held at once, so no capacity can ever run out
 World::World(const Scene& scene)
-    : tissue(validated(scene).tissue),
+    : scene_identity(scene.identity),
+      tissue(validated(scene).tissue),
       skin(scene.tissue.skin.corners.size()),
       tree(compute_surface(scene.tissue, scene.tissue.rest_position), scene.tissue.triangles),
       tree_cost(tree),

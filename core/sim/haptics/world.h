@@ -29,7 +29,8 @@ struct Lag {
 struct World {
   explicit World(const Scene& scene);
 
-  State tissue;    ///< after every tick, whichever kernel moves it
+  std::uint64_t scene_identity = 0;  ///< of the scene that it was made for, and ticks with
+  State tissue;                      ///< after every tick, whichever kernel moves it
   Vec3Array skin;  ///< [m] the vertices of the skin, after every tick; empty where there is none
   /// Whether tick() keeps all of tissue, skin and tree up to date. Forces are the same to the bit
   /// without, and a large tissue takes half the time: its packed form is then the truth, and
@@ -44,7 +45,10 @@ struct World {
   Vec3 hand = Vec3::Zero();  ///< [m] where the tool is drawn to: the hand, unless that jumped
   Load load;
   Guard guard;
-  Alarm alarm;  ///< the first alarm; from then on the force is zero and the tissue stands still
+  Alarm alarm;  ///< the first alarm; from then on the force fades and the tissue stands still
+  Vec3 last_force = Vec3::Zero();  ///< [N] of the last tick
+  Vec3 fade_from = Vec3::Zero();   ///< [N] the force before the alarm
+  int fade_ticks = 0;              ///< since the alarm
   long tick_count = 0;
   int substeps = 0;  ///< of the last tick
   StretchSpectrum spectrum;
@@ -79,6 +83,7 @@ struct World {
  private:
   void make_near();
 };
+static_assert(alignof(World) == 8);
 
 /// [m] The vertices of the surface: the skin's, or the particles where there is none.
 inline std::span<const Vec3> surface_position(const World& world) noexcept {

@@ -52,6 +52,27 @@ std::string refusal_of(const Scene& scene, const Record& record) {
 
 }  // namespace
 
+TEST_CASE("a record with an alarm replays, also one made before forces faded after it") {
+  const Scene scene = press_scene();
+  Record record = press_record(scene);
+  record.hashes.clear();
+  World world(scene);
+  for (std::size_t i = 0; i < record.hand.size(); ++i) {
+    if (i == 200) record.hand[i].position.x() = 2e3;  // farther than any hand is
+    record.felt[i] = compute_felt(tick(scene, record.hand[i], 1e-3, world), world);
+  }
+  REQUIRE(world.alarm);
+  REQUIRE(record.felt[205].force.norm() > 0.01f);
+  CHECK(replay(scene, record).equal);
+
+  Record older = record;
+  for (std::size_t i = 200; i < older.felt.size(); ++i) older.felt[i].force.setZero();
+  CHECK(replay(scene, older).equal);
+
+  older.felt[190].force.setZero();
+  CHECK(replay(scene, older).first_difference == 190);
+}
+
 TEST_CASE("a record replays to the same bits in another world") {
   const Scene scene = press_scene();
   const Record record = press_record(scene);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Opens a published file, presses its highest point for 1000 ticks, and prints what a hand feels.
+#include <cmath>
 #include <cstdio>
 
 #include "palpate/scenario/read.h"
 #include "palpate/sim/base/error.h"
+#include "palpate/sim/haptics/safe_device.h"
 #include "palpate/sim/haptics/tick.h"
 
 using namespace palpate;
@@ -18,21 +20,38 @@ Vec3 find_highest(const Vec3Array& points) {
   return highest;
 }
 
-/// [m] Where the hand is at a tick: straight down on `top` from 2^-9 m (2 mm) above the touch to
-/// as much below it in 512 ticks, and there it rests. Powers of two are exact in any arithmetic.
-Vec3 follow_script(const Vec3& top, double radius, int tick) {
-  const int way = tick < 512 ? 256 - tick : -256;
-  return {top.x(), top.y(), (top.z() + radius) + way * 0x1p-17};
-}
+/// A hand that goes straight down on `top` from 2^-9 m (2 mm) above the touch to as much below it
+/// in 512 ticks, and there it rests. Powers of two are exact in any arithmetic.
+class ScriptedHand : public HapticDevice {
+ public:
+  ScriptedHand(const Vec3& top, double radius, double rate)
+      : touch_(top.x(), top.y(), top.z() + radius), rate_(rate) {}
+
+  HapticSample read(double time) noexcept override {
+    const long tick = std::lround(time * rate_);
+    const long way = tick < 512 ? 256 - tick : -256;
+    HapticSample sample;
+    sample.time = time;
+    sample.position = touch_ + Vec3(0.0, 0.0, double(way) * 0x1p-17);
+    return sample;
+  }
+  void write(const HapticCommand&) noexcept override {}
+  std::string name() const override { return "scripted hand"; }
+
+ private:
+  const Vec3 touch_;   // [m]
+  const double rate_;  // [Hz]
+};
 
 void play(const Scene& scene) {
   World world(scene);
-  const Vec3 top = find_highest(scene.tissue.rest_position);
+  ScriptedHand hand(find_highest(scene.tissue.rest_position), scene.tool.radius, scene.rate);
+  SafeDevice device(hand);  // ramp, slew and energy limits stand between a tick and any device
   for (int i = 0; i < 1000; ++i) {
-    HapticSample hand;
-    hand.time = i / scene.rate;
-    hand.position = follow_script(top, scene.tool.radius, i);
-    const Vec3 force = tick(scene, hand, 1.0 / scene.rate, world).force;
+    const HapticSample sample = device.read(i / scene.rate);
+    const HapticCommand command = tick(scene, sample, 1.0 / scene.rate, world);
+    device.write(command);
+    const Vec3& force = command.force;
     std::printf("%a %a %a\n", force.x(), force.y(), force.z());  // %a shows every bit
   }
 }

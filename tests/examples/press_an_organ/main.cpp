@@ -2,6 +2,8 @@
 // Presses a dome of tissue with the default tip, 1000 times a second, and prints what a hand feels.
 #include <cstdio>
 
+#include "palpate/sim/haptics/safe_device.h"
+#include "palpate/sim/haptics/simulated_devices.h"
 #include "palpate/sim/haptics/tick.h"
 #include "palpate/sim/model/build_mass_spring.h"
 
@@ -20,16 +22,23 @@ int main() {
   const Material wall{.wall_thickness = 0.004};
   const Scene scene = build_scene({.tissue = build_mass_spring(dome, wall, 600.0)});
 
+  // from 5 mm above the top to 5 mm inside, in 2 s; a device of metal would stand in its place
+  const double touch = 0.03 + scene.tool.radius;
+  ScriptedDevice hand({{0.0, {0, 0, touch + 0.005}}, {2.0, {0, 0, touch - 0.005}}});
+  SafeDevice device(hand);  // what any hand is to feel goes through its limits
+
   World world(scene);
   double hover = 0.0, deepest = 0.0;
-  for (int i = 0; i <= 2000; ++i) {  // from 5 mm above the top to 5 mm inside, in 2 s
-    HapticSample hand{.time = i / scene.rate};
-    hand.position.z() = 0.03 + scene.tool.radius + 0.005 * (1.0 - i / 1000.0);
-    deepest = tick(scene, hand, 1.0 / scene.rate, world).force.z();
+  for (int i = 0; i <= 2000; ++i) {
+    const HapticSample sample = device.read(i / scene.rate);
+    device.write(tick(scene, sample, 1.0 / scene.rate, world));
+    deepest = device.sent().force.z();
     if (i < 900) hover = std::max(hover, std::abs(deepest));
-    if (i % 200 == 0) std::printf("hand at %6.2f mm: %7.4f N\n", 1e3 * hand.position.z(), deepest);
+    if (i % 200 == 0)
+      std::printf("hand at %6.2f mm: %7.4f N\n", 1e3 * sample.position.z(), deepest);
   }
-  const bool holds = hover == 0.0 && deepest > 0.05 && deepest < 5.0 && !world.alarm;
+  const bool holds = hover == 0.0 && deepest > 0.05 && deepest < 5.0 && !world.alarm &&
+                     device.fault() == DeviceFault::none;
   std::puts(holds ? "nothing above the dome, a force inside it" : "this is not how tissue feels");
   return holds ? 0 : 1;
 }

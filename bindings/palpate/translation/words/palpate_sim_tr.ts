@@ -52,6 +52,78 @@
         <source>Press less deep, or take a solid (MSS+V), which goes deeper.</source>
         <translation>Daha az derine bastırın ya da daha derine giden dolu cismi (MSS+V) seçin.</translation>
     </message>
+    <message>
+        <source>a tick was given a value that it cannot use</source>
+        <translation>bir adıma kullanamayacağı bir değer verildi</translation>
+    </message>
+    <message>
+        <source>Start again. If it comes again, the device or the program that runs it is at fault.</source>
+        <translation>Yeniden başlatın. Yine olursa cihazda ya da onu çalıştıran programda hata vardır.</translation>
+    </message>
+    <message>
+        <source>Give every tick finite numbers, and the scene as build_scene returned it.</source>
+        <translation>Her adıma sonlu sayılar ve build_scene'in verdiği sahneyi verin.</translation>
+    </message>
+    <message>
+        <source>the device gave a time of %1 s, expected a finite number</source>
+        <translation>cihaz %1 s zaman verdi, sonlu bir sayı bekleniyordu</translation>
+    </message>
+    <message>
+        <source>the device gave a position of %1 m, expected at most %2 m</source>
+        <translation>cihaz %1 m konum verdi, en çok %2 m bekleniyordu</translation>
+    </message>
+    <message>
+        <source>the device gave an orientation with %1, expected finite numbers</source>
+        <translation>cihaz içinde %1 olan bir yönelim verdi, sonlu sayılar bekleniyordu</translation>
+    </message>
+    <message>
+        <source>the device gave a velocity of %1 m/s, expected a finite number</source>
+        <translation>cihaz %1 m/s hız verdi, sonlu bir sayı bekleniyordu</translation>
+    </message>
+    <message>
+        <source>the device gave a grip of %1 rad, expected a finite number</source>
+        <translation>cihaz %1 rad kavrama verdi, sonlu bir sayı bekleniyordu</translation>
+    </message>
+    <message>
+        <source>a tick was asked to last %1 s, expected more than 0</source>
+        <translation>bir adımın %1 s sürmesi istendi, 0'dan çok bekleniyordu</translation>
+    </message>
+    <message>
+        <source>a tick was given scene %1, expected scene %2, which its world was made for</source>
+        <translation>bir adıma %1. sahne verildi, dünyasının yapıldığı %2. sahne bekleniyordu</translation>
+    </message>
+    <message>
+        <source>the radius of the tool became %1 m, expected more than 0</source>
+        <translation>aletin yarıçapı %1 m oldu, 0'dan büyük olmalı</translation>
+    </message>
+    <message>
+        <source>the stiffness of the tool became %1 N/m³, expected more than 0</source>
+        <translation>aletin sertliği %1 N/m³ oldu, 0'dan büyük olmalı</translation>
+    </message>
+    <message>
+        <source>the coupling stiffness became %1 N/m, expected more than 0</source>
+        <translation>bağlaşım sertliği %1 N/m oldu, 0'dan büyük olmalı</translation>
+    </message>
+    <message>
+        <source>the largest coupling force became %1 N, expected more than 0</source>
+        <translation>en büyük bağlaşım kuvveti %1 N oldu, 0'dan büyük olmalı</translation>
+    </message>
+    <message>
+        <source>the hold stiffness became %1 N/m, expected more than 0</source>
+        <translation>tutma sertliği %1 N/m oldu, 0'dan büyük olmalı</translation>
+    </message>
+    <message>
+        <source>gravity became %1 m/s², expected a finite number</source>
+        <translation>yerçekimi %1 m/s² oldu, sonlu bir sayı bekleniyordu</translation>
+    </message>
+    <message>
+        <source>the substeps became %1, expected at least %2</source>
+        <translation>alt adım sayısı %1 oldu, en az %2 olmalı</translation>
+    </message>
+    <message>
+        <source>the most substeps became %1, expected at least %2</source>
+        <translation>en çok alt adım sayısı %1 oldu, en az %2 olmalı</translation>
+    </message>
 </context>
 <context>
     <name>Refusal</name>

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A program compiled with other flags than the library still means the same by every struct."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import palpate
+import palpate.scenario
+import pytest
+from test_play_example import TICKS, make_scene
+from tree import CHECKOUT
+
+INCLUDE = CHECKOUT / "build/release/include"
+GENERATED = CHECKOUT / "build/release/generated"
+EIGEN = "/usr/include/eigen3"
+WIDER = ("-mavx2", "-mavx2 -mfma", "-march=skylake-avx512", "-march=native -O3")
+"""What makes Eigen align more than the library's own flags do."""
+
+LAYOUT = re.compile(r"^Class (palpate::\S+)\n +size=(\d+) align=(\d+)", re.MULTILINE)
+
+
+def require(*command: str | Path, cwd: Path | None = None) -> str:
+    done = subprocess.run(command, capture_output=True, text=True, cwd=cwd)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def lay_out(folder: Path, *flags: str) -> dict[str, tuple[str, str]]:
+    """Size and alignment [byte] of every struct of the public headers, as a program sees them."""
+    folder.mkdir()
+    (folder / "all.cpp").write_text('#include "palpate/sim.h"\n', encoding="utf-8")
+    require("g++", "-std=c++20", "-fsyntax-only", "-fdump-lang-class", *flags, "-I", INCLUDE,
+            "-I", GENERATED, "-isystem", EIGEN, "-DPALPATE_RECORD_FILES", "-DPALPATE_SERIAL",
+            "all.cpp", cwd=folder)  # fmt: skip
+    (dump,) = folder.glob("*.class")
+    found = LAYOUT.findall(dump.read_text(encoding="utf-8"))
+    return {name: (size, alignment) for name, size, alignment in found}
+
+
+def test_every_public_struct_has_one_layout_whatever_vectors_a_program_may_use(tmp_path):
+    plain = lay_out(tmp_path / "plain")
+    assert {"palpate::HapticSample", "palpate::World", "palpate::Scene"} <= set(plain)
+
+    for number, flags in enumerate(WIDER[:3]):
+        assert lay_out(tmp_path / str(number), *flags.split()) == plain
+
+
+@pytest.fixture(scope="module")
+def prefix(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    target = tmp_path_factory.mktemp("prefix")
+    require("cmake", "--install", CHECKOUT / "build/release", "--prefix", target)
+    return target
+
+
+def play(prefix: Path, build: Path, flags: str, path: Path) -> np.ndarray:
+    """Forces [N] of the example that plays a published file, compiled with these flags."""
+    require("cmake", "-S", CHECKOUT / "tests/examples/play_a_scenario", "-B", build, "-G", "Ninja",
+            "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_CXX_FLAGS={flags}",
+            f"-DCMAKE_PREFIX_PATH={prefix}")  # fmt: skip
+    require("cmake", "--build", build)
+    words = require(build / "play_a_scenario", path)
+    return np.array([[float.fromhex(word) for word in line.split()]
+                     for line in words.splitlines()])  # fmt: skip
+
+
+def test_a_program_compiled_for_this_very_machine_feels_the_forces_of_a_plain_one(prefix, tmp_path):
+    path = tmp_path / "dome.palpate"
+    made = palpate.scenario.Scenario(scene=make_scene(), title="Kubbe", task="Press the dome.")
+    palpate.scenario.write(path, made)
+    plain = play(prefix, tmp_path / "plain", "", path)
+    assert plain.shape == (TICKS, 3)
+    assert plain[-1, 2] > 0.01
+
+    for number, flags in enumerate(("-mavx2", "-march=native -O3")):
+        other = play(prefix, tmp_path / str(number), flags, path)
+        # an inline function of a header may be compiled with other roundings
+        np.testing.assert_allclose(other, plain, rtol=0.0, atol=1e-9 * plain.max())
