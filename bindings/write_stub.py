@@ -12,10 +12,11 @@ import enum
 import inspect
 import re
 import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
+
+from palpate.isolated import build_command
 
 STUB = Path(__file__).with_name("palpate") / "_sim.pyi"
 SCENARIO_STUB = STUB.with_name("scenario.pyi")
@@ -185,7 +186,7 @@ def render_stub(module: ModuleType, header: str = HEADER) -> str:
     text = "\n".join(lines) + "\n"
     # an empty class needs a body
     text = re.sub(r"^( *)(class .*:)\n(?!\1 )", r"\1\2 ...\n", text, flags=re.MULTILINE)
-    formatter = [sys.executable, "-m", "ruff", "format", "--line-length", "100"]
+    formatter = build_command("-m", "ruff", "format", "--line-length", "100")
     return subprocess.run(
         [*formatter, "--stdin-filename", "_sim.pyi", "-"],
         input=text,

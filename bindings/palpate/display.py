@@ -7,6 +7,8 @@ import os
 import subprocess
 import sys
 
+from palpate.isolated import build_command
+
 PROBE = "from PySide6.QtGui import QGuiApplication; QGuiApplication([])"
 
 
@@ -21,6 +23,6 @@ def require_display(instead: str) -> None:
     if not name:
         raise RuntimeError(f"there is no display to open a window on; {instead}")
     # somebody else's display, or one that is gone: only another process survives finding out
-    probe = subprocess.run([sys.executable, "-c", PROBE], capture_output=True, check=False)
+    probe = subprocess.run(build_command("-c", PROBE), capture_output=True, check=False)
     if probe.returncode != 0:
         raise RuntimeError(f"the display {name} cannot be reached; {instead}")

@@ -6,7 +6,6 @@ from __future__ import annotations
 import json
 import os
 import subprocess
-import sys
 import tomllib
 from collections.abc import Callable
 from dataclasses import replace
@@ -14,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import palpate
+from palpate.isolated import build_verb
 from palpate.press import PressScript, find_top, write_script
 from palpate.run import Run, picture_of_record, plot_runs, run_script
 from palpate.scene_file import open_scene
@@ -241,7 +241,7 @@ def touch(
 def run_elsewhere(verb: str, *words: object) -> Report:
     """A verb in a new process, which shares nothing with this one but the files."""
     done = subprocess.run(
-        [sys.executable, "-m", "palpate.cli", verb, *map(str, words), "--json"],
+        build_verb(verb, *words, "--json"),
         capture_output=True,
         text=True,
         check=False,
@@ -272,7 +272,7 @@ def can_show_windows() -> bool:
 def open_editor(file: Path) -> None:
     """Opens the editor on a file, and does not wait for it."""
     subprocess.Popen(
-        [sys.executable, "-m", "palpate.cli", "editor", str(file)],
+        build_verb("editor", file),
         stdin=subprocess.DEVNULL,
         start_new_session=True,
     )

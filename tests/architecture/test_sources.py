@@ -108,3 +108,15 @@ def test_every_source_that_a_comment_names_stands_in_the_list_and_every_one_list
 
     assert named - listed == set()
     assert listed - named - {"BulutDandil22"} == set()
+
+
+def test_every_python_that_is_started_is_isolated_from_the_current_folder():
+    """Only isolated.py names the interpreter; see tests/bindings/test_isolated.py."""
+    started = re.compile(r"sys\.executable|multiprocessing|ProcessPoolExecutor")
+    own = [
+        n for n in source_files() if n.startswith(("bindings/", "editor/")) and n.endswith(".py")
+    ]
+
+    named = [name for name in own if started.search(read(name))]
+
+    assert named == ["bindings/palpate/isolated.py"]

@@ -211,5 +211,5 @@ def test_the_editor_opens_on_the_result_where_there_is_a_display(
     assert main(["demo", "--out", str(out), *words]) == 0
 
     assert [Path(call[-1]).name for call in seen] == opened
-    assert all(call[1:4] == ["-m", "palpate.cli", "editor"] for call in seen)
+    assert all(call[1:5] == ["-P", "-m", "palpate.cli", "editor"] for call in seen)
     assert summary["published"] in capsys.readouterr().out

@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Sequence
 
+from palpate.isolated import build_verb
 from PySide6.QtCore import QObject, QProcess
 
 from palpate_editor.views.desk import Desk
@@ -30,7 +30,8 @@ class Companions(QObject):
         process.errorOccurred.connect(self.on_error)
         process.finished.connect(self.on_finished)
         self.running.append(process)
-        process.start(sys.executable, ["-m", "palpate.cli", *(str(word) for word in words)])
+        program, *arguments = build_verb(*words)
+        process.start(program, arguments)
         self.desk.log_command(["palpate", *words])
         return process
 

@@ -186,7 +186,7 @@ def test_the_device_window_opens_from_the_menu_and_ends_with_the_editor(qtbot, s
     process = companions.running[0]
     assert process.waitForStarted(PATIENCE)
     assert "palpate device --theme" in log_of(window)
-    assert process.arguments()[2:4] == ["device", "--theme"]
+    assert process.arguments()[3:5] == ["device", "--theme"]
     companions.finish()
     assert companions.running == []
 
