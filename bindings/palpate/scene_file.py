@@ -38,7 +38,7 @@ def read_scene_file(path: Path) -> SceneFile:
     """Reads and checks a scene file. Raises Refusal or OSError."""
     try:
         data = json.loads(path.read_bytes())
-    except (json.JSONDecodeError, UnicodeDecodeError) as problem:
+    except (ValueError, RecursionError) as problem:
         raise Refusal(path, "", f"text that is not JSON ({problem})", "a scene file") from None
     if not isinstance(data, dict) or data.get("format") != FORMAT:
         raise Refusal(

@@ -117,11 +117,22 @@ def unpack_organ(content: Any, arrays: Mapping[str, Any], version: int, file: st
     """The organ that `pack_organ` gave `content` and `arrays` for. Raises FileError."""
     owned = dict(arrays)
     try:
+        if version < VERSION:
+            check_parts(content, file)
         for step in range(version, VERSION):
             content, owned = MIGRATIONS[step](content, owned)
         return unpack(content, owned, file)
     except Refusal as refusal:
         raise FileError(file, refusal.where, refusal.found, refusal.expected) from None
+
+
+def check_parts(content: Any, file: str) -> None:
+    """Refuses what no migration can begin with."""
+    if not isinstance(content, dict):
+        raise Refusal(file, "", json_kind(content), "an object")
+    for name in ("model", "hand"):
+        if not isinstance(content.get(name), dict):
+            raise Refusal(file, name, json_kind(content.get(name)), "an object")
 
 
 def unpack(content: Any, arrays: Arrays, file: str) -> Organ:
