@@ -11,3 +11,4 @@ from palpate._sim import *  # noqa: F403
 from palpate._sim import __version__ as __version__
 from palpate.error import DeviceError as DeviceError
 from palpate.error import FileError as FileError
+from palpate.mesh_files import read_mesh as read_mesh

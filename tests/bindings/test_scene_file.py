@@ -218,10 +218,10 @@ def test_a_force_error_is_compiled_for_walls_and_refused_without_home_springs(or
     [
         ("v 0 0\n", "line 1"),
         ("v 0 0 nan\n", "line 1"),
-        ("v 0 0 0\nvn 0 0 1\n", "line 2"),
+        ("v 0 0 0\nsurf 0 0 1\n", "line 2"),
         ("v 0 0 0\nf 1 2 x\n", "line 2"),
-        ("v 0 0 0\nf 1 2 9\n", "faces"),
-        ("v 0 0 0\nf 0 1 1\n", "faces"),
+        ("v 0 0 0\nf 1 2 9\n", "line 2"),
+        ("v 0 0 0\nf 0 1 1\n", "line 2"),
         ("v 0 0 0\n", ""),
         ("", ""),
     ],
