@@ -250,3 +250,17 @@ def test_a_home_that_cannot_be_written_keeps_nobody_from_working(monkeypatch, tm
     folder = find_recovery_folder()
 
     assert folder.is_dir() and folder.parent == tmp_path
+
+
+def test_a_recovery_knows_whether_its_file_was_changed_since(desk, tmp_path):
+    session, autosave, folder = desk
+    document = tmp_path / "a.organ"
+    write_organ(document, make_organ())
+    kill_an_editor(folder, 1, document)
+    [left] = find_recoveries(folder)
+
+    autosave.restore(left)
+
+    assert not session.is_changed_on_disk()
+    write_organ(document, make_organ(50))
+    assert session.is_changed_on_disk()

@@ -227,3 +227,19 @@ def test_any_number_of_edits_is_undone_to_the_very_first_and_redone_to_the_very_
         session.history.redo()
         assert session.organ is organ
     assert len(organs) > 40 and not session.history.canRedo()
+
+
+def test_a_file_counts_as_changed_when_it_holds_what_was_neither_read_nor_written(
+    session, tmp_path
+):
+    path = tmp_path / "a.organ"
+    assert not session.is_changed_on_disk()
+    session.save(path)
+    assert not session.is_changed_on_disk()
+
+    write_organ(path, make_organ(50))
+    assert session.is_changed_on_disk()
+    session.open(path)
+    assert not session.is_changed_on_disk()
+    path.unlink()
+    assert not session.is_changed_on_disk()

@@ -54,7 +54,8 @@ class Autosave(QObject):
         if self.busy:  # _end_write comes back to this
             return
         self.busy, self.kept = True, self.session.organ
-        self.thread_pool.submit(self._write, self.kept, self.session.path, self.session.name)
+        session = self.session
+        self.thread_pool.submit(self._write, self.kept, session.path, session.name, session.state)
 
     def restore(self, recovery: Recovery) -> None:
         """Puts what a crash left on the desk. It is removed once this editor has a copy of it.
@@ -62,9 +63,9 @@ class Autosave(QObject):
         Raises FileError or OSError, and then nothing has changed.
         """
         organ = recovery.read()
-        self.file.write(organ, recovery.document, recovery.name)
+        self.file.write(organ, recovery.document, recovery.name, recovery.state)
         self.kept = organ
-        self.session.restore(organ, recovery.document)
+        self.session.restore(organ, recovery.document, recovery.state)
         recovery.remove()
 
     def finish(self) -> None:
@@ -73,9 +74,9 @@ class Autosave(QObject):
         self.thread_pool.shutdown(wait=True)
         self.file.remove()
 
-    def _write(self, organ: Organ, path: Path | None, name: str) -> None:
+    def _write(self, organ: Organ, path: Path | None, name: str, state: str | None) -> None:
         try:
-            self.file.write(organ, path, name)
+            self.file.write(organ, path, name, state)
         except OSError as problem:  # a FileError is one
             self._written.emit(str(problem))
         else:

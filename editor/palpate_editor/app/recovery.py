@@ -44,6 +44,8 @@ class Recovery:
     """What the window called it."""
     time: datetime
     """When it was written."""
+    state: str | None = None
+    """Of the document when the organ was read from it; see document.file_state."""
 
     def read(self) -> Organ:
         """Raises FileError."""
@@ -78,11 +80,17 @@ def describe(file: Path) -> Recovery:
     time = datetime.fromtimestamp(file.stat().st_mtime)
     try:
         note = json.loads(file.with_suffix(".json").read_bytes())
-        document, name = note["document"], note["name"]
-    except (OSError, ValueError, KeyError, TypeError):
-        document, name = None, ""
+        document, name, state = note["document"], note["name"], note.get("state")
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        document, name, state = None, "", None
     known = isinstance(document, str) and document
-    return Recovery(file, Path(document) if known else None, str(name), time)
+    return Recovery(
+        file,
+        Path(document) if known else None,
+        str(name),
+        time,
+        state if isinstance(state, str) else None,
+    )
 
 
 class RecoveryFile:
@@ -92,11 +100,17 @@ class RecoveryFile:
         self.path = folder / f"{secrets.token_hex(8)}.organ"
         self.held = lock(self.path)
 
-    def write(self, organ: Organ, document: Path | None, name: str) -> None:
+    def write(
+        self, organ: Organ, document: Path | None, name: str, state: str | None = None
+    ) -> None:
         """Whole or not at all. Raises FileError or OSError."""
         if not self.held.isLocked() and not self.held.tryLock(0):
             raise OSError(f"{self.held.fileName()}: the lock of recovery cannot be had")
-        note = {"document": str(document.absolute()) if document else None, "name": name}
+        note = {
+            "document": str(document.absolute()) if document else None,
+            "name": name,
+            "state": state,
+        }
         write_whole(self.path.with_suffix(".json"), json.dumps(note).encode())
         write_organ(self.path, organ)
 

@@ -10,6 +10,7 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from palpate_editor.compile import is_built_alike
 from palpate_editor.document import EMPTY, Organ
+from palpate_editor.document.file_state import is_changed, read_state
 from palpate_editor.document.files import write_organ
 from palpate_editor.edits import Edit
 from palpate_editor.open_organ import open_organ
@@ -30,6 +31,8 @@ class Session(QObject):
         super().__init__(parent)
         self.organ = organ
         self.path: Path | None = None
+        self.state: str | None = None
+        """Of the file when it was last read or written here; see document.file_state."""
         self.tested: Organ | None = None
         """The organ that was felt last, as it was then."""
         self._laying = False
@@ -64,19 +67,28 @@ class Session(QObject):
     def open(self, path: Path) -> None:
         """Reads any file that has an organ. Raises FileError, Refusal or OSError, and then nothing
         has changed. A window reads in a thread and calls lay_down."""
-        self.lay_down(open_organ(path), path)
+        state = read_state(path)
+        self.lay_down(open_organ(path), path, state)
 
-    def lay_down(self, organ: Organ, path: Path | None) -> None:
+    def lay_down(self, organ: Organ, path: Path | None, state: str | None = None) -> None:
         """Puts the organ of a file on the desk, with an empty history.
 
         Only a working file is saved where it came from: what came out of a published file or a
-        scene file still stands there, and has no working file yet.
+        scene file still stands there, and has no working file yet. `state` is the file's, read
+        before the organ was.
         """
-        self._replace(organ, path if path and path.suffix == ".organ" else None)
+        self._replace(organ, path if path and path.suffix == ".organ" else None, state)
 
-    def restore(self, organ: Organ, path: Path | None) -> None:
-        """Puts an unsaved organ on the desk: it belongs to `path` but is not what is there."""
-        self._replace(organ, path, saved=False)
+    def restore(self, organ: Organ, path: Path | None, state: str | None = None) -> None:
+        """Puts an unsaved organ on the desk: it belongs to `path` but is not what is there.
+
+        `state` is that of the file when the organ was read from it, None where nobody knows.
+        """
+        self._replace(organ, path, state, saved=False)
+
+    def is_changed_on_disk(self) -> bool:
+        """Whether the file holds what this session neither read nor wrote."""
+        return self.path is not None and is_changed(self.path, self.state)
 
     def save(self, path: Path | None = None) -> None:
         """Writes the organ to its file or to another, whole or not at all.
@@ -92,7 +104,7 @@ class Session(QObject):
     def mark_saved(self, organ: Organ, path: Path) -> None:
         """The organ stands in the file. A window writes in a thread and then calls this; what was
         edited meanwhile is still unsaved."""
-        self.path = path
+        self.path, self.state = path, read_state(path)
         if organ is self.organ:
             self.history.setClean()
         self.title_changed.emit()
@@ -106,14 +118,16 @@ class Session(QObject):
         """Whether the organ was felt as it is now; words about it may be others."""
         return self.tested is not None and is_built_alike(self.tested, self.organ)
 
-    def _replace(self, organ: Organ, path: Path | None, saved: bool = True) -> None:
+    def _replace(
+        self, organ: Organ, path: Path | None, state: str | None, saved: bool = True
+    ) -> None:
         # nobody is told before all of it is true: half way, the new organ would pass for saved
         self._laying = True
         self.history.clear()
         if not saved:
             self.history.resetClean()
         self._laying = False
-        self.path, self.tested = path, None
+        self.path, self.state, self.tested = path, state, None
         self.show(organ)
         self.title_changed.emit()
 

@@ -20,7 +20,7 @@ from palpate_editor.check import split_refusal
 from palpate_editor.compile import compile_organ, mesh_of
 from palpate_editor.document import Organ
 from palpate_editor.document.files import write_organ
-from palpate_editor.verbs.files import open_any
+from palpate_editor.verbs.files import ReadFile, open_any
 
 if TYPE_CHECKING:
     from palpate.study.calibrate import Fit
@@ -128,10 +128,12 @@ def run_calibrate(call: argparse.Namespace) -> Report:
     curve = read_curve(call.curve)
     if call.out is not None and call.out.suffix != ".organ":
         raise Refusal(call.out, "", f"a name ending in {call.out.suffix!r}", ".organ")
+    read = ReadFile.of(call.file)
     organ = prepare(call)
     fit = fit_organ(call, organ, curve)
     fitted = scaled(organ, call.fit, fit.factors)
     if call.out is not None:
+        read.check(call.out)
         write_organ(call.out, replace(fitted, tool=open_any(call.file).tool))
     if call.plot is not None:
         from palpate.study.fit_plot import save_fit_plot

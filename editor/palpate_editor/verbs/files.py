@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from palpate.mesh_file import read_mesh_file
@@ -12,6 +12,7 @@ from palpate.verb import Refusal
 from palpate_editor import authoring
 from palpate_editor.compile import mesh_of, surface_of
 from palpate_editor.document import EMPTY, Organ
+from palpate_editor.document.file_state import is_changed, read_state
 from palpate_editor.document.files import write_organ
 from palpate_editor.edits import Edit, EditError
 from palpate_editor.open_organ import open_organ
@@ -38,6 +39,29 @@ def write_any(path: Path, organ: Organ) -> None:
         raise Refusal(path, "", f"a name ending in {path.suffix!r}", expected)
     assert organ.surface is not None
     authoring.write_mesh(path, mesh_of(organ.surface))
+
+
+@dataclass(frozen=True)
+class ReadFile:
+    """A file as it was before a verb read it."""
+
+    path: Path
+    state: str | None
+
+    @classmethod
+    def of(cls, path: Path) -> ReadFile:
+        return cls(path, read_state(path))
+
+    def check(self, out: Path) -> None:
+        """Refuses to write over the file where it has changed since. Raises Refusal."""
+        if out.resolve() == self.path.resolve() and is_changed(self.path, self.state):
+            raise Refusal(
+                out,
+                "--out",
+                "what another program wrote while this one was at work",
+                "the file that was read; nothing is written: give the command again, or another "
+                "name",
+            )
 
 
 class EditRefusal(Refusal):

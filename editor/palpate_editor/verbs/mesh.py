@@ -13,7 +13,7 @@ from palpate_editor import authoring
 from palpate_editor.compile import mesh_of
 from palpate_editor.document import EMPTY, Decimation, Organ
 from palpate_editor.edits import EditError, decimate_organ, import_file
-from palpate_editor.verbs.files import EditRefusal, open_any, write_any
+from palpate_editor.verbs.files import EditRefusal, ReadFile, open_any, write_any
 
 UNITS = ("m", "cm", "mm", "in")
 UPS = ("x", "y", "z", "-x", "-y", "-z")
@@ -168,7 +168,9 @@ def add_decimate(word: argparse.ArgumentParser) -> None:
 
 
 def run_decimate(call: argparse.Namespace) -> Report:
+    read = ReadFile.of(call.file)
     organ, report = decimate_to(open_any(call.file), call.vertices, call.file)
+    read.check(call.out)
     write_any(call.out, organ)
     return {"out": str(call.out), **report}
 

@@ -12,7 +12,7 @@ from palpate_editor.check import assess, check_file, describe_problem
 from palpate_editor.document.problems import Problem
 from palpate_editor.edits import SetTask
 from palpate_editor.publish import PublishError, publish
-from palpate_editor.verbs.files import apply, open_any, write_any
+from palpate_editor.verbs.files import ReadFile, apply, open_any, write_any
 
 # ---------------------------------------------------------------- check
 
@@ -65,6 +65,7 @@ def add_repair(word: argparse.ArgumentParser) -> None:
 
 
 def run_repair(call: argparse.Namespace) -> Report:
+    read = ReadFile.of(call.file)
     organ = open_any(call.file)
     done: list[str] = []
     tried: set[tuple[str, str]] = set()
@@ -80,6 +81,7 @@ def run_repair(call: argparse.Namespace) -> Report:
         raise Refusal(
             call.file, "--problem", ", ".join(call.problem), "problems it has, that can be mended"
         )
+    read.check(call.out)
     write_any(call.out, organ)
     return {
         "out": str(call.out),
@@ -117,9 +119,11 @@ def add_publish(word: argparse.ArgumentParser) -> None:
 def run_publish(call: argparse.Namespace) -> Report:
     if call.out.suffix != ".palpate":
         raise Refusal(call.out, "", f"a name ending in {call.out.suffix!r}", ".palpate")
+    read = ReadFile.of(call.file)
     organ = open_any(call.file)
     if call.title is not None or call.task is not None:
         organ = apply(SetTask(call.title, call.task), organ, call.file, "--title, --task")
+    read.check(call.out)
     try:
         return {"published": True, **publish(organ, call.out)}
     except PublishError as refused:

@@ -21,7 +21,7 @@ from palpate_editor.document.files import write_organ
 from palpate_editor.edits import FixLowest, SetChoice, SetConstant, SetGravity, SetReach
 from palpate_editor.kinds import compare_kinds, describe_kinds
 from palpate_editor.scene_files import write_scene
-from palpate_editor.verbs.files import apply, open_any
+from palpate_editor.verbs.files import ReadFile, apply, open_any
 
 OPTIONS = {
     "model.stiffness": ("--stiffness", "N/m"),
@@ -147,6 +147,7 @@ def set_constants(call: argparse.Namespace, organ: Organ) -> Organ:
 
 
 def run_material(call: argparse.Namespace) -> Report:
+    read = ReadFile.of(call.file)
     organ = set_constants(call, open_any(call.file))
     if call.out is None:
         return {"out": None, **compare_kinds(organ, call.file)}
@@ -161,6 +162,7 @@ def run_material(call: argparse.Namespace) -> Report:
         compiled = compile_organ(organ, say_size)
     except ValueError as problem:
         raise Refusal(call.file, *split_refusal(str(problem))) from None
+    read.check(call.out)
     if call.out.suffix == ".organ":
         write_organ(call.out, organ)
     else:

@@ -39,7 +39,9 @@ class Desk(QObject):
     stage_shown = Signal(str)
     stage_wanted = Signal(str)
     import_wanted = Signal()
-    """Somebody would like to choose a mesh file."""
+    """A mesh file is to be chosen."""
+    mesh_wanted = Signal(object)
+    """An ImportWork is to be done, after what could be lost was asked about."""
     distance_wanted = Signal(bool)
     assessed = Signal()
     """`assessment` is that of the organ on the desk."""

@@ -13,6 +13,7 @@ from PySide6.QtCore import QLocale, QObject, QTimer
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from palpate_editor.app.autosave import Autosave
+from palpate_editor.app.open_document import OpenDocument
 from palpate_editor.app.recovery import Recovery, find_recoveries, find_recovery_folder
 from palpate_editor.app.session import Session
 from palpate_editor.app.settings import Settings
@@ -45,6 +46,8 @@ class Editor(QObject):
         self.session = Session(parent=self)
         self.folder = recovery_folder or find_recovery_folder()
         self.autosave = Autosave(self.session, self.folder, parent=self)
+        self.document = OpenDocument(self.folder)
+        self.session.title_changed.connect(self.take_document)
         self.hook = ExceptHook(self)
         self.hook.install()
         self.recoveries: list[Recovery] = []
@@ -78,6 +81,19 @@ class Editor(QObject):
         self.recoveries = find_recoveries(self.folder)
         if self.recoveries:
             self.ask_recovery()
+
+    def take_document(self) -> None:
+        """Tells where another editor has the same file open."""
+        path = self.session.path
+        other = self.document.take(path)
+        if other is not None and path is not None:
+            self.window.desk.tell(
+                tr(
+                    "{file} is open in another editor too (process {process}): saving asks before "
+                    "it overwrites what was saved there."
+                ).format(file=path.name, process=other),
+                "warning",
+            )
 
     def sweep(self) -> None:
         gc.collect()
@@ -152,6 +168,7 @@ class Editor(QObject):
         """The last window has closed."""
         self.sweeper.stop()
         self.autosave.finish()
+        self.document.release()
         self.hook.remove()
         gc.unfreeze()
         gc.enable()

@@ -12,10 +12,13 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from palpate_editor.document import Organ
+from palpate_editor.document.file_state import is_changed, read_state
 from palpate_editor.open_organ import open_organ
 from palpate_editor.shipped import make_organ
+from palpate_editor.views import file_questions
 from palpate_editor.views.desk import Desk
 from palpate_editor.views.jobs import Progress
+from palpate_editor.views.tasks import ImportWork
 from palpate_editor.views.words import tr
 
 DOCUMENTS = (".organ", ".palpate")
@@ -30,12 +33,25 @@ def is_mesh(path: Path) -> bool:
     return path.suffix.lower() in MESHES
 
 
+def is_replaceable(organ: Organ, path: Path) -> bool:
+    """Whether a mesh file may be imported into the document of `organ`: it has no surface yet, or
+    one of that very file, wherever the file lies now."""
+    source = organ.source
+    if organ.surface is None or source is None:
+        return organ.surface is None
+    return Path(source.folder) / source.file == path.resolve() or (
+        source.file == path.name and not is_changed(path, source.sha256)
+    )
+
+
 @dataclass(frozen=True, eq=False)
 class Opened:
     """A document that was read."""
 
     path: Path
     organ: Organ
+    state: str | None
+    """Of the file before it was read; see document.file_state."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +62,8 @@ class OpenWork:
 
     def __call__(self, progress: Progress) -> Opened:
         progress(tr("Opening {file}").format(file=self.path.name), 0.1)
-        return Opened(self.path, open_organ(self.path))
+        state = read_state(self.path)
+        return Opened(self.path, open_organ(self.path), state)
 
 
 @dataclass(frozen=True)
@@ -69,11 +86,18 @@ class Files(QObject):
         self.after: Callable[[], None] | None = None
         """What waits for the answer about unsaved changes; a bound method."""
         self.wanted: Path | None = None
+        self.mesh: ImportWork | None = None
+        """The mesh that a new document is wanted of."""
+        self.over: Organ | None = None
+        """The organ that may go, as it was when its owner said so, or when it was saved."""
+        self.unwritten: Path | None = None
+        """Where to save, while a question about that file is open."""
         self.shipped = ""
         """The name of the organ of ours that is wanted."""
         self.dialog: QFileDialog | None = None
         self.question: QMessageBox | None = None
         desk.import_wanted.connect(self.ask_import)
+        desk.mesh_wanted.connect(self.import_mesh)
 
     # ------------------------------------------------------------ dialogs
 
@@ -126,7 +150,21 @@ class Files(QObject):
         self.load(Path(name))
 
     def import_name(self, name: str) -> None:
-        self.desk.tasks.import_mesh(Path(name))
+        self.import_mesh(ImportWork(Path(name)))
+
+    def import_mesh(self, work: ImportWork) -> None:
+        """Imports a mesh: over an organ of another file it begins a document of its own."""
+        if is_replaceable(self.desk.session.organ, work.path):
+            self.desk.tasks.import_mesh(work.path, work.parts, work.unit, work.up)
+            return
+        self.mesh = work
+        self.guard(self.import_anew)
+
+    def import_anew(self) -> None:
+        work = self.mesh
+        if work is not None:
+            organ = self.desk.session.organ
+            self.desk.tasks.import_mesh(work.path, work.parts, work.unit, work.up, over=organ)
 
     def open(self, path: Path) -> None:
         """Opens a document or imports a mesh, after asking about unsaved changes."""
@@ -143,9 +181,8 @@ class Files(QObject):
             self.desk.tell(tr("There is no file {file}.").format(file=path))
             return
         if is_mesh(path):
-            if self.desk.session.organ.surface is not None:
-                self.desk.session.start_anew()
-            self.desk.tasks.import_mesh(path)
+            self.mesh = ImportWork(path)
+            self.import_anew()
             self.desk.settings.add_recent(path)
             return
         if not is_document(path):
@@ -156,12 +193,15 @@ class Files(QObject):
             return
         if not self.desk.tasks.is_busy():
             title = tr("Opening {file}").format(file=path.name)
+            self.over = self.desk.session.organ
             self.desk.jobs.start(title, OpenWork(path), self.lay_down, self.desk.refuse)
 
     def lay_down(self, opened: Opened) -> None:
         """Puts what was read on the desk."""
         path = opened.path
-        self.desk.session.lay_down(opened.organ, path)
+        if self.desk.tasks.is_overtaken(self.over, path.name):
+            return
+        self.desk.session.lay_down(opened.organ, path, opened.state)
         self.desk.settings.add_recent(path)
         self.desk.view.frame_all()
         self.desk.log_command(["palpate", "editor", path])
@@ -175,12 +215,15 @@ class Files(QObject):
     def load_shipped(self) -> None:
         if not self.desk.tasks.is_busy():
             title = tr("Opening {file}").format(file=self.shipped)
+            self.over = self.desk.session.organ
             self.desk.jobs.start(
                 title, ShippedWork(self.shipped), self.lay_down_shipped, self.desk.refuse
             )
 
     def lay_down_shipped(self, organ: Organ) -> None:
         """It has no file of its own yet: the one that ships stays as it is."""
+        if self.desk.tasks.is_overtaken(self.over, self.shipped):
+            return
         self.desk.session.lay_down(organ, None)
         self.desk.view.frame_all()
         self.desk.log_command(["palpate", "organs", self.shipped, "--out", f"{self.shipped}.organ"])
@@ -197,8 +240,7 @@ class Files(QObject):
             )  # fmt: skip
             return
         if is_mesh(usable[0]):
-            # it comes into the document on the desk, and can be undone
-            self.desk.tasks.import_mesh(usable[0])
+            self.import_mesh(ImportWork(usable[0]))
             self.desk.settings.add_recent(usable[0])
         else:
             self.open(usable[0])
@@ -230,6 +272,16 @@ class Files(QObject):
         self.write(path if path.suffix == ".organ" else path.with_name(path.name + ".organ"))
 
     def write(self, path: Path) -> bool:
+        """Saves, unless the session's own file holds what nobody has seen here: then it asks."""
+        session = self.desk.session
+        if path == session.path and session.is_changed_on_disk():
+            self.unwritten = path
+            self.question = file_questions.ask_changed(self.window, path.name, self.answer_changed)
+            return False
+        return self.overwrite(path)
+
+    def overwrite(self, path: Path) -> bool:
+        """Saves, whatever stands there."""
         try:
             self.desk.session.save(path)
         except (FileError, OSError, ValueError) as problem:
@@ -251,22 +303,7 @@ class Files(QObject):
             self.go_on()
             return
         name = self.desk.session.name or tr("This organ")
-        box = QMessageBox(self.window)
-        box.setObjectName("unsaved")
-        box.setIcon(QMessageBox.Icon.Question)
-        box.setWindowTitle(tr("Unsaved changes"))
-        box.setText(tr("{name} has changes that are not saved.").format(name=name))
-        box.setInformativeText(tr("Save them before going on?"))
-        buttons = QMessageBox.StandardButton
-        box.setStandardButtons(buttons.Save | buttons.Discard | buttons.Cancel)
-        box.button(buttons.Save).setText(tr("Save"))
-        box.button(buttons.Discard).setText(tr("Do not save"))
-        box.button(buttons.Cancel).setText(tr("Cancel"))
-        box.setDefaultButton(buttons.Save)
-        box.finished.connect(self.answer)
-        box.finished.connect(box.deleteLater)
-        self.question = box
-        box.open()
+        self.question = file_questions.ask_unsaved(self.window, name, self.answer)
 
     def answer(self, button: int) -> None:
         self.question = None
@@ -276,6 +313,21 @@ class Files(QObject):
             self.go_on()
         else:
             self.after = None
+
+    def answer_changed(self, button: int) -> None:
+        """What to do about a file that another program has changed."""
+        self.question = None
+        path = self.unwritten
+        if path is None:
+            return
+        if button == file_questions.OVERWRITE:
+            self.overwrite(path)
+        elif button == file_questions.SAVE_AS:
+            self.ask_save()
+        else:
+            self.after = None
+            if button == file_questions.RELOAD:
+                self.load(path)
 
     def go_on(self) -> None:
         then, self.after = self.after, None

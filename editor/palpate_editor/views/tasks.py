@@ -39,9 +39,11 @@ class Reading:
     edit: ImportMesh | None = None
     problem: BaseException | None = None
     """Why it cannot be used like this."""
+    over: Organ | None = None
+    """The organ whose place a new document takes; None where the mesh comes into its own."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ImportWork:
     """Reads a mesh file and, where it can be used, makes the edit that imports it."""
 
@@ -49,6 +51,7 @@ class ImportWork:
     parts: tuple[str, ...] = ()
     unit: str | None = None
     up: str | None = None
+    over: Organ | None = None
 
     def __call__(self, progress: Progress) -> Reading:
         progress(tr("Reading {file}").format(file=self.path.name), 0.05)
@@ -62,7 +65,7 @@ class ImportWork:
         except (ValueError, OSError) as refusal:
             problem = refusal
         progress(tr("Done"), 1.0)
-        return Reading(self.path, counts, self.parts, self.unit, self.up, edit, problem)
+        return Reading(self.path, counts, self.parts, self.unit, self.up, edit, problem, self.over)
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,14 +117,34 @@ class Tasks(QObject):
             )
         return job is not None
 
+    def is_overtaken(self, over: Organ | None, file: str) -> bool:
+        """Whether the organ was changed while another was read: then it stays, and is told."""
+        session = self.desk.session
+        if session.saved or session.organ is over:
+            return False
+        self.desk.tell(
+            tr("The organ was changed while {file} was read, so it stays: open that again.").format(
+                file=file
+            ),
+            "warning",
+        )
+        return True
+
     # ------------------------------------------------------------ import
 
     def import_mesh(
-        self, path: Path, parts: Sequence[str] = (), unit: str | None = None, up: str | None = None
+        self,
+        path: Path,
+        parts: Sequence[str] = (),
+        unit: str | None = None,
+        up: str | None = None,
+        *,
+        over: Organ | None = None,
     ) -> None:
+        """Imports into the document on the desk or, where `over` is its organ, into a new one."""
         if self.is_busy():
             return
-        work = ImportWork(path, tuple(parts), unit, up)
+        work = ImportWork(path, tuple(parts), unit, up, over)
         title = tr("Importing {file}").format(file=path.name)
         self.desk.jobs.start(title, work, self.on_read, self.desk.refuse)
 
@@ -136,6 +159,10 @@ class Tasks(QObject):
             self.desk.tell(sentence)
             self.desk.show_stage("import")
             return
+        if reading.over is not None:
+            if self.is_overtaken(reading.over, reading.path.name):
+                return
+            self.desk.session.start_anew()
         if not self.desk.apply(reading.edit):
             return
         self.desk.view.frame_all()

@@ -1954,6 +1954,38 @@ Beklenen: {expected}.</translation>
         <source>{work}: cancelled, nothing has changed.</source>
         <translation>{work}: vazgeçildi, hiçbir şey değişmedi.</translation>
     </message>
+    <message>
+        <source>The file has changed</source>
+        <translation>Dosya değişmiş</translation>
+    </message>
+    <message>
+        <source>{file} was changed by another program after it was read here.</source>
+        <translation>{file}, burada okunduktan sonra başka bir program tarafından değiştirildi.</translation>
+    </message>
+    <message>
+        <source>Overwriting loses what the other program wrote; reading it again loses what was changed here. Under another name both are kept.</source>
+        <translation>Üzerine yazarsanız diğer programın yazdıkları, yeniden okursanız buradaki değişiklikler kaybolur. Başka bir adla kaydederseniz ikisi de kalır.</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Farklı kaydet…</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Üzerine yaz</translation>
+    </message>
+    <message>
+        <source>Read it again</source>
+        <translation>Yeniden oku</translation>
+    </message>
+    <message>
+        <source>The organ was changed while {file} was read, so it stays: open that again.</source>
+        <translation>{file} okunurken organ değiştirildi, bu yüzden organ yerinde kaldı: dosyayı yeniden açın.</translation>
+    </message>
+    <message>
+        <source>{file} is open in another editor too (process {process}): saving asks before it overwrites what was saved there.</source>
+        <translation>{file} başka bir düzenleyicide de açık (süreç {process}): kaydederken, orada kaydedilenin üzerine yazmadan önce sorulur.</translation>
+    </message>
 </context>
 <context>
     <name>constants</name>

@@ -21,7 +21,7 @@ from palpate_editor.document import Organ, Source
 from palpate_editor.edits import SetName, SetUnit, SetUp
 from palpate_editor.views.stages.facts import Facts, write_label
 from palpate_editor.views.stages.stage_panel import StagePanel
-from palpate_editor.views.tasks import Reading
+from palpate_editor.views.tasks import ImportWork, Reading
 from palpate_editor.views.words import count, number, quantity, tr
 
 UNITS = ("m", "cm", "mm", "in")
@@ -258,7 +258,8 @@ class ImportPanel(StagePanel):
         same = source is not None and source.file == path.name
         unit = source.unit if same and source and not source.unit_guessed else None
         up = source.up if same and source and not source.up_guessed else None
-        self.desk.tasks.import_mesh(path, () if whole else parts, unit, up)
+        chosen = () if whole else tuple(parts)
+        self.desk.mesh_wanted.emit(ImportWork(path, chosen, unit, up))
 
     def set_unit(self, row: int) -> None:
         source = self.desk.session.organ.source
