@@ -46,6 +46,8 @@ class Tissue:
     kind: str
     """solid, hollow, sheet or rigid."""
     note: str
+    names: tuple[str, ...]
+    """Words, or beginnings of words, of what looks like it; see palpate_editor.appearance."""
     material: dict[str, float]
     """Fields of a scene's material, SI."""
     model: dict[str, Any]
@@ -124,6 +126,7 @@ def read_tissues() -> dict[str, Tissue]:
             title=table["title"],
             kind=table["kind"],
             note=table["note"],
+            names=tuple(table["names"]),
             material=table["material"],
             model=table["model"],
             published=tuple(Published(**row) for row in table["published"]),

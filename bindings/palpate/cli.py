@@ -17,8 +17,8 @@ from palpate import DeviceError, FileError
 from palpate.verb import Refusal, Verb, WrongCall
 
 EDITOR_VERBS = (
-    *("inspect", "import", "decimate", "material", "calibrate", "check", "repair", "publish"),
-    *("demo", "editor"),
+    *("inspect", "import", "decimate", "material", "appearance", "calibrate", "check", "repair"),
+    *("publish", "organs", "demo", "editor"),
 )
 """Verbs of the palpate-editor distribution, to say what to install where it is missing."""
 

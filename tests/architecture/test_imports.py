@@ -20,6 +20,7 @@ FILES = ("palpate.error", "palpate.json_part", "palpate.scenario", "palpate.verb
 DOCUMENT = ("palpate_editor.document", "palpate.scene_parts", *FILES, "numpy")
 EDITS = (
     "palpate_editor.edits",
+    "palpate_editor.appearance",
     "palpate_editor.authoring",
     "palpate_editor.document",
     "palpate",

@@ -47,6 +47,7 @@ EXAMPLES = [
     (edits.RemoveRegion("hilum"), SPLEEN),
     (edits.SetName("karaciğer"), SPLEEN),
     (edits.SetTask("Title", "Task"), SPLEEN),
+    (edits.SetAppearance("liver", (0.2, 0.3, 0.4)), SPLEEN),
     (edits.prepare(edits.UseImported(), SPLEEN), SPLEEN),
 ]
 ids = [type(edit).__name__ for edit, _ in EXAMPLES]

@@ -7,6 +7,7 @@ inverse: documents are values, and to undo is to remember.
 
 from __future__ import annotations
 
+from palpate_editor.edits.appearance import SetAppearance
 from palpate_editor.edits.decimate import Decimate, UseImported, decimate_organ
 from palpate_editor.edits.edit import Edit, EditError
 from palpate_editor.edits.fix import FixLowest, FixVertices
@@ -32,6 +33,7 @@ __all__ = [
     "PaintStiffness",
     "Prepared",
     "RemoveRegion",
+    "SetAppearance",
     "SetChoice",
     "SetConstant",
     "SetGravity",
@@ -69,6 +71,7 @@ EVERY_EDIT: tuple[type, ...] = (
     RemoveRegion,
     SetName,
     SetTask,
+    SetAppearance,
     Prepared,
 )
 """Tests hold every one of them to the same laws."""

@@ -12,6 +12,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from palpate_editor import authoring
+from palpate_editor.appearance import choose_look
 from palpate_editor.document import Organ, Repairs, Source, Surface
 
 REPAIRS = tuple(f.name for f in fields(Repairs) if f.name != "welded_vertices")
@@ -20,7 +21,8 @@ REPAIRS = tuple(f.name for f in fields(Repairs) if f.name != "welded_vertices")
 
 @dataclass(frozen=True, eq=False)
 class ImportMesh:
-    """Put a surface that was read on the desk. Constants stay; what was painted goes."""
+    """Put a surface that was read on the desk. Constants stay; what was painted goes. An organ
+    without a look gets the one that fits its name."""
 
     title: ClassVar[str] = "Import"
 
@@ -35,7 +37,9 @@ class ImportMesh:
             imported=self.surface,
             decimation=None,
         )
-        return replace(fresh, name=organ.name or self.name)
+        name = organ.name or self.name
+        look = organ.look or choose_look(name, (self.name, *self.source.parts))
+        return replace(fresh, name=name, look=look)
 
 
 def import_file(

@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
-from palpate_editor.verbs import calibrate, demo, mesh, organs, publish, tissue
+from palpate_editor.verbs import appearance, calibrate, demo, mesh, organs, publish, tissue
 from palpate_editor.views.verb import EDITOR
 
 VERBS = [
     *mesh.VERBS,
     *tissue.VERBS,
+    *appearance.VERBS,
     *calibrate.VERBS,
     *publish.VERBS,
     *organs.VERBS,

@@ -14,6 +14,7 @@ from typing import Any
 
 from palpate.viewport import View
 
+from palpate_editor.appearance import write_colour
 from palpate_editor.document import Organ, Source
 from palpate_editor.document.constants import CONSTANTS, SHORT_KINDS
 from palpate_editor.edits import (
@@ -23,6 +24,7 @@ from palpate_editor.edits import (
     ImportMesh,
     KeepLargestShell,
     Prepared,
+    SetAppearance,
     SetChoice,
     SetConstant,
     SetGravity,
@@ -118,6 +120,14 @@ def lowest_words(edit: FixLowest, organ: Organ, document: Path | str) -> Words:
     return material_words(document, [f"--fix-lowest={edit.share:.12g}"])
 
 
+def appearance_words(edit: SetAppearance, organ: Organ, document: Path | str) -> Words:
+    del organ
+    words: Words = ["palpate", "appearance", document, "--style", edit.style or NONE]
+    if edit.colour is not None:
+        words += ["--colour", write_colour(edit.colour)]
+    return [*words, "-o", document]
+
+
 def all_words(edit: SetMaterial, organ: Organ, document: Path | str) -> Words:
     """Everything that a pasted material brings."""
     del edit
@@ -146,6 +156,7 @@ FINDERS: dict[type, Callable[[Any, Organ, Path | str], Words | None]] = {
     SetMaterial: all_words,
     SetReach: reach_words,
     FixLowest: lowest_words,
+    SetAppearance: appearance_words,
 }
 
 

@@ -1986,6 +1986,34 @@ Beklenen: {expected}.</translation>
         <source>{file} is open in another editor too (process {process}): saving asks before it overwrites what was saved there.</source>
         <translation>{file} başka bir düzenleyicide de açık (süreç {process}): kaydederken, orada kaydedilenin üzerine yazmadan önce sorulur.</translation>
     </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Görünüm</translation>
+    </message>
+    <message>
+        <source>Soft tissue</source>
+        <translation>Yumuşak doku</translation>
+    </message>
+    <message>
+        <source>Stone</source>
+        <translation>Taş</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Düz</translation>
+    </message>
+    <message>
+        <source>Its own</source>
+        <translation>Kendine özgü</translation>
+    </message>
+    <message>
+        <source>Colour…</source>
+        <translation>Renk…</translation>
+    </message>
+    <message>
+        <source>Colour of the tissue</source>
+        <translation>Doku rengi</translation>
+    </message>
 </context>
 <context>
     <name>constants</name>
@@ -2235,6 +2263,10 @@ Beklenen: {expected}.</translation>
     <message>
         <source>Use the imported surface</source>
         <translation>İçe aktarılan yüzeyi kullan</translation>
+    </message>
+    <message>
+        <source>Set the appearance</source>
+        <translation>Görünümü belirle</translation>
     </message>
 </context>
 <context>
@@ -2562,6 +2594,14 @@ Beklenen: {expected}.</translation>
     <message>
         <source>{words}</source>
         <translation>{words}</translation>
+    </message>
+    <message>
+        <source>The style must be one of {known}, got {got}.</source>
+        <translation>Görünüm şunlardan biri olmalı: {known}; verilen {got}.</translation>
+    </message>
+    <message>
+        <source>A colour is three numbers of 0 to 1, got {got}.</source>
+        <translation>Renk, 0 ile 1 arasında üç sayıdır; verilen {got}.</translation>
     </message>
 </context>
 </TS>

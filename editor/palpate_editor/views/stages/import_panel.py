@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from palpate_editor.document import Organ, Source
 from palpate_editor.edits import SetName, SetUnit, SetUp
+from palpate_editor.views.stages.appearance_row import AppearanceRow
 from palpate_editor.views.stages.facts import Facts, write_label
 from palpate_editor.views.stages.stage_panel import StagePanel
 from palpate_editor.views.tasks import ImportWork, Reading
@@ -64,6 +65,9 @@ class ImportPanel(StagePanel):
         self.name.setObjectName("organ_name")
         self.name.editingFinished.connect(self.set_name)
         name_row.addWidget(self.name, 0, 1)
+        self.appearance = AppearanceRow(self.desk, self)
+        name_row.addWidget(write_label(tr("Appearance"), "name", self), 1, 0)
+        name_row.addWidget(self.appearance, 1, 1)
         section.body.addLayout(name_row)
 
     def build_parts(self) -> None:
@@ -136,6 +140,7 @@ class ImportPanel(StagePanel):
         if not self.name.hasFocus():
             self.name.setText(organ.name)
         self.name.setEnabled(organ.surface is not None)
+        self.appearance.show_organ(organ)
         self.meaning.setVisible(source is not None)
         self.facts.parentWidget().setVisible(organ.surface is not None)
         if source is not self.shown_source:

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How organs look: the styles that ship, another colour for one of them, and the fitting one."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from functools import cache
+
+from palpate.scene_parts import LookPart
+from palpate_meshes.catalogue import read_tissues
+
+Colour = tuple[float, ...]
+"""sRGB, 0 to 1."""
+
+USUAL = "soft_patch"
+"""Of an organ whose name tells nothing."""
+SHORTEST = 5
+"""[letters] A word so long is found inside others too, as liver is in OpenHELPliver."""
+COLOURS = ("colour", "pattern_colour", "vein_colour")
+"""Fields of a look that another colour shifts."""
+
+
+@dataclass(frozen=True)
+class Style:
+    """A look that ships."""
+
+    name: str
+    title: str
+    look: LookPart
+    names: tuple[str, ...]
+    """Folded words of what looks like it."""
+
+
+@cache
+def read_styles() -> dict[str, Style]:
+    """Every style by its name, in the order of meshes/tissues.toml."""
+    return {
+        tissue.name: Style(tissue.name, tissue.title, tissue.look, tuple(map(fold, tissue.names)))
+        for tissue in read_tissues().values()
+    }
+
+
+def make_look(style: str, colour: Colour | None = None) -> LookPart:
+    """The look of a style, in another colour where one is given. Raises KeyError for another
+    style."""
+    look = read_styles()[style].look
+    return look if colour is None else recolour(look, colour)
+
+
+def recolour(look: LookPart, colour: Colour) -> LookPart:
+    """The look in another colour; spots and vessels stand out from it as they did before."""
+    shifted = {
+        name: tuple(
+            min(1.0, max(0.0, new + own - old))
+            for own, old, new in zip(getattr(look, name), look.colour, colour, strict=True)
+        )
+        for name in COLOURS
+    }
+    return replace(look, **shifted)
+
+
+def find_style(look: LookPart | None) -> Style | None:
+    """The style that a look is of, whatever its colour; None for plain tissue and looks of
+    somebody's own."""
+    if look is None:
+        return None
+    for style in read_styles().values():
+        if replace(look, **{name: getattr(style.look, name) for name in COLOURS}) == style.look:
+            return style
+    return None
+
+
+def fold(words: str) -> str:
+    """Words in small letters without accents, one space before each: `KidneyLeft_1` becomes
+    ` kidney left`."""
+    apart = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", words)
+    plain = unicodedata.normalize("NFKD", apart.replace("ı", "i").replace("İ", "I").lower())
+    return "".join(f" {word}" for word in re.findall(r"[a-z]+", strip_accents(plain)))
+
+
+def strip_accents(words: str) -> str:
+    return "".join(letter for letter in words if not unicodedata.combining(letter))
+
+
+def find_named_style(name: str) -> str | None:
+    """The style whose longest word is in a name: of kidney stone and kidney, the stone."""
+    folded = fold(name)
+    best, length = None, 0
+    for style in read_styles().values():
+        for word in style.names:
+            letters = len(word) - 1
+            found = word in folded or (letters >= SHORTEST and word[1:] in folded)
+            if found and letters > length:
+                best, length = style.name, letters
+    return best
+
+
+def choose_look(name: str, parts: Iterable[str] = ()) -> LookPart:
+    """The look that fits an organ by its name or, where that tells nothing, by those of most of
+    its parts."""
+    style = find_named_style(name)
+    if style is None:
+        told = Counter(found for part in parts if (found := find_named_style(part)) is not None)
+        style = told.most_common(1)[0][0] if told else USUAL
+    return read_styles()[style].look
+
+
+def write_colour(colour: Colour) -> str:
+    """#rrggbb, as read_colour takes it."""
+    return "#" + "".join(f"{round(255 * part):02x}" for part in colour)
+
+
+def read_colour(text: str) -> Colour:
+    """A colour written as #rrggbb. Raises ValueError."""
+    if not re.fullmatch(r"#?[0-9a-fA-F]{6}", text):
+        raise ValueError(f"got {text!r}, expected #rrggbb, as in #7a2d25")
+    digits = text.removeprefix("#")
+    return tuple(int(digits[i : i + 2], 16) / 255.0 for i in (0, 2, 4))

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How the organ looks: nothing of it is felt."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import ClassVar
+
+from palpate.scene_parts import LookPart, find_look_fault
+
+from palpate_editor.appearance import make_look, read_styles
+from palpate_editor.document import Organ, phrase
+from palpate_editor.edits.edit import EditError
+
+
+@dataclass(frozen=True)
+class SetAppearance:
+    """Give the organ one of the looks that ship, in its own colour or another."""
+
+    title: ClassVar[str] = "Set the appearance"
+
+    style: str | None
+    """Of palpate_editor.appearance.read_styles; None for plain tissue."""
+    colour: tuple[float, ...] | None = None
+    """sRGB, 0 to 1; None for the style's own."""
+
+    def __call__(self, organ: Organ) -> Organ:
+        return replace(organ, look=self.find_look())
+
+    def find_look(self) -> LookPart | None:
+        if self.style is None:
+            return None
+        if self.style not in read_styles():
+            raise EditError(
+                phrase(
+                    "The style must be one of {known}, got {got}.",
+                    known=", ".join(read_styles()),
+                    got=self.style,
+                )
+            )
+        if self.colour is not None:
+            wrong = len(self.colour) != 3 or not all(0.0 <= part <= 1.0 for part in self.colour)
+            if wrong:
+                raise EditError(
+                    phrase(
+                        "A colour is three numbers of 0 to 1, got {got}.",
+                        got=", ".join(f"{part:g}" for part in self.colour),
+                    )
+                )
+        look = make_look(self.style, self.colour)
+        assert find_look_fault(look) is None
+        return look

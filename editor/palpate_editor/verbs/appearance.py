@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The verb about looks: which an organ has, and giving it another."""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import asdict
+from pathlib import Path
+
+from palpate.verb import Refusal, Report, Verb
+
+from palpate_editor.appearance import find_style, read_colour, read_styles, write_colour
+from palpate_editor.document import Organ
+from palpate_editor.document.files import write_organ
+from palpate_editor.edits import SetAppearance
+from palpate_editor.verbs.files import ReadFile, apply, open_any
+
+PLAIN = "none"
+"""The word for plain tissue, without a look of its own."""
+
+
+def read_argument(text: str) -> tuple[float, ...]:
+    try:
+        return read_colour(text)
+    except ValueError as problem:
+        raise argparse.ArgumentTypeError(str(problem)) from None
+
+
+def add_appearance(word: argparse.ArgumentParser) -> None:
+    word.add_argument("file", type=Path, help=".organ, .palpate or .scene.json")
+    word.add_argument(
+        "--style",
+        choices=(*read_styles(), PLAIN),
+        help="what it shall look like; default: as it does, which is needed for --colour alone",
+    )
+    word.add_argument(
+        "--colour",
+        "--color",
+        type=read_argument,
+        metavar="#RRGGBB",
+        help="of the tissue in sRGB; its spots and vessels go with it (the style's own)",
+    )
+    word.add_argument(
+        "--out", "-o", type=Path, help=".organ to write; without one, how it looks is reported"
+    )
+
+
+def run_appearance(call: argparse.Namespace) -> Report:
+    read = ReadFile.of(call.file)
+    organ = open_any(call.file)
+    wanted = call.style is not None or call.colour is not None
+    if wanted != (call.out is not None):
+        found, expected = ("no --out", "--out") if wanted else ("--out", "--style or --colour")
+        raise Refusal(call.file, "", found, f"{expected} beside the other options")
+    if wanted:
+        if call.out.suffix != ".organ":
+            raise Refusal(call.out, "", f"a name ending in {call.out.suffix!r}", ".organ")
+        organ = change(call, organ)
+        read.check(call.out)
+        write_organ(call.out, organ)
+    style = find_style(organ.look)
+    return {
+        "out": None if call.out is None else str(call.out),
+        "style": None if style is None else style.name,
+        "colour": None if organ.look is None else write_colour(organ.look.colour),
+        "look": None if organ.look is None else asdict(organ.look),
+        "styles": list(read_styles()),
+    }
+
+
+def change(call: argparse.Namespace, organ: Organ) -> Organ:
+    """The organ as the call wants it to look."""
+    style = call.style
+    if style is None:
+        known = find_style(organ.look)
+        if known is None:
+            found = "plain tissue" if organ.look is None else "a look of its own"
+            raise Refusal(call.file, "--colour", found, "--style beside it")
+        style = known.name
+    if style == PLAIN and call.colour is not None:
+        raise Refusal(call.file, "--colour", f"--style {PLAIN}", "a style that has a colour")
+    edit = SetAppearance(None if style == PLAIN else style, call.colour)
+    return apply(edit, organ, call.file, "--style")
+
+
+def describe_appearance(report: Report) -> str:
+    if report["look"] is None:
+        line = "plain tissue"
+    else:
+        line = f"{report['style'] or 'a look of its own'}, {report['colour']}"
+    if report["out"]:
+        return f"wrote {report['out']}: {line}"
+    return f"{line}; styles: {', '.join(report['styles'])}"
+
+
+VERBS = [
+    Verb(
+        "appearance",
+        "say how an organ looks, or give it the look of a shipped one",
+        "palpate appearance spleen.organ --style liver --colour '#7a2d25' -o spleen.organ",
+        add_appearance,
+        run_appearance,
+        describe_appearance,
+    ),
+]
