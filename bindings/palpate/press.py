@@ -11,6 +11,10 @@ import palpate
 
 CLEARANCE = 4e-3
 """[m] between tip and tissue where a script begins and ends."""
+REST = 0.1
+"""[s] at the end of the hold, in which tissue at rest answers with the same force."""
+UNREST = 0.1
+"""[-] of the mean force: how far apart the forces of that time may lie."""
 RAMP = 0.02
 """[s] The attach button goes down once the press has come to rest for this long."""
 
@@ -107,23 +111,30 @@ def write_script(
     return frames, Moments(pressed, held, pulled, now)
 
 
+def is_at_rest(force: np.ndarray) -> bool:
+    """Whether forces [N] (n,) that a hand at rest feels are those of tissue at rest."""
+    return bool(force.max() - force.min() <= UNREST * force.mean())
+
+
 def measure_press(
     record: palpate.Record, place: Place, radius: float, moments: Moments
 ) -> dict[str, float | None]:
     """What a recorded script felt: peak of the press, peak of the pull, stiffness of the patch.
 
     The hand's own time counts, so skipped ticks do not shift the moments. Stiffness is the mean
-    force of the last 50 ms of the hold over how deep the tip itself then stands below the surface
-    at rest; None where it does not.
+    force of the last 100 ms of the hold over how deep the tip itself then stands below the surface
+    at rest. It is None where the tip does not, and where the tissue has not come to rest: an organ
+    that swings as a whole, as a solid does on a small base, answers with any force then, and the
+    peak is that of the impact.
     """
     time = np.asarray(record.hand["time"])
     force = np.linalg.norm(np.asarray(record.felt["force"], dtype=float), axis=1)
     centre = np.asarray(record.felt["position"], dtype=float)
     depth = (place.point - centre) @ place.outward + radius
     pressing = time <= moments.held
-    settled = pressing & (time >= moments.held - 0.05)
+    settled = pressing & (time >= max(moments.pressed, moments.held - REST))
     stiffness = pull = None
-    if settled.any() and depth[settled].mean() > 0.0:
+    if settled.any() and depth[settled].mean() > 0.0 and is_at_rest(force[settled]):
         stiffness = float(force[settled].mean() / depth[settled].mean())
     if moments.pulled is not None:
         pull = float(force[(time > moments.held) & (depth < 0.0)].max(initial=0.0))

@@ -80,13 +80,19 @@ def run_press(call: argparse.Namespace) -> Report:
     return report
 
 
+def describe_stiffness(stiffness: float | None) -> str:
+    if stiffness is None:
+        return "not at rest at the end of the hold (--hold): no stiffness"
+    return f"{stiffness:.3g} N/m, force over depth at rest"
+
+
 def describe_press(report: Report) -> str:
     stiffness = report["patch_stiffness_N_per_m"]
     pull = report["pull_force_N"]
     return "\n".join(
         [
             f"peak force   {report['peak_force_N']:.3f} N",
-            f"patch        {'never settled' if stiffness is None else f'{stiffness:.0f} N/m'}",
+            f"patch        {describe_stiffness(stiffness)}",
             f"pull         {'none' if pull is None else f'{pull:.3f} N'}",
             f"tick         {report['tick_median_us']:.0f} us median, "
             f"{report['tick_p99_us']:.0f} us p99, {report['substeps']} substeps",

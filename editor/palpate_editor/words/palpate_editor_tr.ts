@@ -985,10 +985,6 @@
         <translation>Kullanılacak parçalar</translation>
     </message>
     <message>
-        <source>Patch stiffness</source>
-        <translation>Bölge katılığı</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>Duraklat</translation>
     </message>
@@ -2013,6 +2009,18 @@ Beklenen: {expected}.</translation>
     <message>
         <source>Colour of the tissue</source>
         <translation>Doku rengi</translation>
+    </message>
+    <message>
+        <source>Force / depth</source>
+        <translation>Kuvvet / derinlik</translation>
+    </message>
+    <message>
+        <source>not at rest: hold longer</source>
+        <translation>durulmadı: daha uzun bekletin</translation>
+    </message>
+    <message>
+        <source>Force / depth, at rest</source>
+        <translation>Kuvvet / derinlik, durgun</translation>
     </message>
 </context>
 <context>

@@ -83,7 +83,10 @@ def list_felt(outcome: Outcome) -> list[Fact]:
     ]
     if "patch_stiffness_N_per_m" in felt:
         stiffness, pull = felt["patch_stiffness_N_per_m"], felt["pull_force_N"]
-        facts.append((tr("Patch stiffness"), quantity(stiffness, "N/m", 3)))
+        if stiffness is None:
+            facts.append((tr("Force / depth"), tr("not at rest: hold longer"), "warning"))
+        else:
+            facts.append((tr("Force / depth, at rest"), quantity(stiffness, "N/m", 3)))
         if pull is not None:
             facts.append((tr("Pull force"), quantity(pull, "N", 3)))
     return facts
