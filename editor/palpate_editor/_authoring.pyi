@@ -172,3 +172,19 @@ def import_scene(
 def decimate(mesh: SurfaceMesh, vertex_count: int) -> DecimatedMesh: ...
 def find_self_intersecting_faces(mesh: SurfaceMesh) -> list[int] | None: ...
 def write_mesh(path: Path, mesh: SurfaceMesh) -> None: ...
+
+class FilledHoles:
+    """A surface with some of its holes closed."""
+
+    @property
+    def mesh(self) -> SurfaceMesh:
+        """Vertices and triangles of the source first, in their order."""
+    @property
+    def filled(self) -> int:
+        """Holes that are closed now."""
+    @property
+    def left_open(self) -> list[int]:
+        """Those asked for that no patch was found for, ascending."""
+
+def fill_holes(mesh: SurfaceMesh, holes: Sequence[int]) -> FilledHoles:
+    """Closes holes, numbered as palpate.find_border_loops lists them. Raises ValueError."""

@@ -64,8 +64,8 @@ def recolour(look: LookPart, colour: Colour) -> LookPart:
 
 
 def find_style(look: LookPart | None) -> Style | None:
-    """The style that a look is of, whatever its colour; None for plain tissue and looks of
-    somebody's own."""
+    """The style that a look is of, whatever its colour; None for plain tissue and for
+    looks of no style."""
     if look is None:
         return None
     for style in read_styles().values():

@@ -6,6 +6,7 @@
     report = inspect_mesh(joined.mesh)         # what is good and bad about it
     organ = import_mesh("spleen.glb")          # all of that, repaired, or refused with a sentence
     small = decimate(organ.mesh, 600)          # exactly 600 vertices, well-shaped triangles
+    closed = fill_holes(organ.mesh, [0, 1])    # the first two holes closed
     write_mesh("spleen.obj", small.mesh)
     solid = fill_interior(small.mesh, 8e-3)    # tetrahedra of about 8 mm inside
 
@@ -22,6 +23,7 @@ from pathlib import Path
 from palpate_editor import _authoring
 from palpate_editor._authoring import (
     DecimatedMesh,
+    FilledHoles,
     ImportedMesh,
     ImportedPart,
     ImportedScene,
@@ -30,6 +32,7 @@ from palpate_editor._authoring import (
     RepairedMesh,
     choose_cell_size,
     decimate,
+    fill_holes,
     fill_interior,
     find_self_intersecting_faces,
     import_scene,
@@ -44,6 +47,7 @@ __all__ = [
     "READER",
     "TIME_LIMIT",
     "DecimatedMesh",
+    "FilledHoles",
     "ImportedMesh",
     "ImportedPart",
     "ImportedScene",
@@ -52,6 +56,7 @@ __all__ = [
     "RepairedMesh",
     "choose_cell_size",
     "decimate",
+    "fill_holes",
     "fill_interior",
     "find_self_intersecting_faces",
     "import_mesh",

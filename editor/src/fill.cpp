@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bindings.h"
+#include "palpate/authoring/fill_holes.h"
 #include "palpate/authoring/fill_interior.h"
 
 namespace palpate::authoring {
@@ -8,6 +9,21 @@ namespace py = pybind11;
 using namespace pybind11::literals;
 
 void bind_fill(py::module_& m) {
+  m.attr("kMostHoleEdges") = kMostHoleEdges;
+  py::class_<FilledHoles>(m, "FilledHoles", "A surface with some of its holes closed.")
+      .def_readonly("mesh", &FilledHoles::mesh,
+                    "Vertices and triangles of the source first, in their order.")
+      .def_readonly("filled", &FilledHoles::filled, "Holes that are closed now.")
+      .def_readonly("left_open", &FilledHoles::left_open,
+                    "Those asked for that no patch was found for, ascending.");
+  m.def(
+      "fill_holes",
+      [](const SurfaceMesh& mesh, const std::vector<int>& holes) {
+        return fill_holes(mesh, holes);
+      },
+      "mesh"_a, "holes"_a, py::call_guard<py::gil_scoped_release>(),
+      "Close holes, numbered as palpate.find_border_loops lists them, with refined and smoothly "
+      "bent patches; those whose patch would cross the surface stay open. Raises ValueError.");
   m.attr("kMostTetrahedra") = kMostTetrahedra;
   m.def("choose_cell_size", &choose_cell_size, "surface"_a, "tetrahedron_count"_a,
         py::call_guard<py::gil_scoped_release>(),

@@ -24,6 +24,12 @@ IN_PIECES = replace(make_organ().with_surface(two_shells()), imported=None)
 INSIDE_OUT = replace(
     SPLEEN, surface=Surface(SPLEEN.surface.vertices, SPLEEN.surface.triangles[:, ::-1])
 )
+OPEN = replace(
+    make_organ(imported=None).with_surface(
+        Surface(SPLEEN.surface.vertices, SPLEEN.surface.triangles[1:])
+    ),
+    imported=None,
+)
 COARSE = surface_of(50)
 DECIMATION = Decimation(150, 296, 50, 96, 30.0, 1e-4, 2e-4)
 
@@ -33,6 +39,7 @@ EXAMPLES = [
     (edits.SetUp("y"), SPLEEN),
     (edits.KeepLargestShell(), IN_PIECES),
     (edits.TurnOutward(), INSIDE_OUT),
+    (edits.FillHoles(), OPEN),
     (edits.Decimate(SPLEEN.imported, COARSE, DECIMATION), SPLEEN),
     (edits.UseImported(), SPLEEN),
     (edits.SetChoice("kind", "molecular"), SPLEEN),

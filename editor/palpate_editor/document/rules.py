@@ -114,13 +114,18 @@ def find_repair_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
 def find_hole_problems(found: SurfaceFacts) -> Iterator[Problem]:
     """Where a surface ends, and where it runs through itself."""
     if found.border_loops:
-        sizes, count = ", ".join(map(str, found.border_loops)), len(found.border_loops)
+        least, most = min(found.border_loops), max(found.border_loops)
+        count = len(found.border_loops)
         yield repair_problem(
             "holes",
             "note",
-            phrase("a hole of {sizes} edges", sizes=sizes)
+            phrase("a hole of {edges} edges", edges=most)
             if count == 1
-            else phrase("{count} holes, of {sizes} edges", count=count, sizes=sizes),
+            else phrase("{count} holes of {edges} edges each", count=count, edges=most)
+            if least == most
+            else phrase(
+                "{count} holes of {least} to {most} edges", count=count, least=least, most=most
+            ),
             phrase("a closed surface, or a hollow organ or sheet that has them"),
         )
     if found.self_intersecting_faces is None:

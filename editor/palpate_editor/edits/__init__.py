@@ -10,6 +10,7 @@ from __future__ import annotations
 from palpate_editor.edits.appearance import SetAppearance
 from palpate_editor.edits.decimate import Decimate, UseImported, decimate_organ
 from palpate_editor.edits.edit import Edit, EditError
+from palpate_editor.edits.fill_holes import FillHoles
 from palpate_editor.edits.fix import FixLowest, FixVertices
 from palpate_editor.edits.import_mesh import ImportMesh, import_file
 from palpate_editor.edits.name import SetName, SetTask
@@ -26,6 +27,7 @@ __all__ = [
     "Decimate",
     "Edit",
     "EditError",
+    "FillHoles",
     "FixLowest",
     "FixVertices",
     "ImportMesh",
@@ -57,6 +59,7 @@ EVERY_EDIT: tuple[type, ...] = (
     SetUp,
     KeepLargestShell,
     TurnOutward,
+    FillHoles,
     Decimate,
     UseImported,
     SetChoice,

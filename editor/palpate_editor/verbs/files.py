@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -62,6 +64,17 @@ class ReadFile:
                 "the file that was read; nothing is written: give the command again, or another "
                 "name",
             )
+
+
+def describe_loops(sizes: Sequence[int]) -> str:
+    """Holes by their number of edges, the largest first: 1 hole of 48 edges, 200 of 3."""
+    counts = sorted(Counter(sizes).items(), reverse=True)
+    rows = [f"{number} of {size}" for size, number in counts]
+    if not rows:
+        return "no hole"
+    size, number = counts[0]
+    rows[0] = f"{number} hole{'s' if number > 1 else ''} of {size} edges"
+    return ", ".join(rows)
 
 
 class EditRefusal(Refusal):

@@ -13,7 +13,7 @@ from palpate_editor import authoring
 from palpate_editor.compile import mesh_of
 from palpate_editor.document import EMPTY, Decimation, Organ
 from palpate_editor.edits import EditError, decimate_organ, import_file
-from palpate_editor.verbs.files import EditRefusal, ReadFile, open_any, write_any
+from palpate_editor.verbs.files import EditRefusal, ReadFile, describe_loops, open_any, write_any
 
 UNITS = ("m", "cm", "mm", "in")
 UPS = ("x", "y", "z", "-x", "-y", "-z")
@@ -69,9 +69,7 @@ def describe_inspect(report: Report) -> str:
     lines = [
         f"{report['vertices']} vertices, {report['triangles']} triangles, "
         f"{report['shells']} shell(s), genus {known(report['genus'])}",
-        "closed"
-        if report["closed"]
-        else f"open: {len(loops)} border loop(s) of {', '.join(map(str, loops))} vertices",
+        "closed" if report["closed"] else f"open: {describe_loops(loops)}",
         f"outward: {'unknown' if report['outward'] is None else report['outward']}",
         f"{report['non_manifold_edges']} non-manifold edges, "
         f"{known(report['self_intersecting_faces'])} self-intersecting faces, smallest angle "
@@ -148,7 +146,7 @@ def describe_import(report: Report) -> str:
         f"repaired: {done or 'nothing to do'}",
         "closed"
         if not loops
-        else f"{len(loops)} hole(s) of {', '.join(map(str, loops))} vertices, kept open",
+        else f"{describe_loops(loops)}, kept open (palpate repair --fill-holes closes them)",
     ]
     if "decimated" in report:
         lines.append(describe_decimate(report["decimated"]))

@@ -6,13 +6,20 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+import palpate
 from palpate.verb import Refusal, Report, Verb
 
 from palpate_editor.check import assess, check_file, describe_problem
+from palpate_editor.document import Organ
 from palpate_editor.document.problems import Problem
-from palpate_editor.edits import SetTask
+from palpate_editor.edits import FillHoles, SetTask
 from palpate_editor.publish import PublishError, publish
-from palpate_editor.verbs.files import ReadFile, apply, open_any, write_any
+from palpate_editor.verbs.files import ReadFile, apply, describe_loops, open_any, write_any
+
+EVERY_HOLE = 2**31 - 1
+"""[edges] More than any hole has."""
+NO_PROBLEM = ""
+"""The name of none."""
 
 # ---------------------------------------------------------------- check
 
@@ -61,6 +68,15 @@ def add_repair(word: argparse.ArgumentParser) -> None:
         metavar="NAME",
         help="of `palpate check --json`, may be repeated; default: all errors that can be mended",
     )
+    word.add_argument(
+        "--fill-holes",
+        type=int,
+        nargs="?",
+        const=EVERY_HOLE,
+        metavar="EDGES",
+        help="close every hole, or those of at most so many edges; other problems are repaired "
+        "only where --problem names them",
+    )
     word.add_argument("--out", "-o", type=Path, required=True, help=".organ or mesh file")
 
 
@@ -68,10 +84,14 @@ def run_repair(call: argparse.Namespace) -> Report:
     read = ReadFile.of(call.file)
     organ = open_any(call.file)
     done: list[str] = []
+    if call.fill_holes is not None:
+        organ = fill_holes(call, organ)
+        done.append(FillHoles.title)
     tried: set[tuple[str, str]] = set()
     assessment = assess(organ)
     # one at a time: what mends one problem may mend, or change, another
-    while problem := find_next(assessment.problems, call.problem, tried):
+    wanted = call.problem or ([] if call.fill_holes is None else [NO_PROBLEM])
+    while problem := find_next(assessment.problems, wanted, tried):
         assert problem.fix is not None
         tried.add((problem.key, problem.where))
         organ = apply(problem.fix, organ, call.file, problem.where)
@@ -88,6 +108,20 @@ def run_repair(call: argparse.Namespace) -> Report:
         "done": done,
         "problems": list(map(describe_problem, assessment.problems)),
     }
+
+
+def fill_holes(call: argparse.Namespace, organ: Organ) -> Organ:
+    """The organ without those holes the call wants closed. Raises Refusal."""
+    if organ.surface is None:
+        raise Refusal(call.file, "organ", "no surface", "an imported mesh")
+    sizes = [len(loop) for loop in palpate.find_border_loops(organ.surface.triangles)]
+    holes = tuple(i for i, size in enumerate(sizes) if size <= call.fill_holes)
+    if not holes:
+        found = f"{describe_loops(sizes)}, none of at most {call.fill_holes} edges"
+        raise Refusal(
+            call.file, "--fill-holes", found if sizes else "a closed surface", "holes to fill"
+        )
+    return apply(FillHoles(holes), organ, call.file, "--fill-holes")
 
 
 def find_next(
@@ -152,7 +186,7 @@ VERBS = [
     Verb(
         "repair",
         "mend those problems of an organ that can be mended without a choice",
-        "palpate repair spleen.organ --problem shells -o spleen.organ",
+        "palpate repair spleen.organ --problem shells --fill-holes 12 -o spleen.organ",
         add_repair,
         run_repair,
         describe_repair,

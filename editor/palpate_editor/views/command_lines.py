@@ -20,6 +20,7 @@ from palpate_editor.document.constants import CONSTANTS, SHORT_KINDS
 from palpate_editor.edits import (
     Decimate,
     Edit,
+    FillHoles,
     FixLowest,
     ImportMesh,
     KeepLargestShell,
@@ -80,6 +81,14 @@ def repair_words(problem: str) -> Callable[[Any, Organ, Path | str], Words]:
         return ["palpate", "repair", document, "--problem", problem, "-o", document]
 
     return find
+
+
+def hole_words(edit: FillHoles, organ: Organ, document: Path | str) -> Words | None:
+    """Which of several holes were clicked on no line can say."""
+    del organ
+    if edit.holes is not None:
+        return None
+    return ["palpate", "repair", document, "--fill-holes", "-o", document]
 
 
 def material_words(document: Path | str, options: Sequence[object]) -> Words:
@@ -150,6 +159,7 @@ FINDERS: dict[type, Callable[[Any, Organ, Path | str], Words | None]] = {
     Decimate: decimate_words,
     KeepLargestShell: repair_words("shells"),
     TurnOutward: repair_words("inward"),
+    FillHoles: hole_words,
     SetConstant: constant_words,
     SetChoice: choice_words,
     SetGravity: gravity_words,

@@ -158,9 +158,9 @@ class Files(QObject):
             self.desk.tasks.import_mesh(work.path, work.parts, work.unit, work.up)
             return
         self.mesh = work
-        self.guard(self.import_anew)
+        self.guard(self.import_over)
 
-    def import_anew(self) -> None:
+    def import_over(self) -> None:
         work = self.mesh
         if work is not None:
             organ = self.desk.session.organ
@@ -182,7 +182,7 @@ class Files(QObject):
             return
         if is_mesh(path):
             self.mesh = ImportWork(path)
-            self.import_anew()
+            self.import_over()
             self.desk.settings.add_recent(path)
             return
         if not is_document(path):

@@ -241,10 +241,6 @@
         <translation>Bir adım süresi</translation>
     </message>
     <message>
-        <source>A tissue needs a clean surface. Holes stay open, and are named.</source>
-        <translation>Doku temiz bir yüzey ister. Delikler açık kalır ve belirtilir.</translation>
-    </message>
-    <message>
         <source>A wall can have its constants from the tissue: choose so under Constants, and read what the model makes of the wall. A shell of prisms bends as well.</source>
         <translation>Bir duvarın sabitleri dokudan gelebilir: Sabitler altında öyle seçin ve modelin duvardan ne çıkardığını okuyun. Prizmalardan kabuk eğilir de.</translation>
     </message>
@@ -1737,10 +1733,6 @@
         <translation>fırça {mm:.1f} mm ({px:.0f} px)</translation>
     </message>
     <message>
-        <source>cannot be told</source>
-        <translation>söylenemez</translation>
-    </message>
-    <message>
         <source>centimetre (cm)</source>
         <translation>santimetre (cm)</translation>
     </message>
@@ -1839,10 +1831,6 @@
     <message>
         <source>zoom to the pointer</source>
         <translation>imlece yakınlaştırma</translation>
-    </message>
-    <message>
-        <source>{count} kept open, of {sizes} vertices</source>
-        <translation>{count} açık bırakıldı, {sizes} köşeli</translation>
     </message>
     <message>
         <source>{count} to mend</source>
@@ -2021,6 +2009,46 @@ Beklenen: {expected}.</translation>
     <message>
         <source>Force / depth, at rest</source>
         <translation>Kuvvet / derinlik, durgun</translation>
+    </message>
+    <message>
+        <source>Fill these</source>
+        <translation>Bunları doldur</translation>
+    </message>
+    <message>
+        <source>Fill all holes</source>
+        <translation>Tüm delikleri doldur</translation>
+    </message>
+    <message>
+        <source>{count} holes of {edges} edges</source>
+        <translation>{edges} kenarlı {count} delik</translation>
+    </message>
+    <message>
+        <source>Hole of {edges} edges</source>
+        <translation>{edges} kenarlı delik</translation>
+    </message>
+    <message>
+        <source>{size} wide</source>
+        <translation>{size} genişlikte</translation>
+    </message>
+    <message>
+        <source>{count}, kept open</source>
+        <translation>{count}, açık bırakıldı</translation>
+    </message>
+    <message>
+        <source>cannot be told: edges have more than two triangles</source>
+        <translation>söylenemez: kenarlarda ikiden çok üçgen var</translation>
+    </message>
+    <message>
+        <source>cannot be told: an open surface has no inside</source>
+        <translation>söylenemez: açık bir yüzeyin içi yoktur</translation>
+    </message>
+    <message>
+        <source>cannot be told: neighbours do not agree</source>
+        <translation>söylenemez: komşu üçgenler uyuşmuyor</translation>
+    </message>
+    <message>
+        <source>A tissue needs a clean surface. Holes stay open until you fill them.</source>
+        <translation>Doku temiz bir yüzey ister. Delikler siz doldurana kadar açık kalır.</translation>
     </message>
 </context>
 <context>
@@ -2276,6 +2304,10 @@ Beklenen: {expected}.</translation>
         <source>Set the appearance</source>
         <translation>Görünümü belirle</translation>
     </message>
+    <message>
+        <source>Fill holes</source>
+        <translation>Delikleri doldur</translation>
+    </message>
 </context>
 <context>
     <name>phrases</name>
@@ -2378,10 +2410,6 @@ Beklenen: {expected}.</translation>
     <message>
         <source>a closed surface, or the thickness of its wall</source>
         <translation>kapalı bir yüzey ya da duvar kalınlığı</translation>
-    </message>
-    <message>
-        <source>a hole of {sizes} edges</source>
-        <translation>{sizes} kenarlı bir delik</translation>
     </message>
     <message>
         <source>a mesh file</source>
@@ -2532,10 +2560,6 @@ Beklenen: {expected}.</translation>
         <translation>{ids} köşe için {count} çarpan.</translation>
     </message>
     <message>
-        <source>{count} holes, of {sizes} edges</source>
-        <translation>{count} delik, {sizes} kenarlı</translation>
-    </message>
-    <message>
         <source>{count} pieces that nothing holds together</source>
         <translation>hiçbir şeyin bir arada tutmadığı {count} parça</translation>
     </message>
@@ -2610,6 +2634,30 @@ Beklenen: {expected}.</translation>
     <message>
         <source>A colour is three numbers of 0 to 1, got {got}.</source>
         <translation>Renk, 0 ile 1 arasında üç sayıdır; verilen {got}.</translation>
+    </message>
+    <message>
+        <source>a hole of {edges} edges</source>
+        <translation>{edges} kenarlı bir delik</translation>
+    </message>
+    <message>
+        <source>{count} holes of {edges} edges each</source>
+        <translation>her biri {edges} kenarlı {count} delik</translation>
+    </message>
+    <message>
+        <source>{count} holes of {least} to {most} edges</source>
+        <translation>{least} ile {most} arası kenarlı {count} delik</translation>
+    </message>
+    <message>
+        <source>There is no hole to fill.</source>
+        <translation>Doldurulacak delik yok.</translation>
+    </message>
+    <message>
+        <source>This surface has {count} holes.</source>
+        <translation>Bu yüzeyde {count} delik var.</translation>
+    </message>
+    <message>
+        <source>No patch fits: {count} holes touch another one, are too large, or would be closed through the surface.</source>
+        <translation>Uyan yama yok: {count} delik başka bir deliğe değiyor, çok büyük ya da yama yüzeyin içinden geçiyor.</translation>
     </message>
 </context>
 </TS>

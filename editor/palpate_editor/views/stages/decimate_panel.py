@@ -7,6 +7,7 @@ from palpate.viewport.tone import set_tone
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QHBoxLayout, QLabel, QPushButton, QSpinBox
 
 from palpate_editor.document import Decimation, Organ
+from palpate_editor.document.rules import TICK_SHARE
 from palpate_editor.edits import UseImported
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.stages.stage_panel import StagePanel
@@ -134,7 +135,7 @@ class DecimatePanel(StagePanel):
         news = []
         if angle is not None and angle >= GOOD_ANGLE:
             news.append(tr("Triangles are well shaped."))
-        if assessment.tick_share is not None:
+        if assessment.tick_share is not None and assessment.tick_share <= TICK_SHARE:
             share = f"{100 * assessment.tick_share:.0f} %"
             news.append(tr("About {share} of a millisecond for every tick.").format(share=share))
         return news

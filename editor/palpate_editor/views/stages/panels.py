@@ -37,7 +37,7 @@ def build_panels(desk: Desk, parent: QWidget) -> Panels:
     return Panels(
         ImportPanel(desk, tr("Bring in a surface and say what its numbers mean."), parent),
         RepairPanel(
-            desk, tr("A tissue needs a clean surface. Holes stay open, and are named."), parent
+            desk, tr("A tissue needs a clean surface. Holes stay open until you fill them."), parent
         ),
         DecimatePanel(
             desk, tr("Fewer vertices tick faster. The shape shown is what will be felt."), parent

@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+from palpate_editor.authoring import MeshReport
 from palpate_editor.document import Organ, Repairs
 from palpate_editor.edits import KeepLargestShell
 from palpate_editor.views.stages.facts import Facts
+from palpate_editor.views.stages.hole_list import HoleList
 from palpate_editor.views.stages.stage_panel import StagePanel
 from palpate_editor.views.words import count, quantity, tr
 
@@ -20,6 +22,7 @@ class RepairPanel(StagePanel):
         self.largest = self.main_button(tr("Keep the largest piece"), "keep_largest")
         self.largest.clicked.connect(self.keep_largest)
         self.form.addWidget(self.largest)
+        self.holes = self.section(tr("Holes")).add(HoleList(self.desk, self))
         self.repairs = self.section(tr("Mended when it was read")).add(Facts(self))
 
     def show_organ(self, organ: Organ) -> None:
@@ -33,28 +36,23 @@ class RepairPanel(StagePanel):
         report = assessment.report if assessment else None
         self.facts.parentWidget().setVisible(report is not None)
         self.largest.setVisible(report is not None and report.shells > 1)
+        loops = [] if report is None else report.border_loops
+        self.holes.parentWidget().setVisible(bool(loops))
+        self.holes.show_surface(assessment.organ.surface if assessment and loops else None)
         if report is None:
             return
-        loops = report.border_loops
         holes = (
             tr("none, it is closed")
             if not loops
-            else tr("{count} kept open, of {sizes} vertices").format(
-                count=len(loops), sizes=", ".join(map(str, loops))
-            )
+            else tr("{count}, kept open").format(count=count(len(loops)))
         )
-        outward = {True: tr("outwards"), False: tr("inwards"), None: tr("cannot be told")}
         crossing = report.self_intersecting_faces
         self.facts.show_facts(
             [
                 (tr("Holes"), holes, "warning" if loops else "good"),
                 (tr("Pieces"), count(report.shells), "good" if report.shells == 1 else "warning"),
                 (tr("Handles"), "–" if report.genus is None else count(report.genus)),
-                (
-                    tr("Triangles face"),
-                    outward[report.outward],
-                    "bad" if report.outward is False else "good",
-                ),
+                (tr("Triangles face"), *say_outward(report)),
                 (
                     tr("Edges shared by more than two"),
                     count(report.non_manifold_edges),
@@ -87,6 +85,19 @@ class RepairPanel(StagePanel):
 
     def keep_largest(self) -> None:
         self.desk.tasks.apply_slowly(KeepLargestShell())
+
+
+def say_outward(report: MeshReport) -> tuple[str, str]:
+    """Which way triangles face, or why that cannot be told; and the tone."""
+    if report.outward is not None:
+        return (tr("outwards"), "good") if report.outward else (tr("inwards"), "bad")
+    if report.non_manifold_edges:
+        why = tr("cannot be told: edges have more than two triangles")
+    elif not report.closed:
+        why = tr("cannot be told: an open surface has no inside")
+    else:
+        why = tr("cannot be told: neighbours do not agree")
+    return why, ""
 
 
 def repair_rows(repairs: Repairs) -> list[tuple[str, int]]:

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Closing holes of a surface."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import ClassVar
+
+import numpy as np
+import palpate
+
+from palpate_editor import authoring
+from palpate_editor.document import Organ, Surface, phrase
+from palpate_editor.edits.carry import find_closest
+from palpate_editor.edits.edit import EditError, find_surface
+
+
+@dataclass(frozen=True)
+class FillHoles:
+    """Close holes with smooth patches; what is painted around them goes on over them."""
+
+    title: ClassVar[str] = "Fill holes"
+
+    holes: tuple[int, ...] | None = None
+    """Numbers in palpate.find_border_loops of the surface in use; None for all."""
+
+    def __call__(self, organ: Organ) -> Organ:
+        surface = find_surface(organ)
+        loops = palpate.find_border_loops(surface.triangles)
+        holes = tuple(range(len(loops))) if self.holes is None else self.holes
+        if not loops or not holes:
+            raise EditError(phrase("There is no hole to fill."))
+        if min(holes) < 0 or max(holes) >= len(loops):
+            raise EditError(phrase("This surface has {count} holes.", count=len(loops)))
+        closed = fill(surface, holes)
+        if closed is surface:
+            raise EditError(
+                phrase(
+                    "No patch fits: {count} holes touch another one, are too large, or would be "
+                    "closed through the surface.",
+                    count=len(set(holes)),
+                )
+            )
+        imported = organ.imported
+        if imported is surface:
+            imported = closed
+        elif imported is not None:
+            imported = fill(imported, match_holes(surface, holes, imported))
+        return replace(
+            organ,
+            surface=closed,
+            imported=imported,
+            decimation=organ.decimation
+            and replace(
+                organ.decimation, vertices=len(closed.vertices), triangles=len(closed.triangles)
+            ),
+            fixed=np.append(
+                organ.fixed, np.zeros(len(closed.vertices) - len(surface.vertices), bool)
+            ),
+            stiffness_scale=spread(organ.stiffness_scale, surface, closed),
+        )
+
+
+def fill(surface: Surface, holes: Sequence[int]) -> Surface:
+    """The surface with patches, its own vertices first; the very same where none fits."""
+    mesh = palpate.SurfaceMesh(surface.vertices, surface.triangles)
+    found = authoring.fill_holes(mesh, list(holes))
+    if not found.filled:
+        return surface
+    return Surface(np.asarray(found.mesh.vertices), np.asarray(found.mesh.triangles))
+
+
+def spread(scale: np.ndarray, surface: Surface, closed: Surface) -> np.ndarray:
+    """The factors of stiffness with those of new vertices, each as at the point closest to it."""
+    new = closed.vertices[len(surface.vertices) :]
+    if not len(new):
+        return scale
+    corners, weights = find_closest(surface, new)
+    return np.append(scale, (scale[corners] * weights).sum(axis=1))
+
+
+def match_holes(surface: Surface, holes: Sequence[int], other: Surface) -> tuple[int, ...]:
+    """The holes of another surface of the same organ whose middles are nearest to those."""
+    wanted = find_middles(surface)[list(holes)]
+    there = find_middles(other)
+    if not len(there):
+        return ()
+    away = np.linalg.norm(wanted[:, None] - there[None], axis=2)
+    return tuple(sorted(set(away.argmin(axis=1).tolist())))
+
+
+def find_middles(surface: Surface) -> np.ndarray:
+    """[m] (h, 3) the mean of the vertices of each hole."""
+    loops = palpate.find_border_loops(surface.triangles)
+    return np.array([surface.vertices[loop].mean(axis=0) for loop in loops]).reshape(-1, 3)

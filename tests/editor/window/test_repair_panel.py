@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The Repair and Decimate stages: what they list, show, fill and judge."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import palpate
+import pytest
+from hands import child, click, log_of
+from palpate_editor.document import Surface
+from palpate_editor.document.rules import TICK_SHARE
+from palpate_editor.views.assessment import Assessment
+from patience import settle
+from touch_desk import build_organ
+
+pytestmark = pytest.mark.window
+
+
+def punch(surface: Surface, count: int, wide: int) -> Surface:
+    """Without `count` triangles that do not touch, and without all around `wide` vertices."""
+    triangles, used = surface.triangles, np.zeros(len(surface.vertices), bool)
+    kept = np.ones(len(triangles), bool)
+    for _ in range(wide):
+        vertex = int(np.flatnonzero(~used[triangles].any(axis=1) & kept)[0])
+        vertex = int(triangles[vertex, 0])
+        around = (triangles == vertex).any(axis=1)
+        kept &= ~around
+        used[triangles[around]] = True
+    for row in range(len(triangles)):
+        if count and kept[row] and not used[triangles[row]].any():
+            kept[row], count = False, count - 1
+            used[triangles[row]] = True
+            used[triangles[used[triangles].any(axis=1)]] = True
+    left, number = np.unique(triangles[kept]), np.full(len(surface.vertices), -1, np.int32)
+    number[left] = np.arange(len(left), dtype=np.int32)
+    return Surface(surface.vertices[left], number[triangles[kept]])
+
+
+@pytest.fixture
+def holed(qtbot, window):
+    """A ball with twenty small holes and a wide one, in the Repair stage."""
+    whole = build_organ(vertices=2400)
+    surface = punch(whole.surface, 20, 1)
+    organ = replace(whole.with_surface(surface), imported=surface)
+    window.session.restore(organ, None)
+    window.show_stage("repair")
+    settle(qtbot, window)
+    return window
+
+
+def rows_of(tree) -> list[str]:
+    return [tree.topLevelItem(i).text(0) for i in range(tree.topLevelItemCount())]
+
+
+def test_many_holes_are_grouped_by_size_the_largest_first(holed):
+    panel = holed.stage_dock.panels["repair"]
+    sizes = [len(loop) for loop in palpate.find_border_loops(holed.session.organ.surface.triangles)]
+    assert len(sizes) == 21 and sorted(sizes)[:20] == [3] * 20
+
+    rows = rows_of(panel.holes.tree)
+
+    assert rows == [f"Hole of {max(sizes)} edges", "20 holes of 3 edges"]
+    assert panel.holes.tree.topLevelItem(1).childCount() == 20
+    assert panel.facts.words()["Holes"] == "21, kept open"
+    checks = " ".join(row.words.text() for row in panel.rows if not row.isHidden())
+    assert f"21 holes of 3 to {max(sizes)} edges" in checks
+
+
+def test_a_click_on_a_hole_shows_it_from_outside(qtbot, holed, checkout):
+    view, tree = holed.view, holed.stage_dock.panels["repair"].holes.tree
+    x = holed.session.organ.surface.vertices
+
+    tree.topLevelItem(0).setSelected(True)
+
+    loops = palpate.find_border_loops(holed.session.organ.surface.triangles)
+    loop = max(loops, key=len)
+    middle = x[loop].mean(axis=0)
+    assert view.camera.target == pytest.approx(middle)
+    assert (view.camera.eye() - middle) @ (middle - x.mean(axis=0)) > 0.0
+    qtbot.wait(600)
+    folder = checkout / "build" / "screenshots"
+    folder.mkdir(parents=True, exist_ok=True)
+    assert holed.grab().save(str(folder / "editor_holes.png"))
+    tree.clearSelection()
+    holed.show_stage("decimate")
+    assert tree.selectedItems() == []
+
+
+def test_chosen_holes_are_filled_and_undo_opens_them(qtbot, holed):
+    panel = holed.stage_dock.panels["repair"]
+    before = holed.session.organ
+    assert not panel.holes.fill_button.isEnabled()
+
+    panel.holes.tree.topLevelItem(1).setSelected(True)
+    click(panel.holes.fill_button)
+    settle(qtbot, holed)
+
+    assert [len(loop) for loop in palpate.find_border_loops(holed.session.organ.surface.triangles)]
+    assert rows_of(panel.holes.tree)[0].startswith("Hole of") and panel.holes.isVisible()
+    assert len(rows_of(panel.holes.tree)) == 1
+    holed.session.history.undo()
+    assert holed.session.organ is before
+
+
+def test_all_holes_are_filled_by_one_button_with_its_command(qtbot, holed):
+    panel = holed.stage_dock.panels["repair"]
+
+    click(child(holed, "fill_holes"))
+    settle(qtbot, holed)
+
+    assert palpate.is_closed(holed.session.organ.surface.triangles)
+    assert panel.facts.words()["Holes"] == "none, it is closed"
+    assert not panel.holes.isVisible()
+    assert "palpate repair ball.organ --fill-holes -o ball.organ" in log_of(holed)
+
+
+def test_what_cannot_be_told_is_neither_good_nor_bad_and_says_why(qtbot, holed):
+    panel = holed.stage_dock.panels["repair"]
+    words = panel.facts.words()["Triangles face"]
+    assert words == "cannot be told: an open surface has no inside"
+    value = next(v for n, v in panel.facts.rows if n.text() == "Triangles face")
+    assert not value.property("tone")
+
+    holed.session.restore(build_organ(), None)
+    settle(qtbot, holed)
+    assert panel.facts.words()["Triangles face"] == "outwards"
+    assert value.property("tone") == "good"
+
+
+@pytest.mark.parametrize("share", [0.5 * TICK_SHARE, TICK_SHARE, 0.98])
+def test_a_tick_that_takes_too_long_has_no_tick(qtbot, holed, share):
+    """The check said "98 %, at most 70 %" above a green "98 %"."""
+    holed.session.restore(build_organ(), None)
+    settle(qtbot, holed)
+    found = holed.desk.assessment
+    holed.desk.assessor.assessment = Assessment(found.checked, found.comparison, share)
+
+    news = " ".join(holed.stage_dock.panels["decimate"].good_news())
+
+    assert ("of a millisecond" in news) == (share <= TICK_SHARE)
