@@ -157,9 +157,11 @@ class Scenery:
             self.show_part(name, build_ring(centre, normal, reach, thickness), look)
 
     def show_part(self, name: str, shape: Shape | None, look: Look = TOOL) -> None:
-        """Something beside the surface, by name; its triangles stay. None takes it away."""
+        """Something beside the surface, by name; its triangles stay. None takes it away, and with
+        it its triangles."""
         if shape is None:
-            self._hide(name)
+            self._drop(name)
+            self.version += 1
             return
         thing = self._use(name, len(shape.vertices), shape.triangles, look)
         thing.look = look

@@ -42,6 +42,8 @@ class Desk(QObject):
     """A mesh file is to be chosen."""
     mesh_wanted = Signal(object)
     """An ImportWork is to be done, after what could be lost was asked about."""
+    preview_shown = Signal(bool)
+    """The view shows something else than the organ on the desk, or the organ again."""
     distance_wanted = Signal(bool)
     assessed = Signal()
     """`assessment` is that of the organ on the desk."""
@@ -56,6 +58,8 @@ class Desk(QObject):
         self.assessor.assessed.connect(self.assessed)
         self.theme = "dark"
         self.stage = "import"
+        self.previewing = False
+        """Whether the view shows the parts of a file, not the organ."""
         self.tasks: Tasks
         self.publishing: Publishing
         """Both made by the window, which knows what they need."""
@@ -105,6 +109,12 @@ class Desk(QObject):
         """The file that command lines name: that of the session, or what it would be called."""
         path = self.session.path
         return path if path is not None and path.suffix == ".organ" else f"{self.stem()}.organ"
+
+    def show_preview(self, shown: bool) -> None:
+        """The view is taken for something else than the organ, or given back."""
+        if shown != self.previewing:
+            self.previewing = shown
+            self.preview_shown.emit(shown)
 
     def show_distance(self, on: bool) -> None:
         self.distance_wanted.emit(on)

@@ -7,10 +7,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from palpate_editor import authoring
-from palpate_editor.document import Organ
+from palpate_editor.document import Organ, Surface
 from palpate_editor.edits import (
     Edit,
     ImportMesh,
@@ -19,6 +20,7 @@ from palpate_editor.edits import (
     import_file,
     prepare,
 )
+from palpate_editor.edits.orient import METRES, TURNS
 from palpate_editor.views.desk import Desk
 from palpate_editor.views.jobs import Progress
 from palpate_editor.views.sentences import sentence_of
@@ -26,12 +28,27 @@ from palpate_editor.views.words import edit_title, tr
 
 
 @dataclass(frozen=True, eq=False)
+class Part:
+    """A part of a mesh file, to choose it by."""
+
+    name: str
+    surface: Surface
+    """Metres and z up, as the whole file is understood; not welded."""
+
+    @property
+    def size(self) -> np.ndarray:
+        """[m] (3,) of its box."""
+        x = self.surface.vertices
+        return np.ptp(x, axis=0) if len(x) else np.zeros(3)
+
+
+@dataclass(frozen=True, eq=False)
 class Reading:
     """A mesh file as it was read: enough to choose from, even where it cannot be used whole."""
 
     path: Path
-    parts: tuple[tuple[str, int], ...]
-    """Names and triangle counts of all parts."""
+    parts: tuple[Part, ...]
+    """All of them."""
     chosen: tuple[str, ...]
     unit: str | None
     up: str | None
@@ -56,16 +73,37 @@ class ImportWork:
     def __call__(self, progress: Progress) -> Reading:
         progress(tr("Reading {file}").format(file=self.path.name), 0.05)
         scene = authoring.read_mesh(self.path)
-        counts = tuple((part.name, len(part.mesh.triangles)) for part in scene.parts)
-        del scene
         progress(tr("Welding, repairing and inspecting {file}").format(file=self.path.name), 0.35)
         edit, problem = None, None
         try:
             edit = import_file(self.path, parts=self.parts, unit=self.unit, up=self.up)
         except (ValueError, OSError) as refusal:
             problem = refusal
+        parts = place_parts(scene, *self.find_meaning(scene, edit))
         progress(tr("Done"), 1.0)
-        return Reading(self.path, counts, self.parts, self.unit, self.up, edit, problem, self.over)
+        return Reading(self.path, parts, self.parts, self.unit, self.up, edit, problem, self.over)
+
+    def find_meaning(
+        self, scene: authoring.ImportedScene, edit: ImportMesh | None
+    ) -> tuple[str, str]:
+        """Unit and axis up, as the import took them or would have."""
+        if edit is not None:
+            return edit.source.unit, edit.source.up
+        try:
+            joined = authoring.join_parts(scene, parts=self.parts, unit=self.unit, up=self.up)
+        except (ValueError, OSError):  # no triangle in it: anything will do
+            return self.unit or "mm", self.up or "z"
+        return joined.unit, joined.up
+
+
+def place_parts(scene: authoring.ImportedScene, unit: str, up: str) -> tuple[Part, ...]:
+    """The parts of a file as they lie beside each other, in metres and z up."""
+    turn = METRES[unit] * np.column_stack(TURNS[up])
+    found = []
+    for part in scene.parts:
+        x, triangles = np.asarray(part.mesh.vertices), np.asarray(part.mesh.triangles)
+        found.append(Part(part.name, Surface(x @ turn.T, triangles)))
+    return tuple(found)
 
 
 @dataclass(frozen=True, eq=False)

@@ -79,10 +79,15 @@ class Welcome(QFrame):
         view.installEventFilter(self)
         desk.session.changed.connect(self.on_changed)
         desk.theme_changed.connect(self.on_theme)
+        desk.preview_shown.connect(self.on_preview)
         self.refresh()
 
     def on_changed(self, before: Organ, after: Organ) -> None:
         del before, after
+        self.refresh()
+
+    def on_preview(self, shown: bool) -> None:
+        del shown
         self.refresh()
 
     def on_theme(self, theme: str) -> None:
@@ -90,7 +95,7 @@ class Welcome(QFrame):
         self.refresh()
 
     def refresh(self) -> None:
-        empty = self.desk.session.organ.surface is None
+        empty = self.desk.session.organ.surface is None and not self.desk.previewing
         self.setVisible(empty)
         if empty:
             self.sign.setPixmap(draw_icon("import", self.desk.colours.accent_text, 46, 1.2))

@@ -151,6 +151,7 @@ class MainWindow(QMainWindow):
         self.stage_bar.chosen.connect(self.show_stage)
         self.tools.chosen.connect(self.on_tool)
         self.test_panel.run_changed.connect(self.display.hold)
+        desk.preview_shown.connect(self.display.hold)
         self.deeds.decimate_wanted.connect(self.decimate_panel.decimate)
         self.deeds.reimport_wanted.connect(self.import_panel.import_parts)
         self.welcome.open_wanted.connect(self.files.ask_open)

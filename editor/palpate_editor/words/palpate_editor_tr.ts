@@ -2047,6 +2047,22 @@ Beklenen: {expected}.</translation>
         <translation>söylenemez: komşu üçgenler uyuşmuyor</translation>
     </message>
     <message>
+        <source>Find a part by its name</source>
+        <translation>Parçayı adıyla bul</translation>
+    </message>
+    <message>
+        <source>Show them</source>
+        <translation>Göster</translation>
+    </message>
+    <message>
+        <source>The ticked parts in the view; the one under the pointer stands out</source>
+        <translation>İşaretli parçalar görünümde; imlecin altındaki öne çıkar</translation>
+    </message>
+    <message>
+        <source>{vertices} vertices, {triangles} △, {size} mm</source>
+        <translation>{vertices} köşe, {triangles} △, {size} mm</translation>
+    </message>
+    <message>
         <source>A tissue needs a clean surface. Holes stay open until you fill them.</source>
         <translation>Doku temiz bir yüzey ister. Delikler siz doldurana kadar açık kalır.</translation>
     </message>

@@ -3,17 +3,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
-from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QComboBox,
     QGridLayout,
     QHBoxLayout,
     QLineEdit,
-    QListWidget,
-    QListWidgetItem,
     QPushButton,
 )
 
@@ -21,13 +18,13 @@ from palpate_editor.document import Organ, Source
 from palpate_editor.edits import SetName, SetUnit, SetUp
 from palpate_editor.views.stages.appearance_row import AppearanceRow
 from palpate_editor.views.stages.facts import Facts, write_label
+from palpate_editor.views.stages.parts_chooser import PartsChooser
 from palpate_editor.views.stages.stage_panel import StagePanel
-from palpate_editor.views.tasks import ImportWork, Reading
+from palpate_editor.views.tasks import ImportWork, Part, Reading
 from palpate_editor.views.words import count, number, quantity, tr
 
 UNITS = ("m", "cm", "mm", "in")
 UPS = ("z", "y", "x", "-z", "-y", "-x")
-PART_ROWS = 7
 
 
 class ImportPanel(StagePanel):
@@ -72,19 +69,12 @@ class ImportPanel(StagePanel):
 
     def build_parts(self) -> None:
         self.parts_section = self.section(tr("Parts to use"))
-        self.parts = QListWidget(self)
-        self.parts.setObjectName("parts")
-        self.parts.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
-        self.parts.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.parts.itemChanged.connect(self.on_part)
-        self.parts_section.add(self.parts)
+        self.chooser = PartsChooser(self.desk, self)
+        self.parts = self.chooser.list
+        self.all_button, self.none_button = self.chooser.all_button, self.chooser.none_button
+        self.chooser.changed.connect(self.on_part)
+        self.parts_section.add(self.chooser)
         row = QHBoxLayout()
-        self.all_button = QPushButton(tr("All"), self)
-        self.none_button = QPushButton(tr("None"), self)
-        for button, slot in ((self.all_button, self.tick_all), (self.none_button, self.tick_none)):
-            button.setProperty("small", True)
-            button.clicked.connect(slot)
-            row.addWidget(button)
         row.addStretch(1)
         self.import_button = self.main_button(tr("Import these parts"), "import_parts")
         self.import_button.clicked.connect(self.import_parts)
@@ -131,9 +121,11 @@ class ImportPanel(StagePanel):
     def show_reading(self, reading: Reading) -> None:
         """A file was read: its parts can be chosen, whether or not it was imported."""
         self.reading = reading
-        self.fill_parts(dict(reading.parts), reading.chosen)
+        self.fill_parts({part.name: part for part in reading.parts}, reading.chosen)
         self.file.setText(reading.path.name)
         self.file.setToolTip(str(reading.path))
+        if reading.edit is None and len(reading.parts) > 1:
+            self.chooser.begin_preview()
 
     def show_organ(self, organ: Organ) -> None:
         source = organ.source
@@ -164,30 +156,16 @@ class ImportPanel(StagePanel):
         self.file.setText(source.file)
         self.file.setToolTip(str(Path(source.folder) / source.file))
         known = self.reading is not None and self.reading.path.name == source.file
-        counts = dict(self.reading.parts) if known and self.reading else {}
-        self.fill_parts({n: counts.get(n, 0) for n in source.parts_available}, source.parts)
+        parts = {p.name: p for p in self.reading.parts} if known and self.reading else {}
+        self.fill_parts({name: parts.get(name) for name in source.parts_available}, source.parts)
 
     @staticmethod
     def reason(guessed: bool, reason: str) -> str:
         return tr("Guessed: {reason}").format(reason=reason) if guessed else reason
 
-    def fill_parts(self, counts: dict[str, int], chosen: tuple[str, ...]) -> None:
-        self.parts.blockSignals(True)
-        self.parts.clear()
-        for name, triangles in counts.items():
-            label = f"{name}   {count(triangles)} △" if triangles else name
-            item = QListWidgetItem(label)
-            item.setData(Qt.ItemDataRole.UserRole, name)
-            item.setToolTip(name)
-            item.setFlags(Qt.ItemFlag.ItemIsUserCheckable | Qt.ItemFlag.ItemIsEnabled)
-            ticked = not chosen or name in chosen
-            item.setCheckState(Qt.CheckState.Checked if ticked else Qt.CheckState.Unchecked)
-            self.parts.addItem(item)
-        self.parts.blockSignals(False)
-        rows = max(2, min(PART_ROWS, len(counts)))
-        self.parts.setFixedHeight(rows * max(26, self.parts.sizeHintForRow(0)) + 6)
-        self.parts_section.setVisible(len(counts) > 1)
-        self.on_part()
+    def fill_parts(self, parts: Mapping[str, Part | None], chosen: tuple[str, ...]) -> None:
+        self.chooser.show_parts(parts, chosen)
+        self.parts_section.setVisible(len(parts) > 1)
 
     def show_assessment(self) -> None:
         assessment = self.desk.assessment
@@ -219,25 +197,13 @@ class ImportPanel(StagePanel):
     # ------------------------------------------------------------ doing
 
     def chosen_parts(self) -> list[str]:
-        items = [self.parts.item(i) for i in range(self.parts.count())]
-        return [
-            str(item.data(Qt.ItemDataRole.UserRole))
-            for item in items
-            if item.checkState() == Qt.CheckState.Checked
-        ]
+        return self.chooser.chosen()
 
     def on_part(self) -> None:
         self.import_button.setEnabled(bool(self.chosen_parts()))
 
-    def tick_all(self) -> None:
-        self.tick(Qt.CheckState.Checked)
-
     def tick_none(self) -> None:
-        self.tick(Qt.CheckState.Unchecked)
-
-    def tick(self, state: Qt.CheckState) -> None:
-        for i in range(self.parts.count()):
-            self.parts.item(i).setCheckState(state)
+        self.chooser.tick_none()
 
     def choose(self) -> None:
         self.desk.import_wanted.emit()
