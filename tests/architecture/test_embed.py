@@ -25,7 +25,7 @@ def require(*command: str | Path) -> str:
 
 
 def configure(build: Path, *options: str) -> None:
-    """The embedding program, with nothing but Eigen to be found; little optimised, to compile soon."""
+    """The embedding program, with nothing but Eigen to be found; optimised little, to be quick."""
     require("cmake", "-S", EXAMPLE, "-B", build, "-G", "Ninja", f"-DPALPATE_SOURCE={CHECKOUT}",
             "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_FLAGS_DEBUG=-O1",
             *(f"-DCMAKE_DISABLE_FIND_PACKAGE_{package}=ON" for package in ABSENT),
