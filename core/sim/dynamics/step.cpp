@@ -68,7 +68,9 @@ void step_runge_kutta_4(const TissueModel& model, const Load& load, double dt,
     double ahead;   // how far along it, in dt, the next stage lies
   };
   constexpr std::array<Stage, 4> kStages = {{{1.0, 0.5}, {2.0, 0.5}, {2.0, 1.0}, {1.0, 0.0}}};
-  auto& [x, v, slope_x, slope_v] = state.scratch;
+  // each by its name: clang 14 lets no lambda capture a structured binding
+  Vec3Array &x = state.scratch.position, &v = state.scratch.velocity;
+  Vec3Array &slope_x = state.scratch.slope_position, &slope_v = state.scratch.slope_velocity;
   x = state.position;
   v = state.velocity;
   for (Vec3& slope : slope_x) slope.setZero();
