@@ -143,7 +143,9 @@ class Desk:
             arm.driver().clear_fault()
             ended = run.wait(seconds + GRACE)
         report = run.finish()
-        self.check(ended, report, f"arm, {fault}", may_fail=fault == "cable")
+        # a hand that is said to be elsewhere drags the tissue there: an alarm is no wonder
+        broken = fault in ("sensor", "cable")
+        self.check(ended, report, f"arm, {fault}", may_fail=broken)
         return Outcome(f"arm, {fault}", report.ticks, report.missed_ticks)
 
     def run_faulty_wire(self, hand: palpate.HapticDevice, seconds: float) -> Outcome:
