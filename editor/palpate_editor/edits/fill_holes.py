@@ -32,14 +32,19 @@ class FillHoles:
         if not loops or not holes:
             raise EditError(phrase("There is no hole to fill."))
         if min(holes) < 0 or max(holes) >= len(loops):
-            raise EditError(phrase("This surface has {count} holes.", count=len(loops)))
+            raise EditError(
+                phrase(
+                    "Hole {got}: this surface has those from 0 to {most}.",
+                    got=min(holes) if min(holes) < 0 else max(holes),
+                    most=len(loops) - 1,
+                )
+            )
         closed = fill(surface, holes)
         if closed is surface:
             raise EditError(
                 phrase(
-                    "No patch fits: {count} holes touch another one, are too large, or would be "
-                    "closed through the surface.",
-                    count=len(set(holes)),
+                    "No patch fits: a hole touches another one, is too large, or would be closed "
+                    "through the surface."
                 )
             )
         imported = organ.imported

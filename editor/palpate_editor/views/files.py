@@ -274,7 +274,8 @@ class Files(QObject):
     def write(self, path: Path) -> bool:
         """Saves, unless the session's own file holds what nobody has seen here: then it asks."""
         session = self.desk.session
-        if path == session.path and session.is_changed_on_disk():
+        own = session.path is not None and path.resolve() == session.path.resolve()
+        if own and session.is_changed_on_disk():
             self.unwritten = path
             self.question = file_questions.ask_changed(self.window, path.name, self.answer_changed)
             return False

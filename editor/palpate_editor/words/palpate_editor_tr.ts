@@ -2668,12 +2668,12 @@ Beklenen: {expected}.</translation>
         <translation>Doldurulacak delik yok.</translation>
     </message>
     <message>
-        <source>This surface has {count} holes.</source>
-        <translation>Bu yüzeyde {count} delik var.</translation>
+        <source>No patch fits: a hole touches another one, is too large, or would be closed through the surface.</source>
+        <translation>Uyan yama yok: bir delik başka birine değiyor, çok büyük ya da yama yüzeyin içinden geçiyor.</translation>
     </message>
     <message>
-        <source>No patch fits: {count} holes touch another one, are too large, or would be closed through the surface.</source>
-        <translation>Uyan yama yok: {count} delik başka bir deliğe değiyor, çok büyük ya da yama yüzeyin içinden geçiyor.</translation>
+        <source>Hole {got}: this surface has those from 0 to {most}.</source>
+        <translation>Delik {got}: bu yüzeyde 0 ile {most} arası delikler var.</translation>
     </message>
 </context>
 </TS>
