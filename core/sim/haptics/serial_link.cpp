@@ -10,7 +10,7 @@
 namespace palpate {
 namespace {
 
-constexpr double kAskAgain = 20e-3;    // [s] until a question counts as lost
+constexpr double kAskAgain = 50e-3;    // [s] until a question counts as lost
 constexpr double kStoreAgain = 3.0;    // [s] that the device may take to write its EEPROM
 constexpr double kQuiet = 0.1;         // [s] without a report: the device was reset, or is gone
 constexpr double kGone = 1.0;          // [s] without a report: it is gone
@@ -118,9 +118,13 @@ void SerialLink::measure(double time) noexcept {
 
 void SerialLink::take_info() noexcept {
   palpate_info info;
-  if (!palpate_read_info(decoder_.body, decoder_.count, &info)) return;
-  if (state_ != LinkState::greeting) return;
+  if (!palpate_read_info(decoder_.body, decoder_.count, &info) || state_ == LinkState::lost) return;
+  const bool known = state_ != LinkState::greeting && info.version == info_.version &&
+                     info.calibration_crc == info_.calibration_crc;
   info_ = info;
+  // each HELLO begins a session, so of several answers that come late the last one counts
+  zero_commands_ = 0;
+  if (known) return;
   has_info_ = true;
   wrong_version_ = info.version != PALPATE_PROTOCOL_VERSION;
   if (wrong_version_) {
@@ -155,10 +159,10 @@ void SerialLink::take_page() noexcept {
 
 void SerialLink::take_answer() noexcept {
   palpate_answer answer;
-  if (store_result_ != StoreResult::under_way ||
-      !palpate_read_answer(decoder_.body, decoder_.count, &answer) || answer.seq != store_seq_) {
-    return;
-  }
+  if (!palpate_read_answer(decoder_.body, decoder_.count, &answer)) return;
+  // someone else has said HELLO since, or the answer to our own is lost
+  if (answer.result == PALPATE_WRONG_SESSION && state_ == LinkState::ready) greet();
+  if (store_result_ != StoreResult::under_way || answer.seq != store_seq_) return;
   const bool storing = answer.type == PALPATE_STORE;
   if (answer.result == PALPATE_BUSY || answer.result == PALPATE_WRONG_MODE) return;  // ask again
   store_answer_ = answer.result;
