@@ -50,6 +50,15 @@ void SimAvr::set_buttons(int buttons) {
 
 bool SimAvr::enabled() const { return chip_->avr->data[kPortD] & kEnable; }
 
+void SimAvr::stop_converter() {
+  constexpr avr_io_addr_t kAdcsra = 0x7a;
+  constexpr std::uint8_t kAden = 0x80;
+  avr_t* avr = chip_->avr;
+  const auto value = static_cast<std::uint8_t>(avr->data[kAdcsra] & ~kAden);
+  const auto& io = avr->io[AVR_DATA_TO_IO(kAdcsra)];
+  io.w.c(avr, kAdcsra, value, io.w.param);
+}
+
 int SimAvr::duty(int motor) const {
   assert(motor >= 0 && motor < 3);
   if (!enabled()) return 0;

@@ -48,6 +48,8 @@ class SimAvr {
   void set_position(int joint, int counts);
   void set_stop_open(bool open);
   void set_driver_fault(bool fault);
+  /// Clears ADEN, as an error in the program or in the chip would: no sample comes any more.
+  void stop_converter();
   /// Bits 0 and 1.
   void set_buttons(int buttons);
 

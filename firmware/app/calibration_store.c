@@ -25,14 +25,18 @@ static uint16_t start_crc(uint16_t sequence) {
   return palpate_update_crc(crc, (uint8_t)(sequence >> 8));
 }
 
-static bool is_whole(struct palpate_device *device, uint16_t at) {
-  if (read_16(device, at) != MARK) return false;
+enum copy { COPY_BLANK, COPY_DAMAGED, COPY_WHOLE };
+
+// A store that lost its power leaves the mark, or a byte of it, erased: that copy never counted.
+static enum copy judge_copy(struct palpate_device *device, uint16_t at) {
+  uint16_t mark = read_16(device, at);
+  if (mark == NO_MARK || mark == (MARK | 0x00ff) || mark == (MARK | 0xff00)) return COPY_BLANK;
   uint16_t crc = start_crc(read_16(device, at + 2));
   for (uint8_t b = 0; b < PALPATE_CALIBRATION_BYTES; b++) {
     crc =
         palpate_update_crc(crc, board_read_eeprom(device->board, (uint16_t)(at + HEAD_BYTES + b)));
   }
-  return crc == read_16(device, at + 4);
+  return mark == MARK && crc == read_16(device, at + 4) ? COPY_WHOLE : COPY_DAMAGED;
 }
 
 // Takes over what the pages say; false when it makes no sense.
@@ -49,23 +53,38 @@ static bool adopt(struct palpate_device *device) {
   device->serial_number = calibration.serial_number;
   device->calibration_crc = palpate_compute_crc(device->pages, PALPATE_CALIBRATION_BYTES);
   device->calibrated = true;
+  device->memory = 0;
   return true;
 }
 
-void palpate_load_calibration(struct palpate_device *device) {
-  bool first = is_whole(device, 0);
-  bool second = is_whole(device, SECOND_COPY);
-  if (first && second) {
-    second = (int16_t)(read_16(device, SECOND_COPY + 2) - read_16(device, 2)) > 0;
+static void read_copy(struct palpate_device *device, bool second) {
+  uint16_t at = second ? SECOND_COPY : 0;
+  device->second_copy = second;
+  device->calibration_sequence = read_16(device, at + 2);
+  for (uint8_t b = 0; b < PALPATE_CALIBRATION_BYTES; b++) {
+    device->pages[b] = board_read_eeprom(device->board, (uint16_t)(at + HEAD_BYTES + b));
   }
-  if (first || second) {
-    uint16_t at = second ? SECOND_COPY : 0;
-    device->second_copy = second;
-    device->calibration_sequence = read_16(device, at + 2);
-    for (uint8_t b = 0; b < PALPATE_CALIBRATION_BYTES; b++) {
-      device->pages[b] = board_read_eeprom(device->board, (uint16_t)(at + HEAD_BYTES + b));
+}
+
+// A damaged copy was whole once. Unless it says that it is the older one it may have been what
+// counted, and nobody knows what the one before it is worth: it can be read, but not obeyed.
+void palpate_load_calibration(struct palpate_device *device) {
+  enum copy first = judge_copy(device, 0);
+  enum copy second = judge_copy(device, SECOND_COPY);
+  bool use_second = second == COPY_WHOLE;
+  if (use_second && first == COPY_WHOLE) {
+    use_second = (int16_t)(read_16(device, SECOND_COPY + 2) - read_16(device, 2)) > 0;
+  }
+  device->memory =
+      first == COPY_BLANK && second == COPY_BLANK ? PALPATE_FEATURE_BLANK : PALPATE_FEATURE_DAMAGED;
+  if (first == COPY_WHOLE || second == COPY_WHOLE) {
+    read_copy(device, use_second);
+    bool lost = false;
+    if ((use_second ? first : second) == COPY_DAMAGED) {
+      uint16_t other = read_16(device, (use_second ? 0 : SECOND_COPY) + 2);
+      lost = other != (uint16_t)(device->calibration_sequence - 1);
     }
-    if (adopt(device)) return;
+    if (!lost && adopt(device)) return;
   }
   palpate_cut(device, PALPATE_FAULT_CALIBRATION);
 }

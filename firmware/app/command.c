@@ -27,6 +27,9 @@ static void take_command(struct palpate_device *device, const uint8_t *body, uin
     palpate_answer(device, body[1], PALPATE_COMMAND, PALPATE_BAD_VALUE);
     return;
   }
+  // a wire that says the same again is no host: only one that counts on keeps its torque
+  int8_t ahead = (int8_t)(command.seq - device->ack);
+  if (ahead == 0 || (ahead < 0 && palpate_is_energised(device))) return;
   device->command = command;
   device->ack = command.seq;
   device->command_age = 0;
@@ -50,7 +53,7 @@ static void send_info(struct palpate_device *device, uint8_t seq) {
       .samples = PALPATE_SAMPLES,
       .duty_max = PALPATE_DUTY_MAX,
       .reset_cause = device->reset_cause,
-      .features = PALPATE_FEATURE_LAW,
+      .features = PALPATE_FEATURE_LAW | device->memory,
       .tick_hz = PALPATE_TICK_HZ,
       .calibration_crc = device->calibration_crc,
       .session = device->session,

@@ -26,7 +26,12 @@ enum {
   PALPATE_HOLD_MS = 5,       ///< a torque is held so long after its command,
   PALPATE_SILENT_MS = 20,    ///< then falls to zero at this age, and past it the host is silent
   PALPATE_RAMP_MS = 500,     ///< from ENABLE to the full torque limit
-  PALPATE_FAST_TICKS = 4,    ///< of over-speed in a row are a fault
+  PALPATE_LATE_TICKS = 3,    ///< whose work was late, within 100, are a fault
+  PALPATE_FAST_STEP = 2,     ///< that a tick of over-speed counts; a calm one takes back 1
+  PALPATE_FAST_MOST = 8,     ///< that they may come to: 4 in a row, or every second one for 13
+  PALPATE_STUCK_STEP = 4,    ///< [counts] that a joint has to go to have moved
+  PALPATE_STUCK_DUTY = 64,   ///< torque from which a joint that stands still is watched
+  PALPATE_STUCK_WAY = 512,   ///< [counts] the others may go meanwhile
   PALPATE_HOT_MS = 5000,     ///< of torque reduced for heat in a row are a fault
 };
 
@@ -86,7 +91,10 @@ struct palpate_device {
   uint8_t duty_limit[PALPATE_MOTORS];
 
   bool sampled, sensor_bad;
-  uint8_t fast_ticks;
+  uint8_t fast;                         ///< over-speed so far
+  uint16_t place[PALPATE_MOTORS];       ///< [counts] where a joint was last seen to have moved to
+  uint16_t rest[PALPATE_MOTORS];        ///< [counts] where it has stood still since
+  uint16_t others_way[PALPATE_MOTORS];  ///< [counts] that the others have gone meanwhile
   uint8_t overruns_now, overrun_window;
   uint16_t overruns, damaged, refused, gaps;
 
@@ -97,6 +105,7 @@ struct palpate_device {
   uint16_t calibration_crc;                  ///< of what is stored; 0: nothing valid
   uint16_t calibration_sequence;
   bool calibrated;
+  uint8_t memory;    ///< why it is not: PALPATE_FEATURE_BLANK or _DAMAGED
   bool second_copy;  ///< the newest lies in the second place
   uint32_t serial_number;
   struct palpate_storing storing;
@@ -106,8 +115,10 @@ struct palpate_device {
 void palpate_start(struct palpate_device *device, struct palpate_board *board, uint8_t reset_cause);
 
 /// The part of a tick that no other work can delay: counts the time, and cuts the motors for an
-/// open stop line, a driver's fault or a silent host.
-void palpate_guard(struct palpate_device *device, uint8_t pins);
+/// open stop line, a driver's fault, a silent host, or work that has not come back for
+/// PALPATE_LATE_TICKS. True if the work of the tick before is done: only then may a board restart
+/// its watchdog.
+bool palpate_guard(struct palpate_device *device, uint8_t pins);
 
 /// The rest of a tick: checks the samples [counts], moves the motors, reports to the host.
 void palpate_tick(struct palpate_device *device, const uint16_t *position, uint8_t buttons);

@@ -36,11 +36,15 @@ void palpate_rest(struct palpate_device *device) {
   board_unlock(device->board, was);
 }
 
-void palpate_guard(struct palpate_device *device, uint8_t pins) {
+bool palpate_guard(struct palpate_device *device, uint8_t pins) {
   device->tick++;
   device->pins = pins;
-  if (device->working) device->late++;
+  bool done = !device->working;
   device->working = true;
+  // the work counts its own delays; where it does not come back, nobody but the guard is left
+  if (!done && device->late < 255 && ++device->late >= PALPATE_LATE_TICKS) {
+    latch(device, PALPATE_FAULT_OVERRUN);
+  }
 
   uint8_t age = device->command_age;
   if (age < 255) device->command_age = ++age;
@@ -49,4 +53,5 @@ void palpate_guard(struct palpate_device *device, uint8_t pins) {
   if (age > PALPATE_SILENT_MS && palpate_is_energised(device)) {
     latch(device, PALPATE_FAULT_HOST_SILENT);
   }
+  return done;
 }

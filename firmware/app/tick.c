@@ -2,6 +2,20 @@
 // One millisecond of the device, when its samples are there.
 #include "app/parts.h"
 
+static uint16_t find_distance(uint16_t a, uint16_t b) { return a > b ? a - b : b - a; }
+
+// A joint that leaps to and fro is as bad as one that runs. A hand may move a limp arm as it likes.
+static void check_speed(struct palpate_device *device, bool fast) {
+  if (fast) {
+    device->fast += PALPATE_FAST_STEP;
+  } else if (device->fast) {
+    device->fast--;
+  }
+  if (device->fast < PALPATE_FAST_MOST) return;
+  device->fast = 0;
+  if (palpate_is_energised(device)) palpate_cut(device, PALPATE_FAULT_OVER_SPEED);
+}
+
 static void check_samples(struct palpate_device *device, const uint16_t *position) {
   bool bad = false;
   bool fast = false;
@@ -12,19 +26,40 @@ static void check_samples(struct palpate_device *device, const uint16_t *positio
     if (now < PALPATE_RAIL_LOW * PALPATE_SAMPLES || now > PALPATE_RAIL_HIGH * PALPATE_SAMPLES) {
       bad = true;
     }
-    uint16_t moved = now > before ? now - before : before - now;
-    if (j < PALPATE_MOTORS && moved > (uint16_t)device->limits.speed_max * PALPATE_SAMPLES) {
+    if (j < PALPATE_MOTORS &&
+        find_distance(now, before) > (uint16_t)device->limits.speed_max * PALPATE_SAMPLES) {
       fast = true;
     }
   }
   device->sensor_bad = bad;
   if (bad) palpate_cut(device, PALPATE_FAULT_SENSOR);
-  device->fast_ticks = fast && device->sampled ? (uint8_t)(device->fast_ticks + 1) : 0;
+  check_speed(device, fast && device->sampled);
   device->sampled = true;
-  // a hand may move a limp arm as it likes
-  if (device->fast_ticks >= PALPATE_FAST_TICKS) {
-    device->fast_ticks = 0;
-    if (palpate_is_energised(device)) palpate_cut(device, PALPATE_FAULT_OVER_SPEED);
+}
+
+// A sensor that stays where it is while its motor pushes and the other joints go their way. A hand
+// that holds still lets none of them go; one that moves in a plane has no torque out of it. A joint
+// turn about, so a tick pays for one.
+static void check_stuck(struct palpate_device *device) {
+  uint8_t turn = device->heat_turn;
+  uint16_t now = device->position[turn];
+  uint16_t way = find_distance(now, device->place[turn]);
+  if (way >= PALPATE_STUCK_STEP * PALPATE_SAMPLES) {
+    device->place[turn] = now;
+    // no joint goes that far in three ticks: a leap is no way
+    if (way > 3 * (uint16_t)device->limits.speed_max * PALPATE_SAMPLES) way = 0;
+    for (uint8_t m = 0; m < PALPATE_MOTORS; m++) {
+      int16_t duty = device->duty[m];
+      if (m != turn && (duty >= PALPATE_STUCK_DUTY || duty <= -PALPATE_STUCK_DUTY)) {
+        device->others_way[m] += way;
+      }
+    }
+  }
+  if (find_distance(now, device->rest[turn]) > PALPATE_SAMPLES || !palpate_is_energised(device)) {
+    device->rest[turn] = now;
+    device->others_way[turn] = 0;
+  } else if (device->others_way[turn] > PALPATE_STUCK_WAY * PALPATE_SAMPLES) {
+    palpate_cut(device, PALPATE_FAULT_SENSOR);
   }
 }
 
@@ -42,7 +77,7 @@ static void count_late_ticks(struct palpate_device *device) {
   device->overruns += late;
   device->overruns_now += late;
   palpate_notice(device, PALPATE_FAULT_OVERRUN);
-  if (device->overruns_now >= 3) {
+  if (device->overruns_now >= PALPATE_LATE_TICKS) {
     device->overruns_now = 0;
     palpate_cut(device, PALPATE_FAULT_OVERRUN);
   }
@@ -64,6 +99,7 @@ static void continue_ramp(struct palpate_device *device) {
 void palpate_tick(struct palpate_device *device, const uint16_t *position, uint8_t buttons) {
   device->buttons = buttons & 3;
   check_samples(device, position);
+  check_stuck(device);
   count_late_ticks(device);
   continue_ramp(device);
   uint8_t age = device->command_age;
@@ -72,7 +108,7 @@ void palpate_tick(struct palpate_device *device, const uint16_t *position, uint8
   if (device->fresh || !palpate_is_settled(device)) palpate_move_motors(device);
   device->fresh = false;
   for (uint8_t m = 0; m < PALPATE_MOTORS; m++) device->tick_duty[m] = device->duty[m];
-  palpate_heat_motors(device);
+  if (device->calibrated) palpate_heat_motors(device);
   if (device->streaming) palpate_send_state(device);
   if (device->storing.active) palpate_continue_store(device);
   device->working = false;

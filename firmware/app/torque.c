@@ -121,6 +121,7 @@ static uint16_t degree(const struct palpate_device *device, uint8_t motor) {
 }
 
 bool palpate_is_hot(const struct palpate_device *device) {
+  if (!device->calibrated) return false;  // nobody knows what its motors bear
   for (uint8_t m = 0; m < PALPATE_MOTORS; m++) {
     if (degree(device, m) >= square(device->limits.continuous_duty[m])) return true;
   }

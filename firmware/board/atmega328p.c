@@ -76,9 +76,10 @@ ISR(TIMER0_COMPA_vect) {
   uint8_t pins = 0;
   if (in & PIN_STOP) pins |= PALPATE_PIN_STOP;
   if (!(in & PIN_FAULT)) pins |= PALPATE_PIN_DRIVER_FAULT;
-  palpate_guard(&palpate_main_device, pins);
+  bool done = palpate_guard(&palpate_main_device, pins);
   hear_again();
-  if (turned) {
+  // the main loop has to turn and the tick's work to be done: samples that stay away end here too
+  if (turned && done) {
     turned = false;
     wdt_reset();
   }

@@ -56,7 +56,8 @@ bool board_take_gap(void);
 /// The samples of a tick once they are there, [counts] by joint.
 bool board_take_samples(uint16_t *position, uint8_t *buttons);
 /// Sleeps until a frame has come to its end, bytes were lost, or samples are there. A main loop
-/// that does not come back here lets the watchdog reset the board within 16 ms.
+/// that does not come back here, or samples that do not come, let the watchdog reset the board
+/// within 16 ms.
 void board_wait(void);
 
 /// What INFO says of the hardware.

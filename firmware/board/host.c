@@ -69,6 +69,7 @@ void palpate_board_reset(struct palpate_board *board, uint8_t cause) {
   board->from_host_count = 0;
   board->deaf = false;
   board->eeprom_busy = 0;
+  board->undone = 0;
   palpate_start(&board->device, board, cause);
 }
 
@@ -100,12 +101,16 @@ void palpate_board_tick(struct palpate_board *board) {
   if (board->eeprom_busy) board->eeprom_busy--;
   uint8_t pins = (board->stop_open ? PALPATE_PIN_STOP : 0) |
                  (board->driver_fault ? PALPATE_PIN_DRIVER_FAULT : 0);
-  palpate_guard(device, pins);
+  board->undone = palpate_guard(device, pins) ? 0 : (uint8_t)(board->undone + 1);
+  if (board->undone >= PALPATE_WATCHDOG_MS) {
+    palpate_board_reset(board, PALPATE_RESET_WATCHDOG);
+    return;
+  }
   // deaf, but nothing was said: nothing is lost
   if (board->deaf && board->from_host_count) palpate_miss_bytes(device);
   board->deaf = false;
   board->received_now = 0;
-  palpate_tick(device, board->adc, board->buttons);
+  if (!board->adc_stopped) palpate_tick(device, board->adc, board->buttons);
 }
 
 uint16_t palpate_board_take(struct palpate_board *board, uint8_t *bytes, uint16_t capacity) {

@@ -15,7 +15,8 @@ extern "C" {
 enum {
   PALPATE_EEPROM_BYTES = 1024,
   PALPATE_SEND_BYTES = 4 * PALPATE_WIRE_MAX,
-  PALPATE_RECEIVE_BYTES = 36
+  PALPATE_RECEIVE_BYTES = 36,
+  PALPATE_WATCHDOG_MS = 16
 };
 
 struct palpate_board {
@@ -23,10 +24,13 @@ struct palpate_board {
   uint16_t adc[PALPATE_JOINTS];  ///< [counts] 0..1023
   bool stop_open;                ///< the emergency stop's line is open: pressed, or unplugged
   bool driver_fault;
+  bool adc_stopped;  ///< its converter is off: no samples come
   uint8_t buttons;
   // pins out
   int16_t duty[PALPATE_MOTORS];
   bool enabled;  ///< the drivers; without it a duty moves nothing
+
+  uint8_t undone;  ///< [ms] since the watchdog was restarted
 
   uint8_t eeprom[PALPATE_EEPROM_BYTES];
   uint8_t eeprom_busy;   ///< [ms] until it takes another byte

@@ -115,14 +115,18 @@ struct palpate_info {
   uint8_t joints, motors, adc_bits, samples;  ///< a position is a sum of so many samples
   uint8_t duty_max;                           ///< largest duty ever applied
   uint8_t reset_cause;                        ///< bit 0 power, 1 pin, 2 brown-out, 3 watchdog
-  uint8_t features;                           ///< bit 0: obeys the local law
+  uint8_t features;                           ///< bits of PALPATE_FEATURE_*
   uint16_t tick_hz;
   uint16_t calibration_crc;  ///< 0: none
   uint16_t session;
   uint32_t serial_number;
 };
 
-enum { PALPATE_FEATURE_LAW = 1 };
+enum {
+  PALPATE_FEATURE_LAW = 1,
+  PALPATE_FEATURE_BLANK = 2,    ///< no calibration was ever stored
+  PALPATE_FEATURE_DAMAGED = 4,  ///< the newest calibration does not read back as it was stored
+};
 
 /// What palpate_state.aux carries, by seq & 7.
 enum palpate_aux {

@@ -140,17 +140,56 @@ TEST_CASE("while the EEPROM is written there is no second write and no torque") 
   CHECK(bench.ask(bench.host.write_page(0, pages.data())) == PALPATE_BUSY);
 }
 
-TEST_CASE("a copy spoiled in one bit gives way to the other") {
+TEST_CASE(
+    "a newest copy spoiled in one bit is told and takes the torque; the older one is not obeyed") {
   Bench bench;
   bench.say(bench.host.hello());
   bench.wait();
   REQUIRE(store(bench, pages_of(8)) == PALPATE_DONE);
-  for (int place : {0, 512}) {
-    for (int byte = 0; byte < 118; ++byte) {
-      std::uint8_t eeprom[PALPATE_EEPROM_BYTES];
-      std::memcpy(eeprom, bench.board.eeprom, sizeof eeprom);
-      eeprom[place + byte] ^= 4;
-      CHECK(serial_after_reset(eeprom) != 0);
-    }
+  constexpr int kNewest = 0, kOlder = 512;
+  for (int byte = 0; byte < 118; ++byte) {
+    Bench spoiled;
+    std::memcpy(spoiled.board.eeprom, bench.board.eeprom, PALPATE_EEPROM_BYTES);
+    spoiled.board.eeprom[kNewest + byte] ^= 4;
+    palpate_board_reset(&spoiled.board, 1);
+    spoiled.say(spoiled.host.hello());
+    spoiled.wait();
+
+    CHECK((spoiled.host.info.features & PALPATE_FEATURE_DAMAGED) != 0);
+    CHECK(spoiled.host.info.calibration_crc == 0);
+    CHECK(spoiled.host.state.first_fault == PALPATE_FAULT_CALIBRATION);
+    CHECK(spoiled.ask(spoiled.host.clear()) == PALPATE_CAUSE_REMAINS);
   }
+  for (int byte = 0; byte < 118; ++byte) {
+    std::uint8_t eeprom[PALPATE_EEPROM_BYTES];
+    std::memcpy(eeprom, bench.board.eeprom, sizeof eeprom);
+    eeprom[kOlder + byte] ^= 4;
+    // its sequence says which it is: without it nobody knows
+    CHECK(serial_after_reset(eeprom) == (byte == 2 || byte == 3 ? 0 : 8));
+  }
+}
+
+TEST_CASE("the older copy can be read where the newest is damaged, and stored again to go on") {
+  Bench bench;
+  bench.say(bench.host.hello());
+  bench.wait();
+  const Bytes older = pages_of(20261121);
+  REQUIRE(store(bench, pages_of(8)) == PALPATE_DONE);
+  bench.board.eeprom[50] ^= 1;
+  palpate_board_reset(&bench.board, 1);
+  bench.say(bench.host.hello());
+  bench.wait();
+  for (int p = 0; p < PALPATE_PAGES; ++p) {
+    bench.say(bench.host.read_page(p));
+    bench.wait();
+    REQUIRE(!bench.host.pages.empty());
+    CHECK(std::memcmp(bench.host.pages.back().bytes, &older[static_cast<std::size_t>(p) * 16],
+                      16) == 0);
+  }
+
+  bench.say(bench.host.store(crc_of(older)));
+  bench.wait(600);
+  CHECK(bench.result() == PALPATE_DONE);
+  CHECK(bench.ask(bench.host.clear()) == PALPATE_DONE);
+  CHECK(serial_after_reset(bench.board.eeprom) == 20261121);
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstring>
 #include <random>
+#include <vector>
 
 #include "bench.h"
 
@@ -150,11 +152,130 @@ TEST_CASE("a blank EEPROM: positions stream, torque is refused") {
   bench.wait();
 
   CHECK(bench.host.state.first_fault == PALPATE_FAULT_CALIBRATION);
+  CHECK((bench.host.info.features & PALPATE_FEATURE_BLANK) != 0);
   CHECK(bench.host.state.position[0] == 512);
   CHECK(bench.host.info.calibration_crc == 0);
   CHECK(bench.ask(bench.host.clear()) == PALPATE_CAUSE_REMAINS);
   bench.drive(3, 0, 0, 0);
   CHECK(bench.ask(bench.host.enable()) == PALPATE_WRONG_MODE);
+}
+
+TEST_CASE("a blank board never says that its motors are hot") {
+  Bench bench(false);
+  bench.say(bench.host.hello());
+  bench.drive(PALPATE_HOT_MS + 100, 0, 0, 0);
+
+  CHECK(bench.host.state.faults == 1 << PALPATE_FAULT_CALIBRATION);
+}
+
+TEST_CASE("a converter that stops: the guard cuts within 4 ms, the watchdog resets within 16") {
+  Bench bench;
+  bench.power_up();
+  bench.drive(20, kFull, 0, 0);
+  bench.board.adc_stopped = true;
+  int ms = 0;
+  while (!bench.is_limp() && ms < 100) {
+    bench.drive(1, kFull, 0, 0);
+    ++ms;
+  }
+  CHECK(ms <= 4);
+  CHECK(bench.board.device.first_fault == PALPATE_FAULT_OVERRUN);
+
+  bench.drive(16, kFull, 0, 0);
+  CHECK(bench.board.device.first_fault == PALPATE_FAULT_WATCHDOG);
+  CHECK(bench.is_limp());
+}
+
+TEST_CASE("a frame that is repeated is no host: its torque ends as that of a silent one") {
+  for (int frames : {1, 3}) {
+    Bench bench;
+    bench.power_up();
+    std::vector<Bytes> said;
+    for (int i = 0; i < frames; ++i) said.push_back(bench.host.command(kFull, 0, 0));
+    for (int ms = 0; ms < 30; ++ms) {
+      bench.say(said[static_cast<std::size_t>(ms % frames)]);
+      bench.wait();
+    }
+
+    CHECK(bench.is_limp());
+    CHECK(bench.host.state.first_fault == PALPATE_FAULT_HOST_SILENT);
+  }
+}
+
+TEST_CASE("one zero command that is repeated is not the three that ENABLE wants") {
+  Bench bench;
+  bench.say(bench.host.hello());
+  bench.wait();
+  const Bytes zero = bench.host.command(0, 0, 0);
+  for (int i = 0; i < 5; ++i) {
+    bench.say(zero);
+    bench.wait();
+  }
+
+  CHECK(bench.ask(bench.host.enable()) == PALPATE_NOT_AT_ZERO);
+}
+
+TEST_CASE("a joint that leaps 200 counts to and fro every second tick is cut within 14 ms") {
+  Bench bench;
+  bench.power_up();
+  int ms = 0;
+  for (; bench.host.state.mode == PALPATE_RUN && ms < 100; ++ms) {
+    if (ms % 2) bench.board.adc[2] = bench.board.adc[2] == 400 ? 600 : 400;
+    bench.drive(1, 1000, 0, 0);
+  }
+  CHECK(ms <= 15);
+
+  check_latched(bench, PALPATE_FAULT_OVER_SPEED);
+}
+
+TEST_CASE("single leaps, as a bad sample now and then is one, are borne") {
+  Bench bench;
+  bench.power_up();
+  for (int ms = 0; ms < 2000; ++ms) {
+    bench.board.adc[1] = ms % 5 == 0 ? 700 : 500;  // there and back: two fast ticks, three calm
+    bench.drive(1, 1000, 0, 0);
+    if (ms % 5 == 0) bench.board.device.fast = 0;
+  }
+  CHECK(bench.host.state.mode == PALPATE_RUN);
+}
+
+TEST_CASE(
+    "a sensor stuck in its middle is found once the others went 512 counts under its torque") {
+  Bench bench;
+  bench.power_up();
+  int way = 0;
+  for (; bench.host.state.mode == PALPATE_RUN && way < 5000; way += 5) {
+    // one other joint goes to and fro by 100 counts; the stuck one flickers as a live one would not
+    const int at = way % 200;
+    bench.board.adc[0] = static_cast<std::uint16_t>(500 + (at < 100 ? at : 200 - at));
+    bench.board.adc[1] = static_cast<std::uint16_t>(512 + way % 2);
+    bench.drive(1, 0, 20000, 0);
+  }
+  CHECK(way > 500);
+  CHECK(way < 700);
+
+  check_latched(bench, PALPATE_FAULT_SENSOR);
+}
+
+TEST_CASE("a joint that stands still without torque, or with all others still, is not stuck") {
+  Bench plane;  // strokes to and fro in a plane: no torque out of it
+  plane.power_up();
+  for (int ms = 0; ms < 20000; ++ms) {
+    for (int j : {1, 2}) {
+      plane.board.adc[j] = static_cast<std::uint16_t>(512 + 100 * std::sin(0.006 * ms + j));
+    }
+    plane.drive(1, 7000, -12000, 12000);
+  }
+  CHECK(plane.host.state.mode == PALPATE_RUN);
+
+  Bench still;  // presses and holds, with a converter that flickers by two counts
+  still.power_up();
+  std::mt19937 random(6);
+  for (int ms = 0; ms < 20000; ++ms) {
+    for (int j : {0, 1}) still.board.adc[j] = static_cast<std::uint16_t>(511 + random() % 3);
+    still.drive(1, 16000, 16000, 16000);
+  }
+  CHECK(still.host.state.mode == PALPATE_RUN);
 }
 
 TEST_CASE(

@@ -2,7 +2,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <functional>
 #include <random>
+#include <utility>
 
 #include "host_of_device.h"
 
@@ -147,4 +149,73 @@ TEST_CASE("a CRC alone is not a frame") {
 
   CHECK(heard.frames.empty());
   CHECK(heard.damaged == 1);
+}
+
+namespace {
+
+/// Bodies of the same length, other than `body`, that come out of all patterns of `flips` wrong
+/// bits in its frame; and how many patterns there are.
+std::pair<long, long> count_passed(const Bytes& body, int flips) {
+  Bytes wire = encode(body);
+  const auto bits = static_cast<int>(wire.size()) * 8;
+  long passed = 0, tried = 0;
+  const auto turn = [&wire](int bit) {
+    std::uint8_t& byte = wire[static_cast<std::size_t>(bit / 8)];
+    byte = static_cast<std::uint8_t>(byte ^ 1 << bit % 8);
+  };
+  const std::function<void(int, int)> flip = [&](int from, int left) {
+    if (left == 0) {
+      ++tried;
+      palpate_decoder decoder;
+      palpate_start_decoder(&decoder);
+      for (const std::uint8_t byte : wire) {
+        if (palpate_decode_byte(&decoder, byte) != PALPATE_FRAME) continue;
+        passed +=
+            decoder.count == body.size() && !std::equal(body.begin(), body.end(), decoder.body);
+      }
+      return;
+    }
+    for (int bit = from; bit <= bits - left; ++bit) {
+      turn(bit);
+      flip(bit + 1, left - 1);
+      turn(bit);
+    }
+  };
+  flip(0, flips);
+  return {passed, tried};
+}
+
+}  // namespace
+
+TEST_CASE("of three wrong bits as many pass as the page says, of one and two none") {
+  palpate_command plain{};
+  plain.seq = 7;
+  palpate_command law = plain;
+  law.has_law = true;
+  law.shift = 3;
+  for (int m = 0; m < 3; ++m) law.rest[m] = static_cast<std::uint16_t>(8000 + 300 * m);
+  for (int k = 0; k < 6; ++k) law.stiffness[k] = static_cast<std::int16_t>(100 * k - 200);
+  palpate_state state{};
+  state.seq = 0x34;
+  state.ack = 9;
+  state.mode = PALPATE_RUN;
+  state.tick = 0x1234;
+  state.first_fault = PALPATE_FAULT_NONE;
+  for (int j = 0; j < 6; ++j) state.position[j] = static_cast<std::uint16_t>(500 + 31 * j);
+  Bytes bodies[3] = {Bytes(PALPATE_BODY_MAX), Bytes(PALPATE_BODY_MAX), Bytes(PALPATE_BODY_MAX)};
+  bodies[0].resize(palpate_write_command(&plain, bodies[0].data()));
+  bodies[1].resize(palpate_write_command(&law, bodies[1].data()));
+  bodies[2].resize(palpate_write_state(&state, bodies[2].data()));
+
+  long passed = 0, tried = 0;
+  for (const Bytes& body : bodies) {
+    CHECK(count_passed(body, 1).first == 0);
+    CHECK(count_passed(body, 2).first == 0);
+    const auto [some, all] = count_passed(body, 3);
+    passed += some;
+    tried += all;
+  }
+
+  CHECK(passed == 10);
+  CHECK(tried == 5457120);
 }
