@@ -14,6 +14,8 @@ from collections.abc import Sequence
 from importlib.metadata import entry_points, version
 
 from palpate import DeviceError, FileError
+from palpate.output import require_replaceable
+from palpate.terminal import make_harmless
 from palpate.verb import Refusal, Verb, WrongCall
 
 EDITOR_VERBS = (
@@ -77,9 +79,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def run(verb: Verb, call: argparse.Namespace) -> int:
     """Runs a verb; every refusal becomes a sentence or, under --json, an error object."""
     try:
+        require_replaceable(call)
         report = verb.run(call)
     except WrongCall as wrong:
-        print(f"palpate {verb.name}: {wrong}", file=sys.stderr)
+        print(make_harmless(f"palpate {verb.name}: {wrong}"), file=sys.stderr)
         return 2
     except (Refusal, FileError) as refusal:
         fields = {key: getattr(refusal, key) for key in ("file", "where", "found", "expected")}
@@ -98,7 +101,7 @@ def run(verb: Verb, call: argparse.Namespace) -> int:
     if call.json:
         print(json.dumps(report, indent=2, allow_nan=False))
     else:
-        print(verb.describe(report))
+        print(make_harmless(verb.describe(report)))
     sys.stdout.flush()
     return 1 if verb.failed(report) else 0
 
@@ -107,7 +110,7 @@ def refuse(call: argparse.Namespace, sentence: str, fields: dict[str, str | None
     if call.json:
         print(json.dumps({"error": fields}, indent=2, allow_nan=False))
     else:
-        print(f"palpate {call.verb}: {sentence}", file=sys.stderr)
+        print(make_harmless(f"palpate {call.verb}: {sentence}"), file=sys.stderr)
     return 1
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable
-from pathlib import Path
 
 import palpate
 from palpate.device_calibrate import describe_calibration, run_calibrate
@@ -18,6 +17,8 @@ from palpate.device_report import (
 )
 from palpate.device_selftest import describe_selftest, run_selftest, write_selftest
 from palpate.display import require_display
+from palpate.file_kind import SELFTEST
+from palpate.output import add_output
 from palpate.verb import Report, Verb, WrongCall, quantity
 
 EXTRA = 'pip install "palpate[player]"'
@@ -51,7 +52,9 @@ def add_device(word: argparse.ArgumentParser) -> None:
     feel.add_argument("--duration", type=quantity("s"), default=5.0, help="(5s)")
     selftest = add("selftest", "test a device: link, sensors, motors; hold its stylus")
     selftest.add_argument("--no-motors", action="store_true", help="leave the motors off")
-    selftest.add_argument("--report", type=Path, metavar="FILE", help="write it, .txt or .json")
+    add_output(
+        selftest, "--report", writes=SELFTEST, metavar="FILE", help="write it, .txt or .json"
+    )
     calibrate = add("calibrate", "find what the counts of a device mean, and write it to it")
     calibrate.add_argument(
         "--dry-run", action="store_true", help="find it, but leave the device as it is"

@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping
+from copy import copy
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
@@ -14,6 +15,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 import palpate
+
+MOST_TICKS = 2**23
+"""Of a record: 2 h 19 min at 1 kHz; kMostRows of core/sim/session/record_layout.h."""
+
+
+def find_longest(scene: palpate.Scene) -> float:
+    """[s] that a run can be recorded."""
+    return MOST_TICKS / scene.rate
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +50,20 @@ class Frame:
     """What the device said of the hand."""
 
 
+def fit_record(options: palpate.LoopOptions, longest: float) -> palpate.LoopOptions:
+    """The options with an end that a record of `longest` [s] reaches."""
+    if options.duration > longest:
+        raise ValueError(
+            f"duration: got {options.duration:g} s, expected at most {longest:g} s, which a record "
+            "holds"
+        )
+    if options.duration > 0.0:
+        return options
+    ending = copy(options)
+    ending.duration = longest
+    return ending
+
+
 class LiveRun:
     """The 1 kHz loop over a scene, its record, and the newest frame for whoever draws.
 
@@ -58,16 +81,19 @@ class LiveRun:
         options: palpate.LoopOptions | None = None,
     ):
         """`record` is the .prec file to write and `header` what it says of the run; `options` are
-        those of the loop. Raises OSError where the record cannot be written.
+        those of the loop. A recorded run without a duration ends when its record is full. Raises
+        OSError where the record cannot be written, ValueError for a duration it cannot hold.
         """
         self.scene, self.device = scene, device
         self.record = None if record is None else Path(record)
         self._recorder: palpate.Recorder | None = None
         log = None
+        options = options or palpate.LoopOptions()
         if record is not None:
+            options = fit_record(options, find_longest(scene))
             self._recorder = palpate.Recorder(os.fspath(record), json.dumps(dict(header or {})))
             log = self._recorder.log()
-        self._loop = palpate.Loop(scene, device, options or palpate.LoopOptions(), log)
+        self._loop = palpate.Loop(scene, device, options, log)
         self._pausing = False
 
     @property

@@ -15,10 +15,10 @@ import numpy as np
 
 import palpate
 from palpate.alarms import ALARMS, describe_alarm
-from palpate.live import LiveRun
+from palpate.live import LiveRun, find_longest
 from palpate.press import Moments, Place, PressScript, measure_press, write_script
 from palpate.scene_file import hash_file, open_scene
-from palpate.verb import Refusal, Report
+from palpate.verb import Refusal, Report, WrongCall
 
 PUBLISHED, WORKING = ".palpate", ".organ"
 GRACE = 20.0
@@ -78,8 +78,10 @@ def run_device(
 ) -> palpate.LoopReport:
     """Runs a device for a time [s] through the live 1 kHz loop and its recorder.
 
-    Raises RuntimeError where the loop did not end, the tissue raised an alarm or the device failed.
+    Raises RuntimeError where the loop did not end, the tissue raised an alarm or the device failed,
+    WrongCall for a time that no record holds.
     """
+    require_recordable(scene, duration)
     header = describe_build(scene, scene_path, record_path, device.name())
     options = palpate.LoopOptions(duration=duration, safety=safety or palpate.SafetyLimits())
     with LiveRun(scene, device, record=record_path, header=header, options=options) as run:
@@ -95,6 +97,16 @@ def run_device(
     if costs.fault != palpate.DeviceFault.none:
         raise RuntimeError(f"the device failed: {costs.fault.name}")
     return costs
+
+
+def require_recordable(scene: palpate.Scene, duration: float) -> None:
+    """Raises WrongCall for a run [s] that no record holds."""
+    longest = find_longest(scene)
+    if not duration <= longest:
+        raise WrongCall(
+            f"duration: got {duration:g} s, expected at most {longest:g} s, which a record holds "
+            f"at {scene.rate:g} Hz"
+        )
 
 
 def describe_costs(costs: palpate.LoopReport) -> Report:
@@ -136,12 +148,21 @@ def open_record(
     Raises FileError, Refusal (another scene than the record's) or OSError.
     """
     record = palpate.read_record(str(path))
+    if len(record.hand) == 0:
+        raise Refusal(path, "", "no ticks", "a record of at least one: there is nothing to compare")
+    require_finite(path, record)
     header = json.loads(record.header)
     for key in ("scene", "scene_sha256"):
         if not isinstance(header.get(key), str):
             raise Refusal(path, f"header.{key}", repr(header.get(key)), "text")
     where = scene_path or path.parent / header["scene"]
-    found = hash_file(where)
+    try:
+        found = hash_file(where)
+    except FileNotFoundError:
+        if scene_path is not None:
+            raise
+        expected = f"the scene there; where it was moved to, --scene {Path(header['scene']).name}"
+        raise Refusal(path, "header.scene", f"no file {where}", expected) from None
     if found != header["scene_sha256"]:
         raise Refusal(
             where,
@@ -150,6 +171,17 @@ def open_record(
             f"{header['scene_sha256'][:12]}..., the scene of {path.name}",
         )
     return record, where, follow_header(read_scene(where), header)
+
+
+def require_finite(path: Path, record: palpate.Record) -> None:
+    """Raises Refusal, naming the tick, where a record has what no run can have felt."""
+    for table in (record.hand, record.felt):
+        for name in table.dtype.names:
+            rows = np.asarray(table[name]).reshape(len(table), -1)
+            wrong = np.flatnonzero(~np.isfinite(rows).all(axis=1))
+            if len(wrong):
+                found = str(np.asarray(table[name])[wrong[0]])
+                raise Refusal(path, f"tick {wrong[0]}: {name}", found, "finite numbers")
 
 
 def follow_header(scene: palpate.Scene, header: dict[str, Any]) -> palpate.Scene:
@@ -164,7 +196,10 @@ def follow_header(scene: palpate.Scene, header: dict[str, Any]) -> palpate.Scene
 def run_replay(path: Path, scene_path: Path | None = None) -> Report:
     """Replays a record from a fresh world and compares force, tool and state bit by bit."""
     record, where, scene = open_record(path, scene_path)
-    result = palpate.replay(scene, record)
+    try:
+        result = palpate.replay(scene, record)
+    except ValueError as problem:
+        raise Refusal(path, "", str(problem), "a record that can be replayed") from None
     return {
         "record": str(path),
         "scene": str(where),
@@ -211,11 +246,12 @@ def picture_of_record(
     time: float | None,
     look: dict[str, Any],
     title: str | None = None,
+    scene_path: Path | None = None,
 ) -> float:
     """Draws the organ of a record at a time [s], or where the force was greatest; returns when."""
     from palpate.render import save_picture
 
-    record, where, scene = open_record(record_path)
+    record, where, scene = open_record(record_path, scene_path)
     times = np.asarray(record.hand["time"])
     force = np.asarray(record.felt["force"], dtype=float)
     if time is None:

@@ -18,11 +18,14 @@ from typing import Any, get_type_hints
 import palpate
 from palpate.json_part import read_part
 from palpate.mesh_file import read_mesh_file
+from palpate.read_file import read_file
 from palpate.scene_parts import FILLED, ORIGINS, MaterialPart, SceneFile
 from palpate.verb import Refusal
 from palpate.whole_file import write_whole
 
 FORMAT, VERSION = "palpate scene", 1
+MOST_BYTES = 32 * 2**20
+"""Of a scene file: a factor for each of a million vertices, written out, takes 20 MB."""
 
 
 PARTS = get_type_hints(SceneFile)
@@ -37,7 +40,7 @@ def write_scene_file(path: Path, scene: SceneFile) -> None:
 def read_scene_file(path: Path) -> SceneFile:
     """Reads and checks a scene file. Raises Refusal or OSError."""
     try:
-        data = json.loads(path.read_bytes())
+        data = json.loads(read_file(path, MOST_BYTES))
     except (ValueError, RecursionError) as problem:
         raise Refusal(path, "", f"text that is not JSON ({problem})", "a scene file") from None
     if not isinstance(data, dict) or data.get("format") != FORMAT:
@@ -61,7 +64,7 @@ def read_scene_file(path: Path) -> SceneFile:
 
 
 def hash_file(path: Path) -> str:
-    return hashlib.sha256(path.read_bytes()).hexdigest()
+    return hashlib.sha256(read_file(path)).hexdigest()
 
 
 def build_material(part: MaterialPart) -> palpate.Material:

@@ -16,6 +16,7 @@ import numpy as np
 
 import palpate
 from palpate.json_part import json_kind, read_part
+from palpate.read_file import read_file
 from palpate.verb import Refusal
 from palpate.whole_file import write_whole
 
@@ -58,11 +59,8 @@ def write_script_file(path: Path, frames: Sequence[palpate.KeyFrame]) -> None:
 
 def read_script_file(path: Path) -> list[palpate.KeyFrame]:
     """Reads and checks a script. Raises Refusal or OSError."""
-    size = path.stat().st_size
-    if size > MOST_BYTES:
-        raise Refusal(path, "", f"{size} bytes", f"at most {MOST_BYTES}")
     try:
-        data = json.loads(path.read_bytes())
+        data = json.loads(read_file(path, MOST_BYTES))
     except (ValueError, RecursionError) as problem:
         raise Refusal(path, "", f"text that is not JSON ({problem})", "a script") from None
     rows = check_head(path, data)

@@ -14,7 +14,9 @@ import palpate
 from palpate.bench.verb import BENCH
 from palpate.device import DEVICE
 from palpate.doctor import DOCTOR
+from palpate.file_kind import PICTURE, RECORD, SCRIPT
 from palpate.mesh_file import read_mesh_file
+from palpate.output import add_output
 from palpate.play import PLAY
 from palpate.press import Place, PressScript, find_place, find_top, write_script
 from palpate.run import (
@@ -45,10 +47,13 @@ def add_press(word: argparse.ArgumentParser) -> None:
         metavar="X,Y,Z",
         help="press the surface point nearest to this [mm]; default: from above",
     )
-    word.add_argument("--record", type=Path, help="write the run as a .prec record")
-    word.add_argument("--plot", type=Path, help="write the force plot as PNG")
-    word.add_argument(
-        "--script", type=Path, help="write the way of the hand as a script for `palpate play`"
+    add_output(word, "--record", writes=RECORD, help="write the run as a .prec record")
+    add_output(word, "--plot", writes=PICTURE, help="write the force plot as PNG")
+    add_output(
+        word,
+        "--script",
+        writes=SCRIPT,
+        help="write the way of the hand as a script for `palpate play`",
     )
 
 
@@ -118,7 +123,8 @@ def run_replay_verb(call: argparse.Namespace) -> Report:
 
 def describe_replay(report: Report) -> str:
     if report["equal"]:
-        return f"{report['ticks']} ticks, the same bits"
+        cut = "" if report["complete"] else "; the record ends before the run did"
+        return f"{report['ticks']} ticks, the same bits{cut}"
     return (
         f"{report['ticks']} ticks, NOT equal from tick {report['first_difference']}: forces differ "
         f"by up to {report['largest_force_difference_N']:g} N, the tool by up to "
@@ -133,7 +139,10 @@ def add_render(word: argparse.ArgumentParser) -> None:
     word.add_argument(
         "file", type=Path, help="scene, published file, record, or OBJ of `palpate import`"
     )
-    word.add_argument("--out", "-o", type=Path, required=True, help="PNG to write")
+    add_output(word, "--out", "-o", writes=PICTURE, required=True, help="PNG to write")
+    word.add_argument(
+        "--scene", type=Path, help="of a record, where its scene was moved; default: as it says"
+    )
     word.add_argument("--time", type=quantity("s"), help="of a record; default: at its peak force")
     word.add_argument("--size", type=read_size, default=(1280, 720), metavar="WxH")
     word.add_argument("--theme", choices=("dark", "light"), default="dark")
@@ -163,7 +172,7 @@ def run_render(call: argparse.Namespace) -> Report:
         "wireframe": not call.no_wireframe,
     }
     if call.file.suffix == ".prec":
-        moment = picture_of_record(call.out, call.file, call.time, look)
+        moment = picture_of_record(call.out, call.file, call.time, look, scene_path=call.scene)
         return {"picture": str(call.out), "time_s": moment}
     if call.time is not None:
         raise WrongCall(f"--time: {call.file} is no record (.prec), so it has only its rest")

@@ -15,6 +15,7 @@ from typing import Any
 import palpate
 from palpate.isolated import build_verb
 from palpate.press import PressScript, find_top, write_script
+from palpate.read_file import read_file
 from palpate.run import Run, picture_of_record, plot_runs, run_script
 from palpate.scene_file import open_scene
 from palpate.scene_parts import HandPart, MaterialPart, ModelPart, ToolPart
@@ -47,7 +48,7 @@ Say = Callable[[str], None]
 def read_constants(path: Path) -> dict[str, dict[str, float]]:
     """The tables of a constants file. Raises Refusal or OSError."""
     try:
-        tables = tomllib.loads(path.read_text(encoding="utf-8"))
+        tables = tomllib.loads(read_file(path).decode("utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as problem:
         raise Refusal(path, "", str(problem), "TOML like the demo.toml that is installed") from None
     for table, values in TABLES.items():

@@ -104,12 +104,19 @@ def crease(vertices: np.ndarray, triangles: np.ndarray, look: Look) -> Thing:
     return Thing(x, normals / np.linalg.norm(normals, axis=1)[:, None], alone, look)
 
 
+def list_thumbnails() -> list[str]:
+    """The files of draw_thumbnails, in its order."""
+    return [f"{entry.name}_{theme}.png" for entry, _ in list_organs() for theme in THEMES]
+
+
 def draw_thumbnails() -> Iterator[tuple[str, Pixels]]:
     """A small picture of every organ in both themes, each with the name of its file."""
-    for entry, tissue in list_organs():
-        for theme in THEMES:
-            pixels = draw_organ(entry, tissue, THUMBNAIL, theme, named=False)
-            yield f"{entry.name}_{theme}.png", pixels
+    drawn = (
+        draw_organ(entry, tissue, THUMBNAIL, theme, named=False)
+        for entry, tissue in list_organs()
+        for theme in THEMES
+    )
+    yield from zip(list_thumbnails(), drawn, strict=True)
 
 
 def draw_contact_sheet(theme: str = "light") -> Pixels:

@@ -44,6 +44,11 @@ def read_scene(path: Path) -> Organ:
     )
 
 
+def name_mesh(scene: Path) -> Path:
+    """The mesh that is written beside a scene file."""
+    return scene.with_name(scene.name.removesuffix(".json").removesuffix(".scene") + ".obj")
+
+
 def write_scene(path: Path, organ: Organ, mesh: Path | None) -> None:
     """A scene file, and its mesh beside it where that is not there already.
 
@@ -54,7 +59,7 @@ def write_scene(path: Path, organ: Organ, mesh: Path | None) -> None:
     """
     assert organ.surface is not None
     if mesh is None:
-        mesh = path.with_name(path.name.removesuffix(".json").removesuffix(".scene") + ".obj")
+        mesh = name_mesh(path)
         authoring.write_mesh(mesh, mesh_of(organ.surface))
     if mesh.resolve().parent != path.resolve().parent:
         raise Refusal(

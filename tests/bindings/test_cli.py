@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import shlex
 import subprocess
 import sys
 
@@ -25,7 +26,7 @@ def test_help_shows_one_example_that_parses(name, capsys):
     assert main([name, "--help"]) == 0
 
     assert f"example: {verb.example}" in " ".join(capsys.readouterr().out.split())
-    words = verb.example.split()
+    words = shlex.split(verb.example)
     assert words[:2] == ["palpate", name]
     build_parser(load_verbs()).parse_args(words[1:])  # exits 2, and fails, where it does not parse
 

@@ -9,7 +9,10 @@ import sys
 import numpy as np
 import palpate
 import pytest
+from palpate import live
+from palpate.cli import main
 from palpate.live import Frame, LiveRun
+from published import publish, write_press
 from surfaces import organ_scene, press_frames
 
 
@@ -127,3 +130,44 @@ def test_a_live_run_needs_no_qt():
 
     words = "import sys, palpate.live; sys.exit(any('PySide' in m for m in sys.modules))"
     assert subprocess.run([sys.executable, "-c", words], check=False).returncode == 0
+
+
+def test_a_run_without_an_end_ends_when_its_record_is_full(tmp_path, monkeypatch):
+    monkeypatch.setattr(live, "MOST_TICKS", 40)
+    path = tmp_path / "run.prec"
+
+    with LiveRun(organ_scene(0), palpate.ScriptedDevice(press_frames()), record=path) as run:
+        assert run.wait(60.0)
+
+    record = palpate.read_record(path)
+    assert record.complete
+    assert 0 < len(record.hand) <= 40
+
+
+def test_a_run_that_no_record_holds_is_refused_before_it_begins(tmp_path):
+    scene, path = organ_scene(0), tmp_path / "run.prec"
+    device = palpate.ScriptedDevice(press_frames())
+
+    with pytest.raises(ValueError, match="expected at most 8388.61 s, which a record holds"):
+        LiveRun(scene, device, record=path, options=palpate.LoopOptions(duration=8389.0))
+
+    assert not path.exists()
+    # without a record it may go on
+    LiveRun(scene, device, options=palpate.LoopOptions(duration=8389.0))
+
+
+def test_the_longest_record_is_that_of_the_core(checkout):
+    layout = (checkout / "core/sim/session/record_layout.h").read_text()
+
+    assert "kMostRows = 1 << 23;" in layout
+    assert live.MOST_TICKS == 1 << 23
+
+
+@pytest.mark.parametrize("words", [["--duration", "8389s"], ["--duration", "0s"]])
+def test_play_refuses_a_duration_that_no_record_holds(words, tmp_path, capsys):
+    device = f"script:{write_press(tmp_path)}"
+    call = ["play", str(publish(tmp_path)), "--headless", "--device", device, *words]
+
+    assert main(call) == 2
+
+    assert "duration: got" in capsys.readouterr().err

@@ -117,7 +117,11 @@ def test_further_runs_leave_records_of_their_own(tmp_path):
         (("--device", "glove"), 2, "expected pointer, script:FILE, plant"),
         (("--device", "script:none.json", "--headless"), 1, "No such file"),
         (("--device", "script:{script}", "--headless", "--duration", "0s"), 2, "more than 0"),
-        (("--device", "script:{script}", "--headless", "--record", "{path}"), 2, "the scenario"),
+        (
+            ("--device", "script:{script}", "--headless", "--record", "{path}"),
+            1,
+            "a published scenario",
+        ),
         (("--device", "script:{script}", "--headless", "--record", "no/a.prec"), 1, "No such file"),
     ],
 )

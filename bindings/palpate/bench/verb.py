@@ -17,6 +17,9 @@ from palpate.bench.meshes import (
     read_surface,
 )
 from palpate.bench.rows import Options, bench_meshes, describe_rows, list_works
+from palpate.file_kind import PICTURE
+from palpate.output import add_output
+from palpate.terminal import make_harmless
 from palpate.verb import Report, Verb, WrongCall, quantity
 
 BUDGET, QUICK_BUDGET = 0.4, 0.05
@@ -51,8 +54,12 @@ def add_bench(word: argparse.ArgumentParser) -> None:
     word.add_argument(
         "--table1", action="store_true", help="Table 1 of the paper, with measured figures"
     )
-    word.add_argument(
-        "--chart", type=Path, metavar="FILE.png", help="cost against vertices, 1k to 500k"
+    add_output(
+        word,
+        "--chart",
+        writes=PICTURE,
+        metavar="FILE.png",
+        help="cost against vertices, 1k to 500k",
     )
 
 
@@ -100,7 +107,7 @@ def run_special(call: argparse.Namespace, named: object) -> Report:
 
 def say(words: str) -> None:
     """What is being done now, for whoever waits; the report alone goes to standard output."""
-    print(words, file=sys.stderr, flush=True)
+    print(make_harmless(words), file=sys.stderr, flush=True)
 
 
 def describe_bench(report: Report) -> str:

@@ -19,6 +19,7 @@ from palpate.error import FileError
 from palpate.mesh_files.obj import read_obj
 from palpate.mesh_files.ply import read_ply
 from palpate.mesh_files.stl import read_stl
+from palpate.read_file import read_file
 
 Surface = tuple[NDArray[np.float64], NDArray[np.int64]]
 READERS: dict[str, Callable[[str, bytes], Surface]] = {
@@ -58,7 +59,7 @@ def read_mesh(path: str | os.PathLike[str], unit: str = "m") -> SurfaceMesh:
         raise FileError(
             str(file), "", f"the suffix {file.suffix!r}", "one of " + ", ".join(READERS)
         )
-    vertices, triangles = reader(str(file), file.read_bytes())
+    vertices, triangles = reader(str(file), read_file(file))
     if len(triangles) == 0:
         raise FileError(str(file), "", "no faces", "a surface")
     return SurfaceMesh(UNITS[unit] * vertices, triangles)

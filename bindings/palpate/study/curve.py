@@ -18,6 +18,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from palpate.read_file import read_file
 from palpate.verb import UNITS, Refusal
 
 COLUMNS = {"depth": "m", "force": "N"}
@@ -40,7 +41,7 @@ class Curve:
 def read_curve(path: Path) -> Curve:
     """Reads and checks a curve. Raises Refusal, naming the line, or OSError."""
     try:
-        lines = path.read_text(encoding="utf-8-sig").splitlines()
+        lines = read_file(path).decode("utf-8-sig").splitlines()
     except UnicodeDecodeError:
         raise Refusal(path, "", "bytes that are not text", "a CSV file in UTF-8") from None
     rows = [

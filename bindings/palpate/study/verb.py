@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import argparse
 from dataclasses import asdict
-from pathlib import Path
 
+from palpate.file_kind import FINDINGS, PICTURE
+from palpate.output import add_output
 from palpate.study.findings import write_findings
 from palpate.study.reference import list_references, read_reference
 from palpate.verb import Report, Verb
@@ -23,13 +24,14 @@ def add_study(word: argparse.ArgumentParser) -> None:
         help="may be repeated; without it the shipped organs",
     )
     word.add_argument("--deep", action="store_true", help="deep presses and pulls too")
-    word.add_argument(
+    add_output(
+        word,
         "--findings",
-        type=Path,
+        writes=FINDINGS,
         metavar="FILE.json",
         help="keep the forces of every kind, as palpate material says them",
     )
-    word.add_argument("--chart", type=Path, help="cost against error as PNG")
+    add_output(word, "--chart", writes=PICTURE, help="cost against error as PNG")
 
 
 def run_study(call: argparse.Namespace) -> Report:

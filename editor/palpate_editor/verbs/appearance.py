@@ -7,6 +7,8 @@ import argparse
 from dataclasses import asdict
 from pathlib import Path
 
+from palpate.file_kind import ORGAN
+from palpate.output import add_output
 from palpate.verb import Refusal, Report, Verb
 
 from palpate_editor.appearance import find_style, read_colour, read_styles, write_colour
@@ -40,8 +42,12 @@ def add_appearance(word: argparse.ArgumentParser) -> None:
         metavar="#RRGGBB",
         help="of the tissue in sRGB; its spots and vessels go with it (the style's own)",
     )
-    word.add_argument(
-        "--out", "-o", type=Path, help=".organ to write; without one, how it looks is reported"
+    add_output(
+        word,
+        "--out",
+        "-o",
+        writes=ORGAN,
+        help=".organ to write; without one, how it looks is reported",
     )
 
 

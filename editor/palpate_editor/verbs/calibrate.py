@@ -10,6 +10,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import palpate
+from palpate.file_kind import ORGAN, PICTURE
+from palpate.output import add_output
 from palpate.press import find_place, find_top
 from palpate.scene_parts import FILLED
 from palpate.study.curve import Curve, read_curve
@@ -72,8 +74,10 @@ def add_calibrate(word: argparse.ArgumentParser) -> None:
     word.add_argument(
         "--tip-radius", type=quantity("m"), metavar="M", help="of the indenter (the organ's tool)"
     )
-    word.add_argument("--out", "-o", type=Path, help="the organ with the fitted constants, .organ")
-    word.add_argument("--plot", type=Path, help="measured and fitted curve as PNG")
+    add_output(
+        word, "--out", "-o", writes=ORGAN, help="the organ with the fitted constants, .organ"
+    )
+    add_output(word, "--plot", writes=PICTURE, help="measured and fitted curve as PNG")
 
 
 def scaled(organ: Organ, fit: str, factors: Sequence[float]) -> Organ:

@@ -7,19 +7,35 @@ import argparse
 import sys
 from pathlib import Path
 
+from palpate.file_kind import (
+    OBJ,
+    ORGAN,
+    PICTURE,
+    PUBLISHED,
+    RECORD,
+    REPLAY,
+    SCENE,
+    SCRIPT,
+    SUMMARY,
+)
+from palpate.output import Files, add_output_folder
+from palpate.terminal import make_harmless
 from palpate.verb import Refusal, Report, Verb
 
-from palpate_editor.demo import can_show_windows, open_editor, run_demo
+from palpate_editor.demo import SHIPPED, TOUCHED, can_show_windows, open_editor, run_demo
 from palpate_editor.document.defaults import CONSTANTS
 from palpate_editor.edits import EditError
 from palpate_editor.publish import PublishError
+from palpate_editor.shipped import find_mesh
 from palpate_editor.verbs.mesh import add_source
 
 
 def add_demo(word: argparse.ArgumentParser) -> None:
     word.add_argument("--mesh", type=Path, help="organ to use; default: the spleen that ships")
     word.add_argument("--vertices", type=int, default=600, help="of the model (600)")
-    word.add_argument("--out", type=Path, default=Path("demo"), help="folder (demo)")
+    add_output_folder(
+        word, "--out", writes=list_outputs, default=Path("demo"), help="folder (demo)"
+    )
     word.add_argument("--constants", type=Path, default=CONSTANTS, help="TOML; default: demo.toml")
     word.add_argument(
         "--no-window", action="store_true", help="do not open the editor on what was made"
@@ -27,9 +43,23 @@ def add_demo(word: argparse.ArgumentParser) -> None:
     add_source(word)
 
 
+def list_outputs(call: argparse.Namespace) -> Files:
+    """What a demo writes into its folder."""
+    name = (call.mesh or find_mesh(SHIPPED)).stem
+    kinds = {
+        **{"organ.obj": OBJ, "picture.png": PICTURE, "force_plot.png": PICTURE},
+        **{f"{name}.organ": ORGAN, f"{name}.palpate": PUBLISHED, "press.script.json": SCRIPT},
+        **{f"{kind}.scene.json": SCENE for kind in TOUCHED},
+        **{f"{run}.prec": RECORD for run in (*TOUCHED, "play")},
+        **{f"{run}.replay.json": REPLAY for run in (*TOUCHED, "play")},
+        "summary.json": SUMMARY,
+    }
+    return [(call.out / file, kind) for file, kind in kinds.items()]
+
+
 def run_demo_verb(call: argparse.Namespace) -> Report:
     def say(line: str) -> None:
-        print(line, file=sys.stderr, flush=True)
+        print(make_harmless(line), file=sys.stderr, flush=True)
 
     try:
         report = run_demo(

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from palpate.file_kind import OBJ, ORGAN, STL
 from palpate.mesh_file import read_mesh_file
 from palpate.verb import Refusal
 
@@ -21,6 +22,8 @@ from palpate_editor.open_organ import open_organ
 
 MESHES = (".obj", ".stl")
 """What authoring.write_mesh makes."""
+OUTPUTS = {".organ": ORGAN, ".obj": OBJ, ".stl": STL}
+"""What write_any makes."""
 
 
 def open_any(path: Path) -> Organ:

@@ -7,13 +7,21 @@ import argparse
 from dataclasses import asdict
 from pathlib import Path
 
+from palpate.output import add_output
 from palpate.verb import Report, Verb
 
 from palpate_editor import authoring
 from palpate_editor.compile import mesh_of
 from palpate_editor.document import EMPTY, Decimation, Organ
 from palpate_editor.edits import EditError, decimate_organ, import_file
-from palpate_editor.verbs.files import EditRefusal, ReadFile, describe_loops, open_any, write_any
+from palpate_editor.verbs.files import (
+    OUTPUTS,
+    EditRefusal,
+    ReadFile,
+    describe_loops,
+    open_any,
+    write_any,
+)
 
 UNITS = ("m", "cm", "mm", "in")
 UPS = ("x", "y", "z", "-x", "-y", "-z")
@@ -90,8 +98,13 @@ def add_import(word: argparse.ArgumentParser) -> None:
     word.add_argument("file", type=Path, help="OBJ, STL, PLY, GLB, 3DS, FBX or DAE")
     add_source(word)
     word.add_argument("--vertices", type=int, help="decimate to exactly this many")
-    word.add_argument(
-        "--out", "-o", type=Path, required=True, help=".organ, or a mesh file in metres, z up"
+    add_output(
+        word,
+        "--out",
+        "-o",
+        writes=OUTPUTS,
+        required=True,
+        help=".organ, or a mesh file in metres, z up",
     )
 
 
@@ -162,7 +175,7 @@ def describe_import(report: Report) -> str:
 def add_decimate(word: argparse.ArgumentParser) -> None:
     word.add_argument("file", type=Path, help=".organ, or OBJ written by `palpate import`")
     word.add_argument("--vertices", type=int, required=True, help="exactly this many")
-    word.add_argument("--out", "-o", type=Path, required=True, help=".organ or mesh file")
+    add_output(word, "--out", "-o", writes=OUTPUTS, required=True, help=".organ or mesh file")
 
 
 def run_decimate(call: argparse.Namespace) -> Report:

@@ -7,6 +7,8 @@ import argparse
 from pathlib import Path
 from typing import Any
 
+from palpate.file_kind import ORGAN, PICTURE, PUBLISHED
+from palpate.output import Files, add_output, add_output_folder
 from palpate.verb import Refusal, Report, Verb
 from palpate_meshes.catalogue import (
     Entry,
@@ -23,20 +25,56 @@ from palpate_editor.shipped import list_organs, make_organ, write_files
 
 def add_organs(word: argparse.ArgumentParser) -> None:
     word.add_argument("names", nargs="*", metavar="NAME", help="organs to speak of (all)")
-    word.add_argument(
-        "--write", type=Path, metavar="DIR", help="write each as .organ to edit, .palpate to play"
+    add_output_folder(
+        word,
+        "--write",
+        writes=lambda call: list_outputs(
+            call, call.write, {".organ": ORGAN, ".palpate": PUBLISHED}
+        ),
+        metavar="DIR",
+        help="write each as .organ to edit, .palpate to play",
     )
-    word.add_argument(
-        "--out", "-o", type=Path, metavar="FILE", help="write one organ as this .organ"
+    add_output(
+        word, "--out", "-o", writes=ORGAN, metavar="FILE", help="write one organ as this .organ"
     )
     word.add_argument("--vertices", type=int, metavar="N", help="of --out; another resolution")
-    word.add_argument("--pictures", type=Path, metavar="DIR", help="write a picture of each")
-    word.add_argument(
-        "--thumbnails", type=Path, metavar="DIR", help="write the start page's small pictures"
+    add_output_folder(
+        word,
+        "--pictures",
+        writes=lambda call: list_outputs(call, call.pictures, {".png": PICTURE}),
+        metavar="DIR",
+        help="write a picture of each",
     )
-    word.add_argument(
-        "--contact-sheet", type=Path, metavar="FILE", help="write all on one picture, tools too"
+    add_output_folder(
+        word,
+        "--thumbnails",
+        writes=list_thumbnails,
+        metavar="DIR",
+        help="write the start page's small pictures",
     )
+    add_output(
+        word,
+        "--contact-sheet",
+        writes=PICTURE,
+        metavar="FILE",
+        help="write all on one picture, tools too",
+    )
+
+
+def list_outputs(call: argparse.Namespace, folder: Path, kinds: dict[str, str]) -> Files:
+    """What is written into a folder: a file of each kind for each organ."""
+    return [
+        (folder / f"{entry.name}{ending}", kind)
+        for entry, _ in choose(call.names)
+        for ending, kind in kinds.items()
+    ]
+
+
+def list_thumbnails(call: argparse.Namespace) -> Files:
+    # loads the renderer, which every other output does without
+    from palpate_editor import gallery
+
+    return [(call.thumbnails / name, PICTURE) for name in gallery.list_thumbnails()]
 
 
 def run_organs(call: argparse.Namespace) -> Report:

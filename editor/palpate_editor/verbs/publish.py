@@ -7,6 +7,8 @@ import argparse
 from pathlib import Path
 
 import palpate
+from palpate.file_kind import PUBLISHED
+from palpate.output import add_output
 from palpate.verb import Refusal, Report, Verb
 
 from palpate_editor.check import assess, check_file, describe_problem
@@ -14,7 +16,14 @@ from palpate_editor.document import Organ
 from palpate_editor.document.problems import Problem
 from palpate_editor.edits import FillHoles, SetTask
 from palpate_editor.publish import PublishError, publish
-from palpate_editor.verbs.files import ReadFile, apply, describe_loops, open_any, write_any
+from palpate_editor.verbs.files import (
+    OUTPUTS,
+    ReadFile,
+    apply,
+    describe_loops,
+    open_any,
+    write_any,
+)
 
 EVERY_HOLE = 2**31 - 1
 """[edges] More than any hole has."""
@@ -77,7 +86,7 @@ def add_repair(word: argparse.ArgumentParser) -> None:
         help="close every hole, or those of at most so many edges; other problems are repaired "
         "only where --problem names them",
     )
-    word.add_argument("--out", "-o", type=Path, required=True, help=".organ or mesh file")
+    add_output(word, "--out", "-o", writes=OUTPUTS, required=True, help=".organ or mesh file")
 
 
 def run_repair(call: argparse.Namespace) -> Report:
@@ -147,7 +156,7 @@ def add_publish(word: argparse.ArgumentParser) -> None:
     word.add_argument("file", type=Path, help=".organ, .palpate or .scene.json")
     word.add_argument("--title", help="what the trainee chooses it by; default: the document's")
     word.add_argument("--task", help="what the trainee is asked to do; default: the document's")
-    word.add_argument("--out", "-o", type=Path, required=True, help=".palpate file to write")
+    add_output(word, "--out", "-o", writes=PUBLISHED, required=True, help=".palpate file to write")
 
 
 def run_publish(call: argparse.Namespace) -> Report:

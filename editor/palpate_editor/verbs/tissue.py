@@ -10,6 +10,8 @@ from dataclasses import asdict
 from pathlib import Path
 
 import palpate
+from palpate.file_kind import OBJ, ORGAN, SCENE
+from palpate.output import Files, add_output
 from palpate.scene_parts import FILLED
 from palpate.verb import Refusal, Report, Verb, quantity
 
@@ -20,7 +22,7 @@ from palpate_editor.document.constants import CHOICES, CONSTANTS, SHORT_KINDS, C
 from palpate_editor.document.files import write_organ
 from palpate_editor.edits import FixLowest, SetChoice, SetConstant, SetGravity, SetReach
 from palpate_editor.kinds import compare_kinds, describe_kinds
-from palpate_editor.scene_files import write_scene
+from palpate_editor.scene_files import name_mesh, write_scene
 from palpate_editor.verbs.files import ReadFile, apply, open_any
 
 OPTIONS = {
@@ -67,12 +69,21 @@ def read_constant(constant: Constant, unit: str) -> Callable[[str], float | str]
     return read
 
 
+def list_beside(call: argparse.Namespace) -> Files:
+    """The mesh of a scene file that is made of anything but an OBJ."""
+    if call.out.suffix == ".organ" or call.file.suffix == ".obj":
+        return []
+    return [(name_mesh(call.out), OBJ)]
+
+
 def add_material(word: argparse.ArgumentParser) -> None:
     word.add_argument("file", type=Path, help=".organ, .scene.json, or OBJ of `palpate import`")
-    word.add_argument(
+    add_output(
+        word,
         "--out",
         "-o",
-        type=Path,
+        writes={".organ": ORGAN, "": SCENE},
+        beside=list_beside,
         help=".organ, or scene file to write; without one, every kind is built and compared",
     )
     word.add_argument(
