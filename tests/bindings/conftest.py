@@ -65,7 +65,7 @@ def view(qtbot, monkeypatch):
     from viewports import FACES, SIZE, X
 
     # frames of one size whatever the machine has to do beside, so that they can be compared
-    monkeypatch.setattr(canvas, "QUICK_PIXELS", (canvas.QUICK_PIXELS[-1],) * 5)
+    monkeypatch.setattr(canvas, "QUICK_SIZES", (1.0,) * 5)
     made = make_view()
     qtbot.addWidget(made)
     made.resize(*SIZE)

@@ -35,12 +35,14 @@ def show(scenery: Scenery, refinements: int) -> None:
     scenery.show_surface(mesh.vertices, mesh.triangles)
 
 
-def draw(made: Canvas, scenery: Scenery) -> int:
-    """Pixels of the next quick frame, which is stretched to the view."""
+def draw(made: Canvas, scenery: Scenery) -> float:
+    """Share of the view's width and height that the next quick frame has, before it is
+    stretched."""
     scenery.version += 1
     assert made.draw(scenery, Camera(target=np.zeros(3), distance=0.2), SIZE, 1.0)
     width, height = made._targets["whole"].size
-    return width * height
+    assert width / SIZE[0] == pytest.approx(height / SIZE[1], rel=0.02)
+    return width / SIZE[0]
 
 
 def test_frames_shrink_step_by_step_while_they_take_too_long(desk, monkeypatch):
@@ -50,8 +52,33 @@ def test_frames_shrink_step_by_step_while_they_take_too_long(desk, monkeypatch):
 
     sizes = [draw(made, scenery) for _ in range(5)]
 
-    wanted = [80_000, 40_000, 20_000, 20_000, 20_000]
+    wanted = [1 / 2, 1 / 2.5, 1 / 3, 1 / 3, 1 / 3]
     assert sizes == pytest.approx(wanted, rel=0.02)
+
+
+@pytest.mark.parametrize("size", [(160, 120), (1281, 799), (2560, 1600)])
+def test_no_frame_is_ever_smaller_than_a_third_of_the_view(desk, monkeypatch, size):
+    made, scenery = desk
+    show(scenery, 5)
+    monkeypatch.setattr(canvas, "QUICK_TIME", 0.0)
+    for _ in range(3):
+        scenery.version += 1
+        made.draw(scenery, Camera(target=np.zeros(3), distance=0.2), size, 1.0)
+
+        drawn = made._targets["whole"].size
+        assert 3 * drawn[0] >= size[0] and 3 * drawn[1] >= size[1]
+
+
+def test_a_frame_that_took_too_long_asks_for_a_pause(desk, monkeypatch):
+    made, scenery = desk
+    show(scenery, 2)
+    monkeypatch.setattr(canvas, "QUICK_TIME", 1e9)
+    draw(made, scenery)
+    assert made.pause == 0.0
+
+    monkeypatch.setattr(canvas, "QUICK_TIME", 0.0)
+    draw(made, scenery)
+    assert 0.0 < made.pause <= canvas.MOST_PAUSE
 
 
 def test_frames_grow_step_by_step_while_there_is_time(desk, monkeypatch):
@@ -61,7 +88,7 @@ def test_frames_grow_step_by_step_while_there_is_time(desk, monkeypatch):
 
     sizes = [draw(made, scenery) for _ in range(4)]
 
-    assert sizes == pytest.approx([80_000, 160_000, 320_000, 320_000], rel=0.02)
+    assert sizes == pytest.approx([1 / 2, 2 / 3, 1.0, 1.0], rel=0.02)
 
 
 def test_the_first_frame_of_a_heavy_surface_is_small_and_a_light_ones_is_not(desk, monkeypatch):
@@ -76,5 +103,5 @@ def test_the_first_frame_of_a_heavy_surface_is_small_and_a_light_ones_is_not(des
     assert len(scenery.triangles) > canvas.LIGHT_SURFACE
     heavy = draw(made, scenery)
 
-    assert light == pytest.approx(160_000, rel=0.02)
-    assert heavy == pytest.approx(20_000, rel=0.02)
+    assert light == pytest.approx(2 / 3, rel=0.02)
+    assert heavy == pytest.approx(1 / 3, rel=0.02)

@@ -149,7 +149,7 @@ class TraineeWindow(QWidget):
         run = self.run
         if run is None:
             return
-        frame = run.take_frame()
+        frame = None if self.view.is_busy() else run.take_frame()
         if frame is not None:
             self._show(frame)
         self.over.force.show_force(self._force)

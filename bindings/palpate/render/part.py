@@ -54,7 +54,9 @@ class Look:
     """Drawn where no colour map is."""
     casts_shadow: bool = True
     seen_through: bool = False
-    """Whether it shines faintly through what hides it, as a tool inside a dent must."""
+    """Whether it shines through what hides it, as a tool inside a dent must."""
+    ghost: float = 0.3
+    """[-] how strongly, from 0 to 1."""
 
 
 def build_look(part: LookPart) -> Look:

@@ -22,8 +22,6 @@ FILL = (0.85, 0.10, 0.45)
 RIM = (0.25, 0.65, -0.80)
 """Towards the lamps: right, up and back to the eye. They move with the camera, so that what one
 looks at is never in the dark."""
-GHOST = 0.3
-"""[-] opacity of what shines through."""
 COLOURS_UNIT, SHADOW_UNIT = 0, 1
 GAMMA = 2.2
 USUAL_ROUGHNESS = 0.3
@@ -201,7 +199,7 @@ class Renderer:
         )
         self.context.depth_func, screen.depth_mask = ">", False
         for part in through:
-            self._draw_part(shaded, part, GHOST)
+            self._draw_part(shaded, part, part.look.ghost)
         self.context.depth_func, screen.depth_mask = "<", True
         self.context.enable_only(moderngl.DEPTH_TEST)
         for part in through:

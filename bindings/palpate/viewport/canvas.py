@@ -8,6 +8,7 @@ the fine one, tile by tile, each short enough not to be noticed.
 
 from __future__ import annotations
 
+import math
 import time
 from typing import Any
 
@@ -20,10 +21,13 @@ from palpate.render.studio import cut_tiles
 from palpate.viewport.scenery import Scenery
 
 SOFTWARE = ("llvmpipe", "softpipe", "swrast")
-QUICK_PIXELS = (20_000, 40_000, 80_000, 160_000, 320_000)
-"""Of a frame that a processor draws while things move; it is stretched to the view."""
+QUICK_SIZES = (1 / 3, 1 / 2.5, 1 / 2, 2 / 3, 1.0)
+"""[-] of the view's width and height that a processor draws while things move; the frame is
+stretched to the view. With less than a third nobody sees a dent: then there are fewer frames."""
 QUICK_TIME = 0.040
-"""[s] that this may take; the number of pixels follows."""
+"""[s] that this may take; the size follows."""
+MOST_PAUSE = 0.25
+"""[s] without a frame after one that took too long."""
 LIGHT_SURFACE = 5_000
 """Triangles of a surface whose first frame may be as large as the ones before it."""
 TILES = (64, 96, 128, 192, 256)
@@ -95,6 +99,8 @@ class Canvas:
         self._is_fine = False
         self._tile_size, self._slowest = 1, 0.0
         self._quick_size, self._surface_version = 2, -1
+        self.pause = 0.0
+        """[s] that whatever else the processor does should have before it draws the next frame."""
 
     def draw(self, scenery: Scenery, camera: Camera, size: Size, ratio: float) -> bool:
         """Draws a frame of `size` pixels, `ratio` of them for each of the window's.
@@ -108,9 +114,8 @@ class Canvas:
         shrink, begun = 1.0, time.perf_counter()
         if self.is_software:
             self._expect(scenery)
-            quick = QUICK_PIXELS[self._quick_size]
-            shrink = min(1.0, (quick / (size[0] * size[1])) ** 0.5)
-        small = (max(1, round(shrink * size[0])), max(1, round(shrink * size[1])))
+            shrink = QUICK_SIZES[self._quick_size]
+        small = (max(1, math.ceil(shrink * size[0])), max(1, math.ceil(shrink * size[1])))
         target = self._use("whole", small, SAMPLES if self._is_fine else 0)
         renderer = scenery.prepare(
             SHADOW_SOFTNESS if self._is_fine else 0.0, WIRE_WIDTH * ratio * shrink
@@ -176,10 +181,11 @@ class Canvas:
 
     def _choose_quick_size(self, taken: float) -> None:
         """For the next quick frame, by what this one took [s]."""
+        self.pause = min(taken, MOST_PAUSE) if taken > QUICK_TIME else 0.0
         if taken > QUICK_TIME:
             self._quick_size = max(0, self._quick_size - 1)
         elif taken < QUICK_TIME / 2.2:
-            self._quick_size = min(len(QUICK_PIXELS) - 1, self._quick_size + 1)
+            self._quick_size = min(len(QUICK_SIZES) - 1, self._quick_size + 1)
 
     def _choose_tile_size(self) -> None:
         """For the next fine frame, by what the tiles of this one took."""

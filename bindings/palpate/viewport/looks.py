@@ -10,7 +10,8 @@ PLAIN = Look(gloss=0.55, softness=0.3)
 # red light creeping round would be read as a value
 PAINTED = Look(mapped=True, gloss=0.4, softness=0.0)
 TOOL = Look(STEEL, gloss=1.0, softness=0.0, seen_through=True)
-ARROW = Look(FORCE, gloss=0.3, softness=0.0, seen_through=True, casts_shadow=False)
+# a force that pushes the hand into the organ is read as well
+ARROW = Look(FORCE, gloss=0.3, softness=0.0, seen_through=True, ghost=0.75, casts_shadow=False)
 # light beside dark, so that it is seen on whatever is painted, and on what is selected
 RING = Look((0.97, 0.98, 1.0), gloss=0.0, softness=0.0, seen_through=True, casts_shadow=False)
 RIM = Look((0.05, 0.06, 0.08), gloss=0.0, softness=0.0, seen_through=True, casts_shadow=False)

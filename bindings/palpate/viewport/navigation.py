@@ -68,9 +68,17 @@ def fit(
     """All points into what margins (left, top, right, bottom) [px] leave of a view, and some room
     around them; into the whole view where they leave next to nothing.
     """
+    left, top, right, bottom = find_frame(size, margins)
+    x, y = MARGIN * (right - left), MARGIN * (bottom - top)
+    camera.fit(points, size, (left + x, top + y, right - x, bottom - y))
+
+
+def find_frame(
+    size: tuple[int, int], margins: tuple[int, int, int, int]
+) -> tuple[int, int, int, int]:
+    """Left, top, right and bottom [px] of what margins leave of a view; of the whole view where
+    they leave next to nothing."""
     left, top, right, bottom = margins
-    width, height = size[0] - left - right, size[1] - top - bottom
-    if width < size[0] / 4 or height < size[1] / 4:
-        (left, top), (width, height) = (0, 0), size
-    x, y = MARGIN * width, MARGIN * height
-    camera.fit(points, size, (left + x, top + y, left + width - x, top + height - y))
+    if size[0] - left - right < size[0] / 4 or size[1] - top - bottom < size[1] / 4:
+        return 0, 0, size[0], size[1]
+    return left, top, size[0] - right, size[1] - bottom

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 import palpate
 from palpate.render import Legend, Look, Renderer, Shape, build_arrow, build_sphere
 from palpate.render.theme import DARK, THEMES
+from palpate.viewport.dents import Dents
 from palpate.viewport.looks import ARROW, PAINTED, PLAIN, RIM, RING, TOOL
 from palpate.viewport.ring import build_ring
 from palpate.viewport.sky_light import SkyLight
@@ -51,11 +52,15 @@ class Scenery:
         self.centre, self.radius = np.zeros(3), 1.0
         """[m] the ball around the surface as it was shown first."""
         self._things: dict[str, Thing] = {}
+        self._arrow: tuple[float, ...] = ()
         self._gone: list[Thing] = []
         self._renderer: Renderer | None = None
         self._sky: SkyLight | None = None
         self.is_lit = True
         """Whether all the light that there is has been gathered."""
+        self._dents: Dents | None = None
+        self._openness: Array | float = 1.0
+        """[-] (n,) of the surface at rest."""
         self._tree: palpate.AabbTree | None = None
         self._tree_is_stale = False
 
@@ -86,7 +91,7 @@ class Scenery:
         self.radius = max(1e-9, float(np.linalg.norm(used - self.centre, axis=1).max()))
         self._things["surface"] = Thing(len(x), faces, self._tissue)
         self._things["surface"].write("rest", x)
-        self.is_lit = False
+        self.is_lit, self._openness, self._dents = False, 1.0, None
         self.move_surface(x)
 
     def move_surface(self, vertices: ArrayLike, normals: ArrayLike | None = None) -> None:
@@ -97,12 +102,16 @@ class Scenery:
                 f"vertices must have the shape of the surface shown, {self.vertices.shape}, "
                 f"got {np.shape(vertices)}"
             )
+        if self._dents is None and not np.array_equal(self.vertices, vertices):
+            at_rest = np.asarray(palpate.compute_vertex_normals(self.vertices, self.triangles))
+            self._dents = Dents(self.vertices, at_rest)
         np.copyto(self.vertices, vertices)
         if normals is None:
             normals = palpate.compute_vertex_normals(self.vertices, self.triangles)
         self.version += 1
         surface.write("position", self.vertices)
         surface.write("normal", normals)
+        self._darken()
         self._tree_is_stale = True
 
     def show_values(self, values: ArrayLike | None, legend: Legend | None) -> None:
@@ -138,12 +147,18 @@ class Scenery:
         thing.write("normal", BALL.normals)
         thing.place(BALL.vertices, radius, centre)
 
-    def show_force(self, start: ArrayLike | None, end: ArrayLike | None = None) -> None:
-        """An arrow between two points [m]; none where they are the same."""
-        if start is None or end is None or np.linalg.norm(np.subtract(end, start)) < 1e-9:
+    def show_force(
+        self, tail: ArrayLike | None, point: ArrayLike | None = None, radius: float = 0.0
+    ) -> None:
+        """An arrow between two points [m], its shaft of a radius [m]; none without them."""
+        if tail is None or point is None:
             self._hide("arrow")
+            self._arrow = ()
             return
-        self.show_part("arrow", build_arrow(start, end, ARROW_RADIUS * 2 * self.radius), ARROW)
+        arrow = (*np.ravel(tail), *np.ravel(point), radius)
+        if arrow != self._arrow:
+            self._arrow = arrow
+            self.show_part("arrow", build_arrow(tail, point, radius), ARROW)
 
     def show_ring(
         self, centre: ArrayLike | None, normal: ArrayLike = (0, 0, 1), radius: float = 0.0
@@ -261,7 +276,8 @@ class Scenery:
             return True
         if self._sky.step():
             return True
-        surface.write("openness", self._sky.result())
+        self._openness = self._sky.result()
+        self._darken()
         if renderer.ground is not None:
             renderer.ground.release()
         renderer.ground = self._sky.build_ground()
@@ -273,6 +289,12 @@ class Scenery:
     def is_at_rest(self) -> bool:
         """Whether the surface stands where it stood when light was first gathered."""
         return self._sky is None or np.array_equal(self._sky.vertices, self.vertices)
+
+    def _darken(self) -> None:
+        """What the surface sees of the sky, as it is pressed in now."""
+        surface = self._things["surface"]
+        shade = 1.0 if self._dents is None else self._dents.shade(self.vertices)
+        surface.write("openness", self._openness * shade)
 
     def _forget_sky(self) -> None:
         if self._sky is not None:

@@ -14,9 +14,10 @@ import palpate
 from palpate.render import Camera, Look, Shape, build_legend
 from palpate.viewport import navigation
 from palpate.viewport.canvas import Canvas
+from palpate.viewport.force_arrow import choose_radius, keep_in_sight
 from palpate.viewport.hud import Hud
 from palpate.viewport.legend_bar import LegendBar
-from palpate.viewport.scenery import Scenery
+from palpate.viewport.scenery import ARROW_RADIUS, Scenery
 from palpate.viewport.view_events import ViewEvents
 
 Array = NDArray[np.float64]
@@ -25,6 +26,10 @@ EDGE = 16
 """[px] between the view's sides and what is written over it."""
 REST_MS = 200
 """[ms] without a change, after which the fine frame is begun."""
+SHORTEST_ARROW = 1e-9
+"""[m]"""
+ARROW_EDGE = 14
+"""[px] that the arrow keeps from what it may not leave."""
 LIGHT_MS = 30
 """[ms] between two looks at the sky, each of some 10 ms on a processor."""
 
@@ -42,12 +47,15 @@ class ViewBase(ViewEvents):
         self.listen()
         self.force_scale = 0.01
         self.legend, self.hud = LegendBar(self), Hud(self)
+        self._force: tuple[Array, Array] | None = None
         self._framed = True
         self._margins = (0, 0, 0, 0)
         self._canvas: Canvas | None = None
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.timeout.connect(self._refine)
+        self._pause = QTimer(self)
+        self._pause.setSingleShot(True)
         self._light = QTimer(self)
         self._light.setInterval(LIGHT_MS)
         self._light.timeout.connect(self._gather_light)
@@ -105,11 +113,12 @@ class ViewBase(ViewEvents):
         self.update()
 
     def show_force(self, start: ArrayLike | None, vector: ArrayLike | None = None) -> None:
-        """An arrow from `start` [m] for a force [N]; None takes it away."""
-        end = None
+        """An arrow from `start` [m] for a force [N], kept in sight; None takes it away."""
+        self._force = None
         if start is not None and vector is not None:
-            end = np.asarray(start, dtype=float) + self.force_scale * np.asarray(vector)
-        self.scenery.show_force(start, end)
+            way = self.force_scale * np.asarray(vector, dtype=float)
+            if np.linalg.norm(way) >= SHORTEST_ARROW:
+                self._force = np.array(start, dtype=float), way
         self.update()
 
     def show_ring(
@@ -154,6 +163,10 @@ class ViewBase(ViewEvents):
                     pass
             self.refined()
         return self.grab().toImage()
+
+    def is_busy(self) -> bool:
+        """A processor that draws has had its share: what moves by itself should drop this frame."""
+        return self._pause.isActive()
 
     # ------------------------------------------------------------ camera
 
@@ -236,12 +249,27 @@ class ViewBase(ViewEvents):
 
     def draw_frame(self, canvas: Canvas) -> bool:
         """Draws a frame where something has changed, and has the fine one begun when it rests."""
+        self._place_arrow()
         drawn = canvas.draw(*self.shot())
         if drawn and canvas.is_software:
             self._rest.start(REST_MS)
+            if canvas.pause > 0.0:
+                self._pause.start(round(1e3 * canvas.pause))
         if not self.scenery.is_lit and not self._light.isActive():
             self._light.start()
         return drawn
+
+    def _place_arrow(self) -> None:
+        """Where it is in sight, for the camera as it stands now."""
+        if self._force is None:
+            self.scenery.show_force(None)
+            return
+        size = self._size()
+        left, top, right, bottom = navigation.find_frame(size, self._margins)
+        frame = left + ARROW_EDGE, top + ARROW_EDGE, right - ARROW_EDGE, bottom - ARROW_EDGE
+        tail, point = keep_in_sight(self.camera, size, frame, *self._force)
+        usual = ARROW_RADIUS * 2 * self.scenery.radius
+        self.scenery.show_force(tail, point, choose_radius(self.camera, size[1], tail, usual))
 
     def refined(self) -> None:
         """The fine frame is whole."""

@@ -93,7 +93,7 @@ class Trial(QObject):
         self.view.hud.show_rows(())
 
     def _look(self) -> None:
-        frame = self.run.take_frame()
+        frame = None if self.view.is_busy() else self.run.take_frame()
         if frame is not None:
             self._show(frame)
             self.framed.emit(frame)
