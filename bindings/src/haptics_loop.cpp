@@ -48,6 +48,8 @@ void bind_devices(py::module_& m) {
            "The hand at time [s] since the run began; devices with a clock of their own may ignore "
            "it.")
       .def("write", &HapticDevice::write, "command"_a)
+      .def("end", &HapticDevice::end,
+           "A run is over: motors off, until the next write. The live loop calls it at its end.")
       .def("name", &HapticDevice::name)
       .def("failed", &HapticDevice::failed,
            "True once the device is gone for good: what it says and is told no longer counts.")

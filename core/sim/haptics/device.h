@@ -36,6 +36,9 @@ class HapticDevice {
   /// The hand at `time` [s] since the run began; devices with a clock of their own may ignore it.
   virtual HapticSample read(double time) noexcept = 0;
   virtual void write(const HapticCommand& command) noexcept = 0;
+  /// A run is over and nothing will be written for a while: a device with motors takes them off
+  /// now, for it would take the silence that follows for a fault. The next write begins again.
+  virtual void end() noexcept {}
   virtual std::string name() const = 0;
   /// True once the device is gone for good: what it says and is told no longer counts. From the
   /// haptic thread too.

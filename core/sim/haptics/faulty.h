@@ -34,6 +34,7 @@ class FaultyDevice : public HapticDevice {
 
   HapticSample read(double time) noexcept override;
   void write(const HapticCommand& command) noexcept override;
+  void end() noexcept override { device_.end(); }
   std::string name() const override { return "faulty " + device_.name(); }
   bool failed() const noexcept override { return now_ >= faults_.unplug_at || device_.failed(); }
 

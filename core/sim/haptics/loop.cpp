@@ -125,6 +125,7 @@ void Loop::Impl::run() noexcept {
   ready.notify_all();
   run_ticks();
   device.write(HapticCommand{});  // past the wrapper, whose slew limit would let the force linger
+  device.end();
   leave_realtime(realtime);
 
   const std::lock_guard guard(ending);

@@ -18,6 +18,9 @@ constexpr double kEnergyTime = 1.0;
 /// The share of the heat that motors stand from which on the force is taken back.
 constexpr double kWarm = 0.8;
 
+constexpr double kFarthest = 10.0;   // [m] from the origin, along each axis
+constexpr double kFastest = 1000.0;  // [m/s]
+
 void require_positive(const char* field, double value) {
   if (!(value > 0.0) || !std::isfinite(value)) {
     throw std::invalid_argument(std::string("safety limits: ") + field + ": got " +
@@ -42,6 +45,12 @@ bool is_finite(const HapticSample& sample) noexcept {
   return std::isfinite(sample.time) && sample.position.allFinite() &&
          sample.orientation.coeffs().allFinite() && sample.velocity.allFinite() &&
          std::isfinite(sample.grip);
+}
+
+/// Further and faster than any hand; numbers beyond would overflow where they are squared.
+bool is_within_reach(const HapticSample& sample) noexcept {
+  return (sample.position.cwiseAbs().array() <= kFarthest).all() &&
+         (sample.velocity.cwiseAbs().array() <= kFastest).all();
 }
 
 }  // namespace
@@ -79,7 +88,7 @@ void SafeDevice::look(double time) noexcept {
     fault_ = DeviceFault::device_failed;
     return;
   }
-  if (!is_finite(sample)) {
+  if (!is_finite(sample) || !is_within_reach(sample)) {
     fault_ = DeviceFault::sample_not_finite;
     return;
   }

@@ -20,12 +20,13 @@ struct SafetyLimits {
   double damping_max = 2.0;      ///< [N·s/m] that the passivity controller may add
 };
 
+/// sample_not_finite is also a hand beyond 10 m, or faster than 1000 m/s: no device reaches there.
 enum class DeviceFault { none, sample_not_finite, force_not_finite, device_failed };
 
-/// Stands between the tick and any device. What passes is finite, gives the hand no energy it did
-/// not put in, never pushes a hand that is too fast, is limited in norm, moment by moment and on
-/// the whole, fades in at the start, and changes no faster than the slew limit. The first fault
-/// latches: the force is zero from then on and the hand stays where it was last known.
+/// Stands between the tick and any device. What passes is finite and within 10 m, gives the hand no
+/// energy it did not put in, never pushes a hand that is too fast, is limited in norm, moment by
+/// moment and on the whole, fades in at the start, and changes no faster than the slew limit. The
+/// first fault latches: the force is zero from then on and the hand stays where it was last known.
 class SafeDevice : public HapticDevice {
  public:
   /// `device` must outlive this. Throws std::invalid_argument for limits that are not positive, or
@@ -35,6 +36,7 @@ class SafeDevice : public HapticDevice {
   /// Ramp and slew go by the `time` given here, whatever clock the device may have.
   HapticSample read(double time) noexcept override;
   void write(const HapticCommand& command) noexcept override;
+  void end() noexcept override { device_.end(); }
   /// A zero force at once, past the slew limit; the next command fades in as the first one did.
   void rest() noexcept;
   std::string name() const override { return device_.name(); }

@@ -195,6 +195,11 @@ void SerialDevice::write(const HapticCommand& command) noexcept {
   if (my.missing <= kMostBridged || paused) my.link.command(my.last_time, torque, law);
 }
 
+void SerialDevice::end() noexcept {
+  write({});
+  impl_->link.disable(impl_->last_time);
+}
+
 std::string SerialDevice::name() const { return "serial device on " + impl_->link.name(); }
 bool SerialDevice::failed() const noexcept { return impl_->link.state() == LinkState::lost; }
 

@@ -32,6 +32,7 @@ class SerialDevice : public HapticDevice {
 
   HapticSample read(double time) noexcept override;
   void write(const HapticCommand& command) noexcept override;
+  void end() noexcept override;
   std::string name() const override;
   bool failed() const noexcept override;
   /// 0 where the machine does not tell of bytes that come, or no reports do.

@@ -24,6 +24,7 @@ class SimulatedArm : public HapticDevice {
 
   HapticSample read(double time) noexcept override;
   void write(const HapticCommand& command) noexcept override;
+  void end() noexcept override { driver_.end(); }
   std::string name() const override { return "simulated arm held by " + hand_.name(); }
   bool failed() const noexcept override { return driver_.failed(); }
 

@@ -157,6 +157,22 @@ TEST_CASE("every number of a sample is looked at") {
   CHECK_FALSE(faults([](HapticSample&) {}));
 }
 
+TEST_CASE("a hand where no device reaches latches as one that is not finite does") {
+  for (const double far : {1e300, -1e300, 11.0}) {
+    Puppet puppet;
+    puppet.hand.position = Vec3(0.01, 0.02, 0.03);
+    SafeDevice safe(puppet);
+    double time = begin(safe);
+    run(safe, puppet, {0, 0, 1}, 300, time);
+
+    puppet.hand.position.x() = far;
+    CHECK(safe.read(time).position == Vec3(0.01, 0.02, 0.03));
+    safe.write({.force = {0, 0, 1}});
+    CHECK(puppet.pushed == Vec3::Zero());
+    CHECK(safe.fault() == DeviceFault::sample_not_finite);
+  }
+}
+
 TEST_CASE("a force that is not finite latches and never reaches the device") {
   for (const double poison : {kNan, kInfinity}) {
     Puppet puppet;

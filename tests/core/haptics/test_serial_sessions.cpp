@@ -99,6 +99,24 @@ TEST_CASE("HELLO is said again after 50 ms, as the page has it, and not before")
   }
 }
 
+TEST_CASE("twelve of twelve runs that end as they should leave no fault behind") {
+  for (int round = 0; round < 12; ++round) {
+    LateTransport transport(0.0, 0.0);
+    SerialDevice device(transport);
+    device.open();
+    REQUIRE(run(device, 0.0, 0.7 + 0.0137 * round) == DeviceMode::run);
+
+    device.end();
+    transport.deliver(transport.base + 0.9);  // the record is read: nobody speaks
+    SerialDevice next(transport);
+    next.open();
+
+    next.take_status();
+    CHECK(next.status().first_fault == 15);
+    CHECK(next.status().mode == DeviceMode::idle);
+  }
+}
+
 TEST_CASE("a session that another host has taken over is greeted anew, and comes back") {
   LateTransport transport(0.0, 0.0);
   SerialDevice device(transport);
