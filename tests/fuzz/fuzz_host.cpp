@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "../firmware/host_of_device.h"
@@ -175,8 +176,12 @@ void read_pages(Input& input) {
       insist(std::isfinite(angle), "an angle is finite");
     }
   }
-  const palpate::SafetyLimits limits = palpate::find_safety_limits(*calibration);
-  insist(limits.force_max >= 0.0, "what a device can bear is a force");
+  try {
+    const palpate::SafetyLimits limits = palpate::find_safety_limits(*calibration);
+    insist(limits.force_max >= 0.0, "what a device can bear is a force");
+  } catch (const std::invalid_argument&) {
+    // an arm that cannot push: refused in words
+  }
 }
 
 }  // namespace
