@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from palpate import Alarm, AlarmKind, TickInput
+from palpate import Alarm, AlarmKind, Scene, TickInput
+from palpate.cause import find_cause
 from palpate.sentence import Sentence, fill, sentence
 
 CONTEXT = "Alarm"
@@ -39,7 +40,10 @@ class Words:
 LIGHTER = "Press less deep or more slowly."
 SLOWER = "Move more slowly. If it comes again, whoever made this organ has to make it more stable."
 STIFFER = "Press less deep or more slowly, or make the organ stiffer."
-STEADIER = "More substeps, softer springs, more damping or a larger mass hold it together."
+STEADIER = (
+    "More substeps (--substeps), softer springs (--stiffness) or a larger mass (--density) hold it "
+    "together."
+)
 
 ALARMS = {
     AlarmKind.not_finite: Words("the tissue blew up: a position is not a number", SLOWER, STEADIER),
@@ -105,6 +109,26 @@ INPUTS = {
 }
 """What AlarmKind.invalid_input found, by the index of the alarm."""
 
+CAUSES = {
+    "substeps": (
+        "The tissue needs %1 substeps a tick, at most %2 are taken: choose more (--substeps), "
+        "softer springs (--stiffness) or a larger mass (--density)."
+    ),
+    "damping": (
+        "Its damping needs %1 substeps a tick, at most %2 are taken: choose less damping "
+        "(--damping) or more substeps (--substeps)."
+    ),
+    "contact": (
+        "The contact stiffness of the tool needs %1 substeps a tick, at most %2 are taken: choose "
+        "a lower one (--tool-stiffness) or more substeps (--substeps)."
+    ),
+    "pressure": (
+        "Its pressure does it with nothing touching: choose a lower one (--pressure), or stiffer "
+        "springs (--stiffness, --home)."
+    ),
+}
+"""What a designer can do about a cause (palpate.cause), with options of `palpate material`."""
+
 
 def write_plain(value: float) -> str:
     return f"{value:.3g}"
@@ -130,5 +154,14 @@ def advise_hand(kind: AlarmKind, say: Say) -> str:
     return say(CONTEXT, ALARMS[kind].hand)
 
 
-def advise_design(kind: AlarmKind, say: Say) -> str:
-    return say(CONTEXT, ALARMS[kind].design)
+def advise_design(alarm: Alarm, scene: Scene | None, say: Say) -> str:
+    """What to change in an organ, and why where its scene tells."""
+    cause = find_cause(scene, alarm) if scene is not None else None
+    if cause is None:
+        return say(CONTEXT, ALARMS[alarm.kind].design)
+    return fill(say(CONTEXT, CAUSES[cause.name]), (str(cause.needed), str(cause.most)))
+
+
+def tell_alarm(alarm: Alarm, scene: Scene | None) -> str:
+    """What happened and what to do about it, in English."""
+    return f"{describe_alarm(alarm)}. {advise_design(alarm, scene, lambda _, text: text)}"

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 import palpate
-from palpate.alarms import ALARMS, describe_alarm
+from palpate.alarms import tell_alarm
 from palpate.live import LiveRun, find_longest
 from palpate.press import Moments, Place, PressScript, measure_press, write_script
 from palpate.scene_file import hash_file, open_scene
@@ -38,15 +38,22 @@ def describe_build(
     scene: palpate.Scene, scene_path: Path, record_path: Path, device: str
 ) -> dict[str, str]:
     """The header of a record: all that must match for a replay to give the same bits."""
+    return {
+        **describe_arithmetic(scene),
+        "scene": os.path.relpath(scene_path.resolve(), record_path.resolve().parent),
+        "scene_sha256": hash_file(scene_path),
+        "device": device,
+    }
+
+
+def describe_arithmetic(scene: palpate.Scene) -> dict[str, str]:
+    """What decides how a scene's ticks round here: program, kernel and vector target."""
     targets = palpate.simd_targets() if scene.kernel == palpate.Kernel.packed else []
     unpacked = scene.kernel == palpate.Kernel.packed and not targets
     return {
         "palpate": version("palpate"),
         "kernel": (palpate.Kernel.reference if unpacked else scene.kernel).name,
-        "vector_target": targets[0] if targets else platform.machine(),
-        "scene": os.path.relpath(scene_path.resolve(), record_path.resolve().parent),
-        "scene_sha256": hash_file(scene_path),
-        "device": device,
+        "vector_target": (scene.simd_target or targets[0]) if targets else platform.machine(),
     }
 
 
@@ -91,8 +98,7 @@ def run_device(
         raise RuntimeError(f"the loop did not end within {duration + GRACE:.0f} s")
     if costs.alarm.kind != palpate.AlarmKind.none:
         raise RuntimeError(
-            f"the run was stopped at {costs.alarm.time:.3f} s: {describe_alarm(costs.alarm)}. "
-            f"{ALARMS[costs.alarm.kind].design}"
+            f"the run was stopped at {costs.alarm.time:.3f} s: {tell_alarm(costs.alarm, scene)}"
         )
     if costs.fault != palpate.DeviceFault.none:
         raise RuntimeError(f"the device failed: {costs.fault.name}")
@@ -200,6 +206,12 @@ def run_replay(path: Path, scene_path: Path | None = None) -> Report:
         result = palpate.replay(scene, record)
     except ValueError as problem:
         raise Refusal(path, "", str(problem), "a record that can be replayed") from None
+    header, here = json.loads(record.header), describe_arithmetic(scene)
+    changed = {
+        name: {"record": header.get(name), "here": now}
+        for name, now in here.items()
+        if header.get(name) != now
+    }
     return {
         "record": str(path),
         "scene": str(where),
@@ -209,6 +221,7 @@ def run_replay(path: Path, scene_path: Path | None = None) -> Report:
         "first_difference": result.first_difference if result.first_difference >= 0 else None,
         "largest_force_difference_N": result.largest_force_difference,
         "largest_position_difference_m": result.largest_position_difference,
+        "changed": changed,
     }
 
 

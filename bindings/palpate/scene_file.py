@@ -161,7 +161,16 @@ def compile_scene(
     compiled.gravity = list(scene.hand.gravity)
     compiled.rate = scene.hand.rate
     compiled.force_error = scene.hand.force_error
-    return palpate.build_scene(compiled)
+    return raise_substeps(palpate.build_scene(compiled), scene.hand.substeps)
+
+
+def raise_substeps(scene: palpate.Scene, least: int) -> palpate.Scene:
+    """A built scene with that many substeps in the air, and as many more in contact as it had."""
+    more = least - scene.substeps
+    if more > 0:
+        scene.substeps_max += more
+        scene.substeps += more
+    return scene
 
 
 def read_scene_and_mesh(path: Path) -> tuple[SceneFile, palpate.SurfaceMesh]:

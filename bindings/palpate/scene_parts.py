@@ -104,6 +104,8 @@ class HandPart:
     """[m/s²]"""
     force_error: float = 0.0
     """[N] by which the force may be wrong, so that tissue at rest may sleep; 0: none of it does."""
+    substeps: int = 0
+    """Of a tick at least; the tissue's own need counts where it is more."""
 
 
 @dataclass(frozen=True)

@@ -128,7 +128,32 @@ def describe_replay(report: Report) -> str:
     return (
         f"{report['ticks']} ticks, NOT equal from tick {report['first_difference']}: forces differ "
         f"by up to {report['largest_force_difference_N']:g} N, the tool by up to "
-        f"{1e3 * report['largest_position_difference_m']:g} mm"
+        f"{1e3 * report['largest_position_difference_m']:g} mm\n{explain_difference(report)}"
+    )
+
+
+ARITHMETIC = {
+    "palpate": "version of palpate",
+    "kernel": "kernel",
+    "vector_target": "vector target",
+}
+"""What a record's header says of how its ticks were rounded, in words."""
+
+
+def explain_difference(report: Report) -> str:
+    """Why a replay may differ from its record."""
+    changed = [
+        f"{ARITHMETIC[name]} {found['record']!r} (here {found['here']!r})"
+        for name, found in report["changed"].items()
+    ]
+    if not changed:
+        return (
+            "version, kernel and vector target are those of the record, so the program or the "
+            "record has been changed"
+        )
+    return (
+        f"the record was made with {', '.join(changed)}: another one rounds otherwise, so the same "
+        "bits cannot be expected here"
     )
 
 

@@ -10,6 +10,7 @@ import palpate
 import pytest
 from palpate.alarms import (
     ALARMS,
+    CAUSES,
     CONTEXT,
     INPUTS,
     advise_design,
@@ -19,6 +20,7 @@ from palpate.alarms import (
 )
 from palpate.run import run_device
 from palpate.translation import read_words
+from surfaces import organ_scene
 
 AlarmKind = palpate.AlarmKind
 KINDS = [kind for kind in AlarmKind if kind is not AlarmKind.none]
@@ -42,7 +44,7 @@ def test_every_alarm_has_words_of_its_own_in_english_and_turkish():
     assert len({str(describe_alarm(alarm)) for alarm in alarms}) == len(KINDS)
     assert len({say_alarm(alarm, say_turkish) for alarm in alarms}) == len(KINDS)
     spoken = {text for words in ALARMS.values() for text in (words.found, words.hand, words.design)}
-    spoken |= set(INPUTS.values())
+    spoken |= set(INPUTS.values()) | set(CAUSES.values())
     assert {text for context, text in TURKISH if context == CONTEXT} == spoken
 
 
@@ -76,7 +78,8 @@ def test_only_what_is_unstable_is_said_to_have_blown_up():
     assert blown == {AlarmKind.not_finite, AlarmKind.moved_far, AlarmKind.energy}
     for kind in set(KINDS) - blown - {AlarmKind.invalid_input}:
         assert advise_hand(kind, lambda _, text: text).startswith("Press less deep")
-        assert advise_design(kind, lambda _, text: text).startswith("Press less deep")
+        alarm = raise_alarm(kind, 3.0, 2.0)
+        assert advise_design(alarm, None, lambda _, text: text).startswith("Press less deep")
 
 
 def test_a_press_that_overstretches_says_so_and_what_to_do(monkeypatch, tmp_path):
@@ -98,7 +101,7 @@ def test_a_press_that_overstretches_says_so_and_what_to_do(monkeypatch, tmp_path
     monkeypatch.setattr("palpate.run.LiveRun", Over)
     monkeypatch.setattr("palpate.run.describe_build", lambda *_: {})
     with pytest.raises(RuntimeError) as stopped:
-        run_device(None, SimpleNamespace(name=str), 1.0, tmp_path / "r", tmp_path / "s")
+        run_device(organ_scene(1), SimpleNamespace(name=str), 1.0, tmp_path / "r", tmp_path / "s")
 
     assert str(stopped.value) == (
         "the run was stopped at 0.412 s: a link was stretched to 3.1 times its length at rest, "

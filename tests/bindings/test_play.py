@@ -15,12 +15,14 @@ import numpy as np
 import palpate
 import pytest
 from matplotlib.image import imread
+from palpate import scenario
 from palpate.cli import main
 from palpate.play import find_free, find_record_folder, open_play
+from palpate.run import describe_build
 from palpate.script_file import read_script_file, write_script_file
 from palpate.verb import Refusal, WrongCall
 from published import TASK, TITLE, publish, publish_unstable, read_peak, write_press
-from surfaces import organ_scene, press_frames
+from surfaces import organ_scene, press_frames, run_frames
 
 
 def call(capsys, *words: object) -> tuple[int, str, str]:
@@ -308,6 +310,38 @@ def test_a_record_is_not_replayed_on_a_published_file_that_has_changed(tmp_path,
 
     assert code == 1
     assert "the scene of press.prec" in err
+
+
+def test_a_replay_on_another_vector_target_names_the_target_as_the_cause(tmp_path, capsys):
+    path, record = publish(tmp_path), tmp_path / "foreign.prec"
+    scene = scenario.read(path).scene
+    scene.kernel = palpate.Kernel.reference  # rounds otherwise than any vector target does
+    made = run_frames(scene, press_frames())
+    header = describe_build(scenario.read(path).scene, path, record, "script")
+    made.header = json.dumps(header | {"vector_target": "AVX9"})
+    palpate.write_record(record, made)
+
+    code, out, _ = call(capsys, "replay", record)
+    asked, told, _ = call(capsys, "replay", record, "--json")
+
+    assert code == asked == 1
+    assert "NOT equal" in out and "made with vector target 'AVX9' (here " in out
+    assert json.loads(told)["changed"] == {
+        "vector_target": {"record": "AVX9", "here": header["vector_target"]}
+    }
+
+
+def test_a_replay_that_differs_under_the_same_program_does_not_blame_the_target(tmp_path, capsys):
+    path, record = publish(tmp_path), tmp_path / "changed.prec"
+    made = run_frames(scenario.read(path).scene, press_frames())
+    made.hand["position"][200, 2] += 1e-6
+    made.header = json.dumps(describe_build(scenario.read(path).scene, path, record, "script"))
+    palpate.write_record(record, made)
+
+    code, out, _ = call(capsys, "replay", record)
+
+    assert code == 1
+    assert "the program or the record has been changed" in out and "made with" not in out
 
 
 def test_a_pause_in_a_played_run_changes_no_bit_of_its_replay(tmp_path):

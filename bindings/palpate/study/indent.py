@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import PchipInterpolator
 
 import palpate
-from palpate.alarms import ALARMS, describe_alarm
+from palpate.alarms import tell_alarm
 from palpate.press import Place
 
 STOPS = 10
@@ -82,8 +82,8 @@ class Probe:
         alarm = self.world.alarm
         if alarm.kind != palpate.AlarmKind.none:
             raise RuntimeError(
-                f"the press was stopped {1e3 * self.hand:.2f} mm deep: {describe_alarm(alarm)}. "
-                f"{ALARMS[alarm.kind].design}"
+                f"the press was stopped {1e3 * self.hand:.2f} mm deep: "
+                f"{tell_alarm(alarm, self.scene)}"
             )
 
     def go(self, depth: float) -> None:

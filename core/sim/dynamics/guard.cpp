@@ -12,9 +12,6 @@
 namespace palpate {
 namespace {
 
-// a blow at 3 m/s flings single vertices of a fine mesh that far for some milliseconds
-// (tests/laws/test_contact.cpp); a tissue that blows up does not come back
-constexpr int kStrainedLooks = 10;
 constexpr double kRise = 0.05;   // of E_ref in one look, ...
 constexpr int kRisingSteps = 3;  // ... this often in a row
 constexpr double kExcess = 0.5;  // of E_ref, at any time
@@ -53,6 +50,10 @@ double compute_least_energy(const TissueModel& model, const State& state, double
                   compute_centred_energy(model, state, 0.0));
 }
 
+bool has_energy(const TissueModel& model) noexcept {
+  return model.angle_law != AngleLaw::eq10 || model.angles.corners.empty();
+}
+
 double compute_unnoticed_energy(const TissueModel& model) noexcept {
   double mass = 0.0;
   for (const double m : model.mass) mass += m;
@@ -76,13 +77,16 @@ double compute_field_work(const TissueModel& model, const Vec3& gravity, const V
   return work;
 }
 
-Alarm check_links(const Links& links, const Vec3Array& x, int first_index) noexcept {
+/// The link that is stretched most, in `longest` if it is too long; returns the first that has
+/// collapsed.
+Alarm check_links(const Links& links, const Vec3Array& x, int first_index,
+                  Alarm& longest) noexcept {
   for (std::size_t l = 0; l < links.ends.size(); ++l) {
     const double length = (x[links.ends[l][1]] - x[links.ends[l][0]]).norm();
     const double part = length / links.rest_length[l];
     const auto index = first_index + static_cast<int>(l);
-    if (part > 1.0 + kLargestStrain) {
-      return {AlarmKind::overstretched, index, part - 1.0, kLargestStrain};
+    if (part - 1.0 > std::max(kLargestStrain, longest.value)) {
+      longest = {AlarmKind::overstretched, index, part - 1.0, kLargestStrain};
     }
     if (part < kShortestLink) return {AlarmKind::collapsed, index, part, kShortestLink};
   }
@@ -116,9 +120,12 @@ Alarm check_particles(const State& state, const Guard& guard, int steps) noexcep
 }
 
 Alarm check_strains(const TissueModel& model, const Vec3Array& x, Guard& guard) noexcept {
-  Alarm alarm = check_links(model.springs, x, 0);
-  if (!alarm) alarm = check_links(model.bonds, x, static_cast<int>(model.springs.ends.size()));
+  Alarm longest;
+  Alarm alarm = check_links(model.springs, x, 0, longest);
+  const auto springs = static_cast<int>(model.springs.ends.size());
+  if (!alarm) alarm = check_links(model.bonds, x, springs, longest);
   if (!alarm) alarm = check_volumes(model.volumes, x);
+  if (!alarm) alarm = longest;
   guard.strained_looks = alarm ? guard.strained_looks + 1 : 0;
   return guard.strained_looks >= kStrainedLooks ? alarm : Alarm{};
 }
@@ -147,10 +154,24 @@ Alarm check_energy(const TissueModel& model, double energy, double work, double 
   guard.last_energy = energy;
   guard.given_energy -= fade * std::max(0.0, given - energy);
 
-  if (model.angle_law == AngleLaw::eq10 && !model.angles.corners.empty()) return {};
+  if (!has_energy(model)) return {};
   if (energy > most) return {AlarmKind::energy, -1, energy, most};
   if (guard.rising_steps >= kRisingSteps) return {AlarmKind::energy, -1, rise, largest_rise};
   return {};
+}
+
+/// What energy trembles by in one look is no confirmation.
+Alarm confirm(const TissueModel& model, const Alarm& far, const Alarm& strained,
+              Guard& guard) noexcept {
+  const double most = guard.given_energy + kRise * guard.reference_energy;
+  const bool is_explained = has_energy(model) && guard.last_energy <= most;
+  if (far && !is_explained) return far;
+  if (strained.kind != AlarmKind::overstretched || !is_explained) return strained;
+  guard.strained_looks = 0;
+  if (!(strained.value > kTornStrain)) return {};
+  Alarm torn = strained;
+  torn.limit = kTornStrain;
+  return torn;
 }
 
 Guard::Guard(const TissueModel& model, const Vec3&, const State& state)
@@ -171,14 +192,17 @@ Guard::Guard(const TissueModel& model, const Vec3&, const State& state)
 
 Alarm check(const TissueModel& model, const Vec3& gravity, const State& state, double work,
             Guard& guard, int steps) noexcept {
-  Alarm alarm = check_particles(state, guard, steps);
-  if (!alarm) alarm = check_strains(model, state.position, guard);
+  const Alarm found = check_particles(state, guard, steps);
+  const Alarm far = found.kind == AlarmKind::moved_far ? found : Alarm{};
+  Alarm alarm = far ? Alarm{} : found;
+  const Alarm strained = alarm ? Alarm{} : check_strains(model, state.position, guard);
   if (!alarm) {
     const double elapsed = std::max(0.0, state.time - guard.last_time);
     const double energy = compute_least_energy(model, state, elapsed / steps);
     const double field = compute_field_work(model, gravity, guard.last_position, state.position);
     alarm = check_energy(model, energy, work + field, elapsed, guard);
   }
+  if (!alarm) alarm = confirm(model, far, strained, guard);
   if (!alarm) std::copy(state.position.begin(), state.position.end(), guard.last_position.begin());
   guard.last_time = state.time;
   if (alarm) alarm.time = state.time;

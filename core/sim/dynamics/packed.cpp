@@ -2,6 +2,7 @@
 #include "palpate/sim/dynamics/packed.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "palpate/sim/dynamics/alarms.h"
 #include "palpate/sim/dynamics/packed_kernels.h"
@@ -83,6 +84,11 @@ bool has_moved_far(const PackedMeasure& measure, const Guard& guard, int steps) 
 bool is_strained(const Stretch& stretch) noexcept {
   return stretch.longest > 1.0 + kLargestStrain || stretch.shortest < kShortestLink ||
          stretch.smallest_volume < kSmallestVolume;
+}
+
+/// For as many looks that it is time to ask which link or volume it is.
+bool is_long_strained(const PackedMeasure& measure, const Guard& guard) noexcept {
+  return is_strained(measure.stretch) && guard.strained_looks + 1 >= kStrainedLooks;
 }
 
 /// Where the pressure's work will begin.
@@ -179,7 +185,7 @@ void unpack_positions(const PackedModel& model, const TissueModel& tissue,
 }
 
 bool looks_wrong(const PackedMeasure& measure, const Guard& guard, int steps) noexcept {
-  return has_moved_far(measure, guard, steps) || is_strained(measure.stretch);
+  return has_moved_far(measure, guard, steps) || is_long_strained(measure, guard);
 }
 
 /// The kernels only tell that something is wrong; which particle or link it is, and how wrong, the
@@ -187,14 +193,18 @@ bool looks_wrong(const PackedMeasure& measure, const Guard& guard, int steps) no
 Alarm check(const PackedModel& model, const TissueModel& tissue, const State& state,
             const PackedMeasure& measure, double work, PackedState& packed, Guard& guard,
             int steps) noexcept {
-  Alarm alarm;
+  Alarm alarm, far;
   if (has_moved_far(measure, guard, steps)) {
     recall_last_look(model, tissue, packed, guard.last_position);
     alarm = check_particles(state, guard, steps);
+    if (alarm.kind == AlarmKind::moved_far) std::swap(alarm, far);
   }
-  const bool strained = is_strained(measure.stretch);
-  if (!alarm && strained) alarm = check_strains(tissue, state.position, guard);
-  if (!strained) guard.strained_looks = 0;
+  Alarm strained;
+  if (!alarm && is_long_strained(measure, guard)) {
+    strained = check_strains(tissue, state.position, guard);
+  } else {
+    guard.strained_looks = is_strained(measure.stretch) ? guard.strained_looks + 1 : 0;
+  }
   if (!alarm) {
     const double elapsed = std::max(0.0, state.time - guard.last_time);
     const double pressed =
@@ -202,6 +212,7 @@ Alarm check(const PackedModel& model, const TissueModel& tissue, const State& st
     alarm = check_energy(tissue, measure.kinetic + measure.elastic + packed.asleep_energy,
                          work + measure.gravity_work + pressed, elapsed, guard);
   }
+  if (!alarm) alarm = confirm(tissue, far, strained, guard);
   guard.last_time = state.time;
   if (alarm) {
     recall_last_look(model, tissue, packed, guard.last_position);

@@ -81,10 +81,9 @@ double measure_way(const TissueModel& tissue, const World& world, int vertex) no
       .norm();
 }
 
-/// What is pushed farthest of where it may be.
-Alarm find_deepest(const Scene& scene, const World& world) noexcept {
+/// What is pushed farthest of where it may be, farther than `worst` [-] of that.
+Alarm find_deepest(const Scene& scene, const World& world, double worst) noexcept {
   Alarm alarm;
-  double worst = 1.0;
   for (const Push& push : world.load.pushes()) {
     for (const int v : scene.tissue.triangles[static_cast<std::size_t>(push.triangle)]) {
       const double way = measure_way(scene.tissue, world, v);
@@ -135,12 +134,17 @@ void move_linear(const Scene& scene, double dt, World& world) noexcept {
   world.tissue.time += dt;
 }
 
+double measure_deepest_share(const Scene& scene, const World& world) noexcept {
+  const Alarm deepest = find_deepest(scene, world, 0.0);
+  return deepest ? deepest.value / deepest.limit : 0.0;
+}
+
 Alarm end_linear(const Scene& scene, World& world) noexcept {
   settle(*world.response, scene.tissue, world.answer, world.tissue.position);
   move_skin(scene.tissue.skin, world.tissue.position, world.skin);
   Alarm alarm = check_particles(world.tissue, world.guard, 1);
   if (!alarm) {
-    const Alarm deep = find_deepest(scene, world);
+    const Alarm deep = find_deepest(scene, world, 1.0);
     world.guard.strained_looks = deep ? world.guard.strained_looks + 1 : 0;
     if (world.guard.strained_looks >= kDeepLooks) alarm = deep;
   }

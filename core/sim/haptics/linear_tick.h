@@ -20,6 +20,9 @@ double choose_linear_share(const Scene& scene, double dt, World& world) noexcept
 /// One substep of dt [s] under world.load; only what the tool may touch is brought up to date.
 void move_linear(const Scene& scene, double dt, World& world) noexcept;
 
+/// [-] How far the farthest vertex that is pushed or pulled has gone of how far it may.
+double measure_deepest_share(const Scene& scene, const World& world) noexcept;
+
 /// Brings all of world.tissue up to date and looks whether the press is still shallow.
 Alarm end_linear(const Scene& scene, World& world) noexcept;
 

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/sim/contact/hold.h"
 #include "palpate/sim/haptics/check_input.h"
 #include "palpate/sim/haptics/choose_substeps.h"
+#include "palpate/sim/haptics/follow_button.h"
 #include "palpate/sim/haptics/follow_tissue.h"
 #include "palpate/sim/haptics/move_tissue.h"
 #include "palpate/sim/haptics/place_tool.h"
@@ -23,33 +25,6 @@ Vec3 follow_hand(const Vec3& hand, double dt, const World& world) noexcept {
   const Vec3 way = hand - world.hand;
   const double most = kFastestHand * dt;
   return way.norm() > most ? Vec3(world.hand + way * (most / way.norm())) : hand;
-}
-
-/// [s] in which a hold that is let go fades: longer is no better (TOOLS section 2).
-constexpr double kReleaseTime = 0.03;
-
-/// Attaches when the button goes down. When it comes up the holds fade linearly from the load they
-/// then carry, over kReleaseTime; let go at once they would kick hand and tissue (TOOLS section 2).
-/// A button pressed while they fade counts once they are gone.
-void follow_button(const Scene& scene, std::uint8_t buttons, double dt, World& world) noexcept {
-  const bool pressed = (buttons & kAttachButton) != 0;
-  if (world.release_ticks == 0 && !pressed && world.tool.hold_count > 0) {
-    world.release_ticks = std::max(1, static_cast<int>(std::lround(kReleaseTime / dt)));
-  }
-  if (world.release_ticks > 0) {
-    const double part = double(world.release_ticks - 1) / world.release_ticks;
-    for (int h = 0; h < world.tool.hold_count; ++h) {
-      world.tool.holds[static_cast<std::size_t>(h)].stiffness *= part;
-    }
-    if (--world.release_ticks == 0) release_tool(world.tool);
-    world.attach_pressed = false;
-    return;
-  }
-  if (pressed && !world.attach_pressed) {
-    attach_tool(world.load, scene.tissue.triangles, surface_position(world), scene.hold_stiffness,
-                world.tool);
-  }
-  world.attach_pressed = pressed;
 }
 
 /// Back to the last tick in which nothing was wrong, and no further (SCIENCE 3).
@@ -99,6 +74,8 @@ HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
   }
   world.substeps = choose_substeps(scene, way, dt, world);
   world.hand = hand;
+  const double most_work =
+      bound_stored_energy(scene.tool, scene.coupling, hand, world.tool, world.load);
   const double substep = dt / world.substeps;
   begin_moving(scene, world);
 
@@ -113,7 +90,8 @@ HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
     }
     work += move_tissue(scene, substep, s + 1 == world.substeps, world);
   }
-  world.alarm = end_moving(scene, work, world);
+  // a contact that makes energy would count as a hand that gives it
+  world.alarm = end_moving(scene, std::min(work, most_work), world);
   if (!world.alarm && !felt.allFinite()) {
     world.alarm = {AlarmKind::not_finite, -1, felt.norm(), 0.0, world.tissue.time};
   }

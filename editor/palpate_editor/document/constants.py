@@ -89,6 +89,8 @@ SWINGING = (*HOLLOW, "solid")
 ANY = -math.inf
 LEAST_TETRAHEDRA, MOST_TETRAHEDRA = 100, 40_000
 """Fewer are no shape; more are not begun (core/authoring/fill_interior.h)."""
+MOST_SUBSTEPS = 1000
+"""Of a tick. More take longer than a tick does on any machine."""
 
 CONSTANTS = (
     Constant("material", "density", "Density", "kg/m³"),
@@ -163,6 +165,16 @@ CONSTANTS = (
         scale=1e-3,
         above=False,
         kinds=SWINGING,
+    ),
+    Constant(
+        "hand",
+        "substeps",
+        "Least substeps",
+        "",
+        above=False,
+        most=MOST_SUBSTEPS,
+        kinds=SWINGING,
+        whole=True,
     ),
 )
 """In the order in which a form shows them."""

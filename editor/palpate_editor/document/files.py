@@ -32,7 +32,7 @@ from palpate.verb import Refusal
 from palpate_editor.document.organ import Decimation, Organ, Source
 from palpate_editor.document.surface import Surface
 
-FORMAT, VERSION = "organ", 3
+FORMAT, VERSION = "organ", 4
 ARRAYS_OF_MODEL = ("fixed", "stiffness_scale")
 """Of the model part; arrays of the file stand for them."""
 WORDS = ("name", "title", "task")
@@ -62,9 +62,16 @@ def choose_filling(content: Json, arrays: Arrays) -> tuple[Json, Arrays]:
     return content, arrays
 
 
+def choose_substeps(content: Json, arrays: Arrays) -> tuple[Json, Arrays]:
+    """Version 4 can ask for more substeps than the tissue needs; before, nothing did."""
+    content["hand"] |= {"substeps": 0}
+    return content, arrays
+
+
 MIGRATIONS: dict[int, Callable[[Json, Arrays], tuple[Json, Arrays]]] = {
     1: choose_constants,
     2: choose_filling,
+    3: choose_substeps,
 }
 """Version -> what makes of a document of that version one of the next."""
 

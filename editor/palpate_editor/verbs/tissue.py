@@ -46,6 +46,7 @@ OPTIONS = {
     "hand.hold_stiffness": ("--grip", "N/m"),
     "hand.rate": ("--rate", ""),
     "hand.force_error": ("--force-error", "N"),
+    "hand.substeps": ("--substeps", ""),
 }
 """Constant -> its option, and the unit that must stand with the number."""
 

@@ -2098,6 +2098,10 @@ Beklenen: {expected}.</translation>
         <translation>Tutma katılığı</translation>
     </message>
     <message>
+        <source>Least substeps</source>
+        <translation>En az alt adım</translation>
+    </message>
+    <message>
         <source>Hand coupling</source>
         <translation>El bağlaşımı</translation>
     </message>
@@ -2235,6 +2239,10 @@ Beklenen: {expected}.</translation>
     <message>
         <source>Set Grip stiffness</source>
         <translation>Tutma katılığını ayarla</translation>
+    </message>
+    <message>
+        <source>Set Least substeps</source>
+        <translation>En az alt adımı ayarla</translation>
     </message>
     <message>
         <source>Set Hand coupling</source>

@@ -59,22 +59,32 @@ TEST_CASE("what is not finite is found in positions and in velocities, with its 
   }
 }
 
-TEST_CASE("a particle may move 0.3 of the shortest rest length in a step and no more") {
+TEST_CASE("a particle may move 0.3 of the shortest rest length in a step, farther with energy") {
   TissueModel model = scenes::make_chain_model(3);
   model.springs.rest_length[1] = 0.008;
   model.springs.stiffness = {1e-9, 1e-9};  // no energy worth an alarm
-  const auto move = [](double by) { return [by](State& s) { s.position[1].y() += by; }; };
+  // with a fifth more energy than was given: no alarm of energy, and none was given
+  const auto look = [&](double by, double part, int steps = 1) {
+    State state(model);
+    state.velocity[1] = {0.1, 0, 0};  // 5 microjoules
+    Guard guard(model, Vec3::Zero(), state);
+    state.position[1].y() += by;
+    state.velocity[1] *= std::sqrt(part);
+    return check(model, Vec3::Zero(), state, 0.0, guard, steps);
+  };
 
-  CHECK_FALSE(look_after(model, move(0.0023)));
-  const Alarm alarm = look_after(model, move(0.0025));
+  CHECK_FALSE(look(0.0023, 1.2));
+  const Alarm alarm = look(0.0025, 1.2);
   CHECK(alarm.kind == AlarmKind::moved_far);
   CHECK(alarm.index == 1);
   CHECK(alarm.value == Approx(0.0025));
   CHECK(alarm.limit == Approx(0.0024));
-  CHECK_FALSE(look_after(model, move(0.0025), 2));  // two steps between looks
+  CHECK_FALSE(look(0.0025, 1.2, 2));  // two steps between looks
+  CHECK_FALSE(look(0.0025, 1.0));     // it snapped, with the energy it had
+  CHECK_FALSE(look(0.1, 1.0));
 }
 
-TEST_CASE("a link may be strained by 2 and pressed to a twentieth, springs counted before bonds") {
+TEST_CASE("a link may be strained by 9 and pressed to a twentieth, springs counted before bonds") {
   TissueModel model = scenes::make_chain_model(4);
   model.springs.stiffness.assign(3, 1e-9);
   model.bonds = {{{0, 3}}, {0.02}, {1e-9}, {0.0}};
@@ -82,12 +92,12 @@ TEST_CASE("a link may be strained by 2 and pressed to a twentieth, springs count
     return [part](State& s) { s.position[3].x() = s.position[2].x() + 0.01 * part; };
   };
 
-  CHECK_FALSE(look_again(model, stretch(2.9), 10));
-  const Alarm far = look_again(model, stretch(3.1), 10);
+  CHECK_FALSE(look_again(model, stretch(9.9), 30));
+  const Alarm far = look_again(model, stretch(10.1), 10);
   CHECK(far.kind == AlarmKind::overstretched);
   CHECK(far.index == 2);
-  CHECK(far.value == Approx(2.1));
-  CHECK(far.limit == 2.0);
+  CHECK(far.value == Approx(9.1));
+  CHECK(far.limit == 9.0);
 
   CHECK_FALSE(look_again(model, stretch(0.06), 10));
   const Alarm near = look_again(model, stretch(0.04), 10);
@@ -96,7 +106,7 @@ TEST_CASE("a link may be strained by 2 and pressed to a twentieth, springs count
   CHECK(near.value == Approx(0.04));
 
   const auto stretch_all = [](State& s) {
-    for (int i = 1; i < 4; ++i) s.position[i].x() *= 2.5;
+    for (int i = 1; i < 4; ++i) s.position[i].x() *= 7.0;
   };
   const Alarm bond = look_again(model, stretch_all, 10);
   CHECK(bond.kind == AlarmKind::overstretched);
@@ -106,7 +116,7 @@ TEST_CASE("a link may be strained by 2 and pressed to a twentieth, springs count
 TEST_CASE("a link out of its bounds for nine looks has been flung, for ten it has blown up") {
   TissueModel model = scenes::make_chain_model(3);
   model.springs.stiffness.assign(2, 1e-9);
-  const auto fling = [](State& s) { s.position[2].x() = s.position[1].x() + 0.04; };
+  const auto fling = [](State& s) { s.position[2].x() = s.position[1].x() + 0.11; };
   State state(model);
   Guard guard(model, Vec3::Zero(), state);
   const auto look = [&] { return check(model, Vec3::Zero(), state, 0.0, guard, 100); };
@@ -120,6 +130,27 @@ TEST_CASE("a link out of its bounds for nine looks has been flung, for ten it ha
   CHECK_FALSE(look());
   fling(state);
   for (int i = 0; i < 9; ++i) CHECK_FALSE(look());  // counted anew
+}
+
+TEST_CASE("a link strained by more than 2 is an alarm where there is more energy than was given") {
+  TissueModel model = scenes::make_chain_model(3);
+  model.springs.stiffness.assign(2, 1e-9);
+  const auto stretch = [&](double strain, double part) {
+    State state(model);
+    state.velocity[1] = {0.1, 0, 0};  // 5 microjoules
+    Guard guard(model, Vec3::Zero(), state);
+    state.position[2].x() = state.position[1].x() + 0.01 * (1.0 + strain);
+    state.velocity[1] *= std::sqrt(part);
+    Alarm alarm;
+    for (int i = 0; i < 10; ++i) alarm = check(model, Vec3::Zero(), state, 0.0, guard, 100);
+    return alarm;
+  };
+
+  CHECK_FALSE(stretch(2.1, 1.0));
+  CHECK_FALSE(stretch(1.9, 1.2));
+  const Alarm alarm = stretch(2.1, 1.2);
+  CHECK(alarm.kind == AlarmKind::overstretched);
+  CHECK(alarm.limit == 2.0);
 }
 
 TEST_CASE("energy from nowhere is an alarm at once when it is half as much again") {

@@ -45,8 +45,24 @@
         <translation>Daha az derine ya da daha yavaş bastırın ya da organı sertleştirin.</translation>
     </message>
     <message>
-        <source>More substeps, softer springs, more damping or a larger mass hold it together.</source>
-        <translation>Daha çok alt adım, daha yumuşak yaylar, daha çok sönüm ya da daha büyük kütle onu bir arada tutar.</translation>
+        <source>More substeps (--substeps), softer springs (--stiffness) or a larger mass (--density) hold it together.</source>
+        <translation>Daha çok alt adım (--substeps), daha yumuşak yaylar (--stiffness) ya da daha büyük kütle (--density) onu bir arada tutar.</translation>
+    </message>
+    <message>
+        <source>The tissue needs %1 substeps a tick, at most %2 are taken: choose more (--substeps), softer springs (--stiffness) or a larger mass (--density).</source>
+        <translation>Doku her tikte %1 alt adım ister, en çok %2 atılır: daha çok alt adım (--substeps), daha yumuşak yaylar (--stiffness) ya da daha büyük kütle (--density) seçin.</translation>
+    </message>
+    <message>
+        <source>Its damping needs %1 substeps a tick, at most %2 are taken: choose less damping (--damping) or more substeps (--substeps).</source>
+        <translation>Sönümü her tikte %1 alt adım ister, en çok %2 atılır: daha az sönüm (--damping) ya da daha çok alt adım (--substeps) seçin.</translation>
+    </message>
+    <message>
+        <source>The contact stiffness of the tool needs %1 substeps a tick, at most %2 are taken: choose a lower one (--tool-stiffness) or more substeps (--substeps).</source>
+        <translation>Aletin temas sertliği her tikte %1 alt adım ister, en çok %2 atılır: daha düşük bir temas sertliği (--tool-stiffness) ya da daha çok alt adım (--substeps) seçin.</translation>
+    </message>
+    <message>
+        <source>Its pressure does it with nothing touching: choose a lower one (--pressure), or stiffer springs (--stiffness, --home).</source>
+        <translation>Hiçbir şey değmeden basıncı bunu yapıyor: daha düşük bir basınç (--pressure) ya da daha sert yaylar (--stiffness, --home) seçin.</translation>
     </message>
     <message>
         <source>Press less deep, or take a solid (MSS+V), which goes deeper.</source>

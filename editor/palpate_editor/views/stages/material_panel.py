@@ -47,6 +47,7 @@ HAND = (
     "hand.hold_stiffness",
     "hand.force_max",
     "hand.rate",
+    "hand.substeps",
     "hand.force_error",
 )
 ROUNDING = 1e-6

@@ -180,7 +180,7 @@ class Runner(QObject):
         else:
             self.plot.finish(outcome.time, outcome.force)
         trial.record.unlink(missing_ok=True)
-        problem = describe_end(report)
+        problem = describe_end(report, trial.scene)
         if problem is not None:
             self.desk.tell(problem)
         elif is_built_alike(self.desk.session.organ, self._organ):

@@ -138,13 +138,13 @@ def round_up(value: float) -> float:
     return float(next(top * power for top in TOPS if top * power >= value * (1 - 1e-9)))
 
 
-def describe_end(report: palpate.LoopReport) -> str | None:
-    """Why a run did not end well, in a sentence; None where it did."""
+def describe_end(report: palpate.LoopReport, scene: palpate.Scene | None = None) -> str | None:
+    """Why a run of a scene did not end well, in a sentence; None where it did."""
     if report.alarm.kind != palpate.AlarmKind.none:
         return tr("The run was stopped after {time:.2f} s: {what}. {advice}").format(
             time=report.alarm.time,
             what=say_alarm(report.alarm, QCoreApplication.translate),
-            advice=advise_design(report.alarm.kind, QCoreApplication.translate),
+            advice=advise_design(report.alarm, scene, QCoreApplication.translate),
         )
     if report.fault != palpate.DeviceFault.none:
         return tr("The device failed ({what}): the run was stopped.").format(

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What shipped organs bear: no press, flick or pull ends a run while the simulation is sound."""
+
+from __future__ import annotations
+
+import numpy as np
+import palpate
+import pytest
+from hands import find_scattered_place, open_organ_scene, press, pull
+from palpate.press import find_place, find_top
+from palpate_editor.shipped import list_organs
+
+ORGANS = [entry.name for entry, _ in list_organs()]
+NONE = palpate.AlarmKind.none
+PRESSES, FLICKS = range(100), range(60)
+
+
+def find_ends(places, **script) -> dict[int, str]:
+    """Which of the presses of a gallbladder at these places ended in an alarm, and in which."""
+    scene = open_organ_scene("gallbladder")
+    felt = {k: press(scene, find_scattered_place(scene, k), **script) for k in places}
+    return {k: run.alarm.name for k, run in felt.items() if run.alarm != NONE}
+
+
+def test_a_wall_that_snaps_through_ends_no_press_and_feels_as_with_four_times_the_substeps():
+    scene, finer = open_organ_scene("gallbladder"), open_organ_scene("gallbladder")
+    finer.substeps, finer.substeps_max = 4 * scene.substeps, 4 * scene.substeps_max
+    place = find_place(scene, np.array([20.06e-3, 2.55e-3, 40.53e-3]))
+
+    coarse, fine = (press(s, place, depth=8e-3) for s in (scene, palpate.build_scene(finer)))
+
+    assert coarse.alarm == fine.alarm == NONE
+    # it snaps a tick sooner or later
+    assert max(coarse.force) == pytest.approx(max(fine.force), rel=0.02)
+    apart = np.abs(np.array(coarse.force) - np.array(fine.force)).mean()
+    assert apart < 0.02 * max(fine.force)
+
+
+def test_none_of_ten_presses_of_10_mm_ends_for_no_reason():
+    # among them those that did
+    assert find_ends([17, 20, 27, 40, 45, 51, 60, 69, 77, 84], depth=10e-3) == {}
+
+
+def test_none_of_six_flicks_of_12_mm_at_1_m_s_ends_for_no_reason():
+    assert find_ends(FLICKS[::10], depth=12e-3, speed=1.0) == {}
+
+
+@pytest.mark.verify
+def test_none_of_a_hundred_presses_of_10_mm_ends_for_no_reason():
+    assert find_ends(PRESSES, depth=10e-3) == {}
+
+
+@pytest.mark.verify
+def test_none_of_sixty_flicks_of_12_mm_at_1_m_s_ends_for_no_reason():
+    assert find_ends(FLICKS, depth=12e-3, speed=1.0) == {}
+
+
+def check_pull(name: str, place_number: int | None, hold: float) -> None:
+    scene = open_organ_scene(name)
+    at = find_top(scene) if place_number is None else find_scattered_place(scene, place_number)
+
+    felt = pull(scene, at, height=20e-3, hold=hold)
+
+    assert felt.alarm == NONE, (name, place_number)
+    force, held = np.array(felt.force), np.array(felt.held)
+    assert held.any() and not held[-1]
+    released = int(np.flatnonzero(held)[-1])
+    load = force[released - 40 : released + 1].max()
+    # the fade takes 30 ms
+    assert np.diff(force[released - 40 :]).min() > -0.2 * max(load, 0.1)
+
+
+@pytest.mark.parametrize("name", ORGANS)
+def test_an_organ_bears_a_pull_of_20_mm_and_lets_go_without_a_kick(name):
+    check_pull(name, None, hold=1.0)
+
+
+@pytest.mark.verify
+@pytest.mark.parametrize("name", ORGANS)
+def test_an_organ_bears_being_held_20_mm_up_for_ten_seconds(name):
+    for number in (None, 1, 2, 3):
+        check_pull(name, number, hold=10.0)
+
+
+@pytest.mark.parametrize("name", ["gallbladder", "kidney", "stomach"])
+def test_a_hand_that_pulls_on_and_on_slips_off(name):
+    scene = open_organ_scene(name)
+
+    felt = pull(scene, find_scattered_place(scene, 3), height=0.15, hold=0.2)
+
+    force, held = np.array(felt.force), np.array(felt.held)
+    assert felt.alarm == NONE
+    slipped = int(np.flatnonzero(held)[-1])
+    assert slipped < len(held) - 700  # before it is let go
+    assert force[slipped + 1 :].max() < 1e-3
+    assert np.diff(force[slipped - 40 : slipped + 1]).min() > -0.2 * force[slipped - 40]
