@@ -11,4 +11,5 @@ from palpate._sim import *  # noqa: F403
 from palpate._sim import __version__ as __version__
 from palpate.error import DeviceError as DeviceError
 from palpate.error import FileError as FileError
+from palpate.error import NotDurable as NotDurable
 from palpate.mesh_files import read_mesh as read_mesh

@@ -19,5 +19,10 @@ class FileError(OSError):
         return type(self), (self.file, self.where, self.found, self.expected)
 
 
+class NotDurable(FileError):
+    """The file is in place, whole, but the disk has not confirmed its name: a loss of power now
+    may bring back what stood there before."""
+
+
 class DeviceError(OSError):
     """A device that cannot be opened or has stopped answering."""

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bindings.h"
-#include "palpate/sim/base/error.h"
+#include "palpate/sim/base/whole_file.h"
 
 namespace palpate::bindings {
 
@@ -8,7 +8,7 @@ namespace py = pybind11;
 
 namespace {
 
-/// FileError and DeviceError become their twins of bindings/palpate/error.py, fields and all.
+/// FileError, NotDurable and DeviceError become their twins of bindings/palpate/error.py.
 void translate(std::exception_ptr thrown) {
   const auto raise = [](const char* name, const auto&... arguments) {
     const py::object type = py::module_::import("palpate.error").attr(name);
@@ -16,6 +16,8 @@ void translate(std::exception_ptr thrown) {
   };
   try {
     if (thrown) std::rethrow_exception(thrown);
+  } catch (const NotDurable& e) {
+    raise("NotDurable", e.file, e.where, e.found, e.expected);
   } catch (const FileError& e) {
     raise("FileError", e.file, e.where, e.found, e.expected);
   } catch (const DeviceError& e) {

@@ -10,8 +10,7 @@ namespace palpate::scenario {
 /// Throws FileError for what cannot be read, is no plain file, or has more than `most` bytes.
 Bytes read_whole(const std::string& path, std::size_t most);
 
-/// A reader, a full disk, a kill or a loss of power never meets half a file. Follows a link, as
-/// open() does. Throws FileError, and leaves nothing behind.
+/// Of a WholeFile. Throws FileError, and then what stood there still does, or NotDurable.
 void write_whole(const std::string& path, std::span<const std::uint8_t> bytes);
 
 }  // namespace palpate::scenario

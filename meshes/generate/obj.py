@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path
 
 import numpy as np
+from palpate.whole_file import write_whole
 
 MARK = "# palpate: unit m, up z"
 """Tells the importer unit and up axis, so that it need not guess."""
@@ -20,13 +20,4 @@ def write_obj(path: str | os.PathLike[str], vertices: np.ndarray, triangles: np.
     lines = [MARK]
     lines += [f"v {x!r} {y!r} {z!r}" for x, y, z in np.asarray(vertices, float).tolist()]
     lines += [f"f {i} {j} {k}" for i, j, k in np.asarray(triangles) + 1]
-    beside = Path(f"{os.fspath(path)}.{os.getpid()}.part")
-    try:
-        with beside.open("w", encoding="ascii") as file:
-            file.write("\n".join(lines) + "\n")
-            file.flush()
-            os.fsync(file.fileno())
-        beside.replace(path)
-    except BaseException:
-        beside.unlink(missing_ok=True)
-        raise
+    write_whole(path, ("\n".join(lines) + "\n").encode("ascii"))

@@ -49,6 +49,7 @@ ARROWS = {
     "meshes/generate": (
         "palpate_meshes.generate",
         "palpate_editor.authoring",
+        "palpate.whole_file",
         "numpy",
         "scipy",
         "skimage",

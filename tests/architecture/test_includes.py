@@ -26,6 +26,7 @@ ROOMS = {
 
 POSIX = ("fcntl.h", "poll.h", "pthread.h", "sched.h", "sys/", "time.h", "unistd.h")
 SYSTEM = {
+    "core/sim/base/whole_file.cpp": POSIX,
     "core/sim/haptics/serial_transport.cpp": ("asio/", "termios.h", "linux/serial.h", *POSIX),
     "core/sim/haptics/pty_device.cpp": ("termios.h", *POSIX),
     "core/sim/haptics/": POSIX,
@@ -43,7 +44,7 @@ FIRMWARE = ("protocol/", "board/host.h")
 SCENARIO = {
     "core/scenario/archive.cpp": ("zip.h",),
     "core/scenario/json_fields.h": ("nlohmann/",),
-    "core/scenario/whole_file.cpp": POSIX,
+    "core/scenario/whole_file.cpp": ("fcntl.h",),
 }
 """The files of palpate::scenario that need more than the C++ library."""
 

@@ -120,3 +120,22 @@ def test_every_python_that_is_started_is_isolated_from_the_current_folder():
     named = [name for name in own if started.search(read(name))]
 
     assert named == ["bindings/palpate/isolated.py"]
+
+
+def test_only_one_file_of_each_language_writes_files():
+    """All others go through them: a new name, unforeseeable, synced, renamed."""
+    creates = re.compile(r"O_CREAT|std::ofstream \w+\(|fopen\([^)]*\"w")
+    opens = re.compile(r"O_CREAT|\.open\(\"[wax]|open\([^)]*, \"[wax]|write_(?:text|bytes)\(")
+    own = [name for name in source_files() if name.startswith(("core/", "bindings/", "editor/"))]
+
+    cpp = [n for n in own if n.endswith((".cpp", ".h")) and creates.search(read_code(n))]
+    python = [n for n in own if n.endswith(".py") and opens.search(read(n))]
+
+    # the recorder writes as the run goes; low latency is asked for by a word into sysfs
+    assert cpp == [
+        "core/sim/base/whole_file.cpp",
+        "core/sim/haptics/serial_transport.cpp",
+        "core/sim/session/record.cpp",
+    ]
+    # the other is run by a developer and rewrites sources
+    assert python == ["bindings/palpate/whole_file.py", "bindings/write_stub.py"]

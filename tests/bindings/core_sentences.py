@@ -12,12 +12,12 @@ FILES = (
     *("authoring/read_mesh.cpp", "authoring/import_mesh.cpp", "authoring/run_reader.cpp"),
     *("authoring/read_mesh_child/read_binary_stl.cpp", "authoring/read_mesh_child/main.cpp"),
     *("authoring/read_mesh_child/read_with_assimp.cpp", "authoring/units.cpp"),
-    *("scenario/archive.cpp", "scenario/whole_file.cpp"),
+    *("scenario/archive.cpp", "scenario/whole_file.cpp", "sim/base/whole_file.cpp"),
     *("sim/haptics/serial_transport.cpp", "sim/haptics/serial_device.cpp"),
     *("sim/haptics/serial_link_status.cpp", "sim/haptics/pty_device.cpp"),
 )
 """Where what a window opens is read: meshes, organs, published files, devices."""
-CALL = re.compile(r"\b(?:throw FileError|throw DeviceError|(?<!void )refuse)\(")
+CALL = re.compile(r"\b(?:throw FileError|throw NotDurable|throw DeviceError|(?<!void )refuse)\(")
 LITERAL = re.compile(r'"((?:[^"\\]|\\.)*)"')
 TOLD = re.compile(
     r"std::string (?:SerialLink::explain_silence\(\) const|name_end\(int status\)) \{(.*?)\n\}",

@@ -2,8 +2,10 @@
 import os
 import stat
 
+import palpate
 import pytest
-from palpate.whole_file import write_whole
+from palpate.whole_file import create_beside, write_whole
+from power_work import SAVES, make_material
 
 
 def test_a_whole_file_holds_the_bytes_and_nothing_is_left_beside_it(tmp_path):
@@ -67,3 +69,68 @@ def test_a_link_is_followed_not_replaced(tmp_path):
 
     assert link.is_symlink()
     assert target.read_bytes() == b"new"
+
+
+@pytest.mark.parametrize("kind", SAVES)
+def test_a_link_planted_under_a_temporary_name_is_not_followed(kind, tmp_path):
+    """Names that others can foresee, of this process or without a number, lead to a victim."""
+    make_material(kind, tmp_path / "material")
+    folder, victim = tmp_path / "saved", tmp_path / "victim"
+    folder.mkdir()
+    victim.write_bytes(b"precious")
+    for number in range(60):
+        (folder / f".work.part-{os.getpid()}-{number}").symlink_to(victim)
+        (folder / f"work.part-{os.getpid()}-{number}").symlink_to(victim)
+
+    SAVES[kind](folder / "work", tmp_path / "material" / "one")
+
+    assert victim.read_bytes() == b"precious"
+    assert (folder / "work").read_bytes() == (tmp_path / "material" / "one").read_bytes()
+
+
+@pytest.mark.parametrize("kind", SAVES)
+def test_what_a_killed_save_left_is_removed_and_what_a_living_one_writes_is_not(kind, tmp_path):
+    make_material(kind, tmp_path / "material")
+    folder = tmp_path / "saved"
+    folder.mkdir()
+    target = folder / "work"
+    left, handle = create_beside(target)
+    os.close(handle)  # as the system does for a process that is killed
+    living, held = create_beside(target)
+    other = folder / ".other.part-0123456789abcdef"
+    other.write_bytes(b"of another file")
+
+    SAVES[kind](target, tmp_path / "material" / "one")
+
+    os.close(held)
+    assert not left.exists()
+    assert {file.name for file in folder.iterdir()} == {"work", living.name, other.name}
+
+
+@pytest.mark.parametrize("kind", SAVES)
+def test_what_is_no_file_is_not_replaced(kind, tmp_path):
+    make_material(kind, tmp_path / "material")
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+
+    with pytest.raises(OSError, match="not a plain file|something other than a file"):
+        SAVES[kind](pipe, tmp_path / "material" / "one")
+
+    assert stat.S_ISFIFO(pipe.stat().st_mode)
+
+
+@pytest.mark.parametrize("kind", SAVES)
+def test_a_long_name_leaves_room_for_the_temporary_one(kind, tmp_path):
+    make_material(kind, tmp_path / "material")
+    path = tmp_path / ("n" * 250)
+
+    SAVES[kind](path, tmp_path / "material" / "one")
+
+    assert path.read_bytes() == (tmp_path / "material" / "one").read_bytes()
+
+
+def test_a_recorder_writes_into_no_pipe(tmp_path):
+    os.mkfifo(tmp_path / "run.prec")
+
+    with pytest.raises(OSError):
+        palpate.Recorder(tmp_path / "run.prec", "{}")

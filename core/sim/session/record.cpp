@@ -2,13 +2,10 @@
 #include "palpate/sim/session/record.h"
 
 #include <fcntl.h>
-#include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <condition_variable>
-#include <cstdio>
 #include <cstring>
 #include <exception>
 #include <filesystem>
@@ -16,12 +13,13 @@
 #include <stdexcept>
 #include <thread>
 
-#include "palpate/sim/base/error.h"
+#include "palpate/sim/base/whole_file.h"
 #include "palpate/sim/session/record_writer.h"
 
 namespace palpate {
 namespace {
 
+using record_layout::Descriptor;
 using record_layout::File;
 using record_layout::RecordWriter;
 
@@ -54,19 +52,37 @@ void validate(const Record& record) {
   }
 }
 
-/// Makes a rename survive a loss of power.
-void sync_folder(const std::filesystem::path& path) {
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  File(folder.string(), O_RDONLY | O_DIRECTORY).sync();
+/// An empty file to record into: a new one, or the plain file that stands under the name.
+std::unique_ptr<File> open_to_record(const std::string& path) {
+  const int created =
+      ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (created < 0 && errno != EEXIST) {
+    throw FileError(path, "", std::strerror(errno), "a file that can be opened");
+  }
+  if (created >= 0) return std::make_unique<File>(path, Descriptor{created});
+  // a pipe without a reader would be waited for
+  auto file = std::make_unique<File>(path, O_WRONLY | O_NONBLOCK);
+  file->size();  // refuses what is no plain file
+  file->empty();
+  return file;
+}
+
+/// The blocks that follow are of use only where the name of their file survives, too.
+void sync_name(const std::string& path) {
+  const std::filesystem::path file = path;
+  if (const int problem = sync_folder(file.has_parent_path() ? file.parent_path() : ".")) {
+    throw FileError(path, "", std::strerror(problem), "a folder that the disk syncs");
+  }
 }
 
 }  // namespace
 
 struct Recorder::Impl {
   Impl(const std::string& path_in, const std::string& header_json, RecordCodec codec)
-      : path(path_in),
-        writer(path_in, O_WRONLY | O_TRUNC, header_json, codec),
-        thread([this] { work(); }) {}
+      : path(path_in), writer(open_to_record(path_in), header_json, codec) {
+    sync_name(path);
+    thread = std::thread([this] { work(); });
+  }
 
   void work();
   void empty_log(bool all);
@@ -148,24 +164,16 @@ void Recorder::finish() {
 
 void write_record(const std::string& path, const Record& record, RecordCodec codec) {
   validate(record);
-  static std::atomic<int> next{0};
-  const std::string part =
-      path + ".part-" + std::to_string(::getpid()) + "-" + std::to_string(next.fetch_add(1));
-  try {
-    RecordWriter writer(part, O_WRONLY | O_EXCL, record.header, codec);
-    std::vector<TickLog::Tick> ticks = number_ticks(record);
-    std::vector<Happening> happenings = record.happenings;
-    std::vector<StateHash> hashes = record.hashes;
-    writer.write(ticks, happenings, hashes, true);
-    writer.write_summary();
-    if (std::rename(part.c_str(), path.c_str()) != 0) {
-      throw FileError(path, "", std::strerror(errno), "a file that can be written");
-    }
-  } catch (...) {
-    ::unlink(part.c_str());
-    throw;
-  }
-  sync_folder(path);
+  WholeFile file(path);
+  const int copy = ::fcntl(file.descriptor(), F_DUPFD_CLOEXEC, 0);
+  if (copy < 0) throw FileError(path, "", std::strerror(errno), "a file that can be opened");
+  RecordWriter writer(std::make_unique<File>(path, Descriptor{copy}), record.header, codec);
+  std::vector<TickLog::Tick> ticks = number_ticks(record);
+  std::vector<Happening> happenings = record.happenings;
+  std::vector<StateHash> hashes = record.hashes;
+  writer.write(ticks, happenings, hashes, true);
+  writer.write_summary();
+  file.commit();
 }
 
 }  // namespace palpate

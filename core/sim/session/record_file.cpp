@@ -11,7 +11,7 @@
 #include <cstring>
 #include <new>
 
-#include "palpate/sim/base/error.h"
+#include "palpate/sim/base/whole_file.h"
 
 namespace palpate::record_layout {
 
@@ -32,9 +32,14 @@ void File::write(std::span<const std::uint8_t> bytes) {
 }
 
 void File::sync() {
-  // pipes and the like have nothing to sync, and say so with EINVAL
-  if (::fsync(descriptor_) != 0 && errno != EINVAL) {
-    refuse("", std::strerror(errno), "a disk that takes what was written");
+  if (const int problem = sync_file(descriptor_)) {
+    refuse("", std::strerror(problem), "a disk that takes what was written");
+  }
+}
+
+void File::empty() {
+  if (::ftruncate(descriptor_, 0) != 0) {
+    refuse("", std::strerror(errno), "a file that can be written");
   }
 }
 

@@ -13,16 +13,25 @@ struct evp_md_ctx_st;
 /// What reading and writing a record need of the machine: the file, checksums, compression.
 namespace palpate::record_layout {
 
+/// What open(2) gives.
+struct Descriptor {
+  int number;
+};
+
 /// An open file that closes itself; whatever fails is a FileError.
 class File {
  public:
   File(const std::string& path, int flags);
+  /// Of a file that is open already; closes it too.
+  File(std::string path, Descriptor open) noexcept
+      : path_(std::move(path)), descriptor_(open.number) {}
   ~File();
   File(const File&) = delete;
   File& operator=(const File&) = delete;
 
   void write(std::span<const std::uint8_t> bytes);
   void sync();
+  void empty();
   std::uint64_t size() const;  ///< [bytes] refuses what is not a regular file
   /// Exactly `size` bytes from `offset`; the caller knows the file is that long.
   Bytes read(std::uint64_t offset, std::size_t size) const;

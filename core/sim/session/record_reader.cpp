@@ -11,6 +11,10 @@ namespace {
 
 using namespace record_layout;
 
+/// What a block unpacks to is at most so many times what it takes in the file. The writer's level 1
+/// makes 225 of zeros alone.
+constexpr std::size_t kMostRatio = 256;
+
 constexpr std::uint64_t kSummaryBlockBytes = kBlockHeaderBytes + kSummaryBytes;
 
 /// Room for any body there can be: a deflated one is at most a little longer than a plain one.
@@ -172,6 +176,11 @@ Bytes Reader::unpack_body(const BlockHeader& header, const Bytes& stored) const 
   if (header.codec != static_cast<std::uint32_t>(RecordCodec::deflate)) {
     file_.refuse(where() + ": codec", std::to_string(header.codec), "0 or 1");
   }
+  if (size > kMostRatio * (stored.size() + kBlockHeaderBytes)) {
+    file_.refuse(where() + ": body",
+                 std::to_string(stored.size()) + " bytes for " + std::to_string(size),
+                 "at least a 256th: none was ever written like this");
+  }
   const std::optional<Bytes> shuffled = inflate(stored, size);
   if (!shuffled) {
     file_.refuse(where() + ": body", "a zlib stream of another length or none at all",
@@ -219,14 +228,17 @@ void Reader::take_ticks(const BlockHeader& header, const Bytes& body) {
 }
 
 /// A file that was cut off ends in part of a block. One that ends in exactly as many bytes as a
-/// summary has, and not in another kind of block nor in zeros a crash left, was finished once and
-/// has been damaged since.
+/// summary has, and not in another kind of block nor in zeros a loss of power left in place of its
+/// beginning or its end, was finished once and has been damaged since.
 void Reader::refuse_damaged_summary(const Damage& damage) const {
   if (size_ - at_ != kSummaryBlockBytes) return;
   const Bytes tail = file_.read(at_, kSummaryBlockBytes);
   const auto header = unpack_block_header(tail);
-  const bool zeros = std::all_of(tail.begin(), tail.end(), [](auto byte) { return byte == 0; });
-  if (zeros || (header && header->kind != BlockKind::summary)) return;
+  const auto are_zeros = [](std::span<const std::uint8_t> bytes) {
+    return std::all_of(bytes.begin(), bytes.end(), [](auto byte) { return byte == 0; });
+  };
+  const bool torn = are_zeros(std::span(tail).first(8)) || are_zeros(std::span(tail).last(8));
+  if (torn || (header && header->kind != BlockKind::summary)) return;
   file_.refuse("summary at byte " + std::to_string(at_), damage.found, damage.expected);
 }
 

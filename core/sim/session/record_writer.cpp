@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/sim/session/record_writer.h"
 
-#include <fcntl.h>
-
 #include <algorithm>
 #include <stdexcept>
 
@@ -25,9 +23,9 @@ std::string complete_header(const std::string& header_json) {
 
 }  // namespace
 
-RecordWriter::RecordWriter(const std::string& path, int flags, const std::string& header_json,
+RecordWriter::RecordWriter(std::unique_ptr<File> file, const std::string& header_json,
                            RecordCodec codec)
-    : header_(complete_header(header_json)), codec_(codec), file_(path, O_CREAT | flags) {
+    : header_(complete_header(header_json)), codec_(codec), file_(std::move(file)) {
   Bytes preamble = pack_preamble(header_);
   const Bytes crc = pack_u32(compute_crc(preamble));
   preamble.insert(preamble.end(), crc.begin(), crc.end());
@@ -53,7 +51,7 @@ void RecordWriter::write_ticks(std::vector<TickLog::Tick>& rows, bool all) {
     if (!all && end == rows.size() && end - begin < kBlockTicks) break;
     summary_.ticks += end - begin;
     if (summary_.ticks > static_cast<std::uint64_t>(kMostRows)) {
-      file_.refuse("", "more than 8388608 ticks", "a run of at most 2 h 19 min at 1 kHz");
+      file_->refuse("", "more than 8388608 ticks", "a run of at most 2 h 19 min at 1 kHz");
     }
     write_block(BlockKind::ticks, codec_, rows[begin].tick,
                 std::span<const TickLog::Tick>(rows).subspan(begin, end - begin));
@@ -71,7 +69,7 @@ void RecordWriter::write_moments(BlockKind kind, std::vector<Row>& rows, bool al
   const auto count = static_cast<std::size_t>(later - rows.begin());
   total += count;
   if (total > static_cast<std::uint64_t>(kMostRows)) {
-    file_.refuse("", std::string("more than 8388608 ") + kind_name(kind), "fewer");
+    file_->refuse("", std::string("more than 8388608 ") + kind_name(kind), "fewer");
   }
   for (std::size_t begin = 0; begin < count; begin += kMostBlockRows) {
     const std::size_t some = std::min<std::size_t>(count - begin, kMostBlockRows);
@@ -100,10 +98,13 @@ void RecordWriter::write_block(BlockKind kind, RecordCodec codec, std::int64_t f
 
 void RecordWriter::append(std::span<const std::uint8_t> bytes) {
   sha256_.add(bytes);
-  file_.write(bytes);
+  file_->write(bytes);
 }
 
 void RecordWriter::write_summary() {
+  // a disk may keep the summary and lose what was written just before: that would not be a record
+  // that was cut off but one that was damaged
+  sync();
   summary_.sha256 = sha256_.finish();
   const Bytes body = pack_summary(summary_);
   BlockHeader header{.kind = BlockKind::summary,
@@ -113,9 +114,9 @@ void RecordWriter::write_summary() {
                      .length = kSummaryBytes,
                      .crc = 0};
   header.crc = compute_crc(header, body);
-  file_.write(pack_block_header(header));
-  file_.write(body);
-  file_.sync();
+  file_->write(pack_block_header(header));
+  file_->write(body);
+  file_->sync();
 }
 
 }  // namespace palpate::record_layout

@@ -11,10 +11,9 @@ namespace palpate::record_layout {
 /// Appends blocks to a file and remembers what its summary will have to say.
 class RecordWriter {
  public:
-  /// Writes and syncs the header. `flags` as of open(2), beside O_CREAT. Throws FileError, and
-  /// std::invalid_argument for a header that is not a JSON object.
-  RecordWriter(const std::string& path, int flags, const std::string& header_json,
-               RecordCodec codec);
+  /// Writes and syncs the header into a file that is open, empty, and closed with this. Throws
+  /// FileError, and std::invalid_argument for a header that is not a JSON object.
+  RecordWriter(std::unique_ptr<File> file, const std::string& header_json, RecordCodec codec);
 
   /// Writes full blocks of ticks, and the happenings and hashes whose tick is written, so that
   /// the file is sound wherever it ends; keeps back the rest, unless `all`. What was written is
@@ -24,7 +23,7 @@ class RecordWriter {
 
   /// The last block; syncs.
   void write_summary();
-  void sync() { file_.sync(); }
+  void sync() { file_->sync(); }
 
  private:
   void write_ticks(std::vector<TickLog::Tick>& rows, bool all);
@@ -37,7 +36,7 @@ class RecordWriter {
 
   std::string header_;
   RecordCodec codec_;
-  File file_;
+  std::unique_ptr<File> file_;
   Sha256 sha256_;
   Summary summary_;
   std::int64_t last_tick_ = -1;

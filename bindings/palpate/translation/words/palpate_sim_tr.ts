@@ -256,6 +256,26 @@
         <translation>çok fazla girdisi olan bir dizin</translation>
     </message>
     <message>
+        <source>a folder in which every new file is taken away</source>
+        <translation>her yeni dosyanın alınıp götürüldüğü bir klasör</translation>
+    </message>
+    <message>
+        <source>a folder that the disk does not sync (%1)</source>
+        <translation>diskin eşitlemediği bir klasör (%1)</translation>
+    </message>
+    <message>
+        <source>one that it does: the file is saved, but a loss of power may bring back what stood there before</source>
+        <translation>eşitlediği bir klasör: dosya kaydedildi, ama elektrik kesilirse önceki hâli geri gelebilir</translation>
+    </message>
+    <message>
+        <source>a reference to %1</source>
+        <translation>%1 dosyasına bir gönderme</translation>
+    </message>
+    <message>
+        <source>references to files beside the mesh or below its folder</source>
+        <translation>ağın yanındaki ya da klasörünün altındaki dosyalara göndermeler</translation>
+    </message>
+    <message>
         <source>a file that can be written</source>
         <translation>yazılabilen bir dosya</translation>
     </message>
