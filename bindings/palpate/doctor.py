@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+import ctypes
 import os
 import platform
 import sys
@@ -25,7 +26,7 @@ def add_doctor(word: argparse.ArgumentParser) -> None:
 
 def run_doctor(call: argparse.Namespace) -> Report:
     checks = [check_python(), check_editor(), check_graphics(), check_realtime()]
-    checks += [check_serial(), check_data()]
+    checks += [check_landlock(), check_serial(), check_data()]
     return {
         "palpate": version("palpate"),
         "platform": platform.platform(),
@@ -84,6 +85,33 @@ def check_realtime() -> Report:
         "detail": f"{priority}; lateness p99 {1e6 * report.lateness.p99:.0f} us, "
         f"{report.missed_ticks} of {report.ticks} ticks missed",
     }
+
+
+CREATE_RULESET, ASK_VERSION = 444, 1
+"""landlock_create_ruleset(2), the same on every processor."""
+
+
+def find_landlock() -> int | None:
+    """The version of Landlock that the kernel has, which shuts the reader of mesh files into their
+    folder; None where it has none."""
+    try:
+        syscall = ctypes.CDLL(None).syscall
+    except (OSError, AttributeError):
+        return None
+    found = syscall(
+        ctypes.c_long(CREATE_RULESET), None, ctypes.c_size_t(0), ctypes.c_uint(ASK_VERSION)
+    )
+    return found if found > 0 else None
+
+
+def check_landlock() -> Report:
+    found = find_landlock()
+    detail = (
+        "Palpate alone keeps the reader of mesh files in their folder: the kernel has no Landlock"
+        if found is None
+        else f"Landlock {found} of the kernel keeps the reader of mesh files in their folder"
+    )
+    return {"name": "mesh files", "ok": found is not None, "needed": False, "detail": detail}
 
 
 def check_serial() -> Report:

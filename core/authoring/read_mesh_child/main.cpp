@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "palpate/authoring/read_mesh_child/confine.h"
 #include "palpate/authoring/read_mesh_child/foreign_formats.h"
 #include "palpate/authoring/read_mesh_child/scene_writer.h"
 
@@ -27,14 +28,16 @@ void limit(int resource, rlim_t most) {
   if (setrlimit(resource, &both) != 0) std::_Exit(5);
 }
 
-/// From here on this process can only read, compute and write to what is open.
-void limit_myself(rlim_t memory, rlim_t seconds) {
+/// From here on this process can only read the mesh and its folder, compute, and write to what is
+/// open. Its libraries are loaded by now: the loader has done that before main().
+void limit_myself(const std::string& path, rlim_t memory, rlim_t seconds) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   limit(RLIMIT_AS, memory);
   limit(RLIMIT_CPU, seconds);
   limit(RLIMIT_FSIZE, 0);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_NPROC, 0);
+  confine_to(MeshFolder(path));
 }
 
 ImportedScene read_any(const std::string& path, const std::string& format) {
@@ -75,6 +78,6 @@ int main(int count, char** words) {
     return 2;
   }
   const std::size_t memory = std::strtoull(words[3], nullptr, 10);
-  palpate::authoring::limit_myself(memory, std::strtoull(words[4], nullptr, 10));
+  palpate::authoring::limit_myself(words[1], memory, std::strtoull(words[4], nullptr, 10));
   return palpate::authoring::run(words[1], words[2], memory);
 }

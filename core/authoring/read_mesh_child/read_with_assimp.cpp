@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -6,7 +7,9 @@
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <map>
+#include <set>
 
+#include "palpate/authoring/read_mesh_child/confine.h"
 #include "palpate/authoring/read_mesh_child/foreign_formats.h"
 
 namespace palpate::authoring {
@@ -14,6 +17,29 @@ namespace {
 
 // deeper scenes do not come from people; the walk below is recursive
 constexpr int kDeepestNode = 500;
+
+/// The files that assimp may open on behalf of a mesh file: those that its folder holds.
+class FolderFiles : public Assimp::DefaultIOSystem {
+ public:
+  explicit FolderFiles(const std::string& mesh) : folder_(mesh) {}
+
+  bool Exists(const char* file) const override {
+    return folder_.holds(file) && DefaultIOSystem::Exists(file);
+  }
+
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    if (folder_.holds(file)) return DefaultIOSystem::Open(file, mode);
+    std::error_code nothing_there;
+    if (std::filesystem::exists(file, nothing_there)) outside_.insert(file);
+    return nullptr;
+  }
+
+  const std::set<std::string>& outside() const { return outside_; }  ///< asked for and not opened
+
+ private:
+  MeshFolder folder_;
+  std::set<std::string> outside_;
+};
 
 /// The node's matrix in double: a chain of floats would move shared borders apart.
 Eigen::Matrix4d to_matrix(const aiMatrix4x4& m) {
@@ -131,6 +157,8 @@ std::string one_line(std::string text) {
 
 ImportedScene read_with_assimp(const std::string& path, const std::string& format) {
   Assimp::Importer importer;
+  auto* const files = new FolderFiles(path);  // the importer's own from the next line on
+  importer.SetIOHandler(files);
   importer.SetPropertyInteger(
       AI_CONFIG_PP_RVC_FLAGS,
       aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
@@ -141,6 +169,11 @@ ImportedScene read_with_assimp(const std::string& path, const std::string& forma
   const aiScene* from =
       importer.ReadFile(path, aiProcess_RemoveComponent | aiProcess_Triangulate |
                                   aiProcess_SortByPType | aiProcess_ValidateDataStructure);
+  const std::set<std::string>& outside = files->outside();
+  if (from == nullptr && !outside.empty()) {
+    throw FileError(path, "", "a reference to " + one_line(*outside.begin()),
+                    "references to files beside the mesh or below its folder");
+  }
   if (from == nullptr || from->mRootNode == nullptr) {
     throw FileError(path, "",
                     "content assimp refuses (" + one_line(importer.GetErrorString()) + ")",
@@ -152,6 +185,9 @@ ImportedScene read_with_assimp(const std::string& path, const std::string& forma
   walk.visit(*from->mRootNode, Eigen::Matrix4d::Identity(), 0);
   scene.parts = walk.take_parts();
   take_units(*from, format, scene);
+  for (const std::string& file : outside) {
+    scene.notes.push_back("did not open " + one_line(file) + ", which lies outside of its folder");
+  }
   return scene;
 }
 
