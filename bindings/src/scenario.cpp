@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 #include <pybind11/typing.h>
 
@@ -6,6 +7,7 @@
 
 #include "array.h"
 #include "bindings.h"
+#include "palpate/scenario/ranges.h"
 #include "palpate/scenario/read.h"
 #include "palpate/scenario/write.h"
 #include "value.h"
@@ -186,6 +188,19 @@ void bind_scenario_files(py::module_& m) {
       "path"_a, "scenario"_a, Release(),
       "Writes a .palpate file, whole or not at all. Raises ValueError for what read() would "
       "refuse, FileError where the disk refuses.");
+  m.def("check_ranges", &scenario::check_ranges, "scene"_a, Release(),
+        "Raises ValueError where a number of a scene is smaller or larger than one of a file may "
+        "be.");
+  m.def(
+      "list_ranges",
+      [] {
+        std::vector<std::tuple<std::string, std::string, double, double>> rows;
+        for (const auto& [name, unit, least, most] : scenario::list_ranges()) {
+          rows.emplace_back(name, unit, least, most);
+        }
+        return rows;
+      },
+      "Of every number of a file: its name, unit, least and most.");
   m.def("unpack", &scenario::unpack, "container"_a, "file"_a, Release(),
         "The scenario in a container; file is what refusals call it.");
   m.def("pack", &scenario::pack, "scenario"_a, Release(), "What the file holds.");

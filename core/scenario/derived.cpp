@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "palpate/scenario/ranges.h"
 #include "palpate/sim/base/refuse.h"
 
 namespace palpate::scenario {
@@ -43,6 +44,7 @@ void check_counts(const TissueModel& tissue) {
 
 Scene check_built(const Scene& scene) {
   check_counts(scene.tissue);
+  check_ranges(scene);
   if (scene.substeps < 1 || scene.substeps_max < 1) {
     refuse("scene.substeps", "0", "the result of build_scene");
   }

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+
+#include "palpate/sim/haptics/scene.h"
+
+// Not installed: how large and how small the numbers of a scene may be in a file.
+
+namespace palpate::scenario {
+
+/// What a number of a scene may be, both ends included. Far wider than any organ needs; beyond it
+/// a run would stand still, never end, or be felt as nothing.
+struct Range {
+  const char*
+      name;  ///< as in the file: of a number scene.tool.radius, of a table scene/tissue/mass
+  const char* unit;
+  double least, most;
+};
+
+std::span<const Range> list_ranges() noexcept;
+
+/// Throws std::invalid_argument: "scene.tool.radius [m]: found this, expected that".
+void check_ranges(const Scene& scene);
+
+}  // namespace palpate::scenario

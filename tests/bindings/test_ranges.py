@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every number of a published file has a range: beyond it the file is refused, never played."""
+
+from __future__ import annotations
+
+import copy
+import json
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import hostile_scenarios
+import palpate
+import pytest
+from palpate import scenario
+from surfaces import MEMBRANE, ellipsoid, organ_scene
+
+VALUES = (0.0, -1.0, 1e300, -1e300, 1e-300, 1e30, 1e-9)
+NOT_NUMBERS = ("NaN", "Infinity", "-Infinity", "1e999")
+DERIVED = ("spectrum_stiffness", "spectrum_damping")
+"""Compared with what the tissue gives, and refused where they differ."""
+
+
+@pytest.fixture(scope="module")
+def good(tmp_path_factory) -> bytes:
+    path = tmp_path_factory.mktemp("good") / "good.palpate"
+    scene = organ_scene(0)
+    scene.force_error = 1e-3
+    scenario.write(path, scenario.Scenario(scene=palpate.build_scene(scene), title="Good"))
+    return path.read_bytes()
+
+
+RANGES = {name: (least, most) for name, _, least, most in scenario.list_ranges()}
+
+
+def list_numbers(value: Any, path: tuple[str | int, ...] = ()) -> Iterator[tuple[str | int, ...]]:
+    """Where the numbers of a JSON value stand."""
+    if isinstance(value, dict | list):
+        rows = value.items() if isinstance(value, dict) else enumerate(value)
+        for key, inner in rows:
+            yield from list_numbers(inner, (*path, key))
+    elif isinstance(value, int | float) and not isinstance(value, bool):
+        yield path
+
+
+def replace(manifest: dict, path: tuple[str | int, ...], value: Any) -> None:
+    for key in path[:-1]:
+        manifest = manifest[key]
+    manifest[path[-1]] = value
+
+
+def find_range(path: tuple[str | int, ...]) -> tuple[float, float] | None:
+    name = ".".join(key for key in path if isinstance(key, str))
+    return (1, 10_000) if name.endswith(("substeps", "substeps_max")) else RANGES.get(name)
+
+
+def read(data: bytes) -> scenario.Scenario:
+    container = scenario.unpack_container(data, "a.palpate", "palpate", 3)
+    return scenario.unpack(container, "a.palpate")
+
+
+def test_every_number_of_the_manifest_is_in_range_or_refused_with_its_name(good):
+    manifest = json.loads(hostile_scenarios.entries_of(good)["manifest.json"])
+    paths = list(list_numbers(manifest["content"]["scene"], ("content", "scene")))
+    assert len(paths) > 18
+
+    for path in paths:
+        for value in VALUES:
+            changed = copy.deepcopy(manifest)
+            replace(changed, path, value)
+            data = hostile_scenarios.with_text(good, json.dumps(changed).encode())
+            check(data, path[1:], value)
+
+
+def check(data: bytes, path: tuple[str | int, ...], value: float) -> None:
+    least, most = find_range(path) or (float("nan"), float("nan"))
+    try:
+        made = read(data)
+    except palpate.FileError as refused:
+        assert path[-1] in DERIVED or str(path[1]) in str(refused), refused
+        assert refused.expected
+    else:
+        assert least <= value <= most, (path, value)
+        assert made.scene.rate > 0.0
+
+
+@pytest.mark.parametrize("word", NOT_NUMBERS)
+def test_what_is_no_number_is_refused_wherever_a_number_stands(word, good):
+    manifest = json.loads(hostile_scenarios.entries_of(good)["manifest.json"])
+    for path in list_numbers(manifest["content"]["scene"], ("content", "scene")):
+        changed = copy.deepcopy(manifest)
+        replace(changed, path, "@")
+        text = json.dumps(changed).replace('"@"', word).encode()
+
+        with pytest.raises(palpate.FileError):
+            read(hostile_scenarios.with_text(good, text))
+
+
+def test_every_table_of_numbers_is_in_range_or_refused_with_its_name(good):
+    manifest = json.loads(hostile_scenarios.entries_of(good)["manifest.json"])
+    tables = [name for name, row in manifest["arrays"].items() if row["dtype"] == "<f8"]
+    assert set(tables) <= set(RANGES)
+
+    for name in tables:
+        if not hostile_scenarios.array_of(good, name).size:
+            continue
+        for value in (*VALUES, float("nan"), float("inf")):
+            try:
+                read(hostile_scenarios.with_number(good, name, 0, value))
+            except palpate.FileError as refused:
+                assert refused.found
+                assert refused.expected
+            else:
+                assert RANGES[name][0] <= value <= RANGES[name][1], (name, value)
+
+
+def test_the_page_and_the_code_have_the_same_ranges(checkout):
+    page = (checkout / "core/scenario/CONTAINER.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (scene[./]\S+) \| ([^|]+) \| (\S+) \| (\S+) \|$", page, re.MULTILINE)
+
+    told = [(name, unit, float(least), float(most)) for name, unit, least, most in rows]
+
+    assert told == list(map(tuple, scenario.list_ranges()))
+
+
+@pytest.mark.parametrize(
+    ("field", "value"),
+    [("rate", 1e12), ("rate", 1e-9), ("hold_stiffness", 1e30), ("gravity", (0.0, 0.0, 1e9))],
+)
+def test_what_hung_or_was_felt_as_nothing_is_no_scene_of_a_file(field, value, tmp_path):
+    scene = organ_scene(0)
+    setattr(scene, field, value)
+
+    with pytest.raises(ValueError, match=rf"scene\.{field}: found"):
+        scenario.check_ranges(scene)
+    with pytest.raises(ValueError, match=rf"scene\.{field}: found"):
+        scenario.write(tmp_path / "a.palpate", scenario.Scenario(scene=scene))
+
+
+@pytest.mark.parametrize(
+    ("part", "field", "value"),
+    [("tool", "radius", 1e300), ("tool", "radius", 1e-300), ("coupling", "stiffness", 1e30)],
+)
+def test_a_tool_that_was_played_at_no_force_is_no_scene_of_a_file(part, field, value):
+    tissue = palpate.build_mass_spring(ellipsoid((0.03, 0.025, 0.02), 0), MEMBRANE, 50.0)
+    scene = palpate.Scene(tissue=tissue)
+    setattr(getattr(scene, part), field, value)
+
+    with pytest.raises(ValueError, match=rf"scene\.{part}\.{field}: found"):
+        scenario.check_ranges(scene)
