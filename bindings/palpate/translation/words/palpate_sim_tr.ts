@@ -276,6 +276,10 @@
         <translation>ağın yanındaki ya da klasörünün altındaki dosyalara göndermeler</translation>
     </message>
     <message>
+        <source>something other than a file</source>
+        <translation>dosya olmayan bir şey</translation>
+    </message>
+    <message>
         <source>a file that can be written</source>
         <translation>yazılabilen bir dosya</translation>
     </message>
