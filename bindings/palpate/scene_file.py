@@ -161,6 +161,7 @@ def compile_scene(
     compiled.gravity = list(scene.hand.gravity)
     compiled.rate = scene.hand.rate
     compiled.force_error = scene.hand.force_error
+    palpate.scenario.check_ranges(compiled)
     return raise_substeps(palpate.build_scene(compiled), scene.hand.substeps)
 
 
