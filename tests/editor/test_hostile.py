@@ -120,15 +120,16 @@ def spoil(content: bytes, random: np.random.Generator) -> bytes:
     return bytes(spoiled)
 
 
+@pytest.mark.parametrize("count", [25, pytest.param(200, marks=pytest.mark.verify)])
 @pytest.mark.parametrize("extension", WRITERS)
-def test_spoiled_files_of_every_format_are_read_or_refused(extension, tmp_path):
+def test_spoiled_files_of_every_format_are_read_or_refused(extension, count, tmp_path):
     random = np.random.default_rng(sum(extension.encode()))
     path = tmp_path / f"organ.{extension}"
     WRITERS[extension](path, *ellipsoid(50))
     content = path.read_bytes()
 
     outcomes = []
-    for _ in range(25):
+    for _ in range(count):
         path.write_bytes(spoil(content, random))
         try:
             report = inspect_mesh(join_parts(read_mesh(path)).mesh).as_dict()
