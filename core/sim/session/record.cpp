@@ -19,6 +19,7 @@
 namespace palpate {
 namespace {
 
+using record_layout::complete_header;
 using record_layout::Descriptor;
 using record_layout::File;
 using record_layout::RecordWriter;
@@ -79,7 +80,9 @@ void sync_name(const std::string& path) {
 
 struct Recorder::Impl {
   Impl(const std::string& path_in, const std::string& header_json, RecordCodec codec)
-      : path(path_in), writer(open_to_record(path_in), header_json, codec) {
+      : path(path_in),
+        header(complete_header(header_json)),
+        writer(open_to_record(path_in), header, codec) {
     sync_name(path);
     thread = std::thread([this] { work(); });
   }
@@ -87,7 +90,7 @@ struct Recorder::Impl {
   void work();
   void empty_log(bool all);
 
-  const std::string path;
+  const std::string path, header;
   TickLog log;
   RecordWriter writer;
   std::vector<TickLog::Tick> ticks;
@@ -164,10 +167,11 @@ void Recorder::finish() {
 
 void write_record(const std::string& path, const Record& record, RecordCodec codec) {
   validate(record);
+  const std::string header = complete_header(record.header);
   WholeFile file(path);
   const int copy = ::fcntl(file.descriptor(), F_DUPFD_CLOEXEC, 0);
   if (copy < 0) throw FileError(path, "", std::strerror(errno), "a file that can be opened");
-  RecordWriter writer(std::make_unique<File>(path, Descriptor{copy}), record.header, codec);
+  RecordWriter writer(std::make_unique<File>(path, Descriptor{copy}), header, codec);
   std::vector<TickLog::Tick> ticks = number_ticks(record);
   std::vector<Happening> happenings = record.happenings;
   std::vector<StateHash> hashes = record.hashes;

@@ -7,8 +7,6 @@
 #include "palpate/sim/session/json_object.h"
 
 namespace palpate::record_layout {
-namespace {
-
 std::string complete_header(const std::string& header_json) {
   if (const auto problem = find_json_problem(header_json)) {
     throw std::invalid_argument("record header: got text that is not a JSON object: " + *problem);
@@ -21,11 +19,8 @@ std::string complete_header(const std::string& header_json) {
   return text;
 }
 
-}  // namespace
-
-RecordWriter::RecordWriter(std::unique_ptr<File> file, const std::string& header_json,
-                           RecordCodec codec)
-    : header_(complete_header(header_json)), codec_(codec), file_(std::move(file)) {
+RecordWriter::RecordWriter(std::unique_ptr<File> file, const std::string& header, RecordCodec codec)
+    : header_(header), codec_(codec), file_(std::move(file)) {
   Bytes preamble = pack_preamble(header_);
   const Bytes crc = pack_u32(compute_crc(preamble));
   preamble.insert(preamble.end(), crc.begin(), crc.end());

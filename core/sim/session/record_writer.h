@@ -8,12 +8,16 @@
 
 namespace palpate::record_layout {
 
+/// The header with the description of the columns. Throws std::invalid_argument for text that is
+/// not a JSON object, so that no file is touched for it.
+std::string complete_header(const std::string& header_json);
+
 /// Appends blocks to a file and remembers what its summary will have to say.
 class RecordWriter {
  public:
-  /// Writes and syncs the header into a file that is open, empty, and closed with this. Throws
-  /// FileError, and std::invalid_argument for a header that is not a JSON object.
-  RecordWriter(std::unique_ptr<File> file, const std::string& header_json, RecordCodec codec);
+  /// Writes and syncs the header, of complete_header(), into a file that is open, empty, and closed
+  /// with this. Throws FileError.
+  RecordWriter(std::unique_ptr<File> file, const std::string& header, RecordCodec codec);
 
   /// Writes full blocks of ticks, and the happenings and hashes whose tick is written, so that
   /// the file is sound wherever it ends; keeps back the rest, unless `all`. What was written is
