@@ -21,6 +21,7 @@ using scenario::Arrays;
 using scenario::Container;
 using scenario::Dtype;
 using scenario::Scenario;
+using scenario::Words;
 using Path = std::filesystem::path;
 using Release = py::call_guard<py::gil_scoped_release>;
 
@@ -77,6 +78,22 @@ void def_arrays(Class& cls, const char* name, Arrays Of::*member, const char* do
       doc);
 }
 
+using Languages = py::typing::Dict<py::str, Words>;
+
+std::map<std::string, Words, std::less<>> copy_languages(const Languages& given) {
+  std::map<std::string, Words, std::less<>> languages;
+  for (const auto& [code, words] : given) {
+    languages.emplace(code.cast<std::string>(), words.cast<const Words&>());
+  }
+  return languages;
+}
+
+Languages list_languages(const Scenario& scenario) {
+  Languages listed;
+  for (const auto& [code, words] : scenario.languages) listed[py::str(code)] = words;
+  return listed;
+}
+
 void bind_limits(py::module_& m) {
   m.attr("kMostFileBytes") = scenario::kMostFileBytes;
   m.attr("kMostArrayBytes") = scenario::kMostArrayBytes;
@@ -87,6 +104,7 @@ void bind_limits(py::module_& m) {
   m.attr("kMostDepth") = scenario::kMostDepth;
   m.attr("kMostTitleBytes") = scenario::kMostTitleBytes;
   m.attr("kMostTaskBytes") = scenario::kMostTaskBytes;
+  m.attr("kMostLanguages") = scenario::kMostLanguages;
   m.attr("kMostParticles") = scenario::kMostParticles;
   m.attr("kMostTriangles") = scenario::kMostTriangles;
   m.attr("kMostLinks") = scenario::kMostLinks;
@@ -153,16 +171,31 @@ void bind_container_files(py::module_& m) {
       "container"_a, "The bytes of the file. Equal containers give equal bytes.");
 }
 
+void bind_words(py::module_& m) {
+  py::class_<Words> words(m, "Words", "Title and task of a scenario in one language.");
+  words
+      .def(py::init([](const std::string& title, const std::string& task) {
+             return Words{title, task};
+           }),
+           "title"_a = "", "task"_a = "")
+      .def_readonly("title", &Words::title, "Empty where it is not translated.")
+      .def_readonly("task", &Words::task, "Empty where it is not translated.");
+  def_copy(words);
+}
+
 void bind_scenario_type(py::module_& m) {
   py::class_<Scenario> made(m, "Scenario",
                             "What a trainee opens: a scene that ticks, what to do with it, and "
                             "what it was made from.");
   made.def(py::init([](const Scene& scene, const std::string& title, const std::string& task,
-                       const std::string& authored, const SomeArrays& authored_arrays) {
-             return Scenario{title, task, scene, authored, copy_arrays(authored_arrays), 0, ""};
+                       const std::string& authored, const SomeArrays& authored_arrays,
+                       const Languages& languages) {
+             return Scenario{title, task, scene, authored, copy_arrays(authored_arrays),
+                             0,     "",   copy_languages(languages)};
            }),
            py::kw_only(), "scene"_a, "title"_a = "", "task"_a = "", "authored"_a = "{}",
-           "authored_arrays"_a = SomeArrays(), "Copies the scene, which build_scene made.");
+           "authored_arrays"_a = SomeArrays(), "languages"_a = Languages(),
+           "Copies the scene, which build_scene made.");
   made.def_readwrite("title", &Scenario::title)
       .def_readwrite("task", &Scenario::task, "What the trainee is asked to do, in words.")
       .def_readonly("scene", &Scenario::scene)
@@ -174,7 +207,13 @@ void bind_scenario_type(py::module_& m) {
                     "Filled by the reader: which program and version wrote the file.");
   def_arrays(made, "authored_arrays", &Scenario::authored_arrays,
              "What belongs to the document, in a new dict; views, read-only.");
+  made.def_property_readonly("languages", &list_languages,
+                             "Title and task in further languages, by code such as \"tr\" or "
+                             "\"pt-BR\", in a new dict.");
   def_copy(made);
+  m.def("find_words", &scenario::find_words, "scenario"_a, "language"_a,
+        "Title and task in a language: those of its code, else of the same language elsewhere "
+        "(\"tr\" for \"tr-TR\"), else those of the scenario itself, each by itself.");
 }
 
 void bind_scenario_files(py::module_& m) {
@@ -215,6 +254,7 @@ void bind_scenario(py::module_& parent) {
   bind_limits(m);
   bind_container(m);
   bind_container_files(m);
+  bind_words(m);
   bind_scenario_type(m);
   bind_scenario_files(m);
 }

@@ -93,6 +93,49 @@ void check_text(const char* name, const std::string& text, std::size_t most) {
                               std::to_string(most));
 }
 
+void check_languages(const Scenario& scenario) {
+  if (scenario.languages.size() > kMostLanguages) {
+    throw std::invalid_argument("scenario: languages: found " +
+                                std::to_string(scenario.languages.size()) +
+                                ", expected at most " + std::to_string(kMostLanguages));
+  }
+  for (const auto& [code, words] : scenario.languages) {
+    if (const auto problem = find_language_problem(code)) {
+      throw std::invalid_argument("scenario: languages: found the code " + describe(Json(code)) +
+                                  ", " + *problem + ", expected a code such as tr or pt-BR");
+    }
+    check_text(("languages." + code + ".title").c_str(), words.title, kMostTitleBytes);
+    check_text(("languages." + code + ".task").c_str(), words.task, kMostTaskBytes);
+  }
+}
+
+Json print_languages(const Scenario& scenario) {
+  Json printed = Json::object();
+  for (const auto& [code, words] : scenario.languages) {
+    printed[code] = {{"title", words.title}, {"task", words.task}};
+  }
+  return printed;
+}
+
+void parse_languages(Fields& fields, const std::string& file, Scenario& scenario) {
+  const Json& languages = fields.any("languages");
+  if (!languages.is_object()) fields.refuse("languages", describe(languages), "an object");
+  if (languages.size() > kMostLanguages) {
+    fields.refuse("languages", std::to_string(languages.size()) + " languages",
+                  "at most " + std::to_string(kMostLanguages));
+  }
+  for (const auto& [code, words] : languages.items()) {
+    if (const auto problem = find_language_problem(code)) {
+      fields.refuse("languages", "the code " + describe(Json(code)) + ", " + *problem,
+                    "a code such as tr or pt-BR");
+    }
+    Fields said(words, file, std::string(kWhere) + ".languages." + code);
+    scenario.languages[code] = {said.text("title", kMostTitleBytes),
+                                said.text("task", kMostTaskBytes)};
+    said.finish();
+  }
+}
+
 Json parse_authored(const std::string& text) {
   try {
     return parse_object(text, "", "");
@@ -107,11 +150,14 @@ Json parse_authored(const std::string& text) {
 std::string print_content(const Scenario& scenario) {
   check_text("title", scenario.title, kMostTitleBytes);
   check_text("task", scenario.task, kMostTaskBytes);
-  return print({{"title", scenario.title},
-                {"task", scenario.task},
-                {"scene", print_scene(scenario.scene)},
-                {"authored", parse_authored(scenario.authored)}},
-               "scenario: title or task");
+  check_languages(scenario);
+  Json printed = {{"title", scenario.title},
+                  {"task", scenario.task},
+                  {"scene", print_scene(scenario.scene)},
+                  {"authored", parse_authored(scenario.authored)}};
+  // only where there are some: a file without is what it was before there were any
+  if (!scenario.languages.empty()) printed["languages"] = print_languages(scenario);
+  return print(printed, "scenario: title or task");
 }
 
 void parse_content(const std::string& content, const std::string& file, Scenario& scenario) {
@@ -123,6 +169,7 @@ void parse_content(const std::string& content, const std::string& file, Scenario
   const Json& authored = fields.any("authored");
   if (!authored.is_object()) fields.refuse("authored", describe(authored), "an object");
   scenario.authored = authored.dump();
+  if (parsed.contains("languages")) parse_languages(fields, file, scenario);
   fields.finish();
 }
 

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
 #include "palpate/scenario/container.h"
 #include "palpate/sim/haptics/scene.h"
 
@@ -8,6 +13,7 @@ namespace palpate::scenario {
 
 inline constexpr std::size_t kMostTitleBytes = 200;
 inline constexpr std::size_t kMostTaskBytes = 20000;
+inline constexpr std::size_t kMostLanguages = 50;  ///< beside the one of title and task
 
 // The largest tissue that a file may hold: more than ticks 1000 times a second, and little enough
 // that the longest search for its eigenvalues ends within 5 s.
@@ -19,6 +25,12 @@ inline constexpr std::size_t kMostTetrahedra = 2 * kMostParticles;
 /// Of linear solids, whose response is solved for.
 inline constexpr std::size_t kMostElastic = 6000;
 
+/// Title and task in one language, UTF-8.
+struct Words {
+  std::string title;
+  std::string task;
+};
+
 /// What a trainee opens: a scene that ticks, what to do with it, and what it was made from.
 struct Scenario {
   std::string title;            ///< UTF-8
@@ -28,6 +40,16 @@ struct Scenario {
   Arrays authored_arrays;       ///< what belongs to it
   int version = 0;              ///< filled by the reader: of the format, as the file had it
   std::string written_by;       ///< filled by the reader: which program and version wrote the file
+  /// Title and task in further languages, by code ("tr", "pt-BR"); an empty one is not translated.
+  std::map<std::string, Words, std::less<>> languages;
 };
+
+/// Title and task in a language: those of its code, else of the same language elsewhere ("tr" for
+/// "tr-TR"), else those of the scenario itself, each by itself.
+Words find_words(const Scenario& scenario, std::string_view language);
+
+/// What is wrong with the code of a language, or none: two or three small letters, then parts of 1
+/// to 8 letters or digits behind hyphens [BCP 47].
+std::optional<std::string> find_language_problem(std::string_view code);
 
 }  // namespace palpate::scenario

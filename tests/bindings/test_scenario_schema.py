@@ -37,7 +37,11 @@ def manifest_of(file: Path | bytes) -> Json:
 
 def published() -> bytes:
     made = scenario.Scenario(
-        scene=organ_scene(1), title="Spleen", task="Press it.", authored_arrays={"a/b": [1, 2]}
+        scene=organ_scene(1),
+        title="Spleen",
+        task="Press it.",
+        authored_arrays={"a/b": [1, 2]},
+        languages={"tr": scenario.Words("Dalak", "Bastırın.")},
     )
     return scenario.pack_container(scenario.pack(made))
 
@@ -93,6 +97,10 @@ CHANGES = {
     "a negative extent": set_in("arrays|scene/tissue/mass|shape", [-1]),
     "a hash of 3 digits": set_in("arrays|scene/tissue/mass|sha256", "abc"),
     "a list for the document": set_in("content|authored", []),
+    "a list for the languages": set_in("content|languages", []),
+    "a language of capital letters": set_in("content|languages|TR", {"title": "", "task": ""}),
+    "a language without a task": remove("content|languages|tr|task"),
+    "a language with more than words": set_in("content|languages|tr|voice", "x"),
 }
 
 

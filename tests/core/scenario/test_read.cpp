@@ -85,6 +85,46 @@ TEST_CASE("every table, every number and the authored document come back") {
   CHECK(found.scene.tissue.volumes.around == made.scene.tissue.volumes.around);
 }
 
+TEST_CASE("title and task in further languages come back, and a file without them is as before") {
+  Scenario made = make_scenario();
+  CHECK(!contains(scenario::pack(made).content, "languages"));
+  made.languages["tr"] = {"Böbrek", "Organa dokunun ve çekin."};
+  made.languages["pt-BR"] = {"Rim", ""};
+
+  const Scenario found = scenario::unpack(scenario::pack(made), "file");
+
+  REQUIRE(found.languages.size() == 2);
+  CHECK(found.languages.at("tr").title == "Böbrek");
+  CHECK(found.languages.at("tr").task == "Organa dokunun ve çekin.");
+  CHECK(scenario::pack(found).content == scenario::pack(made).content);
+}
+
+TEST_CASE("words are those of the language, of the same language elsewhere, or of the scenario") {
+  Scenario made;
+  made.title = "Kidney";
+  made.task = "Press.";
+  made.languages["tr"] = {"Böbrek", "Bastırın."};
+  made.languages["pt"] = {"Rim", "Pressione."};
+  made.languages["pt-BR"] = {"", "Aperte."};
+
+  CHECK(scenario::find_words(made, "tr").title == "Böbrek");
+  CHECK(scenario::find_words(made, "tr-TR").task == "Bastırın.");
+  CHECK(scenario::find_words(made, "pt-BR").title == "Rim");
+  CHECK(scenario::find_words(made, "pt-BR").task == "Aperte.");
+  CHECK(scenario::find_words(made, "de").title == "Kidney");
+  CHECK(scenario::find_words(made, "").task == "Press.");
+}
+
+TEST_CASE("the code of a language is two or three small letters, and parts behind hyphens") {
+  for (const char* code : {"tr", "en-GB", "zh-Hant-TW", "sr-Latn", "de-1996", "gsw"}) {
+    CHECK_MESSAGE(!scenario::find_language_problem(code), code);
+  }
+  for (const char* code : {"", "t", "TR", "turk", "tr-", "tr--TR", "tr_TR", "tr-\xc3\xa7", "-tr",
+                           "tr-abcdefghi", "aa-bbbbbbbb-cccccccc-dddddddd-eeeeee"}) {
+    CHECK_MESSAGE(scenario::find_language_problem(code).has_value(), code);
+  }
+}
+
 TEST_CASE("the pressure of an organ without a skin comes back") {
   Scenario made = make_scenario();
   made.scene.tissue.skin = {};
@@ -197,6 +237,27 @@ TEST_CASE("a number, a text or a choice in the manifest that is none is refused 
   CHECK(contains(refuse_content("\"authored\":", "\"authored\":[],\"unused\":"), "authored"));
 }
 
+TEST_CASE("languages that are none, are unknown in form or hold anything but words are refused") {
+  const auto refuse_languages = [](const std::string& languages) {
+    return refuse_content("\"title\":", "\"languages\":" + languages + ",\"title\":");
+  };
+  std::string many;
+  for (char a = 'a'; a <= 'z'; ++a) {
+    for (const char b : {'a', 'b'}) {
+      many += (many.empty() ? "\"" : ",\"") + std::string{a, b} + "\":{}";
+    }
+  }
+
+  CHECK(contains(refuse_languages("[]"), "content.languages: found a list of 0, expected an obj"));
+  CHECK(contains(refuse_languages("{\"TR\":{}}"), "found the code \"TR\", which does not begin"));
+  CHECK(contains(refuse_languages("{\"tr\":7}"), "languages.tr: found 7, expected an object"));
+  CHECK(contains(refuse_languages("{\"tr\":{}}"), "languages.tr.title: found nothing"));
+  CHECK(contains(refuse_languages("{\"tr\":{\"title\":\"\",\"task\":1}}"), "tr.task: found 1"));
+  CHECK(contains(refuse_languages("{\"tr\":{\"title\":\"\",\"task\":\"\",\"tas\":1}}"),
+                 "unknown member \"tas\""));
+  CHECK(contains(refuse_languages("{" + many + "}"), "found 52 languages, expected at most 50"));
+}
+
 TEST_CASE("a scenario that could not be read is not written") {
   const auto refused = [](auto change) {
     Scenario made = make_scenario();
@@ -212,4 +273,13 @@ TEST_CASE("a scenario that could not be read is not written") {
   CHECK(contains(refused([](Scenario& s) { s.scene = Scene{}; }), "result of build_scene"));
   CHECK(contains(refused([](Scenario& s) { s.scene.tissue.mass[0] = 0.0; }), "mass: row 0"));
   CHECK(contains(refused([](Scenario& s) { s.authored_arrays["../up"] = {}; }), "the name"));
+  CHECK(contains(refused([](Scenario& s) { s.languages["TR"] = {}; }), "found the code \"TR\""));
+  CHECK(contains(refused([](Scenario& s) { s.languages["tr"].title.assign(201, 'a'); }),
+                 "languages.tr.title: found 201 bytes"));
+  CHECK(contains(refused([](Scenario& s) {
+                   for (char a = 'a'; a <= 'z'; ++a) {
+                     s.languages[{a, 'a'}] = s.languages[{a, 'b'}] = {};
+                   }
+                 }),
+                 "languages: found 52, expected at most 50"));
 }
