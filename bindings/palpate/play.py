@@ -7,7 +7,6 @@ The window stands in palpate.player, which is loaded only when it is asked for.
 from __future__ import annotations
 
 import argparse
-import os
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import palpate
+from palpate.data_folder import find_record_folder
 from palpate.device_link import SERIAL, build_link
 from palpate.display import require_display
 from palpate.file_kind import RECORD
@@ -53,11 +53,13 @@ class Play:
     duration: float = 0.0
     """[s] of a run; 0 for one that lasts until it is stopped."""
     record: Path | None = None
-    """Of the first run; without it each run gets a name of its own."""
+    """Of the first run; without it each run gets a name of its own in find_record_folder()."""
     records: list[Path] = field(default_factory=list)
     """Of the runs so far."""
     limit: float = field(default_factory=lambda: palpate.SafetyLimits().force_max)
     """[N] of the device of the last run."""
+    language: str = ""
+    """Of title and task, where the scenario has it; empty for the one it was written in."""
 
     def build_hand(self) -> palpate.PointerDevice | palpate.ScriptedDevice | None:
         """Whoever moves the tip or the stylus; None where that is a real hand."""
@@ -107,11 +109,24 @@ class Play:
     def name_record(self) -> Path:
         """Where the next record goes: as asked for, numbered from the second run on."""
         if self.record is None:
-            name = f"{self.path.stem}-{time.strftime('%Y%m%d-%H%M%S')}.prec"
-            return find_free(find_record_folder(self.path) / name)
+            folder = self.record_folder()
+            folder.mkdir(parents=True, exist_ok=True)
+            return find_free(folder / f"{self.path.stem}-{time.strftime('%Y%m%d-%H%M%S')}.prec")
         if not self.records:
             return self.record
         return find_free(self.record.with_stem(f"{self.record.stem}-{len(self.records) + 1}"))
+
+    def words(self) -> palpate.scenario.Words:
+        """Title and task in the language that was asked for, as far as the scenario has it."""
+        return palpate.scenario.find_words(self.scenario, self.language)
+
+    def title(self) -> str:
+        """What a window calls it: its title, else its file."""
+        return self.words().title or self.path.stem
+
+    def record_folder(self) -> Path:
+        """Where the records go; made with the first of them."""
+        return find_record_folder() if self.record is None else self.record.resolve().parent
 
     def force_limit(self) -> float:
         """[N] More than this no device is sent."""
@@ -137,17 +152,6 @@ def find_middle(scene: palpate.Scene) -> NDArray[np.float64]:
     """[m] (3,) of the tissue: there lies the middle of the arm's workspace."""
     x = scene.tissue.rest_position
     return 0.5 * (x.min(axis=0) + x.max(axis=0))
-
-
-def find_record_folder(scenario: Path) -> Path:
-    """Beside the scenario or, where one may not write there, in the user's own folder."""
-    beside = scenario.resolve().parent
-    if os.access(beside, os.W_OK):
-        return beside
-    home = os.environ.get("XDG_DATA_HOME") or Path.home() / ".local" / "share"
-    folder = Path(home) / "palpate" / "records"
-    folder.mkdir(parents=True, exist_ok=True)
-    return folder
 
 
 def find_free(path: Path) -> Path:
@@ -204,7 +208,8 @@ def play_headless(play: Play) -> Report:
 
 
 def describe_play(play: Play) -> Report:
-    return {"scenario": str(play.path), "title": play.scenario.title, "task": play.scenario.task}
+    words = play.words()
+    return {"scenario": str(play.path), "title": words.title, "task": words.task}
 
 
 def describe_run(play: Play, record: Path, costs: palpate.LoopReport) -> Report:
@@ -240,12 +245,17 @@ def add_play(word: argparse.ArgumentParser) -> None:
         word,
         "--record",
         writes=RECORD,
-        help="write the run as this .prec; default: beside the scenario",
+        help="write the run as this .prec; default: a name of its own in palpate/records of the "
+        "user's data folder (the window names it and opens it)",
     )
     word.add_argument(
         "--duration", type=quantity("s"), help="of a run; default: of the script, or no end"
     )
-    word.add_argument("--language", choices=("en", "tr"), help="default: that of the system")
+    word.add_argument(
+        "--language",
+        choices=("en", "tr"),
+        help="of the window, and of title and task; default: that of the system",
+    )
     word.add_argument("--theme", choices=("dark", "light"), default="dark")
 
 
@@ -255,6 +265,7 @@ def run_play(call: argparse.Namespace) -> Report:
     if call.headless and SCRIPT not in call.device and not call.device.startswith(SERIAL):
         raise WrongCall("--headless has no mouse: give --device script:FILE")
     play = open_play(call.file, call.device, call.record, call.duration)
+    play.language = call.language or ""
     if call.headless:
         return play_headless(play)
     try:

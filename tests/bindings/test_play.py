@@ -17,7 +17,8 @@ import pytest
 from matplotlib.image import imread
 from palpate import scenario
 from palpate.cli import main
-from palpate.play import find_free, find_record_folder, open_play
+from palpate.data_folder import find_data_folder, find_record_folder
+from palpate.play import find_free, open_play
 from palpate.run import describe_build
 from palpate.script_file import read_script_file, write_script_file
 from palpate.verb import Refusal, WrongCall
@@ -57,7 +58,9 @@ def test_a_script_is_played_headless_and_its_record_replays_bit_by_bit(tmp_path,
     assert json.loads(out)["equal"]
 
 
-def test_the_report_for_people_says_where_the_record_is_and_what_this_is_not(tmp_path, capsys):
+def test_the_report_for_people_says_where_the_record_is_and_what_this_is_not(
+    tmp_path, user_data, capsys
+):
     path, script = publish(tmp_path), write_press(tmp_path)
 
     code, out, _ = call(
@@ -65,8 +68,9 @@ def test_the_report_for_people_says_where_the_record_is_and_what_this_is_not(tmp
     )
 
     assert code == 0
-    records = list(tmp_path.glob("spleen-*.prec"))
+    records = list((user_data / "palpate" / "records").glob("spleen-*.prec"))
     assert len(records) == 1
+    assert list(tmp_path.glob("*.prec")) == []
     assert str(records[0]) in out
     assert TITLE in out
     assert "not validated, not a medical device" in out
@@ -86,14 +90,35 @@ def test_playing_headless_loads_no_qt(tmp_path):
     assert ran.returncode == 0, ran.stderr
 
 
-def test_records_go_beside_the_scenario_or_to_the_user_and_overwrite_nothing(tmp_path, monkeypatch):
-    path = publish(tmp_path)
-    assert find_record_folder(path) == tmp_path
-    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "home"))
-    monkeypatch.setattr(os, "access", lambda *_: False)
-    assert find_record_folder(path) == tmp_path / "home" / "palpate" / "records"
-    assert find_record_folder(path).is_dir()
+def test_records_go_to_a_folder_of_the_user_and_replay_from_there(tmp_path, user_data, capsys):
+    path, script = publish(tmp_path), write_press(tmp_path)
+    assert find_record_folder() == user_data / "palpate" / "records"
+    assert open_play(path).record_folder() == find_record_folder()
+    assert open_play(path, record=tmp_path / "a.prec").record_folder() == tmp_path
 
+    words = ("--device", f"script:{script}", "--headless", "--duration", "200ms", "--json")
+    code, out, _ = call(capsys, "play", path, *words)
+
+    record = json.loads(out)["record"]
+    assert code == 0
+    assert os.path.dirname(record) == str(find_record_folder())
+    assert call(capsys, "replay", record)[0] == 0
+
+
+def test_the_folder_of_a_users_data_is_that_of_the_system(tmp_path, monkeypatch):
+    monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.setenv("XDG_DATA_HOME", "relative/and/so/ignored")
+    assert find_data_folder() == tmp_path / ".local" / "share" / "palpate"
+    monkeypatch.delenv("XDG_DATA_HOME")
+    assert find_data_folder() == tmp_path / ".local" / "share" / "palpate"
+    monkeypatch.setattr(sys, "platform", "darwin")
+    assert find_data_folder() == tmp_path / "Library" / "Application Support" / "palpate"
+    monkeypatch.setattr(sys, "platform", "win32")
+    monkeypatch.setenv("LOCALAPPDATA", str(tmp_path / "local"))
+    assert find_data_folder() == tmp_path / "local" / "palpate"
+
+
+def test_records_overwrite_nothing(tmp_path):
     taken = tmp_path / "run.prec"
     assert find_free(taken) == taken
     taken.write_bytes(b"")

@@ -49,7 +49,7 @@ def test_before_the_start_the_task_and_the_gestures_can_be_read(open_window):
     assert window.run is None
     assert {TITLE, TASK, "Start", "Left button", "press"} <= set(said)
     assert window.windowTitle().startswith(TITLE)
-    assert list(window.play.path.parent.glob("*.prec")) == []
+    assert not window.play.record_folder().exists()
 
 
 def test_a_trainee_starts_presses_feels_and_leaves_a_record(open_window, qtbot):
@@ -303,7 +303,7 @@ def test_the_wheel_presses_deeper_into_the_organ(open_window, qtbot):
 
 
 def test_the_command_opens_the_window_and_reports_when_it_is_closed(
-    qtbot, tmp_path, capsys, monkeypatch
+    qtbot, tmp_path, user_data, capsys, monkeypatch
 ):
     path, script = publish(tmp_path), write_press(tmp_path)
     seen = []
@@ -321,7 +321,7 @@ def test_the_command_opens_the_window_and_reports_when_it_is_closed(
     assert code == 0
     assert seen == [Phase.over]
     out = capsys.readouterr().out
-    record = next(tmp_path.glob("spleen-*.prec"))
+    record = next((user_data / "palpate" / "records").glob("spleen-*.prec"))
     assert str(record) in out
     assert f"{read_peak(record):.3f} N" in out
     QApplication.sendPostedEvents(None, 52)

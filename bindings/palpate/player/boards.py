@@ -4,41 +4,52 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QButtonGroup, QFrame, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QWidget
 
-from palpate.player.cards import Table, build_label
+from palpate.player.cards import FolderLine, Page, Table
 from palpate.player.words import format_clock, format_number, say_gestures, say_keys, translate
 from palpate.translation import LANGUAGES
 
 
-class Board(QFrame):
+class Board(Page):
     """A card with a headline, a few lines, and buttons."""
 
     def __init__(self, parent: QWidget):
-        super().__init__(parent)
-        self.setObjectName("board")
-        self.rows = QVBoxLayout(self)
-        self.rows.setContentsMargins(36, 30, 36, 30)
-        self.rows.setSpacing(14)
-        self.headline = build_label("headline", self, wrap=True)
-        self.rows.addWidget(self.headline)
+        super().__init__(parent, "board")
+        self.rows.setContentsMargins(36, 26, 36, 26)
+        self.rows.setSpacing(12)
+        self.headline = self.add("headline")
+        self.main: QPushButton | None = None
+        """The button one most likely wants."""
         self.hide()
 
     def add_button(self, main: bool = False) -> QPushButton:
-        button = QPushButton(self)
+        button = QPushButton(self.page)
         if main:
             button.setObjectName("main")
+            self.main = button
         button.setCursor(Qt.CursorShape.PointingHandCursor)
         self.rows.addWidget(button)
         return button
 
     def say(self) -> None:
-        """Sets all words anew."""
+        """Sets all words again."""
 
     def focus(self) -> None:
         """Gives the keyboard to the button one most likely wants."""
+        if self.main is not None:
+            self.main.setFocus()
+
+    def press(self) -> None:
+        """Enter: the button that has the keyboard, else the one one most likely wants."""
+        focus = self.window().focusWidget()
+        chosen = isinstance(focus, QPushButton) and self.isAncestorOf(focus)
+        button = focus if chosen else self.main
+        if isinstance(button, QPushButton):
+            button.click()
 
 
 class Choice(QWidget):
@@ -71,32 +82,36 @@ class Choice(QWidget):
 
 
 class StartBoard(Board):
-    """The task, how a hand moves, and the way in."""
+    """The task, how a hand moves, where records go, and the way in."""
 
-    def __init__(self, parent: QWidget, title: str, task: str):
+    def __init__(self, parent: QWidget, folder: Path):
         super().__init__(parent)
-        self.headline.setText(title)
-        self.task = build_label("body", self, wrap=True)
-        self.task.setText(task)
-        self.task.setVisible(bool(task))
-        self.rows.addWidget(self.task)
-        self.rows.addSpacing(6)
+        self.task = self.add("body")
+        self.rows.addSpacing(4)
         self.gestures = Table(self, say_gestures)
         self.rows.addWidget(self.gestures)
-        self.rows.addSpacing(6)
+        self.rows.addSpacing(4)
         self.start = self.add_button(main=True)
         self.languages = Choice(self, list(LANGUAGES))
         self.rows.addWidget(self.languages)
+        self._folder = folder
+        self.records = FolderLine(self)
+        self.rows.addWidget(self.records)
         self.say()
+
+    def tell(self, title: str, task: str) -> None:
+        """What the scenario says of itself."""
+        self.headline.setText(title)
+        self.task.setText(task)
+        self.task.setVisible(bool(task))
 
     def say(self) -> None:
         self.gestures.say()
         self.start.setText(translate("Player", "Start"))
         for code, name in LANGUAGES.items():
             self.languages.buttons[code].setText(name)
-
-    def focus(self) -> None:
-        self.start.setFocus()
+        words = translate("Player", "Every run is recorded in %1")
+        self.records.tell(words.replace("%1", str(self._folder)), self._folder)
 
 
 class MenuBoard(Board):
@@ -129,20 +144,15 @@ class MenuBoard(Board):
         self.themes.buttons["light"].setText(translate("Player", "Light"))
         self.keys.say()
 
-    def focus(self) -> None:
-        self.resume.setFocus()
-
 
 class EndBoard(Board):
     """How the run went, and where its record is."""
 
     def __init__(self, parent: QWidget):
         super().__init__(parent)
-        self.trouble = build_label("body", self, wrap=True)
-        self.facts = build_label("body", self, wrap=True)
-        self.record = build_label("caption", self, wrap=True)
-        for label in (self.trouble, self.facts, self.record):
-            self.rows.addWidget(label)
+        self.trouble, self.facts = self.add("body"), self.add("body")
+        self.record = FolderLine(self)
+        self.rows.addWidget(self.record)
         self.restart = self.add_button(main=True)
         self.quit = self.add_button()
         self._time, self._peak, self._path, self._trouble = 0.0, 0.0, "", ""
@@ -163,9 +173,7 @@ class EndBoard(Board):
         facts = translate("Player", "Time %1. Peak force %2 N.")
         facts = facts.replace("%1", format_clock(self._time))
         self.facts.setText(facts.replace("%2", format_number(self._peak, 2)))
-        self.record.setText(translate("Player", "Record: %1").replace("%1", self._path))
+        words = translate("Player", "Record: %1").replace("%1", self._path)
+        self.record.tell(words, Path(self._path).parent)
         self.restart.setText(translate("Player", "Restart"))
         self.quit.setText(translate("Player", "Quit"))
-
-    def focus(self) -> None:
-        self.restart.setFocus()

@@ -4,9 +4,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtCore import Qt, QUrl, Signal
+from PySide6.QtGui import QDesktopServices, QMouseEvent
+from PySide6.QtWidgets import (
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
 
 from palpate.player.words import format_clock, say_notice, translate
 
@@ -37,15 +48,108 @@ class Card(QFrame):
         return label
 
 
-class TaskCard(Card):
-    """What the scenario is called and what is to be done; its own words, in its own language."""
+class Page(QScrollArea):
+    """A rounded panel whose rows are scrolled where there is no room for all of them."""
 
-    def __init__(self, parent: QWidget, title: str, task: str):
+    def __init__(self, parent: QWidget, name: str):
         super().__init__(parent)
-        self.add("title", wrap=True).setText(title)
-        body = self.add("body", wrap=True)
-        body.setText(task)
-        body.setVisible(bool(task))
+        self.setObjectName(name)
+        self.setWidgetResizable(True)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.page = QWidget()
+        self.page.setObjectName("page")
+        self.rows = QVBoxLayout(self.page)
+        self.setWidget(self.page)
+        self.page.setAutoFillBackground(False)
+        self.viewport().setAutoFillBackground(False)
+
+    def add(self, name: str) -> QLabel:
+        label = build_label(name, self.page, wrap=True)
+        self.rows.addWidget(label)
+        return label
+
+    def find_height(self, width: int) -> int:
+        """[px] that all rows need in this width."""
+        for part in (self, self.page, *self.page.findChildren(QWidget)):
+            part.ensurePolished()
+        self.rows.invalidate()
+        frame = 2 * self.frameWidth()
+        wanted = self.rows.totalHeightForWidth(width - frame)
+        return frame + (wanted if wanted > 0 else self.rows.totalSizeHint().height())
+
+
+class TaskCard(Page):
+    """What the scenario is called and what is to be done. A click folds it up to its title."""
+
+    folded = Signal(bool)
+
+    def __init__(self, parent: QWidget):
+        super().__init__(parent, "card")
+        self.rows.setContentsMargins(20, 16, 20, 16)
+        self.rows.setSpacing(6)
+        self.title, self.body = self.add("title"), self.add("body")
+        self.hint = self.add("caption")
+        self.is_folded = False
+        self.setCursor(Qt.CursorShape.PointingHandCursor)
+
+    def tell(self, title: str, task: str) -> None:
+        self.title.setText(title)
+        self.body.setText(task)
+        self.fold(self.is_folded)
+
+    def fold(self, folded: bool) -> None:
+        """Shows the title alone, or the task too."""
+        self.is_folded = folded
+        there = bool(self.body.text())
+        self.body.setVisible(there and not folded)
+        words = translate("Player", "T shows the task") if folded else ""
+        self.hint.setText(words)
+        self.hint.setVisible(there and folded)
+        self.folded.emit(folded)
+
+    def toggle(self) -> None:
+        self.fold(not self.is_folded)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.toggle()
+        event.accept()
+
+
+class FolderLine(QWidget):
+    """Where something is kept, and a button that shows it in the system's own file manager."""
+
+    def __init__(self, parent: QWidget):
+        super().__init__(parent)
+        self.folder = Path()
+        self.label = build_label("caption", self, wrap=True)
+        self.button = QPushButton(self)
+        self.button.setObjectName("small")
+        self.button.setCursor(Qt.CursorShape.PointingHandCursor)
+        self.button.clicked.connect(self.open)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(12)
+        row.addWidget(self.label, 1)
+        row.addWidget(self.button)
+
+    def tell(self, words: str, folder: Path) -> None:
+        """`words` name what lies in the folder."""
+        self.folder = folder
+        self.label.setText(words)
+        self.button.setText(translate("Player", "Open the folder"))
+
+    def open(self) -> None:
+        """Makes the folder where there is none yet."""
+        try:
+            self.folder.mkdir(parents=True, exist_ok=True)
+            opened = QDesktopServices.openUrl(QUrl.fromLocalFile(str(self.folder)))
+        except OSError:
+            opened = False
+        if not opened:
+            words = translate("Player", "This system does not open folders. It is %1")
+            self.label.setText(words.replace("%1", str(self.folder)))
 
 
 class ClockCard(Card):

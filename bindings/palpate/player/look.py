@@ -74,6 +74,7 @@ def build_style(name: str, letter: float) -> str:
     raised = as_css(mix(theme.panel, theme.text, 0.10), 0.9)
     over = as_css(mix(theme.panel, theme.text, 0.20), 0.95)
     return f"""
+    QWidget#page {{ background: transparent; }}
     QFrame#card {{ background: {as_css(theme.panel, PANEL)}; border-radius: 14px; }}
     QFrame#board {{ background: {as_css(theme.panel, SOLID)}; border-radius: 20px;
         border: 1px solid {as_css(theme.text, 0.10)}; }}
@@ -99,6 +100,8 @@ def build_style(name: str, letter: float) -> str:
         font-size: {letter:.0f}px; }}
     QPushButton:hover, QPushButton:focus {{ background: {over};
         border: 1px solid {as_css(look.accent)}; }}
+    QPushButton#small {{ padding: {0.3 * letter:.0f}px {0.8 * letter:.0f}px;
+        font-size: {0.85 * letter:.0f}px; }}
     QPushButton#main {{ color: {as_css(look.on_accent)}; background: {as_css(look.accent)};
         font-weight: 600; border: 1px solid transparent; }}
     QPushButton#main:hover, QPushButton#main:focus {{ border: 1px solid {text}; }}

@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+import math
+from copy import copy
+
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QFrame
 
@@ -11,10 +14,12 @@ from palpate.player.boards import Board, EndBoard, MenuBoard, StartBoard
 from palpate.player.cards import Banner, ClockCard, KeyLine, Notice, TaskCard
 from palpate.player.force_bar import ForceBar
 from palpate.player.words import say_keys, translate
-from palpate.viewport import View
+from palpate.viewport import View, navigation
 
 EDGE = 20
 """[px] to the sides of the window."""
+GAP = 8
+"""[px] between panels that must not touch."""
 LEAST_BANNER = 18.0
 """[-] width of a sentence, in heights of a letter."""
 SIDE = 9.4
@@ -26,21 +31,32 @@ class Overlays(QObject):
 
     def __init__(self, view: View, play: Play):
         super().__init__(view)
-        self._view = view
-        scenario = play.scenario
-        title = scenario.title or play.path.stem
-        self.task = TaskCard(view, title, scenario.task)
+        self._view, self._play = view, play
+        self.task = TaskCard(view)
         self.clock = ClockCard(view)
         self.force = ForceBar(view, play.force_limit())
         self.notice = Notice(view)
         self.keys = KeyLine(view, say_keys)
         self.warning, self.alarm = Banner(view, "warning"), Banner(view, "alarm")
         self.pause, self.device = Banner(view, "warning"), Banner(view, "alarm")
-        self.start = StartBoard(view, title, scenario.task)
+        self.start = StartBoard(view, play.record_folder())
         self.menu, self.end = MenuBoard(view), EndBoard(view)
         self._letter = 16.0
+        self._free = (0, 0, 0, 0)
+        self.tell_task()
+        self.task.folded.connect(self.place)
         self.start_anew()
         view.installEventFilter(self)
+
+    def tell_task(self) -> None:
+        """Title and task, in the language of the window where the scenario has it."""
+        title, task = self._play.title(), self._play.words().task
+        self.task.tell(title, task)
+        self.start.tell(title, task)
+
+    def board(self) -> Board | None:
+        """The one that is shown."""
+        return next((b for b in (self.start, self.menu, self.end) if not b.isHidden()), None)
 
     def start_anew(self) -> None:
         """As before a run."""
@@ -72,8 +88,6 @@ class Overlays(QObject):
     def use_look(self, theme: str, letter: float) -> None:
         self._letter = letter
         self.force.use_look(theme, letter)
-        side = round(SIDE * letter) + EDGE
-        self._view.keep_free(left=side // 3, right=side, bottom=2 * EDGE)
         self.place()
 
     def say(self) -> None:
@@ -81,31 +95,55 @@ class Overlays(QObject):
         paused = bool(self.pause.label.text())
         for panel in (self.clock, self.notice, self.keys, self.start, self.menu, self.end):
             panel.say()
+        self.tell_task()
         self.force.update()
         self.show_pause(paused)
-        self.show_board(
-            next((b for b in (self.start, self.menu, self.end) if not b.isHidden()), None)
-        )
+        self.show_board(self.board())
 
     def place(self) -> None:
         """Everything to where it belongs, for the size the window has now."""
         width, height, m = self._view.width(), self._view.height(), self._letter
-        self._put(self.task, min(26.0 * m, 0.34 * width), EDGE, EDGE)
-        self._put(self.clock, SIDE * m, width - EDGE - SIDE * m, EDGE)
-        top = self.clock.geometry().bottom() + 12
         notice_top = height - EDGE - self.notice.sizeHint().height()
         self.notice.adjustSize()
         self.notice.move(EDGE, notice_top)
+        wide = round(min(22.0 * m, 0.28 * width))
+        high = min(self.task.find_height(wide), notice_top - GAP - EDGE)
+        self.task.setGeometry(EDGE, EDGE, wide, high)
+        self._put(self.clock, SIDE * m, width - EDGE - SIDE * m, EDGE)
+        top = self.clock.geometry().bottom() + 12
         self.force.setGeometry(
             round(width - EDGE - SIDE * m),
             top,
             round(SIDE * m),
             max(0, min(round(24.0 * m), height - EDGE - top)),
         )
+        self._keep_free(width, height, notice_top)
         self._place_keys(width, notice_top)
         self._place_banners(width, m)
         for board in (self.start, self.menu, self.end):
-            self._centre(board, min(34.0 * m, 0.9 * width), width, height)
+            self._centre(board, round(min(34.0 * m, 0.9 * width)), notice_top - GAP)
+
+    def _keep_free(self, width: int, height: int, notice_top: int) -> None:
+        """The organ stands beside the task or below it, wherever it is seen larger."""
+        right, bottom = round(SIDE * self._letter) + EDGE + GAP, height - notice_top + GAP
+        task = self.task.geometry()
+        beside = (task.right() + GAP, 0, right, bottom)
+        below = (right // 3, task.bottom() + GAP, right, bottom)
+
+        free = min(beside, below, key=self._find_distance)
+        if free != self._free:
+            self._free = free
+            self._view.keep_free(*free)
+
+    def _find_distance(self, free: tuple[int, int, int, int]) -> float:
+        """[m] from which the organ is seen where it has to leave so much free."""
+        left, top, right, bottom = free
+        size = self._view.width(), self._view.height()
+        if size[0] - left - right < size[0] / 4 or size[1] - top - bottom < size[1] / 4:
+            return math.inf
+        camera = copy(self._view.camera)
+        navigation.fit(camera, self._view.scenery.points(), size, free)
+        return camera.distance
 
     def _place_keys(self, width: int, top: int) -> None:
         """In the middle where there is room, else beside the notice, else not at all: the menu
@@ -144,9 +182,11 @@ class Overlays(QObject):
         high = high if high > 0 else panel.sizeHint().height()
         panel.setGeometry(round(x), round(y), round(width), high)
 
-    def _centre(self, board: Board, wide: float, width: int, height: int) -> None:
-        self._put(board, wide, (width - wide) / 2, 0)
-        board.move(board.x(), max(0, (height - board.height()) // 2))
+    def _centre(self, board: Board, wide: int, bottom: int) -> None:
+        """In the middle of the window, and nowhere on the notice; scrolled where it is too high."""
+        high = min(board.find_height(wide), bottom - GAP)
+        y = min((self._view.height() - high) // 2, bottom - high)
+        board.setGeometry((self._view.width() - wide) // 2, max(GAP, y), wide, high)
         board.raise_()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import enum
 
 import numpy as np
-from PySide6.QtCore import QEvent, Qt, QTimer
+from PySide6.QtCore import QEvent, QSize, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
@@ -24,7 +24,10 @@ from palpate.translation.refusals import say_refusal
 from palpate.verb import Report
 from palpate.viewport import PointerHand, make_view
 from palpate.viewport.application import use_language
+from palpate.viewport.screen import fit_to_screen
 
+SIZE = QSize(1280, 800)
+"""[px] of a window on a screen with room for it."""
 FRAME_MS = 16
 SLOW = 0.02
 """[-] share of missed ticks in a second that the trainee is told of."""
@@ -42,13 +45,15 @@ class Phase(enum.Enum):
 
 
 class TraineeWindow(QWidget):
-    """Plays a scenario. Space pauses, R starts again, F11 fills the screen, Esc opens the menu, and
-    C clears the fault of a device that has cut its motors.
+    """Plays a scenario. Space pauses, R starts again, T folds the task, F11 fills the screen, Esc
+    opens the menu, Enter takes what a board offers, and C clears the fault of a device that has cut
+    its motors.
     """
 
     def __init__(self, play: Play, theme: str = "dark", language: str = translation.SOURCE):
         super().__init__()
         self.play, self.scene = play, play.scenario.scene
+        play.language = play.language or language
         self.phase = Phase.ready
         self.run: LiveRun | None = None
         self.hand: PointerHand | None = None
@@ -72,8 +77,8 @@ class TraineeWindow(QWidget):
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.setInterval(FRAME_MS)
         self._timer.timeout.connect(self.follow)
-        self.setWindowTitle(f"{play.scenario.title or play.path.stem} \N{EN DASH} Palpate")
-        self.resize(1280, 800)
+        self._tell_title()
+        fit_to_screen(self, SIZE)
         self.use_theme(theme)
         self.over.start.languages.choose(language)
         self.over.menu.languages.choose(language)
@@ -223,11 +228,15 @@ class TraineeWindow(QWidget):
 
     def use_language(self, code: str) -> None:
         """One of palpate.translation.LANGUAGES."""
-        self.language = code
+        self.language = self.play.language = code
         use_language(code)
         for board in (self.over.start, self.over.menu):
             board.languages.choose(code)
         self.over.say()
+        self._tell_title()
+
+    def _tell_title(self) -> None:
+        self.setWindowTitle(f"{self.play.title()} \N{EN DASH} Palpate")
 
     def toggle_full_screen(self) -> None:
         if self.isFullScreen():
@@ -254,6 +263,11 @@ class TraineeWindow(QWidget):
         else:
             board.focus()
 
+    def _press_board(self) -> None:
+        board = self.over.board()
+        if board is not None:
+            board.press()
+
     # ------------------------------------------------------------ Qt's events
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -267,6 +281,10 @@ class TraineeWindow(QWidget):
                 self.resume()
             else:
                 self.open_menu()
+        elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self._press_board()
+        elif key == Qt.Key.Key_T:
+            self.over.task.toggle()
         elif key == Qt.Key.Key_R:
             self.restart()
         elif key == Qt.Key.Key_C:

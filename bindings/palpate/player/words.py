@@ -80,6 +80,7 @@ def say_keys() -> list[tuple[str, str]]:
     return [
         (translate("Player", "Space"), translate("Player", "pause")),
         ("R", translate("Player", "restart")),
+        ("T", translate("Player", "task")),
         ("F11", translate("Player", "full screen")),
         ("Esc", translate("Player", "menu")),
     ]

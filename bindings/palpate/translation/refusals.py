@@ -14,6 +14,7 @@ from functools import cache
 from PySide6.QtCore import QCoreApplication
 
 from palpate import translation
+from palpate.translation.numbers import is_number, say_digits
 
 CONTEXT = "Refusal"
 PLACE = re.compile(r"%(\d)")
@@ -34,6 +35,8 @@ def say_refusal(text: str, depth: int = DEEPEST) -> str:
         foreign = {int(place) for place in FOREIGN.findall(template)}
         values = {k: v if k in foreign else say_inside(v, depth) for k, v in values.items()}
         return PLACE.sub(lambda place, values=values: values[int(place.group(1))], said)
+    if is_number(text):
+        return say_digits(text)
     head, colon, rest = text.partition(": ")
     # a name of a file or a device before what happened to it
     return f"{head}: {say_inside(rest, depth)}" if colon else text

@@ -11,6 +11,7 @@ from palpate.render import Legend
 from palpate.render.colour_map import COLOUR_MAPS, LUT_SIZE
 from palpate.render.overlay import SUPERSCRIPT
 from palpate.render.theme import DARK, Theme
+from palpate.translation.numbers import say_digits
 
 BAR_WIDTH, BAR_LENGTH, PAD, TIP = 16, 190, 14, 11
 """[px]"""
@@ -47,7 +48,7 @@ class LegendBar(QWidget):
         if self.legend is None:
             return QSize(0, 0)
         letters = QFontMetricsF(self.font())
-        labels = max(letters.horizontalAdvance(label) for label in self.legend.labels)
+        labels = max(letters.horizontalAdvance(say_digits(text)) for text in self.legend.labels)
         width = max(letters.horizontalAdvance(self.title), BAR_WIDTH + 12 + labels)
         height = letters.height() + 10 + BAR_LENGTH + 2 * TIP
         return QSize(round(width + 2 * PAD), round(height + 2 * PAD))
@@ -97,4 +98,4 @@ class LegendBar(QWidget):
             painter.drawLine(QPointF(right, y), QPointF(right + 5, y))
             painter.setPen(QColor.fromRgbF(*self.theme.text))
             middle = y + letters.ascent() / 2 - letters.descent() / 2
-            painter.drawText(QPointF(right + 11, middle), label)
+            painter.drawText(QPointF(right + 11, middle), say_digits(label))

@@ -175,6 +175,26 @@
         <source>menu</source>
         <translation>menü</translation>
     </message>
+    <message>
+        <source>T shows the task</source>
+        <translation>T görevi gösterir</translation>
+    </message>
+    <message>
+        <source>Open the folder</source>
+        <translation>Klasörü aç</translation>
+    </message>
+    <message>
+        <source>This system does not open folders. It is %1</source>
+        <translation>Bu sistem klasör açmıyor. Klasör: %1</translation>
+    </message>
+    <message>
+        <source>Every run is recorded in %1</source>
+        <translation>Her çalışma şurada kaydedilir: %1</translation>
+    </message>
+    <message>
+        <source>task</source>
+        <translation>görev</translation>
+    </message>
 </context>
 <context>
     <name>Viewport</name>

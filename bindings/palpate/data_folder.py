@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where a user's own data of Palpate lies, as the system would have it. Knows no Qt."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+
+def find_data_folder() -> Path:
+    """Palpate's folder among the data of the user, which need not exist yet.
+
+    $XDG_DATA_HOME or ~/.local/share [XDG Base Directory Specification 0.8], ~/Library/Application
+    Support on macOS, %LOCALAPPDATA% on Windows.
+    """
+    if sys.platform == "win32":
+        home = os.environ.get("LOCALAPPDATA") or str(Path.home() / "AppData" / "Local")
+    elif sys.platform == "darwin":
+        home = str(Path.home() / "Library" / "Application Support")
+    else:
+        home = os.environ.get("XDG_DATA_HOME", "")
+        if not os.path.isabs(home):  # as the specification asks for
+            home = str(Path.home() / ".local" / "share")
+    return Path(home) / "palpate"
+
+
+def find_record_folder() -> Path:
+    """Where runs are recorded unless a name is given; need not exist yet."""
+    return find_data_folder() / "records"

@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where things stand in the trainee's window: on small screens, beside the organ, and in reach."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import palpate
+import pytest
+from palpate.play import open_play
+from palpate.player import cards
+from palpate.player.trainee_window import Phase
+from published import TITLE, publish
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, QUrl
+from PySide6.QtTest import QTest
+from trainees import texts
+from windows import LEFT
+
+KEY = Qt.Key
+SCREENS = [((1280, 720), 1.0), ((1280, 720), 2.0), ((1920, 1080), 2.0), ((1366, 768), 1.5)]
+LONG = " ".join(["Stroke along the border, count the notches, and stay below 2 N."] * 12)
+PLAY_ON_A_SCREEN = """
+import json, sys
+from palpate.play import open_play
+from palpate.player import TraineeWindow
+from palpate.viewport.application import open_application
+app, code = open_application(sys.argv[2])
+window = TraineeWindow(open_play(__import__("pathlib").Path(sys.argv[1])), language=code)
+window.show()
+app.processEvents()
+free = window.screen().availableGeometry()
+said = []
+for show in (lambda: None, window.restart, window.open_menu, lambda: window._end("")):
+    show()
+    app.processEvents()
+    over = window.over
+    board = over.board()
+    notice = over.notice.geometry()
+    said.append({
+        "size": [window.width(), window.height()],
+        "screen": [free.width(), free.height()],
+        "notice": over.notice.isVisible() and window.view.rect().contains(notice),
+        "covered": board is not None and board.geometry().intersects(notice),
+        "board": board is None or window.view.rect().contains(board.geometry()),
+        "widest": window.minimumSizeHint().width(),
+    })
+window.close()
+print(json.dumps(said))
+"""
+
+
+def play_on_screen(scenario: Path, size: tuple[int, int], factor: float, language: str) -> list:
+    """The windows of one run, as they stand on a screen of another size."""
+    screen = {"name": "small", "x": 0, "y": 0, "width": size[0], "height": size[1]}
+    screen |= {"logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1}
+    config = scenario.with_suffix(".screens.json")
+    config.write_text(json.dumps({"screens": [screen]}))
+    env = os.environ | {
+        "QT_QPA_PLATFORM": f"offscreen:configfile={config}",
+        "QT_SCALE_FACTOR": str(factor),
+    }
+    ran = subprocess.run(
+        [sys.executable, "-c", PLAY_ON_A_SCREEN, scenario, language],
+        env=env,
+        capture_output=True,
+        text=True,
+    )
+    assert ran.returncode == 0, ran.stderr
+    return json.loads(ran.stdout)
+
+
+@pytest.mark.parametrize("language", ["en", "tr"])
+@pytest.mark.parametrize(("size", "factor"), SCREENS)
+def test_the_window_fits_its_screen_and_shows_its_warning_on_every_board(
+    tmp_path, size, factor, language
+):
+    for board in play_on_screen(publish(tmp_path, task=LONG), size, factor, language):
+        assert board["screen"] == [round(pixels / factor) for pixels in size]
+        assert all(np.array(board["size"]) <= board["screen"])
+        assert board["widest"] <= board["screen"][0]
+        assert board["notice"] and not board["covered"] and board["board"]
+
+
+def find_organ(window) -> QRectF:
+    """The box around all of the organ that is seen, in pixels."""
+    view = window.view
+    pixels, _ = view.camera.project(view.scenery.vertices, (view.width(), view.height()))
+    low, high = pixels.min(axis=0), pixels.max(axis=0)
+    return QRectF(QPointF(*low), QPointF(*high))
+
+
+@pytest.mark.parametrize("task", ["Stroke gently.", LONG])
+@pytest.mark.parametrize("size", [(1280, 720), (960, 540), (640, 360), (600, 900)])
+def test_neither_the_task_nor_anything_else_covers_the_organ(open_window, tmp_path, size, task):
+    window = open_window(open_play(publish(tmp_path, task=task)))
+    window.resize(*size)
+    window.restart()
+
+    organ, over = find_organ(window), window.over
+    assert window.view.rect().toRectF().contains(organ)
+    for panel in (over.task, over.clock, over.force, over.notice):
+        assert not panel.geometry().toRectF().intersects(organ), panel.objectName()
+    assert organ.width() > 0.15 * size[0] or organ.height() > 0.3 * size[1]
+
+
+def test_a_task_is_folded_up_to_its_title_and_gives_its_room_to_the_organ(open_window, tmp_path):
+    window = open_window(open_play(publish(tmp_path, task=LONG)))
+    window.resize(1000, 500)
+    window.restart()
+    before = find_organ(window)
+
+    QTest.keyClick(window, KEY.Key_T)
+
+    assert LONG not in texts(window) and TITLE in texts(window)
+    assert "T shows the task" in texts(window)
+    assert not window.over.task.geometry().toRectF().intersects(find_organ(window))
+    assert find_organ(window).height() >= before.height()
+    QTest.mouseClick(window.over.task.viewport(), LEFT)
+    assert LONG in texts(window)
+    assert not window.over.task.geometry().toRectF().intersects(find_organ(window))
+
+
+@pytest.mark.parametrize("key", [KEY.Key_Return, KEY.Key_Enter])
+def test_enter_takes_what_a_board_offers(open_window, key):
+    window = open_window()
+    QTest.keyClick(window.over.start.start, key)
+    assert window.phase is Phase.running
+    QTest.keyClick(window.view, key)
+    assert window.phase is Phase.running  # there is nothing to take while it runs
+    QTest.keyClick(window, KEY.Key_Escape)
+    assert window.phase is Phase.paused
+    QTest.keyClick(window.over.menu.resume, key)
+    assert window.phase is Phase.running
+    window._end("")
+    QTest.keyClick(window, key)
+    assert window.phase is Phase.running
+    assert len(window.play.records) == 2
+
+
+def test_enter_presses_the_button_that_has_the_keyboard(open_window):
+    window = open_window()
+    window.activateWindow()
+    turkish = window.over.start.languages.buttons["tr"]
+    turkish.setFocus()
+
+    QTest.keyClick(turkish, KEY.Key_Return)
+
+    assert window.phase is Phase.ready
+    assert "Başla" in texts(window)
+
+
+def test_the_folder_of_records_is_named_and_opened_from_the_window(
+    open_window, user_data, monkeypatch
+):
+    opened: list[QUrl] = []
+    monkeypatch.setattr(cards.QDesktopServices, "openUrl", lambda url: opened.append(url) or True)
+    window = open_window()
+    folder = user_data / "palpate" / "records"
+    assert f"Every run is recorded in {folder}" in texts(window)
+
+    QTest.mouseClick(window.over.start.records.button, LEFT)
+    assert opened == [QUrl.fromLocalFile(str(folder))] and folder.is_dir()
+    window.restart()
+    window._end("")
+    assert f"Record: {window.play.records[-1]}" in texts(window)
+    QTest.mouseClick(window.over.end.record.button, LEFT)
+    assert opened[1] == opened[0]
+    assert list(folder.glob("*.prec")) == window.play.records
+    assert palpate.read_record(window.play.records[0]).complete
+
+
+def test_a_system_that_opens_no_folder_says_where_it_is(open_window, user_data, monkeypatch):
+    monkeypatch.setattr(cards.QDesktopServices, "openUrl", lambda url: False)
+    window = open_window()
+
+    QTest.mouseClick(window.over.start.records.button, LEFT)
+
+    folder = user_data / "palpate" / "records"
+    assert f"This system does not open folders. It is {folder}" in texts(window)
+
+
+def test_a_window_brought_over_from_a_larger_screen_is_brought_back(qtbot):
+    from palpate.viewport.screen import keep_on_screen
+    from PySide6.QtWidgets import QWidget
+
+    window = QWidget()
+    qtbot.addWidget(window)
+    window.setGeometry(5000, 4000, 3000, 2000)
+    window.show()
+
+    keep_on_screen(window)
+
+    free = window.screen().availableGeometry()
+    assert free.contains(window.frameGeometry()), (free, window.frameGeometry())
+    assert window.size() != QSize(3000, 2000)
