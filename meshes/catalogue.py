@@ -77,6 +77,8 @@ class Entry:
     """[m] Of the tool it is touched with: half an edge of its triangles or more."""
     task: str
     """What a trainee is asked to do with it."""
+    languages: dict[str, dict[str, str]]
+    """Title and task in further languages, by code."""
     size_mm: tuple[tuple[float, float], ...]
     """[mm] Least and most of the box along x, y and z."""
     size_source: str

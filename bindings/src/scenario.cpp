@@ -190,8 +190,14 @@ void bind_scenario_type(py::module_& m) {
   made.def(py::init([](const Scene& scene, const std::string& title, const std::string& task,
                        const std::string& authored, const SomeArrays& authored_arrays,
                        const Languages& languages) {
-             return Scenario{title, task, scene, authored, copy_arrays(authored_arrays),
-                             0,     "",   copy_languages(languages)};
+             return Scenario{title,
+                             task,
+                             scene,
+                             authored,
+                             copy_arrays(authored_arrays),
+                             0,
+                             "",
+                             copy_languages(languages)};
            }),
            py::kw_only(), "scene"_a, "title"_a = "", "task"_a = "", "authored"_a = "{}",
            "authored_arrays"_a = SomeArrays(), "languages"_a = Languages(),

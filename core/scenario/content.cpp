@@ -96,8 +96,8 @@ void check_text(const char* name, const std::string& text, std::size_t most) {
 void check_languages(const Scenario& scenario) {
   if (scenario.languages.size() > kMostLanguages) {
     throw std::invalid_argument("scenario: languages: found " +
-                                std::to_string(scenario.languages.size()) +
-                                ", expected at most " + std::to_string(kMostLanguages));
+                                std::to_string(scenario.languages.size()) + ", expected at most " +
+                                std::to_string(kMostLanguages));
   }
   for (const auto& [code, words] : scenario.languages) {
     if (const auto problem = find_language_problem(code)) {

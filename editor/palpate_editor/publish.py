@@ -49,6 +49,7 @@ def publish(organ: Organ, path: Path, assessment: Assessment | None = None) -> R
         "out": str(path),
         "title": organ.title,
         "task": organ.task,
+        "languages": list(organ.languages),
         "vertices": organ.vertex_count,
         "description": describe_model(assessment.scene),
         "bytes": path.stat().st_size,
@@ -66,6 +67,9 @@ def write_scenario(organ: Organ, scene: Scene, path: Path) -> None:
         task=organ.task,
         authored=json.dumps({"format": FORMAT, "version": VERSION, "content": content}),
         authored_arrays=arrays,
+        languages={
+            code: scenario.Words(words.title, words.task) for code, words in organ.languages.items()
+        },
     )
     try:
         scenario.write(os.fspath(path), made)

@@ -20,7 +20,7 @@ from palpate_meshes.catalogue import (
     read_tissues,
 )
 
-from palpate_editor.document import EMPTY, Organ, Source, Surface
+from palpate_editor.document import EMPTY, Organ, Source, Surface, Translation
 from palpate_editor.document.files import write_organ
 from palpate_editor.publish import publish
 
@@ -78,6 +78,7 @@ def make_organ(name: str, vertices: int | None = None) -> Organ:
         look=tissue.look,
         title=entry.title,
         task=entry.task,
+        languages={code: Translation(**words) for code, words in entry.languages.items()},
     )
 
 

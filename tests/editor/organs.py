@@ -9,7 +9,7 @@ from functools import cache
 
 import numpy as np
 from palpate.scene_parts import FillPart, HandPart, LookPart, MaterialPart, ModelPart, ToolPart
-from palpate_editor.document import Decimation, Organ, Repairs, Source, Surface
+from palpate_editor.document import Decimation, Organ, Repairs, Source, Surface, Translation
 from palpate_meshes.generate import ellipsoid, sheet
 
 SOURCE = Source(
@@ -85,6 +85,7 @@ def make_organ(vertices: int = 60, imported: int | None = 150) -> Organ:
         look=LOOK,
         title="Press the spleen",
         task="Bas ve bırak.",
+        languages={"en": Translation("Press the spleen", "Press and let go.")},
     )
 
 

@@ -21,7 +21,13 @@ import pytest
 from organs import LOOK, make_organ, open_surface, same, surface_of
 from palpate.scene_parts import FillPart
 from palpate_editor.document import EMPTY, Organ
-from palpate_editor.document.files import VERSION, pack_organ, read_organ, write_organ
+from palpate_editor.document.files import (
+    VERSION,
+    pack_organ,
+    read_organ,
+    unpack_organ,
+    write_organ,
+)
 
 TESTS = Path(__file__).resolve().parents[1]
 sys.path.append(str(TESTS / "bindings"))
@@ -109,6 +115,36 @@ def test_every_field_of_an_organ_is_kept_somewhere():
     kept = set(content) | {name.split("/")[0] for name in arrays}
 
     assert kept == {f.name for f in fields(Organ)}
+
+
+@pytest.mark.parametrize(
+    ("languages", "sentence"),
+    [
+        ([], "languages: found [], expected an object"),
+        ({"TR": {"title": "", "task": ""}}, "languages: found the code 'TR', expected a code such"),
+        ({"tr": {"title": "", "task": 1}}, "languages.tr.task: found 1, expected text"),
+        ({"tr": {"title": ""}}, "languages.tr.task: found nothing"),
+        ({"tr": {"title": "", "task": "", "voice": ""}}, "languages.tr.voice: found"),
+        (
+            {f"a{a}{b}": {} for a in "abcdefgh" for b in "abcdefg"},
+            "found 56 languages, expected at",
+        ),
+    ],
+)
+def test_languages_of_a_damaged_file_are_refused(languages, sentence):
+    content, arrays = pack_organ(make_organ())
+
+    with pytest.raises(palpate.FileError) as refused:
+        unpack_organ(content | {"languages": languages}, arrays, VERSION, "a.organ")
+
+    assert sentence in str(refused.value)
+
+
+def test_a_file_without_further_languages_has_no_word_of_them():
+    content, arrays = pack_organ(replace(make_organ(), languages={}))
+
+    assert "languages" not in content
+    assert unpack_organ(content, arrays, VERSION, "a.organ").languages == {}
 
 
 def test_equal_organs_are_equal_files(tmp_path):

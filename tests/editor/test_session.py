@@ -16,6 +16,7 @@ from palpate_editor.edits import (
     EditError,
     FixVertices,
     PaintStiffness,
+    SetChoice,
     SetConstant,
     SetName,
     SetRegion,
@@ -69,8 +70,14 @@ def test_what_was_undone_is_forgotten_when_something_else_is_done(session):
 
 def test_the_history_names_its_steps(session):
     session.apply(SetName("one"))
+    assert session.history.undoText() == "Name the organ: one"
 
-    assert session.history.undoText() == "Name the organ"
+    session.apply(SetChoice("kind", "solid"))
+    assert session.history.undoText() == "Model: Solid (MSS+V)"
+    session.apply(SetConstant("material", "young_modulus", 4321.0))
+    assert session.history.undoText() == "Young's modulus: 4.321 kPa"
+    session.apply(PaintStiffness(np.array([0, 1]), np.array([1.5, 3.0])))
+    assert session.history.undoText() == "Stiffness of 2 vertices: 1.5 to 3 ×"
 
 
 def test_undoing_back_to_what_was_saved_is_saved_again(session, tmp_path):

@@ -5,9 +5,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QObject, Signal
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
+from palpate_editor.app.spoken import say_title
 from palpate_editor.compile import is_built_alike
 from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.file_state import is_changed, read_state
@@ -26,6 +27,9 @@ class Session(QObject):
     """before, after: views redraw what is not the same object."""
     title_changed = Signal()
     """The name, the file or the unsaved marker is another."""
+    undone = Signal(str)
+    redone = Signal(str)
+    """What the edit is called."""
 
     def __init__(self, organ: Organ = EMPTY, parent: QObject | None = None):
         super().__init__(parent)
@@ -140,11 +144,19 @@ class _Applied(QUndoCommand):
     """Documents are values, so to undo is to remember: no edit writes its own inverse."""
 
     def __init__(self, session: Session, edit: Edit):
-        super().__init__(QCoreApplication.translate("edits", edit.title))
-        self.session, self.before, self.after = session, session.organ, edit(session.organ)
+        after = edit(session.organ)  # refused before anything is said of it
+        super().__init__(say_title(edit.title))
+        self.session, self.before, self.after = session, session.organ, after
+
+        self.first = True
+        """Qt calls redo when the command is pushed, too."""
 
     def redo(self) -> None:
         self.session.show(self.after)
+        if not self.first:
+            self.session.redone.emit(self.text())
+        self.first = False
 
     def undo(self) -> None:
         self.session.show(self.before)
+        self.session.undone.emit(self.text())

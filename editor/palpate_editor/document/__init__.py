@@ -7,7 +7,15 @@ left alone, so to undo is to remember. No Qt and no simulation.
 
 from __future__ import annotations
 
-from palpate_editor.document.organ import EMPTY, Decimation, Organ, Repairs, Source
+from palpate_editor.document.organ import (
+    EMPTY,
+    Decimation,
+    Organ,
+    Repairs,
+    Source,
+    Translation,
+    is_language,
+)
 from palpate_editor.document.phrase import Phrase, phrase
 from palpate_editor.document.surface import Surface, freeze
 
@@ -19,6 +27,8 @@ __all__ = [
     "Repairs",
     "Source",
     "Surface",
+    "Translation",
     "freeze",
+    "is_language",
     "phrase",
 ]

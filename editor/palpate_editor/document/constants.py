@@ -8,10 +8,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from palpate.scene_parts import FILLED, KINDS, ORIGINS, SPRING_RULES, ModelPart
 
 from palpate_editor.document.phrase import Phrase, phrase
+
+if TYPE_CHECKING:
+    from palpate_editor.document.organ import Organ
 
 
 @dataclass(frozen=True)
@@ -54,6 +58,26 @@ class Constant:
             return False
         return (value > self.least if self.above else value >= self.least) and value <= self.most
 
+    def find_idle(self, organ: Organ) -> Phrase | None:
+        """Why it has no effect on this organ though its model could make use of it; else None."""
+        model = organ.model
+        from_tissue = model.kind not in SURFACES or model.constants == "tissue"
+        if self.key not in ELASTIC or from_tissue or organ.material.wall_thickness is not None:
+            return None
+        if organ.fixed.any() and organ.fixed.all():  # tells a stone from what must be able to move
+            return None
+        return phrase(
+            "Has no effect here: springs and bonds take the stiffness that is chosen below. It "
+            "counts in a solid, and in a wall that has a thickness."
+        )
+
+    def describe(self, value: float | None) -> Phrase:
+        """A value [SI] in the unit shown: "5 kPa"; what no value means where it may have none."""
+        if value is None:
+            return phrase("{value}", value=self.absent or "none")
+        template = "{value:g} {unit}" if self.unit else "{value:g}"
+        return phrase(template, value=float(value) / self.scale, unit=self.unit)
+
     def describe_range(self) -> Phrase:
         """In the unit shown: "above 0 mm", "0 to 1", "any finite number"."""
         low, high = self.least / self.scale, self.most / self.scale
@@ -81,6 +105,7 @@ SHORT_KINDS = {
     "linear": "linear_solid",
 }
 """What the command line calls them."""
+ELASTIC = ("material.young_modulus", "material.poisson_ratio")
 MOLECULAR = ("molecular",)
 SURFACES = ("mass_spring", "molecular")
 HOLLOW = (*SURFACES, "shell")
@@ -186,6 +211,33 @@ CHOICES = {
     "model.angle_law": ("gradient", "eq10"),
     "model.damping_law": ("axis", "isotropic"),
 }
+
+
+LAW_NAMES = {
+    "kind": "Model",
+    "constants": "Constants",
+    "spring_rule": "Rule of springs",
+    "angle_law": "Law of angles",
+    "damping_law": "Damping",
+}
+"""What people call a choice."""
+
+VALUE_NAMES = {
+    "mass_spring": "Mass–spring (MSS)",
+    "molecular": "Molecular (MMS)",
+    "shell": "Shell of prisms",
+    "solid": "Solid (MSS+V)",
+    "linear_solid": "Linear solid, shallow presses",
+    "chosen": "Chosen by hand",
+    "tissue": "From the tissue",
+    "van_gelder": "Van Gelder",
+    "lloyd": "Lloyd",
+    "gradient": "Energy gradient (Eq 9, 11)",
+    "eq10": "Opposite edge (Eq 10)",
+    "axis": "Along the link",
+    "isotropic": "In all directions",
+}
+"""What people call what can be chosen."""
 
 
 def counts_choice(field: str, model: ModelPart) -> bool:

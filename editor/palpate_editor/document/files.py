@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from palpate.error import FileError
 from palpate.json_part import json_kind, read_part, read_value
-from palpate.scenario import Container, read_container, write_container
+from palpate.scenario import Container, kMostLanguages, read_container, write_container
 from palpate.scene_parts import (
     FillPart,
     HandPart,
@@ -29,7 +29,7 @@ from palpate.scene_parts import (
 )
 from palpate.verb import Refusal
 
-from palpate_editor.document.organ import Decimation, Organ, Source
+from palpate_editor.document.organ import Decimation, Organ, Source, Translation, is_language
 from palpate_editor.document.surface import Surface
 
 FORMAT, VERSION = "organ", 4
@@ -110,6 +110,8 @@ def pack_organ(organ: Organ) -> tuple[Json, Arrays]:
             arrays |= pack_surface("surface", organ.surface)
         arrays["fixed"] = np.flatnonzero(organ.fixed).astype(np.int32)
         arrays["stiffness_scale"] = organ.stiffness_scale
+    if organ.languages:
+        content["languages"] = {code: asdict(said) for code, said in organ.languages.items()}
     # a name may be of any alphabet, that of an array may not
     content["regions"] = list(organ.regions)
     arrays |= {f"regions/{row}": ids for row, ids in enumerate(organ.regions.values())}
@@ -146,8 +148,8 @@ def unpack(content: Any, arrays: Arrays, file: str) -> Organ:
     known = {*WORDS, *OPTIONAL, *NUMBERS, "regions"}
     if not isinstance(content, dict):
         raise Refusal(file, "", json_kind(content), "an object")
-    if set(content) != known:
-        odd = sorted(set(content) ^ known)[0]
+    if set(content) - {"languages"} != known:
+        odd = sorted((set(content) - {"languages"}) ^ known)[0]
         found = "an unknown field" if odd in content else "nothing"
         raise Refusal(file, odd, found, "exactly " + ", ".join(sorted(known)))
     parts: Json = {name: read_value(file, name, str, content[name]) for name in WORDS}
@@ -160,9 +162,24 @@ def unpack(content: Any, arrays: Arrays, file: str) -> Organ:
     fault = find_look_fault(parts["look"]) if parts["look"] else None
     if fault is not None:
         raise Refusal(file, f"look.{fault[0]}", *fault[1:])
+    parts["languages"] = unpack_languages(content.get("languages", {}), file)
     regions = read_value(file, "regions", tuple[str, ...], content["regions"])
     parts |= unpack_arrays(arrays, regions, file)
     return Organ(**parts)
+
+
+def unpack_languages(content: Any, file: str) -> dict[str, Translation]:
+    if not isinstance(content, dict):
+        raise Refusal(file, "languages", json_kind(content), "an object")
+    if len(content) > kMostLanguages:
+        raise Refusal(file, "languages", f"{len(content)} languages", f"at most {kMostLanguages}")
+    for code in content:
+        if not is_language(code):
+            raise Refusal(file, "languages", f"the code {code!r}", "a code such as tr or pt-BR")
+    return {
+        code: read_part(file, f"languages.{code}", Translation, words, whole=True)
+        for code, words in content.items()
+    }
 
 
 def unpack_arrays(arrays: Arrays, regions: tuple[str, ...], file: str) -> Json:

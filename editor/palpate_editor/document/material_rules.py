@@ -54,13 +54,12 @@ def find_constant_problems(organ: Organ) -> Iterator[Problem]:
         value = getattr(getattr(organ, constant.part), constant.field)
         if (value is None and constant.optional) or (value is not None and constant.allows(value)):
             continue
-        shown = "none" if value is None else f"{value / constant.scale:g} {constant.unit}".strip()
         yield Problem(
             "constant",
             "error",
             "material",
             constant.key,
-            phrase("{value}", value=shown),
+            constant.describe(value),
             constant.describe_range(),
         )
     for key, allowed in CHOICES.items():

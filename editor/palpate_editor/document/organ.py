@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
@@ -13,6 +14,24 @@ from palpate.scene_parts import FillPart, HandPart, LookPart, MaterialPart, Mode
 from palpate_editor.document.defaults import FILL, HAND, MATERIAL, MODEL, TOOL
 from palpate_editor.document.surface import Surface, freeze
 
+LANGUAGE = re.compile(r"(?=.{2,35}$)[a-z]{2,3}(-[A-Za-z0-9]{1,8})*")
+
+
+def is_language(code: str) -> bool:
+    """Whether a text is the code of a language [BCP 47]: two or three small letters, then parts of
+    1 to 8 letters or digits behind hyphens."""
+    return LANGUAGE.fullmatch(code) is not None
+
+
+@dataclass(frozen=True)
+class Translation:
+    """Title and task of the scenario in one more language; an empty one is not translated."""
+
+    title: str = ""
+    task: str = ""
+
+
+NO_LANGUAGES: Mapping[str, Translation] = MappingProxyType({})
 NO_REGIONS: Mapping[str, np.ndarray] = MappingProxyType({})
 
 
@@ -105,6 +124,8 @@ class Organ:
     """Of the published scenario."""
     task: str = ""
     """What the trainee is asked to do, in words."""
+    languages: Mapping[str, Translation] = field(default_factory=lambda: NO_LANGUAGES)
+    """Title and task in further languages, by code such as "tr"; read-only."""
 
     def __post_init__(self) -> None:
         count = 0 if self.surface is None else len(self.surface.vertices)
@@ -116,6 +137,8 @@ class Organ:
             self.regions, MappingProxyType
         ):
             object.__setattr__(self, "regions", MappingProxyType(regions))
+        if not isinstance(self.languages, MappingProxyType):
+            object.__setattr__(self, "languages", MappingProxyType(dict(self.languages)))
 
     @property
     def vertex_count(self) -> int:

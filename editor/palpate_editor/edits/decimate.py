@@ -19,12 +19,14 @@ from palpate_editor.edits.edit import EditError, find_surface
 class Decimate:
     """Use a coarser surface; what was painted is carried over to it."""
 
-    title: ClassVar[str] = "Decimate"
-
     source: Surface
     """What was decimated: the imported surface."""
     surface: Surface
     decimation: Decimation
+
+    @property
+    def title(self) -> str:
+        return phrase("Decimate to {count} vertices", count=self.decimation.vertices)
 
     def __call__(self, organ: Organ) -> Organ:
         if organ.imported is not self.source:

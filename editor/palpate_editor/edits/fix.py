@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import ClassVar
 
 import numpy as np
 
@@ -22,7 +21,10 @@ class FixVertices:
 
     @property
     def title(self) -> str:
-        return "Fix vertices" if self.fixed else "Free vertices"
+        count = int(np.size(self.vertices))
+        if self.fixed:
+            return phrase("Fix {count} vertices", count=count)
+        return phrase("Free {count} vertices", count=count)
 
     def __call__(self, organ: Organ) -> Organ:
         ids = check_vertices(organ, self.vertices)
@@ -48,10 +50,12 @@ def find_lowest(vertices: np.ndarray, share: float) -> np.ndarray:
 class FixLowest:
     """Lay the organ on a table: fix the lowest part of its height, beside what is fixed already."""
 
-    title: ClassVar[str] = "Fix the lowest part"
-
     share: float
     """[-] of the height, from below"""
+
+    @property
+    def title(self) -> str:
+        return phrase("Fix the lowest {share:g} %", share=100.0 * self.share)
 
     def __call__(self, organ: Organ) -> Organ:
         surface = find_surface(organ)

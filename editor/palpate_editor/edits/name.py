@@ -4,11 +4,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import ClassVar
 
 from palpate import scenario
 
-from palpate_editor.document import Organ, phrase
+from palpate_editor.document import Organ, Translation, is_language, phrase
 from palpate_editor.edits.edit import EditError
 
 MOST_NAME_BYTES = 200
@@ -31,9 +30,11 @@ def check_words(what: str, words: str, most: int) -> None:
 class SetName:
     """Name the organ."""
 
-    title: ClassVar[str] = "Name the organ"
-
     name: str
+
+    @property
+    def title(self) -> str:
+        return phrase("Name the organ: {name}", name=self.name)
 
     def __call__(self, organ: Organ) -> Organ:
         check_words("name", self.name, MOST_NAME_BYTES)
@@ -44,14 +45,37 @@ class SetName:
 class SetTask:
     """Say what the trainee sees and is asked to do. None leaves one of the two as it is."""
 
-    title: ClassVar[str] = "Set title and task"
-
     scenario_title: str | None = None
     task: str | None = None
+    language: str = ""
+    """A code such as "tr" for a translation; empty for the words that stand where there is none."""
+
+    @property
+    def title(self) -> str:
+        if self.scenario_title is None:
+            return phrase("Set the task")
+        if self.task is None:
+            return phrase("Title: {title}", title=self.scenario_title)
+        return phrase("Set title and task")
 
     def __call__(self, organ: Organ) -> Organ:
-        title = organ.title if self.scenario_title is None else self.scenario_title
-        task = organ.task if self.task is None else self.task
+        if self.language and not is_language(self.language):
+            raise EditError(
+                phrase(
+                    "The language must be a code such as tr or pt-BR, got {got}.", got=self.language
+                )
+            )
+        said = organ.languages.get(self.language, Translation()) if self.language else organ
+        title = said.title if self.scenario_title is None else self.scenario_title
+        task = said.task if self.task is None else self.task
         check_words("title", title, scenario.kMostTitleBytes)
         check_words("task", task, scenario.kMostTaskBytes)
-        return replace(organ, title=title, task=task)
+        if not self.language:
+            return replace(organ, title=title, task=task)
+        languages = {**organ.languages, self.language: Translation(title, task)}
+        if not title and not task:
+            del languages[self.language]
+        if len(languages) > scenario.kMostLanguages:
+            most = scenario.kMostLanguages
+            raise EditError(phrase("A scenario has at most {most} further languages.", most=most))
+        return replace(organ, languages=languages)

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import ClassVar
 
 import numpy as np
 
@@ -50,9 +49,11 @@ def map_surfaces(organ: Organ, move: Callable[[np.ndarray], np.ndarray]) -> Orga
 class SetUnit:
     """Take 1 in the file to be another length."""
 
-    title: ClassVar[str] = "Set the unit of the file"
-
     unit: str
+
+    @property
+    def title(self) -> str:
+        return phrase("Unit of the file: {unit}", unit=self.unit)
 
     def __call__(self, organ: Organ) -> Organ:
         source = find_source(organ)
@@ -78,9 +79,11 @@ class SetUnit:
 class SetUp:
     """Take another axis of the file to point up."""
 
-    title: ClassVar[str] = "Set the axis that points up"
-
     up: str
+
+    @property
+    def title(self) -> str:
+        return phrase("Axis that points up: {up}", up=self.up)
 
     def __call__(self, organ: Organ) -> Organ:
         source = find_source(organ)

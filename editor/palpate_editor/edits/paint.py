@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import ClassVar
 
 import numpy as np
 
@@ -19,12 +18,25 @@ LEAST, MOST = 0.05, 20.0
 class PaintStiffness:
     """Set the factor of the stiffness at some vertices: one whole stroke of the brush."""
 
-    title: ClassVar[str] = "Paint stiffness"
-
     vertices: np.ndarray
     """Vertex numbers, (k,)"""
     values: float | np.ndarray
     """[-] one factor for all, or (k,) one for each"""
+
+    @property
+    def title(self) -> str:
+        count, values = int(np.size(self.vertices)), np.asarray(self.values, dtype=float)
+        if not values.size:
+            return phrase("Paint stiffness")
+        low, high = float(values.min()), float(values.max())
+        if low == high:
+            return phrase("Stiffness of {count} vertices: {low:.3g} ×", count=count, low=low)
+        return phrase(
+            "Stiffness of {count} vertices: {low:.3g} to {high:.3g} ×",
+            count=count,
+            low=low,
+            high=high,
+        )
 
     def __call__(self, organ: Organ) -> Organ:
         ids = check_vertices(organ, self.vertices)

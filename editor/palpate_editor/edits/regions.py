@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import ClassVar
 
 import numpy as np
 
@@ -21,11 +20,14 @@ MOST_REGIONS = 200
 class SetRegion:
     """Give a set of vertices a name, or a name another set."""
 
-    title: ClassVar[str] = "Name a region"
-
     name: str
     vertices: np.ndarray
     """Vertex numbers, (k,), in any order"""
+
+    @property
+    def title(self) -> str:
+        count = int(np.size(self.vertices))
+        return phrase("Region {name}: {count} vertices", name=self.name, count=count)
 
     def __call__(self, organ: Organ) -> Organ:
         if not self.name.strip():
@@ -41,9 +43,11 @@ class SetRegion:
 class RemoveRegion:
     """Forget the name of a region; its vertices stay as they are."""
 
-    title: ClassVar[str] = "Remove a region"
-
     name: str
+
+    @property
+    def title(self) -> str:
+        return phrase("Remove region {name}", name=self.name)
 
     def __call__(self, organ: Organ) -> Organ:
         if self.name not in organ.regions:

@@ -5,12 +5,17 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import ClassVar
 
 from palpate.scene_parts import MaterialPart, ModelPart
 
 from palpate_editor.document import Organ, phrase
-from palpate_editor.document.constants import CHOICES, CONSTANTS, find_constant
+from palpate_editor.document.constants import (
+    CHOICES,
+    CONSTANTS,
+    LAW_NAMES,
+    VALUE_NAMES,
+    find_constant,
+)
 from palpate_editor.edits.adopt import adopt_constants
 from palpate_editor.edits.edit import EditError
 
@@ -26,13 +31,12 @@ def check_constant(part: str, field: str, value: float | None) -> None:
     if value is None and constant.optional:
         return
     if value is None or not constant.allows(value):
-        got = "none" if value is None else f"{value / constant.scale:g} {constant.unit}".strip()
         raise EditError(
             phrase(
                 "{label} must be {range}, got {got}.",
                 label=constant.label,
                 range=constant.describe_range(),
-                got=got,
+                got=constant.describe(value),
             )
         )
 
@@ -49,7 +53,10 @@ class SetConstant:
     @property
     def title(self) -> str:
         constant = find_constant(self.part, self.field)
-        return f"Set {constant.label}" if constant else "Set a number"
+        if constant is None:
+            return phrase("Set a number")
+        value = constant.describe(self.value)
+        return phrase("{name}: {value}", name=constant.label, value=value)
 
     def __call__(self, organ: Organ) -> Organ:
         check_constant(self.part, self.field, self.value)
@@ -66,10 +73,13 @@ class SetChoice:
     Constants that the tissue gave are taken over when they are to be chosen by hand.
     """
 
-    title: ClassVar[str] = "Choose a law"
-
     field: str
     value: str
+
+    @property
+    def title(self) -> str:
+        name, value = LAW_NAMES.get(self.field, self.field), VALUE_NAMES.get(self.value, self.value)
+        return phrase("{name}: {value}", name=name, value=value)
 
     def __call__(self, organ: Organ) -> Organ:
         allowed = CHOICES.get(f"model.{self.field}", ())
@@ -94,10 +104,15 @@ class SetChoice:
 class SetGravity:
     """Let the organ have weight, in some direction."""
 
-    title: ClassVar[str] = "Set gravity"
-
     gravity: tuple[float, float, float]
     """[m/s²]"""
+
+    @property
+    def title(self) -> str:
+        if not any(self.gravity):
+            return phrase("No gravity")
+        x, y, z = map(float, self.gravity)
+        return phrase("Gravity: {x:g}, {y:g}, {z:g} m/s²", x=x, y=y, z=z)
 
     def __call__(self, organ: Organ) -> Organ:
         if len(self.gravity) != 3 or not all(map(math.isfinite, self.gravity)):
@@ -109,10 +124,20 @@ class SetGravity:
 class SetMaterial:
     """Give the organ a whole material and model at once: pasted from another, or a preset."""
 
-    title: ClassVar[str] = "Paste material"
-
     material: MaterialPart
     model: ModelPart
+    tissue: str = ""
+    """What it is that of, where that is known."""
+
+    @property
+    def title(self) -> str:
+        if self.tissue:
+            return phrase("Material of {tissue}", tissue=self.tissue)
+        kind = VALUE_NAMES.get(self.model.kind, self.model.kind)
+        modulus = find_constant("material", "young_modulus")
+        assert modulus is not None
+        value = modulus.describe(self.material.young_modulus)
+        return phrase("Paste a material: {kind}, {value}", kind=kind, value=value)
 
     def __call__(self, organ: Organ) -> Organ:
         for constant in CONSTANTS:

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from palpate_editor.document import Organ, phrase
 from palpate_editor.edits.edit import EditError
@@ -18,10 +17,14 @@ class SetReach:
     Elsewhere it does not give.
     """
 
-    title: ClassVar[str] = "Set the reach"
-
     region: str
     """Empty: all of the surface."""
+
+    @property
+    def title(self) -> str:
+        if not self.region:
+            return phrase("Reach: all of the surface")
+        return phrase("Reach: {region}", region=self.region)
 
     def __call__(self, organ: Organ) -> Organ:
         if self.region and self.region not in organ.regions:

@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The designer's verbs: all that the window does, but painting, without a window."""
+"""The designer's verbs: all that the window does, without a window."""
 
 from __future__ import annotations
 
-from palpate_editor.verbs import appearance, calibrate, demo, mesh, organs, publish, tissue
+from palpate_editor.verbs import appearance, calibrate, demo, mesh, organs, paint, publish, tissue
 from palpate_editor.views.verb import EDITOR
 
 VERBS = [
     *mesh.VERBS,
     *tissue.VERBS,
     *appearance.VERBS,
+    *paint.VERBS,
     *calibrate.VERBS,
     *publish.VERBS,
     *organs.VERBS,

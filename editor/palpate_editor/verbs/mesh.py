@@ -13,11 +13,12 @@ from palpate.verb import Report, Verb
 from palpate_editor import authoring
 from palpate_editor.compile import mesh_of
 from palpate_editor.document import EMPTY, Decimation, Organ
-from palpate_editor.edits import EditError, decimate_organ, import_file
+from palpate_editor.edits import EditError, UseImported, decimate_organ, import_file
 from palpate_editor.verbs.files import (
     OUTPUTS,
     EditRefusal,
     ReadFile,
+    apply,
     describe_loops,
     open_any,
     write_any,
@@ -174,12 +175,21 @@ def describe_import(report: Report) -> str:
 
 def add_decimate(word: argparse.ArgumentParser) -> None:
     word.add_argument("file", type=Path, help=".organ, or OBJ written by `palpate import`")
-    word.add_argument("--vertices", type=int, required=True, help="exactly this many")
+    target = word.add_mutually_exclusive_group(required=True)
+    target.add_argument("--vertices", type=int, help="exactly this many")
+    target.add_argument(
+        "--imported", action="store_true", help="use the imported surface of an .organ as it is"
+    )
     add_output(word, "--out", "-o", writes=OUTPUTS, required=True, help=".organ or mesh file")
 
 
 def run_decimate(call: argparse.Namespace) -> Report:
     read = ReadFile.of(call.file)
+    if call.imported:
+        organ = apply(UseImported(), open_any(call.file), call.file, "--imported")
+        read.check(call.out)
+        write_any(call.out, organ)
+        return {"out": str(call.out), "vertices": organ.vertex_count}
     organ, report = decimate_to(open_any(call.file), call.vertices, call.file)
     read.check(call.out)
     write_any(call.out, organ)
@@ -187,6 +197,8 @@ def run_decimate(call: argparse.Namespace) -> Report:
 
 
 def describe_decimate(report: Report) -> str:
+    if "vertices_before" not in report:
+        return f"the imported surface of {report['vertices']} vertices is used as it is"
     return (
         f"decimated {report['vertices_before']} / {report['triangles_before']} to "
         f"{report['vertices']} / {report['triangles']}; smallest angle "

@@ -156,6 +156,13 @@ def add_publish(word: argparse.ArgumentParser) -> None:
     word.add_argument("file", type=Path, help=".organ, .palpate or .scene.json")
     word.add_argument("--title", help="what the trainee chooses it by; default: the document's")
     word.add_argument("--task", help="what the trainee is asked to do; default: the document's")
+    word.add_argument(
+        "--in",
+        dest="language",
+        default="",
+        metavar="LANGUAGE",
+        help="--title and --task are a translation, such as tr",
+    )
     add_output(word, "--out", "-o", writes=PUBLISHED, required=True, help=".palpate file to write")
 
 
@@ -165,7 +172,8 @@ def run_publish(call: argparse.Namespace) -> Report:
     read = ReadFile.of(call.file)
     organ = open_any(call.file)
     if call.title is not None or call.task is not None:
-        organ = apply(SetTask(call.title, call.task), organ, call.file, "--title, --task")
+        edit = SetTask(call.title, call.task, call.language)
+        organ = apply(edit, organ, call.file, "--title, --task")
     read.check(call.out)
     try:
         return {"published": True, **publish(organ, call.out)}

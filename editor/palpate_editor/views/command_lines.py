@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The command lines that do what was done with the mouse, with its real numbers.
 
-The document is named as the argument and the output: each line changes the file it is given. Only
-painting, and words, have no line of their own.
+The document is named as the argument and the output: each line changes the file it is given. Every
+edit has one; strokes of a brush are lists of vertices.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from math import degrees
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from palpate.viewport import View
 
 from palpate_editor.appearance import write_colour
@@ -22,19 +23,27 @@ from palpate_editor.edits import (
     Edit,
     FillHoles,
     FixLowest,
+    FixVertices,
     ImportMesh,
     KeepLargestShell,
+    PaintStiffness,
     Prepared,
+    RemoveRegion,
     SetAppearance,
     SetChoice,
     SetConstant,
     SetGravity,
     SetMaterial,
+    SetName,
     SetReach,
+    SetRegion,
+    SetTask,
     SetUnit,
     SetUp,
     TurnOutward,
+    UseImported,
 )
+from palpate_editor.verbs.paint import write_factors, write_ids
 from palpate_editor.verbs.tissue import LAWS, NONE, OPTIONS
 
 KINDS = {kind: short for short, kind in SHORT_KINDS.items()}
@@ -45,7 +54,7 @@ Words = list[object]
 
 
 def find_words(edit: Edit, organ: Organ, document: Path | str) -> Words | None:
-    """The command line of an edit that led to `organ`; None where only a hand can do it."""
+    """The command line of an edit that led to `organ`; None where there is none."""
     if isinstance(edit, Prepared):
         edit = edit.edit
     find = FINDERS.get(type(edit))
@@ -152,6 +161,54 @@ def all_words(edit: SetMaterial, organ: Organ, document: Path | str) -> Words:
     return material_words(document, options)
 
 
+def imported_words(edit: UseImported, organ: Organ, document: Path | str) -> Words:
+    del edit, organ
+    return ["palpate", "decimate", document, "--imported", "-o", document]
+
+
+def paint_words(document: Path | str, options: Sequence[object]) -> Words:
+    return ["palpate", "paint", document, *options, "-o", document]
+
+
+def stiffness_words(edit: PaintStiffness, organ: Organ, document: Path | str) -> Words:
+    del organ
+    factors = write_factors(edit.vertices, np.asarray(edit.values))
+    return paint_words(document, [f"--stiffness={piece}" for piece in factors])
+
+
+def fix_words(edit: FixVertices, organ: Organ, document: Path | str) -> Words:
+    del organ
+    option = "--fix" if edit.fixed else "--free"
+    return paint_words(document, [f"{option}={write_ids(np.unique(edit.vertices))}"])
+
+
+def region_words(edit: SetRegion, organ: Organ, document: Path | str) -> Words:
+    del organ
+    return paint_words(document, [f"--region={edit.name}={write_ids(np.unique(edit.vertices))}"])
+
+
+def forget_words(edit: RemoveRegion, organ: Organ, document: Path | str) -> Words:
+    del organ
+    return paint_words(document, [f"--forget={edit.name}"])
+
+
+def name_words(edit: SetName, organ: Organ, document: Path | str) -> Words:
+    del organ
+    return ["palpate", "words", document, f"--name={edit.name}", "-o", document]
+
+
+def task_words(edit: SetTask, organ: Organ, document: Path | str) -> Words:
+    del organ
+    words: Words = ["palpate", "words", document]
+    if edit.scenario_title is not None:
+        words.append(f"--title={edit.scenario_title}")
+    if edit.task is not None:
+        words.append(f"--task={edit.task}")
+    if edit.language:
+        words.append(f"--in={edit.language}")
+    return [*words, "-o", document]
+
+
 FINDERS: dict[type, Callable[[Any, Organ, Path | str], Words | None]] = {
     ImportMesh: import_words,
     SetUnit: import_words,
@@ -167,6 +224,13 @@ FINDERS: dict[type, Callable[[Any, Organ, Path | str], Words | None]] = {
     SetReach: reach_words,
     FixLowest: lowest_words,
     SetAppearance: appearance_words,
+    FixVertices: fix_words,
+    PaintStiffness: stiffness_words,
+    SetRegion: region_words,
+    RemoveRegion: forget_words,
+    SetName: name_words,
+    SetTask: task_words,
+    UseImported: imported_words,
 }
 
 

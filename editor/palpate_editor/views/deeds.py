@@ -137,6 +137,12 @@ class Deeds(QObject):
     def use_shell(self) -> None:
         self.use_kind("shell")
 
+    def use_solid(self) -> None:
+        self.use_kind("solid")
+
+    def use_linear(self) -> None:
+        self.use_kind("linear_solid")
+
     def use_kind(self, kind: str) -> None:
         if self.desk.session.organ.model.kind == kind:
             return

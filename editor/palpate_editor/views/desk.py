@@ -20,6 +20,7 @@ from palpate_editor.views.command_lines import find_words
 from palpate_editor.views.jobs import Jobs
 from palpate_editor.views.sentences import sentence_of
 from palpate_editor.views.theme import COLOURS, Colours
+from palpate_editor.views.words import say_title, tr
 
 if TYPE_CHECKING:
     from palpate_editor.views.publishing import Publishing
@@ -34,6 +35,8 @@ class Desk(QObject):
     told = Signal(str, str)
     """A sentence and how grave it is: error, warning or info."""
     command_logged = Signal(str)
+    remarked = Signal(str)
+    """What no command line does, for whoever reads the log."""
     hinted = Signal(str)
     theme_changed = Signal(str)
     stage_shown = Signal(str)
@@ -56,6 +59,8 @@ class Desk(QObject):
         self.jobs = Jobs(self)
         self.assessor = Assessor(session, self.jobs, self)
         self.assessor.assessed.connect(self.assessed)
+        session.undone.connect(self.on_undone)
+        session.redone.connect(self.on_redone)
         self.theme = "dark"
         self.stage = "import"
         self.previewing = False
@@ -83,7 +88,17 @@ class Desk(QObject):
         words = find_words(edit, self.session.organ, self.document())
         if words is not None:
             self.log_command(words)
+        else:
+            self.remarked.emit(
+                tr("{edit}: no command does this").format(edit=say_title(edit.title))
+            )
         return True
+
+    def on_undone(self, title: str) -> None:
+        self.remarked.emit(tr("undone: {edit}").format(edit=title))
+
+    def on_redone(self, title: str) -> None:
+        self.remarked.emit(tr("done again: {edit}").format(edit=title))
 
     def tell(self, sentence: str, severity: str = "error") -> None:
         """Says a sentence in the message bar."""

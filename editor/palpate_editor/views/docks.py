@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QByteArray, Qt
+from PySide6.QtCore import QByteArray, QEvent, QObject, QSize, Qt, QTimer
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QUndoView, QWidget
 
@@ -15,11 +15,21 @@ SIDE, STAGE, BELOW = 262, 396, 226
 """[px] widths of the docks at the left and right, height of those below."""
 
 
-class Docks:
-    """The dock widgets of a main window, by name."""
+class Docks(QObject):
+    """The dock widgets of a main window, by name.
+
+    A window that gets smaller squeezes its docks, and Qt gives what it wins back to the middle
+    alone. So the sizes that a person gave them are kept, and given again as far as there is room.
+    """
 
     def __init__(self, window: QMainWindow):
+        super().__init__(window)
         self.window = window
+        self.wanted: dict[str, QSize] = {}
+        """[px] The size that each dock was given last, by us or by a drag."""
+        self.settled = QTimer(self, singleShot=True, interval=0)
+        self.settled.timeout.connect(self.recover)
+        window.installEventFilter(self)
         self.docks: dict[str, QDockWidget] = {}
         # the stage's form needs all the height there is
         window.setCorner(Qt.Corner.BottomRightCorner, AREA.RightDockWidgetArea)
@@ -51,16 +61,54 @@ class Docks:
         self.arrange()
         self.start = self.window.saveState(LAYOUT_VERSION)
 
+    # ------------------------------------------------------------ sizes
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """A drag of a line between docks is told to the window alone."""
+        if event.type() == QEvent.Type.Resize:
+            self.settled.start()
+        elif event.type() == QEvent.Type.MouseButtonRelease:
+            self.remember()
+        return super().eventFilter(watched, event)
+
+    def remember(self) -> None:
+        """The sizes there are now are those that are wanted."""
+        for name, dock in self.list_docked().items():
+            self.wanted[name] = dock.size()
+
+    def recover(self) -> None:
+        """Gives the docks the sizes that are wanted, as far as the window has room for them."""
+        if not self.wanted:  # those of a layout that was kept
+            self.remember()
+        docks = self.list_docked()
+        docks = {name: dock for name, dock in docks.items() if name in self.wanted}
+        for way in (Qt.Orientation.Horizontal, Qt.Orientation.Vertical):
+            across = way == Qt.Orientation.Horizontal
+            sizes = [
+                self.wanted[name].width() if across else self.wanted[name].height()
+                for name in docks
+            ]
+            self.window.resizeDocks(list(docks.values()), sizes, way)
+
+    def list_docked(self) -> dict[str, QDockWidget]:
+        """Those that stand in the window and can be seen; of tabs the one in front."""
+        return {
+            name: dock
+            for name, dock in self.docks.items()
+            if dock.isVisible() and not dock.isFloating() and not dock.visibleRegion().isEmpty()
+        }
+
     def arrange(self) -> None:
         """The sizes of a fresh window."""
-        docks, window = self.docks, self.window
-        window.resizeDocks(
-            [docks["scene"], docks["stage"]], [SIDE, STAGE], Qt.Orientation.Horizontal
-        )
-        window.resizeDocks([docks["scene"], docks["history"]], [400, 190], Qt.Orientation.Vertical)
-        window.resizeDocks([docks["log"]], [BELOW], Qt.Orientation.Vertical)
-        below = [docks[name] for name in ("log", "force", "costs") if name in docks]
-        window.resizeDocks(below, [440, 380, 190][: len(below)], Qt.Orientation.Horizontal)
+        self.wanted = {
+            "scene": QSize(SIDE, 400),
+            "history": QSize(SIDE, 190),
+            "stage": QSize(STAGE, 400),
+            "log": QSize(440, BELOW),
+            "force": QSize(380, BELOW),
+            "costs": QSize(190, BELOW),
+        }
+        self.recover()
 
     def show(self, name: str) -> None:
         if name in self.docks:
@@ -73,6 +121,7 @@ class Docks:
         layout = settings.layout
         if layout is None:
             return False
+        self.wanted = {}
         self.window.restoreGeometry(layout[0])
         return self.window.restoreState(layout[1], LAYOUT_VERSION)
 

@@ -40,9 +40,9 @@ class Editor(QObject):
     ):
         super().__init__(app)
         self.app, self.settings, self.theme = app, settings, theme
-        # points and not commas in numbers, whatever the desktop says: units are SI everywhere
-        QLocale.setDefault(QLocale(QLocale.Language.English, QLocale.Country.UnitedStates))
         self.language = install(app, language or settings.language)
+        # numbers as the language of the window writes them, whatever the desktop says
+        QLocale.setDefault(QLocale(self.language))
         self.session = Session(parent=self)
         self.folder = recovery_folder or find_recovery_folder()
         self.autosave = Autosave(self.session, self.folder, parent=self)
@@ -105,6 +105,7 @@ class Editor(QObject):
         if language == self.language:
             return
         self.language = install(self.app, language)
+        QLocale.setDefault(QLocale(self.language))
         QTimer.singleShot(0, self.rebuild)
 
     def rebuild(self) -> None:

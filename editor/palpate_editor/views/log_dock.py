@@ -56,12 +56,17 @@ class LogDock(QTabWidget):
         self.addTab(self.problems, tr("Problems"))
         self.addTab(self.log, tr("Log"))
         desk.command_logged.connect(self.add_command)
+        desk.remarked.connect(self.add_remark)
         desk.told.connect(self.add_sentence)
         desk.assessed.connect(self.fill_problems)
         desk.theme_changed.connect(self.on_theme)
 
     def add_command(self, line: str) -> None:
         self.log.appendPlainText(f"{datetime.now():%H:%M:%S}  $ {line}")
+
+    def add_remark(self, words: str) -> None:
+        """Behind the sign that a shell passes over."""
+        self.log.appendPlainText(f"{datetime.now():%H:%M:%S}  # {words}")
 
     def add_sentence(self, sentence: str, severity: str) -> None:
         sign = {"error": "✗", "warning": "!", "info": "·"}[severity]

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
 from palpate_editor.views.icons import draw_icon, icon
@@ -40,6 +40,8 @@ class MessageBar(QWidget):
         layout.addWidget(self.sign)
         layout.addWidget(self.label, 1)
         layout.addWidget(self.button)
+        if parent is not None:
+            parent.installEventFilter(self)
         self.timer = QTimer(self, singleShot=True, interval=SHORT)
         self.timer.timeout.connect(self.dismiss)
         self.use_colours(colours)
@@ -64,10 +66,25 @@ class MessageBar(QWidget):
         self.label.setText(sentence)
         self.dress()
         self.show()
+        self.place()
         if severity == "info":
             self.timer.start()
         else:
             self.timer.stop()
+
+    def place(self) -> None:
+        """Over the top of the viewport, so that nothing moves when it comes and goes."""
+        parent = self.parentWidget()
+        if parent is not None:
+            width = parent.width()
+            self.layout().activate()
+            self.setGeometry(0, 0, width, self.layout().totalHeightForWidth(width))
+            self.raise_()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize and not self.isHidden():
+            self.place()
+        return super().eventFilter(watched, event)
 
     def dismiss(self) -> None:
         self.timer.stop()

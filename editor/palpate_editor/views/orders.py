@@ -108,9 +108,16 @@ def mesh_orders(w: MainWindow) -> list[Order]:
 
 def material_orders(w: MainWindow) -> list[Order]:
     return [
-        Order("mss", "material", tr("&Mass–spring model"), w.deeds.use_mss, ("Ctrl+Alt+S",)),
-        Order("mms", "material", tr("M&olecular model"), w.deeds.use_mms, ("Ctrl+Alt+M",)),
-        Order("shell", "material", tr("S&hell of prisms"), w.deeds.use_shell, ("Ctrl+Alt+H",)),
+        *(
+            Order(name, "material", text, slot, (keys,), group="kinds")
+            for name, text, slot, keys in (
+                ("mss", tr("&Mass–spring model"), w.deeds.use_mss, "Ctrl+Alt+S"),
+                ("mms", tr("M&olecular model"), w.deeds.use_mms, "Ctrl+Alt+M"),
+                ("shell", tr("S&hell of prisms"), w.deeds.use_shell, "Ctrl+Alt+H"),
+                ("solid", tr("&Solid"), w.deeds.use_solid, "Ctrl+Alt+V"),
+                ("linear", tr("L&inear solid"), w.deeds.use_linear, "Ctrl+Alt+I"),
+            )
+        ),
         Order(
             "fix_lowest",
             "material",

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 
+from palpate.translation.numbers import say_digits
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QValidator, QWheelEvent
 from PySide6.QtWidgets import (
@@ -138,8 +139,8 @@ def read_number(text: str) -> float | None:
 
 
 def write_number(value: float) -> str:
-    """As short as it is exact enough: 0.0025, 150, 3e+07 as 3e7."""
-    text = f"{value:.6g}"
+    """As short as it is exact enough: 0.0025 (0,0025 in Turkish), 150, 3e+07 as 3e7."""
+    text = say_digits(f"{value:.6g}")
     if "e" in text:
         mantissa, power = text.split("e")
         text = f"{mantissa}e{int(power)}"

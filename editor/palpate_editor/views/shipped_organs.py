@@ -29,6 +29,19 @@ def name_organs() -> dict[str, str]:
     }
 
 
+def name_tissue(name: str, title: str) -> str:
+    """What people call a tissue that ships, in the language of the window."""
+    return {
+        "liver": tr("liver"),
+        "spleen": tr("spleen"),
+        "kidney": tr("kidney"),
+        "gallbladder": tr("gallbladder wall"),
+        "stomach": tr("stomach wall"),
+        "soft_patch": tr("soft patch"),
+        "stone": tr("kidney stone"),
+    }.get(name, title)
+
+
 class ShippedOrgans(QWidget):
     """A button for each, with its picture."""
 

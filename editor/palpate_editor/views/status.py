@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from datetime import datetime
 
+from palpate.translation.numbers import say_digits
 from PySide6.QtCore import QElapsedTimer, QPointF, QTimer
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QStatusBar, QWidget
 
@@ -132,7 +133,7 @@ class Status(QStatusBar):
         if found is None:
             self.place.setText("")
             return
-        x, y, z = (f"{1e3 * value:.1f}".replace("-", "−") for value in found.point)
+        x, y, z = (say_digits(f"{1e3 * value:.1f}").replace("-", "−") for value in found.point)
         self.place.setText(
             tr("triangle {number}   x {x}  y {y}  z {z} mm").format(
                 number=found.triangle, x=x, y=y, z=z

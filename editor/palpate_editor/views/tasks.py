@@ -24,7 +24,7 @@ from palpate_editor.edits.orient import METRES, TURNS
 from palpate_editor.views.desk import Desk
 from palpate_editor.views.jobs import Progress
 from palpate_editor.views.sentences import sentence_of
-from palpate_editor.views.words import edit_title, tr
+from palpate_editor.views.words import say_title, tr
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,7 +129,7 @@ class EditWork:
     edit: Edit
 
     def __call__(self, progress: Progress) -> Prepared:
-        progress(edit_title(self.edit.title), 0.3)
+        progress(say_title(self.edit.title), 0.3)
         return prepare(self.edit, self.organ)
 
 
@@ -227,4 +227,4 @@ class Tasks(QObject):
         if self.is_busy():
             return
         work = EditWork(self.desk.session.organ, edit)
-        self.desk.jobs.start(edit_title(edit.title), work, self.desk.apply, self.desk.refuse)
+        self.desk.jobs.start(say_title(edit.title), work, self.desk.apply, self.desk.refuse)

@@ -6,7 +6,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
+    QAbstractButton,
     QFrame,
     QGridLayout,
     QHBoxLayout,
@@ -139,6 +141,16 @@ class Welcome(QFrame):
                 break
         self.resize(self.width(), height)
         self.move((room.width() - self.width()) // 2, max(8, (room.height() - self.height()) // 2))
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Enter takes the button that is chosen, else the first organ."""
+        if event.key() not in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            super().keyPressEvent(event)
+            return
+        chosen = self.window().focusWidget()
+        if not isinstance(chosen, QAbstractButton) or not self.isAncestorOf(chosen):
+            chosen = next(iter(self.shipped.buttons.values()))
+        chosen.click()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Resize and not self.isHidden():

@@ -6,13 +6,15 @@ from __future__ import annotations
 from pathlib import Path
 
 from palpate.viewport import make_view
-from PySide6.QtCore import Qt, Signal
+from palpate.viewport.screen import fit_to_screen, keep_on_screen
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QShowEvent
 from PySide6.QtWidgets import QMainWindow, QToolBar, QVBoxLayout, QWidget
 
 from palpate_editor.app.session import Session
 from palpate_editor.app.settings import Settings
 from palpate_editor.document import Organ
+from palpate_editor.document.constants import SHORT_KINDS
 from palpate_editor.views.action_set import ActionSet
 from palpate_editor.views.axis_gizmo import AxisGizmo
 from palpate_editor.views.deeds import Deeds
@@ -39,7 +41,9 @@ from palpate_editor.views.touch import build_tools
 from palpate_editor.views.welcome import Welcome
 from palpate_editor.views.words import tr
 
-SIZE = (1440, 900)
+SHORT_NAMES = {kind: short for short, kind in SHORT_KINDS.items()}
+"""Of the kinds of tissue, as actions and the command line call them."""
+SIZE = QSize(1440, 900)
 """[px] of a window that nobody has resized yet."""
 
 
@@ -52,7 +56,7 @@ class MainWindow(QMainWindow):
         super().__init__()
         self.setObjectName("main_window")
         self.session, self.settings = session, settings
-        self.resize(*SIZE)
+        fit_to_screen(self, SIZE)
         self.setAcceptDrops(True)
         self.may_close = False
         self.view = make_view(self)
@@ -84,9 +88,8 @@ class MainWindow(QMainWindow):
         column = QVBoxLayout(centre)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        self.messages = MessageBar(self.desk.colours, centre)
-        column.addWidget(self.messages)
         column.addWidget(self.view, 1)
+        self.messages = MessageBar(self.desk.colours, self.view)
         self.setCentralWidget(centre)
         self.gizmo = AxisGizmo(self.view)
         self.welcome = Welcome(self.desk, self.view)
@@ -190,6 +193,7 @@ class MainWindow(QMainWindow):
     def show_organ(self, organ: Organ) -> None:
         there = organ.surface is not None
         self.actions_by_name.show_organ(there)
+        self.actions_by_name.check(SHORT_NAMES[organ.model.kind])
         self.tools.show_organ(there)
         self.stage_dock.show_organ()
         self.display.refresh()
@@ -270,6 +274,7 @@ class MainWindow(QMainWindow):
         if self.fresh:
             self.fresh = False
             self.docks.arrange()
+        keep_on_screen(self)
 
     # ------------------------------------------------------------ dropping and closing
 

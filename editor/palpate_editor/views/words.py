@@ -4,14 +4,26 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import palpate
+from palpate.translation.numbers import say_digits
 from PySide6.QtCore import QCoreApplication
 
-from palpate_editor.document import Phrase
+from palpate_editor.app.spoken import fill, say, say_title
 from palpate_editor.document.constants import CONSTANTS
 from palpate_editor.document.problems import Problem
+
+__all__ = [
+    "count",
+    "fill",
+    "number",
+    "quantity",
+    "say",
+    "say_found",
+    "say_memory",
+    "say_title",
+    "tr",
+]
 
 CONTEXT = "Editor"
 THIN_SPACE = "\N{NARROW NO-BREAK SPACE}"
@@ -22,27 +34,12 @@ def tr(text: str) -> str:
     return QCoreApplication.translate(CONTEXT, text)
 
 
-def say(text: Any) -> Any:
-    """A sentence of another room in the language of the window, where it knows how it was made."""
-    if isinstance(text, Phrase):
-        values = {key: say(value) for key, value in text.values.items()}
-        template = QCoreApplication.translate("phrases", text.template)
-        return template.format(**values) if values else template
-    # names of constants are values of many sentences; any other text stays as it is
-    return QCoreApplication.translate("constants", text) if isinstance(text, str) else text
-
-
 def say_found(problem: Problem) -> str:
     """What was found, and of what where a number alone would not tell."""
     found = say(problem.found)
     constant = next((c for c in CONSTANTS if c.key == problem.where), None)
     words = found if constant is None else f"{say(constant.label)}: {found}"
     return words[:1].upper() + words[1:]
-
-
-def edit_title(title: str) -> str:
-    """What an edit is called."""
-    return QCoreApplication.translate("edits", title)
 
 
 def number(value: float, digits: int = 4) -> str:
@@ -56,12 +53,14 @@ def number(value: float, digits: int = 4) -> str:
         power = math.floor(math.log10(float(f"{abs(value):.{digits - 1}e}")))
         mantissa = f"{value / 10.0**power:.{digits - 1}f}"
         mantissa = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
-        return (mantissa + "\N{MULTIPLICATION SIGN}10" + superscript(power)).replace("-", "−")
+        return (say_digits(mantissa) + "\N{MULTIPLICATION SIGN}10" + superscript(power)).replace(
+            "-", "−"
+        )
     decimals = max(0, digits - 1 - power)
     text = f"{value:,.{decimals}f}"
     if "." in text:
         text = text.rstrip("0").rstrip(".")
-    return text.replace(",", THIN_SPACE).replace("-", "−")
+    return say_digits(text.replace(",", THIN_SPACE)).replace("-", "−")
 
 
 def superscript(power: int) -> str:

@@ -273,10 +273,6 @@
         <translation>Tüm üçgenler dışa bakıyor.</translation>
     </message>
     <message>
-        <source>Along the link</source>
-        <translation>Bağlantı boyunca</translation>
-    </message>
-    <message>
         <source>As it was opened</source>
         <translation>Açıldığı hâli</translation>
     </message>
@@ -333,10 +329,6 @@
         <translation>Seç…</translation>
     </message>
     <message>
-        <source>Chosen by hand</source>
-        <translation>Elle seçilmiş</translation>
-    </message>
-    <message>
         <source>Chosen by hand to feel like an organ, or given by what the tissue is made of.</source>
         <translation>Organ gibi duyulsun diye elle seçilmiş ya da dokunun yapısından gelen sabitler.</translation>
     </message>
@@ -377,10 +369,6 @@
         <translation>Yalnız bağlı olanlar</translation>
     </message>
     <message>
-        <source>Constants</source>
-        <translation>Sabitler</translation>
-    </message>
-    <message>
         <source>Cost</source>
         <translation>Maliyet</translation>
     </message>
@@ -391,10 +379,6 @@
     <message>
         <source>Crossing triangles</source>
         <translation>Kesişen üçgenler</translation>
-    </message>
-    <message>
-        <source>Damping</source>
-        <translation>Sönüm</translation>
     </message>
     <message>
         <source>Decimate</source>
@@ -463,10 +447,6 @@
     <message>
         <source>Edges shared by more than two</source>
         <translation>İkiden çok üçgenli kenar</translation>
-    </message>
-    <message>
-        <source>Energy gradient (Eq 9, 11)</source>
-        <translation>Enerji gradyanı (Denk. 9, 11)</translation>
     </message>
     <message>
         <source>Error of stretching</source>
@@ -585,10 +565,6 @@
         <translation>Seçili köşeleri serbest bırak</translation>
     </message>
     <message>
-        <source>From the tissue</source>
-        <translation>Dokudan</translation>
-    </message>
-    <message>
         <source>Front side only</source>
         <translation>Yalnız ön yüz</translation>
     </message>
@@ -693,10 +669,6 @@
         <translation>{file} içe aktarılıyor</translation>
     </message>
     <message>
-        <source>In all directions</source>
-        <translation>Her yönde</translation>
-    </message>
-    <message>
         <source>Invert the selection</source>
         <translation>Seçimi tersine çevir</translation>
     </message>
@@ -749,10 +721,6 @@
         <translation>Gecikme</translation>
     </message>
     <message>
-        <source>Law of angles</source>
-        <translation>Açı yasası</translation>
-    </message>
-    <message>
         <source>Leave alone what faces away from you</source>
         <translation>Size dönük olmayana dokunma</translation>
     </message>
@@ -781,10 +749,6 @@
         <translation>Karaciğer</translation>
     </message>
     <message>
-        <source>Lloyd</source>
-        <translation>Lloyd</translation>
-    </message>
-    <message>
         <source>Log</source>
         <translation>Günlük</translation>
     </message>
@@ -803,10 +767,6 @@
     <message>
         <source>Mass–spring</source>
         <translation>Kütle–yay</translation>
-    </message>
-    <message>
-        <source>Mass–spring (MSS)</source>
-        <translation>Kütle–yay (MSS)</translation>
     </message>
     <message>
         <source>Material</source>
@@ -847,10 +807,6 @@
     <message>
         <source>Molecular</source>
         <translation>Moleküler</translation>
-    </message>
-    <message>
-        <source>Molecular (MMS)</source>
-        <translation>Moleküler (MMS)</translation>
     </message>
     <message>
         <source>Name of the organ</source>
@@ -943,10 +899,6 @@
     <message>
         <source>Open…</source>
         <translation>Aç…</translation>
-    </message>
-    <message>
-        <source>Opposite edge (Eq 10)</source>
-        <translation>Karşı kenar (Denk. 10)</translation>
     </message>
     <message>
         <source>Or begin with one of these</source>
@@ -1101,10 +1053,6 @@
         <translation>Fırça etkinken sağ ya da orta sürükleme</translation>
     </message>
     <message>
-        <source>Rule of springs</source>
-        <translation>Yay kuralı</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Çalıştır</translation>
     </message>
@@ -1209,14 +1157,6 @@
         <translation>Doğrusal dolu cisim</translation>
     </message>
     <message>
-        <source>Linear solid, shallow presses</source>
-        <translation>Doğrusal dolu cisim, sığ bastırma</translation>
-    </message>
-    <message>
-        <source>Solid (MSS+V)</source>
-        <translation>Dolu cisim (MSS+V)</translation>
-    </message>
-    <message>
         <source>Solid</source>
         <translation>Dolu cisim</translation>
     </message>
@@ -1291,10 +1231,6 @@
     <message>
         <source>Springs and bonds</source>
         <translation>Yaylar ve bağlar</translation>
-    </message>
-    <message>
-        <source>Springs and bonds take the stiffness below. Young's modulus sets the home springs of a hollow organ where they have no own value.</source>
-        <translation>Yaylar ve bağlar aşağıdaki katılığı alır. Young modülü, kendi değeri yoksa içi boş bir organın yuva yaylarını belirler.</translation>
     </message>
     <message>
         <source>Stability</source>
@@ -1426,7 +1362,7 @@
     </message>
     <message>
         <source>The organ has weight (9.81 m/s² downwards)</source>
-        <translation>Organın ağırlığı var (aşağı doğru 9.81 m/s²)</translation>
+        <translation>Organın ağırlığı var (aşağı doğru 9,81 m/s²)</translation>
     </message>
     <message>
         <source>The organ is being looked at: one moment.</source>
@@ -1625,16 +1561,8 @@
         <translation>Kaydedilmemiş çalışma bulundu</translation>
     </message>
     <message>
-        <source>Use its constants</source>
-        <translation>Sabitlerini kullan</translation>
-    </message>
-    <message>
         <source>Use the imported surface</source>
         <translation>İçe aktarılan yüzeyi kullan</translation>
-    </message>
-    <message>
-        <source>Van Gelder</source>
-        <translation>Van Gelder</translation>
     </message>
     <message>
         <source>Vertices</source>
@@ -2066,6 +1994,126 @@ Beklenen: {expected}.</translation>
         <source>A tissue needs a clean surface. Holes stay open until you fill them.</source>
         <translation>Doku temiz bir yüzey ister. Delikler siz doldurana kadar açık kalır.</translation>
     </message>
+    <message>
+        <source>&amp;Solid</source>
+        <translation>&amp;Dolu cisim</translation>
+    </message>
+    <message>
+        <source>L&amp;inear solid</source>
+        <translation>Doğr&amp;usal dolu cisim</translation>
+    </message>
+    <message>
+        <source>A published value needs a number.</source>
+        <translation>Yayımlanmış bir değer için bir sayı gerekir.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ekle</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Kaldır</translation>
+    </message>
+    <message>
+        <source>Constant</source>
+        <translation>Sabit</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Aralık</translation>
+    </message>
+    <message>
+        <source>Measured by</source>
+        <translation>Ölçüm yöntemi</translation>
+    </message>
+    <message>
+        <source>Source: authors, journal, year</source>
+        <translation>Kaynak: yazarlar, dergi, yıl</translation>
+    </message>
+    <message>
+        <source>Springs and bonds take the stiffness below, so Young's modulus and Poisson's ratio have no effect. They count in a solid, and in a wall that has a thickness.</source>
+        <translation>Yaylar ve bağlar aşağıdaki katılığı alır; bu yüzden Young modülü ile Poisson oranının etkisi yoktur. Dolu cisimde ve kalınlığı olan bir duvarda sayılırlar.</translation>
+    </message>
+    <message>
+        <source>Springs and bonds take the stiffness below. Young's modulus sets the home springs of a hollow organ where they have no own value, and what its wall is compared with.</source>
+        <translation>Yaylar ve bağlar aşağıdaki katılığı alır. Young modülü, kendi değeri yoksa içi boş bir organın yuva yaylarını ve duvarının neyle karşılaştırılacağını belirler.</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Kullan</translation>
+    </message>
+    <message>
+        <source>Use the constants of this tissue</source>
+        <translation>Bu dokunun sabitlerini kullan</translation>
+    </message>
+    <message>
+        <source>Values that ship with Palpate stay; choose one of your own.</source>
+        <translation>Palpate ile gelen değerler kalır; kendi eklediğiniz birini seçin.</translation>
+    </message>
+    <message>
+        <source>Values…</source>
+        <translation>Değerler…</translation>
+    </message>
+    <message>
+        <source>What the literature says, and what you add to it</source>
+        <translation>Yayınların verdikleri ve sizin ekledikleriniz</translation>
+    </message>
+    <message>
+        <source>done again: {edit}</source>
+        <translation>yinelendi: {edit}</translation>
+    </message>
+    <message>
+        <source>undone: {edit}</source>
+        <translation>geri alındı: {edit}</translation>
+    </message>
+    <message>
+        <source>{edit}: no command does this</source>
+        <translation>{edit}: bunu yapan bir komut yok</translation>
+    </message>
+    <message>
+        <source>Language of title and task</source>
+        <translation>Başlık ve görevin dili</translation>
+    </message>
+    <message>
+        <source>A trainee reads the translation of the window's language, if any</source>
+        <translation>Eğitim alan kişi, varsa, pencerenin dilindeki çeviriyi okur</translation>
+    </message>
+    <message>
+        <source>In every language</source>
+        <translation>Her dilde</translation>
+    </message>
+    <message>
+        <source>In {name}</source>
+        <translation>Dili: {name}</translation>
+    </message>
+    <message>
+        <source>liver</source>
+        <translation>karaciğer</translation>
+    </message>
+    <message>
+        <source>spleen</source>
+        <translation>dalak</translation>
+    </message>
+    <message>
+        <source>kidney</source>
+        <translation>böbrek</translation>
+    </message>
+    <message>
+        <source>gallbladder wall</source>
+        <translation>safra kesesi duvarı</translation>
+    </message>
+    <message>
+        <source>stomach wall</source>
+        <translation>mide duvarı</translation>
+    </message>
+    <message>
+        <source>soft patch</source>
+        <translation>yumuşak yama</translation>
+    </message>
+    <message>
+        <source>kidney stone</source>
+        <translation>böbrek taşı</translation>
+    </message>
 </context>
 <context>
     <name>constants</name>
@@ -2161,29 +2209,85 @@ Beklenen: {expected}.</translation>
         <source>solid</source>
         <translation>dolu</translation>
     </message>
+    <message>
+        <source>Model</source>
+        <translation>Model</translation>
+    </message>
+    <message>
+        <source>Constants</source>
+        <translation>Sabitler</translation>
+    </message>
+    <message>
+        <source>Rule of springs</source>
+        <translation>Yay kuralı</translation>
+    </message>
+    <message>
+        <source>Law of angles</source>
+        <translation>Açı yasası</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Sönüm</translation>
+    </message>
+    <message>
+        <source>Mass–spring (MSS)</source>
+        <translation>Kütle–yay (MSS)</translation>
+    </message>
+    <message>
+        <source>Molecular (MMS)</source>
+        <translation>Moleküler (MMS)</translation>
+    </message>
+    <message>
+        <source>Shell of prisms</source>
+        <translation>Prizma kabuk</translation>
+    </message>
+    <message>
+        <source>Solid (MSS+V)</source>
+        <translation>Dolu cisim (MSS+V)</translation>
+    </message>
+    <message>
+        <source>Linear solid, shallow presses</source>
+        <translation>Doğrusal dolu cisim, sığ bastırma</translation>
+    </message>
+    <message>
+        <source>Chosen by hand</source>
+        <translation>Elle seçilmiş</translation>
+    </message>
+    <message>
+        <source>From the tissue</source>
+        <translation>Dokudan</translation>
+    </message>
+    <message>
+        <source>Van Gelder</source>
+        <translation>Van Gelder</translation>
+    </message>
+    <message>
+        <source>Lloyd</source>
+        <translation>Lloyd</translation>
+    </message>
+    <message>
+        <source>Energy gradient (Eq 9, 11)</source>
+        <translation>Enerji gradyanı (Denk. 9, 11)</translation>
+    </message>
+    <message>
+        <source>Opposite edge (Eq 10)</source>
+        <translation>Karşı kenar (Denk. 10)</translation>
+    </message>
+    <message>
+        <source>Along the link</source>
+        <translation>Bağlantı boyunca</translation>
+    </message>
+    <message>
+        <source>In all directions</source>
+        <translation>Her yönde</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>yok</translation>
+    </message>
 </context>
 <context>
     <name>edits</name>
-    <message>
-        <source>Choose a law</source>
-        <translation>Yasa seç</translation>
-    </message>
-    <message>
-        <source>Decimate</source>
-        <translation>Sadeleştirme</translation>
-    </message>
-    <message>
-        <source>Fix the lowest part</source>
-        <translation>En alt kısmı sabitle</translation>
-    </message>
-    <message>
-        <source>Fix vertices</source>
-        <translation>Köşeleri sabitle</translation>
-    </message>
-    <message>
-        <source>Free vertices</source>
-        <translation>Köşeleri serbest bırak</translation>
-    </message>
     <message>
         <source>Import</source>
         <translation>İçe aktarma</translation>
@@ -2682,6 +2786,130 @@ Beklenen: {expected}.</translation>
     <message>
         <source>Hole {got}: this surface has those from 0 to {most}.</source>
         <translation>Delik {got}: bu yüzeyde 0 ile {most} arası delikler var.</translation>
+    </message>
+    <message>
+        <source>A published value needs its source.</source>
+        <translation>Yayımlanmış bir değerin kaynağı gerekir.</translation>
+    </message>
+    <message>
+        <source>A scenario has at most {most} further languages.</source>
+        <translation>Bir senaryonun en çok {most} başka dili olabilir.</translation>
+    </message>
+    <message>
+        <source>Axis that points up: {up}</source>
+        <translation>Yukarı bakan eksen: {up}</translation>
+    </message>
+    <message>
+        <source>Decimate to {count} vertices</source>
+        <translation>{count} köşeye sadeleştir</translation>
+    </message>
+    <message>
+        <source>Fix the lowest {share:g} %</source>
+        <translation>En alttaki % {share:g} kısmı sabitle</translation>
+    </message>
+    <message>
+        <source>Fix {count} vertices</source>
+        <translation>{count} köşeyi sabitle</translation>
+    </message>
+    <message>
+        <source>Free {count} vertices</source>
+        <translation>{count} köşeyi serbest bırak</translation>
+    </message>
+    <message>
+        <source>Gravity: {x:g}, {y:g}, {z:g} m/s²</source>
+        <translation>Yerçekimi: {x:g}; {y:g}; {z:g} m/s²</translation>
+    </message>
+    <message>
+        <source>No gravity</source>
+        <translation>Yerçekimi yok</translation>
+    </message>
+    <message>
+        <source>Has no effect here: springs and bonds take the stiffness that is chosen below. It counts in a solid, and in a wall that has a thickness.</source>
+        <translation>Burada etkisi yok: yaylar ve bağlar aşağıda seçilen katılığı alır. Dolu cisimde ve kalınlığı olan bir duvarda sayılır.</translation>
+    </message>
+    <message>
+        <source>Material of {tissue}</source>
+        <translation>Malzeme: {tissue}</translation>
+    </message>
+    <message>
+        <source>Name the organ: {name}</source>
+        <translation>Organın adı: {name}</translation>
+    </message>
+    <message>
+        <source>Paint stiffness</source>
+        <translation>Katılık boya</translation>
+    </message>
+    <message>
+        <source>Paste a material: {kind}, {value}</source>
+        <translation>Malzeme yapıştır: {kind}, {value}</translation>
+    </message>
+    <message>
+        <source>Reach: all of the surface</source>
+        <translation>Erişim: yüzeyin tümü</translation>
+    </message>
+    <message>
+        <source>Reach: {region}</source>
+        <translation>Erişim: {region}</translation>
+    </message>
+    <message>
+        <source>Region {name}: {count} vertices</source>
+        <translation>Bölge {name}: {count} köşe</translation>
+    </message>
+    <message>
+        <source>Remove region {name}</source>
+        <translation>{name} bölgesini kaldır</translation>
+    </message>
+    <message>
+        <source>Set a number</source>
+        <translation>Bir sayı ayarla</translation>
+    </message>
+    <message>
+        <source>Set the task</source>
+        <translation>Görevi ayarla</translation>
+    </message>
+    <message>
+        <source>Set title and task</source>
+        <translation>Başlık ve görevi ayarla</translation>
+    </message>
+    <message>
+        <source>Stiffness of {count} vertices: {low:.3g} to {high:.3g} ×</source>
+        <translation>{count} köşenin katılığı: {low:.3g} – {high:.3g} ×</translation>
+    </message>
+    <message>
+        <source>Stiffness of {count} vertices: {low:.3g} ×</source>
+        <translation>{count} köşenin katılığı: {low:.3g} ×</translation>
+    </message>
+    <message>
+        <source>The language must be a code such as tr or pt-BR, got {got}.</source>
+        <translation>Dil tr ya da pt-BR gibi bir kod olmalı; verilen: {got}.</translation>
+    </message>
+    <message>
+        <source>The range begins at {low} and ends at {high}: turn it round.</source>
+        <translation>Aralık {low} ile başlayıp {high} ile bitiyor: ters çevirin.</translation>
+    </message>
+    <message>
+        <source>Title: {title}</source>
+        <translation>Başlık: {title}</translation>
+    </message>
+    <message>
+        <source>Unit of the file: {unit}</source>
+        <translation>Dosyanın birimi: {unit}</translation>
+    </message>
+    <message>
+        <source>{count} letters, at most {most}.</source>
+        <translation>{count} harf; en çok {most} olabilir.</translation>
+    </message>
+    <message>
+        <source>{name}: {value}</source>
+        <translation>{name}: {value}</translation>
+    </message>
+    <message>
+        <source>{value:g}</source>
+        <translation>{value:g}</translation>
+    </message>
+    <message>
+        <source>{value:g} {unit}</source>
+        <translation>{value:g} {unit}</translation>
     </message>
 </context>
 </TS>

@@ -14,7 +14,7 @@ from palpate_editor.app.settings import Settings
 from palpate_editor.views.editor import Editor
 from palpate_editor.views.window import MainWindow
 from patience import settle
-from PySide6.QtCore import QEvent, QSettings, Qt
+from PySide6.QtCore import QEvent, QLocale, QSettings, Qt
 from PySide6.QtGui import QSurfaceFormat
 from PySide6.QtWidgets import QApplication
 
@@ -64,6 +64,7 @@ def make_editor(
     for editor in made:
         end(editor)
     translation.install(qapp, "en")
+    QLocale.setDefault(QLocale("en"))
 
 
 def end(editor: Editor) -> None:

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import palpate_editor
-from palpate_editor.document.constants import CONSTANTS
+from palpate_editor.document.constants import CONSTANTS, LAW_NAMES, VALUE_NAMES
 from palpate_editor.edits import EVERY_EDIT
 
 SOURCES = Path(palpate_editor.__file__).parent
@@ -60,8 +60,6 @@ def find_titles() -> Iterator[str]:
     for edit in EVERY_EDIT:
         if isinstance(vars(edit).get("title"), str):
             yield edit.title
-    yield from ("Fix vertices", "Free vertices")
-    yield from (f"Set {constant.label}" for constant in CONSTANTS)
 
 
 def find_spoken() -> Spoken:
@@ -73,4 +71,6 @@ def find_spoken() -> Spoken:
         found.add(("constants", constant.label))
         if constant.absent:
             found.add(("constants", constant.absent))
+    for name in (*LAW_NAMES.values(), *VALUE_NAMES.values(), "none"):
+        found.add(("constants", name))
     return found

@@ -4,17 +4,22 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
-from hands import child, click, type_into
+from hands import action, child, click, type_into
 from palpate.scene_parts import FillPart
-from palpate_editor.document.constants import CONSTANTS
+from palpate_editor.compile import build_organ
+from palpate_editor.document.constants import CONSTANTS, SHORT_KINDS
 from palpate_editor.edits import FixLowest, RemoveRegion, SetChoice, SetConstant, SetRegion
+from palpate_editor.own_values import read_own_values
 from palpate_editor.views.quantity_box import QuantityBox, read_number, write_number
+from palpate_editor.views.stages.published_dialog import PublishedDialog
 from patience import settle
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QPushButton
 
 pytestmark = pytest.mark.window
 
@@ -181,8 +186,8 @@ def test_a_box_takes_letters_of_numbers_only(qtbot):
 
 def test_a_wall_takes_its_constants_from_its_tissue_and_says_how_well(panel, qtbot):
     window = panel.window()
-    type_into(child(panel, "material.young_modulus"), "50")
     window.desk.apply(SetConstant("material", "wall_thickness", 2e-3))
+    type_into(child(panel, "material.young_modulus"), "50")
     window.desk.apply(SetChoice("kind", "molecular"))
     settle(qtbot, window)
     before = panel.facts.words()
@@ -205,18 +210,129 @@ def test_a_wall_takes_its_constants_from_its_tissue_and_says_how_well(panel, qtb
     assert panel.desk.session.organ.model.constants == "tissue"
 
 
-def test_published_values_stand_with_their_source_and_can_be_used(panel, qtbot):
+def table_of(dialog) -> list[tuple[str, ...]]:
+    table = dialog.table
+    return [
+        tuple(table.item(row, column).text() for column in range(4))
+        for row in range(table.rowCount())
+    ]
+
+
+def test_published_values_are_in_reach_at_the_top_of_the_form_and_can_be_used(panel, qtbot):
+    panel.window().resize(1280, 720)
     published = panel.published
     published.box.setCurrentIndex([t.name for t in published.tissues].index("gallbladder"))
+    area = panel.window().stage_dock.stack.currentWidget().viewport()
+    button = child(panel, "show_published")
+    assert area.rect().contains(button.mapTo(area, button.rect().bottomRight()))
 
-    rows = published.facts.words()
-    assert "230 – 280\N{NO-BREAK SPACE}kPa" in rows["Young's modulus"]
-    assert "Karimi et al. 2017" in rows["Young's modulus"]
+    click(button)
+    rows = table_of(published.dialog)
+    modulus = next(row for row in rows if row[0] == "Young's modulus" and "Karimi" in row[3])
+    assert modulus[1] == "230 – 280\N{NO-BREAK SPACE}kPa"
     click(child(panel, "use_tissue"))
 
     organ = panel.desk.session.organ
     assert organ.material.young_modulus == 2.5e5
     assert organ.material.wall_thickness == 2.5e-3
+    assert panel.desk.session.history.undoText() == "Material of gallbladder wall"
+
+
+def test_a_designer_adds_a_published_value_and_removes_it_again(panel, user_data):
+    click(child(panel, "show_published"))
+    dialog = panel.published.dialog
+    before = table_of(dialog)
+    dialog.table.selectRow(0)
+    assert not dialog.remove_button.isEnabled()  # what ships stays
+    dialog.low.lineEdit().setText("4.5")
+    dialog.high.lineEdit().setText("7")
+    dialog.method.setText("indentation")
+    click(dialog.add_button)
+    assert "needs its source" in panel.window().messages.text
+    dialog.source.setText("Doe et al., J Biomech 2024")
+    click(dialog.add_button)
+
+    added = ("Young's modulus", "4.5 – 7\N{NO-BREAK SPACE}kPa", "indentation")
+    assert table_of(dialog) == [*before, (*added, "Doe et al., J Biomech 2024")]
+    again = PublishedDialog(panel.desk, panel)
+    assert table_of(again) == table_of(dialog)
+    kept = read_own_values(user_data / "palpate" / "published_values.json")
+    assert [(value.low, value.high) for value in kept] == [(4500.0, 7000.0)]
+
+    dialog.table.selectRow(len(before))
+    click(dialog.remove_button)
+    assert table_of(dialog) == before
+    assert read_own_values(user_data / "palpate" / "published_values.json") == ()
+
+
+def test_young_modulus_cannot_be_edited_where_it_does_nothing_and_says_why(panel, qtbot):
+    window, modulus = panel.window(), child(panel, "material.young_modulus")
+    assert panel.desk.session.organ.model.kind == "mass_spring"
+
+    assert not modulus.isEnabled()
+    assert "Has no effect here" in modulus.toolTip()
+    assert "have no effect" in panel.origin_note.text()
+    window.desk.apply(SetConstant("material", "wall_thickness", 2e-3))
+    assert modulus.isEnabled() and "Has no effect" not in modulus.toolTip()
+    window.session.history.undo()
+    window.deeds.use_solid()
+    assert modulus.isEnabled()
+
+
+def test_what_has_no_effect_changes_no_number_of_the_tissue(panel):
+    organ = panel.desk.session.organ
+    changed = replace(organ, material=replace(organ.material, young_modulus=9e4))
+    for constant in CONSTANTS:
+        if constant.key == "material.young_modulus":
+            assert constant.find_idle(organ) is not None
+    one, other = (build_organ(o) for o in (organ, changed))
+    assert np.array_equal(one.springs.stiffness, other.springs.stiffness)
+    assert np.array_equal(one.home, other.home)
+
+
+def test_every_kind_of_tissue_stands_in_the_menu_and_the_one_in_use_is_marked(panel):
+    window = panel.window()
+    for name, kind in SHORT_KINDS.items():
+        action(window, name).trigger()
+        assert window.session.organ.model.kind == kind
+        assert [n for n in SHORT_KINDS if action(window, n).isChecked()] == [name]
+
+
+def test_the_history_says_which_law_and_which_value(panel):
+    window = panel.window()
+    window.deeds.use_solid()
+    type_into(child(panel, "material.young_modulus"), "7.5")
+
+    stack = window.session.history
+    texts = [stack.text(k) for k in range(stack.count())]
+    assert texts[-2:] == ["Model: Solid (MSS+V)", "Young's modulus: 7.5 kPa"]
+
+
+def test_no_field_moves_when_the_organ_is_looked_at_or_refused(panel, qtbot):
+    window = panel.window()
+    settle(qtbot, window)
+    before = {f.objectName(): places(panel) for f in (panel.kind,)}["model.kind"]
+    view = window.view.mapTo(window, window.view.rect().topLeft()), window.view.size()
+
+    type_into(child(panel, "model.stiffness"), "5000")
+    settle(qtbot, window)
+    type_into(child(panel, "material.density"), "-5")
+    assert window.messages.text
+    window.desk.apply(SetConstant("model", "home_stiffness", 0.0))
+    settle(qtbot, window)
+
+    assert places(panel) == before
+    assert (window.view.mapTo(window, window.view.rect().topLeft()), window.view.size()) == view
+
+
+def places(panel) -> dict[str, int]:
+    """Where each field stands in the form, from above."""
+    boxes = [*panel.findChildren(QuantityBox), *panel.findChildren(QPushButton, "fix_lowest")]
+    return {
+        box.objectName(): box.mapTo(panel, box.rect().topLeft()).y()
+        for box in boxes
+        if box.isVisible()
+    }
 
 
 def choose(panel, name: str, value: str) -> None:

@@ -4,17 +4,25 @@
 from __future__ import annotations
 
 import re
+import sys
+from pathlib import Path
 from string import Formatter
 
+import numpy as np
 import pytest
 from hands import action
 from palpate.translation import read_words
 from palpate_editor.document import EMPTY, phrase
-from palpate_editor.edits import EditError, SetConstant
+from palpate_editor.edits import EditError, PaintStiffness, SetConstant
+from palpate_editor.views.quantity_box import QuantityBox, write_number
 from palpate_editor.views.sentences import sentence_of
-from palpate_editor.views.words import number, quantity
+from palpate_editor.views.words import fill, number, quantity
+from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QAbstractButton, QLabel
 from spoken import find_spoken
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+from organs import make_organ  # noqa: E402
 
 pytestmark = pytest.mark.window
 
@@ -95,6 +103,7 @@ def test_no_text_is_cut_off_in_either_language(qtbot, make_editor):
 
 
 def test_numbers_are_written_for_people():
+    QLocale.setDefault(QLocale("en"))
     assert number(12345.678) == "12\u202f346"
     assert number(0.00250) == "0.0025"
     assert number(-3.5) == "−3.5"
@@ -103,3 +112,38 @@ def test_numbers_are_written_for_people():
     assert number(float("nan")) == "–"
     assert quantity(0.05, "N/m") == "0.05\u00a0N/m"
     assert quantity(None, "g") == "–"
+
+
+def test_turkish_numbers_have_a_comma_in_every_window_and_a_point_on_the_command_line(
+    qtbot, make_editor
+):
+    window = make_editor(language="tr").window
+    window.session.apply(SetConstant("material", "young_modulus", 4321.5))
+    window.show_stage("material")
+
+    assert number(0.0025) == "0,0025" and number(-2.5e-7) == "−2,5×10⁻⁷"
+    assert number(12345.678) == "12\u202f346"
+    assert write_number(0.0025) == "0,0025"
+    assert window.session.history.undoText() == "Young modülü: 4,3215 kPa"
+    box = window.findChild(QuantityBox, "tool.radius")
+    for typed in ("4,5", "4.5"):
+        box.lineEdit().setText(typed)
+        box.enter()
+        assert window.session.organ.tool.radius == pytest.approx(4.5e-3)
+        window.session.history.undo()
+    window.deeds.use_solid()
+    box.lineEdit().setText("3,5")
+    box.enter()
+    assert "--tool-radius=0.0035m" in window.log.log.toPlainText()
+    assert window.material_panel.share.text() == "10,0\N{NO-BREAK SPACE}%"
+    axis = window.test_panel.plot._plot.getAxis("left")
+    assert axis.tickStrings([0.5, 1.0], 1.0, 0.5) == ["0,5", "1,0"]
+    assert fill("{x:.2f} N", x=0.63) == "0,63 N"
+
+
+def test_turkish_refusals_have_turkish_numbers(make_editor):
+    make_editor(language="tr")
+    with pytest.raises(EditError) as refused:
+        PaintStiffness(np.array([0]), 0.001)(make_organ())
+
+    assert sentence_of(refused.value).endswith("verilen 0,001.")

@@ -9,7 +9,14 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QComboBox, QGridLayout, QWidget
 
 from palpate_editor.document import Organ
-from palpate_editor.document.constants import CHOICES, Constant, counts_choice, find_constant
+from palpate_editor.document.constants import (
+    CHOICES,
+    LAW_NAMES,
+    VALUE_NAMES,
+    Constant,
+    counts_choice,
+    find_constant,
+)
 from palpate_editor.edits import SetChoice, SetConstant
 from palpate_editor.views.desk import Desk
 from palpate_editor.views.quantity_box import QuantityBox, QuantityRow
@@ -24,22 +31,7 @@ WALL = 2e-3
 
 def choice_words(value: str) -> str:
     """What a law is called."""
-    words = {
-        "mass_spring": tr("Mass–spring (MSS)"),
-        "molecular": tr("Molecular (MMS)"),
-        "shell": tr("Shell of prisms"),
-        "chosen": tr("Chosen by hand"),
-        "tissue": tr("From the tissue"),
-        "van_gelder": tr("Van Gelder"),
-        "lloyd": tr("Lloyd"),
-        "solid": tr("Solid (MSS+V)"),
-        "linear_solid": tr("Linear solid, shallow presses"),
-        "gradient": tr("Energy gradient (Eq 9, 11)"),
-        "eq10": tr("Opposite edge (Eq 10)"),
-        "axis": tr("Along the link"),
-        "isotropic": tr("In all directions"),
-    }
-    return words.get(value, value)
+    return str(say(VALUE_NAMES.get(value, value)))
 
 
 class ConstantField(QuantityRow):
@@ -54,7 +46,6 @@ class ConstantField(QuantityRow):
         self.label.setBuddy(box)
         box.setObjectName(constant.key)
         box.setAccessibleName(say(constant.label))
-        box.setToolTip(f"{say(constant.label)}: {say(constant.describe_range())}")
         if constant.field == "wall_thickness":
             self.default = WALL
         self.entered.connect(self.enter)
@@ -75,14 +66,21 @@ class ConstantField(QuantityRow):
         self.label.setVisible(shown)
         self.setVisible(shown)
         self.show_value(getattr(getattr(organ, self.constant.part), self.constant.field))
+        idle = self.constant.find_idle(organ)
+        self.label.setEnabled(idle is None)
+        self.setEnabled(idle is None)
+        why = str(say(idle if idle is not None else self.constant.describe_range()))
+        for widget in (self, self.label, self.box):
+            widget.setToolTip(f"{say(self.constant.label)}: {why}")
 
 
 class ChoiceField(QComboBox):
     """One law of the model."""
 
-    def __init__(self, desk: Desk, field: str, label: str, parent: QWidget | None = None):
+    def __init__(self, desk: Desk, field: str, parent: QWidget | None = None):
         super().__init__(parent)
         self.desk, self.field = desk, field
+        label = str(say(LAW_NAMES[field]))
         self.values = CHOICES[f"model.{field}"]
         self.addItems([choice_words(value) for value in self.values])
         self.setObjectName(f"model.{field}")

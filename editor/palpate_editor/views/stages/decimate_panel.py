@@ -35,8 +35,8 @@ class DecimatePanel(StagePanel):
         self.target.setSingleStep(STEP)
         self.target.setValue(PRESETS[0])
         self.target.lineEdit().setTextMargins(5, 0, 5, 0)
-        self.target.setGroupSeparatorShown(True)
         self.target.setKeyboardTracking(False)
+        self.target.lineEdit().returnPressed.connect(self.button_pressed)
         row.addWidget(self.target, 1)
         self.button = self.main_button(tr("Decimate"), "decimate")
         self.button.clicked.connect(self.decimate)
@@ -147,6 +147,10 @@ class DecimatePanel(StagePanel):
         if isinstance(button, QPushButton):
             self.target.setValue(int(button.property("vertices")))
             self.decimate()
+
+    def button_pressed(self) -> None:
+        """Enter in the field does what the button does."""
+        self.button.click()
 
     def decimate(self) -> None:
         self.target.interpretText()

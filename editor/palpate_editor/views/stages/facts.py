@@ -45,6 +45,12 @@ class Facts(QWidget):
         self.grid.setVerticalSpacing(5)
         self.grid.setColumnStretch(1, 1)
         self.rows: list[tuple[QLabel, QLabel]] = []
+        self.keep_height = False
+        """Whether the widget never gets lower, so that what stands below it stays where it is."""
+
+    def forget_height(self) -> None:
+        """It may get lower once."""
+        self.setMinimumHeight(0)
 
     def show_facts(self, facts: Sequence[Fact]) -> None:
         while len(self.rows) < len(facts):
@@ -57,6 +63,10 @@ class Facts(QWidget):
                 name.setText(facts[i][0])
                 value.setText(facts[i][1])
                 set_tone(value, facts[i][2] if len(facts[i]) > 2 else "")
+        if self.keep_height:
+            self.grid.activate()
+            wanted = self.grid.totalHeightForWidth(self.width())
+            self.setMinimumHeight(max(self.minimumHeight(), wanted))
 
     def add_row(self) -> None:
         name, value = write_label("", "name", self), write_label("", "value", self)

@@ -82,9 +82,14 @@ def say_origin(organ: Organ) -> str:
             "Young's modulus, Poisson's ratio and the wall's thickness give every spring and bond "
             "its constants. Choose them by hand to go on from there."
         )
+    if organ.material.wall_thickness is None:
+        return tr(
+            "Springs and bonds take the stiffness below, so Young's modulus and Poisson's ratio "
+            "have no effect. They count in a solid, and in a wall that has a thickness."
+        )
     return tr(
         "Springs and bonds take the stiffness below. Young's modulus sets the home springs of a "
-        "hollow organ where they have no own value."
+        "hollow organ where they have no own value, and what its wall is compared with."
     )
 
 
@@ -94,18 +99,22 @@ class MaterialPanel(StagePanel):
     stage = "material"
 
     def build(self) -> None:
+        self.shown_kind: tuple[str, str, bool] | None = None
         self.tool_options = QVBoxLayout()
         self.form.addLayout(self.tool_options)
         self.fields: list[ConstantField | ChoiceField] = []
-        self.kind = ChoiceField(self.desk, "kind", tr("Model"), self)
-        self.origin = ChoiceField(self.desk, "constants", tr("Constants"), self)
+        self.kind = ChoiceField(self.desk, "kind", self)
+        self.origin = ChoiceField(self.desk, "constants", self)
         for choice in (self.kind, self.origin):
             row = QHBoxLayout()
             row.setSpacing(12)
             row.addWidget(choice.label)
             row.addWidget(choice, 1)
             self.form.addLayout(row)
+        self.published = PublishedValues(self.desk, self)
+        self.section(tr("Published values")).add(self.published)
         self.facts = self.section(tr("What comes of it")).add(Facts(self))
+        self.facts.keep_height = True
         self.range = write_label("", "note", self)
         self.range.setWordWrap(True)
         self.form.addWidget(self.range)
@@ -121,16 +130,14 @@ class MaterialPanel(StagePanel):
         self.build_support(self.section(tr("What holds it")))
         self.add_constants(self.section(tr("Tip of the tool")), TIP)
         self.add_constants(self.section(tr("Hand")), HAND)
-        self.published = PublishedValues(self.desk, self)
-        self.section(tr("Published values")).add(self.published)
         self.fields += [self.kind, self.origin]
         self.desk.assessor.said.connect(self.show_building)
 
     def build_laws(self) -> list[ChoiceField]:
         return [
-            ChoiceField(self.desk, "spring_rule", tr("Rule of springs"), self),
-            ChoiceField(self.desk, "damping_law", tr("Damping"), self),
-            ChoiceField(self.desk, "angle_law", tr("Law of angles"), self),
+            ChoiceField(self.desk, "spring_rule", self),
+            ChoiceField(self.desk, "damping_law", self),
+            ChoiceField(self.desk, "angle_law", self),
         ]
 
     def add_constants(
@@ -174,6 +181,14 @@ class MaterialPanel(StagePanel):
     # ------------------------------------------------------------ showing
 
     def show_organ(self, organ: Organ) -> None:
+        kind = (organ.model.kind, organ.model.constants, organ.surface is None)
+        if kind != self.shown_kind:
+            # only then may what stands below move: nobody's mouse is on it
+            self.shown_kind = kind
+            self.facts.forget_height()
+            policy = self.range.sizePolicy()
+            policy.setRetainSizeWhenHidden(organ.model.kind == "molecular")
+            self.range.setSizePolicy(policy)
         for field in self.fields:
             field.show_organ(organ)
         self.origin_note.setText(say_origin(organ))

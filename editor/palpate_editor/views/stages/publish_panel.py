@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QLineEdit, QPlainTextEdit, QPushButton
+from palpate.translation import LANGUAGES
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtWidgets import QComboBox, QLineEdit, QPlainTextEdit, QPushButton, QWidget
 
-from palpate_editor.document import Organ
+from palpate_editor.document import Organ, Translation
 from palpate_editor.document.problems import Problem
 from palpate_editor.edits import SetTask
 from palpate_editor.views.stage_bar import stage_title
@@ -29,6 +31,36 @@ class TaskEdit(QPlainTextEdit):
         self.panel.set_task()
 
 
+class LanguageBox(QComboBox):
+    """The words that stand where there is no translation, and every translation there may be."""
+
+    def __init__(self, parent: QWidget | None = None):
+        super().__init__(parent)
+        self.codes: list[str] = []
+        self.setObjectName("task_language")
+        self.setAccessibleName(tr("Language of title and task"))
+        self.setToolTip(tr("A trainee reads the translation of the window's language, if any"))
+
+    def code(self) -> str:
+        """Empty for the words that stand where there is no translation."""
+        return self.codes[self.currentIndex()] if self.codes else ""
+
+    def show_organ(self, organ: Organ) -> None:
+        codes = ["", *LANGUAGES, *(code for code in organ.languages if code not in LANGUAGES)]
+        if codes == self.codes:
+            return
+        chosen = self.code()
+        self.codes = codes
+        self.clear()
+        self.addItem(tr("In every language"))
+        self.addItems([tr("In {name}").format(name=LANGUAGES.get(c, c)) for c in codes[1:]])
+        self.setCurrentIndex(codes.index(chosen) if chosen in codes else 0)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Scrolling the form must not change the language on the way."""
+        event.ignore()
+
+
 class PublishPanel(StagePanel):
     """Names the scenario and publishes it."""
 
@@ -36,6 +68,9 @@ class PublishPanel(StagePanel):
 
     def build(self) -> None:
         section = self.section(tr("What the trainee reads"))
+        self.language = LanguageBox(self)
+        self.language.activated.connect(self.show_words)
+        section.add(self.language)
         section.add(write_label(tr("Title"), "name", self))
         self.title = QLineEdit(self)
         self.title.setObjectName("title")
@@ -65,11 +100,27 @@ class PublishPanel(StagePanel):
 
     # ------------------------------------------------------------ showing
 
+    def words(self) -> Translation:
+        """Title and task in the language that is being written."""
+        organ, code = self.desk.session.organ, self.language.code()
+        if not code:
+            return Translation(organ.title, organ.task)
+        return organ.languages.get(code, Translation())
+
+    def show_words(self) -> None:
+        """Another language, or another organ."""
+        words = self.words()
+        self.title.setText(words.title)
+        if self.task.toPlainText() != words.task:
+            self.task.setPlainText(words.task)
+
     def show_organ(self, organ: Organ) -> None:
+        self.language.show_organ(organ)
+        words = self.words()
         if not self.title.hasFocus():
-            self.title.setText(organ.title)
-        if not self.task.hasFocus() and self.task.toPlainText() != organ.task:
-            self.task.setPlainText(organ.task)
+            self.title.setText(words.title)
+        if not self.task.hasFocus() and self.task.toPlainText() != words.task:
+            self.task.setPlainText(words.task)
         path = self.desk.publishing.path
         self.play_button.setEnabled(path is not None)
         self.published.setVisible(path is not None)
@@ -124,13 +175,13 @@ class PublishPanel(StagePanel):
 
     def set_title(self) -> None:
         title = self.title.text().strip()
-        if title != self.desk.session.organ.title:
-            self.desk.apply(SetTask(scenario_title=title))
+        if title != self.words().title:
+            self.desk.apply(SetTask(scenario_title=title, language=self.language.code()))
 
     def set_task(self) -> None:
         task = self.task.toPlainText().strip()
-        if task != self.desk.session.organ.task:
-            self.desk.apply(SetTask(task=task))
+        if task != self.words().task:
+            self.desk.apply(SetTask(task=task, language=self.language.code()))
 
     def publish(self) -> None:
         self.set_title()

@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the literature says about a tissue: ranges, how they were measured, and by whom."""
+"""A tissue of the literature: a button that takes its constants, and one that shows its values."""
 
 from __future__ import annotations
 
 from palpate.scene_parts import MaterialPart, ModelPart
 from PySide6.QtGui import QWheelEvent
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPushButton, QWidget
 
-from palpate_editor.document.constants import find_constant
 from palpate_editor.edits import SetMaterial
 from palpate_editor.shipped import list_tissues
 from palpate_editor.views.desk import Desk
-from palpate_editor.views.stages.facts import Facts, write_label
-from palpate_editor.views.words import number, say, tr
+from palpate_editor.views.shipped_organs import name_tissue
+from palpate_editor.views.stages.published_dialog import PublishedDialog
+from palpate_editor.views.words import tr
 
 
 class TissueBox(QComboBox):
@@ -22,65 +22,40 @@ class TissueBox(QComboBox):
 
 
 class PublishedValues(QWidget):
-    """A tissue to look up, its published values, and a button that takes its constants."""
+    """One row at the top of the form."""
 
     def __init__(self, desk: Desk, parent: QWidget | None = None):
         super().__init__(parent)
         self.desk, self.tissues = desk, list_tissues()
-        body = QVBoxLayout(self)
-        body.setContentsMargins(0, 0, 0, 0)
-        body.setSpacing(7)
-        row = QHBoxLayout()
+        self.dialog: PublishedDialog | None = None
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(8)
         self.box = TissueBox(self)
         self.box.setObjectName("published_tissue")
         self.box.setAccessibleName(tr("Tissue to look up"))
-        self.box.addItems([say(tissue.title) for tissue in self.tissues])
-        self.box.currentIndexChanged.connect(self.show_tissue)
-        self.take = QPushButton(tr("Use its constants"), self)
+        self.box.addItems([name_tissue(tissue.name, tissue.title) for tissue in self.tissues])
+        self.box.setSizeAdjustPolicy(
+            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        self.take = QPushButton(tr("Use"), self)
         self.take.setObjectName("use_tissue")
+        self.take.setToolTip(tr("Use the constants of this tissue"))
         self.take.clicked.connect(self.use_tissue)
+        self.show_button = QPushButton(tr("Values…"), self)
+        self.show_button.setObjectName("show_published")
+        self.show_button.setToolTip(tr("What the literature says, and what you add to it"))
+        self.show_button.clicked.connect(self.show_values)
         row.addWidget(self.box, 1)
         row.addWidget(self.take)
-        body.addLayout(row)
-        self.facts = Facts(self)
-        body.addWidget(self.facts)
-        self.note = write_label("", "note", self)
-        self.note.setWordWrap(True)
-        body.addWidget(self.note)
-        self.show_tissue(0)
+        row.addWidget(self.show_button)
 
-    def show_tissue(self, row: int) -> None:
-        tissue = self.tissues[row]
-        self.facts.show_facts(
-            [
-                (
-                    say_quantity(found.quantity),
-                    f"{say_range(found.quantity, found.low, found.high)}\n"
-                    f"{found.method}; {found.source}"
-                    + (tr(" (not looked up)") if found.uncertain else ""),
-                )
-                for found in tissue.published
-            ]
-        )
-        self.note.setText(" ".join(tissue.note.split()))
+    def show_values(self) -> None:
+        if self.dialog is None:
+            self.dialog = PublishedDialog(self.desk, self)
+        self.dialog.show_tissue(self.box.currentIndex())
 
     def use_tissue(self) -> None:
         tissue = self.tissues[self.box.currentIndex()]
-        edit = SetMaterial(MaterialPart(**tissue.material), ModelPart(**tissue.model))
-        self.desk.apply(edit)
-
-
-def say_quantity(quantity: str) -> str:
-    constant = find_constant("material", quantity)
-    return quantity if constant is None else say(constant.label)
-
-
-def say_range(quantity: str, low: float, high: float) -> str:
-    """In the unit of the form's own field."""
-    constant = find_constant("material", quantity)
-    scale, unit = (1.0, "") if constant is None else (constant.scale, constant.unit)
-    words = number(low / scale, 3)
-    if high != low:
-        words += f" \N{EN DASH} {number(high / scale, 3)}"
-    return f"{words}\N{NO-BREAK SPACE}{unit}"
+        material, model = MaterialPart(**tissue.material), ModelPart(**tissue.model)
+        self.desk.apply(SetMaterial(material, model, name_tissue(tissue.name, tissue.title)))

@@ -20,7 +20,7 @@ from palpate_editor.views.touch.colours import show_painted
 from palpate_editor.views.touch.painted_surface import FIRST_RADIUS, PaintedSurface, Spot
 from palpate_editor.views.touch.stroke import Brush, Stroke
 from palpate_editor.views.touch.surface_keeper import keeper_of
-from palpate_editor.views.words import tr
+from palpate_editor.views.words import fill, tr
 
 GROWTH = 1.15
 """[-] of the radius for one key or one notch of the wheel."""
@@ -192,8 +192,8 @@ class BrushTool(QObject):
             self.desk.set_hint(self.hint())
             return None
         self.desk.view.show_ring(spot.point, self._painted.normal_at(spot), self.brush.radius)
-        size = tr("brush {mm:.1f} mm ({px:.0f} px)").format(
-            mm=1e3 * self.brush.radius, px=self.pixels(spot)
+        size = fill(
+            tr("brush {mm:.1f} mm ({px:.0f} px)"), mm=1e3 * self.brush.radius, px=self.pixels(spot)
         )
         self.desk.set_hint(f"{size}   {self.hint()}")
         return spot

@@ -11,6 +11,7 @@ import pyqtgraph as pg
 from numpy.typing import ArrayLike
 from palpate.render.force_plot import RUN_COLOURS
 from palpate.render.theme import THEMES
+from palpate.translation.numbers import say_digits
 from palpate.whole_file import write_whole
 from PySide6.QtCore import QEvent, QPoint, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QColor
@@ -36,6 +37,13 @@ AXIS_WIDTH = 48
 """[px] so that the plot does not jump when the labels gain a digit."""
 
 
+class SpokenAxis(pg.AxisItem):
+    """Its numbers have the decimal sign of the window's language."""
+
+    def tickStrings(self, values: list[float], scale: float, spacing: float) -> list[str]:
+        return [say_digits(text) for text in super().tickStrings(values, scale, spacing)]
+
+
 class ForcePlot(QWidget):
     """Draws the newest run and a few before it. Feed it with begin, add and finish."""
 
@@ -49,7 +57,8 @@ class ForcePlot(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.traces: list[ForceTrace] = []
         """Oldest first; the last one is the newest."""
-        self._plot = pg.PlotWidget(self)
+        axes = {side: SpokenAxis(side) for side in ("left", "bottom")}
+        self._plot = pg.PlotWidget(self, axisItems=axes)
         self._plot.setMenuEnabled(False)
         self._plot.hideButtons()
         self._plot.getAxis("left").setWidth(AXIS_WIDTH)
@@ -228,7 +237,7 @@ class ForcePlot(QWidget):
         self._peak_mark.setData(*([[peak[0]], [peak[1]]] if peak else [[], []]))
         self._peak_text.setVisible(peak is not None)
         if peak:
-            self._peak_text.setText(f"{peak[1]:.2f} N")
+            self._peak_text.setText(say_digits(f"{peak[1]:.2f} N"))
             self._peak_text.setPos(*peak)
         self.show_last()
 
@@ -273,7 +282,7 @@ class ForcePlot(QWidget):
 
 def describe_trace(trace: ForceTrace) -> str:
     peak = trace.find_peak()
-    return f"{trace.name}: {peak[1]:.2f} N" if peak else trace.name
+    return f"{trace.name}: " + say_digits(f"{peak[1]:.2f} N") if peak else trace.name
 
 
 def to_colour(colour: tuple[float, float, float]) -> QColor:

@@ -7,6 +7,7 @@ from collections import deque
 from statistics import median
 from typing import Any
 
+from palpate.translation.numbers import say_digits
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
@@ -159,5 +160,5 @@ class LiveCosts(QWidget):
         self._show("missed", f"{missed} / {ticks}", 100.0 * missed / max(1, ticks))
 
     def _show(self, name: str, text: str, share: float | None) -> None:
-        self._numbers[name].setText(text)
+        self._numbers[name].setText(say_digits(text))
         self._meters[name].show_share(share)

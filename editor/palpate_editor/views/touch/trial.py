@@ -10,9 +10,10 @@ import numpy as np
 import palpate
 from palpate.alarms import advise_design, say_alarm
 from palpate.live import LiveRun
+from palpate.translation.numbers import say_digits
 from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 
-from palpate_editor.views.words import tr
+from palpate_editor.views.words import fill, number, tr
 
 FRAME = 16
 """[ms] between two looks at the loop."""
@@ -113,8 +114,8 @@ class Trial(QObject):
         share = frame.cost * self.scene.rate
         self.view.hud.show_rows(
             [
-                (tr("Force"), f"{size:.2f} N"),
-                (tr("Time"), f"{frame.time:.1f} s"),
+                (tr("Force"), say_digits(f"{size:.2f} N")),
+                (tr("Time"), say_digits(f"{frame.time:.1f} s")),
                 (tr("Tick"), f"{100 * share:.0f} %"),
             ]
         )
@@ -130,6 +131,11 @@ class Trial(QObject):
         )
 
 
+def say_short(value: float) -> str:
+    """Three digits that count."""
+    return number(value, 3)
+
+
 def round_up(value: float) -> float:
     """The smallest of 1, 2 or 5 times a power of ten that is not less."""
     if not value > 0.0 or not np.isfinite(value):
@@ -141,9 +147,10 @@ def round_up(value: float) -> float:
 def describe_end(report: palpate.LoopReport, scene: palpate.Scene | None = None) -> str | None:
     """Why a run of a scene did not end well, in a sentence; None where it did."""
     if report.alarm.kind != palpate.AlarmKind.none:
-        return tr("The run was stopped after {time:.2f} s: {what}. {advice}").format(
+        return fill(
+            tr("The run was stopped after {time:.2f} s: {what}. {advice}"),
             time=report.alarm.time,
-            what=say_alarm(report.alarm, QCoreApplication.translate),
+            what=say_alarm(report.alarm, QCoreApplication.translate, say_short),
             advice=advise_design(report.alarm, scene, QCoreApplication.translate),
         )
     if report.fault != palpate.DeviceFault.none:

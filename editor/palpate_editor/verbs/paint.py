@@ -1,0 +1,250 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The verbs for what a hand does in the window: paint and words."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+from palpate.file_kind import ORGAN
+from palpate.output import add_output
+from palpate.verb import Report, Verb, WrongCall
+
+from palpate_editor.document import Organ
+from palpate_editor.document.files import write_organ
+from palpate_editor.edits import (
+    FixVertices,
+    PaintStiffness,
+    RemoveRegion,
+    SetName,
+    SetRegion,
+    SetTask,
+)
+from palpate_editor.verbs.files import ReadFile, apply, open_any
+
+MOST_LETTERS = 100_000
+"""Of one argument: the system takes at most 128 KiB [execve(2), MAX_ARG_STRLEN]."""
+NOTHING = "nothing to do: name what is painted"
+
+
+# ---------------------------------------------------------------- vertex numbers as words
+
+
+def write_ids(ids: np.ndarray) -> str:
+    """Ascending vertex numbers as 3,5-9."""
+    return ",".join(write_row(row) for row in split_rows(ids))
+
+
+def write_row(row: np.ndarray) -> str:
+    return str(row[0]) if len(row) == 1 else f"{row[0]}-{row[-1]}"
+
+
+def split_rows(ids: np.ndarray, values: np.ndarray | None = None) -> Iterator[np.ndarray]:
+    """Consecutive numbers together, and only those of one value where there are values."""
+    ids = np.asarray(ids, dtype=np.int64)
+    if not ids.size:
+        return
+    apart = np.diff(ids) != 1
+    if values is not None:
+        apart |= np.diff(values) != 0.0
+    yield from np.split(ids, np.flatnonzero(apart) + 1)
+
+
+def write_factors(ids: np.ndarray, values: np.ndarray) -> Iterator[str]:
+    """Vertex numbers with their factors as 3:2.5,5-9:1.25, in pieces that fit one argument.
+
+    Factors are written so that they are read back exactly.
+    """
+    ids = np.asarray(ids, dtype=np.int64)
+    order = np.argsort(ids, kind="stable")
+    ids, values = ids[order], np.broadcast_to(np.asarray(values, dtype=float), ids.shape)[order]
+    value_of = dict(zip(ids.tolist(), values.tolist(), strict=True))
+    piece, letters = [], 0
+    for row in split_rows(ids, values):
+        word = f"{write_row(row)}:{value_of[int(row[0])]!r}"
+        if piece and letters + len(word) > MOST_LETTERS:
+            yield ",".join(piece)
+            piece, letters = [], 0
+        piece.append(word)
+        letters += len(word) + 1
+    if piece:
+        yield ",".join(piece)
+
+
+def read_row(text: str) -> np.ndarray:
+    """Raises argparse.ArgumentTypeError for anything but 7 or 5-9."""
+    first, dash, last = text.partition("-")
+    try:
+        low = int(first)
+        high = int(last) if dash else low
+    except ValueError:
+        low, high = 0, -1
+    if not 0 <= low <= high < 2**31 or high - low > 10_000_000:
+        raise argparse.ArgumentTypeError(f"got {text!r}, expected vertex numbers such as 3,5-9")
+    return np.arange(low, high + 1)
+
+
+def read_ids(text: str) -> np.ndarray:
+    return np.unique(np.concatenate([read_row(word) for word in text.split(",")]))
+
+
+def read_factors(text: str) -> tuple[np.ndarray, np.ndarray]:
+    ids, values = [], []
+    for word in text.split(","):
+        numbers, colon, factor = word.partition(":")
+        try:
+            value = float(factor) if colon else float("nan")
+        except ValueError:
+            value = float("nan")
+        if value != value:
+            raise argparse.ArgumentTypeError(f"got {word!r}, expected vertices:factor, as 5-9:2.5")
+        ids.append(read_row(numbers))
+        values.append(np.full(len(ids[-1]), value))
+    return np.concatenate(ids), np.concatenate(values)
+
+
+def read_region(text: str) -> tuple[str, np.ndarray]:
+    """The name may have any letters, so the last = counts."""
+    name, equals, ids = text.rpartition("=")
+    if not equals:
+        raise argparse.ArgumentTypeError(f"got {text!r}, expected NAME=3,5-9")
+    return name, read_ids(ids)
+
+
+# ---------------------------------------------------------------- paint
+
+
+def add_paint(word: argparse.ArgumentParser) -> None:
+    word.add_argument("file", type=Path, help=".organ, .scene.json, or OBJ of `palpate import`")
+    word.add_argument(
+        "--stiffness",
+        type=read_factors,
+        action="append",
+        default=[],
+        metavar="VERTICES:FACTOR,...",
+        help="factors of the stiffness at some vertices, such as 5-9:2.5,12:1; may be repeated",
+    )
+    word.add_argument("--fix", type=read_ids, metavar="VERTICES", help="hold these at rest: 3,5-9")
+    word.add_argument("--free", type=read_ids, metavar="VERTICES", help="let these go")
+    word.add_argument(
+        "--region",
+        type=read_region,
+        action="append",
+        default=[],
+        metavar="NAME=VERTICES",
+        help="give some vertices a name; may be repeated",
+    )
+    word.add_argument("--forget", action="append", default=[], metavar="NAME", help="of a region")
+    add_output(word, "--out", "-o", writes=ORGAN, required=True, help=".organ to write")
+
+
+def run_paint(call: argparse.Namespace) -> Report:
+    read = ReadFile.of(call.file)
+    organ = open_any(call.file)
+    before = organ
+    if call.stiffness:
+        ids = np.concatenate([ids for ids, _ in call.stiffness])
+        values = np.concatenate([values for _, values in call.stiffness])
+        organ = apply(PaintStiffness(ids, values), organ, call.file, "--stiffness")
+    for option, ids, fixed in (("--fix", call.fix, True), ("--free", call.free, False)):
+        if ids is not None:
+            organ = apply(FixVertices(ids, fixed), organ, call.file, option)
+    for name, ids in call.region:
+        organ = apply(SetRegion(name, ids), organ, call.file, "--region")
+    for name in call.forget:
+        organ = apply(RemoveRegion(name), organ, call.file, "--forget")
+    if organ is before:
+        raise WrongCall("--stiffness, --fix, --free, --region or --forget: " + NOTHING)
+    read.check(call.out)
+    write_organ(call.out, organ)
+    return describe_organ(call.out, organ)
+
+
+def describe_organ(out: Path, organ: Organ) -> Report:
+    return {
+        "out": str(out),
+        "vertices": organ.vertex_count,
+        "fixed": int(organ.fixed.sum()),
+        "painted": int((organ.stiffness_scale != 1.0).sum()),
+        "regions": {name: len(ids) for name, ids in organ.regions.items()},
+    }
+
+
+def describe_paint(report: Report) -> str:
+    regions = ", ".join(f"{name} ({count})" for name, count in report["regions"].items())
+    return (
+        f"wrote {report['out']}: of {report['vertices']} vertices {report['fixed']} fixed, "
+        f"{report['painted']} with a stiffness of their own; regions: {regions or 'none'}"
+    )
+
+
+# ---------------------------------------------------------------- words
+
+
+def add_words(word: argparse.ArgumentParser) -> None:
+    word.add_argument("file", type=Path, help=".organ, .palpate or .scene.json")
+    word.add_argument("--name", help="of the organ")
+    word.add_argument("--title", help="what the trainee chooses it by")
+    word.add_argument("--task", help="what the trainee is asked to do")
+    word.add_argument(
+        "--in",
+        dest="language",
+        default="",
+        metavar="LANGUAGE",
+        help="title and task are a translation, such as tr; both empty take it away",
+    )
+    add_output(word, "--out", "-o", writes=ORGAN, required=True, help=".organ to write")
+
+
+def run_words(call: argparse.Namespace) -> Report:
+    if call.name is None and call.title is None and call.task is None:
+        raise WrongCall("--name, --title or --task: nothing to do: say one of them")
+    read = ReadFile.of(call.file)
+    organ = open_any(call.file)
+    if call.name is not None:
+        organ = apply(SetName(call.name), organ, call.file, "--name")
+    if call.title is not None or call.task is not None:
+        edit = SetTask(call.title, call.task, call.language)
+        organ = apply(edit, organ, call.file, "--title, --task")
+    read.check(call.out)
+    write_organ(call.out, organ)
+    return {
+        "out": str(call.out),
+        "name": organ.name,
+        "title": organ.title,
+        "task": organ.task,
+        "languages": {
+            code: {"title": words.title, "task": words.task}
+            for code, words in organ.languages.items()
+        },
+    }
+
+
+def describe_words(report: Report) -> str:
+    lines = [f"wrote {report['out']}: {report['name']}", f"{report['title']}: {report['task']}"]
+    lines += [
+        f"{code}: {words['title']}: {words['task']}" for code, words in report["languages"].items()
+    ]
+    return "\n".join(lines)
+
+
+VERBS = [
+    Verb(
+        "paint",
+        "give some vertices of an organ a stiffness or a name, hold them or let them go",
+        "palpate paint spleen.organ --stiffness 20-30:2.5 --fix 0-9 -o spleen.organ",
+        add_paint,
+        run_paint,
+        describe_paint,
+    ),
+    Verb(
+        "words",
+        "name an organ, and say title and task of its scenario, in further languages too",
+        "palpate words spleen.organ --title Dalak --in tr -o spleen.organ",
+        add_words,
+        run_words,
+        describe_words,
+    ),
+]
