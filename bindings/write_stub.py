@@ -12,6 +12,7 @@ import enum
 import inspect
 import re
 import subprocess
+import textwrap
 from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
@@ -21,7 +22,7 @@ from palpate.isolated import build_command
 STUB = Path(__file__).with_name("palpate") / "_sim.pyi"
 SCENARIO_STUB = STUB.with_name("scenario.pyi")
 HEADER = '''# SPDX-License-Identifier: BSD-3-Clause
-"""Written by bindings/write_stub.py; the words are in the module: help(palpate.step)."""
+"""Written by bindings/write_stub.py from what the compiled module says of itself."""
 
 import enum
 import os
@@ -35,7 +36,7 @@ from scipy.sparse import csc_matrix
 __version__: str
 '''
 SCENARIO_HEADER = '''# SPDX-License-Identifier: BSD-3-Clause
-"""Written by bindings/write_stub.py; the words are in the module: help(palpate.scenario)."""
+"""Written by bindings/write_stub.py from what the compiled module says of itself."""
 
 import os
 from typing import Any
@@ -89,8 +90,8 @@ def split_parameters(text: str) -> Iterator[str]:
 
 def describe_parameter(text: str) -> str:
     """`name: type` with `= ...` for a default: what it is stands in the documentation."""
-    if text in ("*", "*args"):
-        return text if text == "*" else "*args: object"
+    if text in ("*", "/", "*args"):
+        return "*args: object" if text == "*args" else text
     name, _, rest = text.partition(": ")
     if name == "self":
         return name
@@ -118,12 +119,41 @@ def read_signatures(function: object) -> list[tuple[str, str]]:
     return found
 
 
+def read_words(member: object) -> str:
+    """What a docstring says beside its signatures."""
+    lines = (getattr(member, "__doc__", None) or "").splitlines()
+    signature = re.compile(r"(?:\d+\. )?\w*\(.*\) -> |Overloaded function\.$")
+    return re.sub(
+        r"\n{3,}", "\n\n", "\n".join(li for li in lines if not signature.match(li))
+    ).strip()
+
+
+def write_words(words: str, indent: str) -> Iterator[str]:
+    """The words as a docstring, wrapped to the width of the stub."""
+    if not words:
+        return
+    lines: list[str] = []
+    for line in words.splitlines():
+        deeper = " " * (len(line) - len(line.lstrip()))
+        wrapper = textwrap.TextWrapper(
+            width=93 - len(indent),
+            subsequent_indent=2 * deeper,
+            break_long_words=False,
+            break_on_hyphens=False,
+        )
+        lines += wrapper.wrap(line) or [""]
+    text = "\n".join(indent + line if line else "" for line in lines).strip()
+    yield f'{indent}"""{text}' + ("\n" + indent + '"""' if "\n" in text else '"""')
+
+
 def write_function(name: str, function: object, indent: str = "") -> Iterator[str]:
     signatures = read_signatures(function)
-    for parameters, result in signatures:
+    for number, (parameters, result) in enumerate(signatures):
         if len(signatures) > 1:
             yield f"{indent}@overload"
-        yield f"{indent}def {name}({parameters}) -> {result}: ..."
+        words = "" if number else read_words(function)
+        yield f"{indent}def {name}({parameters}) -> {result}:" + ("" if words else " ...")
+        yield from write_words(words, indent + "    ")
 
 
 def write_property(name: str, member: property, indent: str) -> Iterator[str]:
@@ -132,11 +162,14 @@ def write_property(name: str, member: property, indent: str) -> Iterator[str]:
     if member.fset:
         (parameters, _), *_ = read_signatures(member.fset)
         taken = parameters.rpartition(": ")[2]
+    words = read_words(member)
     if taken == kind:
         yield f"{indent}{name}: {kind}"
+        yield from write_words(words, indent)
         return
     yield f"{indent}@property"
-    yield f"{indent}def {name}(self) -> {kind}: ..."
+    yield f"{indent}def {name}(self) -> {kind}:" + ("" if words else " ...")
+    yield from write_words(words, indent + "    ")
     if taken:
         yield f"{indent}@{name}.setter"
         yield f"{indent}def {name}(self, value: {taken}) -> None: ..."
@@ -146,13 +179,15 @@ def write_class(name: str, kind: type, indent: str = "") -> Iterator[str]:
     inner = indent + "    "
     if issubclass(kind, enum.Enum):
         yield f"{indent}class {name}(enum.{kind.__base__.__name__}):"
+        yield from write_words(read_words(kind), inner)
         for member in kind:
             yield f"{inner}{member.name} = {member.value!r}"
         return
     bases = [b.__name__ for b in kind.__bases__ if b.__module__ == kind.__module__]
     yield f"{indent}class {name}{'(' + ', '.join(bases) + ')' if bases else ''}:"
+    yield from write_words(read_words(kind), inner)
     for key, member in vars(kind).items():
-        if key in ("__doc__", "__module__", "_pybind11_conduit_v1_"):
+        if key in ("__doc__", "__module__", "_pybind11_conduit_v1_", "__init_subclass__"):
             continue
         if key == "__init__" and not (member.__doc__ or "").startswith("__init__("):
             continue  # only made by the library

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Written by bindings/write_stub.py; the words are in the module: help(palpate.step)."""
+"""Written by bindings/write_stub.py from what the compiled module says of itself."""
 
 import enum
 import os
@@ -13,25 +13,74 @@ from scipy.sparse import csc_matrix
 __version__: str
 
 class SurfaceMesh:
-    def __init__(self, vertices: ArrayLike, triangles: ArrayLike) -> None: ...
+    """A triangulated surface, closed or open."""
+    def __init__(self, vertices: ArrayLike, triangles: ArrayLike) -> None:
+        """Copies vertices [m], shape (n, 3), and triangles, shape (t, 3), counter-clockwise
+        from outside.
+
+        Arguments are the fields of these names, with their shapes and units.
+        """
     @property
-    def vertices(self) -> NDArray[np.float64]: ...
+    def vertices(self) -> NDArray[np.float64]:
+        """Positions [m], shape (n, 3); a view, so writing moves the vertices."""
     @property
-    def triangles(self) -> NDArray[np.int32]: ...
-    def __copy__(self) -> SurfaceMesh: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> SurfaceMesh: ...
+    def triangles(self) -> NDArray[np.int32]:
+        """Vertex indices, shape (t, 3), counter-clockwise from outside; a view, read-only."""
+    def __copy__(self) -> SurfaceMesh:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> SurfaceMesh:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str: ...
 
 class Topology:
+    """Who is next to whom on a surface."""
     @property
-    def edges(self) -> NDArray[np.int32]: ...
+    def edges(self) -> NDArray[np.int32]:
+        """Vertex pairs, ends ascending, sorted, shape (e, 2); a view, read-only."""
     @property
-    def edge_triangles(self) -> NDArray[np.int32]: ...
+    def edge_triangles(self) -> NDArray[np.int32]:
+        """The one or two triangles of each edge, -1 for none, shape (e, 2); a view, read-only."""
     @property
-    def triangle_edges(self) -> NDArray[np.int32]: ...
+    def triangle_edges(self) -> NDArray[np.int32]:
+        """The edge opposite each corner, shape (t, 3); a view, read-only."""
+    def __copy__(self) -> Topology:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Topology:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """What it is, on one line."""
 
 @overload
-def validate(mesh: SurfaceMesh) -> None: ...
+def validate(mesh: SurfaceMesh) -> None:
+    """validate(*args, **kwargs)
+
+    Raises ValueError, naming the first offender, unless every vertex is finite and used,
+    every index in range, no triangle uses a vertex twice or has no area, no edge has more
+    than two triangles, and neighbours agree on which side is outside.
+
+    Raises ValueError, naming the first offender, unless every vertex is finite and used,
+    every tetrahedron has a positive volume, and no face has more than two.
+
+    Raises ValueError naming the field, what it got and the admissible range.
+
+    Raises ValueError, naming table, row, what was found and what was expected; also where a
+    triangle's constants make its tangent at rest indefinite.
+
+    Raises ValueError naming the field, what it got and what was expected.
+
+    Raises ValueError naming the field, what it got and what was expected.
+
+    Raises ValueError naming the field, what it got and what was expected.
+
+    Raises ValueError naming the field, what it got and what was expected.
+
+    Raises ValueError naming the field, what it got and what was expected.
+    """
+
 @overload
 def validate(solid: SolidMesh) -> None: ...
 @overload
@@ -48,48 +97,151 @@ def validate(plant: Plant) -> None: ...
 def validate(calibration: Calibration) -> None: ...
 @overload
 def validate(faults: Faults) -> None: ...
-def build_topology(triangles: ArrayLike) -> Topology: ...
-def count_non_manifold_edges(triangles: ArrayLike) -> int: ...
-def find_border_loops(triangles: ArrayLike) -> list[NDArray[np.int32]]: ...
-def find_shells(vertex_count: int, triangles: ArrayLike) -> NDArray[np.int32]: ...
-def compute_euler_number(triangles: ArrayLike) -> int: ...
-def is_closed(triangles: ArrayLike) -> bool: ...
-def compute_area(mesh: SurfaceMesh) -> float: ...
+def build_topology(triangles: ArrayLike) -> Topology:
+    """Edges and their triangles. Only the first two triangles of an edge are kept;
+    count_non_manifold_edges tells of others.
+
+    Args:
+        triangles: vertex indices, shape (t, 3), counter-clockwise from outside
+    """
+
+def count_non_manifold_edges(triangles: ArrayLike) -> int:
+    """Edges with more than two triangles, or whose two triangles run along it in the same
+    direction.
+
+    Args:
+        triangles: vertex indices, shape (t, 3), counter-clockwise from outside
+    """
+
+def find_border_loops(triangles: ArrayLike) -> list[NDArray[np.int32]]:
+    """Border loops as arrays of vertices, shape (k,), in the direction that keeps the surface
+    on the left; empty for a closed surface. A vertex where two loops touch ends up in both.
+
+    Args:
+        triangles: vertex indices, shape (t, 3), counter-clockwise from outside
+    """
+
+def find_shells(vertex_count: int, triangles: ArrayLike) -> NDArray[np.int32]:
+    """The shell number of every vertex, shape (n,), counted from 0 in order of first vertex;
+    vertices no triangle uses get -1.
+
+    Args:
+        triangles: vertex indices, shape (t, 3), counter-clockwise from outside
+    """
+
+def compute_euler_number(triangles: ArrayLike) -> int:
+    """V - E + F over the vertices in use.
+
+    Args:
+        triangles: vertex indices, shape (t, 3), counter-clockwise from outside
+    """
+
+def is_closed(triangles: ArrayLike) -> bool:
+    """Whether the surface has no border.
+
+    Args:
+        triangles: vertex indices, shape (t, 3), counter-clockwise from outside
+    """
+
+def compute_area(mesh: SurfaceMesh) -> float:
+    """[m²]"""
+
 @overload
-def compute_volume(mesh: SurfaceMesh) -> float: ...
+def compute_volume(mesh: SurfaceMesh) -> float:
+    """compute_volume(*args, **kwargs)
+
+    [m³], positive when the triangles run counter-clockwise from outside; a number without
+    meaning for an open surface.
+
+    [m³] of the tetrahedron a b c d, negative where it is turned inside out.
+
+    [m³] in all.
+
+    Args:
+        a: [m] shape (3,), a corner
+        b: [m] shape (3,), a corner
+        c: [m] shape (3,), a corner
+        d: [m] shape (3,), a corner
+    """
+
 @overload
 def compute_volume(a: ArrayLike, b: ArrayLike, c: ArrayLike, d: ArrayLike) -> float: ...
 @overload
 def compute_volume(solid: SolidMesh) -> float: ...
-def compute_vertex_areas(mesh: SurfaceMesh) -> NDArray[np.float64]: ...
-def compute_vertex_normals(vertices: ArrayLike, triangles: ArrayLike) -> NDArray[np.float64]: ...
-def compute_smallest_angle(mesh: SurfaceMesh) -> float: ...
-def compute_bounds(vertices: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
-def compute_diagonal(vertices: ArrayLike) -> float: ...
+def compute_vertex_areas(mesh: SurfaceMesh) -> NDArray[np.float64]:
+    """[m²] per vertex, shape (n,): a third of every triangle around it. Sums to compute_area."""
+
+def compute_vertex_normals(vertices: ArrayLike, triangles: ArrayLike) -> NDArray[np.float64]:
+    """[-] Unit normals per vertex, weighted by area, shape (n, 3); zero where the triangles
+    cancel out.
+
+    Args:
+        vertices: [m] shape (n, 3)
+        triangles: vertex indices, shape (t, 3), counter-clockwise from outside
+    """
+
+def compute_smallest_angle(mesh: SurfaceMesh) -> float:
+    """Smallest corner angle of any triangle [rad]."""
+
+def compute_bounds(vertices: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Lower and upper corner of the axis-aligned box [m], shape (3,) each.
+
+    Args:
+        vertices: [m] shape (n, 3)
+    """
+
+def compute_diagonal(vertices: ArrayLike) -> float:
+    """[m] from corner to corner of the bounding box.
+
+    Args:
+        vertices: [m] shape (n, 3)
+    """
 
 class SolidMesh:
-    def __init__(self, vertices: ArrayLike, tetrahedra: ArrayLike) -> None: ...
+    """A body cut into tetrahedra."""
+    def __init__(self, vertices: ArrayLike, tetrahedra: ArrayLike) -> None:
+        """Copies vertices [m], shape (n, 3), and tetrahedra, shape (t, 4), each with (b - a) x
+        (c - a) towards d.
+
+        Arguments are the fields of these names, with their shapes and units.
+        """
     @property
-    def vertices(self) -> NDArray[np.float64]: ...
+    def vertices(self) -> NDArray[np.float64]:
+        """Positions [m], shape (n, 3); a view, so writing moves the vertices."""
     @property
-    def tetrahedra(self) -> NDArray[np.int32]: ...
-    def __copy__(self) -> SolidMesh: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> SolidMesh: ...
+    def tetrahedra(self) -> NDArray[np.int32]:
+        """Vertex indices, shape (t, 4); a view, read-only."""
+    def __copy__(self) -> SolidMesh:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> SolidMesh:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str: ...
 
-def find_boundary(solid: SolidMesh) -> NDArray[np.int32]: ...
-def find_edges(solid: SolidMesh) -> NDArray[np.int32]: ...
-def compute_smallest_dihedral(solid: SolidMesh) -> float: ...
+def find_boundary(solid: SolidMesh) -> NDArray[np.int32]:
+    """The faces that only one tetrahedron has, counter-clockwise from outside, (f, 3)."""
+
+def find_edges(solid: SolidMesh) -> NDArray[np.int32]:
+    """Vertex pairs along which some tetrahedron has an edge, ends ascending, sorted, (e, 2)."""
+
+def compute_smallest_dihedral(solid: SolidMesh) -> float:
+    """[rad] The smallest angle between two faces of any tetrahedron."""
 
 class DampingLaw(enum.Enum):
+    """How the damping of a link acts on the relative velocity of its ends (Eq 2 of the paper)."""
+
     axis = 0
     isotropic = 1
 
 class AngleLaw(enum.Enum):
+    """How an angle pushes back."""
+
     gradient = 0
     eq10 = 1
 
 class Material:
+    """What an organ is made of, as a designer states it."""
     def __init__(
         self,
         *,
@@ -98,35 +250,69 @@ class Material:
         poisson_ratio: float = ...,
         damping_ratio: float = ...,
         wall_thickness: float | None = ...,
-    ) -> None: ...
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     density: float
+    """[kg/m³]"""
     young_modulus: float
+    """[Pa]"""
     poisson_ratio: float
+    """[-]"""
     damping_ratio: float
+    """[-] of a single link between its two end masses; 1 is critical."""
     wall_thickness: float | None
-    def __copy__(self) -> Material: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Material: ...
-    def __repr__(self) -> str: ...
+    """[m] of a hollow organ or sheet, None for a solid."""
+    def __copy__(self) -> Material:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Material:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class Links:
+    """Pairs of particles that resist a change of distance: springs of the mass-spring model and
+    bonds of the molecular model.
+    """
     @overload
     def __init__(
         self, ends: ArrayLike, rest_length: ArrayLike, stiffness: ArrayLike, damping: ArrayLike
-    ) -> None: ...
+    ) -> None:
+        """__init__(*args, **kwargs)
+
+        Copies its tables.
+
+        Arguments are the fields of these names, with their shapes and units.
+        """
     @overload
     def __init__(self) -> None: ...
     @property
-    def ends(self) -> NDArray[np.int32]: ...
+    def ends(self) -> NDArray[np.int32]:
+        """Particle indices, ends[l, 0] < ends[l, 1], shape (l, 2); a view, read-only."""
     @property
-    def rest_length(self) -> NDArray[np.float64]: ...
+    def rest_length(self) -> NDArray[np.float64]:
+        """[m], shape (l,); a view."""
     @property
-    def stiffness(self) -> NDArray[np.float64]: ...
+    def stiffness(self) -> NDArray[np.float64]:
+        """[N/m], shape (l,); a bond's may be negative; a view."""
     @property
-    def damping(self) -> NDArray[np.float64]: ...
-    def __copy__(self) -> Links: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Links: ...
+    def damping(self) -> NDArray[np.float64]:
+        """[N·s/m], shape (l,); a view."""
+    def __copy__(self) -> Links:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Links:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """What it is, on one line."""
 
 class Angles:
+    """Triangles whose three corners resist a change of angle (molecular model, Eq 9 and 11).
+    Row a is one triangle; column c belongs to its corner c, or to the side opposite corner
+    c.
+    """
     @overload
     def __init__(
         self,
@@ -136,25 +322,47 @@ class Angles:
         bend_stiffness: ArrayLike,
         stretch_coupling: ArrayLike,
         bond_share: ArrayLike,
-    ) -> None: ...
+    ) -> None:
+        """__init__(*args, **kwargs)
+
+        Copies its tables.
+
+        Arguments are the fields of these names, with their shapes and units.
+        """
     @overload
     def __init__(self) -> None: ...
     @property
-    def corners(self) -> NDArray[np.int32]: ...
+    def corners(self) -> NDArray[np.int32]:
+        """Particle indices, shape (a, 3); a view, read-only."""
     @property
-    def rest_cosine(self) -> NDArray[np.float64]: ...
+    def rest_cosine(self) -> NDArray[np.float64]:
+        """[-] of the angle at the corner, shape (a, 3); a view."""
     @property
-    def rest_length(self) -> NDArray[np.float64]: ...
+    def rest_length(self) -> NDArray[np.float64]:
+        """[m] of the side opposite the corner, shape (a, 3); a view."""
     @property
-    def bend_stiffness(self) -> NDArray[np.float64]: ...
+    def bend_stiffness(self) -> NDArray[np.float64]:
+        """[J] K_theta of the corner, [N] under AngleLaw.eq10, shape (a, 3); a view."""
     @property
-    def stretch_coupling(self) -> NDArray[np.float64]: ...
+    def stretch_coupling(self) -> NDArray[np.float64]:
+        """[N] K_btheta of the corner, shape (a, 3); a view."""
     @property
-    def bond_share(self) -> NDArray[np.float64]: ...
-    def __copy__(self) -> Angles: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Angles: ...
+    def bond_share(self) -> NDArray[np.float64]:
+        """[N/m] this triangle's part of the bond opposite the corner, shape (a, 3); a view."""
+    def __copy__(self) -> Angles:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Angles:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """What it is, on one line."""
 
 class Prisms:
+    """Triangular prisms of a wall that resist transverse shear, which is what makes a wall
+    bend. Row p joins a triangle of the inner face to the one above it; column c is the side
+    opposite corner c.
+    """
     @overload
     def __init__(
         self,
@@ -162,35 +370,70 @@ class Prisms:
         rest_difference: ArrayLike,
         shear_stiffness: ArrayLike,
         shear_damping: ArrayLike,
-    ) -> None: ...
+    ) -> None:
+        """__init__(*args, **kwargs)
+
+        Copies its tables.
+
+        Arguments are the fields of these names, with their shapes and units.
+        """
     @overload
     def __init__(self) -> None: ...
     @property
-    def corners(self) -> NDArray[np.int32]: ...
+    def corners(self) -> NDArray[np.int32]:
+        """Particles: three inner, then the three above them, shape (p, 6); a view, read-only."""
     @property
-    def rest_difference(self) -> NDArray[np.float64]: ...
+    def rest_difference(self) -> NDArray[np.float64]:
+        """[m] first diagonal less the second, shape (p, 3); a view."""
     @property
-    def shear_stiffness(self) -> NDArray[np.float64]: ...
+    def shear_stiffness(self) -> NDArray[np.float64]:
+        """[N/m] of that difference, shape (p, 3); a view."""
     @property
-    def shear_damping(self) -> NDArray[np.float64]: ...
-    def __copy__(self) -> Prisms: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Prisms: ...
+    def shear_damping(self) -> NDArray[np.float64]:
+        """[N·s/m] likewise, shape (p, 3); a view."""
+    def __copy__(self) -> Prisms:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Prisms:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """What it is, on one line."""
 
 class Volumes:
-    def __init__(self) -> None: ...
+    """Tetrahedra that resist a change of volume, and with it being turned inside out. With J
+    the volume over that at rest, the part 1 - nodal_share of each tetrahedron's bulk acts on
+    its own J, the part nodal_share on the mean J around each of its particles.
+    """
+    def __init__(self) -> None:
+        """Every field at its first value."""
     @property
-    def corners(self) -> NDArray[np.int32]: ...
+    def corners(self) -> NDArray[np.int32]:
+        """Particle indices, shape (t, 4); a view, read-only."""
     @property
-    def rest_volume(self) -> NDArray[np.float64]: ...
+    def rest_volume(self) -> NDArray[np.float64]:
+        """[m³], positive, shape (t,); a view."""
     @property
-    def bulk(self) -> NDArray[np.float64]: ...
+    def bulk(self) -> NDArray[np.float64]:
+        """[Pa] lambda - mu: what springs leave to be done, shape (t,); a view."""
     @property
-    def first_around(self) -> NDArray[np.int32]: ...
+    def first_around(self) -> NDArray[np.int32]:
+        """Of each particle in around, and the end, shape (n + 1,); a view, read-only."""
     @property
-    def around(self) -> NDArray[np.int32]: ...
+    def around(self) -> NDArray[np.int32]:
+        """The rows around particle 0, those around 1, ... each ascending, shape (4 t,); a view,
+        read-only.
+        """
     nodal_share: float
-    def __copy__(self) -> Volumes: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Volumes: ...
+    """[-] 0 to 1"""
+    def __copy__(self) -> Volumes:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Volumes:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """What it is, on one line."""
 
 def build_volumes(
     particle_count: int,
@@ -198,26 +441,57 @@ def build_volumes(
     rest_volume: ArrayLike,
     bulk: ArrayLike,
     nodal_share: float = ...,
-) -> Volumes: ...
+) -> Volumes:
+    """Volumes with the tables of what lies around each particle filled in. Copies its tables.
+
+    Args:
+        corners: particle indices, shape (t, 4)
+        rest_volume: [m³] shape (t,), of each tetrahedron
+        bulk: [Pa] shape (t,), of each tetrahedron
+        nodal_share: [-] 0 to 1
+    """
 
 class Elastic:
-    def __init__(self) -> None: ...
+    """Tetrahedra of a linear elastic solid, for shallow presses: constant strain and Hooke's
+    law. The part nodal_share of lambda acts on the mean trace of the strain around each
+    particle.
+    """
+    def __init__(self) -> None:
+        """Every field at its first value."""
     @property
-    def corners(self) -> NDArray[np.int32]: ...
+    def corners(self) -> NDArray[np.int32]:
+        """Particle indices, shape (t, 4); a view, read-only."""
     @property
-    def lame(self) -> NDArray[np.float64]: ...
+    def lame(self) -> NDArray[np.float64]:
+        """[Pa] lambda, Lamé's first constant, shape (t,); a view."""
     @property
-    def shear(self) -> NDArray[np.float64]: ...
+    def shear(self) -> NDArray[np.float64]:
+        """[Pa] mu, shape (t,); a view."""
     @property
-    def first_around(self) -> NDArray[np.int32]: ...
+    def first_around(self) -> NDArray[np.int32]:
+        """As in Volumes, shape (n + 1,); a view, read-only."""
     @property
-    def around(self) -> NDArray[np.int32]: ...
+    def around(self) -> NDArray[np.int32]:
+        """As in Volumes, shape (4 t,); a view, read-only."""
     @property
-    def reach(self) -> NDArray[np.int32]: ...
+    def reach(self) -> NDArray[np.int32]:
+        """Particles that pushes may move, ascending, shape (k,); empty for all that carry the
+        surface; a view, read-only.
+        """
     nodal_share: float
+    """[-] 0 to 1"""
     damping_time: float
-    def __copy__(self) -> Elastic: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Elastic: ...
+    """[s] in which strain follows stress (Kelvin-Voigt)."""
+    def __copy__(self) -> Elastic:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Elastic:
+        """A copy of its own."""
+    def __getstate__(
+        self, /
+    ) -> tuple[object, object, object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """What it is, on one line."""
 
 def build_elastic(
     particle_count: int,
@@ -226,23 +500,60 @@ def build_elastic(
     shear: ArrayLike,
     nodal_share: float = ...,
     damping_time: float = ...,
-) -> Elastic: ...
+) -> Elastic:
+    """A linear solid's table with what lies around each particle filled in; pushes reach all of
+    its surface. Copies its tables.
+
+    Args:
+        corners: particle indices, shape (t, 4)
+        lame: [Pa] shape (t,), lambda of each tetrahedron
+        shear: [Pa] shape (t,), mu of each tetrahedron
+        nodal_share: [-] 0 to 1
+        damping_time: [s] in which strain follows stress
+    """
 
 class Skin:
+    """How a fine surface rides on coarse tetrahedra: vertex v is at the sum over k of
+    weights[v, k] times the position of particle corners[v, k]. Empty where the particles
+    themselves are the surface.
+    """
     @overload
-    def __init__(self, corners: ArrayLike, weights: ArrayLike) -> None: ...
+    def __init__(self, corners: ArrayLike, weights: ArrayLike) -> None:
+        """__init__(*args, **kwargs)
+
+        Copies its tables.
+
+        Arguments are the fields of these names, with their shapes and units.
+        """
     @overload
     def __init__(self) -> None: ...
     @property
-    def corners(self) -> NDArray[np.int32]: ...
+    def corners(self) -> NDArray[np.int32]:
+        """Particle indices, shape (n, 4); a view, read-only."""
     @property
-    def weights(self) -> NDArray[np.float64]: ...
-    def __copy__(self) -> Skin: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Skin: ...
+    def weights(self) -> NDArray[np.float64]:
+        """[-] sum 1; below 0 outside of the tetrahedron, shape (n, 4); a view."""
+    def __copy__(self) -> Skin:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Skin:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """What it is, on one line."""
 
-def move_skin(skin: Skin, x: ArrayLike, surface: NDArray[np.float64]) -> None: ...
+def move_skin(skin: Skin, x: ArrayLike, surface: NDArray[np.float64]) -> None:
+    """Sets surface [m] to where the vertices of a surface are that rides on particles at x [m].
+
+    Args:
+        x: [m] shape (n, 3), positions
+        surface: [m] shape (n, 3), float64, C order, written to
+    """
 
 class TissueModel:
+    """An organ as built: everything about it that a simulation never changes. Made by a build_
+    function, or from tables, which are validated.
+    """
     def __init__(
         self,
         *,
@@ -262,50 +573,111 @@ class TissueModel:
         drag: float = ...,
         damping_law: DampingLaw = ...,
         angle_law: AngleLaw = ...,
-    ) -> None: ...
+    ) -> None:
+        """Copies its tables and validates the whole. Raises ValueError.
+
+        Arguments are the fields of these names, with their shapes and units.
+        """
     @property
-    def rest_position(self) -> NDArray[np.float64]: ...
+    def rest_position(self) -> NDArray[np.float64]:
+        """[m], shape (n, 3); a view."""
     @property
-    def mass(self) -> NDArray[np.float64]: ...
+    def mass(self) -> NDArray[np.float64]:
+        """[kg], positive, shape (n,); a view."""
     @property
-    def fixed(self) -> NDArray[np.int32]: ...
+    def fixed(self) -> NDArray[np.int32]:
+        """Particles held at rest, ascending, shape (k,); a view, read-only."""
     @property
-    def springs(self) -> Links: ...
+    def springs(self) -> Links:
+        """Mass-spring model; may be empty."""
     @property
-    def bonds(self) -> Links: ...
+    def bonds(self) -> Links:
+        """Molecular model; may be empty."""
     @property
-    def angles(self) -> Angles: ...
+    def angles(self) -> Angles:
+        """Molecular model; may be empty."""
     @property
-    def prisms(self) -> Prisms: ...
+    def prisms(self) -> Prisms:
+        """Walls that bend; may be empty."""
     @property
-    def volumes(self) -> Volumes: ...
+    def volumes(self) -> Volumes:
+        """Solids; may be empty."""
     @property
-    def elastic(self) -> Elastic: ...
+    def elastic(self) -> Elastic:
+        """Linear solids; may be empty."""
     @property
-    def skin(self) -> Skin: ...
+    def skin(self) -> Skin:
+        """Solids under a finer surface; may be empty."""
     @property
-    def home(self) -> NDArray[np.float64]: ...
+    def home(self) -> NDArray[np.float64]:
+        """[N/m] pull of every particle to its rest position, shape (n,) or empty; a view."""
     pressure: float
+    """[Pa] inside above outside."""
     @property
-    def triangles(self) -> NDArray[np.int32]: ...
+    def triangles(self) -> NDArray[np.int32]:
+        """Outer surface, counter-clockwise from outside, of vertices of the skin, or of
+        particles where there is none, shape (t, 3); a view, read-only.
+        """
     drag: float
+    """[1/s], velocity lost to the surroundings."""
     damping_law: DampingLaw
+    """How links are damped."""
     angle_law: AngleLaw
-    def __copy__(self) -> TissueModel: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> TissueModel: ...
+    """How angles push back."""
+    def __copy__(self) -> TissueModel:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> TissueModel:
+        """A copy of its own."""
+    def __getstate__(
+        self, /
+    ) -> tuple[
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+    ]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str: ...
 
-def particle_count(model: TissueModel) -> int: ...
-def surface_count(model: TissueModel) -> int: ...
-def compute_total_mass(model: TissueModel) -> float: ...
+def particle_count(model: TissueModel) -> int:
+    """How many particles a model has."""
+
+def surface_count(model: TissueModel) -> int:
+    """Vertices of the surface: those of the skin, or the particles where there is none."""
+
+def compute_total_mass(model: TissueModel) -> float:
+    """[kg]"""
+
 @overload
-def describe(model: TissueModel) -> str: ...
+def describe(model: TissueModel) -> str:
+    """describe(*args, **kwargs)
+
+    One line for people: how many particles and links of each kind, and the total mass [g].
+
+    '-0.058 to 54 N', drawn in by a hair so that the numbers shown are themselves admissible.
+
+    One line for people.
+    """
+
 @overload
 def describe(range: CouplingRange) -> str: ...
 @overload
 def describe(fit: MembraneFit) -> str: ...
 
 class SurfaceOptions:
+    """What a designer may choose about a surface model beside its material."""
     def __init__(
         self,
         *,
@@ -315,24 +687,42 @@ class SurfaceOptions:
         pressure: float = ...,
         drag: float = ...,
         damping_law: DampingLaw = ...,
-    ) -> None: ...
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     home_stiffness: float | None
+    """[N/m³] pull home per area; None: default_home_stiffness."""
     @property
-    def stiffness_scale(self) -> NDArray[np.float64]: ...
+    def stiffness_scale(self) -> NDArray[np.float64]:
+        """[-] per vertex, shape (n,), positive, empty for 1 everywhere; a link takes the mean
+        of its ends. Reads as a read-only copy: assign a new array to change it.
+        """
     @stiffness_scale.setter
     def stiffness_scale(self, value: ArrayLike) -> None: ...
     @property
-    def fixed(self) -> NDArray[np.int32]: ...
+    def fixed(self) -> NDArray[np.int32]:
+        """Vertices held at rest: indices, shape (k,), or a mask, one boolean per vertex, which
+        is turned into the indices of its true rows. Reads as a read-only copy: assign a new
+        array to change it.
+        """
     @fixed.setter
     def fixed(self, value: ArrayLike) -> None: ...
     pressure: float
+    """[Pa]"""
     drag: float
+    """[1/s]"""
     damping_law: DampingLaw
-    def __copy__(self) -> SurfaceOptions: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> SurfaceOptions: ...
-    def __repr__(self) -> str: ...
+    """How links are damped."""
+    def __copy__(self) -> SurfaceOptions:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> SurfaceOptions:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class MolecularConstants:
+    """Constants of the molecular model, the same at every bond and corner (Eq 8, 9, 11)."""
     def __init__(
         self,
         *,
@@ -340,86 +730,219 @@ class MolecularConstants:
         bend_stiffness: float = ...,
         stretch_coupling: float = ...,
         angle_law: AngleLaw = ...,
-    ) -> None: ...
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     bond_stiffness: float
+    """[N/m] K_b of a bond inside the surface; a border bond gets half."""
     bend_stiffness: float
+    """[J] K_theta per corner; [N] under AngleLaw.eq10."""
     stretch_coupling: float
+    """[N] K_btheta per corner; may be negative."""
     angle_law: AngleLaw
-    def __copy__(self) -> MolecularConstants: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> MolecularConstants: ...
-    def __repr__(self) -> str: ...
+    """How angles push back."""
+    def __copy__(self) -> MolecularConstants:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> MolecularConstants:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
-def default_home_stiffness(mesh: SurfaceMesh, material: Material) -> float: ...
-def compute_lumped_mass(mesh: SurfaceMesh, material: Material) -> NDArray[np.float64]: ...
-def membrane_spring_stiffness(material: Material) -> float: ...
+def default_home_stiffness(mesh: SurfaceMesh, material: Material) -> float:
+    """[N/m³] home stiffness when none is given. 0 for a solid (no wall thickness); for hollow
+    organs and sheets E h / d² with d a tenth of the bounding box's diagonal.
+    """
+
+def compute_lumped_mass(mesh: SurfaceMesh, material: Material) -> NDArray[np.float64]:
+    """[kg] per vertex, shape (n,), lumped by area: density x volume for a closed solid, density
+    x wall thickness x area for hollow organs and open surfaces. Raises ValueError for an
+    open surface without a wall thickness.
+    """
+
+def membrane_spring_stiffness(material: Material) -> float:
+    """[N/m] of the springs that make a surface stretch like a membrane of the material and its
+    wall thickness. Raises ValueError without one.
+    """
+
 def build_mass_spring(
     mesh: SurfaceMesh, material: Material, stiffness: float, options: SurfaceOptions = ...
-) -> TissueModel: ...
+) -> TissueModel:
+    """The mass-spring model of a surface: one spring of stiffness [N/m] (Eq 1) along every
+    edge. Raises ValueError on an invalid mesh, material or option.
+
+    Args:
+        stiffness: [N/m]
+    """
+
 def build_molecular(
     mesh: SurfaceMesh,
     material: Material,
     constants: MolecularConstants,
     options: SurfaceOptions = ...,
-) -> TissueModel: ...
-def compute_rest_stiffness(angles: Angles, row: int) -> NDArray[np.float64]: ...
-def compute_rest_slopes(angles: Angles, row: int, law: AngleLaw) -> NDArray[np.float64]: ...
-def is_positive_definite(stiffness: ArrayLike) -> bool: ...
+) -> TissueModel:
+    """The molecular model of a surface: a bond along every edge, an angle and a stretch-bend
+    term at every triangle corner. Raises ValueError as build_mass_spring does, and where the
+    constants make a triangle indefinite, naming it and the admissible range.
+    """
+
+def compute_rest_stiffness(angles: Angles, row: int) -> NDArray[np.float64]:
+    """[N/m] (3, 3) second derivative, at rest, of the energy of one triangle in the lengths of
+    its three sides.
+    """
+
+def compute_rest_slopes(angles: Angles, row: int, law: AngleLaw) -> NDArray[np.float64]:
+    """[N/m] (3, 3) what a change of each side's length at rest does to the tension of each
+    side; under AngleLaw.eq10 not symmetric.
+    """
+
+def is_positive_definite(stiffness: ArrayLike) -> bool:
+    """True when all eigenvalues are positive by more than rounding.
+
+    Args:
+        stiffness: [N/m] shape (3, 3), symmetric
+    """
 
 class CouplingRange:
-    def __init__(self, low: float, high: float) -> None: ...
+    """[N] K_btheta lies strictly between the two; either may be infinite."""
+    def __init__(self, low: float, high: float) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     low: float
+    """[N] K_btheta is larger."""
     high: float
-    def __repr__(self) -> str: ...
+    """[N] K_btheta is smaller."""
+    def __copy__(self) -> CouplingRange:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> CouplingRange:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 def find_coupling_range(
     angles: Angles, row: int, proportion: Sequence[float]
-) -> CouplingRange | None: ...
-def check_definiteness(angles: Angles, law: AngleLaw) -> None: ...
+) -> CouplingRange | None:
+    """The K_btheta for which a triangle is positive definite when its three stretch_coupling
+    are K_btheta times proportion; None if no number helps.
 
-kSmallestAngle: float
+    Args:
+        proportion: [-] three, one per corner
+    """
 
-def compute_membrane_stiffnesses(mesh: SurfaceMesh, material: Material) -> NDArray[np.float64]: ...
+def check_definiteness(angles: Angles, law: AngleLaw) -> None:
+    """Raises ValueError on the first triangle that does not hold, with the numbers its
+    stretch_coupling may have.
+    """
+
+SMALLEST_ANGLE: float
+
+def compute_membrane_stiffnesses(mesh: SurfaceMesh, material: Material) -> NDArray[np.float64]:
+    """[N/m] (t, 3, 3) the second derivative of every triangle's energy, as a wall of the
+    material under plane stress, in the lengths of its three sides. Raises ValueError without
+    a wall thickness and for a triangle below SMALLEST_ANGLE [degree].
+    """
 
 class MembraneFit:
-    def __init__(self) -> None: ...
+    """How a surface model at rest compares with a membrane of its material."""
+    def __init__(self) -> None:
+        """Every field at its first value."""
     young_modulus: float
+    """[Pa] of the isotropic membrane nearest to the model as a whole."""
     poisson_ratio: float
+    """[-] of the same."""
     least: float
+    """[-] of the material's stiffness, in the softest strain anywhere."""
     most: float
+    """[-] in the stiffest."""
     error: float
+    """[-] root mean square over area of |C_model - C| / |C|."""
     worst_triangle: int
-    def __copy__(self) -> MembraneFit: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> MembraneFit: ...
-    def __repr__(self) -> str: ...
+    """Where |C_model - C| is largest."""
+    def __copy__(self) -> MembraneFit:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> MembraneFit:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 def compare_with_membrane(
     model: TissueModel, material: Material, stiffness_scale: ArrayLike = ...
-) -> MembraneFit: ...
+) -> MembraneFit:
+    """Measures springs, bonds, angles and stretch-bend terms against a membrane of the
+    material, whose modulus stiffness_scale, empty or one per particle, multiplies locally.
+    Raises ValueError as compute_membrane_stiffnesses does, and for a model without
+    triangles.
+
+    Args:
+        stiffness_scale: [-] shape (n,) or empty, per particle
+    """
 
 class SpringRule(enum.Enum):
+    """How a spring's constant follows from the two triangles at it."""
+
     van_gelder = 0
     lloyd = 1
 
 def build_membrane_springs(
     mesh: SurfaceMesh, material: Material, rule: SpringRule = ..., options: SurfaceOptions = ...
-) -> TissueModel: ...
+) -> TissueModel:
+    """The mass-spring model of a wall of the material. Raises ValueError as build_mass_spring
+    does, without a wall thickness, and for triangles below SMALLEST_ANGLE.
+    """
+
 def build_membrane_molecular(
     mesh: SurfaceMesh,
     material: Material,
     bend_stiffness: float = ...,
     angle_law: AngleLaw = ...,
     options: SurfaceOptions = ...,
-) -> TissueModel: ...
+) -> TissueModel:
+    """The molecular model of a wall of the material: at rest exactly the finite element of
+    plane stress, whatever bend_stiffness [J] is; under AngleLaw.eq10 the nearest to it.
+    Raises ValueError as build_membrane_springs does.
+
+    Args:
+        bend_stiffness: [J] of every corner; no bearing on the stretch
+    """
+
 def build_shell(
     mesh: SurfaceMesh, material: Material, options: SurfaceOptions = ...
-) -> TissueModel: ...
-def convert_to_eq10(angles: Angles) -> Angles: ...
-def compute_eq10_residuals(angles: Angles) -> NDArray[np.float64]: ...
-def list_tetrahedra(model: TissueModel) -> NDArray[np.int32]: ...
-def compute_surface(model: TissueModel, x: ArrayLike) -> NDArray[np.float64]: ...
-def compute_surface_mass(model: TissueModel) -> NDArray[np.float64]: ...
+) -> TissueModel:
+    """A wall of triangular prisms, which stretches and bends as its material does. Vertex i of
+    the surface is particle i, on the outer face; particle n + i lies below it on the inner
+    face. Raises ValueError as build_membrane_molecular does, and where the wall is too thick
+    for the surface.
+    """
+
+def convert_to_eq10(angles: Angles) -> Angles:
+    """The constants of Eq 10 nearest to those under AngleLaw.gradient, row by row, in the sum
+    of squares of the stiffness at rest.
+    """
+
+def compute_eq10_residuals(angles: Angles) -> NDArray[np.float64]:
+    """[-] per row, shape (a,): |S_eq10 - S| / |S| of the slopes at rest after convert_to_eq10."""
+
+def list_tetrahedra(model: TissueModel) -> NDArray[np.int32]:
+    """Tetrahedra of a solid of either law, shape (t, 4)."""
+
+def compute_surface(model: TissueModel, x: ArrayLike) -> NDArray[np.float64]:
+    """[m] shape (n, 3), where the vertices of the model's surface are with its particles at x
+    [m]: the skin's, or the particles themselves.
+
+    Args:
+        x: [m] shape (n, 3), positions
+    """
+
+def compute_surface_mass(model: TissueModel) -> NDArray[np.float64]:
+    """[kg] shape (n,), with what mass a vertex of the surface withstands a push when all of the
+    surface is pushed alike.
+    """
 
 class SolidOptions:
+    """What a designer may choose about a solid beside its material."""
     def __init__(
         self,
         *,
@@ -428,179 +951,461 @@ class SolidOptions:
         fixed: ArrayLike = ...,
         drag: float = ...,
         damping_law: DampingLaw = ...,
-    ) -> None: ...
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     nodal_share: float
+    """[-] 0 to 1: how much of the resistance to a change of volume acts on the mean around each
+    particle.
+    """
     @property
-    def stiffness_scale(self) -> NDArray[np.float64]: ...
+    def stiffness_scale(self) -> NDArray[np.float64]:
+        """[-] per vertex of the solid, shape (n,), positive, empty for 1 everywhere. Reads as a
+        read-only copy: assign a new array to change it.
+        """
     @stiffness_scale.setter
     def stiffness_scale(self, value: ArrayLike) -> None: ...
     @property
-    def fixed(self) -> NDArray[np.int32]: ...
+    def fixed(self) -> NDArray[np.int32]:
+        """Vertices of the solid held at rest: indices, shape (k,), or a mask, one boolean per
+        vertex, which is turned into the indices of its true rows. Reads as a read-only copy:
+        assign a new array to change it.
+        """
     @fixed.setter
     def fixed(self, value: ArrayLike) -> None: ...
     drag: float
+    """[1/s]"""
     damping_law: DampingLaw
-    def __copy__(self) -> SolidOptions: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> SolidOptions: ...
-    def __repr__(self) -> str: ...
+    """How links are damped."""
+    def __copy__(self) -> SolidOptions:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> SolidOptions:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class LameConstants:
-    def __init__(self, *, lambda_: float = ..., mu: float = ...) -> None: ...
+    """Lamé's constants of a material."""
+    def __init__(self, *, lambda_: float = ..., mu: float = ...) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     lambda_: float
+    """[Pa]"""
     mu: float
-    def __copy__(self) -> LameConstants: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> LameConstants: ...
-    def __repr__(self) -> str: ...
+    """[Pa] the shear modulus."""
+    def __copy__(self) -> LameConstants:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> LameConstants:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
-def compute_lame_constants(material: Material) -> LameConstants: ...
+def compute_lame_constants(material: Material) -> LameConstants:
+    """Raises ValueError for a Poisson's ratio of 0.5, where lambda is infinite."""
 
-kLeastSolidPoisson: float
-kMostSolidPoisson: float
+LEAST_SOLID_POISSON: float
+MOST_SOLID_POISSON: float
 
-def build_solid(
-    solid: SolidMesh, material: Material, options: SolidOptions = ...
-) -> TissueModel: ...
+def build_solid(solid: SolidMesh, material: Material, options: SolidOptions = ...) -> TissueModel:
+    """The mass-spring model of a solid with true volumes: a spring along every edge of the
+    tetrahedra, and what resists a change of volume in each of them. Raises ValueError, also
+    for a Poisson's ratio outside of 0.25 to 0.49.
+    """
+
 def build_linear_solid(
     solid: SolidMesh, material: Material, options: SolidOptions = ...
-) -> TissueModel: ...
-def limit_reach(model: TissueModel, surface_vertices: ArrayLike) -> TissueModel: ...
-def build_skin(surface: SurfaceMesh, solid: SolidMesh) -> Skin: ...
-def cover_with_skin(model: TissueModel, surface: SurfaceMesh) -> TissueModel: ...
+) -> TissueModel:
+    """The linear elastic model of the same solid, for shallow presses: Hooke's law in every
+    tetrahedron, no links. Raises ValueError as build_solid does.
+    """
+
+def limit_reach(model: TissueModel, surface_vertices: ArrayLike) -> TissueModel:
+    """The same linear solid for pushes on these vertices of its surface alone, indices of shape
+    (k,) or a mask with one boolean per vertex of the surface; elsewhere it does not give.
+    Raises ValueError for another model, no vertices, or one that is not there.
+
+    Args:
+        surface_vertices: indices, shape (k,), or a mask, shape (n,)
+    """
+
+def build_skin(surface: SurfaceMesh, solid: SolidMesh) -> Skin:
+    """The skin by which a surface rides on the tetrahedra of a solid.
+
+    Args:
+        surface: [m] shape (n, 3), float64, C order, written to
+    """
+
+def cover_with_skin(model: TissueModel, surface: SurfaceMesh) -> TissueModel:
+    """The same solid under a finer surface, which is what is touched and seen. Raises
+    ValueError where it lies so far from the tetrahedra that these say nothing about it.
+
+    Args:
+        surface: [m] shape (n, 3), float64, C order, written to
+    """
 
 class State:
-    def __init__(self, model: TissueModel) -> None: ...
+    """Everything about a tissue that changes from step to step."""
+    def __init__(self, model: TissueModel) -> None:
+        """The tissue at rest, at time zero."""
     time: float
+    """[s]"""
     @property
-    def position(self) -> NDArray[np.float64]: ...
+    def position(self) -> NDArray[np.float64]:
+        """Particle positions [m], shape (n, 3); a view, so writing moves the particles."""
     @property
-    def velocity(self) -> NDArray[np.float64]: ...
+    def velocity(self) -> NDArray[np.float64]:
+        """[m/s], shape (n, 3); a view."""
     @property
-    def force(self) -> NDArray[np.float64]: ...
-    def __copy__(self) -> State: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> State: ...
+    def force(self) -> NDArray[np.float64]:
+        """[N] of the last evaluation, loads included, shape (n, 3); a view."""
+    def __copy__(self) -> State:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> State:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """What it is, on one line."""
 
 class Push:
+    """A force on a point of a triangle."""
     def __init__(
         self, triangle: int = ..., weights: ArrayLike = ..., force: ArrayLike = ...
-    ) -> None: ...
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     triangle: int
+    """Row of the surface."""
     @property
-    def weights(self) -> NDArray[np.float64]: ...
+    def weights(self) -> NDArray[np.float64]:
+        """[-] Barycentric, sum 1. Shape (3,), a view."""
     @weights.setter
     def weights(self, value: ArrayLike) -> None: ...
     @property
-    def force(self) -> NDArray[np.float64]: ...
+    def force(self) -> NDArray[np.float64]:
+        """[N]; shape (3,), a view."""
     @force.setter
     def force(self, value: ArrayLike) -> None: ...
     dtype: np.dtype[np.void]
-    def __copy__(self) -> Push: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Push: ...
-    def __repr__(self) -> str: ...
+    def __copy__(self) -> Push:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Push:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class Load:
-    def __init__(self, capacity: int = ...) -> None: ...
+    """What the surroundings do to a tissue during one step. Pushes have a fixed capacity, so
+    the haptic thread never allocates.
+    """
+    def __init__(self, capacity: int = ...) -> None:
+        """Room for so many pushes."""
     @property
-    def gravity(self) -> NDArray[np.float64]: ...
+    def gravity(self) -> NDArray[np.float64]:
+        """[m/s²]; shape (3,), a view."""
     @gravity.setter
     def gravity(self, value: ArrayLike) -> None: ...
     @property
-    def storage(self) -> NDArray[Any]: ...
+    def storage(self) -> NDArray[Any]:
+        """All pushes there is room for, a structured array of shape (capacity,); a view,
+        read-only.
+        """
     @property
-    def push_count(self) -> int: ...
-    def pushes(self) -> NDArray[Any]: ...
-    def clear(self) -> None: ...
-    def add(self, push: Push) -> bool: ...
-    def __copy__(self) -> Load: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Load: ...
+    def push_count(self) -> int:
+        """How many of them are in force."""
+    def pushes(self) -> NDArray[Any]:
+        """The pushes in force, a structured array (triangle, weights, force) of shape
+        (push_count,); a view, read-only.
+        """
+    def clear(self) -> None:
+        """No pushes any more."""
+    def add(self, push: Push) -> bool:
+        """False, and nothing added, when the capacity is used up."""
+    def __copy__(self) -> Load:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Load:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 def accumulate_link_forces(
     links: Links, law: DampingLaw, x: ArrayLike, v: ArrayLike, f: NDArray[np.float64]
-) -> None: ...
-def accumulate_angle_forces(angles: Angles, x: ArrayLike, f: NDArray[np.float64]) -> None: ...
-def accumulate_eq10_forces(angles: Angles, x: ArrayLike, f: NDArray[np.float64]) -> None: ...
+) -> None:
+    """Adds to f [N] the pull of every link: Hooke's law with damping (Eq 1, 2, 8).
+
+    Args:
+        x: [m] shape (n, 3), positions
+        v: [m/s] shape (n, 3), velocities
+        f: [N] shape (n, 3), float64, C order, written to
+    """
+
+def accumulate_angle_forces(angles: Angles, x: ArrayLike, f: NDArray[np.float64]) -> None:
+    """Adds to f [N] Eq 9 and Eq 11 of the paper as edge tensions.
+
+    Args:
+        x: [m] shape (n, 3), positions
+        f: [N] shape (n, 3), float64, C order, written to
+    """
+
+def accumulate_eq10_forces(angles: Angles, x: ArrayLike, f: NDArray[np.float64]) -> None:
+    """Adds to f [N] Eq 10 of the paper, as printed but with the sign that reopens a closed
+    angle.
+
+    Args:
+        x: [m] shape (n, 3), positions
+        f: [N] shape (n, 3), float64, C order, written to
+    """
+
 def accumulate_prism_forces(
     prisms: Prisms, x: ArrayLike, v: ArrayLike, f: NDArray[np.float64]
-) -> None: ...
-def accumulate_volume_forces(volumes: Volumes, x: ArrayLike, f: NDArray[np.float64]) -> None: ...
+) -> None:
+    """Adds to f [N] what resists the transverse shear of a wall.
+
+    Args:
+        x: [m] shape (n, 3), positions
+        v: [m/s] shape (n, 3), velocities
+        f: [N] shape (n, 3), float64, C order, written to
+    """
+
+def accumulate_volume_forces(volumes: Volumes, x: ArrayLike, f: NDArray[np.float64]) -> None:
+    """Adds to f [N] what resists a change of volume.
+
+    Args:
+        x: [m] shape (n, 3), positions
+        f: [N] shape (n, 3), float64, C order, written to
+    """
+
 def accumulate_elastic_forces(
     elastic: Elastic, rest: ArrayLike, x: ArrayLike, v: ArrayLike, f: NDArray[np.float64]
-) -> None: ...
+) -> None:
+    """Adds to f [N] what resists strain; rest [m] are the places at rest.
+
+    Args:
+        rest: [m] shape (n, 3), particles at rest
+        x: [m] shape (n, 3), positions
+        v: [m/s] shape (n, 3), velocities
+        f: [N] shape (n, 3), float64, C order, written to
+    """
+
 def accumulate_home_forces(
     home: ArrayLike, rest: ArrayLike, x: ArrayLike, f: NDArray[np.float64]
-) -> None: ...
+) -> None:
+    """Adds to f [N] the pull of every particle to its rest position, home [N/m].
+
+    Args:
+        home: [N/m] shape (n,) or empty, per particle
+        rest: [m] shape (n, 3), particles at rest
+        x: [m] shape (n, 3), positions
+        f: [N] shape (n, 3), float64, C order, written to
+    """
+
 def accumulate_pressure_forces(
     triangles: ArrayLike, pressure: float, x: ArrayLike, f: NDArray[np.float64]
-) -> None: ...
+) -> None:
+    """Adds to f [N] the push of a pressure [Pa] inside a surface.
+
+    Args:
+        triangles: vertex indices, shape (t, 3), counter-clockwise from outside
+        pressure: [Pa]
+        x: [m] shape (n, 3), positions
+        f: [N] shape (n, 3), float64, C order, written to
+    """
+
 def accumulate_push_forces(
     triangles: ArrayLike, skin: Skin, pushes: object, f: NDArray[np.float64]
-) -> None: ...
-def accumulate_gravity(mass: ArrayLike, gravity: ArrayLike, f: NDArray[np.float64]) -> None: ...
-def accumulate_drag(mass: ArrayLike, drag: float, v: ArrayLike, f: NDArray[np.float64]) -> None: ...
+) -> None:
+    """Adds to f [N] pushes, a structured array as of Load.pushes() or a list of Push, shared by
+    their barycentric weights, and again by those of a skin that is not empty.
+
+    Args:
+        triangles: vertex indices, shape (t, 3), counter-clockwise from outside
+        pushes: a structured array with the fields of Push, shape (k,), or a list of Push
+        f: [N] shape (n, 3), float64, C order, written to
+    """
+
+def accumulate_gravity(mass: ArrayLike, gravity: ArrayLike, f: NDArray[np.float64]) -> None:
+    """Adds to f [N] the weight of every particle.
+
+    Args:
+        mass: [kg] shape (n,), per particle
+        gravity: [m/s²] shape (3,)
+        f: [N] shape (n, 3), float64, C order, written to
+    """
+
+def accumulate_drag(mass: ArrayLike, drag: float, v: ArrayLike, f: NDArray[np.float64]) -> None:
+    """Adds to f [N] what the surroundings take: drag [1/s] x mass x velocity.
+
+    Args:
+        mass: [kg] shape (n,), per particle
+        drag: [1/s]
+        v: [m/s] shape (n, 3), velocities
+        f: [N] shape (n, 3), float64, C order, written to
+    """
+
 def compute_forces(
     model: TissueModel, load: Load, x: ArrayLike, v: ArrayLike, f: NDArray[np.float64]
-) -> None: ...
+) -> None:
+    """Sets f [N] to all of the above for a model under a load. The entries of fixed particles
+    hold what the support must carry.
+
+    Args:
+        x: [m] shape (n, 3), positions
+        v: [m/s] shape (n, 3), velocities
+        f: [N] shape (n, 3), float64, C order, written to
+    """
 
 class ResponseSize:
-    def __init__(self, *, moved: int = ..., pushed: int = ..., bytes: int = ...) -> None: ...
+    """How much of a linear solid's response there is to keep; known before it is solved for."""
+    def __init__(self, *, moved: int = ..., pushed: int = ..., bytes: int = ...) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     moved: int
+    """Particles that carry the surface and are not held."""
     pushed: int
+    """Those of them within reach of pushes."""
     bytes: int
-    def __copy__(self) -> ResponseSize: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> ResponseSize: ...
-    def __repr__(self) -> str: ...
+    """Of the table: 3 moved x 3 pushed numbers of 4 bytes."""
+    def __copy__(self) -> ResponseSize:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> ResponseSize:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class Response:
+    """How a linear solid answers when nothing of it swings: displacements of the particles that
+    carry its surface under forces on those that pushes reach. Made by build_response.
+    """
     @property
-    def size(self) -> ResponseSize: ...
+    def size(self) -> ResponseSize:
+        """How much there is of it."""
     @property
-    def compliance(self) -> NDArray[np.float32]: ...
+    def compliance(self) -> NDArray[np.float32]:
+        """[m/N] shape (3 pushed, 3 moved): row 3c + k is what all of the moved do under 1 N on
+        c along axis k; a view, read-only.
+        """
     @property
-    def sag(self) -> NDArray[np.float32]: ...
+    def sag(self) -> NDArray[np.float32]:
+        """[m] under gravity alone, shape (moved, 3); a view, read-only."""
     @property
-    def damping_time(self) -> float: ...
+    def damping_time(self) -> float:
+        """[s]"""
     @property
-    def particle(self) -> NDArray[np.int32]: ...
+    def particle(self) -> NDArray[np.int32]:
+        """Of the moved, ascending, shape (moved,); a view."""
     @property
-    def row(self) -> NDArray[np.int32]: ...
+    def row(self) -> NDArray[np.int32]:
+        """Per particle of the model, shape (n,): among the moved, or -1; a view."""
     @property
-    def column(self) -> NDArray[np.int32]: ...
+    def column(self) -> NDArray[np.int32]:
+        """Per particle, shape (n,): among the pushed, or -1; a view."""
     @property
-    def softness(self) -> NDArray[np.float64]: ...
+    def softness(self) -> NDArray[np.float64]:
+        """[m/N] per vertex of the surface, shape (n,), of itself; 0 out of reach; a view."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
-kMostResponseBytes: int
-kShallow: float
+MOST_RESPONSE_BYTES: int
+SHALLOW: float
 
-def measure_response(model: TissueModel) -> ResponseSize: ...
-def build_response(model: TissueModel, gravity: ArrayLike = ..., most: int = ...) -> Response: ...
+def measure_response(model: TissueModel) -> ResponseSize:
+    """How much of a linear solid's response there is to keep. Raises ValueError for another
+    model.
+    """
+
+def build_response(model: TissueModel, gravity: ArrayLike = ..., most: int = ...) -> Response:
+    """Solves for the response of a linear solid in gravity [m/s²]. Raises ValueError for
+    another model, for a table of more than most bytes, before anything is solved, and for a
+    body that is not held.
+
+    Args:
+        gravity: [m/s²] shape (3,)
+    """
 
 class Energy:
-    def __init__(self) -> None: ...
+    """[J] each. AngleLaw.eq10 has no energy and counts 0."""
+    def __init__(self) -> None:
+        """Every field at its first value."""
     kinetic: float
+    """[J] Of all particles."""
     links: float
+    """[J] Springs and bonds, Eq 8."""
     angles: float
+    """[J] Eq 9 and Eq 11."""
     prisms: float
+    """[J] Transverse shear of walls."""
     volumes: float
+    """[J] Of tetrahedra."""
     strain: float
+    """[J] Of linear solids."""
     home: float
+    """[J] Of the pull to where particles rest."""
     gravity: float
+    """[J] Relative to the origin."""
     pressure: float
-    def total(self) -> float: ...
-    def elastic(self) -> float: ...
-    def __repr__(self) -> str: ...
+    """[J] -p V; its gradient is the pressure force on closed surfaces."""
+    def total(self) -> float:
+        """[J] All of them."""
+    def elastic(self) -> float:
+        """[J] What is stored in the tissue itself: all but kinetic, gravity and pressure."""
+    def __copy__(self) -> Energy:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Energy:
+        """A copy of its own."""
+    def __getstate__(
+        self, /
+    ) -> tuple[object, object, object, object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 @overload
-def compute_energy(model: TissueModel, gravity: ArrayLike, state: State) -> Energy: ...
+def compute_energy(model: TissueModel, gravity: ArrayLike, state: State) -> Energy:
+    """compute_energy(*args, **kwargs)
+
+    [J] What a tissue holds, by kind.
+
+    [J] kinetic and potential, without the hand.
+
+    Args:
+        gravity: [m/s²] shape (3,)
+    """
+
 @overload
 def compute_energy(plant: Plant, state: PlantState) -> float: ...
 
 class Projection(enum.Enum):
+    """Which stiffness an implicit step is given."""
+
     none = 0
     positive_semidefinite = 1
 
-def compute_stiffness(model: TissueModel, x: ArrayLike, projection: Projection) -> csc_matrix: ...
-def compute_damping(model: TissueModel, x: ArrayLike) -> csc_matrix: ...
+def compute_stiffness(model: TissueModel, x: ArrayLike, projection: Projection) -> csc_matrix:
+    """K = -df/dx at positions x [N/m], (3n, 3n), springs, bonds, angles, prisms, volumes,
+    linear solids and home; pressure and pushes are left out. Rows and columns of fixed
+    particles are zero.
+
+    Args:
+        x: [m] shape (n, 3), positions
+    """
+
+def compute_damping(model: TissueModel, x: ArrayLike) -> csc_matrix:
+    """C = -df/dv at positions x [N·s/m], (3n, 3n), links, prisms, linear solids and drag. Fixed
+    as above.
+
+    Args:
+        x: [m] shape (n, 3), positions
+    """
 
 class Integrator(enum.Enum):
+    """How a step goes from one moment to the next."""
+
     explicit_euler = 0
     symplectic_euler = 1
     midpoint = 2
@@ -609,31 +1414,89 @@ class Integrator(enum.Enum):
     implicit_euler = 5
     implicit_midpoint = 6
 
-def find_integrator(name: str) -> Integrator | None: ...
-def integrator_name(integrator: Integrator) -> str: ...
+def find_integrator(name: str) -> Integrator | None:
+    """'symplectic_euler' -> Integrator.symplectic_euler; None for an unknown name."""
+
+def integrator_name(integrator: Integrator) -> str:
+    """Integrator.midpoint -> 'midpoint'."""
+
 @overload
-def step(model: TissueModel, load: Load, dt: float, state: State) -> None: ...
+def step(model: TissueModel, load: Load, dt: float, state: State) -> None:
+    """step(*args, **kwargs)
+
+    Advances state in place by dt [s] with symplectic Euler, which must stay below
+    stable_step(model).
+
+    The same with any explicit integrator.
+
+    Args:
+        dt: [s]
+    """
+
 @overload
 def step(
     model: TissueModel, load: Load, dt: float, integrator: Integrator, state: State
 ) -> None: ...
 
 class ImplicitStepper:
-    def __init__(self, model: TissueModel, integrator: Integrator) -> None: ...
-    def step(self, load: Load, dt: float, state: State) -> int: ...
+    """Steps with an implicit integrator; owns the sparse factorisation."""
+    def __init__(self, model: TissueModel, integrator: Integrator) -> None:
+        """Steps this model, which it keeps."""
+    def step(self, load: Load, dt: float, state: State) -> int:
+        """Advances state by dt [s]; returns the Newton iterations used.
+
+        Args:
+            dt: [s]
+        """
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
 class Spectrum:
-    def __init__(self, *, stiffness: float = ..., damping: float = ...) -> None: ...
+    """Largest eigenvalues at rest, fixed particles left out, with a coupling [N/m] holding the
+    particle it hurts most.
+    """
+    def __init__(self, *, stiffness: float = ..., damping: float = ...) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     stiffness: float
+    """[1/s²] of M⁻¹K"""
     damping: float
-    def __repr__(self) -> str: ...
+    """[1/s] of M⁻¹C"""
+    def __copy__(self) -> Spectrum:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Spectrum:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
-def estimate_spectrum(model: TissueModel, coupling: float = ...) -> Spectrum: ...
-def stable_step(model: TissueModel, coupling: float = ...) -> float: ...
-def has_packed_form(model: TissueModel) -> bool: ...
-def simd_targets() -> list[str]: ...
+def estimate_spectrum(model: TissueModel, coupling: float = ...) -> Spectrum:
+    """The largest eigenvalues at rest.
+
+    Args:
+        coupling: [N/m] that a tool may add at any one particle
+    """
+
+def stable_step(model: TissueModel, coupling: float = ...) -> float:
+    """[s] A step at which symplectic Euler is stable at rest, with a margin; coupling [N/m] is
+    the stiffness that a tool may add at any one particle. Lies between 0.6 and 1.0 of the
+    exact limit.
+
+    Args:
+        coupling: [N/m] that a tool may add at any one particle
+    """
+
+def has_packed_form(model: TissueModel) -> bool:
+    """Whether a tissue can be packed, where there is vector code: all can but linear solids."""
+
+def simd_targets() -> list[str]:
+    """The vector targets this machine can run ('AVX3', 'AVX2', 'SSE4', ...), the best first;
+    empty where Palpate was built without vector code.
+    """
 
 class AlarmKind(enum.Enum):
+    """What may be wrong with a running tissue."""
+
     none = 0
     not_finite = 1
     moved_far = 2
@@ -645,16 +1508,32 @@ class AlarmKind(enum.Enum):
     invalid_input = 8
 
 class Alarm:
-    def __init__(self) -> None: ...
+    """What is wrong with a running tissue, as a value; false for nothing."""
+    def __init__(self) -> None:
+        """Every field at its first value."""
     kind: AlarmKind
+    """What is wrong; none for nothing."""
     index: int
+    """Particle, link, ...: AlarmKind says of what; -1 for none."""
     value: float
+    """What was measured, in the unit of its kind: [m], [-] or [J]."""
     limit: float
+    """What it may be, likewise: [m], [-] or [J]."""
     time: float
+    """[s]"""
     def __bool__(self) -> bool: ...
-    def __repr__(self) -> str: ...
+    def __copy__(self) -> Alarm:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Alarm:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class TickInput(enum.IntEnum):
+    """What a tick cannot use: the index of an invalid_input alarm."""
+
     time = 0
     position = 1
     orientation = 2
@@ -672,21 +1551,48 @@ class TickInput(enum.IntEnum):
     substeps_max = 14
 
 class Guard:
-    def __init__(self, model: TissueModel, gravity: ArrayLike, state: State) -> None: ...
+    """The memory of the blow-up alarm between looks."""
+    def __init__(self, model: TissueModel, gravity: ArrayLike, state: State) -> None:
+        """Of a tissue as it is now.
+
+        Args:
+            gravity: [m/s²] shape (3,)
+        """
     @property
-    def last_position(self) -> NDArray[np.float64]: ...
+    def last_position(self) -> NDArray[np.float64]:
+        """[m] at the last look that found nothing wrong, shape (n, 3); a view."""
     last_time: float
+    """[s] of the last look."""
     shortest_rest_length: float
+    """[m]"""
     start_energy: float
+    """[J] elastic and kinetic."""
     last_energy: float
+    """[J] elastic and kinetic."""
     work: float
+    """[J] done by pushes, gravity and pressure since the start."""
     unnoticed_energy: float
+    """[J] less than anybody could see or feel."""
     given_energy: float
+    """[J] of start and work, less what has long been lost."""
     reference_energy: float
+    """[J] the most that has lately been given."""
     rising_steps: int
+    """Looks in a row at which energy rose without work."""
     strained_looks: int
-    def __copy__(self) -> Guard: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Guard: ...
+    """Looks in a row at which a link was out of its bounds."""
+    def __copy__(self) -> Guard:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Guard:
+        """A copy of its own."""
+    def __getstate__(
+        self, /
+    ) -> tuple[
+        object, object, object, object, object, object, object, object, object, object, object
+    ]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 def check(
     model: TissueModel,
@@ -695,55 +1601,152 @@ def check(
     work: float,
     guard: Guard,
     steps: int = ...,
-) -> Alarm: ...
+) -> Alarm:
+    """Looks at a tissue after a step; the first thing wrong comes back. work [J] is what pushes
+    have done to the tissue since the last look; what gravity and pressure have done is found
+    here. steps taken since then may have moved a particle that many times as far.
+
+    Args:
+        gravity: [m/s²] shape (3,)
+        work: [J]
+    """
 
 class AabbTree:
-    def __init__(self, x: ArrayLike, triangles: ArrayLike) -> None: ...
-    def refit(self, x: ArrayLike) -> None: ...
-    def nodes(self) -> NDArray[Any]: ...
-    def low(self) -> NDArray[np.float64]: ...
-    def high(self) -> NDArray[np.float64]: ...
-    def leaf_triangles(self) -> NDArray[np.int32]: ...
-    def order(self) -> NDArray[np.int32]: ...
-    def triangles(self) -> NDArray[np.int32]: ...
-    kWidth: int
-    kLeafSize: int
-    kMaxDepth: int
-    def __copy__(self) -> AabbTree: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> AabbTree: ...
+    """Axis-aligned boxes around the triangles of a deforming surface. Built once over the
+    surface at rest; refit follows the deformation without changing the shape of the tree.
+    """
+    def __init__(self, x: ArrayLike, triangles: ArrayLike) -> None:
+        """Raises ValueError for no triangles, an index out of range or a position that is not
+        finite.
 
-def compute_query_cost(tree: AabbTree) -> float: ...
+        Arguments are the fields of these names, with their shapes and units.
+
+        Args:
+            x: [m] shape (n, 3), positions
+        """
+    def refit(self, x: ArrayLike) -> None:
+        """Follows the surface to positions x; the same particle count as at the start.
+
+        Args:
+            x: [m] shape (n, 3), positions
+        """
+    def nodes(self) -> NDArray[Any]:
+        """Eight boxes each [m], rounded outwards, depth first, a structured array of shape
+        (k,): low and high (3, 8) by axis and child, first and count (8,); a view.
+        """
+    def low(self) -> NDArray[np.float64]:
+        """The corner of the box around the whole surface [m], shape (3,)."""
+    def high(self) -> NDArray[np.float64]:
+        """The opposite corner [m], shape (3,)."""
+    def leaf_triangles(self) -> NDArray[np.int32]:
+        """triangles() in the sequence of order(), shape (t, 3); a view, read-only."""
+    def order(self) -> NDArray[np.int32]:
+        """Triangles in the sequence of the leaves, shape (t,); a view, read-only."""
+    def triangles(self) -> NDArray[np.int32]:
+        """Shape (t, 3); a view, read-only."""
+    WIDTH: int
+    LEAF_SIZE: int
+    MAX_DEPTH: int
+    def __copy__(self) -> AabbTree:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> AabbTree:
+        """A copy of its own."""
+    def __repr__(self) -> str:
+        """What it is, on one line."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
+
+def compute_query_cost(tree: AabbTree) -> float:
+    """[-] What a query of the tree costs on average, in nodes and leaves visited."""
 
 class SurfacePoint:
+    """A point of a surface, found by a query."""
     @property
-    def triangle(self) -> int: ...
+    def triangle(self) -> int:
+        """Row of the surface."""
     @property
-    def distance(self) -> float: ...
+    def distance(self) -> float:
+        """[m] from where the query began."""
     @property
-    def weights(self) -> NDArray[np.float64]: ...
+    def weights(self) -> NDArray[np.float64]:
+        """[-] Barycentric, from 0 to 1, sum 1. Shape (3,), a view."""
     @weights.setter
     def weights(self, value: ArrayLike) -> None: ...
     @property
-    def point(self) -> NDArray[np.float64]: ...
+    def point(self) -> NDArray[np.float64]:
+        """[m]; shape (3,), a view."""
     @point.setter
     def point(self, value: ArrayLike) -> None: ...
-    def __repr__(self) -> str: ...
+    def __copy__(self) -> SurfacePoint:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> SurfacePoint:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 def find_closest_on_triangle(
     p: ArrayLike, a: ArrayLike, b: ArrayLike, c: ArrayLike
-) -> SurfacePoint: ...
+) -> SurfacePoint:
+    """The closest point of one triangle; degenerate triangles are segments or points. Fills
+    weights, point and distance.
+
+    Args:
+        p: [m] shape (3,)
+        a: [m] shape (3,), a corner
+        b: [m] shape (3,), a corner
+        c: [m] shape (3,), a corner
+    """
+
 def find_closest_point(
     tree: AabbTree, x: ArrayLike, p: ArrayLike, max_distance: float = ...
-) -> SurfacePoint | None: ...
+) -> SurfacePoint | None:
+    """The closest surface point within max_distance [m], or None.
+
+    Args:
+        x: [m] shape (n, 3), positions
+        p: [m] shape (3,)
+        max_distance: [m]
+    """
+
 def find_segment_hit(
     tree: AabbTree, x: ArrayLike, from_: ArrayLike, to: ArrayLike
-) -> SurfacePoint | None: ...
+) -> SurfacePoint | None:
+    """The first triangle on the way from from_ to to, both sides counting; None if the way is
+    clear. No way slips between triangles that share an edge.
+
+    Args:
+        x: [m] shape (n, 3), positions
+        from_: [m] shape (3,)
+        to: [m] shape (3,)
+    """
+
 def find_ray_hit(
     tree: AabbTree, x: ArrayLike, origin: ArrayLike, direction: ArrayLike
-) -> SurfacePoint | None: ...
+) -> SurfacePoint | None:
+    """The first triangle along a ray, or None; direction of any length but zero, distances in
+    metres.
+
+    Args:
+        x: [m] shape (n, 3), positions
+        origin: [m] shape (3,)
+        direction: [-] shape (3,), of any length but zero
+    """
+
 def find_in_sphere(
     tree: AabbTree, x: ArrayLike, centre: ArrayLike, radius: float, out: NDArray[np.int32]
-) -> int: ...
+) -> int:
+    """Triangles with a point inside the ball or on it; ascending, written into out, an int32
+    array. Returns how many there are; only as many as out holds are written.
+
+    Args:
+        x: [m] shape (n, 3), positions
+        centre: [m] shape (3,), of the ball
+        radius: [m]
+        out: triangle indices, shape (k,), int32, C order, written to
+    """
+
 def find_near_segment(
     tree: AabbTree,
     x: ArrayLike,
@@ -751,79 +1754,152 @@ def find_near_segment(
     to: ArrayLike,
     radius: float,
     out: NDArray[np.int32],
-) -> int: ...
+) -> int:
+    """Triangles whose boxes, grown by radius [m], meet the segment: a superset of those that
+    touch the capsule; ascending, written into out, an int32 array. Returns how many there
+    are; only as many as out holds are written.
+
+    Args:
+        x: [m] shape (n, 3), positions
+        from_: [m] shape (3,)
+        to: [m] shape (3,)
+        radius: [m]
+        out: triangle indices, shape (k,), int32, C order, written to
+    """
 
 class Tool:
-    def __init__(self, *, radius: float = ..., stiffness: float = ...) -> None: ...
+    """The tip of the instrument: a sphere, never a point."""
+    def __init__(self, *, radius: float = ..., stiffness: float = ...) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     radius: float
+    """[m]"""
     stiffness: float
-    def __copy__(self) -> Tool: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Tool: ...
-    def __repr__(self) -> str: ...
+    """[N/m³] k_A: pressure per depth of the contact law."""
+    def __copy__(self) -> Tool:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Tool:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class ToolState:
-    def __init__(self, capacity: int = ...) -> None: ...
+    """Where the tool is (the paper's ideal tip, IUN) and what it is fastened to."""
+    def __init__(self, capacity: int = ...) -> None:
+        """Room for so many holds."""
     class Carrier:
+        """The surface nearest to the tool after the last substep; the tool rides on its motion."""
         @property
-        def triangle(self) -> int: ...
+        def triangle(self) -> int:
+            """-1 when nothing is touched."""
         @property
-        def weights(self) -> NDArray[np.float64]: ...
+        def weights(self) -> NDArray[np.float64]:
+            """[-] Barycentric, of the closest point. Shape (3,), a view."""
         @weights.setter
         def weights(self, value: ArrayLike) -> None: ...
         @property
-        def point(self) -> NDArray[np.float64]: ...
+        def point(self) -> NDArray[np.float64]:
+            """[m] where that was. Shape (3,), a view."""
         @point.setter
         def point(self, value: ArrayLike) -> None: ...
         @property
-        def direction(self) -> NDArray[np.float64]: ...
+        def direction(self) -> NDArray[np.float64]:
+            """[-] Unit, from there to the tool's centre. Shape (3,), a view."""
         @direction.setter
         def direction(self, value: ArrayLike) -> None: ...
+        def __copy__(self) -> ToolState.Carrier:
+            """A copy of its own."""
+        def __deepcopy__(self, memo: dict[int, object]) -> ToolState.Carrier:
+            """A copy of its own."""
+        def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+        def __setstate__(self, arg0: tuple) -> None: ...
+        def __repr__(self) -> str:
+            """The value on one line."""
 
     @property
-    def position(self) -> NDArray[np.float64]: ...
+    def position(self) -> NDArray[np.float64]:
+        """[m]; shape (3,), a view."""
     @position.setter
     def position(self, value: ArrayLike) -> None: ...
     placed: bool
+    """False until the first sample has put it somewhere."""
     @property
-    def holds(self) -> NDArray[Any]: ...
+    def holds(self) -> NDArray[Any]:
+        """All holds there is room for, a structured array of shape (capacity,) (triangle,
+        weights, stiffness, offset); a view, read-only: attach_tool writes it.
+        """
     @property
-    def hold_count(self) -> int: ...
+    def hold_count(self) -> int:
+        """0 when nothing is attached."""
     touching: bool
+    """Any contact in force in the last substep."""
     @property
-    def residual(self) -> NDArray[np.float64]: ...
+    def residual(self) -> NDArray[np.float64]:
+        """[N] left between hand and tissue after the last substep. Shape (3,), a view."""
     @residual.setter
     def residual(self, value: ArrayLike) -> None: ...
     @property
-    def carrier(self) -> ToolState.Carrier: ...
-    def __copy__(self) -> ToolState: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> ToolState: ...
+    def carrier(self) -> ToolState.Carrier:
+        """The surface nearest to the tool."""
+    def __copy__(self) -> ToolState:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> ToolState:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class Coupling:
-    def __init__(self, *, stiffness: float = ..., force_max: float = ...) -> None: ...
+    """The hand's spring: what pulls the tool to where the device is."""
+    def __init__(self, *, stiffness: float = ..., force_max: float = ...) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     stiffness: float
+    """[N/m] K of Eq 12."""
     force_max: float
-    def __copy__(self) -> Coupling: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Coupling: ...
-    def __repr__(self) -> str: ...
+    """[N]"""
+    def __copy__(self) -> Coupling:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Coupling:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
-kBarrierFloor: float
-kNoArm: float
-kFullFacing: float
+BARRIER_FLOOR: float
+NO_ARM: float
+FULL_FACING: float
 
 class Contact:
-    def __init__(self) -> None: ...
+    """How the tip touches one triangle."""
+    def __init__(self) -> None:
+        """Every field at its first value."""
     @property
-    def weights(self) -> NDArray[np.float64]: ...
+    def weights(self) -> NDArray[np.float64]:
+        """[-] Barycentric, of the closest point. Shape (3,), a view."""
     @weights.setter
     def weights(self, value: ArrayLike) -> None: ...
     @property
-    def direction(self) -> NDArray[np.float64]: ...
+    def direction(self) -> NDArray[np.float64]:
+        """[-] Unit, from the closest point to the tool's centre. Shape (3,), a view."""
     @direction.setter
     def direction(self, value: ArrayLike) -> None: ...
     distance: float
+    """[m] between the two."""
     force: float
+    """[N] along direction on the tool, against it on the tissue."""
     stiffness: float
-    def __repr__(self) -> str: ...
+    """[N/m] d force / d depth."""
+    def __copy__(self) -> Contact:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Contact:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 def find_contact(
     tool: Tool,
@@ -833,29 +1909,62 @@ def find_contact(
     b: ArrayLike,
     c: ArrayLike,
     contact: Contact,
-) -> bool: ...
-def compute_point(t: Sequence[int], weights: ArrayLike, x: ArrayLike) -> NDArray[np.float64]: ...
+) -> bool:
+    """Fills in the contact of a tip at centre with the triangle a, b, c of rest_area [m²];
+    False where there is none, or where the centre lies behind the triangle.
 
-kCandidateMargin: float
+    Args:
+        rest_area: [m²]
+        centre: [m] shape (3,)
+        a: [m] shape (3,), a corner
+        b: [m] shape (3,), a corner
+        c: [m] shape (3,), a corner
+    """
+
+def compute_point(t: Sequence[int], weights: ArrayLike, x: ArrayLike) -> NDArray[np.float64]:
+    """[m] The point of a triangle with these barycentric weights.
+
+    Args:
+        t: three vertex indices
+        weights: [-] shape (3,), barycentric
+        x: [m] shape (n, 3), positions
+    """
+
+CANDIDATE_MARGIN: float
 
 class Candidates:
-    def __init__(self, capacity: int = ...) -> None: ...
+    """Triangles the tool may touch during one tick, ascending, with the area of each [m²]."""
+    def __init__(self, capacity: int = ...) -> None:
+        """Room for so many triangles."""
     @property
-    def triangles(self) -> NDArray[np.int32]: ...
+    def triangles(self) -> NDArray[np.int32]:
+        """All there is room for, shape (capacity,); the first count of them hold; a view,
+        read-only.
+        """
     @property
-    def areas(self) -> NDArray[np.float64]: ...
+    def areas(self) -> NDArray[np.float64]:
+        """[m²] shape (capacity,), at rest, so that pressing does not change the law; a view."""
     @property
-    def count(self) -> int: ...
+    def count(self) -> int:
+        """How many of them there are."""
     @property
-    def from_(self) -> NDArray[np.float64]: ...
+    def from_(self) -> NDArray[np.float64]:
+        """[m] the way they were looked for along. Shape (3,), a view."""
     @from_.setter
     def from_(self, value: ArrayLike) -> None: ...
     @property
-    def to(self) -> NDArray[np.float64]: ...
+    def to(self) -> NDArray[np.float64]:
+        """[m]; shape (3,), a view."""
     @to.setter
     def to(self, value: ArrayLike) -> None: ...
-    def __copy__(self) -> Candidates: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Candidates: ...
+    def __copy__(self) -> Candidates:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Candidates:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 def find_candidates(
     tree: AabbTree,
@@ -865,7 +1974,17 @@ def find_candidates(
     hand_position: ArrayLike,
     rest_areas: ArrayLike,
     candidates: Candidates,
-) -> None: ...
+) -> None:
+    """Finds every triangle within radius + CANDIDATE_MARGIN of the way from the tool's last
+    position to where the hand is now. rest_areas [m²] per triangle of the tissue.
+
+    Args:
+        x: [m] shape (n, 3), positions
+        tool_position: [m] shape (3,)
+        hand_position: [m] shape (3,)
+        rest_areas: [m²] shape (t,), per triangle
+    """
+
 def balance_tool(
     tool: Tool,
     coupling: Coupling,
@@ -875,11 +1994,33 @@ def balance_tool(
     x: ArrayLike,
     state: ToolState,
     load: Load,
-) -> NDArray[np.float64]: ...
+) -> NDArray[np.float64]:
+    """Moves the massless tool to where the hand's spring and the tissue's pushes cancel, and
+    writes those pushes into load. Returns the force on the hand [N], K (tool - hand),
+    limited to force_max: Eq 12.
+
+    Args:
+        coupling: [N/m] that a tool may add at any one particle
+        hand_position: [m] shape (3,)
+        triangles: vertex indices, shape (t, 3), counter-clockwise from outside
+        x: [m] shape (n, 3), positions
+    """
+
 def attach_tool(
     contacts: Load, triangles: ArrayLike, x: ArrayLike, stiffness: float, state: ToolState
-) -> bool: ...
-def release_tool(state: ToolState) -> None: ...
+) -> bool:
+    """Fastens the tool to the patch it touches, shares weighted by contact force; stiffness
+    [N/m] in all. Does nothing, and returns False, when it touches nothing.
+
+    Args:
+        triangles: vertex indices, shape (t, 3), counter-clockwise from outside
+        x: [m] shape (n, 3), positions
+        stiffness: [N/m]
+    """
+
+def release_tool(state: ToolState) -> None:
+    """Lets go of what the tool is fastened to."""
+
 def bound_contact_stiffness(
     tool: Tool,
     candidates: Candidates,
@@ -888,9 +2029,19 @@ def bound_contact_stiffness(
     mass: ArrayLike,
     state: ToolState,
     scratch: NDArray[np.float64],
-) -> float: ...
+) -> float:
+    """Largest extra eigenvalue [1/s²] that contacts and holds may add to M⁻¹K: max over
+    particles of sum k_t w / m. scratch holds one number per particle.
+
+    Args:
+        triangles: vertex indices, shape (t, 3), counter-clockwise from outside
+        x: [m] shape (n, 3), positions
+        mass: [kg] shape (n,), per particle
+        scratch: [-] shape (n,), float64, C order: work space, written to
+    """
 
 class HapticSample:
+    """What a device says of the hand: six degrees of freedom in."""
     def __init__(
         self,
         *,
@@ -900,55 +2051,90 @@ class HapticSample:
         velocity: ArrayLike = ...,
         buttons: int = ...,
         grip: float = ...,
-    ) -> None: ...
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     time: float
+    """[s] since the run began."""
     @property
-    def position(self) -> NDArray[np.float64]: ...
+    def position(self) -> NDArray[np.float64]:
+        """[m]; shape (3,), a view."""
     @position.setter
     def position(self, value: ArrayLike) -> None: ...
     @property
-    def orientation(self) -> NDArray[np.float64]: ...
+    def orientation(self) -> NDArray[np.float64]:
+        """[-] Unit quaternion (x, y, z, w), shape (4,); a view."""
     @orientation.setter
     def orientation(self, value: ArrayLike) -> None: ...
     @property
-    def velocity(self) -> NDArray[np.float64]: ...
+    def velocity(self) -> NDArray[np.float64]:
+        """[m/s]; shape (3,), a view."""
     @velocity.setter
     def velocity(self, value: ArrayLike) -> None: ...
     buttons: int
+    """Bit 0: attach while held."""
     grip: float
+    """[rad]"""
     dtype: np.dtype[np.void]
-    def __copy__(self) -> HapticSample: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> HapticSample: ...
-    def __repr__(self) -> str: ...
+    def __copy__(self) -> HapticSample:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> HapticSample:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
-kAttachButton: int
+ATTACH_BUTTON: int
 
 class HapticCommand:
-    def __init__(self, force: ArrayLike = ...) -> None: ...
+    """What the device shall make the hand feel: three degrees of freedom out."""
+    def __init__(self, force: ArrayLike = ...) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     @property
-    def force(self) -> NDArray[np.float64]: ...
+    def force(self) -> NDArray[np.float64]:
+        """[N]; shape (3,), a view."""
     @force.setter
     def force(self, value: ArrayLike) -> None: ...
-    def __copy__(self) -> HapticCommand: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> HapticCommand: ...
-    def __repr__(self) -> str: ...
+    def __copy__(self) -> HapticCommand:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> HapticCommand:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class Felt:
-    def __init__(self) -> None: ...
+    """What was felt in one tick."""
+    def __init__(self) -> None:
+        """Every field at its first value."""
     @property
-    def force(self) -> NDArray[np.float32]: ...
+    def force(self) -> NDArray[np.float32]:
+        """[N] float32, shape (3,), from tick(), before the safety wrapper."""
     @force.setter
     def force(self, value: ArrayLike) -> None: ...
     @property
-    def position(self) -> NDArray[np.float32]: ...
+    def position(self) -> NDArray[np.float32]:
+        """[m] float32, shape (3,), the tool."""
     @position.setter
     def position(self, value: ArrayLike) -> None: ...
     touched: int
+    """Bit 0: touching, bit 1: attached."""
     lateness_us: int
+    """[us] saturates."""
     dtype: np.dtype[np.void]
-    def __repr__(self) -> str: ...
+    def __copy__(self) -> Felt:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Felt:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class HappeningKind(enum.IntEnum):
+    """What may happen at a tick."""
+
     missed_ticks = 1
     record_gap = 2
     alarm = 3
@@ -959,52 +2145,112 @@ class HappeningKind(enum.IntEnum):
     tree_exchanged = 8
 
 class Happening:
+    """Something that happened at a tick."""
     def __init__(
         self, *, tick: int = ..., kind: HappeningKind = ..., index: int = ..., value: float = ...
-    ) -> None: ...
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     tick: int
+    """Its number."""
     kind: HappeningKind
+    """What happened."""
     index: int
+    """HappeningKind says of what."""
     value: float
+    """[s] or [-]; HappeningKind says what."""
     dtype: np.dtype[np.void]
-    def __repr__(self) -> str: ...
+    def __copy__(self) -> Happening:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Happening:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class StateHash:
-    def __init__(self, *, tick: int = ..., hash: Sequence[int] = ...) -> None: ...
+    """The world's hash after a tick (compute_hash)."""
+    def __init__(self, *, tick: int = ..., hash: Sequence[int] = ...) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     tick: int
+    """Its number."""
     @property
-    def hash(self) -> list[int]: ...
+    def hash(self) -> list[int]:
+        """128 bits as two whole numbers."""
     @hash.setter
     def hash(self, value: Sequence[int]) -> None: ...
     dtype: np.dtype[np.void]
-    def __repr__(self) -> str: ...
+    def __copy__(self) -> StateHash:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> StateHash:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class TickLog:
-    def __init__(self, tick_capacity: int = ...) -> None: ...
+    """Where the haptic thread leaves what it did: rings with room for 4 s, one writer and one
+    reader, without lock or allocation. A full ring is a counted gap, never a blocked tick.
+    """
+    def __init__(self, tick_capacity: int = ...) -> None:
+        """Room for so many ticks."""
     class Tick:
+        """One tick as logged."""
         def __init__(
             self, *, tick: int = ..., sample: HapticSample = ..., felt: Felt = ...
-        ) -> None: ...
+        ) -> None:
+            """Arguments are the fields of these names, with their shapes and units."""
         tick: int
+        """Its number."""
         sample: HapticSample
+        """What the device said."""
         felt: Felt
+        """What was felt."""
+        def __copy__(self) -> TickLog.Tick:
+            """A copy of its own."""
+        def __deepcopy__(self, memo: dict[int, object]) -> TickLog.Tick:
+            """A copy of its own."""
+        def __getstate__(self, /) -> tuple[object, object, object]: ...
+        def __setstate__(self, arg0: tuple) -> None: ...
+        def __repr__(self) -> str:
+            """The value on one line."""
         dtype: np.dtype[np.void]
 
     @overload
-    def push(self, tick: TickLog.Tick) -> bool: ...
+    def push(self, tick: TickLog.Tick) -> bool:
+        """push(*args, **kwargs)
+
+        For the one writer; False, and counted, when there is no room.
+
+        Likewise.
+
+        Likewise.
+        """
     @overload
     def push(self, happening: Happening) -> bool: ...
     @overload
     def push(self, hash: StateHash) -> bool: ...
-    def take(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]: ...
-    def gap_count(self) -> int: ...
+    def take(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+        """For the one reader: ticks, happenings and hashes that have arrived since the last
+        call, as structured arrays of shape (k,).
+        """
+    def gap_count(self) -> int:
+        """How many ticks it had no room for."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
 class Kernel(enum.Enum):
+    """Which form of the tissue's laws a tick runs."""
+
     reference = 0
     packed = 1
     response = 2
 
 class Scene:
+    """A tissue, a tool, and how the hand is coupled to it: all that a tick needs and never
+    changes.
+    """
     def __init__(
         self,
         *,
@@ -1019,92 +2265,228 @@ class Scene:
         force_error: float = ...,
         kernel: Kernel = ...,
         simd_target: str = ...,
-    ) -> None: ...
+    ) -> None:
+        """Copies its parts. build_scene makes it ready for ticks.
+
+        Arguments are the fields of these names, with their shapes and units.
+        """
     tissue: TissueModel
+    """The tissue; assigned, and copied, once."""
     tool: Tool
+    """The tip of the instrument."""
     coupling: Coupling
+    """The hand's spring."""
     hold_stiffness: float
+    """[N/m] between tool and patch while attached."""
     @property
-    def gravity(self) -> NDArray[np.float64]: ...
+    def gravity(self) -> NDArray[np.float64]:
+        """[m/s²]; shape (3,), a view."""
     @gravity.setter
     def gravity(self, value: ArrayLike) -> None: ...
     rate: float
+    """[Hz]"""
     substeps: int
+    """Tissue steps per tick without contact; build_scene chooses when 0."""
     substeps_max: int
+    """Contact may raise them to this; build_scene chooses when 0."""
     force_error: float
+    """[N] by which the force may be wrong so that what is at rest may sleep, under the packed
+    kernel; 0: all of the tissue moves in every substep.
+    """
     kernel: Kernel
+    """Which form of the tissue's laws a tick runs; packed is reference where there is no vector
+    code for this machine.
+    """
     simd_target: str
+    """Of the packed kernel: one of simd_targets(), empty for the best."""
     @property
-    def rest_areas(self) -> NDArray[np.float64]: ...
+    def rest_areas(self) -> NDArray[np.float64]:
+        """[m²] per triangle, shape (t,), filled in by build_scene; a view, read-only."""
     @property
-    def spectrum_stiffness(self) -> float: ...
+    def spectrum_stiffness(self) -> float:
+        """[1/s²] largest eigenvalue of M⁻¹K at rest, filled in by build_scene."""
     @property
-    def spectrum_damping(self) -> float: ...
+    def spectrum_damping(self) -> float:
+        """[1/s] of M⁻¹C, filled in by build_scene."""
     @property
-    def response(self) -> Response: ...
-    def __copy__(self) -> Scene: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Scene: ...
+    def response(self) -> Response:
+        """Under the response kernel, filled in by build_scene; else None."""
+    def __copy__(self) -> Scene:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Scene:
+        """A copy of its own."""
+    def __getstate__(
+        self, /
+    ) -> tuple[
+        TissueModel,
+        Tool,
+        Coupling,
+        float,
+        NDArray[np.float64],
+        float,
+        int,
+        int,
+        float,
+        Kernel,
+        str,
+        bool,
+    ]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """What it is, on one line."""
 
-def build_scene(scene: Scene) -> Scene: ...
+def build_scene(scene: Scene) -> Scene:
+    """Checks a scene once and fills in what is derived from it. Raises ValueError naming the
+    field, what it got and what was expected.
+    """
 
 class World:
-    def __init__(self, scene: Scene) -> None: ...
+    """A running scene. Everything a tick needs is allocated here, once."""
+    def __init__(self, scene: Scene) -> None:
+        """The scene at rest."""
     @property
-    def tissue(self) -> State: ...
+    def tissue(self) -> State:
+        """The tissue after the last tick; read-only."""
     @property
-    def tree(self) -> AabbTree: ...
+    def tree(self) -> AabbTree:
+        """The boxes around its surface; read-only."""
     @property
-    def candidates(self) -> Candidates: ...
+    def candidates(self) -> Candidates:
+        """What the tool may touch in this tick; read-only."""
     @property
-    def tool(self) -> ToolState: ...
+    def tool(self) -> ToolState:
+        """Where the tool is; read-only."""
     @property
-    def load(self) -> Load: ...
+    def load(self) -> Load:
+        """What the tool does to the tissue; read-only."""
     @property
-    def guard(self) -> Guard: ...
+    def guard(self) -> Guard:
+        """The memory of the alarm; read-only."""
     @property
-    def alarm(self) -> Alarm: ...
+    def alarm(self) -> Alarm:
+        """The first alarm; from then on the force is zero and the tissue stands still."""
     @property
-    def tick_count(self) -> int: ...
+    def tick_count(self) -> int:
+        """How many ticks have been run."""
     @property
-    def substeps(self) -> int: ...
+    def substeps(self) -> int:
+        """Of the last tick."""
     @property
-    def attach_pressed(self) -> bool: ...
+    def attach_pressed(self) -> bool:
+        """Whether the attach button was, in the last tick."""
     @property
-    def release_ticks(self) -> int: ...
+    def release_ticks(self) -> int:
+        """Left until a hold that fades is gone; 0 when none does."""
     @property
-    def hand(self) -> NDArray[np.float64]: ...
+    def hand(self) -> NDArray[np.float64]:
+        """[m] where the tool is drawn to: the hand, unless that jumped. Shape (3,), a view."""
     @hand.setter
     def hand(self, value: ArrayLike) -> None: ...
     @property
-    def skin(self) -> NDArray[np.float64]: ...
+    def skin(self) -> NDArray[np.float64]:
+        """[m] the vertices of the skin, shape (n, 3), after every tick; empty where there is
+        none; a view.
+        """
     @property
-    def surface_mass(self) -> NDArray[np.float64]: ...
+    def surface_mass(self) -> NDArray[np.float64]:
+        """[kg] per vertex of the surface, shape (n,), see compute_surface_mass; a view."""
     @property
-    def deepest(self) -> NDArray[np.float64]: ...
+    def deepest(self) -> NDArray[np.float64]:
+        """[m] per vertex of the surface, shape (n,): how far a linear solid may go; else empty;
+        a view.
+        """
     @property
-    def scratch(self) -> NDArray[np.float64]: ...
-    def __copy__(self) -> World: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> World: ...
+    def scratch(self) -> NDArray[np.float64]:
+        """[-] Work space per vertex of the surface, shape (n,); a view."""
+    def __copy__(self) -> World:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> World:
+        """A copy of its own."""
+    def __repr__(self) -> str:
+        """What it is, on one line."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
-def surface_position(world: object) -> NDArray[np.float64]: ...
-def tick(scene: Scene, sample: HapticSample, dt: float, world: World) -> HapticCommand: ...
-def compute_felt(command: HapticCommand, world: World) -> Felt: ...
-def compute_hash(world: World) -> list[int]: ...
+def surface_position(world: object) -> NDArray[np.float64]:
+    """[m] The vertices of the surface, shape (n, 3): the skin's, or the particles where there
+    is none; a view, read-only.
+    """
+
+def tick(scene: Scene, sample: HapticSample, dt: float, world: World) -> HapticCommand:
+    """One haptic tick of dt [s]: from where the hand is to the force it must feel, the mean
+    over the substeps. The live loop, the replay of a record and the tests all call this
+    function.
+
+    Args:
+        dt: [s]
+    """
+
+def compute_felt(command: HapticCommand, world: World) -> Felt:
+    """What a record keeps of a tick, lateness left at 0."""
+
+def compute_hash(world: World) -> list[int]:
+    """128 bits over positions, velocities and the tool: equal worlds, equal hashes."""
+
 def place_tool(
     tree: AabbTree, x: ArrayLike, hand_position: ArrayLike, radius: float, tool: ToolState
-) -> bool: ...
-def compute_winding_number(triangles: ArrayLike, x: ArrayLike, p: ArrayLike) -> float: ...
+) -> bool:
+    """Puts a tool that is nowhere yet where the hand is, and returns whether it is in the
+    scene. A hand that begins inside the tissue has no tool until it has come out, and as far
+    as three quarters of the tool's radius [m].
+
+    Args:
+        x: [m] shape (n, 3), positions
+        hand_position: [m] shape (3,)
+        radius: [m]
+    """
+
+def compute_winding_number(triangles: ArrayLike, x: ArrayLike, p: ArrayLike) -> float:
+    """[-] How often the surface goes round p: 1 inside of a closed surface, 0 outside, and for
+    an open one the share of all directions from p that it covers.
+
+    Args:
+        triangles: vertex indices, shape (t, 3), counter-clockwise from outside
+        x: [m] shape (n, 3), positions
+        p: [m] shape (3,)
+    """
 
 class HapticDevice:
-    def read(self, time: float) -> HapticSample: ...
-    def write(self, command: HapticCommand) -> None: ...
-    def end(self) -> None: ...
-    def name(self) -> str: ...
-    def failed(self) -> bool: ...
-    def report_rate(self) -> float: ...
-    def wait_for_report(self, latest: int) -> bool: ...
+    """A haptic device, real or simulated. read and write belong to the haptic thread, which
+    Python never enters, so Python cannot make a device of its own: feed a PointerDevice.
+    """
+    def read(self, time: float) -> HapticSample:
+        """The hand at time [s] since the run began; devices with a clock of their own may
+        ignore it.
+
+        Args:
+            time: [s] since the run began
+        """
+    def write(self, command: HapticCommand) -> None:
+        """The force the device shall make the hand feel."""
+    def end(self) -> None:
+        """A run is over: motors off, until the next write. The live loop calls it at its end."""
+    def name(self) -> str:
+        """What it is called in reports."""
+    def failed(self) -> bool:
+        """True once the device is gone for good: what it says and is told no longer counts."""
+    def report_rate(self) -> float:
+        """[Hz] of the reports that can be waited for, 0 where the device has no clock of its
+        own. Where it is that of the ticks, the live loop ticks when a report has come.
+        """
+    def wait_for_report(self, latest: int) -> bool:
+        """Waits for a report that read has not seen, until latest [ns of the monotonic clock]
+        at most. False if none came.
+
+        Args:
+            latest: [ns] of the monotonic clock
+        """
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
 class SafetyLimits:
+    """What a device may be sent. The defaults suit a device that nothing can hurt; a real one
+    is given its own, as find_safety_limits does for the low-cost arm.
+    """
     def __init__(
         self,
         *,
@@ -1118,123 +2500,266 @@ class SafetyLimits:
         brake: float = ...,
         energy_max: float = ...,
         damping_max: float = ...,
-    ) -> None: ...
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     force_max: float
+    """[N] norm, at any moment."""
     force_continuous: float
+    """[N] root mean square that the motors stand for ever."""
     heat_time: float
+    """[s] in which they warm up."""
     slew_max: float
+    """[N/s]"""
     ramp_time: float
+    """[s] from the first command, or the first after a rest, to full force."""
     start_force_max: float
+    """[N] no force at all before one as small as this was asked for."""
     velocity_max: float
+    """[m/s] of the hand; beyond it forces only brake."""
     brake: float
+    """[N·s/m] on what is faster."""
     energy_max: float
+    """[J] the hand may be given more than it gave; then damping."""
     damping_max: float
-    def __copy__(self) -> SafetyLimits: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> SafetyLimits: ...
-    def __repr__(self) -> str: ...
+    """[N·s/m] that the passivity controller may add."""
+    def __copy__(self) -> SafetyLimits:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> SafetyLimits:
+        """A copy of its own."""
+    def __getstate__(
+        self, /
+    ) -> tuple[object, object, object, object, object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class DeviceFault(enum.Enum):
+    """Why a device is sent no force any more."""
+
     none = 0
     sample_not_finite = 1
     force_not_finite = 2
     device_failed = 3
 
 class SafeDevice(HapticDevice):
-    def __init__(self, device: HapticDevice, limits: SafetyLimits = ...) -> None: ...
-    def rest(self) -> None: ...
-    def fault(self) -> DeviceFault: ...
-    def sent(self) -> HapticCommand: ...
-    def limited_count(self) -> int: ...
-    def damped_count(self) -> int: ...
-    def given_energy(self) -> float: ...
-    def heat(self) -> float: ...
+    """Stands between the tick and any device. What passes is finite, gives the hand no energy
+    it did not put in, never pushes a hand that is too fast, is limited in norm, moment by
+    moment and on the whole, fades in at the start, and changes no faster than the slew
+    limit. The first fault latches.
+    """
+    def __init__(self, device: HapticDevice, limits: SafetyLimits = ...) -> None:
+        """Raises ValueError for limits that are not positive."""
+    def rest(self) -> None:
+        """A zero force at once, past the slew limit; the next command fades in as the first one
+        did.
+        """
+    def fault(self) -> DeviceFault:
+        """The first fault; none for none."""
+    def sent(self) -> HapticCommand:
+        """What was really sent last."""
+    def limited_count(self) -> int:
+        """How often a limit had to act."""
+    def damped_count(self) -> int:
+        """How often the passivity controller had to."""
+    def given_energy(self) -> float:
+        """[J] that the hand has been given since it last felt nothing, fading within a second."""
+    def heat(self) -> float:
+        """[-] Of what the motors stand for ever, 0 to 1."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
 class DeviceCheck:
+    """One thing a device owes, and whether it keeps it."""
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """What is owed, as a sentence."""
     @property
-    def passed(self) -> bool: ...
+    def passed(self) -> bool:
+        """Whether the device keeps it."""
     @property
-    def detail(self) -> str: ...
-    def __repr__(self) -> str: ...
+    def detail(self) -> str:
+        """What was found."""
+    def __copy__(self) -> DeviceCheck:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> DeviceCheck:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class ConformanceOptions:
+    """How a device is checked."""
     def __init__(
         self, *, duration: float = ..., rate: float = ..., force: float = ..., live: bool = ...
-    ) -> None: ...
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     duration: float
+    """[s] of each part; a real hand should move the device meanwhile."""
     rate: float
+    """[Hz]"""
     force: float
+    """[N] of the pushes."""
     live: bool
-    def __copy__(self) -> ConformanceOptions: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> ConformanceOptions: ...
-    def __repr__(self) -> str: ...
+    """Wait for the clock between ticks, as a device in real time needs."""
+    def __copy__(self) -> ConformanceOptions:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> ConformanceOptions:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
-def check_conformance(
-    device: HapticDevice, options: ConformanceOptions = ...
-) -> list[DeviceCheck]: ...
+def check_conformance(device: HapticDevice, options: ConformanceOptions = ...) -> list[DeviceCheck]:
+    """What any HapticDevice has to keep, ours or another maker's, before a person holds it. The
+    device is pushed gently. Raises ValueError; Ctrl-C ends it.
+    """
 
 class DeviceTask:
+    """What the hand shall feel where there is no tissue: a force, and a spring to a place."""
     def __init__(
         self, *, force: ArrayLike = ..., stiffness: float = ..., rest: ArrayLike = ...
-    ) -> None: ...
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     @property
-    def force(self) -> NDArray[np.float64]: ...
+    def force(self) -> NDArray[np.float64]:
+        """[N]; shape (3,), a view."""
     @force.setter
     def force(self, value: ArrayLike) -> None: ...
     stiffness: float
+    """[N/m] 0 for no spring."""
     @property
-    def rest(self) -> NDArray[np.float64]: ...
+    def rest(self) -> NDArray[np.float64]:
+        """[m] where the spring draws to. Shape (3,), a view."""
     @rest.setter
     def rest(self, value: ArrayLike) -> None: ...
-    def __copy__(self) -> DeviceTask: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> DeviceTask: ...
-    def __repr__(self) -> str: ...
+    def __copy__(self) -> DeviceTask:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> DeviceTask:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class DeviceLoop:
-    def __init__(self, device: HapticDevice, limits: SafetyLimits = ...) -> None: ...
-    def start(self) -> None: ...
-    def stop(self) -> None: ...
-    def running(self) -> bool: ...
-    def run(self, seconds: float) -> None: ...
-    def set_task(self, task: DeviceTask) -> None: ...
-    def fall_silent(self, seconds: float) -> None: ...
-    def time(self) -> float: ...
-    def missed_ticks(self) -> int: ...
-    def fault(self) -> DeviceFault: ...
+    """Keeps a device company at 1 kHz without a tissue: F = force + stiffness (rest - x),
+    through a SafeDevice. Either in a thread of its own, by the clock; or, for a simulated
+    device, as fast as the machine can.
+    """
+    def __init__(self, device: HapticDevice, limits: SafetyLimits = ...) -> None:
+        """Raises ValueError as SafeDevice does."""
+    def start(self) -> None:
+        """Raises RuntimeError while it runs; may be started again once stopped."""
+    def stop(self) -> None:
+        """Asks and waits; the device gets a zero force last."""
+    def running(self) -> bool:
+        """Whether its own thread runs."""
+    def run(self, seconds: float) -> None:
+        """Ticks for so many [s] in this thread, without waiting; Ctrl-C ends it. Raises
+        RuntimeError while the loop's own thread runs, ValueError for no time or more than a
+        day.
+
+        Args:
+            seconds: [s]
+        """
+    def set_task(self, task: DeviceTask) -> None:
+        """One calling thread: felt from the next tick on. Raises ValueError."""
+    def fall_silent(self, seconds: float) -> None:
+        """From any thread: the device hears nothing for so many [s], as if the host had died.
+
+        Args:
+            seconds: [s]
+        """
+    def time(self) -> float:
+        """[s] that the loop has run."""
+    def missed_ticks(self) -> int:
+        """Skipped so far."""
+    def fault(self) -> DeviceFault:
+        """The first fault; none for none."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
 class KeyFrame:
-    def __init__(
-        self, time: float = ..., position: ArrayLike = ..., buttons: int = ...
-    ) -> None: ...
+    """One moment of a script; between key frames the hand moves smoothly (minimum jerk),
+    buttons hold from their frame on.
+    """
+    def __init__(self, time: float = ..., position: ArrayLike = ..., buttons: int = ...) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     time: float
+    """[s], ascending."""
     @property
-    def position(self) -> NDArray[np.float64]: ...
+    def position(self) -> NDArray[np.float64]:
+        """[m]; shape (3,), a view."""
     @position.setter
     def position(self, value: ArrayLike) -> None: ...
     buttons: int
-    def __copy__(self) -> KeyFrame: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> KeyFrame: ...
-    def __repr__(self) -> str: ...
+    """Bit 0: attach while held."""
+    def __copy__(self) -> KeyFrame:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> KeyFrame:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class ScriptedDevice(HapticDevice):
-    def __init__(self, frames: Sequence[KeyFrame]) -> None: ...
-    def duration(self) -> float: ...
+    """A hand that follows a script, the same in every run."""
+    def __init__(self, frames: Sequence[KeyFrame]) -> None:
+        """Raises ValueError for no frames, times that do not ascend, or non-finite numbers.
+
+        Args:
+            frames: the moments of the script, in order
+        """
+    def duration(self) -> float:
+        """[s]"""
     @property
-    def last_command(self) -> HapticCommand: ...
+    def last_command(self) -> HapticCommand:
+        """The force it was last sent."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
 class PointerDevice(HapticDevice):
-    def __init__(self) -> None: ...
-    def set(self, sample: HapticSample) -> None: ...
-    def take_command(self) -> HapticCommand: ...
+    """A hand that a window moves: set() from one thread, read() from the haptic thread. Between
+    two positions the hand glides, never faster than 1 m/s; the first is taken at once.
+    """
+    def __init__(self) -> None:
+        """A hand that is nowhere yet."""
+    def set(self, sample: HapticSample) -> None:
+        """One calling thread; time and velocity are filled in by read()."""
+    def take_command(self) -> HapticCommand:
+        """The newest force, for the same thread as set()."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
 class ReplayDevice(HapticDevice):
-    def __init__(self, samples: object) -> None: ...
-    def finished(self) -> bool: ...
+    """A hand read back from a record, one sample per call, whatever the time; the last one
+    stays.
+    """
+    def __init__(self, samples: object) -> None:
+        """Takes a structured array as of Record.hand or a list of HapticSample. Raises
+        ValueError for no samples.
+
+        Args:
+            samples: a structured array with the fields of HapticSample, shape (k,), or a
+                list of these
+        """
+    def finished(self) -> bool:
+        """Whether every sample has been read."""
     @property
-    def last_command(self) -> HapticCommand: ...
+    def last_command(self) -> HapticCommand:
+        """The force it was last sent."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
 class Arm:
+    """The arm of the low-cost device: two links in a plane that yaws about the upright axis,
+    all three motors on the ground. Joints [rad]: yaw, positive to the right; elevation of
+    the upper link; the forearm's own angle from straight down. Frame: x to the right, y away
+    from the user, z up.
+    """
     def __init__(
         self,
         *,
@@ -1245,61 +2770,168 @@ class Arm:
         joint_min: ArrayLike = ...,
         joint_max: ArrayLike = ...,
         bend_max: float = ...,
-    ) -> None: ...
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     upper_length: float
+    """[m]"""
     forearm_length: float
+    """[m]"""
     upper_weight: float
+    """[N·m] that carries the arm when the upper link is level."""
     forearm_weight: float
+    """[N·m] that carries it when the forearm is level."""
     @property
-    def joint_min(self) -> NDArray[np.float64]: ...
+    def joint_min(self) -> NDArray[np.float64]:
+        """[rad]; shape (3,), a view."""
     @joint_min.setter
     def joint_min(self, value: ArrayLike) -> None: ...
     @property
-    def joint_max(self) -> NDArray[np.float64]: ...
+    def joint_max(self) -> NDArray[np.float64]:
+        """[rad]; shape (3,), a view."""
     @joint_max.setter
     def joint_max(self, value: ArrayLike) -> None: ...
     bend_max: float
-    def __copy__(self) -> Arm: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Arm: ...
-    def __repr__(self) -> str: ...
+    """[rad] between upper link and forearm, 0 at a right angle."""
+    def __copy__(self) -> Arm:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Arm:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class Workspace:
-    def __init__(self, center: ArrayLike = ..., size: ArrayLike = ...) -> None: ...
+    """A box that lies within the workspace."""
+    def __init__(self, center: ArrayLike = ..., size: ArrayLike = ...) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     @property
-    def center(self) -> NDArray[np.float64]: ...
+    def center(self) -> NDArray[np.float64]:
+        """[m] in the arm's frame. Shape (3,), a view."""
     @center.setter
     def center(self, value: ArrayLike) -> None: ...
     @property
-    def size(self) -> NDArray[np.float64]: ...
+    def size(self) -> NDArray[np.float64]:
+        """[m]; shape (3,), a view."""
     @size.setter
     def size(self, value: ArrayLike) -> None: ...
-    def __copy__(self) -> Workspace: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Workspace: ...
-    def __repr__(self) -> str: ...
+    def __copy__(self) -> Workspace:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Workspace:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
-def compute_tip(arm: Arm, joints: ArrayLike) -> NDArray[np.float64]: ...
-def compute_stylus(joints: ArrayLike, gimbal: ArrayLike) -> NDArray[np.float64]: ...
-def compute_jacobian(arm: Arm, joints: ArrayLike) -> NDArray[np.float64]: ...
-def find_joints(arm: Arm, tip: ArrayLike) -> NDArray[np.float64] | None: ...
-def is_within(arm: Arm, joints: ArrayLike) -> bool: ...
-def compute_edge_fade(arm: Arm, joints: ArrayLike) -> float: ...
-def compute_weight_torque(arm: Arm, joints: ArrayLike) -> NDArray[np.float64]: ...
+def compute_tip(arm: Arm, joints: ArrayLike) -> NDArray[np.float64]:
+    """Where the tip is [m], shape (3,).
+
+    Args:
+        joints: [rad] shape (3,): yaw, elevation, forearm
+    """
+
+def compute_stylus(joints: ArrayLike, gimbal: ArrayLike) -> NDArray[np.float64]:
+    """[-] How the stylus is held, a quaternion (x, y, z, w), shape (4,): three gimbal angles
+    [rad] (yaw, pitch, roll) after yaw and forearm.
+
+    Args:
+        joints: [rad] shape (3,): yaw, elevation, forearm
+        gimbal: [rad] shape (3,)
+    """
+
+def compute_jacobian(arm: Arm, joints: ArrayLike) -> NDArray[np.float64]:
+    """How the tip moves with the joints [m/rad], shape (3, 3), one column per joint.
+
+    Args:
+        joints: [rad] shape (3,): yaw, elevation, forearm
+    """
+
+def find_joints(arm: Arm, tip: ArrayLike) -> NDArray[np.float64] | None:
+    """The joints [rad], shape (3,), that bring the tip to a place [m]; None where it is out of
+    reach or on the yaw axis. They may lie beyond the joints' limits: is_within tells.
+
+    Args:
+        tip: [m] shape (3,)
+    """
+
+def is_within(arm: Arm, joints: ArrayLike) -> bool:
+    """Whether every joint is within its limits, and the links are bent enough to push every
+    way.
+
+    Args:
+        joints: [rad] shape (3,): yaw, elevation, forearm
+    """
+
+def compute_edge_fade(arm: Arm, joints: ArrayLike) -> float:
+    """[-] 1 in the workspace, fading to 0 over the last 3 degrees before its edge, 0 beyond.
+
+    Args:
+        joints: [rad] shape (3,): yaw, elevation, forearm
+    """
+
+def compute_weight_torque(arm: Arm, joints: ArrayLike) -> NDArray[np.float64]:
+    """The torques [N·m], shape (3,), that hold the arm up against its weight.
+
+    Args:
+        joints: [rad] shape (3,): yaw, elevation, forearm
+    """
+
 def compute_torque(
     arm: Arm, joints: ArrayLike, force: ArrayLike, torque_max: ArrayLike
-) -> NDArray[np.float64]: ...
-def compute_tip_force(arm: Arm, joints: ArrayLike, torque: ArrayLike) -> NDArray[np.float64]: ...
+) -> NDArray[np.float64]:
+    """The torques [N·m], shape (3,), that let the hand feel a force [N] while the arm's weight
+    is carried, none beyond torque_max. Too large a force loses length, never direction.
+
+    Args:
+        joints: [rad] shape (3,): yaw, elevation, forearm
+        force: [N] shape (3,)
+        torque_max: [N·m] shape (3,), of each motor
+    """
+
+def compute_tip_force(arm: Arm, joints: ArrayLike, torque: ArrayLike) -> NDArray[np.float64]:
+    """The inverse: what the hand feels of torques [N·m] when the arm rests. Needs a bent arm.
+
+    Args:
+        joints: [rad] shape (3,): yaw, elevation, forearm
+        torque: [N·m] shape (3,)
+    """
 
 class VelocityWindow:
-    def __init__(self, step: float, longest: int = ...) -> None: ...
-    def add(self, time: float, value: float) -> float: ...
-    def speed(self) -> float: ...
-    def length(self) -> int: ...
-    def clear(self) -> None: ...
-    kLongest: int
-    def __copy__(self) -> VelocityWindow: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> VelocityWindow: ...
+    """The speed of something that is known in steps, from a window that adapts itself: as many
+    of the last readings as one straight line passes within a step of.
+    """
+    def __init__(self, step: float, longest: int = ...) -> None:
+        """step is how far apart two neighbouring readings are, in their unit; longest from 2
+        readings to LONGEST. Raises ValueError.
+
+        Args:
+            step: between two neighbouring readings, [-] in their unit
+        """
+    def add(self, time: float, value: float) -> float:
+        """Takes a reading at time [s] and returns its speed, per second; 0 for the first. The
+        same time again is ignored, an earlier one begins anew.
+
+        Args:
+            time: [s] since the run began
+            value: the reading, [-] in its own unit
+        """
+    def speed(self) -> float:
+        """[1/s] times the unit of the readings: the speed last found."""
+    def length(self) -> int:
+        """How many readings the last speed came from."""
+    def clear(self) -> None:
+        """Forgets all readings."""
+    LONGEST: int
+    def __copy__(self) -> VelocityWindow:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> VelocityWindow:
+        """A copy of its own."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
 class ArmMasses:
+    """The masses of the arm's parts."""
     def __init__(
         self,
         *,
@@ -1308,17 +2940,29 @@ class ArmMasses:
         gimbal: float = ...,
         motor: float = ...,
         balance: float = ...,
-    ) -> None: ...
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     upper: float
+    """[kg] a rod, heavy in its middle."""
     forearm: float
+    """[kg] likewise."""
     gimbal: float
+    """[kg] at the tip."""
     motor: float
+    """[kg·m²] of each motor, seen from its joint."""
     balance: float
-    def __copy__(self) -> ArmMasses: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> ArmMasses: ...
-    def __repr__(self) -> str: ...
+    """[-] 0 to 1: how much of the weight springs or counterweights carry."""
+    def __copy__(self) -> ArmMasses:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> ArmMasses:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class Motor:
+    """One brushed motor under a voltage, behind a capstan."""
     def __init__(
         self,
         *,
@@ -1327,183 +2971,378 @@ class Motor:
         torque_constant: float = ...,
         gear: float = ...,
         efficiency: float = ...,
-    ) -> None: ...
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     supply: float
+    """[V]"""
     resistance: float
+    """[Ohm]"""
     torque_constant: float
+    """[N·m/A], and [V·s/rad]."""
     gear: float
+    """[-] Motor turns per joint turn."""
     efficiency: float
-    def __copy__(self) -> Motor: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Motor: ...
-    def __repr__(self) -> str: ...
+    """[-] 0 to 1."""
+    def __copy__(self) -> Motor:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Motor:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class Hand:
-    def __init__(
-        self, *, mass: float = ..., stiffness: float = ..., damping: float = ...
-    ) -> None: ...
+    """The hand that holds the stylus: a mass, drawn by spring and damper to where it wants to
+    be.
+    """
+    def __init__(self, *, mass: float = ..., stiffness: float = ..., damping: float = ...) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     mass: float
+    """[kg]"""
     stiffness: float
+    """[N/m]"""
     damping: float
-    def __copy__(self) -> Hand: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Hand: ...
-    def __repr__(self) -> str: ...
+    """[N·s/m]"""
+    def __copy__(self) -> Hand:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Hand:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class Plant:
-    def __init__(self) -> None: ...
+    """What a real arm does to what it is told, and to what it says: everything of the device
+    that is not firmware, in numbers. Nothing in it is left to chance: noise comes from the
+    seed.
+    """
+    def __init__(self) -> None:
+        """Every field at its first value."""
     upper_length: float
+    """[m]"""
     forearm_length: float
+    """[m]"""
     masses: ArmMasses
+    """The masses of its parts."""
     @property
-    def joint_min(self) -> NDArray[np.float64]: ...
+    def joint_min(self) -> NDArray[np.float64]:
+        """[rad] where the joints have their stops. Shape (3,), a view."""
     @joint_min.setter
     def joint_min(self, value: ArrayLike) -> None: ...
     @property
-    def joint_max(self) -> NDArray[np.float64]: ...
+    def joint_max(self) -> NDArray[np.float64]:
+        """[rad]; shape (3,), a view."""
     @joint_max.setter
     def joint_max(self, value: ArrayLike) -> None: ...
     motor: Motor
+    """Each of its three motors."""
     @property
-    def dry_friction(self) -> NDArray[np.float64]: ...
+    def dry_friction(self) -> NDArray[np.float64]:
+        """[N·m] per joint. Shape (3,), a view."""
     @dry_friction.setter
     def dry_friction(self, value: ArrayLike) -> None: ...
     @property
-    def viscous_friction(self) -> NDArray[np.float64]: ...
+    def viscous_friction(self) -> NDArray[np.float64]:
+        """[N·m·s/rad] per joint. Shape (3,), a view."""
     @viscous_friction.setter
     def viscous_friction(self, value: ArrayLike) -> None: ...
     hand: Hand
+    """The hand that holds the stylus."""
     count: float
+    """[rad] of the arm joints' sensors."""
     gimbal_count: float
+    """[rad] of the gimbal's."""
     noise: float
+    """[counts] standard deviation."""
     seed: int
+    """Of the noise."""
     step: float
-    def __copy__(self) -> Plant: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Plant: ...
-    def __repr__(self) -> str: ...
+    """[s] the longest step of its motion."""
+    def __copy__(self) -> Plant:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Plant:
+        """A copy of its own."""
+    def __getstate__(
+        self, /
+    ) -> tuple[
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+    ]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class Drive:
-    def __init__(self, duty: ArrayLike = ..., enabled: bool = ...) -> None: ...
+    """What the drivers are told."""
+    def __init__(self, duty: ArrayLike = ..., enabled: bool = ...) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     @property
-    def duty(self) -> NDArray[np.float64]: ...
+    def duty(self) -> NDArray[np.float64]:
+        """[-] -255 to 255. Shape (3,), a view."""
     @duty.setter
     def duty(self, value: ArrayLike) -> None: ...
     enabled: bool
-    def __copy__(self) -> Drive: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Drive: ...
-    def __repr__(self) -> str: ...
+    """Off, the motors are not connected."""
+    def __copy__(self) -> Drive:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Drive:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class HandTarget:
+    """Where the hand wants to be."""
     def __init__(
         self, position: ArrayLike = ..., velocity: ArrayLike = ..., holding: bool = ...
-    ) -> None: ...
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     @property
-    def position(self) -> NDArray[np.float64]: ...
+    def position(self) -> NDArray[np.float64]:
+        """[m] in the arm's frame. Shape (3,), a view."""
     @position.setter
     def position(self, value: ArrayLike) -> None: ...
     @property
-    def velocity(self) -> NDArray[np.float64]: ...
+    def velocity(self) -> NDArray[np.float64]:
+        """[m/s]; shape (3,), a view."""
     @velocity.setter
     def velocity(self, value: ArrayLike) -> None: ...
     holding: bool
-    def __copy__(self) -> HandTarget: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> HandTarget: ...
-    def __repr__(self) -> str: ...
+    """No hand holds the stylus otherwise."""
+    def __copy__(self) -> HandTarget:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> HandTarget:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class PlantState:
-    def __init__(self, plant: Plant) -> None: ...
+    """At rest in the middle of its workspace, at first."""
+    def __init__(self, plant: Plant) -> None:
+        """The arm of this plant, at rest."""
     time: float
+    """[s]"""
     @property
-    def joints(self) -> NDArray[np.float64]: ...
+    def joints(self) -> NDArray[np.float64]:
+        """[rad]; shape (3,), a view."""
     @joints.setter
     def joints(self, value: ArrayLike) -> None: ...
     @property
-    def rates(self) -> NDArray[np.float64]: ...
+    def rates(self) -> NDArray[np.float64]:
+        """[rad/s]; shape (3,), a view."""
     @rates.setter
     def rates(self, value: ArrayLike) -> None: ...
     @property
-    def gimbal(self) -> NDArray[np.float64]: ...
+    def gimbal(self) -> NDArray[np.float64]:
+        """[rad]; shape (3,), a view."""
     @gimbal.setter
     def gimbal(self, value: ArrayLike) -> None: ...
     @property
-    def hand_force(self) -> NDArray[np.float64]: ...
+    def hand_force(self) -> NDArray[np.float64]:
+        """[N] of the hand on the stylus. Shape (3,), a view."""
     @hand_force.setter
     def hand_force(self, value: ArrayLike) -> None: ...
     random: int
-    def __copy__(self) -> PlantState: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> PlantState: ...
-    def __repr__(self) -> str: ...
+    """State of the noise."""
+    def __copy__(self) -> PlantState:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> PlantState:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
-kSensorMiddle: int
-kSensorEnd: int
+SENSOR_MIDDLE: int
+SENSOR_END: int
 
 @overload
-def find_arm(plant: Plant) -> Arm: ...
+def find_arm(plant: Plant) -> Arm:
+    """find_arm(*args, **kwargs)
+
+    What kinematics and weights of this plant are, as a calibration would find them.
+
+    The kinematics and the joints' limits of a calibrated device.
+    """
+
 @overload
 def find_arm(calibration: Calibration) -> Arm: ...
-def compute_mass(plant: Plant, joints: ArrayLike, holding: bool) -> NDArray[np.float64]: ...
-def compute_motor_torque(plant: Plant, drive: Drive, rates: ArrayLike) -> NDArray[np.float64]: ...
-def compute_stall_torque(motor: Motor) -> float: ...
-def compute_motor_damping(motor: Motor) -> float: ...
-def move_plant(
-    plant: Plant, drive: Drive, hand: HandTarget, dt: float, state: PlantState
-) -> None: ...
-def read_sensors(plant: Plant, state: PlantState) -> list[int]: ...
-def find_tip(plant: Plant, state: PlantState) -> NDArray[np.float64]: ...
+def compute_mass(plant: Plant, joints: ArrayLike, holding: bool) -> NDArray[np.float64]:
+    """[kg·m²] of the arm, and of the hand where one is holding it.
+
+    Args:
+        joints: [rad] shape (3,): yaw, elevation, forearm
+    """
+
+def compute_motor_torque(plant: Plant, drive: Drive, rates: ArrayLike) -> NDArray[np.float64]:
+    """[N·m] at the joints, of motors that turn at rates [rad/s].
+
+    Args:
+        rates: [rad/s] shape (3,)
+    """
+
+def compute_stall_torque(motor: Motor) -> float:
+    """[N·m] at the joint of a motor held still at full duty."""
+
+def compute_motor_damping(motor: Motor) -> float:
+    """[N·m·s/rad] that a motor under voltage brakes its joint with."""
+
+def move_plant(plant: Plant, drive: Drive, hand: HandTarget, dt: float, state: PlantState) -> None:
+    """Moves the arm on by dt [s] in steps no longer than its own.
+
+    Args:
+        dt: [s]
+    """
+
+def read_sensors(plant: Plant, state: PlantState) -> list[int]:
+    """What the sensors of three joints and the gimbal say: 0 to 1023. Noise moves the seed on."""
+
+def find_tip(plant: Plant, state: PlantState) -> NDArray[np.float64]:
+    """[m] where the stylus' tip really is."""
 
 class JointSensor:
+    """What one sensor's counts mean."""
     def __init__(
         self, *, zero: int = ..., scale: float = ..., min: int = ..., max: int = ...
-    ) -> None: ...
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     zero: int
+    """[counts] at angle zero."""
     scale: float
+    """[rad/count], its sign is the direction."""
     min: int
+    """[counts] end of the joint's range."""
     max: int
-    def __copy__(self) -> JointSensor: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> JointSensor: ...
-    def __repr__(self) -> str: ...
+    """[counts] end of the joint's range."""
+    def __copy__(self) -> JointSensor:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> JointSensor:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class Calibration:
-    def __init__(self) -> None: ...
+    """What a device keeps of itself in its EEPROM, in SI units."""
+    def __init__(self) -> None:
+        """Every field at its first value."""
     @property
-    def joints(self) -> list[JointSensor]: ...
+    def joints(self) -> list[JointSensor]:
+        """Three of the arm, three of the gimbal; assign the whole list."""
     @joints.setter
     def joints(self, value: Sequence[JointSensor]) -> None: ...
     upper_length: float
+    """[m]"""
     forearm_length: float
+    """[m]"""
     @property
-    def torque_full(self) -> NDArray[np.float64]: ...
+    def torque_full(self) -> NDArray[np.float64]:
+        """[N·m] at the joint, of full duty; signed. Shape (3,), a view."""
     @torque_full.setter
     def torque_full(self, value: ArrayLike) -> None: ...
     upper_weight: float
+    """[N·m] that carries the level upper link."""
     forearm_weight: float
+    """[N·m] that carries the level forearm."""
     @property
-    def deadband(self) -> list[int]: ...
+    def deadband(self) -> list[int]:
+        """[duty] at which the motor begins to push."""
     @deadband.setter
     def deadband(self, value: Sequence[int]) -> None: ...
     @property
-    def continuous_duty(self) -> list[int]: ...
+    def continuous_duty(self) -> list[int]:
+        """[duty] that may be held for ever."""
     @continuous_duty.setter
     def continuous_duty(self, value: Sequence[int]) -> None: ...
     heat_time: float
+    """[s] in which the motors warm up."""
     speed_max: int
+    """[counts/ms] of an arm joint; more is a fault."""
     serial_number: int
-    def __copy__(self) -> Calibration: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Calibration: ...
-    def __repr__(self) -> str: ...
+    """Of the device."""
+    def __copy__(self) -> Calibration:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Calibration:
+        """A copy of its own."""
+    def __getstate__(
+        self, /
+    ) -> tuple[
+        object, object, object, object, object, object, object, object, object, object, object
+    ]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
-def find_calibration(plant: Plant) -> Calibration: ...
-def compute_angles(calibration: Calibration, counts: Sequence[int]) -> list[float]: ...
-def find_safety_limits(calibration: Calibration) -> SafetyLimits: ...
+def find_calibration(plant: Plant) -> Calibration:
+    """The calibration a plant would get if nothing were measured wrong."""
+
+def compute_angles(calibration: Calibration, counts: Sequence[int]) -> list[float]:
+    """[rad] of six sensors.
+
+    Args:
+        counts: [counts] six, 0 to 1023
+    """
+
+def find_safety_limits(calibration: Calibration) -> SafetyLimits:
+    """What forces a device can bear: in every direction and place of its workspace, at any
+    moment and for ever.
+    """
 
 class Transport:
-    def read(self, time: float) -> bytes: ...
-    def write(self, time: float, bytes: bytes) -> None: ...
-    def is_open(self) -> bool: ...
-    def can_wait(self) -> bool: ...
-    def wait(self, latest: int) -> bool: ...
-    def now(self, time: float) -> float: ...
-    def name(self) -> str: ...
+    """Bytes to a device and back, real or simulated."""
+    def read(self, time: float) -> bytes:
+        """What has come by time [s] since the run began.
+
+        Args:
+            time: [s] since the run began
+        """
+    def write(self, time: float, bytes: bytes) -> None:
+        """Sends bytes at time [s].
+
+        Args:
+            time: [s] since the run began
+        """
+    def is_open(self) -> bool:
+        """False for good once the other end is gone."""
+    def can_wait(self) -> bool:
+        """True if wait can: something of the machine's own tells that bytes have come."""
+    def wait(self, latest: int) -> bool:
+        """Until bytes have come, or latest [ns of the monotonic clock]. False if none have.
+
+        Args:
+            latest: [ns] of the monotonic clock
+        """
+    def now(self, time: float) -> float:
+        """[s] of the clock that arrivals are told by.
+
+        Args:
+            time: [s] since the run began
+        """
+    def name(self) -> str:
+        """What it is called in messages."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
 class NativeCoreOptions:
+    """How the simulated wire and the clocks at its ends are."""
     def __init__(
         self,
         *,
@@ -1512,54 +3351,122 @@ class NativeCoreOptions:
         report_delay: float = ...,
         drift: float = ...,
         calibrated: bool = ...,
-    ) -> None: ...
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     baud: float
+    """[bit/s]"""
     link_delay: float
+    """[s] of what joins wire and host, each way."""
     report_delay: float
+    """[s] from a tick's samples to the first byte of its report."""
     drift: float
+    """[-] By how much the device's clock is fast."""
     calibrated: bool
-    def __copy__(self) -> NativeCoreOptions: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> NativeCoreOptions: ...
-    def __repr__(self) -> str: ...
+    """Its EEPROM holds what find_calibration says of the plant."""
+    def __copy__(self) -> NativeCoreOptions:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> NativeCoreOptions:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class NativeCore(Transport):
-    def __init__(self, plant: Plant = ..., options: NativeCoreOptions = ...) -> None: ...
-    def advance(self, time: float) -> None: ...
-    def hold(self, hand: HandTarget) -> None: ...
-    def press_buttons(self, buttons: int) -> None: ...
-    def press_stop(self, pressed: bool) -> None: ...
-    def cut_sensor(self, joint: int, cut: bool) -> None: ...
-    def pull_cable(self) -> None: ...
-    def reset(self) -> None: ...
-    def plant(self) -> Plant: ...
-    def state(self) -> PlantState: ...
-    def drive(self) -> Drive: ...
-    def motor_force(self) -> NDArray[np.float64]: ...
+    """The firmware's own C code, compiled for this machine, on a simulated arm at the far end
+    of a simulated wire. The same in every run; no clock but the time it is given.
+    """
+    def __init__(self, plant: Plant = ..., options: NativeCoreOptions = ...) -> None:
+        """Raises ValueError.
+
+        Arguments are the fields of these names, with their shapes and units.
+        """
+    def advance(self, time: float) -> None:
+        """Lives on up to time [s] although nobody reads; what it says is then lost. Ctrl-C ends
+        it. Raises ValueError for more than a day in one call.
+
+        Args:
+            time: [s] since the run began
+        """
+    def time(self) -> float:
+        """[s] of the run, up to which it has lived."""
+    def hold(self, hand: HandTarget) -> None:
+        """Whether and where to a hand moves the stylus."""
+    def press_buttons(self, buttons: int) -> None:
+        """The stylus' buttons: bit 0 attaches."""
+    def press_stop(self, pressed: bool) -> None:
+        """The emergency stop."""
+    def cut_sensor(self, joint: int, cut: bool) -> None:
+        """Its wire is off: the reading is at the rail."""
+    def pull_cable(self) -> None:
+        """From then on nothing goes either way."""
+    def reset(self) -> None:
+        """As if its power had failed for a moment."""
+    def plant(self) -> Plant:
+        """The arm that is simulated."""
+    def state(self) -> PlantState:
+        """The arm as it really is."""
+    def drive(self) -> Drive:
+        """What the motors get."""
+    def motor_force(self) -> NDArray[np.float64]:
+        """[N] shape (3,), of the motors at the tip, without the arm's own weight."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
 class SerialPort:
+    """A serial port of this machine, as far as the system knows it."""
     @property
-    def path(self) -> str: ...
+    def path(self) -> str:
+        """To open."""
     @property
-    def product(self) -> str: ...
+    def product(self) -> str:
+        """What it calls itself; empty where it does not say."""
     @property
-    def driver(self) -> str: ...
+    def driver(self) -> str:
+        """Of the system."""
     @property
-    def latency_timer(self) -> int: ...
+    def latency_timer(self) -> int:
+        """[ms] that the adapter may keep bytes back; -1 where it has none."""
     @property
-    def permitted(self) -> bool: ...
-    def __repr__(self) -> str: ...
+    def permitted(self) -> bool:
+        """This user may open it."""
+    def __copy__(self) -> SerialPort:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> SerialPort:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
-def find_serial_ports() -> list[SerialPort]: ...
+def find_serial_ports() -> list[SerialPort]:
+    """The USB serial adapters of this machine, by path."""
 
 class SerialTransport(Transport):
-    def __init__(self, path: str, baud: int = ...) -> None: ...
-    def latency_note(self) -> str: ...
+    """A serial port, or the far end of a PtyDevice. Bytes are told by the machine's own clock.
+    What keeps bytes back is switched off as far as the system and the adapter let it.
+    """
+    def __init__(self, path: str, baud: int = ...) -> None:
+        """Raises DeviceError where the port cannot be opened or does not know the rate."""
+    def latency_note(self) -> str:
+        """What was done about latency, and what could not be, in words."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
 class PtyDevice:
-    def __init__(self, plant: Plant = ..., options: NativeCoreOptions = ...) -> None: ...
-    def path(self) -> str: ...
+    """A simulated device behind a pseudo terminal: a file that any program can open as if it
+    were the serial port of the real one.
+    """
+    def __init__(self, plant: Plant = ..., options: NativeCoreOptions = ...) -> None:
+        """Raises DeviceError."""
+    def path(self) -> str:
+        """Of the file to open."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
 class LinkState(enum.Enum):
+    """How far a host has come with a device."""
+
     greeting = 0
     loading = 1
     uncalibrated = 2
@@ -1567,6 +3474,8 @@ class LinkState(enum.Enum):
     lost = 4
 
 class DeviceMode(enum.Enum):
+    """What a device does."""
+
     boot = 0
     idle = 1
     ramp = 2
@@ -1574,102 +3483,226 @@ class DeviceMode(enum.Enum):
     faulted = 4
 
 class DeviceStatus:
+    """Everything there is to know of a device, as its driver left it for others some
+    milliseconds ago.
+    """
     @property
-    def link(self) -> LinkState: ...
+    def link(self) -> LinkState:
+        """How far the host has come with it."""
     @property
-    def mode(self) -> DeviceMode: ...
+    def mode(self) -> DeviceMode:
+        """What it does."""
     @property
-    def degraded(self) -> bool: ...
+    def degraded(self) -> bool:
+        """Reports are missing: the force is taken back."""
     @property
-    def first_fault(self) -> int: ...
+    def first_fault(self) -> int:
+        """Bit that cut the motors, 15 for none: see name_fault."""
     @property
-    def faults(self) -> int: ...
+    def faults(self) -> int:
+        """Bits: whatever was noticed."""
     @property
-    def time(self) -> float: ...
+    def time(self) -> float:
+        """[s] of the last report, by the host's clock."""
     @property
-    def counts(self) -> list[int]: ...
+    def counts(self) -> list[int]:
+        """Of the sensors."""
     @property
-    def joints(self) -> NDArray[np.float64]: ...
+    def joints(self) -> NDArray[np.float64]:
+        """[rad] yaw, elevation, forearm. Shape (3,), a view."""
     @joints.setter
     def joints(self, value: ArrayLike) -> None: ...
     @property
-    def gimbal(self) -> NDArray[np.float64]: ...
+    def gimbal(self) -> NDArray[np.float64]:
+        """[rad]; shape (3,), a view."""
     @gimbal.setter
     def gimbal(self, value: ArrayLike) -> None: ...
     @property
-    def tip(self) -> NDArray[np.float64]: ...
+    def tip(self) -> NDArray[np.float64]:
+        """[m] in the arm's frame. Shape (3,), a view."""
     @tip.setter
     def tip(self, value: ArrayLike) -> None: ...
     @property
-    def force_commanded(self) -> NDArray[np.float64]: ...
+    def force_commanded(self) -> NDArray[np.float64]:
+        """[N]; shape (3,), a view."""
     @force_commanded.setter
     def force_commanded(self, value: ArrayLike) -> None: ...
     @property
-    def force_applied(self) -> NDArray[np.float64]: ...
+    def force_applied(self) -> NDArray[np.float64]:
+        """[N] by the duties the motors really got. Shape (3,), a view."""
     @force_applied.setter
     def force_applied(self, value: ArrayLike) -> None: ...
     @property
-    def duty(self) -> list[int]: ...
+    def duty(self) -> list[int]:
+        """-255 to 255."""
     @property
-    def counters(self) -> list[int]: ...
+    def counters(self) -> list[int]:
+        """Heat of three motors, then the device's own counts."""
     @property
-    def reports(self) -> int: ...
+    def reports(self) -> int:
+        """From the device."""
     @property
-    def lost_reports(self) -> int: ...
+    def lost_reports(self) -> int:
+        """That its own count says are missing."""
     @property
-    def damaged_frames(self) -> int: ...
+    def damaged_frames(self) -> int:
+        """That failed their check, here."""
     @property
-    def commands(self) -> int: ...
+    def commands(self) -> int:
+        """To the device."""
     @property
-    def report_rate(self) -> float: ...
+    def report_rate(self) -> float:
+        """[Hz] over the last second."""
     @property
-    def round_trip_median(self) -> float: ...
+    def round_trip_median(self) -> float:
+        """[s] command to its acknowledgement."""
     @property
-    def round_trip_p99(self) -> float: ...
+    def round_trip_p99(self) -> float:
+        """[s]"""
     @property
-    def round_trips(self) -> list[int]: ...
+    def round_trips(self) -> list[int]:
+        """How many took 0 to 0.25 ms, to 0.5 ms ...; the last all longer ones."""
     @property
-    def jitter_p99(self) -> float: ...
+    def jitter_p99(self) -> float:
+        """[s] reports off the line through their times."""
     @property
-    def clock_drift(self) -> float: ...
+    def clock_drift(self) -> float:
+        """[-] By how much the device's clock is fast, 1e-6 for 1 ppm."""
     @property
-    def local_stiffness(self) -> float: ...
+    def local_stiffness(self) -> float:
+        """[N/m] along the force that it answers by itself."""
     @property
-    def release(self) -> list[int]: ...
+    def release(self) -> list[int]:
+        """Of the firmware."""
     @property
-    def serial_number(self) -> int: ...
+    def serial_number(self) -> int:
+        """Of the device."""
+    def __copy__(self) -> DeviceStatus:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> DeviceStatus:
+        """A copy of its own."""
+    def __getstate__(
+        self, /
+    ) -> tuple[
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+    ]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
-def name_fault(fault: int) -> str: ...
-def describe_status(status: DeviceStatus) -> str: ...
+def name_fault(fault: int) -> str:
+    """A fault's name in words, for instance "host silent"; "none" for no fault."""
+
+def describe_status(status: DeviceStatus) -> str:
+    """One sentence: what the device does, or what is wrong and what to do."""
 
 class SerialDevice(HapticDevice):
-    def __init__(self, transport: Transport, origin: ArrayLike = ...) -> None: ...
-    def open(self, timeout: float = ...) -> None: ...
-    def clear_fault(self) -> None: ...
-    def enable(self, on: bool) -> None: ...
-    def take_status(self) -> bool: ...
-    def status(self) -> DeviceStatus: ...
-    def calibration(self) -> Calibration: ...
-    def store(self, calibration: Calibration, timeout: float = ...) -> None: ...
+    """The driver of the low-cost device, at the other end of whatever transport."""
+    def __init__(self, transport: Transport, origin: ArrayLike = ...) -> None:
+        """The workspace's centre shall lie at origin [m] of the scene.
+
+        Args:
+            origin: [m] shape (3,)
+        """
+    def open(self, timeout: float = ...) -> None:
+        """Greets the device, reads its calibration and waits for its first report; to be called
+        before a run. Raises DeviceError in words where that does not come about within
+        timeout [s].
+
+        Args:
+            timeout: [s]
+        """
+    def clear_fault(self) -> None:
+        """From any thread: asks the device to forget its fault, if the cause is gone."""
+    def enable(self, on: bool) -> None:
+        """From any thread: motors on (as they are from the start) or off."""
+    def take_status(self) -> bool:
+        """For one reader thread: True if something newer than last time was taken."""
+    def status(self) -> DeviceStatus:
+        """A copy of the status last taken."""
+    def calibration(self) -> Calibration:
+        """As it was read when the link was made. Raises DeviceError where there is none."""
+    def store(self, calibration: Calibration, timeout: float = ...) -> None:
+        """Writes a calibration to the device, which keeps it; then the device is greeted anew.
+        Not while a run is on. Raises DeviceError in words, and ValueError for numbers it
+        cannot hold.
+
+        Args:
+            timeout: [s]
+        """
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
 class SimulatedArm(HapticDevice):
+    """The low-cost device without its metal: a hand holds a simulated arm, whose firmware is
+    the real one, and is felt through the real driver.
+    """
     def __init__(
         self,
         hand: HapticDevice,
         origin: ArrayLike = ...,
         plant: Plant = ...,
         options: NativeCoreOptions = ...,
-    ) -> None: ...
-    def open(self) -> None: ...
-    def widen(self, wide: bool) -> None: ...
-    def press_stop(self, pressed: bool) -> None: ...
-    def cut_sensor(self, joint: int, cut: bool) -> None: ...
-    def pull_cable(self) -> None: ...
-    def hand_force(self) -> NDArray[np.float64]: ...
-    def core(self) -> NativeCore: ...
-    def driver(self) -> SerialDevice: ...
+    ) -> None:
+        """hand says where the hand wants to be, in the scene, whose place origin [m] is the
+        middle of the arm's workspace. Raises ValueError.
+
+        Args:
+            origin: [m] shape (3,)
+        """
+    def open(self) -> None:
+        """Puts the arm where the hand begins and makes the link. Raises DeviceError."""
+    def widen(self, wide: bool) -> None:
+        """From any thread: whether the hand may leave the workspace and go to the joints'
+        stops.
+        """
+    def press_stop(self, pressed: bool) -> None:
+        """From any thread: the emergency stop."""
+    def cut_sensor(self, joint: int, cut: bool) -> None:
+        """From any thread: the wire of a sensor is off."""
+    def pull_cable(self) -> None:
+        """From any thread, and for good."""
+    def hand_force(self) -> NDArray[np.float64]:
+        """From any thread: [N] shape (3,), of the hand on the stylus, as a scale between them
+        would say.
+        """
+    def core(self) -> NativeCore:
+        """The simulated device."""
+    def driver(self) -> SerialDevice:
+        """Its driver."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
 class Faults:
+    """What goes wrong, and how often: shares of frames or samples, 0 to 1. The same in every
+    run.
+    """
     def __init__(
         self,
         *,
@@ -1680,25 +3713,47 @@ class Faults:
         stick_at: float = ...,
         unplug_at: float = ...,
         seed: int = ...,
-    ) -> None: ...
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     drop: float
+    """[-] Lost."""
     corrupt: float
+    """[-] Changed: a bit of a frame, a number of a sample."""
     reorder: float
+    """[-] Comes after the one that follows it."""
     delay: float
+    """[s] each way."""
     stick_at: float
+    """[s] from then on the same again."""
     unplug_at: float
+    """[s] from then on nothing."""
     seed: int
-    def __copy__(self) -> Faults: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Faults: ...
-    def __repr__(self) -> str: ...
+    """Of what goes wrong, and when."""
+    def __copy__(self) -> Faults:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Faults:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class FaultyDevice(HapticDevice):
-    def __init__(self, device: HapticDevice, faults: Faults) -> None: ...
+    """A device to which faults happen."""
+    def __init__(self, device: HapticDevice, faults: Faults) -> None:
+        """Raises ValueError."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
 class FaultyTransport(Transport):
-    def __init__(self, transport: Transport, faults: Faults) -> None: ...
+    """A transport on which faults happen to whole frames, both ways."""
+    def __init__(self, transport: Transport, faults: Faults) -> None:
+        """Raises ValueError."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
 class LoopOptions:
+    """How the live loop runs."""
     def __init__(
         self,
         *,
@@ -1707,100 +3762,194 @@ class LoopOptions:
         cpu: int = ...,
         spin: float = ...,
         safety: SafetyLimits = ...,
-    ) -> None: ...
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     duration: float
+    """[s] 0 runs until stop()."""
     realtime: bool
+    """Ask for SCHED_FIFO and locked memory."""
     cpu: int
+    """Pin the thread to this core, -1 for none."""
     spin: float
+    """[s] spun instead of slept before every tick."""
     safety: SafetyLimits
-    def __copy__(self) -> LoopOptions: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> LoopOptions: ...
-    def __repr__(self) -> str: ...
+    """What the device may be sent."""
+    def __copy__(self) -> LoopOptions:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> LoopOptions:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class Snapshot:
+    """What a reader outside the haptic thread sees: the world as it was at most 8 ms ago."""
     @property
-    def tick(self) -> int: ...
+    def tick(self) -> int:
+        """Number of the tick it shows."""
     @property
-    def time(self) -> float: ...
+    def time(self) -> float:
+        """[s]"""
     @property
-    def position(self) -> NDArray[np.float64]: ...
+    def position(self) -> NDArray[np.float64]:
+        """[m], shape (n, 3); a view."""
     @property
-    def sample(self) -> HapticSample: ...
+    def sample(self) -> HapticSample:
+        """What the device said."""
     @property
-    def tool_position(self) -> NDArray[np.float64]: ...
+    def tool_position(self) -> NDArray[np.float64]:
+        """[m]; shape (3,), a view."""
     @tool_position.setter
     def tool_position(self, value: ArrayLike) -> None: ...
     @property
-    def force(self) -> NDArray[np.float64]: ...
+    def force(self) -> NDArray[np.float64]:
+        """[N] on the hand. Shape (3,), a view."""
     @force.setter
     def force(self, value: ArrayLike) -> None: ...
     @property
-    def touching(self) -> bool: ...
+    def touching(self) -> bool:
+        """Any contact in force."""
     @property
-    def cost(self) -> float: ...
+    def cost(self) -> float:
+        """[s] of the last tick."""
     @property
-    def lateness(self) -> float: ...
+    def lateness(self) -> float:
+        """[s] of the last tick."""
     @property
-    def substeps(self) -> int: ...
+    def substeps(self) -> int:
+        """Of that tick."""
     @property
-    def missed_ticks(self) -> int: ...
+    def missed_ticks(self) -> int:
+        """Skipped so far."""
+    def __copy__(self) -> Snapshot:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Snapshot:
+        """A copy of its own."""
+    def __getstate__(
+        self, /
+    ) -> tuple[
+        object, object, object, object, object, object, object, object, object, object, object
+    ]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class Percentiles:
+    """[s] Right within 0.4 %, the largest exactly."""
     @property
-    def median(self) -> float: ...
+    def median(self) -> float:
+        """[s] Half of them are shorter."""
     @property
-    def p99(self) -> float: ...
+    def p99(self) -> float:
+        """[s] 99 % of them are shorter."""
     @property
-    def p99_9(self) -> float: ...
+    def p99_9(self) -> float:
+        """[s] 99.9 % of them are shorter."""
     @property
-    def max(self) -> float: ...
-    def __repr__(self) -> str: ...
+    def max(self) -> float:
+        """[s] The longest."""
+    def __copy__(self) -> Percentiles:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Percentiles:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class LoopReport:
+    """What a run of the loop cost."""
     @property
-    def ticks(self) -> int: ...
+    def ticks(self) -> int:
+        """How many were run."""
     @property
-    def missed_ticks(self) -> int: ...
+    def missed_ticks(self) -> int:
+        """Skipped because an earlier tick was still at work."""
     @property
-    def unpaced_ticks(self) -> int: ...
+    def unpaced_ticks(self) -> int:
+        """Went without the report of a device that has its own pace."""
     @property
-    def lateness(self) -> Percentiles: ...
+    def lateness(self) -> Percentiles:
+        """Start of a tick behind its due time."""
     @property
-    def cost(self) -> Percentiles: ...
+    def cost(self) -> Percentiles:
+        """Of the tick itself, device included."""
     @property
-    def realtime(self) -> bool: ...
+    def realtime(self) -> bool:
+        """Granted."""
     @property
-    def realtime_note(self) -> str: ...
+    def realtime_note(self) -> str:
+        """Why not, in words."""
     @property
-    def alarm(self) -> Alarm: ...
+    def alarm(self) -> Alarm:
+        """What ended the run; false for nothing."""
     @property
-    def fault(self) -> DeviceFault: ...
+    def fault(self) -> DeviceFault:
+        """Of the device; none for none."""
     @property
-    def record_gaps(self) -> int: ...
-    def __repr__(self) -> str: ...
+    def record_gaps(self) -> int:
+        """Ticks the log had no room for."""
+    def __copy__(self) -> LoopReport:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> LoopReport:
+        """A copy of its own."""
+    def __getstate__(
+        self, /
+    ) -> tuple[object, object, object, object, object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class Loop:
+    """The live 1 kHz loop: a thread that waits, reads, ticks, writes. Python's lock is never
+    taken by it. As a context manager it starts, and stops at the end.
+
+    Leave the scene, the device and the log alone while it runs, except for what is made for
+    another thread: PointerDevice.set, TickLog.take.
+    """
     def __init__(
         self,
         scene: Scene,
         device: HapticDevice,
         options: LoopOptions = ...,
         log: TickLog | None = ...,
-    ) -> None: ...
-    def start(self) -> None: ...
-    def stop(self) -> None: ...
-    def wait(self, timeout: float) -> bool: ...
-    def running(self) -> bool: ...
-    def pause(self) -> None: ...
-    def resume(self) -> None: ...
-    def paused(self) -> bool: ...
-    def take_snapshot(self) -> bool: ...
-    def snapshot(self) -> Snapshot: ...
-    def report(self) -> LoopReport: ...
+    ) -> None:
+        """A loop over a scene that build_scene made; log takes what every tick did."""
+    def start(self) -> None:
+        """Raises RuntimeError the second time: a loop runs once."""
+    def stop(self) -> None:
+        """Asks and waits; the device gets a zero force last."""
+    def wait(self, timeout: float) -> bool:
+        """[s] True once the run has ended.
+
+        Args:
+            timeout: [s]
+        """
+    def running(self) -> bool:
+        """Whether the thread runs."""
+    def pause(self) -> None:
+        """From any thread; followed within a tick. While it is paused the device gets zero
+        forces and the time of the run stands still: what would have been due is neither
+        missed nor made up. The force then fades in as at the start.
+        """
+    def resume(self) -> None:
+        """Goes on where pause stopped."""
+    def paused(self) -> bool:
+        """The last command has gone out, a zero force after it."""
+    def take_snapshot(self) -> bool:
+        """For one reader thread: True if something newer than last time was taken."""
+    def snapshot(self) -> Snapshot:
+        """A copy of the snapshot last taken."""
+    def report(self) -> LoopReport:
+        """Costs so far; while running, of the ticks finished by now."""
     def __enter__(self) -> Loop: ...
     def __exit__(self, *args: object) -> None: ...
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
 class Record:
+    """A whole run in memory: enough to run it again."""
     def __init__(
         self,
         *,
@@ -1810,85 +3959,174 @@ class Record:
         happenings: object = ...,
         hashes: object = ...,
         complete: bool = ...,
-    ) -> None: ...
+    ) -> None:
+        """Copies its tables: structured arrays with the dtype of HapticSample, Felt, Happening
+        and StateHash, or lists of these.
+
+        Arguments are the fields of these names, with their shapes and units.
+        """
     header: str
+    """JSON: version, kernel, build, scene hash, device, columns, ..."""
     @property
-    def hand(self) -> NDArray[Any]: ...
+    def hand(self) -> NDArray[Any]:
+        """Per tick, a structured array with the fields of HapticSample, shape (n,); a view."""
     @property
-    def felt(self) -> NDArray[Any]: ...
+    def felt(self) -> NDArray[Any]:
+        """Per tick, a structured array with the fields of Felt, shape (n,); a view."""
     @property
-    def happenings(self) -> NDArray[Any]: ...
+    def happenings(self) -> NDArray[Any]:
+        """A structured array with the fields of Happening, shape (n,); a view."""
     @property
-    def hashes(self) -> NDArray[Any]: ...
+    def hashes(self) -> NDArray[Any]:
+        """At 1 Hz, a structured array with the fields of StateHash, shape (n,); a view."""
     complete: bool
-    def __copy__(self) -> Record: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Record: ...
+    """The file has its summary and the summary's SHA-256 holds."""
+    def __copy__(self) -> Record:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Record:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str: ...
 
 class RecordCodec(enum.Enum):
+    """How a block's body is stored."""
+
     none = 0
     deflate = 1
 
 class Recorder:
+    """Writes a .prec record while it is being made, readable up to its last whole block at any
+    moment. As a context manager it finishes at the end.
+    """
     def __init__(
         self, path: os.PathLike[str] | str | bytes, header_json: str, codec: RecordCodec = ...
-    ) -> None: ...
-    def log(self) -> TickLog: ...
-    def finish(self) -> None: ...
+    ) -> None:
+        """header_json is one JSON object; the column table and the format version are added to
+        it. Raises FileError when the file cannot be written, ValueError for a bad header.
+        """
+    def log(self) -> TickLog:
+        """Where the haptic thread pushes; hand it to a Loop."""
+    def finish(self) -> None:
+        """Writes what is left, then the summary; syncs. Raises FileError."""
     def __enter__(self) -> Recorder: ...
     def __exit__(self, *args: object) -> None: ...
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
 def write_record(
     path: os.PathLike[str] | str | bytes, record: Record, codec: RecordCodec = ...
-) -> None: ...
-def read_record(path: os.PathLike[str] | str | bytes) -> Record: ...
+) -> None:
+    """Writes a whole record at once, to a temporary name, synced, renamed. Raises FileError."""
+
+def read_record(path: os.PathLike[str] | str | bytes) -> Record:
+    """Reads a record; an unfinished file ends at its last good block (complete = False). Raises
+    FileError for anything else that is wrong, naming block and field.
+    """
 
 class ReplayReport:
+    """How a replay compares with what was recorded."""
     @property
-    def ticks(self) -> int: ...
+    def ticks(self) -> int:
+        """How many were run."""
     @property
-    def equal(self) -> bool: ...
+    def equal(self) -> bool:
+        """Every force, every tool position and every hash, bit by bit."""
     @property
-    def first_difference(self) -> int: ...
+    def first_difference(self) -> int:
+        """Tick, -1 for none."""
     @property
-    def largest_force_difference(self) -> float: ...
+    def largest_force_difference(self) -> float:
+        """[N]"""
     @property
-    def largest_position_difference(self) -> float: ...
+    def largest_position_difference(self) -> float:
+        """[m] of the tool."""
     @property
-    def felt(self) -> NDArray[Any]: ...
-    def __repr__(self) -> str: ...
+    def felt(self) -> NDArray[Any]:
+        """As replayed, a structured array with the fields of Felt, shape (n,); a view."""
+    def __copy__(self) -> ReplayReport:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> ReplayReport:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
-def replay(scene: Scene, record: Record) -> ReplayReport: ...
+def replay(scene: Scene, record: Record) -> ReplayReport:
+    """Runs the recorded hand through the same tick from a fresh world. Raises ValueError for a
+    record with gaps, or with more rows of hand than of felt. To learn what any hand would
+    feel, give it zeros for felt, as many as rows of hand, and read the report's felt.
+    """
 
 class BenchRow:
+    """What one piece of work costs, beside the same work done naively in the same process."""
     @property
-    def work(self) -> str: ...
+    def work(self) -> str:
+        """'mss_step', 'refit', 'mms_tick', ..."""
     @property
-    def vertices(self) -> int: ...
+    def vertices(self) -> int:
+        """Of the surface."""
     @property
-    def substeps(self) -> int: ...
+    def substeps(self) -> int:
+        """Of a tick; 0 for other work."""
     @property
-    def median(self) -> float: ...
+    def median(self) -> float:
+        """[s] CPU time of the calling thread."""
     @property
-    def p99(self) -> float: ...
+    def p99(self) -> float:
+        """[s]"""
     @property
-    def naive_median(self) -> float: ...
+    def naive_median(self) -> float:
+        """[s] of the naive form."""
     @property
-    def ratio_to_naive(self) -> float: ...
+    def ratio_to_naive(self) -> float:
+        """[-] naive_median / median: above 1 is faster than naive."""
     @property
-    def elements(self) -> float: ...
+    def elements(self) -> float:
+        """[-] Links, triangles, queries, ... that the time is for; 1 for a tick."""
     @property
-    def share_of_bound(self) -> float: ...
+    def share_of_bound(self) -> float:
+        """[-] The least time this machine needs, by its measured arithmetic and memory, over
+        median; 0 where no such time is stated.
+        """
     @property
-    def simd_target(self) -> str: ...
+    def simd_target(self) -> str:
+        """'AVX3', 'AVX2', ...; empty for plain code."""
     @property
-    def compiler_flags(self) -> str: ...
-    def ns_per_element(self) -> float: ...
+    def compiler_flags(self) -> str:
+        """Of all forms alike."""
+    def ns_per_element(self) -> float:
+        """[ns]"""
     @property
-    def physics(self) -> str: ...
-    def __repr__(self) -> str: ...
+    def physics(self) -> str:
+        """What is in it, in words."""
+    def __copy__(self) -> BenchRow:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> BenchRow:
+        """A copy of its own."""
+    def __getstate__(
+        self, /
+    ) -> tuple[
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+    ]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class BenchOptions:
+    """What is timed, and for how long."""
     def __init__(
         self,
         *,
@@ -1897,23 +4135,48 @@ class BenchOptions:
         works: Sequence[str] = ...,
         air_substeps: Sequence[int] = ...,
         press: bool = ...,
-    ) -> None: ...
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     budget: float
+    """[s] of CPU time per row, the naive form not counted."""
     least_runs: int
+    """Fewer where a run takes so long that they would take 20 budgets."""
     @property
-    def works(self) -> list[str]: ...
+    def works(self) -> list[str]:
+        """Of bench_works(); all where empty."""
     @works.setter
     def works(self, value: Sequence[str]) -> None: ...
     @property
-    def air_substeps(self) -> list[int]: ...
+    def air_substeps(self) -> list[int]:
+        """Of ticks with the hand in the air: a row for each."""
     @air_substeps.setter
     def air_substeps(self, value: Sequence[int]) -> None: ...
     press: bool
-    def __repr__(self) -> str: ...
+    """And a row with a press held, at its own substeps."""
+    def __copy__(self) -> BenchOptions:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> BenchOptions:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
-def bench_works() -> list[str]: ...
-def run_bench(
-    mass_spring: Scene, molecular: Scene, options: BenchOptions = ...
-) -> list[BenchRow]: ...
-def bench_body_works() -> list[str]: ...
-def run_body_bench(scene: Scene, options: BenchOptions = ...) -> list[BenchRow]: ...
+def bench_works() -> list[str]:
+    """Every work this machine can do, in the order of the rows."""
+
+def run_bench(mass_spring: Scene, molecular: Scene, options: BenchOptions = ...) -> list[BenchRow]:
+    """Times the steps, queries and ticks of two scenes on the same surface, one of the
+    mass-spring and one of the molecular model. Raises RuntimeError where ours and the naive
+    form disagree, ValueError where the scenes do not fit or a work is not known.
+    """
+
+def bench_body_works() -> list[str]:
+    """Every work of bodies: walls of prisms, solids of springs and volumes, linear solids."""
+
+def run_body_bench(scene: Scene, options: BenchOptions = ...) -> list[BenchRow]:
+    """Times the step and the tick of one body beside its naive form, as run_bench does. What is
+    asked for and not of this kind of body is left out. A linear solid has one row in the
+    air, since its ticks there have one substep. Raises as run_bench does, and ValueError for
+    a tissue of another kind or under a skin.
+    """

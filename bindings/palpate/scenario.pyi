@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Written by bindings/write_stub.py; the words are in the module: help(palpate.scenario)."""
+"""Written by bindings/write_stub.py from what the compiled module says of itself."""
 
 import os
 from typing import Any
@@ -8,53 +8,72 @@ from numpy.typing import NDArray
 
 from palpate._sim import Scene
 
-kMostFileBytes: int
-kMostArrayBytes: int
-kMostManifestBytes: int
-kMostArrays: int
-kMostDimensions: int
-kMostNameBytes: int
-kMostDepth: int
-kMostTitleBytes: int
-kMostTaskBytes: int
-kMostLanguages: int
-kMostParticles: int
-kMostTriangles: int
-kMostLinks: int
-kMostTetrahedra: int
-kMostElastic: int
+MOST_FILE_BYTES: int
+MOST_ARRAY_BYTES: int
+MOST_MANIFEST_BYTES: int
+MOST_ARRAYS: int
+MOST_DIMENSIONS: int
+MOST_NAME_BYTES: int
+MOST_DEPTH: int
+MOST_TITLE_BYTES: int
+MOST_TASK_BYTES: int
+MOST_PARTICLES: int
+MOST_TRIANGLES: int
+MOST_LINKS: int
+MOST_TETRAHEDRA: int
+MOST_ELASTIC: int
 
 class Container:
+    """All that a .palpate or .organ file holds: a JSON document and arrays by name."""
     def __init__(
         self, *, format: str, version: int, content: str = ..., arrays: dict[str, Any] = ...
-    ) -> None: ...
+    ) -> None:
+        """Copies its arrays, which are of bytes, 4 or 8 byte integers or floats.
+
+        Arguments are the fields of these names, with their shapes and units.
+        """
     format: str
+    """"palpate" or "organ"."""
     version: int
+    """Of the format."""
     content: str
+    """JSON: one object."""
     @property
-    def written_by(self) -> str: ...
+    def written_by(self) -> str:
+        """Filled by the reader: which program and version wrote the file."""
     @property
-    def arrays(self) -> dict[str, NDArray[Any]]: ...
-    def __copy__(self) -> Container: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Container: ...
+    def arrays(self) -> dict[str, NDArray[Any]]:
+        """By name, of the shapes and units that content says, in a new dict; views, read-only."""
+    def __copy__(self) -> Container:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Container:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[str, int, str, dict[int, object], str]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 def read_container(
     path: os.PathLike[str] | str | bytes, format: str, newest_version: int
-) -> Container: ...
-def write_container(path: os.PathLike[str] | str | bytes, container: Container) -> None: ...
-def unpack_container(bytes: bytes, file: str, format: str, newest_version: int) -> Container: ...
-def pack_container(container: Container) -> bytes: ...
+) -> Container:
+    """Reads a file of format whose version is newest_version or older; older ones come as they
+    are. Raises FileError for everything else and for everything that is wrong.
+    """
 
-class Words:
-    def __init__(self, title: str = ..., task: str = ...) -> None: ...
-    @property
-    def title(self) -> str: ...
-    @property
-    def task(self) -> str: ...
-    def __copy__(self) -> Words: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Words: ...
+def write_container(path: os.PathLike[str] | str | bytes, container: Container) -> None:
+    """Writes to a temporary name beside path, syncs, renames: whatever happens, path is what it
+    was or all of the new file. Raises ValueError for what a reader would refuse, FileError
+    where the disk refuses.
+    """
+
+def unpack_container(bytes: bytes, file: str, format: str, newest_version: int) -> Container:
+    """The same from bytes; file is what refusals call them."""
+
+def pack_container(container: Container) -> bytes:
+    """The bytes of the file. Equal containers give equal bytes."""
 
 class Scenario:
+    """What a trainee opens: a scene that ticks, what to do with it, and what it was made from."""
     def __init__(
         self,
         *,
@@ -63,28 +82,61 @@ class Scenario:
         task: str = ...,
         authored: str = ...,
         authored_arrays: dict[str, Any] = ...,
-        languages: dict[str, Words] = ...,
-    ) -> None: ...
-    title: str
-    task: str
-    @property
-    def scene(self) -> Scene: ...
-    authored: str
-    @property
-    def version(self) -> int: ...
-    @property
-    def written_by(self) -> str: ...
-    @property
-    def authored_arrays(self) -> dict[str, NDArray[Any]]: ...
-    @property
-    def languages(self) -> dict[str, Words]: ...
-    def __copy__(self) -> Scenario: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> Scenario: ...
+    ) -> None:
+        """Copies the scene, which build_scene made.
 
-def find_words(scenario: Scenario, language: str) -> Words: ...
-def read(path: os.PathLike[str] | str | bytes) -> Scenario: ...
-def write(path: os.PathLike[str] | str | bytes, scenario: Scenario) -> None: ...
-def check_ranges(scene: Scene) -> None: ...
-def list_ranges() -> list[tuple[str, str, float, float]]: ...
-def unpack(container: Container, file: str) -> Scenario: ...
-def pack(scenario: Scenario) -> Container: ...
+        Arguments are the fields of these names, with their shapes and units.
+        """
+    title: str
+    """What a trainee sees it called."""
+    task: str
+    """What the trainee is asked to do, in words."""
+    @property
+    def scene(self) -> Scene:
+        """The scene, ready to tick."""
+    authored: str
+    """JSON: the designer's document, which only the editor looks into."""
+    @property
+    def version(self) -> int:
+        """Filled by the reader: of the format, as the file had it."""
+    @property
+    def written_by(self) -> str:
+        """Filled by the reader: which program and version wrote the file."""
+    @property
+    def authored_arrays(self) -> dict[str, NDArray[Any]]:
+        """What belongs to the document, of the shapes and units it says, in a new dict; views,
+        read-only.
+        """
+    def __copy__(self) -> Scenario:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Scenario:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[str, str, Scene, str, dict[int, object], int, str]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+def read(path: os.PathLike[str] | str | bytes) -> Scenario:
+    """Reads a .palpate file of this or an older version: a scene that ticks with the very
+    forces of the one that was written. Raises FileError for whatever is wrong, in a
+    sentence.
+    """
+
+def write(path: os.PathLike[str] | str | bytes, scenario: Scenario) -> None:
+    """Writes a .palpate file, whole or not at all. Raises ValueError for what read() would
+    refuse, FileError where the disk refuses.
+    """
+
+def check_ranges(scene: Scene) -> None:
+    """Raises ValueError where a number of a scene is smaller or larger than one of a file may
+    be.
+    """
+
+def list_ranges() -> list[tuple[str, str, float, float]]:
+    """Of every number of a file: its name, unit, least and most."""
+
+def unpack(container: Container, file: str) -> Scenario:
+    """The scenario in a container; file is what refusals call it."""
+
+def pack(scenario: Scenario) -> Container:
+    """What the file holds."""

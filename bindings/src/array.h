@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "arguments.h"
 #include "palpate/sim/base/refuse.h"
 #include "palpate/sim/base/types.h"
 
@@ -28,14 +29,6 @@ namespace palpate::bindings {
 
 namespace py = pybind11;
 using namespace pybind11::literals;
-
-/// Arguments that are only read; converted where they have to be.
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
-/// Integers of any width, but never rounded from floats.
-using Integers = py::array_t<std::int64_t, py::array::c_style>;
-/// Arguments that are written to; taken with .noconvert(), as a copy would swallow the result.
-using NumbersOut = py::array_t<double, py::array::c_style>;
-using IntegersOut = py::array_t<int, py::array::c_style>;
 
 /// What one entry of a table looks like to NumPy: a number, or `width` numbers in a row.
 template <class T>
@@ -105,41 +98,52 @@ inline std::string shape_of(const py::array& array) {
   return py::str(array.attr("shape")).cast<std::string>();
 }
 
-inline void require_points(const py::array& array, const char* name) {
-  if (array.ndim() != 2 || array.shape(1) != 3) {
-    refuse(name, "shape " + shape_of(array), "(n, 3)");
-  }
-}
-
 inline void require_count(const char* name, std::size_t found, std::size_t expected) {
   if (found != expected) {
     refuse(name, std::to_string(found) + " entries", std::to_string(expected));
   }
 }
 
+/// An argument of shape (n, columns), or (n,) for no columns; checked.
+template <class Argument>
+auto read_table(const Argument& argument, const char* name, py::ssize_t columns = 0) {
+  const std::string shape = columns > 0 ? "(n, " + std::to_string(columns) + ")" : "(n,)";
+  const auto table = argument.read(name, shape);
+  const bool fits =
+      columns > 0 ? table.ndim() == 2 && table.shape(1) == columns : table.ndim() == 1;
+  if (!fits) argument.refuse_shape(name, shape);
+  return table;
+}
+
 /// Points of an array that must outlive the span.
-inline std::span<const Vec3> points(const Numbers& array, const char* name) {
-  require_points(array, name);
-  return {reinterpret_cast<const Vec3*>(array.data()), static_cast<std::size_t>(array.shape(0))};
+inline std::span<const Vec3> points(const Numbers& argument, const char* name) {
+  const auto table = read_table(argument, name, 3);
+  return {reinterpret_cast<const Vec3*>(table.data()), static_cast<std::size_t>(table.shape(0))};
 }
 
-inline std::span<Vec3> points_out(NumbersOut& array, const char* name) {
-  require_points(array, name);
-  return {reinterpret_cast<Vec3*>(array.mutable_data()), static_cast<std::size_t>(array.shape(0))};
+inline std::span<Vec3> points_out(const NumbersOut& argument, const char* name) {
+  auto table = read_table(argument, name, 3);
+  return {reinterpret_cast<Vec3*>(table.mutable_data()), static_cast<std::size_t>(table.shape(0))};
 }
 
-inline Vec3Array copy_points(const Numbers& array, const char* name) {
-  const auto all = points(array, name);
+inline Vec3Array copy_points(const Numbers& argument, const char* name) {
+  const auto all = points(argument, name);
   return {all.begin(), all.end()};
 }
 
-inline std::span<const double> numbers(const Numbers& array, const char* name) {
-  if (array.ndim() != 1) refuse(name, "shape " + shape_of(array), "(n,)");
-  return {array.data(), static_cast<std::size_t>(array.shape(0))};
+inline std::span<const double> numbers(const Numbers& argument, const char* name) {
+  const auto table = read_table(argument, name);
+  return {table.data(), static_cast<std::size_t>(table.shape(0))};
 }
 
-inline std::vector<double> copy_numbers(const Numbers& array, const char* name) {
-  const auto all = numbers(array, name);
+template <class Scalar>
+std::span<Scalar> entries_out(const Written<Scalar>& argument, const char* name) {
+  auto table = read_table(argument, name);
+  return {table.mutable_data(), static_cast<std::size_t>(table.shape(0))};
+}
+
+inline std::vector<double> copy_numbers(const Numbers& argument, const char* name) {
+  const auto all = numbers(argument, name);
   return {all.begin(), all.end()};
 }
 
@@ -148,26 +152,44 @@ inline int to_index(std::int64_t value, const char* name) {
   return static_cast<int>(value);
 }
 
-inline std::vector<int> copy_indices(const Integers& array, const char* name) {
-  if (array.size() == 0) return {};
-  if (array.ndim() != 1) refuse(name, "shape " + shape_of(array), "(n,)");
-  std::vector<int> indices;
-  indices.reserve(static_cast<std::size_t>(array.size()));
-  for (py::ssize_t i = 0; i < array.size(); ++i) {
-    indices.push_back(to_index(array.data()[i], name));
+/// Room for more than any surface has would only take the machine's memory.
+inline int to_count(std::int64_t value, const char* name) {
+  constexpr std::int64_t kMost = 10'000'000;
+  if (value < 0 || value > kMost) {
+    refuse(name, std::to_string(value), "0 to " + std::to_string(kMost));
   }
+  return static_cast<int>(value);
+}
+
+/// Indices, or where `count` says how many there are to choose from, a mask of so many booleans.
+inline std::vector<int> copy_indices(const Integers& argument, const char* name,
+                                     std::optional<std::size_t> count = {}) {
+  if (const auto size = argument.mask_size(name); size && count) {
+    if (*size != *count) {
+      refuse(name, "a mask of " + std::to_string(*size) + " booleans",
+             "indices, or a mask of " + std::to_string(*count));
+    }
+    return copy_indices(argument.find_true(), name);
+  }
+  const auto table = read_table(argument, name);
+  std::vector<int> indices;
+  indices.reserve(static_cast<std::size_t>(table.size()));
+  for (py::ssize_t i = 0; i < table.size(); ++i) indices.push_back(to_index(table.data()[i], name));
   return indices;
 }
 
 /// Rows of N entries, as of the tables of links and angles; an empty array of any shape has none.
-template <class T, std::size_t N, class Array, class Convert>
-std::vector<std::array<T, N>> copy_rows(const Array& array, const char* name, Convert convert) {
-  if (array.size() == 0) return {};
-  if (array.ndim() != 2 || array.shape(1) != static_cast<py::ssize_t>(N)) {
-    refuse(name, "shape " + shape_of(array), "(n, " + std::to_string(N) + ")");
+template <class T, std::size_t N, class Argument, class Convert>
+std::vector<std::array<T, N>> copy_rows(const Argument& argument, const char* name,
+                                        Convert convert) {
+  const std::string shape = "(n, " + std::to_string(N) + ")";
+  const auto table = argument.read(name, shape);
+  if (table.size() == 0) return {};
+  if (table.ndim() != 2 || table.shape(1) != static_cast<py::ssize_t>(N)) {
+    argument.refuse_shape(name, shape);
   }
-  std::vector<std::array<T, N>> rows(static_cast<std::size_t>(array.shape(0)));
-  const auto* next = array.data();
+  std::vector<std::array<T, N>> rows(static_cast<std::size_t>(table.shape(0)));
+  const auto* next = table.data();
   for (auto& row : rows) {
     for (T& entry : row) entry = convert(*next++);
   }
@@ -175,16 +197,16 @@ std::vector<std::array<T, N>> copy_rows(const Array& array, const char* name, Co
 }
 
 template <std::size_t N>
-std::vector<std::array<int, N>> copy_index_rows(const Integers& array, const char* name) {
-  return copy_rows<int, N>(array, name, [name](std::int64_t i) { return to_index(i, name); });
+std::vector<std::array<int, N>> copy_index_rows(const Integers& argument, const char* name) {
+  return copy_rows<int, N>(argument, name, [name](std::int64_t i) { return to_index(i, name); });
 }
 
-inline std::vector<std::array<double, 3>> copy_triples(const Numbers& array, const char* name) {
-  return copy_rows<double, 3>(array, name, [](double value) { return value; });
+inline std::vector<std::array<double, 3>> copy_triples(const Numbers& argument, const char* name) {
+  return copy_rows<double, 3>(argument, name, [](double value) { return value; });
 }
 
-inline std::vector<std::array<double, 4>> copy_quads(const Numbers& array, const char* name) {
-  return copy_rows<double, 4>(array, name, [](double value) { return value; });
+inline std::vector<std::array<double, 4>> copy_quads(const Numbers& argument, const char* name) {
+  return copy_rows<double, 4>(argument, name, [](double value) { return value; });
 }
 
 /// A property that is a view of a table: its numbers may be written, its length may not change.
@@ -217,7 +239,9 @@ void def_vector(Class& cls, const char* name, Vec3 Of::*member, const char* doc)
       [member](const py::object& self) {
         return view_one(self.cast<typename Class::type&>().*member, self);
       },
-      [member](typename Class::type& self, const Vec3& value) { self.*member = value; }, doc);
+      [member](typename Class::type& self, const Vec3& value) { self.*member = value; },
+      (std::string(doc) + (std::string(doc).back() == '.' ? " S" : "; s") + "hape (3,), a view.")
+          .c_str());
 }
 
 }  // namespace palpate::bindings

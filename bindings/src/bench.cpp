@@ -16,7 +16,7 @@ void bind_bench(py::module_& m) {
       m, "BenchRow",
       "What one piece of work costs, beside the same work done naively in the same process.");
   row.def_readonly("work", &BenchRow::work, "'mss_step', 'refit', 'mms_tick', ...")
-      .def_readonly("vertices", &BenchRow::vertices)
+      .def_readonly("vertices", &BenchRow::vertices, "Of the surface.")
       .def_readonly("substeps", &BenchRow::substeps, "Of a tick; 0 for other work.")
       .def_readonly("median", &BenchRow::median, "[s] CPU time of the calling thread.")
       .def_readonly("p99", &BenchRow::p99, "[s]")
@@ -24,7 +24,7 @@ void bind_bench(py::module_& m) {
       .def_readonly("ratio_to_naive", &BenchRow::ratio_to_naive,
                     "[-] naive_median / median: above 1 is faster than naive.")
       .def_readonly("elements", &BenchRow::elements,
-                    "Links, triangles, queries, ... that the time is for; 1 for a tick.")
+                    "[-] Links, triangles, queries, ... that the time is for; 1 for a tick.")
       .def_readonly("share_of_bound", &BenchRow::share_of_bound,
                     "[-] The least time this machine needs, by its measured arithmetic and memory, "
                     "over median; 0 where no such time is stated.")
@@ -33,9 +33,13 @@ void bind_bench(py::module_& m) {
       .def_readonly("compiler_flags", &BenchRow::compiler_flags, "Of all forms alike.")
       .def("ns_per_element", &BenchRow::ns_per_element, "[ns]")
       .def_readonly("physics", &BenchRow::physics, "What is in it, in words.");
+  def_value(row, &BenchRow::work, &BenchRow::vertices, &BenchRow::substeps, &BenchRow::median,
+            &BenchRow::p99, &BenchRow::naive_median, &BenchRow::ratio_to_naive, &BenchRow::elements,
+            &BenchRow::share_of_bound, &BenchRow::simd_target, &BenchRow::compiler_flags,
+            &BenchRow::physics);
   def_repr(row, {"work", "vertices", "median", "p99", "naive_median", "ratio_to_naive",
                  "share_of_bound", "simd_target", "physics"});
-  py::class_<BenchOptions> options(m, "BenchOptions");
+  py::class_<BenchOptions> options(m, "BenchOptions", "What is timed, and for how long.");
   options
       .def(py::init([](double budget, int least_runs, const std::vector<std::string>& works,
                        const std::vector<int>& air_substeps, bool press) {
@@ -52,6 +56,8 @@ void bind_bench(py::module_& m) {
                      "Of ticks with the hand in the air: a row for each.")
       .def_readwrite("press", &BenchOptions::press,
                      "And a row with a press held, at its own substeps.");
+  def_value(options, &BenchOptions::budget, &BenchOptions::least_runs, &BenchOptions::works,
+            &BenchOptions::air_substeps, &BenchOptions::press);
   def_repr(options, {"budget", "least_runs", "works", "air_substeps", "press"});
   m.def("bench_works", &bench::bench_works,
         "Every work this machine can do, in the order of the rows.");

@@ -72,22 +72,23 @@ void bind_tree(py::module_& m) {
             const auto rows = self.cast<const AabbTree&>().nodes();
             return read_only(view_rows(rows.data(), rows.size(), self));
           },
-          "Eight boxes each, rounded outwards, depth first, a structured array: low and high "
+          "Eight boxes each [m], rounded outwards, depth first, a structured array of shape (k,): "
+          "low and high "
           "(3, 8) by axis and child, first and count (8,); a view.")
-      .def("low", &AabbTree::low, "The corner of the box around the whole surface [m].")
-      .def("high", &AabbTree::high, "The opposite corner [m].")
+      .def("low", &AabbTree::low, "The corner of the box around the whole surface [m], shape (3,).")
+      .def("high", &AabbTree::high, "The opposite corner [m], shape (3,).")
       .def(
           "leaf_triangles",
           [](const py::object& self) {
             return view_span(self.cast<const AabbTree&>().leaf_triangles(), self);
           },
-          "triangles() in the sequence of order(); a view, read-only.")
+          "triangles() in the sequence of order(), shape (t, 3); a view, read-only.")
       .def(
           "order",
           [](const py::object& self) {
             return view_span(self.cast<const AabbTree&>().order(), self);
           },
-          "Triangles in the sequence of the leaves; a view, read-only.")
+          "Triangles in the sequence of the leaves, shape (t,); a view, read-only.")
       .def(
           "triangles",
           [](const py::object& self) {
@@ -95,11 +96,14 @@ void bind_tree(py::module_& m) {
           },
           "Shape (t, 3); a view, read-only.");
   m.def("compute_query_cost", &compute_query_cost, "tree"_a,
-        "What a query of the tree costs on average, in nodes and leaves visited.");
-  tree.attr("kWidth") = AabbTree::kWidth;
-  tree.attr("kLeafSize") = AabbTree::kLeafSize;
-  tree.attr("kMaxDepth") = AabbTree::kMaxDepth;
+        "[-] What a query of the tree costs on average, in nodes and leaves visited.");
+  tree.attr("WIDTH") = AabbTree::kWidth;
+  tree.attr("LEAF_SIZE") = AabbTree::kLeafSize;
+  tree.attr("MAX_DEPTH") = AabbTree::kMaxDepth;
   def_copy(tree);
+  def_summary(tree, [](const AabbTree& self) {
+    return write_text(self.triangles().size(), " triangles in ", self.nodes().size(), " nodes");
+  });
 }
 
 void bind_tool(py::module_& m) {
@@ -112,7 +116,7 @@ void bind_tool(py::module_& m) {
   tool.def_readwrite("radius", &Tool::radius, "[m]")
       .def_readwrite("stiffness", &Tool::stiffness,
                      "[N/m³] k_A: pressure per depth of the contact law.");
-  def_copy(tool);
+  def_value(tool, &Tool::radius, &Tool::stiffness);
   def_repr(tool, {"radius", "stiffness"});
 
   py::class_<ToolState> state(
@@ -122,24 +126,31 @@ void bind_tool(py::module_& m) {
       "The surface nearest to the tool after the last substep; the tool rides on its motion.");
   carrier.def_readonly("triangle", &ToolState::Carrier::triangle, "-1 when nothing is touched.");
   def_vector(carrier, "weights", &ToolState::Carrier::weights,
-             "Barycentric, of the closest point.");
+             "[-] Barycentric, of the closest point.");
   def_vector(carrier, "point", &ToolState::Carrier::point, "[m] where that was.");
   def_vector(carrier, "direction", &ToolState::Carrier::direction,
-             "Unit, from there to the tool's centre.");
-  state.def(py::init([](int capacity) { return ToolState(to_index(capacity, "capacity")); }),
-            "capacity"_a = 0);
+             "[-] Unit, from there to the tool's centre.");
+  def_value(carrier, &ToolState::Carrier::triangle, &ToolState::Carrier::weights,
+            &ToolState::Carrier::point, &ToolState::Carrier::direction);
+  def_repr(carrier, {"triangle", "weights", "point", "direction"});
+  state.def(py::init([](int capacity) { return ToolState(to_count(capacity, "capacity")); }),
+            "capacity"_a = 0, "Room for so many holds.");
   def_vector(state, "position", &ToolState::position, "[m]");
   state.def_readwrite("placed", &ToolState::placed,
                       "False until the first sample has put it somewhere.");
   def_fixed_rows(state, "holds", &ToolState::holds,
-                 "All holds there is room for, a structured array (triangle, weights, stiffness, "
+                 "All holds there is room for, a structured array of shape (capacity,) (triangle, "
+                 "weights, stiffness, "
                  "offset); a view, read-only: attach_tool writes it.");
   state.def_readonly("hold_count", &ToolState::hold_count, "0 when nothing is attached.")
       .def_readwrite("touching", &ToolState::touching, "Any contact in force in the last substep.");
   def_vector(state, "residual", &ToolState::residual,
              "[N] left between hand and tissue after the last substep.");
-  state.def_readonly("carrier", &ToolState::carrier);
-  def_copy(state);
+  state.def_readonly("carrier", &ToolState::carrier, "The surface nearest to the tool.");
+  def_value(state, &ToolState::position, &ToolState::placed, &ToolState::holds,
+            &ToolState::hold_count, &ToolState::carrier, &ToolState::touching,
+            &ToolState::residual);
+  def_repr(state, {"position", "placed", "touching", "hold_count", "residual"});
 
   const Coupling spring;
   py::class_<Coupling> coupling(m, "Coupling",
@@ -150,23 +161,25 @@ void bind_tool(py::module_& m) {
                py::kw_only(), "stiffness"_a = spring.stiffness, "force_max"_a = spring.force_max);
   coupling.def_readwrite("stiffness", &Coupling::stiffness, "[N/m] K of Eq 12.")
       .def_readwrite("force_max", &Coupling::force_max, "[N]");
-  def_copy(coupling);
+  def_value(coupling, &Coupling::stiffness, &Coupling::force_max);
   def_repr(coupling, {"stiffness", "force_max"});
 }
 
 void bind_contact_law(py::module_& m) {
-  m.attr("kBarrierFloor") = kBarrierFloor;
-  m.attr("kNoArm") = kNoArm;
-  m.attr("kFullFacing") = kFullFacing;
+  m.attr("BARRIER_FLOOR") = kBarrierFloor;
+  m.attr("NO_ARM") = kNoArm;
+  m.attr("FULL_FACING") = kFullFacing;
   py::class_<Contact> contact(m, "Contact", "How the tip touches one triangle.");
   contact.def(py::init<>());
-  def_vector(contact, "weights", &Contact::weights, "Barycentric, of the closest point.");
+  def_vector(contact, "weights", &Contact::weights, "[-] Barycentric, of the closest point.");
   def_vector(contact, "direction", &Contact::direction,
-             "Unit, from the closest point to the tool's centre.");
+             "[-] Unit, from the closest point to the tool's centre.");
   contact.def_readwrite("distance", &Contact::distance, "[m] between the two.")
       .def_readwrite("force", &Contact::force,
                      "[N] along direction on the tool, against it on the tissue.")
       .def_readwrite("stiffness", &Contact::stiffness, "[N/m] d force / d depth.");
+  def_value(contact, &Contact::weights, &Contact::direction, &Contact::distance, &Contact::force,
+            &Contact::stiffness);
   def_repr(contact, {"weights", "direction", "distance", "force", "stiffness"});
   m.def("find_contact", &find_contact, "tool"_a, "rest_area"_a, "centre"_a, "a"_a, "b"_a, "c"_a,
         "contact"_a,
@@ -183,20 +196,23 @@ void bind_contact_law(py::module_& m) {
 }
 
 void bind_candidates(py::module_& m) {
-  m.attr("kCandidateMargin") = kCandidateMargin;
+  m.attr("CANDIDATE_MARGIN") = kCandidateMargin;
   py::class_<Candidates> candidates(
       m, "Candidates",
       "Triangles the tool may touch during one tick, ascending, with the area of each [m²].");
-  candidates.def(py::init([](int capacity) { return Candidates(to_index(capacity, "capacity")); }),
-                 "capacity"_a = 0);
-  def_table(candidates, "triangles", &Candidates::triangles,
-            "All there is room for; the first count of them hold; a view, read-only.");
+  candidates.def(py::init([](int capacity) { return Candidates(to_count(capacity, "capacity")); }),
+                 "capacity"_a = 0, "Room for so many triangles.");
+  def_table(
+      candidates, "triangles", &Candidates::triangles,
+      "All there is room for, shape (capacity,); the first count of them hold; a view, read-only.");
   def_view(candidates, "areas", &Candidates::areas,
-           "[m²] at rest, so that pressing does not change the law; a view.");
-  candidates.def_readonly("count", &Candidates::count);
+           "[m²] shape (capacity,), at rest, so that pressing does not change the law; a view.");
+  candidates.def_readonly("count", &Candidates::count, "How many of them there are.");
   def_vector(candidates, "from_", &Candidates::from, "[m] the way they were looked for along.");
   def_vector(candidates, "to", &Candidates::to, "[m]");
-  def_copy(candidates);
+  def_value(candidates, &Candidates::triangles, &Candidates::areas, &Candidates::count,
+            &Candidates::from, &Candidates::to);
+  def_repr(candidates, {"count", "from_", "to"});
   m.def(
       "find_candidates",
       [](const AabbTree& tree, const Numbers& x, const Tool& tool, const Vec3& tool_position,
@@ -213,7 +229,7 @@ void bind_candidates(py::module_& m) {
       },
       "tree"_a, "x"_a, "tool"_a, "tool_position"_a, "hand_position"_a, "rest_areas"_a,
       "candidates"_a,
-      "Finds every triangle within radius + kCandidateMargin of the way from the tool's last "
+      "Finds every triangle within radius + CANDIDATE_MARGIN of the way from the tool's last "
       "position to where the hand is now. rest_areas [m²] per triangle of the tissue.");
 }
 
@@ -255,22 +271,22 @@ void bind_balance(py::module_& m) {
       "contacts"_a, "triangles"_a, "x"_a, "stiffness"_a, "state"_a,
       "Fastens the tool to the patch it touches, shares weighted by contact force; stiffness [N/m] "
       "in all. Does nothing, and returns False, when it touches nothing.");
-  m.def("release_tool", &release_tool, "state"_a);
+  m.def("release_tool", &release_tool, "state"_a, "Lets go of what the tool is fastened to.");
   m.def(
       "bound_contact_stiffness",
       [](const Tool& tool, const Candidates& candidates, const Integers& triangles,
-         const Numbers& x, const Numbers& mass, const ToolState& state, NumbersOut scratch) {
+         const Numbers& x, const Numbers& mass, const ToolState& state, const NumbersOut& scratch) {
         const Surface surface(triangles, x);
         require_fit(candidates, surface.triangles.size());
         require_fit(state, surface.triangles.size());
         const auto masses = numbers(mass, "mass");
         require_count("mass", masses.size(), surface.x.size());
-        require_count("scratch", numbers(scratch, "scratch").size(), surface.x.size());
-        return bound_contact_stiffness(
-            tool, candidates, surface.triangles, surface.x, masses, state,
-            {scratch.mutable_data(), static_cast<std::size_t>(scratch.size())});
+        const auto room = entries_out(scratch, "scratch");
+        require_count("scratch", room.size(), surface.x.size());
+        return bound_contact_stiffness(tool, candidates, surface.triangles, surface.x, masses,
+                                       state, room);
       },
-      "tool"_a, "candidates"_a, "triangles"_a, "x"_a, "mass"_a, "state"_a, "scratch"_a.noconvert(),
+      "tool"_a, "candidates"_a, "triangles"_a, "x"_a, "mass"_a, "state"_a, "scratch"_a,
       "Largest extra eigenvalue [1/s²] that contacts and holds may add to M⁻¹K: max over particles "
       "of sum k_t w / m. scratch holds one number per particle.");
 }

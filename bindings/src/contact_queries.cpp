@@ -10,10 +10,12 @@ namespace {
 
 void bind_point_queries(py::module_& m) {
   py::class_<SurfacePoint> point(m, "SurfacePoint", "A point of a surface, found by a query.");
-  point.def_readonly("triangle", &SurfacePoint::triangle)
+  point.def_readonly("triangle", &SurfacePoint::triangle, "Row of the surface.")
       .def_readonly("distance", &SurfacePoint::distance, "[m] from where the query began.");
-  def_vector(point, "weights", &SurfacePoint::weights, "Barycentric, in [0, 1], sum 1.");
+  def_vector(point, "weights", &SurfacePoint::weights, "[-] Barycentric, from 0 to 1, sum 1.");
   def_vector(point, "point", &SurfacePoint::point, "[m]");
+  def_value(point, &SurfacePoint::triangle, &SurfacePoint::weights, &SurfacePoint::point,
+            &SurfacePoint::distance);
   def_repr(point, {"triangle", "weights", "point", "distance"});
 
   m.def("find_closest_on_triangle", &find_closest_on_triangle, "p"_a, "a"_a, "b"_a, "c"_a,
@@ -59,35 +61,30 @@ void bind_way_queries(py::module_& m) {
       "metres.");
 }
 
-std::span<int> indices_out(IntegersOut& array, const char* name) {
-  if (array.ndim() != 1) refuse(name, "shape " + shape_of(array), "(n,)");
-  return {array.mutable_data(), static_cast<std::size_t>(array.shape(0))};
-}
-
 void bind_range_queries(py::module_& m) {
   m.def(
       "find_in_sphere",
       [](const AabbTree& tree, const Numbers& x, const Vec3& centre, double radius,
-         IntegersOut out) {
+         const IntegersOut& out) {
         const auto xs = points(x, "x");
         require_fit(tree, xs);
         require_finite("centre", centre);
-        return find_in_sphere(tree, xs, centre, radius, indices_out(out, "out"));
+        return find_in_sphere(tree, xs, centre, radius, entries_out(out, "out"));
       },
-      "tree"_a, "x"_a, "centre"_a, "radius"_a, "out"_a.noconvert(),
+      "tree"_a, "x"_a, "centre"_a, "radius"_a, "out"_a,
       "Triangles with a point inside the ball or on it; ascending, written into out, an int32 "
       "array. Returns how many there are; only as many as out holds are written.");
   m.def(
       "find_near_segment",
       [](const AabbTree& tree, const Numbers& x, const Vec3& from, const Vec3& to, double radius,
-         IntegersOut out) {
+         const IntegersOut& out) {
         const auto xs = points(x, "x");
         require_fit(tree, xs);
         require_finite("from_", from);
         require_finite("to", to);
-        return find_near_segment(tree, xs, from, to, radius, indices_out(out, "out"));
+        return find_near_segment(tree, xs, from, to, radius, entries_out(out, "out"));
       },
-      "tree"_a, "x"_a, "from_"_a, "to"_a, "radius"_a, "out"_a.noconvert(),
+      "tree"_a, "x"_a, "from_"_a, "to"_a, "radius"_a, "out"_a,
       "Triangles whose boxes, grown by radius [m], meet the segment: a superset of those that "
       "touch the capsule; ascending, written into out, an int32 array. Returns how many there "
       "are; only as many as out holds are written.");

@@ -35,7 +35,10 @@ void bind_state(py::module_& m) {
   def_view(state, "velocity", &State::velocity, "[m/s], shape (n, 3); a view.");
   def_view(state, "force", &State::force,
            "[N] of the last evaluation, loads included, shape (n, 3); a view.");
-  def_copy(state);
+  def_value(state, &State::time, &State::position, &State::velocity, &State::force);
+  def_summary(state, [](const State& self) {
+    return write_text(self.position.size(), " particles at ", self.time, " s");
+  });
 }
 
 void bind_load(py::module_& m) {
@@ -44,21 +47,22 @@ void bind_load(py::module_& m) {
              return Push{triangle, weights, force};
            }),
            "triangle"_a = 0, "weights"_a = Vec3::Zero().eval(), "force"_a = Vec3::Zero().eval());
-  push.def_readwrite("triangle", &Push::triangle);
-  def_vector(push, "weights", &Push::weights, "Barycentric, sum 1.");
+  push.def_readwrite("triangle", &Push::triangle, "Row of the surface.");
+  def_vector(push, "weights", &Push::weights, "[-] Barycentric, sum 1.");
   def_vector(push, "force", &Push::force, "[N]");
   push.attr("dtype") = row_dtype<Push>();
-  def_copy(push);
+  def_value(push, &Push::triangle, &Push::weights, &Push::force);
   def_repr(push, {"triangle", "weights", "force"});
 
   py::class_<Load> load(m, "Load",
                         "What the surroundings do to a tissue during one step. Pushes have a fixed "
                         "capacity, so the haptic thread never allocates.");
-  load.def(py::init([](int capacity) { return Load(to_index(capacity, "capacity")); }),
-           "capacity"_a = 0);
+  load.def(py::init([](int capacity) { return Load(to_count(capacity, "capacity")); }),
+           "capacity"_a = 0, "Room for so many pushes.");
   def_vector(load, "gravity", &Load::gravity, "[m/s²]");
-  def_fixed_rows(load, "storage", &Load::storage,
-                 "All pushes there is room for, a structured array; a view, read-only.");
+  def_fixed_rows(
+      load, "storage", &Load::storage,
+      "All pushes there is room for, a structured array of shape (capacity,); a view, read-only.");
   load.def_readonly("push_count", &Load::push_count, "How many of them are in force.");
   load.def(
           "pushes",
@@ -66,27 +70,32 @@ void bind_load(py::module_& m) {
             const auto rows = self.cast<const Load&>().pushes();
             return read_only(view_rows(rows.data(), rows.size(), self));
           },
-          "The pushes in force, a structured array (triangle, weights, force); a view, read-only.")
-      .def("clear", &Load::clear)
+          "The pushes in force, a structured array (triangle, weights, force) of shape "
+          "(push_count,); a view, read-only.")
+      .def("clear", &Load::clear, "No pushes any more.")
       .def("add", &Load::add, "push"_a, "False, and nothing added, when the capacity is used up.");
-  def_copy(load);
+  def_value(load, &Load::gravity, &Load::storage, &Load::push_count);
+  def_repr(load, {"push_count", "gravity"});
 }
 
 void bind_energy(py::module_& m) {
   py::class_<Energy> energy(m, "Energy", "[J] each. AngleLaw.eq10 has no energy and counts 0.");
   energy.def(py::init<>())
-      .def_readwrite("kinetic", &Energy::kinetic)
-      .def_readwrite("links", &Energy::links, "Springs and bonds, Eq 8.")
-      .def_readwrite("angles", &Energy::angles, "Eq 9 and Eq 11.")
-      .def_readwrite("prisms", &Energy::prisms, "Transverse shear of walls.")
-      .def_readwrite("volumes", &Energy::volumes, "Of tetrahedra.")
-      .def_readwrite("strain", &Energy::strain, "Of linear solids.")
-      .def_readwrite("home", &Energy::home)
-      .def_readwrite("gravity", &Energy::gravity, "Relative to the origin.")
+      .def_readwrite("kinetic", &Energy::kinetic, "[J] Of all particles.")
+      .def_readwrite("links", &Energy::links, "[J] Springs and bonds, Eq 8.")
+      .def_readwrite("angles", &Energy::angles, "[J] Eq 9 and Eq 11.")
+      .def_readwrite("prisms", &Energy::prisms, "[J] Transverse shear of walls.")
+      .def_readwrite("volumes", &Energy::volumes, "[J] Of tetrahedra.")
+      .def_readwrite("strain", &Energy::strain, "[J] Of linear solids.")
+      .def_readwrite("home", &Energy::home, "[J] Of the pull to where particles rest.")
+      .def_readwrite("gravity", &Energy::gravity, "[J] Relative to the origin.")
       .def_readwrite("pressure", &Energy::pressure,
-                     "-p V; its gradient is the pressure force on closed surfaces.")
-      .def("total", &Energy::total)
-      .def("elastic", &Energy::elastic);
+                     "[J] -p V; its gradient is the pressure force on closed surfaces.")
+      .def("total", &Energy::total, "[J] All of them.")
+      .def("elastic", &Energy::elastic,
+           "[J] What is stored in the tissue itself: all but kinetic, gravity and pressure.");
+  def_value(energy, &Energy::kinetic, &Energy::links, &Energy::angles, &Energy::prisms,
+            &Energy::volumes, &Energy::strain, &Energy::home, &Energy::gravity, &Energy::pressure);
   def_repr(energy, {"kinetic", "links", "angles", "prisms", "volumes", "strain", "home", "gravity",
                     "pressure"});
   m.def(
@@ -95,11 +104,12 @@ void bind_energy(py::module_& m) {
         require_fit(model, state);
         return compute_energy(model, gravity, state);
       },
-      "model"_a, "gravity"_a, "state"_a);
+      "model"_a, "gravity"_a, "state"_a, "[J] What a tissue holds, by kind.");
 }
 
 void bind_tangent(py::module_& m) {
-  py::native_enum<Projection>(m, "Projection", "enum.Enum")
+  py::native_enum<Projection>(m, "Projection", "enum.Enum",
+                              "Which stiffness an implicit step is given.")
       .value("none", Projection::none, "The exact derivative.")
       .value("positive_semidefinite", Projection::positive_semidefinite,
              "Tensions and the 3x3 length Hessians clamped at 0.")
@@ -128,7 +138,8 @@ void bind_tangent(py::module_& m) {
 }
 
 void bind_integrators(py::module_& m) {
-  py::native_enum<Integrator>(m, "Integrator", "enum.Enum")
+  py::native_enum<Integrator>(m, "Integrator", "enum.Enum",
+                              "How a step goes from one moment to the next.")
       .value("explicit_euler", Integrator::explicit_euler,
              "x with the old velocity; never stable without damping.")
       .value("symplectic_euler", Integrator::symplectic_euler,
@@ -142,7 +153,7 @@ void bind_integrators(py::module_& m) {
       .finalize();
   m.def("find_integrator", &find_integrator, "name"_a,
         "'symplectic_euler' -> Integrator.symplectic_euler; None for an unknown name.");
-  m.def("integrator_name", &integrator_name, "integrator"_a);
+  m.def("integrator_name", &integrator_name, "integrator"_a, "Integrator.midpoint -> 'midpoint'.");
 }
 
 void require_step(const TissueModel& model, const Load& load, double dt, const State& state) {
@@ -191,7 +202,7 @@ void bind_step(py::module_& m) {
       .def(py::init([](const TissueModel& model, Integrator integrator) {
              return Stepper{model, ImplicitStepper(model, integrator)};
            }),
-           "model"_a, "integrator"_a, py::keep_alive<1, 2>())
+           "model"_a, "integrator"_a, py::keep_alive<1, 2>(), "Steps this model, which it keeps.")
       .def(
           "step",
           [](Stepper& self, const Load& load, double dt, State& state) {
@@ -214,9 +225,10 @@ void bind_stable_step(py::module_& m) {
                py::kw_only(), "stiffness"_a = 0.0, "damping"_a = 0.0);
   spectrum.def_readwrite("stiffness", &Spectrum::stiffness, "[1/s²] of M⁻¹K")
       .def_readwrite("damping", &Spectrum::damping, "[1/s] of M⁻¹C");
+  def_value(spectrum, &Spectrum::stiffness, &Spectrum::damping);
   def_repr(spectrum, {"stiffness", "damping"});
   m.def("estimate_spectrum", &estimate_spectrum, "model"_a, "coupling"_a = 0.0,
-        py::call_guard<py::gil_scoped_release>());
+        py::call_guard<py::gil_scoped_release>(), "The largest eigenvalues at rest.");
   m.def("stable_step", &stable_step, "model"_a, "coupling"_a = 0.0,
         py::call_guard<py::gil_scoped_release>(),
         "[s] A step at which symplectic Euler is stable at rest, with a margin; coupling [N/m] is "

@@ -15,7 +15,8 @@ void require_like(std::span<const Vec3> x, std::span<const Vec3> other, const ch
 void bind_link_and_angle_forces(py::module_& m) {
   m.def(
       "accumulate_link_forces",
-      [](const Links& links, DampingLaw law, const Numbers& x, const Numbers& v, NumbersOut f) {
+      [](const Links& links, DampingLaw law, const Numbers& x, const Numbers& v,
+         const NumbersOut& f) {
         const auto xs = points(x, "x"), vs = points(v, "v");
         const auto fs = points_out(f, "f");
         require_like(xs, vs, "v");
@@ -23,19 +24,19 @@ void bind_link_and_angle_forces(py::module_& m) {
         require_links(links, xs.size());
         accumulate_link_forces(links, law, xs, vs, fs);
       },
-      "links"_a, "law"_a, "x"_a, "v"_a, "f"_a.noconvert(),
+      "links"_a, "law"_a, "x"_a, "v"_a, "f"_a,
       "Adds to f [N] the pull of every link: Hooke's law with damping (Eq 1, 2, 8).");
   const auto bind_angles = [&m](const char* name, auto kernel, const char* doc) {
     m.def(
         name,
-        [kernel](const Angles& angles, const Numbers& x, NumbersOut f) {
+        [kernel](const Angles& angles, const Numbers& x, const NumbersOut& f) {
           const auto xs = points(x, "x");
           const auto fs = points_out(f, "f");
           require_like(xs, fs, "f");
           require_angles(angles, xs.size());
           kernel(angles, xs, fs);
         },
-        "angles"_a, "x"_a, "f"_a.noconvert(), doc);
+        "angles"_a, "x"_a, "f"_a, doc);
   };
   bind_angles("accumulate_angle_forces", &accumulate_angle_forces,
               "Adds to f [N] Eq 9 and Eq 11 of the paper as edge tensions.");
@@ -47,7 +48,7 @@ void bind_link_and_angle_forces(py::module_& m) {
 void bind_prism_forces(py::module_& m) {
   m.def(
       "accumulate_prism_forces",
-      [](const Prisms& prisms, const Numbers& x, const Numbers& v, NumbersOut f) {
+      [](const Prisms& prisms, const Numbers& x, const Numbers& v, const NumbersOut& f) {
         const auto xs = points(x, "x"), vs = points(v, "v");
         const auto fs = points_out(f, "f");
         require_like(xs, vs, "v");
@@ -60,28 +61,28 @@ void bind_prism_forces(py::module_& m) {
         }
         accumulate_prism_forces(prisms, xs, vs, fs);
       },
-      "prisms"_a, "x"_a, "v"_a, "f"_a.noconvert(),
+      "prisms"_a, "x"_a, "v"_a, "f"_a,
       "Adds to f [N] what resists the transverse shear of a wall.");
 }
 
 void bind_volume_forces(py::module_& m) {
   m.def(
       "accumulate_volume_forces",
-      [](const Volumes& volumes, const Numbers& x, NumbersOut f) {
+      [](const Volumes& volumes, const Numbers& x, const NumbersOut& f) {
         const auto xs = points(x, "x");
         const auto fs = points_out(f, "f");
         require_like(xs, fs, "f");
         require_volumes(volumes, xs.size());
         accumulate_volume_forces(volumes, xs, fs);
       },
-      "volumes"_a, "x"_a, "f"_a.noconvert(), "Adds to f [N] what resists a change of volume.");
+      "volumes"_a, "x"_a, "f"_a, "Adds to f [N] what resists a change of volume.");
 }
 
 void bind_elastic_forces(py::module_& m) {
   m.def(
       "accumulate_elastic_forces",
       [](const Elastic& elastic, const Numbers& rest, const Numbers& x, const Numbers& v,
-         NumbersOut f) {
+         const NumbersOut& f) {
         const auto rests = points(rest, "rest"), xs = points(x, "x"), vs = points(v, "v");
         const auto fs = points_out(f, "f");
         require_like(xs, rests, "rest");
@@ -90,14 +91,14 @@ void bind_elastic_forces(py::module_& m) {
         require_elastic(elastic, xs.size());
         accumulate_elastic_forces(elastic, rests, xs, vs, fs);
       },
-      "elastic"_a, "rest"_a, "x"_a, "v"_a, "f"_a.noconvert(),
+      "elastic"_a, "rest"_a, "x"_a, "v"_a, "f"_a,
       "Adds to f [N] what resists strain; rest [m] are the places at rest.");
 }
 
 void bind_surface_forces(py::module_& m) {
   m.def(
       "accumulate_home_forces",
-      [](const Numbers& home, const Numbers& rest, const Numbers& x, NumbersOut f) {
+      [](const Numbers& home, const Numbers& rest, const Numbers& x, const NumbersOut& f) {
         const auto xs = points(x, "x"), rests = points(rest, "rest");
         const auto fs = points_out(f, "f");
         require_like(xs, rests, "rest");
@@ -106,11 +107,11 @@ void bind_surface_forces(py::module_& m) {
         if (!homes.empty()) require_count("home", homes.size(), xs.size());
         accumulate_home_forces(homes, rests, xs, fs);
       },
-      "home"_a, "rest"_a, "x"_a, "f"_a.noconvert(),
+      "home"_a, "rest"_a, "x"_a, "f"_a,
       "Adds to f [N] the pull of every particle to its rest position, home [N/m].");
   m.def(
       "accumulate_pressure_forces",
-      [](const Integers& triangles, double pressure, const Numbers& x, NumbersOut f) {
+      [](const Integers& triangles, double pressure, const Numbers& x, const NumbersOut& f) {
         const auto rows = copy_index_rows<3>(triangles, "triangles");
         const auto xs = points(x, "x");
         const auto fs = points_out(f, "f");
@@ -118,11 +119,12 @@ void bind_surface_forces(py::module_& m) {
         require_triangles(rows, xs.size());
         accumulate_pressure_forces(rows, pressure, xs, fs);
       },
-      "triangles"_a, "pressure"_a, "x"_a, "f"_a.noconvert(),
+      "triangles"_a, "pressure"_a, "x"_a, "f"_a,
       "Adds to f [N] the push of a pressure [Pa] inside a surface.");
   m.def(
       "accumulate_push_forces",
-      [](const Integers& triangles, const Skin& skin, const py::object& pushes, NumbersOut f) {
+      [](const Integers& triangles, const Skin& skin, const py::object& pushes,
+         const NumbersOut& f) {
         const auto rows = copy_index_rows<3>(triangles, "triangles");
         const auto all = copy_rows<Push>(pushes, "pushes");
         const auto fs = points_out(f, "f");
@@ -132,7 +134,7 @@ void bind_surface_forces(py::module_& m) {
         require_pushes(all, rows.size());
         accumulate_push_forces(rows, skin, all, fs);
       },
-      "triangles"_a, "skin"_a, "pushes"_a, "f"_a.noconvert(),
+      "triangles"_a, "skin"_a, "pushes"_a, "f"_a,
       "Adds to f [N] pushes, a structured array as of Load.pushes() or a list of Push, shared by "
       "their barycentric weights, and again by those of a skin that is not empty.");
 }
@@ -140,16 +142,16 @@ void bind_surface_forces(py::module_& m) {
 void bind_body_forces(py::module_& m) {
   m.def(
       "accumulate_gravity",
-      [](const Numbers& mass, const Vec3& gravity, NumbersOut f) {
+      [](const Numbers& mass, const Vec3& gravity, const NumbersOut& f) {
         const auto fs = points_out(f, "f");
         const auto masses = numbers(mass, "mass");
         require_count("mass", masses.size(), fs.size());
         accumulate_gravity(masses, gravity, fs);
       },
-      "mass"_a, "gravity"_a, "f"_a.noconvert(), "Adds to f [N] the weight of every particle.");
+      "mass"_a, "gravity"_a, "f"_a, "Adds to f [N] the weight of every particle.");
   m.def(
       "accumulate_drag",
-      [](const Numbers& mass, double drag, const Numbers& v, NumbersOut f) {
+      [](const Numbers& mass, double drag, const Numbers& v, const NumbersOut& f) {
         const auto vs = points(v, "v");
         const auto fs = points_out(f, "f");
         require_like(vs, fs, "f");
@@ -157,12 +159,12 @@ void bind_body_forces(py::module_& m) {
         require_count("mass", masses.size(), vs.size());
         accumulate_drag(masses, drag, vs, fs);
       },
-      "mass"_a, "drag"_a, "v"_a, "f"_a.noconvert(),
+      "mass"_a, "drag"_a, "v"_a, "f"_a,
       "Adds to f [N] what the surroundings take: drag [1/s] x mass x velocity.");
   m.def(
       "compute_forces",
       [](const TissueModel& model, const Load& load, const Numbers& x, const Numbers& v,
-         NumbersOut f) {
+         const NumbersOut& f) {
         const auto xs = points(x, "x"), vs = points(v, "v");
         const auto fs = points_out(f, "f");
         require_count("x", xs.size(), model.rest_position.size());
@@ -171,7 +173,7 @@ void bind_body_forces(py::module_& m) {
         require_pushes(load.pushes(), model.triangles.size());
         compute_forces(model, load, xs, vs, fs);
       },
-      "model"_a, "load"_a, "x"_a, "v"_a, "f"_a.noconvert(),
+      "model"_a, "load"_a, "x"_a, "v"_a, "f"_a,
       "Sets f [N] to all of the above for a model under a load. The entries of fixed particles "
       "hold what the support must carry.");
 }

@@ -12,7 +12,8 @@ namespace palpate::bindings {
 namespace {
 
 void bind_alarm(py::module_& m) {
-  py::native_enum<AlarmKind>(m, "AlarmKind", "enum.Enum")
+  py::native_enum<AlarmKind>(m, "AlarmKind", "enum.Enum",
+                             "What may be wrong with a running tissue.")
       .value("none", AlarmKind::none)
       .value("not_finite", AlarmKind::not_finite, "index: particle")
       .value("moved_far", AlarmKind::moved_far,
@@ -24,19 +25,22 @@ void bind_alarm(py::module_& m) {
       .value("inverted", AlarmKind::inverted,
              "index: tetrahedron; volume below 0.05 of that at rest")
       .value("pressed_deep", AlarmKind::pressed_deep,
-             "index: vertex of the surface; a linear solid moved beyond kShallow")
+             "index: vertex of the surface; a linear solid moved beyond SHALLOW")
       .value("invalid_input", AlarmKind::invalid_input,
              "index: TickInput; a tick cannot use what it was given")
       .finalize();
   py::class_<Alarm> alarm(m, "Alarm",
                           "What is wrong with a running tissue, as a value; false for nothing.");
   alarm.def(py::init<>())
-      .def_readwrite("kind", &Alarm::kind)
-      .def_readwrite("index", &Alarm::index)
-      .def_readwrite("value", &Alarm::value, "What was measured.")
-      .def_readwrite("limit", &Alarm::limit, "What it may be.")
+      .def_readwrite("kind", &Alarm::kind, "What is wrong; none for nothing.")
+      .def_readwrite("index", &Alarm::index,
+                     "Particle, link, ...: AlarmKind says of what; -1 for none.")
+      .def_readwrite("value", &Alarm::value,
+                     "What was measured, in the unit of its kind: [m], [-] or [J].")
+      .def_readwrite("limit", &Alarm::limit, "What it may be, likewise: [m], [-] or [J].")
       .def_readwrite("time", &Alarm::time, "[s]")
       .def("__bool__", [](const Alarm& self) { return static_cast<bool>(self); });
+  def_value(alarm, &Alarm::kind, &Alarm::index, &Alarm::value, &Alarm::limit, &Alarm::time);
   def_repr(alarm, {"kind", "index", "value", "limit", "time"});
 }
 
@@ -67,7 +71,7 @@ void bind_memory(py::module_& m) {
               require_fit(model, state);
               return Guard(model, gravity, state);
             }),
-            "model"_a, "gravity"_a, "state"_a);
+            "model"_a, "gravity"_a, "state"_a, "Of a tissue as it is now.");
   def_view(guard, "last_position", &Guard::last_position,
            "[m] at the last look that found nothing wrong, shape (n, 3); a view.");
   guard.def_readwrite("last_time", &Guard::last_time, "[s] of the last look.")
@@ -86,7 +90,11 @@ void bind_memory(py::module_& m) {
                      "Looks in a row at which energy rose without work.")
       .def_readwrite("strained_looks", &Guard::strained_looks,
                      "Looks in a row at which a link was out of its bounds.");
-  def_copy(guard);
+  def_value(guard, &Guard::last_position, &Guard::last_time, &Guard::shortest_rest_length,
+            &Guard::start_energy, &Guard::last_energy, &Guard::work, &Guard::given_energy,
+            &Guard::unnoticed_energy, &Guard::reference_energy, &Guard::rising_steps,
+            &Guard::strained_looks);
+  def_repr(guard, {"last_time", "work", "last_energy", "reference_energy", "rising_steps"});
   m.def(
       "check",
       [](const TissueModel& model, const Vec3& gravity, const State& state, double work,

@@ -29,7 +29,7 @@ void bind_size(py::module_& m) {
       .def_readwrite("pushed", &ResponseSize::pushed, "Those of them within reach of pushes.")
       .def_readwrite("bytes", &ResponseSize::bytes,
                      "Of the table: 3 moved x 3 pushed numbers of 4 bytes.");
-  def_copy(size);
+  def_value(size, &ResponseSize::moved, &ResponseSize::pushed, &ResponseSize::bytes);
   def_repr(size, {"moved", "pushed", "bytes"});
 }
 
@@ -41,7 +41,7 @@ void bind_response(py::module_& m) {
       m, "Response",
       "How a linear solid answers when nothing of it swings: displacements of the particles that "
       "carry its surface under forces on those that pushes reach. Made by build_response.");
-  response.def_readonly("size", &Response::size)
+  response.def_readonly("size", &Response::size, "How much there is of it.")
       .def_property_readonly(
           "compliance",
           [](const py::object& self) {
@@ -57,15 +57,16 @@ void bind_response(py::module_& m) {
           },
           "[m] under gravity alone, shape (moved, 3); a view, read-only.")
       .def_readonly("damping_time", &Response::damping_time, "[s]");
-  def_table(response, "particle", &Response::particle, "Of the moved, ascending; a view.");
+  def_table(response, "particle", &Response::particle,
+            "Of the moved, ascending, shape (moved,); a view.");
   def_table(response, "row", &Response::row,
-            "Per particle of the model: among the moved, or -1; a view.");
+            "Per particle of the model, shape (n,): among the moved, or -1; a view.");
   def_table(response, "column", &Response::column,
-            "Per particle: among the pushed, or -1; a view.");
+            "Per particle, shape (n,): among the pushed, or -1; a view.");
   def_table(response, "softness", &Response::softness,
-            "[m/N] per vertex of the surface, of itself; 0 out of reach; a view.");
-  m.attr("kMostResponseBytes") = kMostResponseBytes;
-  m.attr("kShallow") = kShallow;
+            "[m/N] per vertex of the surface, shape (n,), of itself; 0 out of reach; a view.");
+  m.attr("MOST_RESPONSE_BYTES") = kMostResponseBytes;
+  m.attr("SHALLOW") = kShallow;
   m.def("measure_response", &measure_response, "model"_a,
         "How much of a linear solid's response there is to keep. Raises ValueError for another "
         "model.");

@@ -48,14 +48,15 @@ void bind_sample(py::module_& m) {
       [](HapticSample& self, const Eigen::Vector4d& xyzw) {
         self.orientation = to_quaternion(xyzw);
       },
-      "Unit quaternion (x, y, z, w); a view.");
+      "[-] Unit quaternion (x, y, z, w), shape (4,); a view.");
   def_vector(sample, "velocity", &HapticSample::velocity, "[m/s]");
   sample.def_readwrite("buttons", &HapticSample::buttons, "Bit 0: attach while held.")
       .def_readwrite("grip", &HapticSample::grip, "[rad]");
   sample.attr("dtype") = row_dtype<HapticSample>();
-  def_copy(sample);
+  def_value(sample, &HapticSample::time, &HapticSample::position, &HapticSample::orientation,
+            &HapticSample::velocity, &HapticSample::buttons, &HapticSample::grip);
   def_repr(sample, {"time", "position", "orientation", "velocity", "buttons", "grip"});
-  m.attr("kAttachButton") = kAttachButton;
+  m.attr("ATTACH_BUTTON") = kAttachButton;
 
   py::class_<HapticCommand> command(
       m, "HapticCommand",
@@ -63,7 +64,7 @@ void bind_sample(py::module_& m) {
   command.def(py::init([](const Vec3& force) { return HapticCommand{force}; }),
               "force"_a = Vec3::Zero().eval());
   def_vector(command, "force", &HapticCommand::force, "[N]");
-  def_copy(command);
+  def_value(command, &HapticCommand::force);
   def_repr(command, {"force"});
 }
 
@@ -78,8 +79,8 @@ void bind_scene_fields(py::class_<Scene>& scene) {
         self.tissue = value;
       },
       "The tissue; assigned, and copied, once.");
-  scene.def_readwrite("tool", &Scene::tool)
-      .def_readwrite("coupling", &Scene::coupling)
+  scene.def_readwrite("tool", &Scene::tool, "The tip of the instrument.")
+      .def_readwrite("coupling", &Scene::coupling, "The hand's spring.")
       .def_readwrite("hold_stiffness", &Scene::hold_stiffness,
                      "[N/m] between tool and patch while attached.");
   def_vector(scene, "gravity", &Scene::gravity, "[m/s²]");
@@ -97,7 +98,7 @@ void bind_scene_fields(py::class_<Scene>& scene) {
       .def_readwrite("simd_target", &Scene::simd_target,
                      "Of the packed kernel: one of simd_targets(), empty for the best.");
   def_table(scene, "rest_areas", &Scene::rest_areas,
-            "[m²] per triangle, filled in by build_scene; a view, read-only.");
+            "[m²] per triangle, shape (t,), filled in by build_scene; a view, read-only.");
   scene
       .def_readonly("spectrum_stiffness", &Scene::spectrum_stiffness,
                     "[1/s²] largest eigenvalue of M⁻¹K at rest, filled in by build_scene.")
@@ -108,6 +109,45 @@ void bind_scene_fields(py::class_<Scene>& scene) {
           // Python knows no const; everything of a Response is read-only
           [](const Scene& self) { return std::const_pointer_cast<Response>(self.response); },
           "Under the response kernel, filled in by build_scene; else None.");
+}
+
+/// What it is made of, and whether build_scene has filled in what follows from that.
+void def_scene_pickle(py::class_<Scene>& scene) {
+  scene.def(py::pickle(
+      [](const Scene& self) {
+        const bool built =
+            self.rest_areas.size() == self.tissue.triangles.size() && self.substeps > 0;
+        return py::make_tuple(self.tissue, self.tool, self.coupling, self.hold_stiffness,
+                              self.gravity, self.rate, self.substeps, self.substeps_max,
+                              self.force_error, self.kernel, self.simd_target, built);
+      },
+      [](const py::tuple& packed) {
+        if (packed.size() != 12) {
+          refuse("pickle", std::to_string(packed.size()) + " members", "12, as this version has");
+        }
+        Scene made;
+        made.tissue = packed[0].cast<TissueModel>();
+        made.tool = packed[1].cast<Tool>();
+        made.coupling = packed[2].cast<Coupling>();
+        made.hold_stiffness = packed[3].cast<double>();
+        made.gravity = packed[4].cast<Vec3>();
+        made.rate = packed[5].cast<double>();
+        made.substeps = packed[6].cast<int>();
+        made.substeps_max = packed[7].cast<int>();
+        made.force_error = packed[8].cast<double>();
+        made.kernel = packed[9].cast<Kernel>();
+        made.simd_target = packed[10].cast<std::string>();
+        return packed[11].cast<bool>() ? build_scene(std::move(made)) : made;
+      }));
+}
+
+std::string describe_scene(const Scene& scene) {
+  const char* kernels[] = {"reference", "packed", "response"};
+  return write_text(
+      scene.tissue.rest_position.size(), " particles, ", scene.tissue.triangles.size(),
+      " triangles, tool of ", 1e3 * scene.tool.radius, " mm, ", scene.rate, " Hz, ",
+      kernels[static_cast<int>(scene.kernel)], " kernel, ",
+      scene.substeps > 0 ? write_text(scene.substeps, " substeps") : std::string("not built"));
 }
 
 void bind_scene(py::module_& m) {
@@ -147,6 +187,8 @@ void bind_scene(py::module_& m) {
             "Copies its parts. build_scene makes it ready for ticks.");
   bind_scene_fields(scene);
   def_copy(scene);
+  def_scene_pickle(scene);
+  def_summary(scene, &describe_scene);
   m.def("build_scene", &build_scene, "scene"_a, py::call_guard<py::gil_scoped_release>(),
         "Checks a scene once and fills in what is derived from it. Raises ValueError naming the "
         "field, what it got and what was expected.");
@@ -160,30 +202,42 @@ void bind_world(py::module_& m) {
               const py::gil_scoped_release released;
               return World(scene);
             }),
-            "scene"_a);
-  world.def_readonly("tissue", &World::tissue)
-      .def_readonly("tree", &World::tree)
-      .def_readonly("candidates", &World::candidates)
-      .def_readonly("tool", &World::tool)
-      .def_readonly("load", &World::load)
-      .def_readonly("guard", &World::guard)
+            "scene"_a, "The scene at rest.");
+  world.def_readonly("tissue", &World::tissue, "The tissue after the last tick; read-only.")
+      .def_readonly("tree", &World::tree, "The boxes around its surface; read-only.")
+      .def_readonly("candidates", &World::candidates,
+                    "What the tool may touch in this tick; read-only.")
+      .def_readonly("tool", &World::tool, "Where the tool is; read-only.")
+      .def_readonly("load", &World::load, "What the tool does to the tissue; read-only.")
+      .def_readonly("guard", &World::guard, "The memory of the alarm; read-only.")
       .def_readonly("alarm", &World::alarm,
                     "The first alarm; from then on the force is zero and the tissue stands still.")
-      .def_readonly("tick_count", &World::tick_count)
+      .def_readonly("tick_count", &World::tick_count, "How many ticks have been run.")
       .def_readonly("substeps", &World::substeps, "Of the last tick.")
-      .def_readonly("attach_pressed", &World::attach_pressed)
+      .def_readonly("attach_pressed", &World::attach_pressed,
+                    "Whether the attach button was, in the last tick.")
       .def_readonly("release_ticks", &World::release_ticks,
                     "Left until a hold that fades is gone; 0 when none does.");
   def_vector(world, "hand", &World::hand,
              "[m] where the tool is drawn to: the hand, unless that jumped.");
   def_view(world, "skin", &World::skin,
-           "[m] the vertices of the skin, after every tick; empty where there is none; a view.");
+           "[m] the vertices of the skin, shape (n, 3), after every tick; empty where there is "
+           "none; a view.");
   def_view(world, "surface_mass", &World::surface_mass,
-           "[kg] per vertex of the surface, see compute_surface_mass; a view.");
+           "[kg] per vertex of the surface, shape (n,), see compute_surface_mass; a view.");
   def_view(world, "deepest", &World::deepest,
-           "[m] per vertex of the surface: how far a linear solid may go; else empty; a view.");
-  def_view(world, "scratch", &World::scratch, "Per vertex of the surface; a view.");
+           "[m] per vertex of the surface, shape (n,): how far a linear solid may go; else empty; "
+           "a view.");
+  def_view(world, "scratch", &World::scratch,
+           "[-] Work space per vertex of the surface, shape (n,); a view.");
   def_copy(world);
+  def_summary(world, [](const World& self) {
+    return write_text("tick ", self.tick_count, ", ", self.tissue.position.size(), " particles, ",
+                      self.substeps, " substeps, ",
+                      self.alarm           ? "stopped by an alarm"
+                      : self.tool.touching ? "touching"
+                                           : "not touching");
+  });
 }
 
 void bind_surface(py::module_& m) {
@@ -195,7 +249,8 @@ void bind_surface(py::module_& m) {
         return read_only(view_entries(const_cast<Vec3*>(surface.data()), surface.size(), world));
       },
       "world"_a,
-      "[m] The vertices of the surface: the skin's, or the particles where there is none; a view, "
+      "[m] The vertices of the surface, shape (n, 3): the skin's, or the particles where there is "
+      "none; a view, "
       "read-only.");
 }
 
@@ -236,7 +291,7 @@ void bind_tick(py::module_& m) {
         return compute_winding_number(rows, xs, p);
       },
       "triangles"_a, "x"_a, "p"_a,
-      "How often the surface goes round p: 1 inside of a closed surface, 0 outside, and for an "
+      "[-] How often the surface goes round p: 1 inside of a closed surface, 0 outside, and for an "
       "open one the share of all directions from p that it covers.");
 }
 

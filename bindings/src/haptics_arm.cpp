@@ -37,7 +37,8 @@ void bind_arm_struct(py::module_& m) {
   def_vector(arm, "joint_max", &Arm::joint_max, "[rad]");
   arm.def_readwrite("bend_max", &Arm::bend_max,
                     "[rad] between upper link and forearm, 0 at a right angle.");
-  def_copy(arm);
+  def_value(arm, &Arm::upper_length, &Arm::forearm_length, &Arm::upper_weight, &Arm::forearm_weight,
+            &Arm::joint_min, &Arm::joint_max, &Arm::bend_max);
   def_repr(arm, {"upper_length", "forearm_length", "upper_weight", "forearm_weight", "joint_min",
                  "joint_max", "bend_max"});
 
@@ -49,36 +50,39 @@ void bind_arm_struct(py::module_& m) {
                 "center"_a = box.center, "size"_a = box.size);
   def_vector(workspace, "center", &Workspace::center, "[m] in the arm's frame.");
   def_vector(workspace, "size", &Workspace::size, "[m]");
-  def_copy(workspace);
+  def_value(workspace, &Workspace::center, &Workspace::size);
   def_repr(workspace, {"center", "size"});
 }
 
 void bind_kinematics(py::module_& m) {
   m.def("validate", py::overload_cast<const Arm&>(&validate), "arm"_a,
         "Raises ValueError naming the field, what it got and what was expected.");
-  m.def("compute_tip", &compute_tip, "arm"_a, "joints"_a, "Where the tip is [m].");
+  m.def("compute_tip", &compute_tip, "arm"_a, "joints"_a, "Where the tip is [m], shape (3,).");
   m.def(
       "compute_stylus",
       [](const Vec3& joints, const Vec3& gimbal) {
         return Eigen::Vector4d(compute_stylus(joints, gimbal).coeffs());
       },
       "joints"_a, "gimbal"_a,
-      "How the stylus is held, a quaternion (x, y, z, w): three gimbal angles [rad] (yaw, pitch, "
+      "[-] How the stylus is held, a quaternion (x, y, z, w), shape (4,): three gimbal angles "
+      "[rad] (yaw, pitch, "
       "roll) after yaw and forearm.");
   m.def("compute_jacobian", &compute_jacobian, "arm"_a, "joints"_a,
-        "How the tip moves with the joints [m/rad], one column per joint.");
+        "How the tip moves with the joints [m/rad], shape (3, 3), one column per joint.");
   m.def("find_joints", &find_joints, "arm"_a, "tip"_a,
-        "The joints that bring the tip to a place [m]; None where it is out of reach or on the yaw "
+        "The joints [rad], shape (3,), that bring the tip to a place [m]; None where it is out of "
+        "reach or on the yaw "
         "axis. They may lie beyond the joints' limits: is_within tells.");
   m.def("is_within", &is_within, "arm"_a, "joints"_a,
         "Whether every joint is within its limits, and the links are bent enough to push every "
         "way.");
   m.def("compute_edge_fade", &compute_edge_fade, "arm"_a, "joints"_a,
-        "1 in the workspace, fading to 0 over the last 3 degrees before its edge, 0 beyond.");
+        "[-] 1 in the workspace, fading to 0 over the last 3 degrees before its edge, 0 beyond.");
   m.def("compute_weight_torque", &compute_weight_torque, "arm"_a, "joints"_a,
-        "The torques [N·m] that hold the arm up against its weight.");
+        "The torques [N·m], shape (3,), that hold the arm up against its weight.");
   m.def("compute_torque", &compute_torque, "arm"_a, "joints"_a, "force"_a, "torque_max"_a,
-        "The torques [N·m] that let the hand feel a force [N] while the arm's weight is carried, "
+        "The torques [N·m], shape (3,), that let the hand feel a force [N] while the arm's weight "
+        "is carried, "
         "none beyond torque_max. Too large a force loses length, never direction.");
   m.def("compute_tip_force", &compute_tip_force, "arm"_a, "joints"_a, "torque"_a,
         "The inverse: what the hand feels of torques [N·m] when the arm rests. Needs a bent arm.");
@@ -92,15 +96,16 @@ void bind_velocity_window(py::module_& m) {
   window
       .def(py::init<double, int>(), "step"_a, "longest"_a = 16,
            "step is how far apart two neighbouring readings are, in their unit; longest from 2 "
-           "readings to kLongest. Raises ValueError.")
+           "readings to LONGEST. Raises ValueError.")
       .def("add", &VelocityWindow::add, "time"_a, "value"_a,
            "Takes a reading at time [s] and returns its speed, per second; 0 for the first. The "
            "same "
            "time again is ignored, an earlier one begins anew.")
-      .def("speed", &VelocityWindow::speed)
+      .def("speed", &VelocityWindow::speed,
+           "[1/s] times the unit of the readings: the speed last found.")
       .def("length", &VelocityWindow::length, "How many readings the last speed came from.")
-      .def("clear", &VelocityWindow::clear);
-  window.attr("kLongest") = VelocityWindow::kLongest;
+      .def("clear", &VelocityWindow::clear, "Forgets all readings.");
+  window.attr("LONGEST") = VelocityWindow::kLongest;
   def_copy(window);
 }
 

@@ -54,19 +54,20 @@ void bind_log_rows(py::module_& m) {
   felt.def_property(
       "force", [](const py::object& self) { return view_one(self.cast<Felt&>().force, self); },
       [](Felt& self, const Eigen::Vector3f& value) { self.force = value; },
-      "[N] float32, from tick(), before the safety wrapper.");
+      "[N] float32, shape (3,), from tick(), before the safety wrapper.");
   felt.def_property(
       "position",
       [](const py::object& self) { return view_one(self.cast<Felt&>().position, self); },
       [](Felt& self, const Eigen::Vector3f& value) { self.position = value; },
-      "[m] float32, the tool.");
+      "[m] float32, shape (3,), the tool.");
   felt.def_readwrite("touched", &Felt::touched, "Bit 0: touching, bit 1: attached.")
       .def_readwrite("lateness_us", &Felt::lateness_us, "[us] saturates.");
   felt.attr("dtype") = row_dtype<Felt>();
+  def_value(felt, &Felt::force, &Felt::position, &Felt::touched, &Felt::lateness_us);
   def_repr(felt, {"force", "position", "touched", "lateness_us"});
 
   // an integer in Python too, to be compared with the column of a structured array
-  py::native_enum<HappeningKind>(m, "HappeningKind", "enum.IntEnum")
+  py::native_enum<HappeningKind>(m, "HappeningKind", "enum.IntEnum", "What may happen at a tick.")
       .value("missed_ticks", HappeningKind::missed_ticks,
              "index: how many were skipped before this tick")
       .value("record_gap", HappeningKind::record_gap,
@@ -88,11 +89,12 @@ void bind_log_rows(py::module_& m) {
            }),
            py::kw_only(), "tick"_a = 0, "kind"_a = HappeningKind::missed_ticks, "index"_a = 0,
            "value"_a = 0.0)
-      .def_readwrite("tick", &Happening::tick)
-      .def_readwrite("kind", &Happening::kind)
-      .def_readwrite("index", &Happening::index)
-      .def_readwrite("value", &Happening::value);
+      .def_readwrite("tick", &Happening::tick, "Its number.")
+      .def_readwrite("kind", &Happening::kind, "What happened.")
+      .def_readwrite("index", &Happening::index, "HappeningKind says of what.")
+      .def_readwrite("value", &Happening::value, "[s] or [-]; HappeningKind says what.");
   happening.attr("dtype") = row_dtype<Happening>();
+  def_value(happening, &Happening::tick, &Happening::kind, &Happening::index, &Happening::value);
   def_repr(happening, {"tick", "kind", "index", "value"});
 
   py::class_<StateHash> hash(m, "StateHash", "The world's hash after a tick (compute_hash).");
@@ -100,8 +102,10 @@ void bind_log_rows(py::module_& m) {
              return StateHash{tick, value};
            }),
            py::kw_only(), "tick"_a = 0, "hash"_a = std::array<std::uint64_t, 2>{});
-  hash.def_readwrite("tick", &StateHash::tick).def_readwrite("hash", &StateHash::hash);
+  hash.def_readwrite("tick", &StateHash::tick, "Its number.")
+      .def_readwrite("hash", &StateHash::hash, "128 bits as two whole numbers.");
   hash.attr("dtype") = row_dtype<StateHash>();
+  def_value(hash, &StateHash::tick, &StateHash::hash);
   def_repr(hash, {"tick", "hash"});
 }
 
@@ -115,20 +119,22 @@ void bind_tick_log(py::module_& m) {
              return TickLog::Tick{number, sample, felt};
            }),
            py::kw_only(), "tick"_a = 0, "sample"_a = HapticSample(), "felt"_a = Felt())
-      .def_readwrite("tick", &TickLog::Tick::tick)
-      .def_readwrite("sample", &TickLog::Tick::sample)
-      .def_readwrite("felt", &TickLog::Tick::felt);
+      .def_readwrite("tick", &TickLog::Tick::tick, "Its number.")
+      .def_readwrite("sample", &TickLog::Tick::sample, "What the device said.")
+      .def_readwrite("felt", &TickLog::Tick::felt, "What was felt.");
+  def_value(tick, &TickLog::Tick::tick, &TickLog::Tick::sample, &TickLog::Tick::felt);
+  def_repr(tick, {"tick", "felt", "sample"});
   tick.attr("dtype") = row_dtype<TickLog::Tick>();
 
   log.def(py::init([](int tick_capacity) {
             require_positive("tick_capacity", tick_capacity);
             return std::make_unique<TickLog>(tick_capacity);
           }),
-          "tick_capacity"_a = 4000);
+          "tick_capacity"_a = 4000, "Room for so many ticks.");
   log.def("push", py::overload_cast<const TickLog::Tick&>(&TickLog::push), "tick"_a,
           "For the one writer; False, and counted, when there is no room.")
-      .def("push", py::overload_cast<const Happening&>(&TickLog::push), "happening"_a)
-      .def("push", py::overload_cast<const StateHash&>(&TickLog::push), "hash"_a)
+      .def("push", py::overload_cast<const Happening&>(&TickLog::push), "happening"_a, "Likewise.")
+      .def("push", py::overload_cast<const StateHash&>(&TickLog::push), "hash"_a, "Likewise.")
       .def(
           "take",
           [](TickLog& self) {
@@ -140,8 +146,8 @@ void bind_tick_log(py::module_& m) {
                                   own_rows(std::move(hashes)));
           },
           "For the one reader: ticks, happenings and hashes that have arrived since the last call, "
-          "as structured arrays.")
-      .def("gap_count", &TickLog::gap_count);
+          "as structured arrays of shape (k,).")
+      .def("gap_count", &TickLog::gap_count, "How many ticks it had no room for.");
 }
 
 }  // namespace

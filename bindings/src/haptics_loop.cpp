@@ -2,10 +2,12 @@
 #include <pybind11/native_enum.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "bindings.h"
 #include "border.h"
+#include "interrupt.h"
 #include "palpate/sim/haptics/loop.h"
 #include "palpate/sim/haptics/simulated_devices.h"
 #include "rows.h"
@@ -25,8 +27,8 @@ void bind_scripted_device(py::module_& m) {
             "time"_a = 0.0, "position"_a = Vec3::Zero().eval(), "buttons"_a = 0);
   frame.def_readwrite("time", &KeyFrame::time, "[s], ascending.");
   def_vector(frame, "position", &KeyFrame::position, "[m]");
-  frame.def_readwrite("buttons", &KeyFrame::buttons);
-  def_copy(frame);
+  frame.def_readwrite("buttons", &KeyFrame::buttons, "Bit 0: attach while held.");
+  def_value(frame, &KeyFrame::time, &KeyFrame::position, &KeyFrame::buttons);
   def_repr(frame, {"time", "position", "buttons"});
 
   py::class_<ScriptedDevice, HapticDevice>(m, "ScriptedDevice",
@@ -34,39 +36,56 @@ void bind_scripted_device(py::module_& m) {
       .def(py::init<std::vector<KeyFrame>>(), "frames"_a,
            "Raises ValueError for no frames, times that do not ascend, or non-finite numbers.")
       .def("duration", &ScriptedDevice::duration, "[s]")
-      .def_readonly("last_command", &ScriptedDevice::last_command);
+      .def_readonly("last_command", &ScriptedDevice::last_command, "The force it was last sent.");
 }
 
 }  // namespace
 
 void bind_devices(py::module_& m) {
-  py::class_<HapticDevice>(
+  py::class_<HapticDevice> device(
       m, "HapticDevice",
       "A haptic device, real or simulated. read and write belong to the haptic thread, which "
-      "Python never enters, so Python cannot make a device of its own: feed a PointerDevice.")
-      .def("read", &HapticDevice::read, "time"_a,
-           "The hand at time [s] since the run began; devices with a clock of their own may ignore "
-           "it.")
-      .def("write", &HapticDevice::write, "command"_a)
+      "Python never enters, so Python cannot make a device of its own: feed a PointerDevice.");
+  refuse_overrides(device);
+  device
+      .def(
+          "read",
+          [](HapticDevice& self, double time) {
+            // a simulated device lives through all of it at once
+            if (!(std::abs(time) <= 24 * 3600.0)) {
+              refuse("time [s]", write_text(time), "within a day of the run's begin");
+            }
+            return self.read(time);
+          },
+          "time"_a,
+          "The hand at time [s] since the run began; devices with a clock of their own may ignore "
+          "it.")
+      .def("write", &HapticDevice::write, "command"_a,
+           "The force the device shall make the hand feel.")
       .def("end", &HapticDevice::end,
            "A run is over: motors off, until the next write. The live loop calls it at its end.")
-      .def("name", &HapticDevice::name)
+      .def("name", &HapticDevice::name, "What it is called in reports.")
       .def("failed", &HapticDevice::failed,
            "True once the device is gone for good: what it says and is told no longer counts.")
       .def("report_rate", &HapticDevice::report_rate,
            "[Hz] of the reports that can be waited for, 0 where the device has no clock of its "
            "own. Where it is that of the ticks, the live loop ticks when a report has come.")
-      .def("wait_for_report", &HapticDevice::wait_for_report, "latest"_a,
-           py::call_guard<py::gil_scoped_release>(),
-           "Waits for a report that read has not seen, until latest [ns of the monotonic clock] "
-           "at most. False if none came.");
+      .def(
+          "wait_for_report",
+          [](HapticDevice& self, std::int64_t latest) {
+            return wait_in_pieces(
+                latest, [&self](std::int64_t until) { return self.wait_for_report(until); });
+          },
+          "latest"_a,
+          "Waits for a report that read has not seen, until latest [ns of the monotonic clock] "
+          "at most. False if none came.");
   bind_safe_device(m);
   bind_scripted_device(m);
   py::class_<PointerDevice, HapticDevice>(
       m, "PointerDevice",
       "A hand that a window moves: set() from one thread, read() from the haptic thread. Between "
       "two positions the hand glides, never faster than 1 m/s; the first is taken at once.")
-      .def(py::init<>())
+      .def(py::init<>(), "A hand that is nowhere yet.")
       .def("set", &PointerDevice::set, "sample"_a,
            "One calling thread; time and velocity are filled in by read().")
       .def("take_command", &PointerDevice::take_command,
@@ -81,15 +100,15 @@ void bind_devices(py::module_& m) {
           "samples"_a,
           "Takes a structured array as of Record.hand or a list of HapticSample. Raises ValueError "
           "for no samples.")
-      .def("finished", &ReplayDevice::finished)
-      .def_readonly("last_command", &ReplayDevice::last_command);
+      .def("finished", &ReplayDevice::finished, "Whether every sample has been read.")
+      .def_readonly("last_command", &ReplayDevice::last_command, "The force it was last sent.");
 }
 
 namespace {
 
 void bind_options(py::module_& m) {
   const LoopOptions usual;
-  py::class_<LoopOptions> options(m, "LoopOptions");
+  py::class_<LoopOptions> options(m, "LoopOptions", "How the live loop runs.");
   options
       .def(py::init([](double duration, bool realtime, int cpu, double spin,
                        const SafetyLimits& safety) {
@@ -101,8 +120,9 @@ void bind_options(py::module_& m) {
       .def_readwrite("realtime", &LoopOptions::realtime, "Ask for SCHED_FIFO and locked memory.")
       .def_readwrite("cpu", &LoopOptions::cpu, "Pin the thread to this core, -1 for none.")
       .def_readwrite("spin", &LoopOptions::spin, "[s] spun instead of slept before every tick.")
-      .def_readwrite("safety", &LoopOptions::safety);
-  def_copy(options);
+      .def_readwrite("safety", &LoopOptions::safety, "What the device may be sent.");
+  def_value(options, &LoopOptions::duration, &LoopOptions::realtime, &LoopOptions::cpu,
+            &LoopOptions::spin, &LoopOptions::safety);
   def_repr(options, {"duration", "realtime", "cpu", "spin", "safety"});
 }
 
@@ -110,29 +130,36 @@ void bind_snapshot(py::module_& m) {
   py::class_<Snapshot> snapshot(
       m, "Snapshot",
       "What a reader outside the haptic thread sees: the world as it was at most 8 ms ago.");
-  snapshot.def_readonly("tick", &Snapshot::tick).def_readonly("time", &Snapshot::time, "[s]");
+  snapshot.def_readonly("tick", &Snapshot::tick, "Number of the tick it shows.")
+      .def_readonly("time", &Snapshot::time, "[s]");
   def_view(snapshot, "position", &Snapshot::position, "[m], shape (n, 3); a view.");
-  snapshot.def_readonly("sample", &Snapshot::sample);
+  snapshot.def_readonly("sample", &Snapshot::sample, "What the device said.");
   def_vector(snapshot, "tool_position", &Snapshot::tool_position, "[m]");
   def_vector(snapshot, "force", &Snapshot::force, "[N] on the hand.");
-  snapshot.def_readonly("touching", &Snapshot::touching)
+  snapshot.def_readonly("touching", &Snapshot::touching, "Any contact in force.")
       .def_readonly("cost", &Snapshot::cost, "[s] of the last tick.")
       .def_readonly("lateness", &Snapshot::lateness, "[s] of the last tick.")
-      .def_readonly("substeps", &Snapshot::substeps)
-      .def_readonly("missed_ticks", &Snapshot::missed_ticks);
+      .def_readonly("substeps", &Snapshot::substeps, "Of that tick.")
+      .def_readonly("missed_ticks", &Snapshot::missed_ticks, "Skipped so far.");
+  def_value(snapshot, &Snapshot::tick, &Snapshot::time, &Snapshot::position, &Snapshot::sample,
+            &Snapshot::tool_position, &Snapshot::force, &Snapshot::touching, &Snapshot::cost,
+            &Snapshot::lateness, &Snapshot::substeps, &Snapshot::missed_ticks);
+  def_repr(snapshot, {"tick", "time", "touching", "force", "tool_position", "substeps"});
 }
 
 void bind_report(py::module_& m) {
   py::class_<Percentiles> percentiles(m, "Percentiles",
                                       "[s] Right within 0.4 %, the largest exactly.");
-  percentiles.def_readonly("median", &Percentiles::median)
-      .def_readonly("p99", &Percentiles::p99)
-      .def_readonly("p99_9", &Percentiles::p99_9)
-      .def_readonly("max", &Percentiles::max);
+  percentiles.def_readonly("median", &Percentiles::median, "[s] Half of them are shorter.")
+      .def_readonly("p99", &Percentiles::p99, "[s] 99 % of them are shorter.")
+      .def_readonly("p99_9", &Percentiles::p99_9, "[s] 99.9 % of them are shorter.")
+      .def_readonly("max", &Percentiles::max, "[s] The longest.");
+  def_value(percentiles, &Percentiles::median, &Percentiles::p99, &Percentiles::p99_9,
+            &Percentiles::max);
   def_repr(percentiles, {"median", "p99", "p99_9", "max"});
 
   py::class_<LoopReport> report(m, "LoopReport", "What a run of the loop cost.");
-  report.def_readonly("ticks", &LoopReport::ticks)
+  report.def_readonly("ticks", &LoopReport::ticks, "How many were run.")
       .def_readonly("missed_ticks", &LoopReport::missed_ticks,
                     "Skipped because an earlier tick was still at work.")
       .def_readonly("unpaced_ticks", &LoopReport::unpaced_ticks,
@@ -141,9 +168,13 @@ void bind_report(py::module_& m) {
       .def_readonly("cost", &LoopReport::cost, "Of the tick itself, device included.")
       .def_readonly("realtime", &LoopReport::realtime, "Granted.")
       .def_readonly("realtime_note", &LoopReport::realtime_note, "Why not, in words.")
-      .def_readonly("alarm", &LoopReport::alarm)
-      .def_readonly("fault", &LoopReport::fault)
+      .def_readonly("alarm", &LoopReport::alarm, "What ended the run; false for nothing.")
+      .def_readonly("fault", &LoopReport::fault, "Of the device; none for none.")
       .def_readonly("record_gaps", &LoopReport::record_gaps, "Ticks the log had no room for.");
+  def_value(report, &LoopReport::ticks, &LoopReport::missed_ticks, &LoopReport::unpaced_ticks,
+            &LoopReport::lateness, &LoopReport::cost, &LoopReport::realtime,
+            &LoopReport::realtime_note, &LoopReport::alarm, &LoopReport::fault,
+            &LoopReport::record_gaps);
   def_repr(report, {"ticks", "missed_ticks", "unpaced_ticks", "lateness", "cost", "realtime",
                     "realtime_note", "alarm", "fault", "record_gaps"});
 }
@@ -174,18 +205,19 @@ void bind_loop_class(py::module_& m) {
              return std::make_unique<Loop>(scene, device, options, log);
            }),
            "scene"_a, "device"_a, "options"_a = LoopOptions(), "log"_a = py::none(),
-           py::keep_alive<1, 2>(), py::keep_alive<1, 3>(), py::keep_alive<1, 5>())
+           py::keep_alive<1, 2>(), py::keep_alive<1, 3>(), py::keep_alive<1, 5>(),
+           "A loop over a scene that build_scene made; log takes what every tick did.")
       .def("start", &Loop::start, Release(),
            "Raises RuntimeError the second time: a loop runs once.")
       .def("stop", &Loop::stop, Release(), "Asks and waits; the device gets a zero force last.")
       .def("wait", &wait, "timeout"_a, "[s] True once the run has ended.")
-      .def("running", &Loop::running)
+      .def("running", &Loop::running, "Whether the thread runs.")
       .def(
           "pause", &Loop::pause,
           "From any thread; followed within a tick. While it is paused the device gets zero forces "
           "and the time of the run stands still: what would have been due is neither missed nor "
           "made up. The force then fades in as at the start.")
-      .def("resume", &Loop::resume)
+      .def("resume", &Loop::resume, "Goes on where pause stopped.")
       .def("paused", &Loop::paused, "The last command has gone out, a zero force after it.")
       .def("take_snapshot", &Loop::take_snapshot,
            "For one reader thread: True if something newer than last time was taken.")

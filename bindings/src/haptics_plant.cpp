@@ -23,8 +23,9 @@ void bind_parts(py::module_& m) {
       .def_readwrite("gimbal", &ArmMasses::gimbal, "[kg] at the tip.")
       .def_readwrite("motor", &ArmMasses::motor, "[kg·m²] of each motor, seen from its joint.")
       .def_readwrite("balance", &ArmMasses::balance,
-                     "0 to 1: how much of the weight springs or counterweights carry.");
-  def_copy(masses);
+                     "[-] 0 to 1: how much of the weight springs or counterweights carry.");
+  def_value(masses, &ArmMasses::upper, &ArmMasses::forearm, &ArmMasses::gimbal, &ArmMasses::motor,
+            &ArmMasses::balance);
   def_repr(masses, {"upper", "forearm", "gimbal", "motor", "balance"});
 
   const Motor usual;
@@ -40,9 +41,10 @@ void bind_parts(py::module_& m) {
       .def_readwrite("supply", &Motor::supply, "[V]")
       .def_readwrite("resistance", &Motor::resistance, "[Ohm]")
       .def_readwrite("torque_constant", &Motor::torque_constant, "[N·m/A], and [V·s/rad].")
-      .def_readwrite("gear", &Motor::gear, "Motor turns per joint turn.")
-      .def_readwrite("efficiency", &Motor::efficiency, "0 to 1.");
-  def_copy(motor);
+      .def_readwrite("gear", &Motor::gear, "[-] Motor turns per joint turn.")
+      .def_readwrite("efficiency", &Motor::efficiency, "[-] 0 to 1.");
+  def_value(motor, &Motor::supply, &Motor::resistance, &Motor::torque_constant, &Motor::gear,
+            &Motor::efficiency);
   def_repr(motor, {"supply", "resistance", "torque_constant", "gear", "efficiency"});
 
   const Hand soft;
@@ -57,7 +59,7 @@ void bind_parts(py::module_& m) {
       .def_readwrite("mass", &Hand::mass, "[kg]")
       .def_readwrite("stiffness", &Hand::stiffness, "[N/m]")
       .def_readwrite("damping", &Hand::damping, "[N·s/m]");
-  def_copy(hand);
+  def_value(hand, &Hand::mass, &Hand::stiffness, &Hand::damping);
   def_repr(hand, {"mass", "stiffness", "damping"});
 }
 
@@ -69,19 +71,22 @@ void bind_plant_struct(py::module_& m) {
   plant.def(py::init<>())
       .def_readwrite("upper_length", &Plant::upper_length, "[m]")
       .def_readwrite("forearm_length", &Plant::forearm_length, "[m]")
-      .def_readwrite("masses", &Plant::masses);
+      .def_readwrite("masses", &Plant::masses, "The masses of its parts.");
   def_vector(plant, "joint_min", &Plant::joint_min, "[rad] where the joints have their stops.");
   def_vector(plant, "joint_max", &Plant::joint_max, "[rad]");
-  plant.def_readwrite("motor", &Plant::motor);
+  plant.def_readwrite("motor", &Plant::motor, "Each of its three motors.");
   def_vector(plant, "dry_friction", &Plant::dry_friction, "[N·m] per joint.");
   def_vector(plant, "viscous_friction", &Plant::viscous_friction, "[N·m·s/rad] per joint.");
-  plant.def_readwrite("hand", &Plant::hand)
+  plant.def_readwrite("hand", &Plant::hand, "The hand that holds the stylus.")
       .def_readwrite("count", &Plant::count, "[rad] of the arm joints' sensors.")
       .def_readwrite("gimbal_count", &Plant::gimbal_count, "[rad] of the gimbal's.")
       .def_readwrite("noise", &Plant::noise, "[counts] standard deviation.")
-      .def_readwrite("seed", &Plant::seed)
+      .def_readwrite("seed", &Plant::seed, "Of the noise.")
       .def_readwrite("step", &Plant::step, "[s] the longest step of its motion.");
-  def_copy(plant);
+  def_value(plant, &Plant::upper_length, &Plant::forearm_length, &Plant::masses, &Plant::joint_min,
+            &Plant::joint_max, &Plant::motor, &Plant::dry_friction, &Plant::viscous_friction,
+            &Plant::hand, &Plant::count, &Plant::gimbal_count, &Plant::noise, &Plant::seed,
+            &Plant::step);
   def_repr(plant, {"upper_length", "forearm_length", "masses", "motor", "dry_friction",
                    "viscous_friction", "hand", "count", "noise", "seed"});
 }
@@ -92,9 +97,9 @@ void bind_plant_state(py::module_& m) {
               return Drive{duty, enabled};
             }),
             "duty"_a = Vec3::Zero().eval(), "enabled"_a = false);
-  def_vector(drive, "duty", &Drive::duty, "-255 to 255.");
+  def_vector(drive, "duty", &Drive::duty, "[-] -255 to 255.");
   drive.def_readwrite("enabled", &Drive::enabled, "Off, the motors are not connected.");
-  def_copy(drive);
+  def_value(drive, &Drive::duty, &Drive::enabled);
   def_repr(drive, {"duty", "enabled"});
 
   py::class_<HandTarget> target(m, "HandTarget", "Where the hand wants to be.");
@@ -106,7 +111,7 @@ void bind_plant_state(py::module_& m) {
   def_vector(target, "position", &HandTarget::position, "[m] in the arm's frame.");
   def_vector(target, "velocity", &HandTarget::velocity, "[m/s]");
   target.def_readwrite("holding", &HandTarget::holding, "No hand holds the stylus otherwise.");
-  def_copy(target);
+  def_value(target, &HandTarget::position, &HandTarget::velocity, &HandTarget::holding);
   def_repr(target, {"position", "velocity", "holding"});
 
   py::class_<PlantState> state(m, "PlantState",
@@ -116,18 +121,21 @@ void bind_plant_state(py::module_& m) {
              validate(plant);
              return PlantState(plant);
            }),
-           "plant"_a)
+           "plant"_a, "The arm of this plant, at rest.")
       .def_readwrite("time", &PlantState::time, "[s]");
   def_vector(state, "joints", &PlantState::joints, "[rad]");
   def_vector(state, "rates", &PlantState::rates, "[rad/s]");
   def_vector(state, "gimbal", &PlantState::gimbal, "[rad]");
   def_vector(state, "hand_force", &PlantState::hand_force, "[N] of the hand on the stylus.");
-  state.def_readwrite("random", &PlantState::random);
-  def_copy(state);
+  state.def_readwrite("random", &PlantState::random, "State of the noise.");
+  def_value(state, &PlantState::time, &PlantState::joints, &PlantState::rates, &PlantState::gimbal,
+            &PlantState::hand_force, &PlantState::random);
   def_repr(state, {"time", "joints", "rates", "gimbal", "hand_force"});
-  m.attr("kSensorMiddle") = kSensorMiddle;
-  m.attr("kSensorEnd") = kSensorEnd;
+  m.attr("SENSOR_MIDDLE") = kSensorMiddle;
+  m.attr("SENSOR_END") = kSensorEnd;
 }
+
+constexpr double kMostSteps = 1e6;  // of a plant in one call: about a second
 
 void bind_plant_functions(py::module_& m) {
   m.def("validate", py::overload_cast<const Plant&>(&validate), "plant"_a,
@@ -150,6 +158,9 @@ void bind_plant_functions(py::module_& m) {
          PlantState& state) {
         validate(plant);
         require_positive("dt", dt);
+        if (dt > kMostSteps * plant.step) {
+          refuse("dt [s]", write_text(dt), write_text("at most ", kMostSteps * plant.step));
+        }
         const py::gil_scoped_release released;
         move_plant(plant, drive, hand, dt, state);
       },
@@ -173,7 +184,7 @@ void bind_calibration(py::module_& m) {
       .def_readwrite("scale", &JointSensor::scale, "[rad/count], its sign is the direction.")
       .def_readwrite("min", &JointSensor::min, "[counts] end of the joint's range.")
       .def_readwrite("max", &JointSensor::max, "[counts] end of the joint's range.");
-  def_copy(joint);
+  def_value(joint, &JointSensor::zero, &JointSensor::scale, &JointSensor::min, &JointSensor::max);
   def_repr(joint, {"zero", "scale", "min", "max"});
 
   py::class_<Calibration> calibration(m, "Calibration",
@@ -197,8 +208,11 @@ void bind_calibration(py::module_& m) {
       .def_readwrite("heat_time", &Calibration::heat_time, "[s] in which the motors warm up.")
       .def_readwrite("speed_max", &Calibration::speed_max,
                      "[counts/ms] of an arm joint; more is a fault.")
-      .def_readwrite("serial_number", &Calibration::serial_number);
-  def_copy(calibration);
+      .def_readwrite("serial_number", &Calibration::serial_number, "Of the device.");
+  def_value(calibration, &Calibration::joints, &Calibration::upper_length,
+            &Calibration::forearm_length, &Calibration::torque_full, &Calibration::upper_weight,
+            &Calibration::forearm_weight, &Calibration::deadband, &Calibration::continuous_duty,
+            &Calibration::heat_time, &Calibration::speed_max, &Calibration::serial_number);
   def_repr(calibration, {"joints", "upper_length", "forearm_length", "torque_full", "upper_weight",
                          "forearm_weight", "deadband", "continuous_duty", "heat_time", "speed_max",
                          "serial_number"});

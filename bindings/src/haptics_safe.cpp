@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pybind11/native_enum.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "bindings.h"
+#include "interrupt.h"
 #include "palpate/sim/haptics/conformance.h"
 #include "palpate/sim/haptics/device_loop.h"
 #include "palpate/sim/haptics/safe_device.h"
@@ -45,20 +49,50 @@ void bind_limits(py::module_& m) {
                      "[J] the hand may be given more than it gave; then damping.")
       .def_readwrite("damping_max", &SafetyLimits::damping_max,
                      "[N·s/m] that the passivity controller may add.");
-  def_copy(limits);
+  def_value(limits, &SafetyLimits::force_max, &SafetyLimits::force_continuous,
+            &SafetyLimits::heat_time, &SafetyLimits::slew_max, &SafetyLimits::ramp_time,
+            &SafetyLimits::start_force_max, &SafetyLimits::velocity_max, &SafetyLimits::brake,
+            &SafetyLimits::energy_max, &SafetyLimits::damping_max);
   def_repr(limits, {"force_max", "force_continuous", "heat_time", "slew_max", "ramp_time",
                     "start_force_max", "velocity_max", "brake", "energy_max", "damping_max"});
+}
+
+std::vector<DeviceCheck> check_device(HapticDevice& device, const ConformanceOptions& options) {
+  Interrupt interrupt;
+  std::vector<DeviceCheck> checks;
+  {
+    const py::gil_scoped_release released;
+    checks = check_conformance(device, options, [&interrupt] { return interrupt.came(); });
+  }
+  interrupt.rethrow();
+  return checks;
+}
+
+/// Piece by piece, as many ticks in all as in one.
+void run_loop(DeviceLoop& loop, double seconds) {
+  constexpr double kTick = 1e-3;  // [s]
+  if (!(seconds > 0.0 && seconds <= 24 * 3600.0)) {
+    loop.run(seconds);
+    return;
+  }
+  long left = std::max(1L, std::lround(seconds / kTick));
+  run_in_pieces([&] {
+    const long piece = std::min(left, 5L);
+    loop.run(kTick * double(piece));
+    return (left -= piece) == 0;
+  });
 }
 
 void bind_conformance(py::module_& m) {
   py::class_<DeviceCheck> check(m, "DeviceCheck",
                                 "One thing a device owes, and whether it keeps it.");
   check.def_readonly("name", &DeviceCheck::name, "What is owed, as a sentence.")
-      .def_readonly("passed", &DeviceCheck::passed)
+      .def_readonly("passed", &DeviceCheck::passed, "Whether the device keeps it.")
       .def_readonly("detail", &DeviceCheck::detail, "What was found.");
+  def_value(check, &DeviceCheck::name, &DeviceCheck::passed, &DeviceCheck::detail);
   def_repr(check, {"name", "passed", "detail"});
   const ConformanceOptions usual;
-  py::class_<ConformanceOptions> options(m, "ConformanceOptions");
+  py::class_<ConformanceOptions> options(m, "ConformanceOptions", "How a device is checked.");
   options
       .def(py::init([](double duration, double rate, double force, bool live) {
              return ConformanceOptions{duration, rate, force, live};
@@ -71,12 +105,12 @@ void bind_conformance(py::module_& m) {
       .def_readwrite("force", &ConformanceOptions::force, "[N] of the pushes.")
       .def_readwrite("live", &ConformanceOptions::live,
                      "Wait for the clock between ticks, as a device in real time needs.");
-  def_copy(options);
+  def_value(options, &ConformanceOptions::duration, &ConformanceOptions::rate,
+            &ConformanceOptions::force, &ConformanceOptions::live);
   def_repr(options, {"duration", "rate", "force", "live"});
-  m.def("check_conformance", &check_conformance, "device"_a, "options"_a = usual,
-        py::call_guard<py::gil_scoped_release>(),
+  m.def("check_conformance", &check_device, "device"_a, "options"_a = usual,
         "What any HapticDevice has to keep, ours or another maker's, before a person holds it. The "
-        "device is pushed gently. Raises ValueError.");
+        "device is pushed gently. Raises ValueError; Ctrl-C ends it.");
 }
 
 void bind_device_loop(py::module_& m) {
@@ -92,7 +126,7 @@ void bind_device_loop(py::module_& m) {
   def_vector(task, "force", &DeviceTask::force, "[N]");
   task.def_readwrite("stiffness", &DeviceTask::stiffness, "[N/m] 0 for no spring.");
   def_vector(task, "rest", &DeviceTask::rest, "[m] where the spring draws to.");
-  def_copy(task);
+  def_value(task, &DeviceTask::force, &DeviceTask::stiffness, &DeviceTask::rest);
   def_repr(task, {"force", "stiffness", "rest"});
   m.def("validate", py::overload_cast<const DeviceTask&>(&validate), "task"_a,
         "Raises ValueError naming the field, what it got and what was expected.");
@@ -106,24 +140,26 @@ void bind_device_loop(py::module_& m) {
            "Raises RuntimeError while it runs; may be started again once stopped.")
       .def("stop", &DeviceLoop::stop, Release(),
            "Asks and waits; the device gets a zero force last.")
-      .def("running", &DeviceLoop::running)
-      .def("run", &DeviceLoop::run, "seconds"_a, Release(),
-           "Ticks for so many [s] in this thread, without waiting. Raises RuntimeError while the "
+      .def("running", &DeviceLoop::running, "Whether its own thread runs.")
+      .def("run", &run_loop, "seconds"_a,
+           "Ticks for so many [s] in this thread, without waiting; Ctrl-C ends it. Raises "
+           "RuntimeError while the "
            "loop's own thread runs, ValueError for no time or more than a day.")
       .def("set_task", &DeviceLoop::set_task, "task"_a,
            "One calling thread: felt from the next tick on. Raises ValueError.")
       .def("fall_silent", &DeviceLoop::fall_silent, "seconds"_a,
            "From any thread: the device hears nothing for so many [s], as if the host had died.")
       .def("time", &DeviceLoop::time, "[s] that the loop has run.")
-      .def("missed_ticks", &DeviceLoop::missed_ticks)
-      .def("fault", &DeviceLoop::fault);
+      .def("missed_ticks", &DeviceLoop::missed_ticks, "Skipped so far.")
+      .def("fault", &DeviceLoop::fault, "The first fault; none for none.");
 }
 
 }  // namespace
 
 void bind_safe_device(py::module_& m) {
   bind_limits(m);
-  py::native_enum<DeviceFault>(m, "DeviceFault", "enum.Enum")
+  py::native_enum<DeviceFault>(m, "DeviceFault", "enum.Enum",
+                               "Why a device is sent no force any more.")
       .value("none", DeviceFault::none)
       .value("sample_not_finite", DeviceFault::sample_not_finite)
       .value("force_not_finite", DeviceFault::force_not_finite)
@@ -140,13 +176,13 @@ void bind_safe_device(py::module_& m) {
       .def("rest", &SafeDevice::rest,
            "A zero force at once, past the slew limit; the next command fades in as the first one "
            "did.")
-      .def("fault", &SafeDevice::fault)
+      .def("fault", &SafeDevice::fault, "The first fault; none for none.")
       .def("sent", &SafeDevice::sent, "What was really sent last.")
       .def("limited_count", &SafeDevice::limited_count, "How often a limit had to act.")
       .def("damped_count", &SafeDevice::damped_count, "How often the passivity controller had to.")
       .def("given_energy", &SafeDevice::given_energy,
            "[J] that the hand has been given since it last felt nothing, fading within a second.")
-      .def("heat", &SafeDevice::heat, "Of what the motors stand for ever, 0 to 1.");
+      .def("heat", &SafeDevice::heat, "[-] Of what the motors stand for ever, 0 to 1.");
   bind_conformance(m);
   bind_device_loop(m);
 }

@@ -25,7 +25,7 @@ void bind_types(py::module_& m) {
            "Positions [m], shape (n, 3); a view, so writing moves the vertices.");
   def_table(mesh, "triangles", &SurfaceMesh::triangles,
             "Vertex indices, shape (t, 3), counter-clockwise from outside; a view, read-only.");
-  def_copy(mesh);
+  def_value(mesh, &SurfaceMesh::vertices, &SurfaceMesh::triangles);
   mesh.def("__repr__", [](const SurfaceMesh& self) {
     return "SurfaceMesh(" + std::to_string(self.vertices.size()) + " vertices, " +
            std::to_string(self.triangles.size()) + " triangles)";
@@ -38,6 +38,10 @@ void bind_types(py::module_& m) {
             "The one or two triangles of each edge, -1 for none, shape (e, 2); a view, read-only.");
   def_table(topology, "triangle_edges", &Topology::triangle_edges,
             "The edge opposite each corner, shape (t, 3); a view, read-only.");
+  def_value(topology, &Topology::edges, &Topology::edge_triangles, &Topology::triangle_edges);
+  def_summary(topology, [](const Topology& self) {
+    return write_text(self.edges.size(), " edges, ", self.triangle_edges.size(), " triangles");
+  });
 }
 
 void bind_topology(py::module_& m) {
@@ -67,17 +71,19 @@ void bind_topology(py::module_& m) {
         return loops;
       },
       "triangles"_a,
-      "Border loops as arrays of vertices in the direction that keeps the surface on the left; "
+      "Border loops as arrays of vertices, shape (k,), in the direction that keeps the surface on "
+      "the left; "
       "empty for a closed surface. A vertex where two loops touch ends up in both.");
   m.def(
       "find_shells",
       [](int vertex_count, const Integers& triangles) {
         const auto rows = copy_index_rows<3>(triangles, "triangles");
-        require_triangles(rows, static_cast<std::size_t>(to_index(vertex_count, "vertex_count")));
+        require_triangles(rows, static_cast<std::size_t>(to_count(vertex_count, "vertex_count")));
         return own(find_shells(vertex_count, rows));
       },
       "vertex_count"_a, "triangles"_a,
-      "The shell number of every vertex, counted from 0 in order of first vertex; vertices no "
+      "The shell number of every vertex, shape (n,), counted from 0 in order of first vertex; "
+      "vertices no "
       "triangle uses get -1.");
   m.def(
       "compute_euler_number",
@@ -95,13 +101,13 @@ void bind_topology(py::module_& m) {
 
 void bind_measures(py::module_& m) {
   m.def("compute_area", &compute_area, "mesh"_a, "[m²]");
-  m.def("compute_volume", &compute_volume, "mesh"_a,
+  m.def("compute_volume", py::overload_cast<const SurfaceMesh&>(&compute_volume), "mesh"_a,
         "[m³], positive when the triangles run counter-clockwise from outside; a number without "
         "meaning for an open surface.");
   m.def(
       "compute_vertex_areas",
       [](const SurfaceMesh& mesh) { return own(compute_vertex_areas(mesh)); }, "mesh"_a,
-      "[m²] per vertex: a third of every triangle around it. Sums to compute_area.");
+      "[m²] per vertex, shape (n,): a third of every triangle around it. Sums to compute_area.");
   m.def(
       "compute_vertex_normals",
       [](const Numbers& vertices, const Integers& triangles) {
@@ -111,7 +117,8 @@ void bind_measures(py::module_& m) {
         return own(compute_vertex_normals(x, rows));
       },
       "vertices"_a, "triangles"_a,
-      "Unit normals per vertex, weighted by area, shape (n, 3); zero where the triangles cancel "
+      "[-] Unit normals per vertex, weighted by area, shape (n, 3); zero where the triangles "
+      "cancel "
       "out.");
   m.def("compute_smallest_angle", &compute_smallest_angle, "mesh"_a,
         "Smallest corner angle of any triangle [rad].");
@@ -121,7 +128,7 @@ void bind_measures(py::module_& m) {
         const auto [low, high] = compute_bounds(points(vertices, "vertices"));
         return std::make_pair(low, high);
       },
-      "vertices"_a, "Lower and upper corner of the axis-aligned box [m].");
+      "vertices"_a, "Lower and upper corner of the axis-aligned box [m], shape (3,) each.");
   m.def(
       "compute_diagonal",
       [](const Numbers& vertices) { return compute_diagonal(points(vertices, "vertices")); },

@@ -25,7 +25,7 @@ void bind_solid_mesh(py::module_& m) {
            "Positions [m], shape (n, 3); a view, so writing moves the vertices.");
   def_table(solid, "tetrahedra", &SolidMesh::tetrahedra,
             "Vertex indices, shape (t, 4); a view, read-only.");
-  def_copy(solid);
+  def_value(solid, &SolidMesh::vertices, &SolidMesh::tetrahedra);
   solid.def("__repr__", [](const SolidMesh& self) {
     return "SolidMesh(" + std::to_string(self.vertices.size()) + " vertices, " +
            std::to_string(self.tetrahedra.size()) + " tetrahedra)";

@@ -45,7 +45,8 @@ void bind_material(py::module_& m) {
                      "[-] of a single link between its two end masses; 1 is critical.")
       .def_readwrite("wall_thickness", &Material::wall_thickness,
                      "[m] of a hollow organ or sheet, None for a solid.");
-  def_copy(material);
+  def_value(material, &Material::density, &Material::young_modulus, &Material::poisson_ratio,
+            &Material::damping_ratio, &Material::wall_thickness);
   def_repr(material,
            {"density", "young_modulus", "poisson_ratio", "damping_ratio", "wall_thickness"});
   m.def("validate", py::overload_cast<const Material&>(&validate), "material"_a,
@@ -71,7 +72,12 @@ void bind_links(py::module_& m) {
   def_view(links, "stiffness", &Links::stiffness,
            "[N/m], shape (l,); a bond's may be negative; a view.");
   def_view(links, "damping", &Links::damping, "[N·s/m], shape (l,); a view.");
-  def_copy(links);
+  def_value(links, &Links::ends, &Links::rest_length, &Links::stiffness, &Links::damping);
+  def_summary(links, [](const Links& self) {
+    if (self.ends.empty()) return std::string("none");
+    const auto [least, most] = std::minmax_element(self.stiffness.begin(), self.stiffness.end());
+    return write_text(self.ends.size(), ", ", *least, " to ", *most, " N/m");
+  });
 }
 
 void bind_angles(py::module_& m) {
@@ -104,7 +110,10 @@ void bind_angles(py::module_& m) {
            "[N] K_btheta of the corner, shape (a, 3); a view.");
   def_view(angles, "bond_share", &Angles::bond_share,
            "[N/m] this triangle's part of the bond opposite the corner, shape (a, 3); a view.");
-  def_copy(angles);
+  def_value(angles, &Angles::corners, &Angles::rest_cosine, &Angles::rest_length,
+            &Angles::bend_stiffness, &Angles::stretch_coupling, &Angles::bond_share);
+  def_summary(angles,
+              [](const Angles& self) { return write_text(self.corners.size(), " triangles"); });
 }
 
 void bind_prisms(py::module_& m) {
@@ -131,7 +140,10 @@ void bind_prisms(py::module_& m) {
            "[N/m] of that difference, shape (p, 3); a view.");
   def_view(prisms, "shear_damping", &Prisms::shear_damping,
            "[N·s/m] likewise, shape (p, 3); a view.");
-  def_copy(prisms);
+  def_value(prisms, &Prisms::corners, &Prisms::rest_difference, &Prisms::shear_stiffness,
+            &Prisms::shear_damping);
+  def_summary(prisms,
+              [](const Prisms& self) { return write_text(self.corners.size(), " prisms"); });
 }
 
 /// As validate() would refuse it anyway, but before a table is looked at by index.
@@ -141,9 +153,11 @@ TissueModel make_model(const Numbers& rest_position, const Numbers& mass, const 
                        const Skin& skin, const Numbers& home, double pressure,
                        const Integers& triangles, double drag, DampingLaw damping_law,
                        AngleLaw angle_law) {
-  TissueModel model{copy_points(rest_position, "rest_position"),
+  auto rests = copy_points(rest_position, "rest_position");
+  auto fixed_rows = copy_indices(fixed, "fixed", rests.size());
+  TissueModel model{std::move(rests),
                     copy_numbers(mass, "mass"),
-                    copy_indices(fixed, "fixed"),
+                    std::move(fixed_rows),
                     springs,
                     bonds,
                     angles,
@@ -165,7 +179,7 @@ void bind_tissue_fields(py::class_<TissueModel>& model) {
   def_view(model, "rest_position", &TissueModel::rest_position, "[m], shape (n, 3); a view.");
   def_view(model, "mass", &TissueModel::mass, "[kg], positive, shape (n,); a view.");
   def_table(model, "fixed", &TissueModel::fixed,
-            "Particles held at rest, ascending; a view, read-only.");
+            "Particles held at rest, ascending, shape (k,); a view, read-only.");
   model.def_readonly("springs", &TissueModel::springs, "Mass-spring model; may be empty.")
       .def_readonly("bonds", &TissueModel::bonds, "Molecular model; may be empty.")
       .def_readonly("angles", &TissueModel::angles, "Molecular model; may be empty.")
@@ -181,8 +195,8 @@ void bind_tissue_fields(py::class_<TissueModel>& model) {
       "Outer surface, counter-clockwise from outside, of vertices of the skin, or of particles "
       "where there is none, shape (t, 3); a view, read-only.");
   model.def_readwrite("drag", &TissueModel::drag, "[1/s], velocity lost to the surroundings.")
-      .def_readwrite("damping_law", &TissueModel::damping_law)
-      .def_readwrite("angle_law", &TissueModel::angle_law);
+      .def_readwrite("damping_law", &TissueModel::damping_law, "How links are damped.")
+      .def_readwrite("angle_law", &TissueModel::angle_law, "How angles push back.");
 }
 
 void bind_tissue_model(py::module_& m) {
@@ -199,11 +213,15 @@ void bind_tissue_model(py::module_& m) {
             "damping_law"_a = usual.damping_law, "angle_law"_a = usual.angle_law,
             "Copies its tables and validates the whole. Raises ValueError.");
   bind_tissue_fields(model);
-  def_copy(model);
+  def_value(model, &TissueModel::rest_position, &TissueModel::mass, &TissueModel::fixed,
+            &TissueModel::springs, &TissueModel::bonds, &TissueModel::angles, &TissueModel::prisms,
+            &TissueModel::volumes, &TissueModel::elastic, &TissueModel::skin, &TissueModel::home,
+            &TissueModel::pressure, &TissueModel::triangles, &TissueModel::drag,
+            &TissueModel::damping_law, &TissueModel::angle_law);
   model.def("__repr__",
             [](const TissueModel& self) { return "<TissueModel: " + describe(self) + ">"; });
 
-  m.def("particle_count", &particle_count, "model"_a);
+  m.def("particle_count", &particle_count, "model"_a, "How many particles a model has.");
   m.def("surface_count", &surface_count, "model"_a,
         "Vertices of the surface: those of the skin, or the particles where there is none.");
   m.def("compute_total_mass", &compute_total_mass, "model"_a, "[kg]");

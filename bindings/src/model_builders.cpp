@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bindings.h"
 #include "border.h"
+#include "options.h"
 #include "palpate/sim/model/build_mass_spring.h"
 #include "palpate/sim/model/build_molecular.h"
 #include "palpate/sim/model/definiteness.h"
@@ -12,17 +13,21 @@ namespace {
 
 void bind_options(py::module_& m) {
   const SurfaceOptions usual;
-  py::class_<SurfaceOptions> options(
+  using Options = Chosen<SurfaceOptions>;
+  py::class_<Options> options(
       m, "SurfaceOptions", "What a designer may choose about a surface model beside its material.");
   options.def(
       py::init([](std::optional<double> home_stiffness, const Numbers& stiffness_scale,
                   const Integers& fixed, double pressure, double drag, DampingLaw damping_law) {
-        return SurfaceOptions{home_stiffness,
-                              copy_numbers(stiffness_scale, "stiffness_scale"),
-                              copy_indices(fixed, "fixed"),
-                              pressure,
-                              drag,
-                              damping_law};
+        Options made{{home_stiffness,
+                      copy_numbers(stiffness_scale, "stiffness_scale"),
+                      {},
+                      pressure,
+                      drag,
+                      damping_law},
+                     {}};
+        set_fixed(made, fixed);
+        return made;
       }),
       py::kw_only(), "home_stiffness"_a = usual.home_stiffness, "stiffness_scale"_a = py::tuple(),
       "fixed"_a = py::tuple(), "pressure"_a = usual.pressure, "drag"_a = usual.drag,
@@ -31,25 +36,24 @@ void bind_options(py::module_& m) {
                         "[N/m³] pull home per area; None: default_home_stiffness.");
   options.def_property(
       "stiffness_scale",
-      [](const SurfaceOptions& self) {
-        return read_only(own(std::vector<double>(self.stiffness_scale)));
-      },
-      [](SurfaceOptions& self, const Numbers& value) {
+      [](const Options& self) { return read_only(own(std::vector<double>(self.stiffness_scale))); },
+      [](Options& self, const Numbers& value) {
         self.stiffness_scale = copy_numbers(value, "stiffness_scale");
       },
-      "[-] per vertex, positive, empty for 1 everywhere; a link takes the mean of its ends. Reads "
+      "[-] per vertex, shape (n,), positive, empty for 1 everywhere; a link takes the mean of its "
+      "ends. Reads "
       "as a read-only copy: assign a new array to change it.");
   options.def_property(
-      "fixed",
-      [](const SurfaceOptions& self) { return read_only(own(std::vector<int>(self.fixed))); },
-      [](SurfaceOptions& self, const Integers& value) {
-        self.fixed = copy_indices(value, "fixed");
-      },
-      "Vertices held at rest. Reads as a read-only copy: assign a new array to change it.");
+      "fixed", [](const Options& self) { return read_only(own(std::vector<int>(self.fixed))); },
+      [](Options& self, const Integers& value) { set_fixed(self, value); },
+      "Vertices held at rest: indices, shape (k,), or a mask, one boolean per vertex, which is "
+      "turned into the indices of its true rows. Reads as a read-only copy: assign a new array to "
+      "change it.");
   options.def_readwrite("pressure", &SurfaceOptions::pressure, "[Pa]")
       .def_readwrite("drag", &SurfaceOptions::drag, "[1/s]")
-      .def_readwrite("damping_law", &SurfaceOptions::damping_law);
-  def_copy(options);
+      .def_readwrite("damping_law", &SurfaceOptions::damping_law, "How links are damped.");
+  def_value(options, &Options::home_stiffness, &Options::stiffness_scale, &Options::fixed,
+            &Options::pressure, &Options::drag, &Options::damping_law, &Options::mask_size);
   def_repr(options,
            {"home_stiffness", "stiffness_scale", "fixed", "pressure", "drag", "damping_law"});
 }
@@ -74,8 +78,9 @@ void bind_molecular_constants(py::module_& m) {
                      "[J] K_theta per corner; [N] under AngleLaw.eq10.")
       .def_readwrite("stretch_coupling", &MolecularConstants::stretch_coupling,
                      "[N] K_btheta per corner; may be negative.")
-      .def_readwrite("angle_law", &MolecularConstants::angle_law);
-  def_copy(constants);
+      .def_readwrite("angle_law", &MolecularConstants::angle_law, "How angles push back.");
+  def_value(constants, &MolecularConstants::bond_stiffness, &MolecularConstants::bend_stiffness,
+            &MolecularConstants::stretch_coupling, &MolecularConstants::angle_law);
   def_repr(constants, {"bond_stiffness", "bend_stiffness", "stretch_coupling", "angle_law"});
 }
 
@@ -89,21 +94,35 @@ void bind_build_functions(py::module_& m) {
         return own(compute_lumped_mass(mesh, material));
       },
       "mesh"_a, "material"_a,
-      "[kg] per vertex, lumped by area: density x volume for a closed solid, density x wall "
+      "[kg] per vertex, shape (n,), lumped by area: density x volume for a closed solid, density x "
+      "wall "
       "thickness x area for hollow organs and open surfaces. Raises ValueError for an open surface "
       "without a wall thickness.");
   m.def("membrane_spring_stiffness", &membrane_spring_stiffness, "material"_a,
         "[N/m] of the springs that make a surface stretch like a membrane of the material and its "
         "wall thickness. Raises ValueError without one.");
-  m.def("build_mass_spring", &build_mass_spring, "mesh"_a, "material"_a, "stiffness"_a,
-        "options"_a = SurfaceOptions(), py::call_guard<py::gil_scoped_release>(),
-        "The mass-spring model of a surface: one spring of stiffness [N/m] (Eq 1) along every "
-        "edge. Raises ValueError on an invalid mesh, material or option.");
-  m.def("build_molecular", &build_molecular, "mesh"_a, "material"_a, "constants"_a,
-        "options"_a = SurfaceOptions(), py::call_guard<py::gil_scoped_release>(),
-        "The molecular model of a surface: a bond along every edge, an angle and a stretch-bend "
-        "term at every triangle corner. Raises ValueError as build_mass_spring does, and where "
-        "the constants make a triangle indefinite, naming it and the admissible range.");
+  m.def(
+      "build_mass_spring",
+      [](const SurfaceMesh& mesh, const Material& material, double stiffness,
+         const Chosen<SurfaceOptions>& options) {
+        return build_mass_spring(mesh, material, stiffness,
+                                 fit_mask(options, mesh.vertices.size()));
+      },
+      "mesh"_a, "material"_a, "stiffness"_a, "options"_a = Chosen<SurfaceOptions>(),
+      py::call_guard<py::gil_scoped_release>(),
+      "The mass-spring model of a surface: one spring of stiffness [N/m] (Eq 1) along every "
+      "edge. Raises ValueError on an invalid mesh, material or option.");
+  m.def(
+      "build_molecular",
+      [](const SurfaceMesh& mesh, const Material& material, const MolecularConstants& constants,
+         const Chosen<SurfaceOptions>& options) {
+        return build_molecular(mesh, material, constants, fit_mask(options, mesh.vertices.size()));
+      },
+      "mesh"_a, "material"_a, "constants"_a, "options"_a = Chosen<SurfaceOptions>(),
+      py::call_guard<py::gil_scoped_release>(),
+      "The molecular model of a surface: a bond along every edge, an angle and a stretch-bend "
+      "term at every triangle corner. Raises ValueError as build_mass_spring does, and where "
+      "the constants make a triangle indefinite, naming it and the admissible range.");
 }
 
 void require_row(const Angles& angles, int row) {
@@ -138,8 +157,9 @@ void bind_definiteness(py::module_& m) {
   py::class_<CouplingRange> range(
       m, "CouplingRange", "[N] K_btheta lies strictly between the two; either may be infinite.");
   range.def(py::init<double, double>(), "low"_a, "high"_a)
-      .def_readwrite("low", &CouplingRange::low)
-      .def_readwrite("high", &CouplingRange::high);
+      .def_readwrite("low", &CouplingRange::low, "[N] K_btheta is larger.")
+      .def_readwrite("high", &CouplingRange::high, "[N] K_btheta is smaller.");
+  def_value(range, &CouplingRange::low, &CouplingRange::high);
   def_repr(range, {"low", "high"});
   m.def(
       "find_coupling_range",

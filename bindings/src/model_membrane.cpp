@@ -3,6 +3,7 @@
 
 #include "bindings.h"
 #include "border.h"
+#include "options.h"
 #include "palpate/sim/model/build_membrane.h"
 #include "palpate/sim/model/build_shell.h"
 #include "palpate/sim/model/membrane.h"
@@ -27,7 +28,7 @@ py::array_t<double> copy_matrices(const std::vector<Mat3>& matrices) {
 }
 
 void bind_fit(py::module_& m) {
-  m.attr("kSmallestAngle") = kSmallestAngle;
+  m.attr("SMALLEST_ANGLE") = kSmallestAngle;
   m.def(
       "compute_membrane_stiffnesses",
       [](const SurfaceMesh& mesh, const Material& material) {
@@ -37,7 +38,7 @@ void bind_fit(py::module_& m) {
       "mesh"_a, "material"_a,
       "[N/m] (t, 3, 3) the second derivative of every triangle's energy, as a wall of the material "
       "under plane stress, in the lengths of its three sides. Raises ValueError without a wall "
-      "thickness and for a triangle below kSmallestAngle [degree].");
+      "thickness and for a triangle below SMALLEST_ANGLE [degree].");
   py::class_<MembraneFit> fit(m, "MembraneFit",
                               "How a surface model at rest compares with a membrane of its "
                               "material.");
@@ -52,7 +53,8 @@ void bind_fit(py::module_& m) {
                      "[-] root mean square over area of |C_model - C| / |C|.")
       .def_readwrite("worst_triangle", &MembraneFit::worst_triangle,
                      "Where |C_model - C| is largest.");
-  def_copy(fit);
+  def_value(fit, &MembraneFit::young_modulus, &MembraneFit::poisson_ratio, &MembraneFit::least,
+            &MembraneFit::most, &MembraneFit::error, &MembraneFit::worst_triangle);
   def_repr(fit, {"young_modulus", "poisson_ratio", "least", "most", "error", "worst_triangle"});
   m.def(
       "compare_with_membrane",
@@ -79,23 +81,40 @@ void bind_membrane_builders(py::module_& m) {
       .value("lloyd", SpringRule::lloyd,
              "Nearest to the finite element's stiffness matrix, in squares.")
       .finalize();
-  m.def("build_membrane_springs", &build_membrane_springs, "mesh"_a, "material"_a,
-        "rule"_a = SpringRule::van_gelder, "options"_a = SurfaceOptions(),
-        py::call_guard<py::gil_scoped_release>(),
-        "The mass-spring model of a wall of the material. Raises ValueError as build_mass_spring "
-        "does, without a wall thickness, and for triangles below kSmallestAngle.");
-  m.def("build_membrane_molecular", &build_membrane_molecular, "mesh"_a, "material"_a,
-        "bend_stiffness"_a = 0.0, "angle_law"_a = AngleLaw::gradient,
-        "options"_a = SurfaceOptions(), py::call_guard<py::gil_scoped_release>(),
-        "The molecular model of a wall of the material: at rest exactly the finite element of "
-        "plane stress, whatever bend_stiffness [J] is; under AngleLaw.eq10 the nearest to it. "
-        "Raises ValueError as build_membrane_springs does.");
-  m.def("build_shell", &build_shell, "mesh"_a, "material"_a, "options"_a = SurfaceOptions(),
-        py::call_guard<py::gil_scoped_release>(),
-        "A wall of triangular prisms, which stretches and bends as its material does. Vertex i of "
-        "the surface is particle i, on the outer face; particle n + i lies below it on the inner "
-        "face. Raises ValueError as build_membrane_molecular does, and where the wall is too thick "
-        "for the surface.");
+  using Options = Chosen<SurfaceOptions>;
+  m.def(
+      "build_membrane_springs",
+      [](const SurfaceMesh& mesh, const Material& material, SpringRule rule,
+         const Options& options) {
+        return build_membrane_springs(mesh, material, rule,
+                                      fit_mask(options, mesh.vertices.size()));
+      },
+      "mesh"_a, "material"_a, "rule"_a = SpringRule::van_gelder, "options"_a = Options(),
+      py::call_guard<py::gil_scoped_release>(),
+      "The mass-spring model of a wall of the material. Raises ValueError as build_mass_spring "
+      "does, without a wall thickness, and for triangles below SMALLEST_ANGLE.");
+  m.def(
+      "build_membrane_molecular",
+      [](const SurfaceMesh& mesh, const Material& material, double bend_stiffness,
+         AngleLaw angle_law, const Options& options) {
+        return build_membrane_molecular(mesh, material, bend_stiffness, angle_law,
+                                        fit_mask(options, mesh.vertices.size()));
+      },
+      "mesh"_a, "material"_a, "bend_stiffness"_a = 0.0, "angle_law"_a = AngleLaw::gradient,
+      "options"_a = Options(), py::call_guard<py::gil_scoped_release>(),
+      "The molecular model of a wall of the material: at rest exactly the finite element of "
+      "plane stress, whatever bend_stiffness [J] is; under AngleLaw.eq10 the nearest to it. "
+      "Raises ValueError as build_membrane_springs does.");
+  m.def(
+      "build_shell",
+      [](const SurfaceMesh& mesh, const Material& material, const Options& options) {
+        return build_shell(mesh, material, fit_mask(options, mesh.vertices.size()));
+      },
+      "mesh"_a, "material"_a, "options"_a = Options(), py::call_guard<py::gil_scoped_release>(),
+      "A wall of triangular prisms, which stretches and bends as its material does. Vertex i of "
+      "the surface is particle i, on the outer face; particle n + i lies below it on the inner "
+      "face. Raises ValueError as build_membrane_molecular does, and where the wall is too thick "
+      "for the surface.");
   m.def(
       "convert_to_eq10",
       [](const Angles& angles) {
@@ -111,7 +130,8 @@ void bind_membrane_builders(py::module_& m) {
         require_count("angles.bond_share", angles.bond_share.size(), angles.corners.size());
         return own(compute_eq10_residuals(angles));
       },
-      "angles"_a, "[-] per row: |S_eq10 - S| / |S| of the slopes at rest after convert_to_eq10.");
+      "angles"_a,
+      "[-] per row, shape (a,): |S_eq10 - S| / |S| of the slopes at rest after convert_to_eq10.");
 }
 
 }  // namespace

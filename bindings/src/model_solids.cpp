@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bindings.h"
 #include "border.h"
+#include "options.h"
 #include "palpate/sim/model/build_solid.h"
 #include "palpate/sim/model/volumes.h"
 #include "value.h"
@@ -31,11 +32,15 @@ void bind_volumes(py::module_& m) {
   def_view(volumes, "bulk", &Volumes::bulk,
            "[Pa] lambda - mu: what springs leave to be done, shape (t,); a view.");
   def_table(volumes, "first_around", &Volumes::first_around,
-            "Of each particle in around, and the end; a view, read-only.");
+            "Of each particle in around, and the end, shape (n + 1,); a view, read-only.");
   def_table(volumes, "around", &Volumes::around,
-            "The rows around particle 0, those around 1, ... each ascending; a view, read-only.");
+            "The rows around particle 0, those around 1, ... each ascending, shape (4 t,); a view, "
+            "read-only.");
   volumes.def_readwrite("nodal_share", &Volumes::nodal_share, "[-] 0 to 1");
-  def_copy(volumes);
+  def_value(volumes, &Volumes::corners, &Volumes::rest_volume, &Volumes::bulk,
+            &Volumes::first_around, &Volumes::around, &Volumes::nodal_share);
+  def_summary(volumes,
+              [](const Volumes& self) { return write_text(self.corners.size(), " tetrahedra"); });
   m.def("build_volumes", &copy_volumes, "particle_count"_a, "corners"_a, "rest_volume"_a, "bulk"_a,
         "nodal_share"_a = 0.0,
         "Volumes with the tables of what lies around each particle filled in. Copies its tables.");
@@ -61,15 +66,20 @@ void bind_elastic(py::module_& m) {
   def_view(elastic, "lame", &Elastic::lame,
            "[Pa] lambda, Lamé's first constant, shape (t,); a view.");
   def_view(elastic, "shear", &Elastic::shear, "[Pa] mu, shape (t,); a view.");
-  def_table(elastic, "first_around", &Elastic::first_around, "As in Volumes; a view, read-only.");
-  def_table(elastic, "around", &Elastic::around, "As in Volumes; a view, read-only.");
+  def_table(elastic, "first_around", &Elastic::first_around,
+            "As in Volumes, shape (n + 1,); a view, read-only.");
+  def_table(elastic, "around", &Elastic::around, "As in Volumes, shape (4 t,); a view, read-only.");
   def_table(elastic, "reach", &Elastic::reach,
-            "Particles that pushes may move, ascending; empty for all that carry the surface; a "
+            "Particles that pushes may move, ascending, shape (k,); empty for all that carry the "
+            "surface; a "
             "view, read-only.");
   elastic.def_readwrite("nodal_share", &Elastic::nodal_share, "[-] 0 to 1")
       .def_readwrite("damping_time", &Elastic::damping_time,
                      "[s] in which strain follows stress (Kelvin-Voigt).");
-  def_copy(elastic);
+  def_value(elastic, &Elastic::corners, &Elastic::lame, &Elastic::shear, &Elastic::first_around,
+            &Elastic::around, &Elastic::reach, &Elastic::nodal_share, &Elastic::damping_time);
+  def_summary(elastic,
+              [](const Elastic& self) { return write_text(self.corners.size(), " tetrahedra"); });
   m.def("build_elastic", &copy_elastic, "particle_count"_a, "corners"_a, "lame"_a, "shear"_a,
         "nodal_share"_a = 0.0, "damping_time"_a = 0.0,
         "A linear solid's table with what lies around each particle filled in; pushes reach all of "
@@ -90,10 +100,11 @@ void bind_skin(py::module_& m) {
   def_table(skin, "corners", &Skin::corners, "Particle indices, shape (n, 4); a view, read-only.");
   def_view(skin, "weights", &Skin::weights,
            "[-] sum 1; below 0 outside of the tetrahedron, shape (n, 4); a view.");
-  def_copy(skin);
+  def_value(skin, &Skin::corners, &Skin::weights);
+  def_summary(skin, [](const Skin& self) { return write_text(self.corners.size(), " vertices"); });
   m.def(
       "move_skin",
-      [](const Skin& its, const Numbers& x, NumbersOut surface) {
+      [](const Skin& its, const Numbers& x, const NumbersOut& surface) {
         const auto xs = points(x, "x");
         const auto out = points_out(surface, "surface");
         require_below<4>(its.corners, xs.size(), "skin");
@@ -101,7 +112,7 @@ void bind_skin(py::module_& m) {
         require_count("surface", out.size(), its.corners.size());
         move_skin(its, xs, out);
       },
-      "skin"_a, "x"_a, "surface"_a.noconvert(),
+      "skin"_a, "x"_a, "surface"_a,
       "Sets surface [m] to where the vertices of a surface are that rides on particles at x [m].");
 }
 
@@ -120,51 +131,58 @@ void bind_surface_of_model(py::module_& m) {
         return own(compute_surface(model, xs));
       },
       "model"_a, "x"_a,
-      "[m] Where the vertices of the model's surface are with its particles at x [m]: the skin's, "
+      "[m] shape (n, 3), where the vertices of the model's surface are with its particles at x "
+      "[m]: the skin's, "
       "or the particles themselves.");
   m.def(
       "compute_surface_mass",
       [](const TissueModel& model) { return own(compute_surface_mass(model)); }, "model"_a,
-      "[kg] With what mass a vertex of the surface withstands a push when all of the surface is "
+      "[kg] shape (n,), with what mass a vertex of the surface withstands a push when all of the "
+      "surface is "
       "pushed alike.");
 }
 
 void bind_options(py::module_& m) {
   const SolidOptions usual;
-  py::class_<SolidOptions> options(m, "SolidOptions",
-                                   "What a designer may choose about a solid beside its material.");
-  options.def(py::init([](double nodal_share, const Numbers& stiffness_scale, const Integers& fixed,
-                          double drag, DampingLaw damping_law) {
-                return SolidOptions{nodal_share, copy_numbers(stiffness_scale, "stiffness_scale"),
-                                    copy_indices(fixed, "fixed"), drag, damping_law};
-              }),
-              py::kw_only(), "nodal_share"_a = usual.nodal_share, "stiffness_scale"_a = py::tuple(),
-              "fixed"_a = py::tuple(), "drag"_a = usual.drag, "damping_law"_a = usual.damping_law);
+  using Options = Chosen<SolidOptions>;
+  py::class_<Options> options(m, "SolidOptions",
+                              "What a designer may choose about a solid beside its material.");
+  options.def(
+      py::init([](double nodal_share, const Numbers& stiffness_scale, const Integers& fixed,
+                  double drag, DampingLaw damping_law) {
+        Options made{
+            {nodal_share, copy_numbers(stiffness_scale, "stiffness_scale"), {}, drag, damping_law},
+            {}};
+        set_fixed(made, fixed);
+        return made;
+      }),
+      py::kw_only(), "nodal_share"_a = usual.nodal_share, "stiffness_scale"_a = py::tuple(),
+      "fixed"_a = py::tuple(), "drag"_a = usual.drag, "damping_law"_a = usual.damping_law);
   options
       .def_readwrite("nodal_share", &SolidOptions::nodal_share,
                      "[-] 0 to 1: how much of the resistance to a change of volume acts on the "
                      "mean around each particle.")
       .def_property(
           "stiffness_scale",
-          [](const SolidOptions& self) {
+          [](const Options& self) {
             return read_only(own(std::vector<double>(self.stiffness_scale)));
           },
-          [](SolidOptions& self, const Numbers& value) {
+          [](Options& self, const Numbers& value) {
             self.stiffness_scale = copy_numbers(value, "stiffness_scale");
           },
-          "[-] per vertex of the solid, positive, empty for 1 everywhere. Reads as a read-only "
+          "[-] per vertex of the solid, shape (n,), positive, empty for 1 everywhere. Reads as a "
+          "read-only "
           "copy: assign a new array to change it.")
       .def_property(
-          "fixed",
-          [](const SolidOptions& self) { return read_only(own(std::vector<int>(self.fixed))); },
-          [](SolidOptions& self, const Integers& value) {
-            self.fixed = copy_indices(value, "fixed");
-          },
-          "Vertices of the solid held at rest. Reads as a read-only copy: assign a new array to "
-          "change it.")
+          "fixed", [](const Options& self) { return read_only(own(std::vector<int>(self.fixed))); },
+          [](Options& self, const Integers& value) { set_fixed(self, value); },
+          "Vertices of the solid held at rest: indices, shape (k,), or a mask, one boolean per "
+          "vertex, which is turned into the indices of its true rows. Reads as a read-only copy: "
+          "assign a new array to change it.")
       .def_readwrite("drag", &SolidOptions::drag, "[1/s]")
-      .def_readwrite("damping_law", &SolidOptions::damping_law);
-  def_copy(options);
+      .def_readwrite("damping_law", &SolidOptions::damping_law, "How links are damped.");
+  def_value(options, &Options::nodal_share, &Options::stiffness_scale, &Options::fixed,
+            &Options::drag, &Options::damping_law, &Options::mask_size);
   def_repr(options, {"nodal_share", "stiffness_scale", "fixed", "drag", "damping_law"});
 }
 
@@ -176,12 +194,12 @@ void bind_lame(py::module_& m) {
            py::kw_only(), "lambda_"_a = 0.0, "mu"_a = 0.0);
   lame.def_readwrite("lambda_", &LameConstants::lambda, "[Pa]")
       .def_readwrite("mu", &LameConstants::mu, "[Pa] the shear modulus.");
-  def_copy(lame);
+  def_value(lame, &LameConstants::lambda, &LameConstants::mu);
   def_repr(lame, {"lambda_", "mu"});
   m.def("compute_lame_constants", &compute_lame_constants, "material"_a,
         "Raises ValueError for a Poisson's ratio of 0.5, where lambda is infinite.");
-  m.attr("kLeastSolidPoisson") = kLeastSolidPoisson;
-  m.attr("kMostSolidPoisson") = kMostSolidPoisson;
+  m.attr("LEAST_SOLID_POISSON") = kLeastSolidPoisson;
+  m.attr("MOST_SOLID_POISSON") = kMostSolidPoisson;
 }
 
 }  // namespace
@@ -196,22 +214,33 @@ void bind_solids(py::module_& m) {
   bind_surface_of_model(m);
   bind_options(m);
   bind_lame(m);
-  m.def("build_solid", &build_solid, "solid"_a, "material"_a, "options"_a = SolidOptions(),
-        py::call_guard<py::gil_scoped_release>(),
-        "The mass-spring model of a solid with true volumes: a spring along every edge of the "
-        "tetrahedra, and what resists a change of volume in each of them. Raises ValueError, also "
-        "for a Poisson's ratio outside of 0.25 to 0.49.");
-  m.def("build_linear_solid", &build_linear_solid, "solid"_a, "material"_a,
-        "options"_a = SolidOptions(), py::call_guard<py::gil_scoped_release>(),
-        "The linear elastic model of the same solid, for shallow presses: Hooke's law in every "
-        "tetrahedron, no links. Raises ValueError as build_solid does.");
+  using Options = Chosen<SolidOptions>;
+  m.def(
+      "build_solid",
+      [](const SolidMesh& solid, const Material& material, const Options& options) {
+        return build_solid(solid, material, fit_mask(options, solid.vertices.size()));
+      },
+      "solid"_a, "material"_a, "options"_a = Options(), py::call_guard<py::gil_scoped_release>(),
+      "The mass-spring model of a solid with true volumes: a spring along every edge of the "
+      "tetrahedra, and what resists a change of volume in each of them. Raises ValueError, also "
+      "for a Poisson's ratio outside of 0.25 to 0.49.");
+  m.def(
+      "build_linear_solid",
+      [](const SolidMesh& solid, const Material& material, const Options& options) {
+        return build_linear_solid(solid, material, fit_mask(options, solid.vertices.size()));
+      },
+      "solid"_a, "material"_a, "options"_a = Options(), py::call_guard<py::gil_scoped_release>(),
+      "The linear elastic model of the same solid, for shallow presses: Hooke's law in every "
+      "tetrahedron, no links. Raises ValueError as build_solid does.");
   m.def(
       "limit_reach",
       [](const TissueModel& model, const Integers& surface_vertices) {
-        return limit_reach(model, copy_indices(surface_vertices, "surface_vertices"));
+        const auto count = static_cast<std::size_t>(surface_count(model));
+        return limit_reach(model, copy_indices(surface_vertices, "surface_vertices", count));
       },
       "model"_a, "surface_vertices"_a,
-      "The same linear solid for pushes on these vertices of its surface alone; elsewhere it does "
+      "The same linear solid for pushes on these vertices of its surface alone, indices of shape "
+      "(k,) or a mask with one boolean per vertex of the surface; elsewhere it does "
       "not give. Raises ValueError for another model, no vertices, or one that is not there.");
   m.def("build_skin", &build_skin, "surface"_a, "solid"_a, py::call_guard<py::gil_scoped_release>(),
         "The skin by which a surface rides on the tetrahedra of a solid.");

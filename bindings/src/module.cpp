@@ -20,4 +20,5 @@ PYBIND11_MODULE(_sim, m) {
   bind_session(m);
   bind_bench(m);
   bind_scenario(m);
+  bind_calls(m);
 }

@@ -48,6 +48,22 @@ class RowType {
   py::list names_, formats_, offsets_;
 };
 
+/// True for every struct that Python sees in structured arrays.
+template <class T>
+inline constexpr bool is_row = false;
+template <>
+inline constexpr bool is_row<Push> = true;
+template <>
+inline constexpr bool is_row<ToolState::Hold> = true;
+template <>
+inline constexpr bool is_row<HapticSample> = true;
+template <>
+inline constexpr bool is_row<Felt> = true;
+template <>
+inline constexpr bool is_row<Happening> = true;
+template <>
+inline constexpr bool is_row<StateHash> = true;
+
 /// One for every struct that Python sees in structured arrays.
 template <class T>
 py::dtype row_dtype();

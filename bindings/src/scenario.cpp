@@ -94,22 +94,47 @@ Languages list_languages(const Scenario& scenario) {
   return listed;
 }
 
+/// As pickle keeps them: name to (dtype, shape, bytes).
+py::dict pack_arrays(const Arrays& arrays) {
+  py::dict packed;
+  for (const auto& [name, array] : arrays) {
+    packed[py::str(name)] = py::make_tuple(
+        static_cast<int>(array.dtype), array.shape,
+        py::bytes(reinterpret_cast<const char*>(array.bytes.data()), array.bytes.size()));
+  }
+  return packed;
+}
+
+Arrays unpack_arrays(const py::dict& packed) {
+  Arrays arrays;
+  for (const auto& [name, member] : packed) {
+    const auto [dtype, shape, bytes] =
+        member.cast<std::tuple<int, decltype(Array::shape), std::string>>();
+    if (dtype < 0 || dtype >= static_cast<int>(kDtypeNames.size())) {
+      refuse("pickle", "dtype " + std::to_string(dtype), "one of the format's");
+    }
+    arrays.emplace(py::str(name),
+                   Array{static_cast<Dtype>(dtype), shape, {bytes.begin(), bytes.end()}});
+  }
+  return arrays;
+}
+
 void bind_limits(py::module_& m) {
-  m.attr("kMostFileBytes") = scenario::kMostFileBytes;
-  m.attr("kMostArrayBytes") = scenario::kMostArrayBytes;
-  m.attr("kMostManifestBytes") = scenario::kMostManifestBytes;
-  m.attr("kMostArrays") = scenario::kMostArrays;
-  m.attr("kMostDimensions") = scenario::kMostDimensions;
-  m.attr("kMostNameBytes") = scenario::kMostNameBytes;
-  m.attr("kMostDepth") = scenario::kMostDepth;
-  m.attr("kMostTitleBytes") = scenario::kMostTitleBytes;
-  m.attr("kMostTaskBytes") = scenario::kMostTaskBytes;
-  m.attr("kMostLanguages") = scenario::kMostLanguages;
-  m.attr("kMostParticles") = scenario::kMostParticles;
-  m.attr("kMostTriangles") = scenario::kMostTriangles;
-  m.attr("kMostLinks") = scenario::kMostLinks;
-  m.attr("kMostTetrahedra") = scenario::kMostTetrahedra;
-  m.attr("kMostElastic") = scenario::kMostElastic;
+  m.attr("MOST_FILE_BYTES") = scenario::kMostFileBytes;
+  m.attr("MOST_ARRAY_BYTES") = scenario::kMostArrayBytes;
+  m.attr("MOST_MANIFEST_BYTES") = scenario::kMostManifestBytes;
+  m.attr("MOST_ARRAYS") = scenario::kMostArrays;
+  m.attr("MOST_DIMENSIONS") = scenario::kMostDimensions;
+  m.attr("MOST_NAME_BYTES") = scenario::kMostNameBytes;
+  m.attr("MOST_DEPTH") = scenario::kMostDepth;
+  m.attr("MOST_TITLE_BYTES") = scenario::kMostTitleBytes;
+  m.attr("MOST_TASK_BYTES") = scenario::kMostTaskBytes;
+  m.attr("MOST_LANGUAGES") = scenario::kMostLanguages;
+  m.attr("MOST_PARTICLES") = scenario::kMostParticles;
+  m.attr("MOST_TRIANGLES") = scenario::kMostTriangles;
+  m.attr("MOST_LINKS") = scenario::kMostLinks;
+  m.attr("MOST_TETRAHEDRA") = scenario::kMostTetrahedra;
+  m.attr("MOST_ELASTIC") = scenario::kMostElastic;
 }
 
 void bind_container(py::module_& m) {
@@ -128,8 +153,21 @@ void bind_container(py::module_& m) {
       .def_readwrite("content", &Container::content, "JSON: one object.")
       .def_readonly("written_by", &Container::written_by,
                     "Filled by the reader: which program and version wrote the file.");
-  def_arrays(container, "arrays", &Container::arrays, "By name, in a new dict; views, read-only.");
+  def_arrays(
+      container, "arrays", &Container::arrays,
+      "By name, of the shapes and units that content says, in a new dict; views, read-only.");
   def_copy(container);
+  container.def(py::pickle(
+      [](const Container& self) {
+        return py::make_tuple(self.format, self.version, self.content, pack_arrays(self.arrays),
+                              self.written_by);
+      },
+      [](const py::tuple& packed) {
+        return Container{packed[0].cast<std::string>(), packed[1].cast<int>(),
+                         packed[2].cast<std::string>(), unpack_arrays(packed[3]),
+                         packed[4].cast<std::string>()};
+      }));
+  def_repr(container, {"format", "version", "written_by"});
 }
 
 void bind_container_files(py::module_& m) {
@@ -180,7 +218,8 @@ void bind_words(py::module_& m) {
            "title"_a = "", "task"_a = "")
       .def_readonly("title", &Words::title, "Empty where it is not translated.")
       .def_readonly("task", &Words::task, "Empty where it is not translated.");
-  def_copy(words);
+  def_value(words, &Words::title, &Words::task);
+  def_repr(words, {"title", "task"});
 }
 
 void bind_scenario_type(py::module_& m) {
@@ -202,9 +241,9 @@ void bind_scenario_type(py::module_& m) {
            py::kw_only(), "scene"_a, "title"_a = "", "task"_a = "", "authored"_a = "{}",
            "authored_arrays"_a = SomeArrays(), "languages"_a = Languages(),
            "Copies the scene, which build_scene made.");
-  made.def_readwrite("title", &Scenario::title)
+  made.def_readwrite("title", &Scenario::title, "What a trainee sees it called.")
       .def_readwrite("task", &Scenario::task, "What the trainee is asked to do, in words.")
-      .def_readonly("scene", &Scenario::scene)
+      .def_readonly("scene", &Scenario::scene, "The scene, ready to tick.")
       .def_readwrite("authored", &Scenario::authored,
                      "JSON: the designer's document, which only the editor looks into.")
       .def_readonly("version", &Scenario::version,
@@ -212,11 +251,25 @@ void bind_scenario_type(py::module_& m) {
       .def_readonly("written_by", &Scenario::written_by,
                     "Filled by the reader: which program and version wrote the file.");
   def_arrays(made, "authored_arrays", &Scenario::authored_arrays,
-             "What belongs to the document, in a new dict; views, read-only.");
+             "What belongs to the document, of the shapes and units it says, in a new dict; views, "
+             "read-only.");
   made.def_property_readonly("languages", &list_languages,
                              "Title and task in further languages, by code such as \"tr\" or "
                              "\"pt-BR\", in a new dict.");
   def_copy(made);
+  made.def(py::pickle(
+      [](const Scenario& self) {
+        return py::make_tuple(self.title, self.task, self.scene, self.authored,
+                              pack_arrays(self.authored_arrays), self.version, self.written_by,
+                              list_languages(self));
+      },
+      [](const py::tuple& packed) {
+        return Scenario{packed[0].cast<std::string>(), packed[1].cast<std::string>(),
+                        packed[2].cast<Scene>(),       packed[3].cast<std::string>(),
+                        unpack_arrays(packed[4]),      packed[5].cast<int>(),
+                        packed[6].cast<std::string>(), copy_languages(packed[7].cast<Languages>())};
+      }));
+  def_repr(made, {"title", "scene"});
   m.def("find_words", &scenario::find_words, "scenario"_a, "language"_a,
         "Title and task in a language: those of its code, else of the same language elsewhere "
         "(\"tr\" for \"tr-TR\"), else those of the scenario itself, each by itself.");

@@ -30,16 +30,17 @@ void bind_record(py::module_& m) {
   record.def_readwrite("header", &Record::header,
                        "JSON: version, kernel, build, scene hash, device, columns, ...");
   def_rows(record, "hand", &Record::hand,
-           "Per tick, a structured array with the fields of HapticSample; a view.");
+           "Per tick, a structured array with the fields of HapticSample, shape (n,); a view.");
   def_rows(record, "felt", &Record::felt,
-           "Per tick, a structured array with the fields of Felt; a view.");
+           "Per tick, a structured array with the fields of Felt, shape (n,); a view.");
   def_rows(record, "happenings", &Record::happenings,
-           "A structured array with the fields of Happening; a view.");
+           "A structured array with the fields of Happening, shape (n,); a view.");
   def_rows(record, "hashes", &Record::hashes,
-           "At 1 Hz, a structured array with the fields of StateHash; a view.");
+           "At 1 Hz, a structured array with the fields of StateHash, shape (n,); a view.");
   record.def_readwrite("complete", &Record::complete,
                        "The file has its summary and the summary's SHA-256 holds.");
-  def_copy(record);
+  def_value(record, &Record::header, &Record::hand, &Record::felt, &Record::happenings,
+            &Record::hashes, &Record::complete);
   record.def("__repr__", [](const Record& self) {
     return "Record(" + std::to_string(self.hand.size()) + " ticks, " +
            (self.complete ? "complete" : "incomplete") + ")";
@@ -93,7 +94,7 @@ void bind_record_files(py::module_& m) {
 void bind_replay(py::module_& m) {
   py::class_<ReplayReport> report(m, "ReplayReport",
                                   "How a replay compares with what was recorded.");
-  report.def_readonly("ticks", &ReplayReport::ticks)
+  report.def_readonly("ticks", &ReplayReport::ticks, "How many were run.")
       .def_readonly("equal", &ReplayReport::equal,
                     "Every force, every tool position and every hash, bit by bit.")
       .def_readonly("first_difference", &ReplayReport::first_difference, "Tick, -1 for none.")
@@ -101,7 +102,10 @@ void bind_replay(py::module_& m) {
       .def_readonly("largest_position_difference", &ReplayReport::largest_position_difference,
                     "[m] of the tool.");
   def_rows(report, "felt", &ReplayReport::felt,
-           "As replayed, a structured array with the fields of Felt; a view.");
+           "As replayed, a structured array with the fields of Felt, shape (n,); a view.");
+  def_value(report, &ReplayReport::ticks, &ReplayReport::equal, &ReplayReport::first_difference,
+            &ReplayReport::largest_force_difference, &ReplayReport::largest_position_difference,
+            &ReplayReport::felt);
   def_repr(report, {"ticks", "equal", "first_difference", "largest_force_difference",
                     "largest_position_difference"});
   m.def(

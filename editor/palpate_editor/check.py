@@ -114,7 +114,7 @@ def build(
     organ: Organ, measured: Callable[[palpate.ResponseSize], None] | None = None
 ) -> tuple[palpate.Scene | None, TissueFacts | None]:
     """The scene, or in what words it was refused; neither where nobody could feel it anyway."""
-    if organ.surface is None or organ.vertex_count > scenario.kMostParticles:
+    if organ.surface is None or organ.vertex_count > scenario.MOST_PARTICLES:
         return None, None
     home = find_default_home(organ)
     try:

@@ -156,7 +156,7 @@ def find_linear_limits(
     size, share = palpate.measure_response(tissue), organ.fill.nodal_share
     deep = find_span(LINEAR_KIND, SOLIDS, PRESSES)
     yield (
-        f"presses deeper than {palpate.kShallow:.0%} of the thickness at the place: up to there it "
+        f"presses deeper than {palpate.SHALLOW:.0%} of the thickness at the place: up to there it "
         f"is {say_percents(1.0 - deep.most, 1.0 - deep.least)} softer than neo-Hookean elements of "
         f"the same mesh{say_measured(share, LINEAR_SHARE)}; beyond, an alarm stops it"
     )
@@ -167,7 +167,7 @@ def find_linear_limits(
         yield f"pushes outside of {organ.fill.reach}: there it does not give"
     yield (
         f"more surface than memory: its response is {1e-6 * size.bytes:.1f} MB of at most "
-        f"{1e-6 * palpate.kMostResponseBytes:.1f}"
+        f"{1e-6 * palpate.MOST_RESPONSE_BYTES:.1f}"
     )
     yield "a Poisson's ratio below 0.25 or above 0.49"
 

@@ -55,7 +55,7 @@ def test_a_device_error_is_an_os_error():
 
 @pytest.mark.parametrize("shape", [(3,), (3, 2), (3, 3, 1)])
 def test_points_must_be_rows_of_three(shape):
-    with pytest.raises(ValueError, match=r"expected \(n, 3\)"):
+    with pytest.raises(ValueError, match=r"expected numbers of shape \(n, 3\)"):
         palpate.compute_diagonal(np.zeros(shape))
 
 

@@ -56,7 +56,7 @@ def test_the_attach_button_holds_the_tissue_until_it_is_let_go():
         tick_at(scene, world, z)
 
     for z in np.linspace(0.021, 0.03, 180):
-        force = tick_at(scene, world, z, buttons=palpate.kAttachButton)
+        force = tick_at(scene, world, z, buttons=palpate.ATTACH_BUTTON)
     held, pulled = world.tool.hold_count, force[2]
     force = tick_at(scene, world, 0.03, count=500)
 
@@ -147,7 +147,7 @@ def test_the_contact_law_is_pressure_times_area_over_a_barrier():
     assert contact.force == pytest.approx(3e7 * area * depth / (1.0 - depth / 0.003))
     assert contact.direction == pytest.approx([0.0, 0.0, 1.0])
     assert not palpate.find_contact(tool, area, (2e-4, 2e-4, -0.002), a, b, c, contact)
-    assert palpate.kBarrierFloor == 0.1
+    assert palpate.BARRIER_FLOOR == 0.1
 
 
 def test_a_script_moves_smoothly_and_the_same_in_every_run():

@@ -170,7 +170,7 @@ def test_right_or_ctrl_takes_hold_and_pulls_until_it_lets_go(view, bench, button
     bench.feel(20)  # not yet there: a grip in the air would hold nothing
     bench.feel(300)
     assert bench.hand.grip is Grip.holding
-    assert bench.device.read(0.0).buttons == palpate.kAttachButton
+    assert bench.device.read(0.0).buttons == palpate.ATTACH_BUTTON
 
     turn_wheel(view, MIDDLE, -12)
     bench.feel(300)
@@ -187,7 +187,7 @@ def test_the_grip_closes_only_once_the_tip_is_there(view, bench, qtbot):
     QTest.mousePress(view, RIGHT, Qt.KeyboardModifier.NoModifier, MIDDLE)
     assert bench.device.read(0.0).buttons == 0
 
-    qtbot.waitUntil(lambda: bench.device.read(0.0).buttons == palpate.kAttachButton)
+    qtbot.waitUntil(lambda: bench.device.read(0.0).buttons == palpate.ATTACH_BUTTON)
     assert bench.hand.depth > 0.0
 
 

@@ -7,6 +7,7 @@ import gc
 import json
 import os
 import random
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -249,7 +250,8 @@ def test_every_public_name_of_the_room_has_its_twin_with_the_same_parameters():
     for header in PUBLIC:
         declared = read_header(ROOM / header)
         for name in declared.constants:
-            assert isinstance(getattr(scenario, name), int)
+            spelled = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name[1:]).upper()
+            assert isinstance(getattr(scenario, spelled), int)
         for kind in declared.types:
             if kind.name not in c_only:
                 python = getattr(scenario, kind.name)

@@ -179,7 +179,7 @@ class PointerHand(QObject):
         while self._walk(self._longest_step):
             self._send()
         self._depth = self._wanted
-        self._buttons = palpate.kAttachButton if self.grip is Grip.holding else 0
+        self._buttons = palpate.ATTACH_BUTTON if self.grip is Grip.holding else 0
         self._timer.stop()
         self._send()
 
@@ -275,7 +275,7 @@ class PointerHand(QObject):
         elif self.grip is not Grip.holding:
             self._timer.stop()
         elif self._still.elapsed() > 1e3 * HOLD_DELAY:
-            self._buttons = palpate.kAttachButton
+            self._buttons = palpate.ATTACH_BUTTON
             self._timer.stop()
         self._send()
 

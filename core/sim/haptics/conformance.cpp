@@ -10,10 +10,12 @@
 namespace palpate {
 namespace {
 
-constexpr double kFastestHand = 5.0;     // [m/s] a device that says more jumps
-constexpr double kUnit = 1e-6;           // how far from 1 the norm of an orientation may be
-constexpr double kVelocitySlack = 0.05;  // [m/s] mean difference of velocity and motion
-constexpr double kVelocityShare = 0.25;  // of the mean speed, on top
+constexpr double kLongest = 24 * 3600.0;  // [s]
+constexpr double kFastestRate = 1e5;      // [Hz]
+constexpr double kFastestHand = 5.0;      // [m/s] a device that says more jumps
+constexpr double kUnit = 1e-6;            // how far from 1 the norm of an orientation may be
+constexpr double kVelocitySlack = 0.05;   // [m/s] mean difference of velocity and motion
+constexpr double kVelocityShare = 0.25;   // of the mean speed, on top
 
 /// What was seen in one run of ticks.
 struct Seen {
@@ -33,8 +35,9 @@ bool is_finite(const HapticSample& sample) noexcept {
 /// Runs the device as the loop would; `force` says what is sent at each tick.
 class Runner {
  public:
-  Runner(HapticDevice& device, const ConformanceOptions& options)
-      : device_(device), options_(options), begun_(read_clock()) {}
+  Runner(HapticDevice& device, const ConformanceOptions& options,
+         const std::function<bool()>& stopped)
+      : device_(device), options_(options), stopped_(stopped), begun_(read_clock()) {}
 
   template <class Force>
   Seen run(Force force) {
@@ -42,6 +45,7 @@ class Runner {
     Seen seen;
     HapticSample last;
     for (long k = 0; k < std::lround(options_.duration * options_.rate); ++k, time_ += dt) {
+      if (stopped_ && stopped_()) break;
       if (options_.live) wait_until(begun_ + std::llround(1e9 * time_), 0);
       const HapticSample sample = device_.read(time_);
       device_.write({.force = force(k)});
@@ -70,6 +74,7 @@ class Runner {
 
   HapticDevice& device_;
   const ConformanceOptions& options_;
+  const std::function<bool()>& stopped_;
   const std::int64_t begun_;
   double time_ = 0.0;
   bool failed_before_ = false;
@@ -98,17 +103,21 @@ void judge_samples(const Seen& seen, std::vector<DeviceCheck>& checks) {
 
 }  // namespace
 
-std::vector<DeviceCheck> check_conformance(HapticDevice& device,
-                                           const ConformanceOptions& options) {
+std::vector<DeviceCheck> check_conformance(HapticDevice& device, const ConformanceOptions& options,
+                                           const std::function<bool()>& stopped) {
   if (!(options.duration > 0.0) || !(options.rate > 0.0) || !(options.force >= 0.0) ||
       !std::isfinite(options.duration * options.rate * options.force)) {
     refuse("conformance: options",
            write_text(options.duration, " s, ", options.rate, " Hz, ", options.force, " N"),
            "a duration and a rate above 0, a force of 0 or more");
   }
+  if (options.duration > kLongest || options.rate > kFastestRate) {
+    refuse("conformance: options", write_text(options.duration, " s at ", options.rate, " Hz"),
+           write_text("at most a day at ", kFastestRate, " Hz"));
+  }
   std::vector<DeviceCheck> checks;
   note(checks, "it has a name", !device.name().empty(), device.name());
-  Runner runner(device, options);
+  Runner runner(device, options, stopped);
   judge_samples(runner.run([](long) { return Vec3::Zero(); }), checks);
 
   const Seen pushed = runner.run([&options](long k) {

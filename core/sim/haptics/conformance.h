@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,10 @@ struct ConformanceOptions {
 /// What any HapticDevice has to keep, ours or another maker's, before a person holds it: samples
 /// that are finite, go by the time asked for, move no faster than a hand and with a velocity that
 /// fits; commands of every kind taken; a failure that stays one. The device is pushed gently.
-/// Throws std::invalid_argument.
+/// `stopped`, where given, is asked before every tick: true ends the pushes and with them the
+/// check, whose findings so far come back. Throws std::invalid_argument, also for more than a day.
 std::vector<DeviceCheck> check_conformance(HapticDevice& device,
-                                           const ConformanceOptions& options = {});
+                                           const ConformanceOptions& options = {},
+                                           const std::function<bool()>& stopped = {});
 
 }  // namespace palpate

@@ -154,6 +154,8 @@ void NativeCore::advance(double time) noexcept {
   impl_->to_host.clear();
 }
 
+double NativeCore::time() const noexcept { return impl_->last_time; }
+
 void NativeCore::hold(const HandTarget& hand) noexcept { impl_->hand = hand; }
 
 void NativeCore::press_buttons(std::uint8_t buttons) noexcept { impl_->board.buttons = buttons; }

@@ -34,6 +34,7 @@ class NativeCore : public Transport {
 
   /// Lives on up to `time` [s] although nobody reads; what it says is then lost.
   void advance(double time) noexcept;
+  double time() const noexcept;  ///< [s] of the run, up to which it has lived
   /// Whether and where to a hand moves the stylus.
   void hold(const HandTarget& hand) noexcept;
   void press_buttons(std::uint8_t buttons) noexcept;

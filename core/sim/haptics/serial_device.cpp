@@ -35,7 +35,7 @@ struct SerialDevice::Impl {
   double bridge() const noexcept;
   Mat3 choose_law(const Vec3& force, const Vec3& torque, double share) noexcept;
   template <class Done>
-  void wait_until_done(double timeout, Done done);
+  void wait_until_done(double timeout, const std::function<bool()>& stopped, Done done);
 
   SerialLink link;
   const Vec3 origin;
@@ -140,13 +140,14 @@ void SerialDevice::Impl::publish(double time) noexcept {
 /// Listens and asks until `done`, in the transport's own time: a simulated device has passed
 /// through all of it at once, a real one keeps the caller waiting.
 template <class Done>
-void SerialDevice::Impl::wait_until_done(double timeout, Done done) {
+void SerialDevice::Impl::wait_until_done(double timeout, const std::function<bool()>& stopped,
+                                         Done done) {
   const double begun = link.now(0.0);
   for (double time = 0.0; time < timeout; time += kTick) {
     link.receive(time);
     last_time = time;
     if (done()) return;
-    if (link.state() == LinkState::lost) break;
+    if (link.state() == LinkState::lost || (stopped && stopped())) break;
     // none to wait for where the transport goes by our time
     const double early = time + kTick - (link.now(time + kTick) - begun);
     if (early > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>(early));
@@ -223,10 +224,10 @@ void SerialDevice::enable(bool on) noexcept { impl_->link.enable(on); }
 bool SerialDevice::take_status() noexcept { return impl_->statuses.take(); }
 const DeviceStatus& SerialDevice::status() const noexcept { return impl_->statuses.front(); }
 
-void SerialDevice::open(double timeout) {
+void SerialDevice::open(double timeout, const std::function<bool()>& stopped) {
   Impl& my = *impl_;
   my.link.greet();
-  my.wait_until_done(timeout, [&my] {
+  my.wait_until_done(timeout, stopped, [&my] {
     return (my.link.state() == LinkState::ready || my.link.state() == LinkState::uncalibrated) &&
            my.link.has_report();
   });
@@ -242,15 +243,17 @@ Calibration SerialDevice::calibration() const {
   return *found;
 }
 
-void SerialDevice::store(const Calibration& calibration, double timeout) {
+void SerialDevice::store(const Calibration& calibration, double timeout,
+                         const std::function<bool()>& stopped) {
   Impl& my = *impl_;
   my.link.begin_store(write_calibration(calibration));
-  my.wait_until_done(timeout, [&my] { return my.link.store_result() != StoreResult::under_way; });
+  my.wait_until_done(timeout, stopped,
+                     [&my] { return my.link.store_result() != StoreResult::under_way; });
   if (my.link.store_result() == StoreResult::refused) {
     throw DeviceError(name() + ": did not take the calibration: " + my.link.store_refusal());
   }
   my.has_arm = false;
-  open(timeout);
+  open(timeout, stopped);
 }
 
 }  // namespace palpate

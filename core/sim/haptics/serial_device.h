@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -28,7 +29,8 @@ class SerialDevice : public HapticDevice {
 
   /// Greets the device, reads its calibration and waits for its first report; to be called before
   /// a run. Throws DeviceError in words where that does not come about within `timeout` [s].
-  void open(double timeout = 3.0);
+  /// `stopped`, where given, is asked meanwhile: true ends the wait as its end would.
+  void open(double timeout = 3.0, const std::function<bool()>& stopped = {});
 
   HapticSample read(double time) noexcept override;
   void write(const HapticCommand& command) noexcept override;
@@ -52,7 +54,8 @@ class SerialDevice : public HapticDevice {
   /// Writes a calibration to the device, which keeps it; then the device is greeted anew. Not while
   /// a run is on. Throws DeviceError in words, and std::invalid_argument for numbers it cannot
   /// hold.
-  void store(const Calibration& calibration, double timeout = 5.0);
+  void store(const Calibration& calibration, double timeout = 5.0,
+             const std::function<bool()>& stopped = {});
 
  private:
   struct Impl;

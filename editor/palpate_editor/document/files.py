@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from palpate.error import FileError
 from palpate.json_part import json_kind, read_part, read_value
-from palpate.scenario import Container, kMostLanguages, read_container, write_container
+from palpate.scenario import MOST_LANGUAGES, Container, read_container, write_container
 from palpate.scene_parts import (
     FillPart,
     HandPart,
@@ -171,8 +171,8 @@ def unpack(content: Any, arrays: Arrays, file: str) -> Organ:
 def unpack_languages(content: Any, file: str) -> dict[str, Translation]:
     if not isinstance(content, dict):
         raise Refusal(file, "languages", json_kind(content), "an object")
-    if len(content) > kMostLanguages:
-        raise Refusal(file, "languages", f"{len(content)} languages", f"at most {kMostLanguages}")
+    if len(content) > MOST_LANGUAGES:
+        raise Refusal(file, "languages", f"{len(content)} languages", f"at most {MOST_LANGUAGES}")
     for code in content:
         if not is_language(code):
             raise Refusal(file, "languages", f"the code {code!r}", "a code such as tr or pt-BR")

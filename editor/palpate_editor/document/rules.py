@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from palpate.scenario import kMostParticles
+from palpate.scenario import MOST_PARTICLES
 from palpate.scene_parts import FILLED
 
 from palpate_editor.document.material_rules import find_material_problems
@@ -157,14 +157,14 @@ def find_decimate_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
             phrase("a smallest angle of {angle:.1f} degrees", angle=angle),
             phrase("at least {least:g}: decimate anew", least=ANGLE_LEAST),
         )
-    if organ.vertex_count > kMostParticles:
+    if organ.vertex_count > MOST_PARTICLES:
         yield Problem(
             "too_many",
             "error",
             "decimate",
             "vertices",
             phrase("{count} vertices", count=organ.vertex_count),
-            phrase("at most {most}: decimate", most=kMostParticles),
+            phrase("at most {most}: decimate", most=MOST_PARTICLES),
         )
     cost = compute_tick_share(organ, facts)
     if cost is not None and cost > TICK_SHARE and organ.model.kind not in FILLED:

@@ -68,14 +68,14 @@ class SetTask:
         said = organ.languages.get(self.language, Translation()) if self.language else organ
         title = said.title if self.scenario_title is None else self.scenario_title
         task = said.task if self.task is None else self.task
-        check_words("title", title, scenario.kMostTitleBytes)
-        check_words("task", task, scenario.kMostTaskBytes)
+        check_words("title", title, scenario.MOST_TITLE_BYTES)
+        check_words("task", task, scenario.MOST_TASK_BYTES)
         if not self.language:
             return replace(organ, title=title, task=task)
         languages = {**organ.languages, self.language: Translation(title, task)}
         if not title and not task:
             del languages[self.language]
-        if len(languages) > scenario.kMostLanguages:
-            most = scenario.kMostLanguages
+        if len(languages) > scenario.MOST_LANGUAGES:
+            most = scenario.MOST_LANGUAGES
             raise EditError(phrase("A scenario has at most {most} further languages.", most=most))
         return replace(organ, languages=languages)

@@ -135,7 +135,7 @@ class AssessWork:
         progress("", 0.0)
 
         def tell(size: palpate.ResponseSize) -> None:
-            if size.bytes > palpate.kMostResponseBytes:
+            if size.bytes > palpate.MOST_RESPONSE_BYTES:
                 return  # and a check says so
             words = tr("{memory}, being solved for").format(memory=say_memory(size))
             progress(words, 0.5)

@@ -66,9 +66,9 @@ def test_averaged_around_particles_it_is_nearer_to_the_truth(name):
 
 
 def test_up_to_its_depth_it_strays_as_is_said_from_neo_hookean_elements(reference):
-    """kShallow: within 12 % on the same mesh, at the pointed end of the ellipsoid within 22 %."""
+    """SHALLOW: within 12 % on the same mesh, at the pointed end of the ellipsoid within 22 %."""
     for place in reference.places:
-        depth = palpate.kShallow * place.thickness
+        depth = palpate.SHALLOW * place.thickness
         linear = place.find("linear", "P1", depth)
         pressed = place.find("neo_hookean", "P1", depth)
         pulled = place.find("neo_hookean", "P1", -depth)

@@ -76,7 +76,7 @@ def say_origin(organ: Organ) -> str:
         return tr(
             "Young's modulus and Poisson's ratio are its law. It is good for presses of up to "
             "{share} % of the thickness; a deeper one ends the run."
-        ).format(share=f"{100 * palpate.kShallow:.0f}")
+        ).format(share=f"{100 * palpate.SHALLOW:.0f}")
     if organ.model.constants == "tissue":
         return tr(
             "Young's modulus, Poisson's ratio and the wall's thickness give every spring and bond "

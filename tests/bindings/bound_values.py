@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""One object of every class the compiled module has, for tests that hold of all of them."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Callable, Iterator
+
+import palpate
+import palpate._sim
+from surfaces import chain, organ_scene, sheet
+
+SOLID = palpate.SolidMesh([(0, 0, 0), (0.01, 0, 0), (0, 0.01, 0), (0, 0, 0.01)], [(0, 1, 2, 3)])
+ONE_VERTEX = ((0, 0, 0.02), (0, 0, 0.01))
+
+
+def all_classes() -> Iterator[tuple[str, type]]:
+    """Every class of palpate._sim and palpate.scenario that is no enum, with its full name."""
+    for prefix, scope in (("", palpate._sim), ("scenario.", palpate.scenario)):
+        for name, kind in vars(scope).items():
+            if isinstance(kind, type) and not issubclass(kind, enum.Enum | Exception):
+                yield prefix + name, kind
+                for inner, nested in vars(kind).items():
+                    if isinstance(nested, type):
+                        yield f"{prefix}{name}.{inner}", nested
+
+
+def full_state() -> palpate.State:
+    state = palpate.State(chain(4))
+    state.time = 0.25
+    state.velocity[2] = (0.1, -0.2, 0.3)
+    return state
+
+
+def full_load() -> palpate.Load:
+    load = palpate.Load(3)
+    load.add(palpate.Push(0, (0.2, 0.3, 0.5), (1, 2, 3)))
+    load.gravity = (0, 0, -9.8)
+    return load
+
+
+def full_record() -> palpate.Record:
+    sample = palpate.HapticSample(time=0.001, position=(1, 2, 3), buttons=1)
+    return palpate.Record(header='{"a": 1}', hand=[sample] * 2, felt=[palpate.Felt()] * 2)
+
+
+def held_solid() -> palpate.TissueModel:
+    soft = palpate.Material(young_modulus=5e3, poisson_ratio=0.4)
+    return palpate.build_linear_solid(SOLID, soft, palpate.SolidOptions(fixed=[0, 1, 2]))
+
+
+def device() -> palpate.ScriptedDevice:
+    return palpate.ScriptedDevice([palpate.KeyFrame(0.0, (0, 0, 0.05))])
+
+
+def serial_device() -> palpate.SerialDevice:
+    return palpate.SerialDevice(palpate.NativeCore())
+
+
+def closest() -> palpate.SurfacePoint:
+    mesh = sheet(3, 0.02)
+    tree = palpate.AabbTree(mesh.vertices, mesh.triangles)
+    found = palpate.find_closest_point(tree, mesh.vertices, (0.01, 0.012, 0.02))
+    assert found
+    return found
+
+
+def checked() -> palpate.DeviceCheck:
+    return palpate.check_conformance(device(), palpate.ConformanceOptions(duration=0.01))[0]
+
+
+MADE: dict[str, Callable[[], object]] = {
+    "SurfaceMesh": lambda: sheet(3, 0.02),
+    "Topology": lambda: palpate.build_topology(sheet(3, 0.02).triangles),
+    "SolidMesh": lambda: SOLID,
+    "Links": lambda: chain(4).springs,
+    "Angles": lambda: palpate.Angles([(0, 1, 2)], *[[(0.1, 0.2, 0.3)]] * 5),
+    "Prisms": lambda: palpate.Prisms([(0, 1, 2, 3, 4, 5)], *[[(0.1, 0.2, 0.3)]] * 3),
+    "Volumes": lambda: palpate.build_volumes(4, [(0, 1, 2, 3)], [1e-6], [5e3], 0.5),
+    "Elastic": lambda: held_solid().elastic,
+    "Skin": lambda: palpate.Skin([(0, 1, 2, 3)], [(0.1, 0.2, 0.3, 0.4)]),
+    "TissueModel": lambda: organ_scene(1).tissue,
+    "SurfaceOptions": lambda: palpate.SurfaceOptions(
+        stiffness_scale=[1.5] * 5000, fixed=[True] * 5000, home_stiffness=1e4
+    ),
+    "SolidOptions": lambda: palpate.SolidOptions(stiffness_scale=[2.0] * 500, fixed=[1, 2]),
+    "CouplingRange": lambda: palpate.CouplingRange(-0.5, float("inf")),
+    "Response": lambda: palpate.build_response(held_solid()),
+    "State": full_state,
+    "Load": full_load,
+    "Guard": lambda: palpate.Guard(chain(4), (0, 0, -9.8), palpate.State(chain(4))),
+    "AabbTree": lambda: palpate.AabbTree(sheet(3, 0.02).vertices, sheet(3, 0.02).triangles),
+    "ToolState": lambda: palpate.ToolState(2),
+    "ToolState.Carrier": lambda: palpate.ToolState(1).carrier,
+    "SurfacePoint": closest,
+    "Candidates": lambda: palpate.Candidates(4),
+    "HapticSample": lambda: palpate.HapticSample(
+        time=1.5, position=(1, 2, 3), orientation=(0, 0.6, 0, 0.8), buttons=1, grip=0.2
+    ),
+    "Happening": lambda: palpate.Happening(tick=3, kind=palpate.HappeningKind.alarm, value=0.5),
+    "StateHash": lambda: palpate.StateHash(tick=3, hash=(2**64 - 1, 5)),
+    "Scene": lambda: organ_scene(1),
+    "World": lambda: palpate.World(organ_scene(1)),
+    "ScriptedDevice": device,
+    "ReplayDevice": lambda: palpate.ReplayDevice([palpate.HapticSample()]),
+    "SafeDevice": lambda: palpate.SafeDevice(device()),
+    "DeviceLoop": lambda: palpate.DeviceLoop(device()),
+    "DeviceCheck": checked,
+    "FaultyDevice": lambda: palpate.FaultyDevice(device(), palpate.Faults()),
+    "FaultyTransport": lambda: palpate.FaultyTransport(palpate.NativeCore(), palpate.Faults()),
+    "SimulatedArm": lambda: palpate.SimulatedArm(device()),
+    "SerialDevice": serial_device,
+    "DeviceStatus": lambda: serial_device().status(),
+    "VelocityWindow": lambda: palpate.VelocityWindow(0.1),
+    "PlantState": lambda: palpate.PlantState(palpate.Plant()),
+    "Calibration": lambda: palpate.find_calibration(palpate.Plant()),
+    "Loop": lambda: palpate.Loop(organ_scene(1), device()),
+    "Snapshot": lambda: palpate.Loop(organ_scene(1), device()).snapshot(),
+    "LoopReport": lambda: palpate.Loop(organ_scene(1), device()).report(),
+    "Percentiles": lambda: palpate.Loop(organ_scene(1), device()).report().cost,
+    "Record": full_record,
+    "ReplayReport": lambda: palpate.replay(organ_scene(1), palpate.Record()),
+    "ImplicitStepper": lambda: palpate.ImplicitStepper(chain(4), palpate.Integrator.implicit_euler),
+    "scenario.Container": lambda: palpate.scenario.Container(
+        format="organ", version=2, content='{"a": 1}', arrays={"x": [[1.0, 2.0]]}
+    ),
+    "scenario.Scenario": lambda: palpate.scenario.Scenario(
+        scene=organ_scene(1), title="Liver", task="Press it.", authored_arrays={"x": [1, 2]}
+    ),
+}
+"""What a class that has no use without arguments is made from."""
+
+NOT_MADE = {
+    "HapticDevice": "an interface",
+    "Transport": "an interface",
+    "SerialPort": "of what is plugged into this machine",
+    "SerialTransport": "opens a real port",
+    "Recorder": "writes a file",
+    "BenchRow": "takes a measurement of some seconds",
+}
+
+
+def make(name: str) -> object:
+    if name in MADE:
+        return MADE[name]()
+    return dict(all_classes())[name]()
