@@ -2721,6 +2721,39 @@ class ScriptedDevice(HapticDevice):
     def __reduce_ex__(self, protocol: int) -> object:
         """Raises TypeError: not to be pickled."""
 
+class PointerPath(enum.Enum):
+    along = 0
+    around = 1
+    straight = 2
+
+class PointerTarget:
+    def __init__(
+        self,
+        *,
+        time: float = ...,
+        goal: ArrayLike = ...,
+        depth: float = ...,
+        path: PointerPath = ...,
+        pressing: bool = ...,
+        buttons: int = ...,
+    ) -> None: ...
+    time: float
+    @property
+    def goal(self) -> NDArray[np.float64]: ...
+    @goal.setter
+    def goal(self, value: ArrayLike) -> None: ...
+    depth: float
+    path: PointerPath
+    pressing: bool
+    buttons: int
+    def __copy__(self) -> PointerTarget: ...
+    def __deepcopy__(self, memo: dict[int, object]) -> PointerTarget: ...
+    def __repr__(self) -> str: ...
+
+class SurfacePointer(HapticDevice):
+    def __init__(self, scene: Scene) -> None: ...
+    def post(self, target: PointerTarget) -> None: ...
+
 class PointerDevice(HapticDevice):
     """A hand that a window moves: set() from one thread, read() from the haptic thread. Between
     two positions the hand glides, never faster than 1 m/s; the first is taken at once.

@@ -61,13 +61,13 @@ class Play:
     language: str = ""
     """Of title and task, where the scenario has it; empty for the one it was written in."""
 
-    def build_hand(self) -> palpate.PointerDevice | palpate.ScriptedDevice | None:
+    def build_hand(self) -> palpate.SurfacePointer | palpate.ScriptedDevice | None:
         """Whoever moves the tip or the stylus; None where that is a real hand."""
         if self.arm.startswith(SERIAL):
             return None
-        return (
-            palpate.PointerDevice() if self.frames is None else palpate.ScriptedDevice(self.frames)
-        )
+        if self.frames is not None:
+            return palpate.ScriptedDevice(self.frames)
+        return palpate.SurfacePointer(self.scenario.scene)
 
     def build_device(self, hand: palpate.HapticDevice | None = None) -> palpate.HapticDevice:
         """The device of one run, held by `hand` (of build_hand). Raises DeviceError."""

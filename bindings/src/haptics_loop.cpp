@@ -10,6 +10,7 @@
 #include "interrupt.h"
 #include "palpate/sim/haptics/loop.h"
 #include "palpate/sim/haptics/simulated_devices.h"
+#include "palpate/sim/haptics/surface_pointer.h"
 #include "rows.h"
 #include "value.h"
 
@@ -37,6 +38,52 @@ void bind_scripted_device(py::module_& m) {
            "Raises ValueError for no frames, times that do not ascend, or non-finite numbers.")
       .def("duration", &ScriptedDevice::duration, "[s]")
       .def_readonly("last_command", &ScriptedDevice::last_command, "The force it was last sent.");
+}
+
+void bind_surface_pointer(py::module_& m) {
+  py::native_enum<PointerPath>(m, "PointerPath", "enum.Enum", "How a hand gets to its goal.")
+      .value("along", PointerPath::along,
+             "Over the surface at rest, at the depth that is asked for.")
+      .value("around", PointerPath::around,
+             "Straight, but around the organ: where it would come below it, along the surface.")
+      .value("straight", PointerPath::straight, "Straight, the tissue it holds with it.")
+      .finalize();
+
+  py::class_<PointerTarget> target(m, "PointerTarget", "What a window wants of the hand.");
+  target.def(py::init([](double time, const Vec3& goal, double depth, PointerPath path,
+                         bool pressing, std::uint8_t buttons) {
+               return PointerTarget{time, goal, depth, path, pressing, buttons};
+             }),
+             py::kw_only(), "time"_a = 0.0, "goal"_a = Vec3::Zero().eval(), "depth"_a = 0.0,
+             "path"_a = PointerPath::along, "pressing"_a = false, "buttons"_a = 0);
+  target.def_readwrite("time", &PointerTarget::time,
+                       "[s] of the event that led to it, by the window's clock.");
+  def_vector(target, "goal", &PointerTarget::goal,
+             "[m], shape (3,), a point of the surface at rest, or beside it.");
+  target
+      .def_readwrite("depth", &PointerTarget::depth,
+                     "[m] of the tip below the goal; negative above it.")
+      .def_readwrite("path", &PointerTarget::path)
+      .def_readwrite("pressing", &PointerTarget::pressing,
+                     "A button is down: the hand presses for as long as it was.")
+      .def_readwrite("buttons", &PointerTarget::buttons,
+                     "Of the sample, once the tip has been where it began for a moment.");
+  def_copy(target);
+  def_repr(target, {"time", "goal", "depth", "path", "pressing", "buttons"});
+
+  py::class_<SurfacePointer, HapticDevice>(
+      m, "SurfacePointer",
+      "A hand that a window moves over a surface: post() from one thread, read() from the haptic "
+      "thread, which moves the hand. How often the window finds time to post makes no difference "
+      "to what is felt: the hand goes over the surface at rest at 250 mm/s at most and into it at "
+      "50 mm/s, and a press that was over before it was heard of lasts as long as the window says.")
+      .def(py::init([](const Scene& scene) {
+             require_built(scene);
+             return std::make_unique<SurfacePointer>(scene);
+           }),
+           "scene"_a, "The surface and the tool are those of a scene.")
+      .def("post", &SurfacePointer::post, "target"_a,
+           "One calling thread. Raises ValueError for a number that is not finite.");
 }
 
 }  // namespace
@@ -81,6 +128,7 @@ void bind_devices(py::module_& m) {
           "at most. False if none came.");
   bind_safe_device(m);
   bind_scripted_device(m);
+  bind_surface_pointer(m);
   py::class_<PointerDevice, HapticDevice>(
       m, "PointerDevice",
       "A hand that a window moves: set() from one thread, read() from the haptic thread. Between "

@@ -68,7 +68,7 @@ def test_the_mouse_holds_the_simulated_arm_with_the_limits_of_its_motors(tmp_pat
 
     device = play.build_device(hand)
 
-    assert isinstance(hand, palpate.PointerDevice)
+    assert isinstance(hand, palpate.SurfacePointer)
     assert isinstance(device, palpate.SimulatedArm)
     safety = play.find_safety(device)
     assert 1.0 < safety.force_continuous < safety.force_max < 5.0

@@ -121,7 +121,7 @@ class TraineeWindow(QWidget):
         self.view.move_surface(self._rest)
         self.view.show_force(None)
         self.view.show_tool(None)
-        if isinstance(hand, palpate.PointerDevice):
+        if isinstance(hand, palpate.SurfacePointer):
             if self.hand is not None:
                 self.hand.deleteLater()
             self.hand = self.view.tool = PointerHand(self.view, hand, self.scene)
@@ -193,6 +193,8 @@ class TraineeWindow(QWidget):
         if run is None:
             return
         self.over.force.rest()
+        self.view.tool = None
+        self.view.hint.say(None)
         try:
             self._costs = run.finish()
         except OSError as problem:

@@ -15,6 +15,7 @@ from palpate.render import Camera, Look, Shape, build_legend
 from palpate.viewport import navigation
 from palpate.viewport.canvas import Canvas
 from palpate.viewport.force_arrow import choose_radius, keep_in_sight
+from palpate.viewport.hint_line import HintLine
 from palpate.viewport.hud import Hud
 from palpate.viewport.legend_bar import LegendBar
 from palpate.viewport.scenery import ARROW_RADIUS, Scenery
@@ -46,7 +47,7 @@ class ViewBase(ViewEvents):
         self.camera = Camera()
         self.listen()
         self.force_scale = 0.01
-        self.legend, self.hud = LegendBar(self), Hud(self)
+        self.legend, self.hud, self.hint = LegendBar(self), Hud(self), HintLine(self)
         self._force: tuple[Array, Array] | None = None
         self._framed = True
         self._margins = (0, 0, 0, 0)
@@ -149,6 +150,7 @@ class ViewBase(ViewEvents):
         self.scenery.use_theme(name)
         self.legend.use_theme(self.scenery.theme)
         self.hud.use_theme(self.scenery.theme)
+        self.hint.use_theme(self.scenery.theme)
         self.update()
 
     def grab_picture(self) -> QImage:
@@ -179,6 +181,7 @@ class ViewBase(ViewEvents):
     def keep_free(self, left: int = 0, top: int = 0, right: int = 0, bottom: int = 0) -> None:
         """Pixels at the sides that frame_all leaves for what is written over the view."""
         self._margins = (left, top, right, bottom)
+        self._place_children()
         if self._framed:
             self.frame_all()
 
@@ -306,6 +309,9 @@ class ViewBase(ViewEvents):
     def _place_children(self) -> None:
         self.legend.move(QPoint(EDGE, EDGE))
         self.hud.move(QPoint(self.width() - self.hud.width() - EDGE, EDGE))
+        left, _, right, bottom = self._margins
+        middle = (left + self.width() - right) / 2
+        self.hint.place(middle, self.height() - EDGE - bottom, self.width() - left - right - EDGE)
 
     def _size(self) -> tuple[int, int]:
         return max(1, self.width()), max(1, self.height())

@@ -21,27 +21,6 @@ std::size_t validated(int capacity) {
 
 }  // namespace
 
-/// The ring of one writer and one reader [Lamport77]: `tail` counts what was ever written and only
-/// the writer moves it, `head` what was ever read and only the reader moves it. Each side
-/// publishes its counter with release after it is done with the slot and reads the other's with
-/// acquire before it touches one.
-template <class T>
-bool TickLog::Ring<T>::push(const T& value) noexcept {
-  const std::size_t written = tail.load(std::memory_order_relaxed);
-  if (written - head.load(std::memory_order_acquire) == slots.size()) return false;
-  slots[written % slots.size()] = value;
-  tail.store(written + 1, std::memory_order_release);
-  return true;
-}
-
-template <class T>
-void TickLog::Ring<T>::take(std::vector<T>& out) {
-  const std::size_t written = tail.load(std::memory_order_acquire);
-  std::size_t read = head.load(std::memory_order_relaxed);
-  for (; read != written; ++read) out.push_back(slots[read % slots.size()]);
-  head.store(read, std::memory_order_release);
-}
-
 TickLog::TickLog(int tick_capacity)
     : ticks_(validated(tick_capacity)), happenings_(kHappeningCapacity), hashes_(kHashCapacity) {}
 

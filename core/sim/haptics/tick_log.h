@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "palpate/sim/base/ring.h"
 #include "palpate/sim/haptics/device.h"
 
 namespace palpate {
@@ -68,16 +69,6 @@ class TickLog {
   long gap_count() const noexcept { return gaps_.load(std::memory_order_relaxed); }
 
  private:
-  template <class T>
-  struct Ring {
-    explicit Ring(std::size_t capacity) : slots(capacity) {}
-    bool push(const T& value) noexcept;
-    void take(std::vector<T>& out);
-    std::vector<T> slots;
-    // apart, so that the two threads do not fight over one cache line
-    alignas(64) std::atomic<std::size_t> head{0};
-    alignas(64) std::atomic<std::size_t> tail{0};
-  };
   Ring<Tick> ticks_;
   Ring<Happening> happenings_;
   Ring<StateHash> hashes_;

@@ -202,6 +202,66 @@
         <source>The organ cannot be drawn on this machine: %1</source>
         <translation>Organ bu makinede çizilemiyor: %1</translation>
     </message>
+    <message>
+        <source>Left button</source>
+        <translation>Sol düğme</translation>
+    </message>
+    <message>
+        <source>press and stroke</source>
+        <translation>bastır ve sıvazla</translation>
+    </message>
+    <message>
+        <source>Right button</source>
+        <translation>Sağ düğme</translation>
+    </message>
+    <message>
+        <source>take hold and pull</source>
+        <translation>tut ve çek</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Tekerlek</translation>
+    </message>
+    <message>
+        <source>deeper or higher</source>
+        <translation>daha derin ya da daha yüksek</translation>
+    </message>
+    <message>
+        <source>Beside the organ</source>
+        <translation>Organın yanında</translation>
+    </message>
+    <message>
+        <source>turn the view</source>
+        <translation>görünümü döndür</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Hareket</translation>
+    </message>
+    <message>
+        <source>stroke at this depth</source>
+        <translation>bu derinlikte sıvazla</translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation>Bırak</translation>
+    </message>
+    <message>
+        <source>lift off</source>
+        <translation>geri çekil</translation>
+    </message>
+    <message>
+        <source>pull sideways</source>
+        <translation>yana çek</translation>
+    </message>
+    <message>
+        <source>pull nearer or push away</source>
+        <translation>yaklaştır ya da uzaklaştır</translation>
+    </message>
+    <message>
+        <source>release the tissue</source>
+        <translation>dokuyu serbest bırak</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>

@@ -129,9 +129,11 @@ class Runner(QObject):
 
     def _begin(self, organ: Organ, scene: palpate.Scene, wish: HandWish | PressWish) -> None:
         self._count += 1
-        device, duration, self._script = palpate.PointerDevice(), 0.0, None
-        self._name = tr("Hand {count}").format(count=self._count)
-        if isinstance(wish, PressWish):
+        duration, self._script = 0.0, None
+        if isinstance(wish, HandWish):
+            device = palpate.SurfacePointer(scene)
+            self._name = tr("Hand {count}").format(count=self._count)
+        else:
             place = find_target(scene, wish.place)
             frames, moments = write_script(place, scene.tool.radius, wish.script)
             device, duration = palpate.ScriptedDevice(frames), moments.end
@@ -171,6 +173,7 @@ class Runner(QObject):
         view = self.desk.view
         if isinstance(view.tool, PointerHand):
             view.tool = self._tool_before
+            view.hint.say(None)
         trial.clear_view()
         trial.deleteLater()
         self.costs.show_report(report, trial.scene.rate)

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+namespace palpate {
+
+/// A queue between one writer and one reader [Lamport77], without lock or allocation: `tail` counts
+/// what was ever written and only the writer moves it, `head` what was ever read and only the
+/// reader moves it. Each side publishes its counter with release after it is done with the slot and
+/// reads the other's with acquire before it touches one.
+template <class T>
+class Ring {
+ public:
+  explicit Ring(std::size_t capacity) : slots_(capacity) {}
+
+  /// False where there is no room.
+  bool push(const T& value) noexcept {
+    const std::size_t written = tail_.load(std::memory_order_relaxed);
+    if (written - head_.load(std::memory_order_acquire) == slots_.size()) return false;
+    slots_[written % slots_.size()] = value;
+    tail_.store(written + 1, std::memory_order_release);
+    return true;
+  }
+
+  /// The oldest value, until pop(); null where there is none.
+  const T* front() const noexcept {
+    const std::size_t read = head_.load(std::memory_order_relaxed);
+    if (read == tail_.load(std::memory_order_acquire)) return nullptr;
+    return &slots_[read % slots_.size()];
+  }
+
+  /// Drops front(), which must not be null.
+  void pop() noexcept {
+    head_.store(head_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+  }
+
+  /// Appends all there is to `out`.
+  void take(std::vector<T>& out) {
+    const std::size_t written = tail_.load(std::memory_order_acquire);
+    std::size_t read = head_.load(std::memory_order_relaxed);
+    for (; read != written; ++read) out.push_back(slots_[read % slots_.size()]);
+    head_.store(read, std::memory_order_release);
+  }
+
+ private:
+  std::vector<T> slots_;
+  // apart, so that the two threads do not fight over one cache line
+  alignas(64) std::atomic<std::size_t> head_{0};
+  alignas(64) std::atomic<std::size_t> tail_{0};
+};
+
+}  // namespace palpate
