@@ -45,6 +45,7 @@ void bind_alarm(py::module_& m) {
 }
 
 void bind_input(py::module_& m) {
+  m.attr("FARTHEST_HAND") = kFarthestHand;
   py::native_enum<TickInput>(m, "TickInput", "enum.IntEnum",
                              "What a tick cannot use: the index of an invalid_input alarm.")
       .value("time", TickInput::time, "[s] of the sample")

@@ -17,6 +17,7 @@ SIM = Path(__file__).resolve().parents[2] / "core" / "sim"
 
 PRIVATE_HEADERS = {
     "base/refuse.h": "how C++ writes a refusal; Python raises its own",
+    "base/whole_file.h": "how C++ writes a file; Python has palpate.whole_file",
     "base/vector_targets.h": "which vector targets are compiled",
     "contact/box.h": "inside of the tree and its queries",
     "contact/contact_lanes-inl.h": "compiled once per vector target",
@@ -101,6 +102,12 @@ NOT_MIRRORED = {
     "PackedMeasure": "inside of World; Python reads World.alarm",
     "PackedModel": "inside of World; Python reads World.tissue",
     "PackedState": "inside of World; Python reads World.tissue",
+    "check_input": "inside of the tick; World.alarm says what came of it",
+    "Scene.identity": "how a world knows its scene; World.alarm says where it does not",
+    "World.scene_identity": "how a world knows its scene; World.alarm says where it does not",
+    "World.last_force": "inside of World: how the force fades after an alarm",
+    "World.fade_from": "inside of World: how the force fades after an alarm",
+    "World.fade_ticks": "inside of World: how the force fades after an alarm",
     "World.packed_model": "inside of World; Python reads World.tissue",
     "World.packed": "inside of World; Python reads World.tissue",
     "World.measure": "inside of World; Python reads World.alarm",
