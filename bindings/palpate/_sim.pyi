@@ -1531,6 +1531,8 @@ class Alarm:
     def __repr__(self) -> str:
         """The value on one line."""
 
+FARTHEST_HAND: float
+
 class TickInput(enum.IntEnum):
     """What a tick cannot use: the index of an invalid_input alarm."""
 
@@ -2722,11 +2724,14 @@ class ScriptedDevice(HapticDevice):
         """Raises TypeError: not to be pickled."""
 
 class PointerPath(enum.Enum):
+    """How a hand gets to its goal."""
+
     along = 0
     around = 1
     straight = 2
 
 class PointerTarget:
+    """What a window wants of the hand."""
     def __init__(
         self,
         *,
@@ -2736,23 +2741,44 @@ class PointerTarget:
         path: PointerPath = ...,
         pressing: bool = ...,
         buttons: int = ...,
-    ) -> None: ...
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
     time: float
+    """[s] of the event that led to it, by the window's clock."""
     @property
-    def goal(self) -> NDArray[np.float64]: ...
+    def goal(self) -> NDArray[np.float64]:
+        """[m], shape (3,), a point of the surface at rest, or beside it. Shape (3,), a view."""
     @goal.setter
     def goal(self, value: ArrayLike) -> None: ...
     depth: float
+    """[m] of the tip below the goal; negative above it."""
     path: PointerPath
     pressing: bool
+    """A button is down: the hand presses for as long as it was."""
     buttons: int
-    def __copy__(self) -> PointerTarget: ...
-    def __deepcopy__(self, memo: dict[int, object]) -> PointerTarget: ...
-    def __repr__(self) -> str: ...
+    """Of the sample, once the tip has been where it began for a moment."""
+    def __copy__(self) -> PointerTarget:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> PointerTarget:
+        """A copy of its own."""
+    def __repr__(self) -> str:
+        """The value on one line."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
 class SurfacePointer(HapticDevice):
-    def __init__(self, scene: Scene) -> None: ...
-    def post(self, target: PointerTarget) -> None: ...
+    """A hand that a window moves over a surface: post() from one thread, read() from the haptic
+    thread, which moves the hand. How often the window finds time to post makes no difference
+    to what is felt: the hand goes over the surface at rest at 250 mm/s at most and into it
+    at 50 mm/s, and a press that was over before it was heard of lasts as long as the window
+    says.
+    """
+    def __init__(self, scene: Scene) -> None:
+        """The surface and the tool are those of a scene."""
+    def post(self, target: PointerTarget) -> None:
+        """One calling thread. Raises ValueError for a number that is not finite."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
 
 class PointerDevice(HapticDevice):
     """A hand that a window moves: set() from one thread, read() from the haptic thread. Between

@@ -17,6 +17,7 @@ MOST_NAME_BYTES: int
 MOST_DEPTH: int
 MOST_TITLE_BYTES: int
 MOST_TASK_BYTES: int
+MOST_LANGUAGES: int
 MOST_PARTICLES: int
 MOST_TRIANGLES: int
 MOST_LINKS: int
@@ -72,6 +73,25 @@ def unpack_container(bytes: bytes, file: str, format: str, newest_version: int) 
 def pack_container(container: Container) -> bytes:
     """The bytes of the file. Equal containers give equal bytes."""
 
+class Words:
+    """Title and task of a scenario in one language."""
+    def __init__(self, title: str = ..., task: str = ...) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
+    @property
+    def title(self) -> str:
+        """Empty where it is not translated."""
+    @property
+    def task(self) -> str:
+        """Empty where it is not translated."""
+    def __copy__(self) -> Words:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Words:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
 class Scenario:
     """What a trainee opens: a scene that ticks, what to do with it, and what it was made from."""
     def __init__(
@@ -82,6 +102,7 @@ class Scenario:
         task: str = ...,
         authored: str = ...,
         authored_arrays: dict[str, Any] = ...,
+        languages: dict[str, Words] = ...,
     ) -> None:
         """Copies the scene, which build_scene made.
 
@@ -107,14 +128,24 @@ class Scenario:
         """What belongs to the document, of the shapes and units it says, in a new dict; views,
         read-only.
         """
+    @property
+    def languages(self) -> dict[str, Words]:
+        """Title and task in further languages, by code such as "tr" or "pt-BR", in a new dict."""
     def __copy__(self) -> Scenario:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> Scenario:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[str, str, Scene, str, dict[int, object], int, str]: ...
+    def __getstate__(
+        self, /
+    ) -> tuple[str, str, Scene, str, dict[int, object], int, str, dict[str, Words]]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
+
+def find_words(scenario: Scenario, language: str) -> Words:
+    """Title and task in a language: those of its code, else of the same language elsewhere
+    ("tr" for "tr-TR"), else those of the scenario itself, each by itself.
+    """
 
 def read(path: os.PathLike[str] | str | bytes) -> Scenario:
     """Reads a .palpate file of this or an older version: a scene that ticks with the very
