@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "palpate/sim/contact/hold.h"
 #include "palpate/sim/haptics/check_input.h"
@@ -67,15 +68,18 @@ HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
   const std::span<const Vec3> surface = surface_position(world);
   follow_tissue(scene, world);
   const Vec3 hand = follow_hand(sample.position, dt, world);
-  const double way = world.tool.placed ? (hand - world.hand).norm() : 0.0;
+  const bool was_placed = world.tool.placed;
+  const double way = was_placed ? (hand - world.hand).norm() : 0.0;
   if (place_tool(world.tree, surface, hand, scene.tool.radius, world.tool)) {
     find_touchable(scene, hand, world);
     follow_button(scene, sample.buttons, dt, world);
   }
   world.substeps = choose_substeps(scene, way, dt, world);
   world.hand = hand;
+  // a tool that has just appeared may touch already, and nothing is known of what that stores
   const double most_work =
-      bound_stored_energy(scene.tool, scene.coupling, hand, world.tool, world.load);
+      was_placed ? bound_stored_energy(scene.tool, scene.coupling, hand, world.tool, world.load)
+                 : std::numeric_limits<double>::infinity();
   const double substep = dt / world.substeps;
   begin_moving(scene, world);
 
