@@ -26,11 +26,12 @@ PRESS, MOVE, RELEASE = (
 
 @pytest.fixture
 def open_bench(qtbot):
-    """open_bench(scene) is a view of it and the mouse as the hand."""
+    """open_bench(scene) is the view, with it in it, and the mouse as the hand."""
+
+    view = make_view()
+    qtbot.addWidget(view)
 
     def open_it(scene: palpate.Scene, size=(320, 240)) -> Bench:
-        view = make_view()
-        qtbot.addWidget(view)
         view.resize(*size)
         x = palpate.compute_surface(scene.tissue, scene.tissue.rest_position)
         view.show_surface(x, scene.tissue.triangles)
