@@ -12,7 +12,7 @@ from palpate import translation
 from palpate.viewport.gl_view import build_format
 from palpate_editor.app.settings import Settings
 from palpate_editor.views.editor import Editor
-from palpate_editor.views.window import MainWindow
+from palpate_editor.views.window import SIZE, MainWindow
 from patience import settle
 from PySide6.QtCore import QEvent, QLocale, QSettings, Qt
 from PySide6.QtGui import QSurfaceFormat
@@ -57,6 +57,8 @@ def make_editor(
         made.append(editor)
         editor.show()
         qtbot.waitExposed(editor.window)
+        # the screen of no display has 800 x 800 pixels: what people open it on has room for this
+        editor.window.resize(SIZE)
         settle(qtbot, editor.window)
         return editor
 
