@@ -165,8 +165,13 @@ def test_a_failure_inside_work_is_a_sentence(qtbot, spleen_window, monkeypatch):
     assert "Traceback" not in window.messages.text
 
 
-def test_closing_waits_for_work_that_is_under_way(qtbot, spleen_window):
+def test_closing_waits_for_work_that_is_under_way(qtbot, spleen_window, monkeypatch):
     window = spleen_window
+
+    def work_until_cancelled(organ, vertices):
+        assert window.desk.jobs.current.progress.stop.wait(PATIENCE / 1000)
+
+    monkeypatch.setattr(tasks, "decimate_organ", work_until_cancelled)
     window.desk.tasks.decimate(1200)
     job = window.desk.jobs.current
 

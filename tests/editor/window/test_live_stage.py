@@ -311,8 +311,17 @@ def test_an_organ_that_blows_up_ends_the_run_with_a_sentence(panel, qtbot):
     assert not panel.desk.session.is_tested
 
 
-def test_a_device_that_fails_ends_the_run_with_a_sentence(panel, qtbot):
+class HandThatMayFail(palpate.PointerDevice):
+    """Goes where the test says, whatever the window wants of it."""
+
+    def post(self, target: palpate.PointerTarget) -> None:
+        """Deaf to the mouse."""
+
+
+def test_a_device_that_fails_ends_the_run_with_a_sentence(panel, qtbot, monkeypatch):
     told = []
+    # the window's own hand refuses what is not finite: this one may say it, as a real device may
+    monkeypatch.setattr(palpate, "SurfacePointer", lambda scene: HandThatMayFail())
     panel.desk.told.connect(lambda words, severity: told.append((words, severity)))
     start_hand(panel, qtbot)
     with qtbot.waitSignal(panel.runner.ended, timeout=LONG):
