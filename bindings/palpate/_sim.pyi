@@ -2753,6 +2753,7 @@ class PointerTarget:
     depth: float
     """[m] of the tip below the goal; negative above it."""
     path: PointerPath
+    """How the hand goes there."""
     pressing: bool
     """A button is down: the hand presses for as long as it was."""
     buttons: int
@@ -2761,10 +2762,10 @@ class PointerTarget:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> PointerTarget:
         """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
-    def __reduce_ex__(self, protocol: int) -> object:
-        """Raises TypeError: not to be pickled."""
 
 class SurfacePointer(HapticDevice):
     """A hand that a window moves over a surface: post() from one thread, read() from the haptic

@@ -63,12 +63,13 @@ void bind_surface_pointer(py::module_& m) {
   target
       .def_readwrite("depth", &PointerTarget::depth,
                      "[m] of the tip below the goal; negative above it.")
-      .def_readwrite("path", &PointerTarget::path)
+      .def_readwrite("path", &PointerTarget::path, "How the hand goes there.")
       .def_readwrite("pressing", &PointerTarget::pressing,
                      "A button is down: the hand presses for as long as it was.")
       .def_readwrite("buttons", &PointerTarget::buttons,
                      "Of the sample, once the tip has been where it began for a moment.");
-  def_copy(target);
+  def_value(target, &PointerTarget::time, &PointerTarget::goal, &PointerTarget::depth,
+            &PointerTarget::path, &PointerTarget::pressing, &PointerTarget::buttons);
   def_repr(target, {"time", "goal", "depth", "path", "pressing", "buttons"});
 
   py::class_<SurfacePointer, HapticDevice>(

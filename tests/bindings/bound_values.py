@@ -102,6 +102,7 @@ MADE: dict[str, Callable[[], object]] = {
     "Scene": lambda: organ_scene(1),
     "World": lambda: palpate.World(organ_scene(1)),
     "ScriptedDevice": device,
+    "SurfacePointer": lambda: palpate.SurfacePointer(organ_scene(1)),
     "ReplayDevice": lambda: palpate.ReplayDevice([palpate.HapticSample()]),
     "SafeDevice": lambda: palpate.SafeDevice(device()),
     "DeviceLoop": lambda: palpate.DeviceLoop(device()),

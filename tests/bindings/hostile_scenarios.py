@@ -366,7 +366,7 @@ HOSTILE: dict[str, tuple[Make, str]] = {
     ),
     "masses near nothing": (
         lambda good: with_array(good, MASS, array_of(good, MASS) * 1e-300),
-        "spectrum",
+        "scene/tissue/mass: row 0: found ",
     ),
     "a crowd of entries": (lambda good: crowd(200000), "a directory of too many entries"),
     "a hidden crowd of entries": (

@@ -76,8 +76,15 @@ def test_doctor_reports_every_check_as_json(capsys):
 
     report = json.loads(capsys.readouterr().out)
     names = {check["name"] for check in report["checks"]}
-    expected = {"python", "editor", "graphics", "realtime", "serial ports", "shared data"}
-    assert names == expected
+    assert names == {
+        "python",
+        "editor",
+        "graphics",
+        "realtime",
+        "mesh files",
+        "serial ports",
+        "shared data",
+    }
     realtime = next(check for check in report["checks"] if check["name"] == "realtime")
     assert "ticks missed" in realtime["detail"]
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import copy
 import json
 import sys
 
@@ -70,7 +71,7 @@ def test_a_run_is_followed_by_frames_that_get_newer_and_belong_to_the_caller():
 
 def test_a_pause_costs_no_tick_and_its_force_is_zero():
     # so thick that a press lies on it without a bounce
-    tissue = organ_scene(1).tissue
+    tissue = copy.copy(organ_scene(1).tissue)
     tissue.drag = 200.0
     scene = palpate.build_scene(palpate.Scene(tissue=tissue))
     run = LiveRun(scene, script(), options=options())

@@ -130,7 +130,7 @@ def test_an_array_that_refuses_writing_is_not_written():
     f = np.zeros((3, 3))
     f.flags.writeable = False
 
-    with pytest.raises(ValueError):
+    with pytest.raises(TypeError, match="f: found float64 .*read-only, expected a writable"):
         palpate.accumulate_gravity(model.mass, (0, 0, -9.81), f)
 
 
@@ -142,8 +142,8 @@ def test_a_scene_takes_its_tissue_once_so_views_of_it_stay_good():
     with pytest.raises(ValueError, match="scene.tissue"):
         scene.tissue = chain(200)
 
-    mass[:] = 2.0
-    assert (scene.tissue.mass == 2.0).all()
+    assert np.shares_memory(mass, scene.tissue.mass)
+    assert not mass.flags.writeable
 
 
 def test_a_copy_is_its_own():
