@@ -158,7 +158,7 @@ def test_publishing_what_is_not_ready_exits_1_with_the_list(tmp_path, capsys):
 
     assert report["published"] is False
     assert [p["problem"] for p in report["problems"]] == ["no_title"]
-    assert report["problems"][0]["fix"] == "Set title and task"
+    assert report["problems"][0]["fix"] == "Title: dalak"
     assert not (tmp_path / "a.palpate").exists()
     assert main(["publish", str(tmp_path / "a.organ"), "-o", str(tmp_path / "a.palpate")]) == 1
     assert "title: found no title" in capsys.readouterr().out
@@ -209,7 +209,11 @@ def test_repair_mends_what_can_be_mended(tmp_path, capsys):
     report = run(capsys, "repair", tmp_path / "a.organ", "-o", tmp_path / "b.organ")
 
     mended = read_organ(tmp_path / "b.organ")
-    assert report["done"] == ["Set Density", "Set Stretch-bend", "Set title and task"]
+    assert report["done"] == [
+        f"Density: {mended.material.density:g} kg/m³",
+        f"Stretch-bend: {mended.model.stretch_coupling:g} N",
+        "Title: dalak",
+    ]
     assert {p["severity"] for p in report["problems"]} <= {"warning", "note"}
     assert mended.title == "dalak" and mended.tool.radius == 1e-3  # a warning was not asked for
     run(capsys, "repair", tmp_path / "b.organ", "--problem", "small_tip", "-o",

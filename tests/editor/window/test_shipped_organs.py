@@ -14,8 +14,10 @@ from PySide6.QtGui import QImage
 pytestmark = pytest.mark.window
 
 
-def test_every_shipped_organ_has_a_button_with_a_name_and_a_picture(window):
+def test_every_shipped_organ_has_a_button_with_a_name_and_a_picture(qtbot, window):
     gallery = window.welcome.shipped
+    window.resize(1440, 900)  # what it asks for; it opens as small as the screen of the tests
+    settle(qtbot, window)
 
     assert list(gallery.buttons) == [entry.name for entry, _ in list_organs()]
     for name, button in gallery.buttons.items():
