@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
@@ -34,12 +34,13 @@ class Part:
     name: str
     surface: Surface
     """Metres and z up, as the whole file is understood; not welded."""
+    size: np.ndarray = field(init=False)
+    """[m] (3,) of its box; measured where the part is made, which is not the window's thread."""
 
-    @property
-    def size(self) -> np.ndarray:
-        """[m] (3,) of its box."""
+    def __post_init__(self) -> None:
         x = self.surface.vertices
-        return np.ptp(x, axis=0) if len(x) else np.zeros(3)
+        size = np.ptp(x, axis=0) if len(x) else np.zeros(3)
+        object.__setattr__(self, "size", size)
 
 
 @dataclass(frozen=True, eq=False)

@@ -87,17 +87,12 @@ class PartsChooser(QWidget):
     def show_parts(self, parts: Mapping[str, Part | None], chosen: tuple[str, ...]) -> None:
         """Lists parts; none chosen means all."""
         self.end_preview()
-        self.known = dict(parts)
         self.list.blockSignals(True)
-        self.list.clear()
-        for name, part in parts.items():
-            item = QListWidgetItem(name if part is None else f"{name}\n{describe(part)}")
-            item.setData(NAME, name)
-            item.setToolTip(item.text())
-            item.setFlags(Qt.ItemFlag.ItemIsUserCheckable | Qt.ItemFlag.ItemIsEnabled)
-            ticked = not chosen or name in chosen
+        if list(parts.items()) != list(self.known.items()):
+            self.fill(parts)
+        for item in self.items():
+            ticked = not chosen or item.data(NAME) in chosen
             item.setCheckState(Qt.CheckState.Checked if ticked else Qt.CheckState.Unchecked)
-            self.list.addItem(item)
         self.list.blockSignals(False)
         rows = max(2, min(ROWS, len(parts)))
         self.list.setFixedHeight(rows * max(26, self.list.sizeHintForRow(0)) + 6)
@@ -105,6 +100,17 @@ class PartsChooser(QWidget):
         self.search.setVisible(len(parts) >= SEARCHED)
         self.show_button.setVisible(any(part is not None for part in parts.values()))
         self.changed.emit()
+
+    def fill(self, parts: Mapping[str, Part | None]) -> None:
+        """A line for each of other parts than before."""
+        self.known = dict(parts)
+        self.list.clear()
+        for name, part in parts.items():
+            item = QListWidgetItem(name if part is None else f"{name}\n{describe(part)}")
+            item.setData(NAME, name)
+            item.setToolTip(item.text())
+            item.setFlags(Qt.ItemFlag.ItemIsUserCheckable | Qt.ItemFlag.ItemIsEnabled)
+            self.list.addItem(item)
 
     def items(self) -> list[QListWidgetItem]:
         return [self.list.item(i) for i in range(self.list.count())]
