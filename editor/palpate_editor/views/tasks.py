@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from palpate_editor import authoring
 from palpate_editor.document import Organ, Surface
@@ -187,6 +187,10 @@ class Tasks(QObject):
         title = tr("Importing {file}").format(file=path.name)
         self.desk.jobs.start(title, work, self.on_read, self.desk.refuse)
 
+    def show_view(self) -> None:
+        """Lets the view draw again."""
+        self.desk.view.setUpdatesEnabled(True)
+
     def on_read(self, reading: Reading) -> None:
         self.read.emit(reading)
         if reading.edit is None or reading.problem is not None:
@@ -202,6 +206,9 @@ class Tasks(QObject):
             if self.is_overtaken(reading.over, reading.path.name):
                 return
             self.desk.session.start_anew()
+        # the panels first, the picture at the next look at the events: both at once take too long
+        self.desk.view.setUpdatesEnabled(False)
+        QTimer.singleShot(0, self.show_view)
         if not self.desk.apply(reading.edit):
             return
         self.desk.view.frame_all()
