@@ -36,6 +36,19 @@ def user_data(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.Monk
     return folder
 
 
+@pytest.fixture
+def turkish(qapp):
+    """Sentences of windows are Turkish during the test."""
+    from palpate import translation
+    from PySide6.QtCore import QLocale
+
+    translation.install(qapp, "tr")
+    QLocale.setDefault(QLocale("tr"))
+    yield
+    translation.install(qapp, "en")
+    QLocale.setDefault(QLocale("en"))
+
+
 @pytest.fixture(scope="session")
 def shared_data() -> Callable[[str], Path]:
     """shared_data("organs/VH_F_Spleen.glb") is that file; the test is skipped where it is not."""

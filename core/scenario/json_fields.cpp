@@ -143,13 +143,13 @@ std::int64_t Fields::whole(const char* name, std::int64_t least, std::int64_t mo
 
 std::size_t Fields::choice(const char* name, std::initializer_list<const char*> names) {
   const Json& value = any(name);
-  std::string expected;
+  std::string known;
   std::size_t index = 0;
   for (const char* candidate : names) {
     if (value == candidate) return index;
-    expected += (index++ == 0 ? "" : " or ") + std::string(candidate);
+    known += (index++ == 0 ? "" : ", ") + std::string(candidate);
   }
-  refuse(name, describe(value), expected);
+  refuse(name, describe(value), "one of " + known);
 }
 
 void Fields::finish() const {

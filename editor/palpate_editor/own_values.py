@@ -38,6 +38,14 @@ class OwnValue:
     """Who published it, and where."""
 
 
+class BadValue(Refusal):
+    """A value of a file that no publication can have."""
+
+    def __init__(self, file: object, where: str, fault: Phrase, expected: str):
+        super().__init__(file, where, str(fault), expected)
+        self.fault = fault
+
+
 def find_file() -> Path:
     """Where they are kept; need not exist."""
     return find_data_folder() / "published_values.json"
@@ -104,7 +112,7 @@ def read_own_values(path: Path) -> tuple[OwnValue, ...]:
     for k, value in enumerate(values):
         fault = find_fault(value)
         if fault is not None:
-            raise Refusal(path, f"values[{k}]", str(fault), "a published value")
+            raise BadValue(path, f"values[{k}]", fault, "a published value")
     return tuple(values)
 
 

@@ -9,28 +9,47 @@ from pathlib import Path
 
 CORE = Path(__file__).resolve().parents[2] / "core"
 FILES = (
-    *("authoring/read_mesh.cpp", "authoring/import_mesh.cpp", "authoring/run_reader.cpp"),
-    *("authoring/read_mesh_child/read_binary_stl.cpp", "authoring/read_mesh_child/main.cpp"),
-    *("authoring/read_mesh_child/read_with_assimp.cpp", "authoring/units.cpp"),
-    *("scenario/archive.cpp", "scenario/whole_file.cpp", "sim/base/whole_file.cpp"),
-    *("sim/haptics/serial_transport.cpp", "sim/haptics/serial_device.cpp"),
-    *("sim/haptics/serial_link_status.cpp", "sim/haptics/pty_device.cpp"),
+    *("authoring/*.cpp", "authoring/cgal/*.cpp", "authoring/read_mesh_child/*.cpp"),
+    *("sim/base/whole_file.cpp", "sim/haptics/serial_transport.cpp"),
+    *("sim/haptics/serial_device.cpp", "sim/haptics/serial_link_status.cpp"),
+    *("sim/haptics/pty_device.cpp", "sim/haptics/calibration.cpp", "sim/haptics/scene.cpp"),
+    *("sim/haptics/world.cpp", "sim/dynamics/active_rule.cpp", "sim/dynamics/build_response.cpp"),
+    *("sim/session/record.cpp", "sim/session/record_file.cpp", "sim/session/record_writer.cpp"),
+    *("scenario/*.cpp", "sim/mesh/*.cpp", "sim/model/*.cpp", "sim/model/check_options.h"),
 )
-"""Where what a window opens is read: meshes, organs, published files, devices."""
-CALL = re.compile(r"\b(?:throw FileError|throw NotDurable|throw DeviceError|(?<!void )refuse)\(")
+"""Where what a window opens is read and built: meshes, organs, published files, devices."""
+CALL = re.compile(
+    r"\b(?:throw FileError|throw NotDurable|throw DeviceError|throw std::invalid_argument"
+    r"|(?<!void )(?:refuse|require))\("
+)
 LITERAL = re.compile(r'"((?:[^"\\]|\\.)*)"')
 TOLD = re.compile(
-    r"std::string (?:SerialLink::explain_silence\(\) const|name_end\(int status\)) \{(.*?)\n\}",
+    r"(?:std::string|std::optional<std::string>) (?:SerialLink::explain_silence\(\) const"
+    r"|name_end\(int status\)|find_\w+_problem\([^)]*\)|describe\([^)]*\)) \{(.*?)\n\}",
     re.DOTALL,
 )
-"""Functions that give what was found."""
+"""Functions that give what was found, or what is wrong with it."""
+NUMBER = r"-?\d+(?:\.\d+)?(?:e-?\d+)?"
+RANGE = re.compile(
+    rf"{NUMBER} (?:to|or) {NUMBER}|{NUMBER} or more|(?:at most|at least|less than) {NUMBER}"
+    rf"|between {NUMBER} and {NUMBER}|a size of {NUMBER} to {NUMBER}"
+)
+"""What is said of many fields, each with numbers of its own."""
+WHOLE = re.compile(r"(?:^|.*?[: ])(?:found|got) (.*), expected (.*)", re.DOTALL)
+"""A sentence that says both."""
 ADVICE = re.compile(r'\? "(; [^"]*)"')
 
 
 def find_sentences() -> set[str]:
     """Of all FILES, where they have words of their own."""
-    found = {text for name in FILES for text in read_file(CORE / name)}
-    return {text for text in found if re.search(r"[a-z]{2}", text)}
+    found = {text for name in FILES for file in CORE.glob(name) for text in read_file(file)}
+    return {text for text in found if has_words(text)}
+
+
+def has_words(template: str) -> bool:
+    """Whether there is anything to translate: units and names of fields are not."""
+    bare = re.sub(r"%\d|\[[^]]*\]|\bkg\b|\bPa\b|\bmm\b|\bSHA\b|\w+[_.]\w+", "", template)
+    return re.search(r"[a-z]{2}", bare) is not None
 
 
 def read_file(path: Path) -> Iterator[str]:
@@ -39,11 +58,25 @@ def read_file(path: Path) -> Iterator[str]:
         arguments = split(close(source[call.end() :]), ",")
         # of (file, where, found, expected) and (where, found, expected) the last two are words
         for argument in arguments[-2:] if len(arguments) > 1 else arguments:
-            yield from build_templates(argument)
+            for template in build_templates(argument):
+                yield from divide(template)
     for body in TOLD.findall(source):
         for told in re.findall(r"return (.*?);", body, re.DOTALL):
             yield from build_templates(told)
     yield from ADVICE.findall(source)
+
+
+def divide(template: str) -> Iterator[str]:
+    """A sentence that says what was found and what was expected is known by these two."""
+    whole = WHOLE.fullmatch(template)
+    yield from map(count_places, whole.groups() if whole else [template])
+
+
+def count_places(template: str) -> str:
+    """The places numbered from 1; a range that stands in the source is one of two places."""
+    places = iter(range(1, 10))
+    bare = template if not RANGE.fullmatch(template) else re.sub(NUMBER, "%1", template)
+    return re.sub(r"%\d", lambda _: f"%{next(places)}", bare)
 
 
 def close(text: str) -> str:
@@ -78,7 +111,7 @@ def build_templates(expression: str) -> Iterator[str]:
     """What an expression may say: "5 bytes" comes of `std::to_string(n) + " bytes"` as %1 bytes."""
     for branch in split_branches(expression):
         text, place = "", 0
-        for part in split(branch, "+"):
+        for part in list_parts(branch):
             bare = re.sub(r"^std::string\((.*)\)$", r"\1", part.strip(), flags=re.DOTALL)
             said = "".join(LITERAL.findall(bare))
             if re.sub(LITERAL, "", bare).strip() == "":
@@ -87,6 +120,15 @@ def build_templates(expression: str) -> Iterator[str]:
                 place += 1
                 text += f"%{place}"
         yield text
+
+
+def list_parts(expression: str) -> list[str]:
+    """What is written one after the other: a + b, or write_text(a, b)."""
+    parts = []
+    for part in split(expression, "+"):
+        written = re.fullmatch(r"\s*write_text\((.*)\)\s*", part, re.DOTALL)
+        parts += split(written.group(1), ",") if written else [part]
+    return parts
 
 
 def split_branches(expression: str) -> list[str]:

@@ -7,13 +7,16 @@ import errno
 import os
 import re
 
+import core_sentences
 import palpate
 import pytest
-from core_sentences import build_templates, find_sentences
+import python_sentences
+from core_sentences import build_templates
+from english import say_in_turkish
+from hostile_scenarios import set_in, with_manifest
 from palpate import translation
 from palpate.translation.refusals import CONTEXT, build_pattern, say_refusal
-from PySide6.QtCore import QLocale
-from PySide6.QtWidgets import QApplication
+from published import publish
 
 WORDS = {
     source: said
@@ -24,22 +27,47 @@ SYSTEM = (
     *(errno.ENOENT, errno.EACCES, errno.EISDIR, errno.ENOTDIR, errno.ENOSPC, errno.EROFS),
     *(errno.EEXIST, errno.EBUSY, errno.EIO, errno.ENOTTY, errno.ENODEV),
 )
-FRAME = "%1: found %2, expected %3"
+FRAMES = {
+    "%1: found %2, expected %3", "%1: got %2, expected %3", "got %1, expected %2",
+    *(f"{place} %1" for place in ("row", "line", "face", "byte", "vertex", "triangle")),
+}  # fmt: skip
+"""What sentences are made of: what stands between, and places within a file."""
 
 
-@pytest.fixture
-def turkish(qapp: QApplication):
-    translation.install(qapp, "tr")
-    yield
-    translation.install(qapp, "en")
-    QLocale.setDefault(QLocale("en"))
+@pytest.fixture(scope="module")
+def published(tmp_path_factory) -> bytes:
+    return publish(tmp_path_factory.mktemp("published")).read_bytes()
 
 
 def test_every_refusal_of_what_a_window_opens_has_its_turkish_and_none_is_left_over():
-    sentences = find_sentences()
+    of_core, of_python = core_sentences.find_sentences(), python_sentences.find_sentences()
+    sentences = of_core | of_python
 
-    assert len(sentences) > 60
-    assert set(WORDS) == sentences | {os.strerror(code) for code in SYSTEM} | {FRAME}
+    assert len(of_core) > 250 and len(of_python) > 70
+    assert sorted(sentences - set(WORDS)) == []
+    system = {os.strerror(code) for code in SYSTEM}
+    assert sorted(set(WORDS) - sentences - system - FRAMES) == []
+
+
+def test_sentences_are_read_from_python_too(tmp_path):
+    file = tmp_path / "reader.py"
+    file.write_text(
+        "LIMIT = 5\n"
+        "def read(path, n, odd):\n"
+        '    expected = "text" if n else f"at most {LIMIT} parts"\n'
+        '    raise Refusal(path, "where", f"{n} bytes", expected)\n'
+        '    raise ValueError(f"n: got {n}, expected {LIMIT} or so")\n'
+        '    raise OSError(5, f"{odd}: not a folder", path)\n'
+    )
+
+    assert set(python_sentences.read_file(file)) == {
+        "%1 bytes", "text", "at most %1 parts", "%1", "%1 or so", "%1: not a folder",
+    }  # fmt: skip
+
+
+def test_a_range_needs_a_number_so_no_name_of_a_file_is_taken_apart(turkish):
+    assert say_refusal("0.1 to 0.5") == "0,1 ile 0,5 arası"
+    assert say_refusal("liver to send: moon") == "liver to send: moon"
 
 
 def test_the_places_of_a_translation_are_those_of_the_english():
@@ -70,6 +98,29 @@ def test_a_file_that_is_refused_is_refused_in_turkish(turkish, tmp_path):
 
     assert said.startswith(f"{path}: bulunan: bozuk bir zip arşivi (")
     assert said.endswith("; beklenen: sağlam bir arşiv")
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "said"),
+    [
+        ("content|scene|rate", "fast", 'bulunan: "fast"; beklenen: bir sayı'),
+        ("content|scene|rate", -1, "bulunan: -1; beklenen: 1 ile 20000 Hz arası"),
+        ("content|title", 5, "bulunan: 5; beklenen: metin"),
+        ("content|moon", 5, 'bulunan: bilinmeyen "moon" üyesi; beklenen: böyle girdi olmaması'),
+        (
+            "content|scene|tissue|damping_law",
+            "sticky",
+            'bulunan: "sticky"; beklenen: şunlardan biri: axis, isotropic',
+        ),
+        ("arrays|scene/tissue/mass|shape", [], "bulunan: 0 öğelik bir liste; beklenen: 1 ile 4"),
+    ],
+)
+def test_a_damaged_field_is_refused_in_turkish(turkish, published, tmp_path, path, value, said):
+    (tmp_path / "bad.palpate").write_bytes(with_manifest(published, set_in(path, value)))
+    with pytest.raises(palpate.FileError) as refused:
+        palpate.scenario.read(tmp_path / "bad.palpate")
+
+    assert said in say_in_turkish(str(refused.value))
 
 
 def test_a_port_that_is_not_there_is_said_in_turkish(turkish):

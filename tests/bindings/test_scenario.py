@@ -15,6 +15,7 @@ from pathlib import Path
 import numpy as np
 import palpate
 import pytest
+from english import say_in_turkish
 from headers import read_header
 from hostile_scenarios import HOSTILE, with_manifest
 from palpate import scenario
@@ -213,6 +214,11 @@ def test_a_hostile_file_is_refused_in_a_sentence_within_the_limits(outcomes, nam
     assert ": found " in outcomes[name] and ", expected " in outcomes[name]
     assert len(outcomes[name]) < 400
     assert "\n" not in outcomes[name]
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_a_hostile_file_is_refused_in_turkish_too(outcomes, turkish, name):
+    assert "; beklenen: " in say_in_turkish(outcomes[name].removeprefix("refused: "))
 
 
 def test_a_large_file_that_is_wrong_at_its_very_end_is_refused_within_the_limits(outcomes):

@@ -31,6 +31,7 @@ from palpate_editor.document.files import (
 
 TESTS = Path(__file__).resolve().parents[1]
 sys.path.append(str(TESTS / "bindings"))
+from english import say_in_turkish  # noqa: E402
 from hostile_scenarios import (  # noqa: E402
     array_of,
     entries_of,
@@ -303,6 +304,17 @@ def test_a_damaged_file_is_refused_in_a_sentence(tmp_path, good, name):
     assert any(word in sentence for word in (words.replace("[[]]", "[]")).split("|")), sentence
     assert sentence.startswith(str(path)) and "\n" not in sentence
     assert ": found " in sentence and ", expected " in sentence
+
+
+@pytest.mark.parametrize("name", DAMAGED)
+def test_a_damaged_file_is_refused_in_turkish_too(tmp_path, good, turkish, name):
+    path = tmp_path / "bad.organ"
+    path.write_bytes(DAMAGED[name][0](good))
+
+    with pytest.raises(palpate.FileError) as refusal:
+        read_organ(path)
+
+    assert "; beklenen: " in say_in_turkish(str(refusal.value))
 
 
 def test_no_flipped_bit_changes_an_organ_unseen(tmp_path, good):

@@ -62,7 +62,10 @@ def read_ply(file: str, content: bytes) -> tuple[NDArray[np.float64], NDArray[np
                 f"{e.name} ({', '.join(p.name for p in e.properties)})" for e in elements
             )
             raise FileError(
-                file, "header", found or "no elements", f"{name} with {', '.join(wanted)}"
+                file,
+                "header",
+                found or "no elements",
+                f"an element {name} with {', '.join(wanted)}",
             )
     axes = [np.asarray(tables["vertex"][axis], dtype=np.float64) for axis in "xyz"]
     vertices = np.column_stack(axes).reshape(-1, 3)

@@ -20,6 +20,9 @@ CONTEXT = "Refusal"
 PLACE = re.compile(r"%(\d)")
 FOREIGN = re.compile(r"\(%(\d)\)")
 """A place in brackets holds the words of another library."""
+NUMBER = r"([-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan))"
+FEW_LETTERS = 7
+"""A template of no more, such as "%1 to %2", is that of numbers: its first place must hold one."""
 DEEPEST = 6
 """Sentences within sentences that are looked into."""
 
@@ -51,11 +54,20 @@ def read_patterns() -> list[tuple[str, re.Pattern[str]]]:
     """(template, what fits it), those with most words of their own first."""
     words = translation.read_words("palpate.translation", "tr")
     templates = [source for context, source in words if context == CONTEXT]
-    templates.sort(key=lambda source: (-len(PLACE.sub("", source)), source))
+    templates.sort(key=lambda source: (-count_letters(source), source))
     return [(source, build_pattern(source)) for source in templates]
 
 
 def build_pattern(template: str) -> re.Pattern[str]:
     """Places are numbered in the order of the English sentence."""
-    parts = PLACE.split(template)
-    return re.compile("(.*?)".join(re.escape(part) for part in parts[::2]), re.DOTALL)
+    parts = [re.escape(part) for part in PLACE.split(template)[::2]]
+    # the last word of what was expected is that of the outer sentence
+    pattern = "(.*?)".join(parts).replace(r"(.*?),\ expected", r"(.*),\ expected")
+    if not parts[0] and count_letters(template) <= FEW_LETTERS:
+        pattern = pattern.replace("(.*?)", NUMBER, 1)
+    return re.compile(pattern, re.DOTALL)
+
+
+def count_letters(template: str) -> int:
+    """Of its own, without its places."""
+    return len(PLACE.sub("", template).replace(" ", ""))

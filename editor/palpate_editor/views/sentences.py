@@ -14,6 +14,7 @@ from palpate.verb import Refusal
 from PySide6.QtCore import QObject, Signal
 
 from palpate_editor.edits import EditError
+from palpate_editor.own_values import BadValue
 from palpate_editor.publish import PublishError
 from palpate_editor.views.words import say, tr
 
@@ -27,6 +28,8 @@ def sentence_of(problem: BaseException) -> str:
     if isinstance(problem, PublishError):
         found = "; ".join(f"{say(p.found)} ({say(p.expected)})" for p in problem.problems)
         return tr("Not published: {problems}.").format(problems=found)
+    if isinstance(problem, BadValue):
+        return say_refusal(str(problem)).replace(str(problem.fault), say(problem.fault))
     if isinstance(problem, Refusal | FileError | ValueError):
         return say_refusal(str(problem))
     if isinstance(problem, OSError):
@@ -35,7 +38,7 @@ def sentence_of(problem: BaseException) -> str:
     if isinstance(problem, MemoryError):
         return tr("This needs more memory than the machine has.")
     if isinstance(problem, RuntimeError) and str(problem):
-        return str(problem)
+        return say_refusal(str(problem))
     kind, words = type(problem).__name__, str(problem)
     return tr(
         "Something went wrong in the editor itself ({what}). Your work is still here: save it, "

@@ -223,11 +223,12 @@ TEST_CASE("more rows than any tissue that ticks are refused before they are work
 TEST_CASE("a number, a text or a choice in the manifest that is none is refused by name") {
   CHECK(contains(refuse_content("\"rate\":800.0", "\"rate\":\"fast\""),
                  "content.scene.rate: found \"fast\", expected a number"));
-  CHECK(contains(refuse_content("\"rate\":800.0", "\"rate\":-1"), "scene.rate: found -1, expected 1 to 20000 Hz"));
+  CHECK(contains(refuse_content("\"rate\":800.0", "\"rate\":-1"),
+                 "scene.rate: found -1, expected 1 to 20000 Hz"));
   CHECK(contains(refuse_content("\"rate\":800.0,", ""), "content.scene.rate: found nothing"));
   CHECK(contains(refuse_content("\"rate\"", "\"pace\":1,\"rate\""), "unknown member \"pace\""));
   CHECK(contains(refuse_content("\"isotropic\"", "\"sticky\""),
-                 "damping_law: found \"sticky\", expected axis or isotropic"));
+                 "damping_law: found \"sticky\", expected one of axis, isotropic"));
   CHECK(contains(refuse_content("\"radius\":0.004", "\"radius\":0"), "tool.radius"));
   CHECK(contains(refuse_content("[0.1,-0.2,-9.81]", "[0.1,-0.2]"), "gravity: found a list of 2"));
   CHECK(contains(refuse_content("[0.1,-0.2,-9.81]", "[0.1,-0.2,[]]"), "gravity"));

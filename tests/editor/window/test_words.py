@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import json
 import re
 import sys
+from dataclasses import asdict
 from pathlib import Path
 from string import Formatter
 
@@ -12,8 +14,12 @@ import numpy as np
 import pytest
 from hands import action
 from palpate.translation import read_words
+from palpate.translation.refusals import say_refusal
+from palpate.verb import Refusal
+from palpate_editor.compile import compile_organ
 from palpate_editor.document import EMPTY, phrase
 from palpate_editor.edits import EditError, PaintStiffness, SetConstant
+from palpate_editor.own_values import FORMAT, VERSION, OwnValue, read_own_values
 from palpate_editor.views.quantity_box import QuantityBox, write_number
 from palpate_editor.views.sentences import sentence_of
 from palpate_editor.views.words import fill, number, quantity
@@ -59,6 +65,29 @@ def test_a_sentence_of_an_edit_is_said_in_turkish(make_editor):
     sentence = sentence_of(refused.value)
 
     assert sentence == "Yoğunluk: olması gereken 0 kg/m³ değerinden büyük; verilen -1 kg/m³."
+
+
+def test_every_kind_of_refusal_is_said_in_turkish(make_editor, tmp_path):
+    make_editor(language="tr")
+    path = tmp_path / "values.json"
+    value = OwnValue("liver", "density", 1000.0, 900.0, "", "Someone 2020")
+    rows = {"format": FORMAT, "version": VERSION, "values": [asdict(value)]}
+    path.write_text(json.dumps(rows))
+    with pytest.raises(Refusal) as refused:
+        read_own_values(path)
+
+    said = sentence_of(refused.value)
+
+    assert said.endswith("; beklenen: yayımlanmış bir değer") and "values[0]: bulunan: " in said
+    assert "The range" not in said and "1000" in said
+    assert sentence_of(RuntimeError("socketpair: No space left on device")) == (
+        "socketpair: " + say_refusal("No space left on device")
+    )
+    with pytest.raises(ValueError) as unbuilt:
+        compile_organ(EMPTY)
+    assert sentence_of(unbuilt.value) == (
+        "organ: bulunan: yüzey yok; beklenen: içe aktarılmış bir ağ"
+    )
 
 
 def test_a_phrase_within_a_phrase_is_translated_too(make_editor):

@@ -144,6 +144,34 @@
 <context>
     <name>Refusal</name>
     <message>
+        <source>%1 MB for %2 particles under pushes on %3</source>
+        <translation>%3 parçacığa bastırırken %2 parçacık için %1 MB</translation>
+    </message>
+    <message>
+        <source>%1 N/m outside of every triangle</source>
+        <translation>hiçbir üçgene ait olmayan %1 N/m</translation>
+    </message>
+    <message>
+        <source>%1 N/m, the sum of its triangles' shares, once</source>
+        <translation>üçgenlerinin paylarının toplamı olan %1 N/m, bir kez</translation>
+    </message>
+    <message>
+        <source>%1 Pa on a skin</source>
+        <translation>bir deri üzerinde %1 Pa</translation>
+    </message>
+    <message>
+        <source>%1 after %2</source>
+        <translation>%2 ardından %1</translation>
+    </message>
+    <message>
+        <source>%1 arrays</source>
+        <translation>%1 dizi</translation>
+    </message>
+    <message>
+        <source>%1 beside it</source>
+        <translation>yanında %1</translation>
+    </message>
+    <message>
         <source>%1 bytes</source>
         <translation>%1 bayt</translation>
     </message>
@@ -152,20 +180,132 @@
         <translation>bu kadarı için %1 bayt</translation>
     </message>
     <message>
+        <source>%1 bytes of text</source>
+        <translation>%1 baytlık metin</translation>
+    </message>
+    <message>
+        <source>%1 corners</source>
+        <translation>%1 köşe</translation>
+    </message>
+    <message>
         <source>%1 entries</source>
         <translation>%1 girdi</translation>
+    </message>
+    <message>
+        <source>%1 for its %2 triangles</source>
+        <translation>%2 üçgeni için %1</translation>
+    </message>
+    <message>
+        <source>%1 hand samples and %2 felt ones</source>
+        <translation>%1 el örneği ve %2 hissedilen örnek</translation>
+    </message>
+    <message>
+        <source>%1 languages</source>
+        <translation>%1 dil</translation>
+    </message>
+    <message>
+        <source>%1 mm, at which nothing is filled</source>
+        <translation>%1 mm; bu boyda hiçbir yer dolmaz</translation>
+    </message>
+    <message>
+        <source>%1 mm, which gives about %2 tetrahedra</source>
+        <translation>%1 mm; yaklaşık %2 dörtyüzlü verir</translation>
+    </message>
+    <message>
+        <source>%1 numbers</source>
+        <translation>%1 sayı</translation>
     </message>
     <message>
         <source>%1 of %2 that cross others</source>
         <translation>%2 üçgenden %1 tanesi başkalarıyla kesişiyor</translation>
     </message>
     <message>
+        <source>%1 of shape %2</source>
+        <translation>%2 biçiminde %1</translation>
+    </message>
+    <message>
+        <source>%1 of shape (%2)</source>
+        <translation>(%2) biçiminde %1</translation>
+    </message>
+    <message>
+        <source>%1 on this mesh</source>
+        <translation>bu ağda %1</translation>
+    </message>
+    <message>
+        <source>%1 or another type</source>
+        <translation>%1 ya da başka bir tür</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 ya da daha çok</translation>
+    </message>
+    <message>
+        <source>%1 or none</source>
+        <translation>%1 ya da hiç</translation>
+    </message>
+    <message>
+        <source>%1 or older; the file was made by a newer program, which is needed to open it</source>
+        <translation>%1 ya da daha eskisi; dosyayı daha yeni bir program yazmış, açmak için o gerekir</translation>
+    </message>
+    <message>
+        <source>%1 rows</source>
+        <translation>%1 satır</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 ile %2 arası</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <translation>%1 ile %2 arası, %3</translation>
+    </message>
+    <message>
+        <source>%1 to %2 N</source>
+        <translation>%1 ile %2 N arası</translation>
+    </message>
+    <message>
+        <source>%1 to %2 for a solid</source>
+        <translation>dolu cisim için %1 ile %2 arası</translation>
+    </message>
+    <message>
         <source>%1 triangles in %2 bytes</source>
         <translation>%2 bayt içinde %1 üçgen</translation>
     </message>
     <message>
+        <source>%1 triangles that cross others</source>
+        <translation>başkalarıyla kesişen %1 üçgen</translation>
+    </message>
+    <message>
+        <source>%1 with another SHA-256</source>
+        <translation>SHA-256 değeri başka olan %1</translation>
+    </message>
+    <message>
         <source>%1 with more than two triangles</source>
         <translation>ikiden çok üçgeni olan %1 kenar</translation>
+    </message>
+    <message>
+        <source>%1, one per triangle</source>
+        <translation>%1, her üçgene bir tane</translation>
+    </message>
+    <message>
+        <source>%1, the one this program knows</source>
+        <translation>bu programın bildiği %1</translation>
+    </message>
+    <message>
+        <source>%1, which its shape needs</source>
+        <translation>biçiminin gerektirdiği %1</translation>
+    </message>
+    <message>
+        <source>%1, which the rest lengths give</source>
+        <translation>durgun boyların verdiği %1</translation>
+    </message>
+    <message>
+        <source>%1, which the tissue gives</source>
+        <translation>dokunun verdiği %1</translation>
+    </message>
+    <message>
+        <source>%1..., as the manifest says</source>
+        <translation>manifest'in söylediği %1...</translation>
     </message>
     <message>
         <source>%1: %2, expected a serial port that takes %3 bit/s</source>
@@ -176,16 +316,104 @@
         <translation>%1: kalibrasyonu kabul etmedi: %2</translation>
     </message>
     <message>
+        <source>%1: extension must be .obj or .stl, got '%2'</source>
+        <translation>%1: uzantı .obj ya da .stl olmalı, verilen '%2'</translation>
+    </message>
+    <message>
         <source>%1: found %2, expected %3</source>
         <translation>%1: bulunan: %2; beklenen: %3</translation>
+    </message>
+    <message>
+        <source>%1: got %2, expected %3</source>
+        <translation>%1: verilen: %2; beklenen: %3</translation>
     </message>
     <message>
         <source>%1: has no calibration</source>
         <translation>%1: kalibrasyonu yok</translation>
     </message>
     <message>
+        <source>%1: not a plain file</source>
+        <translation>%1: düz bir dosya değil</translation>
+    </message>
+    <message>
+        <source>%1: the lock of recovery cannot be had</source>
+        <translation>%1: kurtarma kilidi alınamadı</translation>
+    </message>
+    <message>
+        <source>.organ, .palpate or .scene.json; foreign meshes come in by `palpate import`</source>
+        <translation>.organ, .palpate ya da .scene.json; başka ağlar `palpate import` ile alınır</translation>
+    </message>
+    <message>
         <source>0 bytes</source>
         <translation>0 bayt</translation>
+    </message>
+    <message>
+        <source>0 or a positive number</source>
+        <translation>0 ya da artı bir sayı</translation>
+    </message>
+    <message>
+        <source>0 or a positive number, or larger bond shares beside it</source>
+        <translation>0 ya da artı bir sayı ya da yanında daha büyük bağ payları</translation>
+    </message>
+    <message>
+        <source>0 to %1</source>
+        <translation>0 ile %1 arası</translation>
+    </message>
+    <message>
+        <source>0 to 1</source>
+        <translation>0 ile 1 arası</translation>
+    </message>
+    <message>
+        <source>0 under AngleLaw::eq10, which has no stretch-bend force</source>
+        <translation>AngleLaw::eq10 altında 0; onda gerilme-eğilme kuvveti yoktur</translation>
+    </message>
+    <message>
+        <source>0 under AngleLaw::eq10, whose constants follow from the material</source>
+        <translation>AngleLaw::eq10 altında 0; sabitleri malzemeden çıkar</translation>
+    </message>
+    <message>
+        <source>0, or a small part of the forces to be felt</source>
+        <translation>0 ya da hissedilecek kuvvetlerin küçük bir bölümü</translation>
+    </message>
+    <message>
+        <source>0, or from substeps to 10000</source>
+        <translation>0 ya da substeps ile 10000 arası</translation>
+    </message>
+    <message>
+        <source>0, or home springs everywhere: without them a push is felt at any distance</source>
+        <translation>0 ya da her yerde yuva yayları: onlarsız bir itiş her uzaklıkta duyulur</translation>
+    </message>
+    <message>
+        <source>0: a solid has no inside for a pressure</source>
+        <translation>0: dolu cismin basınç için bir içi yoktur</translation>
+    </message>
+    <message>
+        <source>0: it costs what is touched, so there is nothing to let sleep</source>
+        <translation>0: yalnızca dokunulan yer hesaplanır, uyutulacak bir şey yoktur</translation>
+    </message>
+    <message>
+        <source>0: solids are moved whole, for they have no home springs, and without those a push is felt with one over its distance</source>
+        <translation>0: dolu cisimler bütün olarak hareket ettirilir; yuva yayları yoktur ve onlarsız bir itiş uzaklıkla ters orantılı duyulur</translation>
+    </message>
+    <message>
+        <source>0: walls of prisms are moved whole, for what may sleep follows from how far springs carry a pull, which is not how far a wall bends</source>
+        <translation>0: prizmalı duvarlar bütün olarak hareket ettirilir; neyin uyuyabileceği yayların bir çekişi ne kadar uzağa taşıdığından çıkar, duvarın ne kadar uzağa eğildiğinden değil</translation>
+    </message>
+    <message>
+        <source>1 and up, or -1 to -%1 counting back</source>
+        <translation>1 ve üstü ya da geriye sayarak -1 ile -%1 arası</translation>
+    </message>
+    <message>
+        <source>1 to %1</source>
+        <translation>1 ile %1 arası</translation>
+    </message>
+    <message>
+        <source>3 in each facet</source>
+        <translation>her yüzde 3</translation>
+    </message>
+    <message>
+        <source>64 hexadecimal digits</source>
+        <translation>64 onaltılık basamak</translation>
     </message>
     <message>
         <source>84 bytes of header, or text that begins with 'solid'</source>
@@ -216,6 +444,14 @@
         <translation>bu bir klasör</translation>
     </message>
     <message>
+        <source>K_btheta %1 N and a tangent at rest with an eigenvalue of %2 N/m</source>
+        <translation>K_btheta %1 N ve durgunken özdeğeri %2 N/m olan bir teğet</translation>
+    </message>
+    <message>
+        <source>K_btheta %1 N, which makes its tangent at rest indefinite</source>
+        <translation>durgun teğetini belirsiz yapan K_btheta %1 N</translation>
+    </message>
+    <message>
         <source>No space left on device</source>
         <translation>diskte yer kalmadı</translation>
     </message>
@@ -240,8 +476,28 @@
         <translation>salt okunur dosya sistemi</translation>
     </message>
     <message>
+        <source>a body that can move without being strained</source>
+        <translation>şekil değiştirmeden hareket edebilen bir cisim</translation>
+    </message>
+    <message>
+        <source>a clean surface: `palpate import` mends it</source>
+        <translation>temiz bir yüzey: `palpate import` onarır</translation>
+    </message>
+    <message>
+        <source>a closed one: nothing says how far the inside of an open one goes</source>
+        <translation>kapalı bir yüzey: açık olanın içinin nereye kadar gittiğini hiçbir şey söylemez</translation>
+    </message>
+    <message>
+        <source>a code such as tr or pt-BR</source>
+        <translation>tr ya da pt-BR gibi bir kod</translation>
+    </message>
+    <message>
         <source>a coordinate that is not a finite number</source>
         <translation>sonlu bir sayı olmayan bir koordinat</translation>
+    </message>
+    <message>
+        <source>a corner: i, i/t, i//n or i/t/n</source>
+        <translation>bir köşe: i, i/t, i//n ya da i/t/n</translation>
     </message>
     <message>
         <source>a damaged entry</source>
@@ -256,28 +512,28 @@
         <translation>çok fazla girdisi olan bir dizin</translation>
     </message>
     <message>
-        <source>a folder in which every new file is taken away</source>
-        <translation>her yeni dosyanın alınıp götürüldüğü bir klasör</translation>
+        <source>a disk that takes what was written</source>
+        <translation>yazılanı alan bir disk</translation>
     </message>
     <message>
-        <source>a folder that the disk does not sync (%1)</source>
-        <translation>diskin eşitlemediği bir klasör (%1)</translation>
+        <source>a face that two others have</source>
+        <translation>iki başka dörtyüzlünün de paylaştığı bir yüz</translation>
     </message>
     <message>
-        <source>one that it does: the file is saved, but a loss of power may bring back what stood there before</source>
-        <translation>eşitlediği bir klasör: dosya kaydedildi, ama elektrik kesilirse önceki hâli geri gelebilir</translation>
+        <source>a file</source>
+        <translation>bir dosya</translation>
     </message>
     <message>
-        <source>a reference to %1</source>
-        <translation>%1 dosyasına bir gönderme</translation>
+        <source>a file of more bytes</source>
+        <translation>daha çok baytlık bir dosya</translation>
     </message>
     <message>
-        <source>references to files beside the mesh or below its folder</source>
-        <translation>ağın yanındaki ya da klasörünün altındaki dosyalara göndermeler</translation>
+        <source>a file that `palpate publish` wrote</source>
+        <translation>`palpate publish` komutunun yazdığı bir dosya</translation>
     </message>
     <message>
-        <source>something other than a file</source>
-        <translation>dosya olmayan bir şey</translation>
+        <source>a file that can be opened</source>
+        <translation>açılabilen bir dosya</translation>
     </message>
     <message>
         <source>a file that can be written</source>
@@ -288,16 +544,132 @@
         <translation>okunamayan bir dosya</translation>
     </message>
     <message>
+        <source>a file that grows while it is read</source>
+        <translation>okunurken büyüyen bir dosya</translation>
+    </message>
+    <message>
+        <source>a file that shrinks while it is read</source>
+        <translation>okunurken küçülen bir dosya</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>sonlu bir sayı</translation>
+    </message>
+    <message>
+        <source>a finite number or null</source>
+        <translation>sonlu bir sayı ya da null</translation>
+    </message>
+    <message>
+        <source>a folder in which every new file is taken away</source>
+        <translation>her yeni dosyanın alınıp götürüldüğü bir klasör</translation>
+    </message>
+    <message>
+        <source>a folder that the disk does not sync (%1)</source>
+        <translation>diskin eşitlemediği bir klasör (%1)</translation>
+    </message>
+    <message>
+        <source>a folder that the disk syncs</source>
+        <translation>diskin eşitlediği bir klasör</translation>
+    </message>
+    <message>
+        <source>a larger K_theta or K_b</source>
+        <translation>daha büyük bir K_theta ya da K_b</translation>
+    </message>
+    <message>
+        <source>a law of surfaces: a scene file has no tetrahedra; palpate-editor fills an organ and publishes it with them</source>
+        <translation>yüzeyler için bir yasa: sahne dosyasında dörtyüzlü yoktur; palpate-editor organı doldurur ve onlarla yayımlar</translation>
+    </message>
+    <message>
+        <source>a linear solid</source>
+        <translation>doğrusal dolu cisim</translation>
+    </message>
+    <message>
+        <source>a linear solid without its response</source>
+        <translation>yanıtı olmayan bir doğrusal dolu cisim</translation>
+    </message>
+    <message>
+        <source>a linear solid, as build_linear_solid makes it</source>
+        <translation>build_linear_solid'in yaptığı gibi bir doğrusal dolu cisim</translation>
+    </message>
+    <message>
         <source>a link or a folder</source>
         <translation>bir bağlantı ya da klasör</translation>
+    </message>
+    <message>
+        <source>a list of %1</source>
+        <translation>%1 öğelik bir liste</translation>
+    </message>
+    <message>
+        <source>a list of 1 to %1 whole numbers</source>
+        <translation>1 ile %1 arası tam sayıdan bir liste</translation>
+    </message>
+    <message>
+        <source>a list of 3 numbers</source>
+        <translation>3 sayılık bir liste</translation>
+    </message>
+    <message>
+        <source>a list of at most %1</source>
+        <translation>en çok %1 öğelik bir liste</translation>
+    </message>
+    <message>
+        <source>a list of finite numbers</source>
+        <translation>sonlu sayılardan bir liste</translation>
+    </message>
+    <message>
+        <source>a list of text</source>
+        <translation>metinlerden bir liste</translation>
+    </message>
+    <message>
+        <source>a list of whole numbers</source>
+        <translation>tam sayılardan bir liste</translation>
+    </message>
+    <message>
+        <source>a manifold surface</source>
+        <translation>çokkatlı (manifold) bir yüzey</translation>
     </message>
     <message>
         <source>a mesh file</source>
         <translation>bir ağ dosyası</translation>
     </message>
     <message>
+        <source>a mesh file it can read whole</source>
+        <translation>bütünüyle okunabilen bir ağ dosyası</translation>
+    </message>
+    <message>
         <source>a mesh that can be read in that time</source>
         <translation>bu sürede okunabilen bir ağ</translation>
+    </message>
+    <message>
+        <source>a micrometre or more</source>
+        <translation>bir mikrometre ya da daha çok</translation>
+    </message>
+    <message>
+        <source>a model of build_linear_solid</source>
+        <translation>build_linear_solid'in bir modeli</translation>
+    </message>
+    <message>
+        <source>a name ending in %1</source>
+        <translation>%1 ile biten bir ad</translation>
+    </message>
+    <message>
+        <source>a name that no file can have</source>
+        <translation>hiçbir dosyanın taşıyamayacağı bir ad</translation>
+    </message>
+    <message>
+        <source>a name twice</source>
+        <translation>iki kez aynı ad</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>bir sayı</translation>
+    </message>
+    <message>
+        <source>a number that is not finite</source>
+        <translation>sonlu olmayan bir sayı</translation>
+    </message>
+    <message>
+        <source>a number too large for a float of 8 bytes</source>
+        <translation>8 baytlık kayan noktaya sığmayan bir sayı</translation>
     </message>
     <message>
         <source>a plain file</source>
@@ -308,12 +680,44 @@
         <translation>şifresiz bir girdi</translation>
     </message>
     <message>
+        <source>a positive length</source>
+        <translation>artı bir uzunluk</translation>
+    </message>
+    <message>
+        <source>a positive number</source>
+        <translation>artı bir sayı</translation>
+    </message>
+    <message>
+        <source>a positive number, or none for a solid</source>
+        <translation>artı bir sayı ya da dolu cisim için hiç</translation>
+    </message>
+    <message>
+        <source>a positive one</source>
+        <translation>artı bir değer</translation>
+    </message>
+    <message>
+        <source>a positive one: triangles counter-clockwise from outside</source>
+        <translation>artı bir değer: dışarıdan bakınca üçgenler saat yönünün tersine</translation>
+    </message>
+    <message>
+        <source>a pressure</source>
+        <translation>basınç</translation>
+    </message>
+    <message>
+        <source>a published value</source>
+        <translation>yayımlanmış bir değer</translation>
+    </message>
+    <message>
         <source>a readable %1 file</source>
         <translation>okunabilir bir %1 dosyası</translation>
     </message>
     <message>
         <source>a readable STL file</source>
         <translation>okunabilir bir STL dosyası</translation>
+    </message>
+    <message>
+        <source>a readable file</source>
+        <translation>okunabilen bir dosya</translation>
     </message>
     <message>
         <source>a readable mesh file</source>
@@ -324,8 +728,68 @@
         <translation>%1 koduyla biten bir okuyucu</translation>
     </message>
     <message>
+        <source>a reader that stopped half way</source>
+        <translation>yarıda duran bir okuyucu</translation>
+    </message>
+    <message>
         <source>a reader that used up its processor time</source>
         <translation>işlemci süresini tüketen bir okuyucu</translation>
+    </message>
+    <message>
+        <source>a reference to %1</source>
+        <translation>%1 dosyasına bir gönderme</translation>
+    </message>
+    <message>
+        <source>a region of the organ: %1</source>
+        <translation>organın bir bölgesi: %1</translation>
+    </message>
+    <message>
+        <source>a run of at most 2 h 19 min at 1 kHz</source>
+        <translation>1 kHz'de en çok 2 sa 19 dk süren bir çalışma</translation>
+    </message>
+    <message>
+        <source>a scene file</source>
+        <translation>bir sahne dosyası</translation>
+    </message>
+    <message>
+        <source>a scene file in another folder than its mesh</source>
+        <translation>ağından başka klasörde bir sahne dosyası</translation>
+    </message>
+    <message>
+        <source>a scene from build_scene</source>
+        <translation>build_scene'den bir sahne</translation>
+    </message>
+    <message>
+        <source>a scene that can be built</source>
+        <translation>kurulabilen bir sahne</translation>
+    </message>
+    <message>
+        <source>a scene whose derived fields are not filled in</source>
+        <translation>türetilen alanları doldurulmamış bir sahne</translation>
+    </message>
+    <message>
+        <source>a second bond along the same side</source>
+        <translation>aynı kenar boyunca ikinci bir bağ</translation>
+    </message>
+    <message>
+        <source>a size of %1 to %2</source>
+        <translation>%1 ile %2 arası bir büyüklük</translation>
+    </message>
+    <message>
+        <source>a smaller one</source>
+        <translation>daha küçüğü</translation>
+    </message>
+    <message>
+        <source>a smallest angle of %1 degrees</source>
+        <translation>%1 derecelik en küçük açı</translation>
+    </message>
+    <message>
+        <source>a solid, as build_solid makes it</source>
+        <translation>build_solid'in yaptığı gibi bir dolu cisim</translation>
+    </message>
+    <message>
+        <source>a sum of %1</source>
+        <translation>%1 toplamı</translation>
     </message>
     <message>
         <source>a surface</source>
@@ -340,12 +804,72 @@
         <translation>üçgen ya da çokgenlerden oluşan bir yüzey</translation>
     </message>
     <message>
+        <source>a surface that does not cross itself</source>
+        <translation>kendisiyle kesişmeyen bir yüzey</translation>
+    </message>
+    <message>
         <source>a surface that does not cross itself%1</source>
         <translation>kendisiyle kesişmeyen bir yüzey%1</translation>
     </message>
     <message>
         <source>a surface with one side only, like a Moebius band</source>
         <translation>Möbius şeridi gibi tek yüzlü bir yüzey</translation>
+    </message>
+    <message>
+        <source>a tangent at rest that K_theta %1 J makes indefinite at any K_btheta</source>
+        <translation>K_theta %1 J ile her K_btheta'da belirsiz olan bir durgun teğet</translation>
+    </message>
+    <message>
+        <source>a tissue that gives %1</source>
+        <translation>%1 veren bir doku</translation>
+    </message>
+    <message>
+        <source>a tissue that needs at most 10000 substeps per tick</source>
+        <translation>her tikte en çok 10000 alt adım isteyen bir doku</translation>
+    </message>
+    <message>
+        <source>a tissue with particles that have no home springs</source>
+        <translation>yuva yayı olmayan parçacıkları olan bir doku</translation>
+    </message>
+    <message>
+        <source>a tissue with prisms</source>
+        <translation>prizmaları olan bir doku</translation>
+    </message>
+    <message>
+        <source>a tissue with volumes</source>
+        <translation>hacimleri olan bir doku</translation>
+    </message>
+    <message>
+        <source>a triangle with an area</source>
+        <translation>alanı olan bir üçgen</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>bir değer</translation>
+    </message>
+    <message>
+        <source>a volume of %1 m³</source>
+        <translation>%1 m³ hacim</translation>
+    </message>
+    <message>
+        <source>a volume of %1 m³ at rest</source>
+        <translation>durgunken %1 m³ hacim</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>bir tam sayı</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>%1 ile %2 arası bir tam sayı</translation>
+    </message>
+    <message>
+        <source>a whole number of %1 to %2</source>
+        <translation>%1 ile %2 arası bir tam sayı</translation>
+    </message>
+    <message>
+        <source>a whole number, 0 or more</source>
+        <translation>0 ya da daha büyük bir tam sayı</translation>
     </message>
     <message>
         <source>a whole one</source>
@@ -356,6 +880,26 @@
         <translation>bir zip arşivi</translation>
     </message>
     <message>
+        <source>above %1 N</source>
+        <translation>%1 N üstü</translation>
+    </message>
+    <message>
+        <source>an arm that can push anywhere in its workspace</source>
+        <translation>çalışma alanının her yerinde itebilen bir kol</translation>
+    </message>
+    <message>
+        <source>an array of no known table</source>
+        <translation>bilinen hiçbir tabloya ait olmayan bir dizi</translation>
+    </message>
+    <message>
+        <source>an edge or a vertex shared by too many</source>
+        <translation>çok fazla üçgenin paylaştığı bir kenar ya da köşe</translation>
+    </message>
+    <message>
+        <source>an element %1 with %2</source>
+        <translation>%2 ile bir %1 öğesi</translation>
+    </message>
+    <message>
         <source>an empty file</source>
         <translation>boş bir dosya</translation>
     </message>
@@ -364,20 +908,124 @@
         <translation>şifreli bir girdi</translation>
     </message>
     <message>
+        <source>an entry that the manifest does not name</source>
+        <translation>manifest'in adını vermediği bir girdi</translation>
+    </message>
+    <message>
+        <source>an imported mesh</source>
+        <translation>içe aktarılmış bir ağ</translation>
+    </message>
+    <message>
         <source>an index below %1</source>
         <translation>%1 değerinden küçük bir sıra numarası</translation>
+    </message>
+    <message>
+        <source>an inner face, %1 mm below, of %2 % of its area</source>
+        <translation>%1 mm aşağıda, alanı onun %%2 kadarı olan bir iç yüz</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>bir nesne</translation>
+    </message>
+    <message>
+        <source>an open one, with %1%2</source>
+        <translation>açık bir yüzey, %1%2 ile</translation>
+    </message>
+    <message>
+        <source>an organ that a file can hold</source>
+        <translation>bir dosyaya sığan bir organ</translation>
+    </message>
+    <message>
+        <source>an organ's size</source>
+        <translation>bir organın boyu</translation>
     </message>
     <message>
         <source>an organ's surface</source>
         <translation>bir organın yüzeyi</translation>
     </message>
     <message>
+        <source>an unknown array</source>
+        <translation>bilinmeyen bir dizi</translation>
+    </message>
+    <message>
+        <source>an unknown field</source>
+        <translation>bilinmeyen bir alan</translation>
+    </message>
+    <message>
+        <source>an unknown member %1</source>
+        <translation>bilinmeyen %1 üyesi</translation>
+    </message>
+    <message>
+        <source>angles</source>
+        <translation>açılar</translation>
+    </message>
+    <message>
+        <source>another law</source>
+        <translation>başka bir yasa</translation>
+    </message>
+    <message>
         <source>answered, but not with its calibration or a report</source>
         <translation>yanıt verdi ama kalibrasyonunu ya da bir rapor göndermedi</translation>
     </message>
     <message>
+        <source>any number</source>
+        <translation>herhangi bir sayı</translation>
+    </message>
+    <message>
+        <source>arrays of more than %1 bytes</source>
+        <translation>%1 bayttan büyük diziler</translation>
+    </message>
+    <message>
+        <source>as many of both</source>
+        <translation>ikisinden eşit sayıda</translation>
+    </message>
+    <message>
+        <source>ascending ones from 0 to %1</source>
+        <translation>0 ile %1 arası artan sayılar</translation>
+    </message>
+    <message>
+        <source>ascending particles</source>
+        <translation>artan sırada parçacıklar</translation>
+    </message>
+    <message>
+        <source>ascending particles, 0 to %1</source>
+        <translation>artan sırada parçacıklar, 0 ile %1 arası</translation>
+    </message>
+    <message>
+        <source>at least %1 %: a thinner wall, or a surface with wider bends</source>
+        <translation>en az %%1: daha ince bir duvar ya da daha geniş kıvrımlı bir yüzey</translation>
+    </message>
+    <message>
+        <source>at least %1 degrees</source>
+        <translation>en az %1 derece</translation>
+    </message>
+    <message>
+        <source>at least %1 mm for at most %2</source>
+        <translation>en çok %2 için en az %1 mm</translation>
+    </message>
+    <message>
+        <source>at least one</source>
+        <translation>en az bir tane</translation>
+    </message>
+    <message>
+        <source>at least one to touch</source>
+        <translation>dokunmak için en az bir tane</translation>
+    </message>
+    <message>
+        <source>at least the substeps the tissue needs</source>
+        <translation>en az dokunun gerektirdiği alt adımlar</translation>
+    </message>
+    <message>
         <source>at most %1</source>
         <translation>en çok %1</translation>
+    </message>
+    <message>
+        <source>at most %1 MB: fill with fewer tetrahedra, or limit the reach of pushes</source>
+        <translation>en çok %1 MB: daha az dörtyüzlüyle doldurun ya da bastırılan yeri sınırlayın</translation>
+    </message>
+    <message>
+        <source>at most %1 bytes</source>
+        <translation>en çok %1 bayt</translation>
     </message>
     <message>
         <source>at most %1 entries</source>
@@ -388,16 +1036,56 @@
         <translation>en çok %1%2</translation>
     </message>
     <message>
+        <source>at most %1, what this editor knows</source>
+        <translation>en çok %1, bu düzenleyicinin bildiği</translation>
+    </message>
+    <message>
+        <source>at most %1: fill with smaller cells</source>
+        <translation>en çok %1: daha küçük hücrelerle doldurun</translation>
+    </message>
+    <message>
         <source>at most 1 GB</source>
         <translation>en çok 1 GB</translation>
+    </message>
+    <message>
+        <source>at most 1 MiB</source>
+        <translation>en çok 1 MiB</translation>
+    </message>
+    <message>
+        <source>at most one other</source>
+        <translation>en çok bir başkası</translation>
+    </message>
+    <message>
+        <source>at most two triangles at an edge</source>
+        <translation>bir kenarda en çok iki üçgen</translation>
     </message>
     <message>
         <source>at most two triangles at every edge%1</source>
         <translation>her kenarda en çok iki üçgen%1</translation>
     </message>
     <message>
+        <source>below %1 N</source>
+        <translation>%1 N altı</translation>
+    </message>
+    <message>
+        <source>between %1 and %2</source>
+        <translation>%1 ile %2 arası</translation>
+    </message>
+    <message>
+        <source>between -%1 and %2</source>
+        <translation>-%1 ile %2 arası</translation>
+    </message>
+    <message>
+        <source>bonds</source>
+        <translation>bağlar</translation>
+    </message>
+    <message>
         <source>both</source>
         <translation>ikisi de</translation>
+    </message>
+    <message>
+        <source>byte %1</source>
+        <translation>%1. bayt</translation>
     </message>
     <message>
         <source>compression method %1</source>
@@ -416,8 +1104,20 @@
         <translation>okuyucuyu çökerten içerik (%1)</translation>
     </message>
     <message>
+        <source>coordinates too large to measure</source>
+        <translation>ölçülemeyecek kadar büyük koordinatlar</translation>
+    </message>
+    <message>
         <source>damaged bytes</source>
         <translation>bozuk baytlar</translation>
+    </message>
+    <message>
+        <source>decimate: vertex_count must be 4 to %1, the vertices of the mesh, got %2</source>
+        <translation>sadeleştirme: köşe sayısı 4 ile ağın köşe sayısı %1 arası olmalı, verilen %2</translation>
+    </message>
+    <message>
+        <source>decimate: vertex_count must be at least %1, as far as this mesh goes, got %2</source>
+        <translation>sadeleştirme: köşe sayısı bu ağ için en az %1 olmalı, verilen %2</translation>
     </message>
     <message>
         <source>did not confirm what was to be stored</source>
@@ -428,8 +1128,44 @@
         <translation>yanıt vermiyor; beklenen: açık bir Palpate aygıtı</translation>
     </message>
     <message>
+        <source>edge %1-%2 already between triangles %3 and %4</source>
+        <translation>zaten %3 ve %4 üçgenleri arasında olan %1-%2 kenarı</translation>
+    </message>
+    <message>
+        <source>edge %1-%2 run in the same direction as in triangle %3</source>
+        <translation>%3 üçgenindekiyle aynı yönde giden %1-%2 kenarı</translation>
+    </message>
+    <message>
+        <source>endfacet and endsolid</source>
+        <translation>endfacet ve endsolid</translation>
+    </message>
+    <message>
         <source>entries that share their bytes</source>
         <translation>aynı baytları paylaşan girdiler</translation>
+    </message>
+    <message>
+        <source>every field of it</source>
+        <translation>bütün alanları</translation>
+    </message>
+    <message>
+        <source>every name once</source>
+        <translation>her ad bir kez</translation>
+    </message>
+    <message>
+        <source>every vertex in one</source>
+        <translation>her köşe bir tanesinde</translation>
+    </message>
+    <message>
+        <source>exactly %1</source>
+        <translation>tam olarak %1</translation>
+    </message>
+    <message>
+        <source>f and three corners or more</source>
+        <translation>f ve üç ya da daha çok köşe</translation>
+    </message>
+    <message>
+        <source>face %1</source>
+        <translation>%1. yüz</translation>
     </message>
     <message>
         <source>fewer</source>
@@ -440,6 +1176,54 @@
         <translation>sonlu koordinatlar</translation>
     </message>
     <message>
+        <source>finite numbers</source>
+        <translation>sonlu sayılar</translation>
+    </message>
+    <message>
+        <source>format %1</source>
+        <translation>%1 biçimi</translation>
+    </message>
+    <message>
+        <source>format, element, property of a known type, comment or end_header</source>
+        <translation>format, element, bilinen türde property, comment ya da end_header</translation>
+    </message>
+    <message>
+        <source>four different particles, 0 to %1</source>
+        <translation>dört ayrı parçacık, 0 ile %1 arası</translation>
+    </message>
+    <message>
+        <source>got %1, expected %2</source>
+        <translation>verilen: %1; beklenen: %2</translation>
+    </message>
+    <message>
+        <source>height %1 m over a side of %2 m</source>
+        <translation>%2 m kenar üzerinde %1 m yükseklik</translation>
+    </message>
+    <message>
+        <source>in no tetrahedron</source>
+        <translation>hiçbir dörtyüzlüde değil</translation>
+    </message>
+    <message>
+        <source>larger bond shares or K_theta, for no K_btheta makes it positive definite</source>
+        <translation>daha büyük bağ payları ya da K_theta; hiçbir K_btheta onu artı tanımlı yapmaz</translation>
+    </message>
+    <message>
+        <source>less than %1</source>
+        <translation>%1 değerinden küçük</translation>
+    </message>
+    <message>
+        <source>less than max</source>
+        <translation>max değerinden küçük</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>%1. satır</translation>
+    </message>
+    <message>
+        <source>mesh: surfaces touch in vertices without an edge between them; expected them apart, as repair_mesh makes them</source>
+        <translation>ağ: yüzeyler aralarında kenar olmadan köşelerde değiyor; repair_mesh'in yaptığı gibi ayrı olmaları beklenir</translation>
+    </message>
+    <message>
         <source>more bytes than stated</source>
         <translation>belirtilenden çok bayt</translation>
     </message>
@@ -448,36 +1232,168 @@
         <translation>%1 düzeyden çok</translation>
     </message>
     <message>
+        <source>more than 8388608 %1</source>
+        <translation>8388608 taneden çok %1</translation>
+    </message>
+    <message>
+        <source>more than 8388608 ticks</source>
+        <translation>8388608 tikten çok</translation>
+    </message>
+    <message>
         <source>more than ten million triangles</source>
         <translation>on milyondan çok üçgen</translation>
+    </message>
+    <message>
+        <source>more triangles upon each other than can be counted</source>
+        <translation>sayılamayacak kadar çok üst üste üçgen</translation>
+    </message>
+    <message>
+        <source>motors that cannot carry the arm's weight or links that do not reach</source>
+        <translation>kolun ağırlığını taşıyamayan motorlar ya da yetişmeyen uzuvlar</translation>
+    </message>
+    <message>
+        <source>neighbours that agree on which side is outside, and two to an edge at most</source>
+        <translation>hangi yanın dışarısı olduğunda uyuşan komşular ve bir kenarda en çok iki tane</translation>
+    </message>
+    <message>
+        <source>no %1</source>
+        <translation>%1 yok</translation>
+    </message>
+    <message>
+        <source>no K_btheta that both can take with K_theta %1 J</source>
+        <translation>K_theta %1 J ile ikisinin de kaldırabileceği K_btheta yok</translation>
+    </message>
+    <message>
+        <source>no constants</source>
+        <translation>sabit yok</translation>
+    </message>
+    <message>
+        <source>no document of an editor</source>
+        <translation>bir düzenleyicinin belgesi değil</translation>
+    </message>
+    <message>
+        <source>no elastic tetrahedra</source>
+        <translation>esnek dörtyüzlü yok</translation>
     </message>
     <message>
         <source>no extension</source>
         <translation>uzantısı olmayan bir ad</translation>
     </message>
     <message>
+        <source>no faces</source>
+        <translation>yüz yok</translation>
+    </message>
+    <message>
+        <source>no format</source>
+        <translation>biçim yok</translation>
+    </message>
+    <message>
+        <source>no manifest.json</source>
+        <translation>manifest.json yok</translation>
+    </message>
+    <message>
         <source>no name or size</source>
         <translation>adı ya da boyu olmayan bir girdi</translation>
+    </message>
+    <message>
+        <source>no object</source>
+        <translation>nesne değil</translation>
+    </message>
+    <message>
+        <source>no other law</source>
+        <translation>başka yasa olmaması</translation>
+    </message>
+    <message>
+        <source>no particle of the surface that moves</source>
+        <translation>yüzeyde hareket eden parçacık yok</translation>
+    </message>
+    <message>
+        <source>no particles</source>
+        <translation>parçacık yok</translation>
+    </message>
+    <message>
+        <source>no such array</source>
+        <translation>böyle bir dizi yok</translation>
     </message>
     <message>
         <source>no such file</source>
         <translation>böyle bir dosya yok</translation>
     </message>
     <message>
+        <source>no such part</source>
+        <translation>böyle bir parça yok</translation>
+    </message>
+    <message>
+        <source>no surface</source>
+        <translation>yüzey yok</translation>
+    </message>
+    <message>
+        <source>no tetrahedra</source>
+        <translation>dörtyüzlü yok</translation>
+    </message>
+    <message>
         <source>no triangle that has an area</source>
         <translation>alanı olan üçgen yok</translation>
+    </message>
+    <message>
+        <source>no triangle that uses it</source>
+        <translation>onu kullanan üçgen yok</translation>
+    </message>
+    <message>
+        <source>no triangle with three different corners</source>
+        <translation>üç ayrı köşesi olan üçgen yok</translation>
     </message>
     <message>
         <source>no triangles</source>
         <translation>hiç üçgen yok</translation>
     </message>
     <message>
+        <source>no vertex in %1</source>
+        <translation>%1 içinde köşe yok</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>hiç</translation>
+    </message>
+    <message>
+        <source>none for an open surface</source>
+        <translation>açık bir yüzey için hiç</translation>
+    </message>
+    <message>
         <source>none such</source>
         <translation>böyle girdi olmaması</translation>
     </message>
     <message>
+        <source>none, or one per vertex: %1</source>
+        <translation>hiç ya da her köşeye bir tane: %1</translation>
+    </message>
+    <message>
+        <source>none: a solid is filled</source>
+        <translation>hiç: dolu cismin içi doludur</translation>
+    </message>
+    <message>
+        <source>none: the surface is closed</source>
+        <translation>hiç: yüzey kapalı</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>hiçbir şey</translation>
+    </message>
+    <message>
+        <source>number %1 that is infinite or not a number</source>
+        <translation>sonsuz olan ya da sayı olmayan %1. sayı</translation>
+    </message>
+    <message>
         <source>one</source>
         <translation>bir tane</translation>
+    </message>
+    <message>
+        <source>one from build_scene</source>
+        <translation>build_scene'den bir sahne</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>şunlardan biri: %1</translation>
     </message>
     <message>
         <source>one of .obj .stl .ply .glb .gltf .3ds .fbx .dae .off</source>
@@ -488,20 +1404,120 @@
         <translation>açılabilen bir girdi</translation>
     </message>
     <message>
+        <source>one that does not</source>
+        <translation>böyle olmayan bir dosya</translation>
+    </message>
+    <message>
+        <source>one that gives a finite number</source>
+        <translation>sonlu bir sayı veren bir doku</translation>
+    </message>
+    <message>
+        <source>one that it does: the file is saved, but a loss of power may bring back what stood there before</source>
+        <translation>eşitlediği bir klasör: dosya kaydedildi, ama elektrik kesilirse önceki hâli geri gelebilir</translation>
+    </message>
+    <message>
         <source>one with an inside and an outside%1</source>
         <translation>içi ve dışı olan bir yüzey%1</translation>
+    </message>
+    <message>
+        <source>one; it may be empty</source>
+        <translation>bir tane; boş olabilir</translation>
+    </message>
+    <message>
+        <source>other numbers</source>
+        <translation>başka sayılar</translation>
+    </message>
+    <message>
+        <source>other tables than the corners give</source>
+        <translation>köşelerin verdiğinden başka tablolar</translation>
+    </message>
+    <message>
+        <source>outside by %1 heights of the nearest tetrahedron</source>
+        <translation>en yakın dörtyüzlünün %1 yüksekliği kadar dışarıda</translation>
+    </message>
+    <message>
+        <source>packed or reference for a tissue that is no linear solid</source>
+        <translation>doğrusal dolu cisim olmayan bir doku için packed ya da reference</translation>
+    </message>
+    <message>
+        <source>particle %1</source>
+        <translation>%1 parçacığı</translation>
+    </message>
+    <message>
+        <source>particles held that do not lie on one line, or home springs</source>
+        <translation>tek doğru üzerinde olmayan tutulmuş parçacıklar ya da yuva yayları</translation>
+    </message>
+    <message>
+        <source>ply</source>
+        <translation>ply</translation>
+    </message>
+    <message>
+        <source>prisms</source>
+        <translation>prizmalar</translation>
     </message>
     <message>
         <source>pseudo terminal: %1</source>
         <translation>sözde uçbirim: %1</translation>
     </message>
     <message>
+        <source>published values</source>
+        <translation>yayımlanmış değerler</translation>
+    </message>
+    <message>
+        <source>read_mesh: memory_limit must be positive, got 0</source>
+        <translation>read_mesh: memory_limit artı olmalı, verilen 0</translation>
+    </message>
+    <message>
+        <source>read_mesh: time_limit must be above 0 and at most 3600 s, got %1</source>
+        <translation>read_mesh: time_limit 0'dan büyük ve en çok 3600 s olmalı, verilen %1</translation>
+    </message>
+    <message>
+        <source>record header: got text that is not a JSON object: %1</source>
+        <translation>kayıt başlığı: verilen metin bir JSON nesnesi değil: %1</translation>
+    </message>
+    <message>
+        <source>references to files beside the mesh or below its folder</source>
+        <translation>ağın yanındaki ya da klasörünün altındaki dosyalara göndermeler</translation>
+    </message>
+    <message>
+        <source>response</source>
+        <translation>response</translation>
+    </message>
+    <message>
+        <source>room to write</source>
+        <translation>yazacak yer</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>%1. satır</translation>
+    </message>
+    <message>
         <source>sends what is no frame of ours: another device, or another baud rate</source>
         <translation>bizim olmayan iletiler gönderiyor: başka bir aygıt ya da başka bir hız</translation>
     </message>
     <message>
+        <source>shares of a bond %1, %2</source>
+        <translation>bir bağın payları %1, %2</translation>
+    </message>
+    <message>
+        <source>six different particles, 0 to %1</source>
+        <translation>altı ayrı parçacık, 0 ile %1 arası</translation>
+    </message>
+    <message>
+        <source>small letters, digits, _ - and ., in parts joined by /</source>
+        <translation>küçük harfler, rakamlar, _ - ve .; / ile birleşen parçalarda</translation>
+    </message>
+    <message>
         <source>so many on top of each other that counting was given up</source>
         <translation>sayılamayacak kadar çok üst üste üçgen</translation>
+    </message>
+    <message>
+        <source>solid, facet, outer loop, vertex, endloop, endfacet or endsolid</source>
+        <translation>solid, facet, outer loop, vertex, endloop, endfacet ya da endsolid</translation>
+    </message>
+    <message>
+        <source>something other than a file</source>
+        <translation>dosya olmayan bir şey</translation>
     </message>
     <message>
         <source>something other than a zip archive</source>
@@ -516,8 +1532,40 @@
         <translation>protokolün %1 sürümünü konuşuyor; beklenen: %2</translation>
     </message>
     <message>
+        <source>springs</source>
+        <translation>yaylar</translation>
+    </message>
+    <message>
         <source>stored or deflated</source>
         <translation>saklanmış ya da deflate ile sıkıştırılmış</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>metin</translation>
+    </message>
+    <message>
+        <source>text that is not JSON</source>
+        <translation>JSON olmayan bir metin</translation>
+    </message>
+    <message>
+        <source>text that is not JSON (%1)</source>
+        <translation>JSON olmayan bir metin (%1)</translation>
+    </message>
+    <message>
+        <source>text that is not JSON from byte %1</source>
+        <translation>%1. bayttan sonrası JSON olmayan bir metin</translation>
+    </message>
+    <message>
+        <source>text that is not UTF-8</source>
+        <translation>UTF-8 olmayan bir metin</translation>
+    </message>
+    <message>
+        <source>text, or at least %1 bytes</source>
+        <translation>metin ya da en az %1 bayt</translation>
+    </message>
+    <message>
+        <source>that bond in the table</source>
+        <translation>tabloda o bağ</translation>
     </message>
     <message>
         <source>the bytes its checksum tells</source>
@@ -528,12 +1576,112 @@
         <translation>kablosu çıkmış</translation>
     </message>
     <message>
+        <source>the code %1</source>
+        <translation>%1 kodu</translation>
+    </message>
+    <message>
+        <source>the code %1, %2</source>
+        <translation>%1 kodu: %2</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>dosyanın sonu</translation>
+    </message>
+    <message>
+        <source>the end within a facet</source>
+        <translation>bir yüzün ortasında son</translation>
+    </message>
+    <message>
         <source>the extension %1</source>
         <translation>%1 uzantısı</translation>
     </message>
     <message>
+        <source>the mesh the scene was made with</source>
+        <translation>sahnenin yapıldığı ağ</translation>
+    </message>
+    <message>
+        <source>the name %1, %2</source>
+        <translation>%1 adı: %2</translation>
+    </message>
+    <message>
+        <source>the name of a file</source>
+        <translation>bir dosyanın adı</translation>
+    </message>
+    <message>
+        <source>the one the manifest names</source>
+        <translation>manifest'in adını verdiği</translation>
+    </message>
+    <message>
         <source>the program palpate-read-mesh of this installation</source>
         <translation>bu kurulumun palpate-read-mesh programı</translation>
+    </message>
+    <message>
+        <source>the result of build_scene</source>
+        <translation>build_scene'in sonucu</translation>
+    </message>
+    <message>
+        <source>the same folder, so that both move together</source>
+        <translation>aynı klasör, ikisi birlikte taşınsın diye</translation>
+    </message>
+    <message>
+        <source>the suffix %1</source>
+        <translation>%1 uzantısı</translation>
+    </message>
+    <message>
+        <source>the thickness of the membrane [m]</source>
+        <translation>zarın kalınlığı [m]</translation>
+    </message>
+    <message>
+        <source>the thickness of the wall [m]</source>
+        <translation>duvarın kalınlığı [m]</translation>
+    </message>
+    <message>
+        <source>the thickness of the wall [m], since what is open encloses no volume</source>
+        <translation>duvarın kalınlığı [m]; açık olan bir hacim çevrelemez</translation>
+    </message>
+    <message>
+        <source>those of an organ</source>
+        <translation>bir organınkiler</translation>
+    </message>
+    <message>
+        <source>those of build_elastic</source>
+        <translation>build_elastic'inkiler</translation>
+    </message>
+    <message>
+        <source>those of build_volumes</source>
+        <translation>build_volumes'unkiler</translation>
+    </message>
+    <message>
+        <source>three different ones</source>
+        <translation>üç ayrı köşe</translation>
+    </message>
+    <message>
+        <source>three different ones, 0 to %1</source>
+        <translation>üç ayrı tane, 0 ile %1 arası</translation>
+    </message>
+    <message>
+        <source>three finite numbers</source>
+        <translation>üç sonlu sayı</translation>
+    </message>
+    <message>
+        <source>three numbers of 0 to 1</source>
+        <translation>0 ile 1 arası üç sayı</translation>
+    </message>
+    <message>
+        <source>three or more</source>
+        <translation>üç ya da daha çok</translation>
+    </message>
+    <message>
+        <source>triangle %1</source>
+        <translation>%1 üçgeni</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>doğru (true) ya da yanlış (false)</translation>
+    </message>
+    <message>
+        <source>two ascending particles, 0 to %1</source>
+        <translation>artan sırada iki parçacık, 0 ile %1 arası</translation>
     </message>
     <message>
         <source>two entries of one name</source>
@@ -544,8 +1692,92 @@
         <translation>bu adda iki girdi</translation>
     </message>
     <message>
+        <source>two members named %1</source>
+        <translation>%1 adlı iki üye</translation>
+    </message>
+    <message>
+        <source>unit must be m, cm, mm, um, in or ft, got '%1'</source>
+        <translation>birim m, cm, mm, um, in ya da ft olmalı, verilen '%1'</translation>
+    </message>
+    <message>
+        <source>unknown part %1</source>
+        <translation>bilinmeyen bölüm %1</translation>
+    </message>
+    <message>
+        <source>up must be x, y, z, -x, -y or -z, got '%1'</source>
+        <translation>yukarı yön x, y, z, -x, -y ya da -z olmalı, verilen '%1'</translation>
+    </message>
+    <message>
+        <source>v and three finite numbers</source>
+        <translation>v ve üç sonlu sayı</translation>
+    </message>
+    <message>
+        <source>v, f or another word of polygons in an OBJ</source>
+        <translation>v, f ya da OBJ'de çokgenlere ait başka bir sözcük</translation>
+    </message>
+    <message>
+        <source>values within more than %1 others</source>
+        <translation>%1 kattan çok iç içe değerler</translation>
+    </message>
+    <message>
         <source>vertex %1</source>
         <translation>köşe %1</translation>
+    </message>
+    <message>
+        <source>vertex and three finite numbers</source>
+        <translation>vertex ve üç sonlu sayı</translation>
+    </message>
+    <message>
+        <source>vertex and three numbers</source>
+        <translation>vertex ve üç sayı</translation>
+    </message>
+    <message>
+        <source>vertex numbers %1 to %2</source>
+        <translation>%1 ile %2 arası köşe numaraları</translation>
+    </message>
+    <message>
+        <source>vertices %1, %2, %3</source>
+        <translation>%1, %2, %3 köşeleri</translation>
+    </message>
+    <message>
+        <source>vertices 0 to %1</source>
+        <translation>0 ile %1 arası köşeler</translation>
+    </message>
+    <message>
+        <source>volumes</source>
+        <translation>hacimler</translation>
+    </message>
+    <message>
+        <source>what `palpate publish` writes</source>
+        <translation>`palpate publish` komutunun yazdığı</translation>
+    </message>
+    <message>
+        <source>which does not begin with two or three small letters</source>
+        <translation>iki ya da üç küçük harfle başlamıyor</translation>
+    </message>
+    <message>
+        <source>which is empty or too long</source>
+        <translation>boş ya da çok uzun</translation>
+    </message>
+    <message>
+        <source>which is the manifest's own</source>
+        <translation>manifest'in kendi adı</translation>
+    </message>
+    <message>
+        <source>which is too long</source>
+        <translation>çok uzun</translation>
+    </message>
+    <message>
+        <source>which leads out of the file</source>
+        <translation>dosyanın dışına çıkıyor</translation>
+    </message>
+    <message>
+        <source>with a part that is not 1 to 8 letters or digits</source>
+        <translation>1 ile 8 harf ya da rakam olmayan bir bölümü var</translation>
+    </message>
+    <message>
+        <source>with other characters</source>
+        <translation>başka karakterler içeriyor</translation>
     </message>
 </context>
 </TS>

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Sentences that the Python packages refuse with, found in their sources as templates with %1.
+
+Every file is read but for those that no window comes to: a new file is read until it is named here.
+"""
+
+from __future__ import annotations
+
+import ast
+import itertools
+from collections.abc import Iterator
+from pathlib import Path
+
+import palpate
+from core_sentences import divide, has_words
+
+PACKAGES = (Path(palpate.__file__).parent, Path(__file__).resolve().parents[2] / "editor")
+COMMAND_LINE = (
+    *("bench/", "study/", "verbs/", "cli.py", "verbs.py", "verb.py", "output.py", "press.py"),
+    *("run.py", "play.py", "script_file.py", "display.py", "device.py", "device_link.py"),
+    *("demo.py", "kinds.py", "views/verb.py", "draw_windows.py"),
+)
+"""Refuse what is typed, before a window opens or without one."""
+PROGRAMS = (
+    *("render/", "viewport/scenery.py", "refused_call.py", "translation/", "live.py"),
+    *("views/touch/force_trace.py", "document/surface.py", "document/organ.py", "app/settings.py"),
+    *("app/session.py", "appearance.py"),
+)
+"""Refuse arguments that only a program can get wrong: the windows never hand them over."""
+PLACED = ("Refusal", "EditRefusal", "FileError", "NotDurable", "BadValue")
+"""Take file, where, found and expected."""
+PLAIN = ("ValueError", "RuntimeError", "OSError", "WrongCall")
+TOLD = ("find_look_fault",)
+"""Functions that give where, found and expected."""
+KINDS = "KINDS"
+"""The table of json_part.py that says what a field takes."""
+Scope = dict[str, list[ast.expr]]
+"""Name -> what is assigned to it."""
+
+
+def find_sentences() -> set[str]:
+    found = {text for file in list_files() for text in read_file(file)}
+    return {text for text in found if has_words(text)}
+
+
+def list_files() -> Iterator[Path]:
+    for package in PACKAGES:
+        for file in sorted(package.rglob("*.py")):
+            name = file.relative_to(package).as_posix().removeprefix("palpate_editor/")
+            if not name.startswith(COMMAND_LINE + PROGRAMS):
+                yield file
+
+
+def read_file(file: Path) -> Iterator[str]:
+    tree = ast.parse(file.read_text(encoding="utf-8"))
+    constants = collect(tree.body)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.FunctionDef):
+            scope = constants | collect(list(ast.walk(node)))
+            for call in find_raised(node):
+                yield from read_call(call, scope)
+            if node.name in TOLD:
+                for told in find_told(node):
+                    yield from (text for part in told[-2:] for text in build(part, scope))
+    for table in constants.get(KINDS, []):
+        if isinstance(table, ast.Dict):
+            rows = [row.elts[0] for row in table.values if isinstance(row, ast.Tuple)]
+            yield from (text for row in rows for text in build(row, {}))
+
+
+def collect(nodes: list[ast.AST] | list[ast.stmt]) -> Scope:
+    scope: Scope = {}
+    for node in nodes:
+        targets = node.targets if isinstance(node, ast.Assign) else []
+        if isinstance(node, ast.AnnAssign) and node.value is not None:
+            targets = [node.target]
+        for target in targets:
+            if isinstance(target, ast.Name):
+                scope.setdefault(target.id, []).append(node.value)
+            elif isinstance(target, ast.Tuple) and isinstance(node.value, ast.Tuple):
+                for name, value in zip(target.elts, node.value.elts, strict=True):
+                    if isinstance(name, ast.Name):
+                        scope.setdefault(name.id, []).append(value)
+    return scope
+
+
+def find_raised(function: ast.FunctionDef) -> Iterator[ast.Call]:
+    for node in ast.walk(function):
+        if isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call):
+            yield node.exc
+
+
+def find_told(function: ast.FunctionDef) -> Iterator[list[ast.expr]]:
+    for node in ast.walk(function):
+        if isinstance(node, ast.Return) and isinstance(node.value, ast.Tuple):
+            yield node.value.elts
+
+
+def read_call(call: ast.Call, scope: Scope) -> Iterator[str]:
+    name = getattr(call.func, "id", getattr(call.func, "attr", ""))
+    if name in PLACED:
+        parts = [part for part in call.args[2:] if not isinstance(part, ast.Starred)]
+        yield from (text for part in parts for text in build(part, scope))
+    elif name in PLAIN and call.args:
+        # OSError(number, text, file)
+        told = call.args[1 if name == "OSError" and len(call.args) > 1 else 0]
+        for template in build(told, scope):
+            yield from divide(template)
+
+
+def build(node: ast.expr, scope: Scope) -> Iterator[str]:
+    """What an expression may say: f"{n} bytes" comes as %1 bytes."""
+    for parts in spell(node, scope):
+        template, place = "", 0
+        for part in parts:
+            place += part is None
+            template += f"%{place}" if part is None else part
+        yield template
+
+
+def spell(node: ast.expr, scope: Scope) -> Iterator[list[str | None]]:
+    """Texts, and None where a value stands."""
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        yield [node.value]
+    elif isinstance(node, ast.JoinedStr):
+        choices = [list(spell(part, scope)) for part in node.values]
+        yield from (list(itertools.chain(*chosen)) for chosen in itertools.product(*choices))
+    elif isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+        for left in spell(node.left, scope):
+            yield from (left + right for right in spell(node.right, scope))
+    elif isinstance(node, ast.IfExp):
+        yield from spell(node.body, scope)
+        yield from spell(node.orelse, scope)
+    elif isinstance(node, ast.Name) and node.id in scope and node.id != "FORMAT":
+        yield from itertools.chain(*(spell(value, {}) for value in scope[node.id]))
+    else:
+        yield [None]
