@@ -13,6 +13,15 @@ inline std::string image(int baud) {
   return std::string(PALPATE_IMAGES) + std::to_string(baud) + ".elf";
 }
 
+/// The command with a local law of plausible numbers.
+inline palpate_command with_law(palpate_command command) {
+  command.has_law = true;
+  command.shift = 4;
+  for (int m = 0; m < PALPATE_MOTORS; ++m) command.rest[m] = 8000;
+  for (int k = 0; k < 6; ++k) command.stiffness[k] = static_cast<std::int16_t>(1000 - 300 * k);
+  return command;
+}
+
 /// The image in the emulator with a host at its other end; a command each millisecond.
 class SimBench {
  public:
@@ -62,6 +71,11 @@ class SimBench {
   /// [ms] since a cycle; negative before it.
   double elapsed(std::uint64_t since) const {
     return (static_cast<double>(chip.cycle()) - static_cast<double>(since)) / SimAvr::kTick;
+  }
+
+  /// [cycles] that a byte takes on the wire; the chip holds two that were not fetched.
+  std::uint64_t byte_cycles() const {
+    return 10 * SimAvr::kFrequency / static_cast<unsigned>(baud);
   }
 
   int baud;

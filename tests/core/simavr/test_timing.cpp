@@ -17,14 +17,6 @@ namespace {
 constexpr int kBauds[] = {1000000, 500000};
 constexpr int kJitter = 8 * 16;  ///< [cycles] of 8 us
 
-palpate_command with_law(palpate_command command) {
-  command.has_law = true;
-  command.shift = 4;
-  for (int m = 0; m < PALPATE_MOTORS; ++m) command.rest[m] = 8000;
-  for (int k = 0; k < 6; ++k) command.stiffness[k] = static_cast<std::int16_t>(1000 - 300 * k);
-  return command;
-}
-
 /// Two seconds of work: sensors that move, torques that change, a command in every millisecond at
 /// a phase of its own, `jitter` of it wide.
 SimAvrProfile work(SimBench& bench, bool law, double phase, double jitter) {
@@ -65,7 +57,7 @@ void check_in_time(const SimBench& bench, const SimAvrProfile& profile, int stat
   CHECK(profile.bytes_overrun == 0);
   CHECK(profile.tick_period_min > SimAvr::kTick - kJitter);
   CHECK(profile.tick_period_max < SimAvr::kTick + kJitter);
-  CHECK(profile.receive_delay_max < 2 * 160 * 1000000ull / static_cast<unsigned>(bench.baud));
+  CHECK(profile.receive_delay_max < 2 * bench.byte_cycles());
 }
 
 }  // namespace

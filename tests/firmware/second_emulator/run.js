@@ -2,19 +2,21 @@
 // The image of the firmware on avr8js, with pins and wire in the hands of whoever writes here: a
 // line of JSON asks for a while of virtual time, a line of JSON answers what came of it.
 //
-//     node run.js IMAGE.hex EEPROM_IN_HEX
+//     node run.js IMAGE.hex EEPROM_IN_HEX BAUD
 //     {"ms": 1.0, "send": "02...", "positions": [512, ...]}
-//     {"sent": "", "duty": [0, 0, 0], "enabled": false, "cycle": 16000, "slept": [[from, to], ...]}
+//     {"sent": "", "duty": [0, 0, 0], "enabled": false, "cycle": 16000, "overruns": 0,
+//      "worst_delay": 0, "slept": [[from, to], ...]}
 //
 // The timers that make the PWM are left out: their registers say what there is to know.
 import fs from 'node:fs';
 import readline from 'node:readline';
 import * as avr from 'avr8js';
+import {Receiver} from './receiver.js';
 
 const FREQUENCY = 16e6;
 const CYCLES_PER_MS = FREQUENCY / 1000;
-const BYTE_CYCLES = 160;  // at 1 000 000 baud
-const SLEEP = 0x9588;
+const BITS_OF_A_BYTE = 10;  // with start and stop
+const SLEEP = 0x9588, SEI = 0x9478, RETI = 0x9518;
 const OCR1A = 0x88, OCR1B = 0x8a, OCR2B = 0xb4, PORT_B = 0x25, PORT_D = 0x2b;
 
 function readImage(path) {
@@ -47,30 +49,24 @@ portB.setPin(4, true);
 
 let sent = [];
 usart.onByteTransmit = (byte) => sent.push(byte);
-const coming = [];
-let wireFree = 0;
-
-function feed() {
-  if (coming.length === 0 || cpu.cycles < wireFree || !usart.writeByte(coming[0])) return;
-  coming.shift();
-  wireFree = cpu.cycles + BYTE_CYCLES;
-}
+const receiver = new Receiver(cpu, usart, BITS_OF_A_BYTE * FREQUENCY / Number(process.argv[4]));
 
 /// A processor asleep does nothing until the next thing happens; returns the cycles it skipped.
 function sleepUntil(end) {
   let until = end;
   if (cpu.nextClockEvent) until = Math.min(until, cpu.nextClockEvent.cycles);
-  if (coming.length > 0) until = Math.min(until, Math.max(wireFree, cpu.cycles + 1));
+  const next = receiver.next();
+  if (next !== null) until = Math.min(until, Math.max(next, cpu.cycles + 1));
   if (until > cpu.cycles) cpu.cycles = until;
 }
 
 let asleep = false;
 
 function run(ms) {
-  const end = cpu.cycles + ms * CYCLES_PER_MS;
+  const end = cpu.cycles + Math.round(ms * CYCLES_PER_MS);
   const slept = [];
   while (cpu.cycles < end) {
-    feed();
+    receiver.feed();
     if (asleep) {
       const from = cpu.cycles;
       sleepUntil(end);
@@ -78,8 +74,11 @@ function run(ms) {
       if (last && last[1] === from) last[1] = cpu.cycles;
       else slept.push([from, cpu.cycles]);
     } else {
-      asleep = cpu.progMem[cpu.pc] === SLEEP && cpu.nextInterrupt < 0;
+      const code = cpu.progMem[cpu.pc];
+      asleep = code === SLEEP && cpu.nextInterrupt < 0;
       avr.avrInstruction(cpu);
+      // one more instruction comes before any interrupt, so that nothing gets between sei and sleep
+      if (code === SEI || code === RETI) continue;
     }
     const before = cpu.pc;
     cpu.tick();
@@ -99,7 +98,7 @@ function answer(request) {
   (request.positions ?? []).forEach((counts, joint) => {
     adc.channelValues[joint] = ((counts + 0.5) * 5) / 1024;
   });
-  coming.push(...Buffer.from(request.send ?? '', 'hex'));
+  receiver.send(Buffer.from(request.send ?? '', 'hex'));
   const slept = run(request.ms);
   const enabled = Boolean(cpu.data[PORT_D] & (1 << 5));
   const reply = {
@@ -111,6 +110,8 @@ function answer(request) {
     ],
     enabled,
     cycle: cpu.cycles,
+    overruns: receiver.overruns,
+    worst_delay: receiver.worstDelay,
     slept,
   };
   sent = [];
