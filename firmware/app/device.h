@@ -31,7 +31,8 @@ enum {
   PALPATE_FAST_MOST = 8,     ///< that they may come to: 4 in a row, or every second one for 13
   PALPATE_STUCK_STEP = 4,    ///< [counts] that a joint has to go to have moved
   PALPATE_STUCK_DUTY = 64,   ///< torque from which a joint that stands still is watched
-  PALPATE_STUCK_WAY = 512,   ///< [counts] the others may go meanwhile
+  PALPATE_STUCK_WAY = 512,   ///< [counts] that both others may go meanwhile,
+  PALPATE_STUCK_FAR = 8192,  ///< [counts] and one of them alone, as in strokes about its axis
   PALPATE_HOT_MS = 5000,     ///< of torque reduced for heat in a row are a fault
 };
 
@@ -91,10 +92,10 @@ struct palpate_device {
   uint8_t duty_limit[PALPATE_MOTORS];
 
   bool sampled, sensor_bad;
-  uint8_t fast;                         ///< over-speed so far
-  uint16_t place[PALPATE_MOTORS];       ///< [counts] where a joint was last seen to have moved to
-  uint16_t rest[PALPATE_MOTORS];        ///< [counts] where it has stood still since
-  uint16_t others_way[PALPATE_MOTORS];  ///< [counts] that the others have gone meanwhile
+  uint8_t fast;                    ///< over-speed so far
+  uint16_t place[PALPATE_MOTORS];  ///< [counts] where a joint was last seen to have moved to
+  uint16_t rest[PALPATE_MOTORS];   ///< [counts] where it has stood still since
+  uint16_t way[PALPATE_MOTORS][PALPATE_MOTORS];  ///< [counts] that each other has gone meanwhile
   uint8_t overruns_now, overrun_window;
   uint16_t overruns, damaged, refused, gaps;
 

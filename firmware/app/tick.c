@@ -37,6 +37,17 @@ static void check_samples(struct palpate_device *device, const uint16_t *positio
   device->sampled = true;
 }
 
+// How far the others have gone since a joint stands still: both of them some way, or one very far.
+// A hand that strokes about the axis of one joint moves that one alone.
+static bool have_others_gone(const uint16_t way[PALPATE_MOTORS]) {
+  uint8_t gone = 0;
+  for (uint8_t m = 0; m < PALPATE_MOTORS; m++) {
+    if (way[m] > PALPATE_STUCK_FAR * PALPATE_SAMPLES) return true;
+    if (way[m] > PALPATE_STUCK_WAY * PALPATE_SAMPLES) gone++;
+  }
+  return gone == PALPATE_MOTORS - 1;
+}
+
 // A sensor that stays where it is while its motor pushes and the other joints go their way. A hand
 // that holds still lets none of them go; one that moves in a plane has no torque out of it. A joint
 // turn about, so a tick pays for one.
@@ -51,14 +62,14 @@ static void check_stuck(struct palpate_device *device) {
     for (uint8_t m = 0; m < PALPATE_MOTORS; m++) {
       int16_t duty = device->duty[m];
       if (m != turn && (duty >= PALPATE_STUCK_DUTY || duty <= -PALPATE_STUCK_DUTY)) {
-        device->others_way[m] += way;
+        device->way[m][turn] += way;
       }
     }
   }
   if (find_distance(now, device->rest[turn]) > PALPATE_SAMPLES || !palpate_is_energised(device)) {
     device->rest[turn] = now;
-    device->others_way[turn] = 0;
-  } else if (device->others_way[turn] > PALPATE_STUCK_WAY * PALPATE_SAMPLES) {
+    for (uint8_t m = 0; m < PALPATE_MOTORS; m++) device->way[turn][m] = 0;
+  } else if (have_others_gone(device->way[turn])) {
     palpate_cut(device, PALPATE_FAULT_SENSOR);
   }
 }
