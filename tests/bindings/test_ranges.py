@@ -21,11 +21,30 @@ DERIVED = ("spectrum_stiffness", "spectrum_damping")
 """Compared with what the tissue gives, and refused where they differ."""
 
 
-@pytest.fixture(scope="module")
-def good(tmp_path_factory) -> bytes:
+def build_tissue(kind: str) -> palpate.TissueModel:
+    """A small tissue of every kind that a file can hold."""
+    mesh = ellipsoid((0.03, 0.025, 0.02), 0)
+    if kind == "mass-spring":
+        return palpate.build_mass_spring(mesh, MEMBRANE, 50.0)
+    if kind == "molecular":
+        return palpate.build_membrane_molecular(mesh, MEMBRANE)
+    if kind == "shell":
+        return palpate.build_shell(mesh, MEMBRANE)
+    corners = [(x, y, z) for z in (0.0, 0.02) for y in (0.0, 0.02) for x in (0.0, 0.02)]
+    inside = [(0, 1, 2, 4), (1, 3, 2, 7), (1, 2, 4, 7), (1, 4, 5, 7), (2, 6, 4, 7)]
+    solid, soft = palpate.SolidMesh(corners, inside), palpate.Material(poisson_ratio=0.3)
+    build = palpate.build_solid if kind == "solid" else palpate.build_linear_solid
+    return build(solid, soft, palpate.SolidOptions(fixed=[0, 1, 2]))
+
+
+@pytest.fixture(
+    scope="module", params=["mass-spring", "molecular", "shell", "solid", "linear solid"]
+)
+def good(request, tmp_path_factory) -> bytes:
     path = tmp_path_factory.mktemp("good") / "good.palpate"
-    scene = organ_scene(0)
-    scene.force_error = 1e-3
+    scene = palpate.build_scene(palpate.Scene(tissue=build_tissue(request.param)))
+    if request.param == "mass-spring":
+        scene.force_error = 1e-3
     scenario.write(path, scenario.Scenario(scene=palpate.build_scene(scene), title="Good"))
     return path.read_bytes()
 
@@ -62,7 +81,7 @@ def read(data: bytes) -> scenario.Scenario:
 def test_every_number_of_the_manifest_is_in_range_or_refused_with_its_name(good):
     manifest = json.loads(hostile_scenarios.entries_of(good)["manifest.json"])
     paths = list(list_numbers(manifest["content"]["scene"], ("content", "scene")))
-    assert len(paths) > 18
+    assert len(paths) >= 18
 
     for path in paths:
         for value in VALUES:
@@ -77,7 +96,8 @@ def check(data: bytes, path: tuple[str | int, ...], value: float) -> None:
     try:
         made = read(data)
     except palpate.FileError as refused:
-        assert path[-1] in DERIVED or str(path[1]) in str(refused), refused
+        names = [key for key in path[1:] if isinstance(key, str)]
+        assert path[-1] in DERIVED or any(name in str(refused) for name in names), refused
         assert refused.expected
     else:
         assert least <= value <= most, (path, value)

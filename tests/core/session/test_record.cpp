@@ -10,8 +10,10 @@
 #include "core/session/some_record.h"
 #include "palpate/sim/base/error.h"
 #include "palpate/sim/session/record.h"
+#include "palpate/sim/session/record_file.h"
 
 using namespace palpate;
+using namespace palpate::record_layout;
 using namespace palpate::testing;
 
 namespace {
@@ -45,6 +47,10 @@ std::string refusal(const Folder& folder, const std::vector<char>& bytes) {
 }
 
 constexpr std::size_t kSummaryBlock = 84;
+
+std::span<const std::uint8_t> as_bytes(const std::vector<char>& bytes) {
+  return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
+}
 
 }  // namespace
 
@@ -242,6 +248,47 @@ TEST_CASE("zeros that a crash left after the last block are not a damaged summar
   REQUIRE(back);
   CHECK(is_same(*back, record));
   CHECK_FALSE(back->complete);
+}
+
+// 1.1 MB of such blocks would be the 8.4 million rows that a file may have, and 1.2 GB of memory.
+TEST_CASE("blocks that unpack to more than any writer makes are refused before they are unpacked") {
+  const Folder folder;
+  const std::vector<char> good = bytes_of(folder, some_record(8), RecordCodec::deflate);
+  const std::size_t begin = kPreambleBytes + unpack_u32(as_bytes(good).subspan(12, 4)) + 4;
+  Bytes zeros = deflate(Bytes(kMostBlockRows * row_bytes(BlockKind::ticks)));
+  zeros.resize(zeros.size() / 2);  // level 9 would be as short; this is no whole stream any more
+  const Bytes noise(zeros.size(), 0x5a);
+  for (const Bytes& body : {zeros, noise}) {
+    BlockHeader header{.codec = 1, .count = kMostBlockRows};
+    header.length = static_cast<std::uint32_t>(body.size());
+    std::vector<char> bytes(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(begin));
+    for (int block = 0; block < 2048; ++block) {
+      header.first_tick = block * std::int64_t(kMostBlockRows);
+      header.crc = compute_crc(header, body);
+      const auto packed = pack_block_header(header);
+      bytes.insert(bytes.end(), packed.begin(), packed.end());
+      bytes.insert(bytes.end(), body.begin(), body.end());
+    }
+
+    const std::string text = refusal(folder, bytes);
+
+    // a stream that is none, but nobody has looked: of the first block, and of no other
+    CHECK(text.find("block 0 at byte") != std::string::npos);
+    CHECK(text.find("expected at least a 256th") != std::string::npos);
+  }
+}
+
+TEST_CASE("the most compressible record that can be written is read") {
+  const Folder folder;
+  Record record = some_record(1);
+  record.hand.resize(20000, record.hand[0]);
+  record.felt.resize(20000, record.felt[0]);
+  const std::vector<char> bytes = bytes_of(folder, record, RecordCodec::deflate);
+
+  const auto back = read_back(folder, bytes);
+
+  REQUIRE(back);
+  CHECK(is_same(*back, record));
 }
 
 TEST_CASE("a newer version is refused with a sentence that says so") {
