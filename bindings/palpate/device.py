@@ -18,12 +18,11 @@ from palpate.device_report import (
 from palpate.device_selftest import describe_selftest, run_selftest, write_selftest
 from palpate.display import require_display
 from palpate.file_kind import SELFTEST
+from palpate.live import LONGEST
 from palpate.output import add_output
 from palpate.verb import Report, Verb, WrongCall, quantity
 
 EXTRA = 'pip install "palpate[player]"'
-LONGEST = 24 * 3600.0
-"""[s]"""
 STIFFEST = 200.0
 """[N/m] that the usual delay of a link bears."""
 
@@ -97,7 +96,7 @@ def run_list(call: argparse.Namespace) -> Report:
 
 def require_duration(call: argparse.Namespace) -> None:
     if not 0.1 <= call.duration <= LONGEST:
-        raise WrongCall(f"--duration: got {call.duration:g} s, expected 0.1 s to a day")
+        raise WrongCall(f"--duration: got {call.duration:g} s, expected 0.1 to {LONGEST:g} s")
 
 
 def run_monitor(call: argparse.Namespace) -> Report:

@@ -16,6 +16,7 @@ import numpy as np
 
 import palpate
 from palpate.json_part import json_kind, read_part
+from palpate.live import LONGEST
 from palpate.read_file import read_file
 from palpate.verb import Refusal
 from palpate.whole_file import write_whole
@@ -23,8 +24,6 @@ from palpate.whole_file import write_whole
 FORMAT, VERSION = "palpate script", 1
 MOST_FRAMES = 100_000
 MOST_BYTES = 32 * 2**20
-LONGEST = 24 * 3600.0
-"""[s]"""
 
 
 @dataclass(frozen=True)

@@ -332,7 +332,8 @@ def test_pulls_that_cannot_be_believed_are_refused_by_their_motor(pulls, sentenc
     ("words", "code", "sentence"),
     [
         (("monitor", "glove"), 2, "expected plant, native or serial:PATH"),
-        (("monitor", "plant", "--duration", "0s"), 2, "expected 0.1 s to a day"),
+        (("monitor", "plant", "--duration", "0s"), 2, "expected 0.1 to 8388.61 s"),
+        (("feel", "plant", "--duration", "8388.7s"), 2, "expected 0.1 to 8388.61 s"),
         (("monitor", "serial:/dev/none"), 1, "No such file"),
         (("selftest", "serial:/dev/null"), 1, "expected a serial port"),
         (("--connect", "glove"), 2, "expected plant, native or serial:PATH"),

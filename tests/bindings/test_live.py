@@ -10,9 +10,11 @@ import sys
 import numpy as np
 import palpate
 import pytest
-from palpate import live
+from palpate import device, live, script_file
 from palpate.cli import main
 from palpate.live import Frame, LiveRun
+from palpate.script_file import read_script_file, write_script_file
+from palpate.verb import Refusal
 from published import publish, write_press
 from surfaces import organ_scene, press_frames
 
@@ -172,3 +174,17 @@ def test_play_refuses_a_duration_that_no_record_holds(words, tmp_path, capsys):
     assert main(call) == 2
 
     assert "duration: got" in capsys.readouterr().err
+
+
+def test_no_script_and_no_wait_for_a_device_lasts_longer_than_a_record(tmp_path, checkout):
+    path = tmp_path / "press.json"
+    write_script_file(path, [palpate.KeyFrame(live.LONGEST, (0.0, 0.0, 0.03))])
+    assert read_script_file(path)[0].time == live.LONGEST == 8388.608
+
+    text = path.read_text().replace("8388.608", "8388.7")
+    path.write_text(text)
+    with pytest.raises(Refusal, match=r"frames\[0\].time: found 8388.7 s, expected 0 to 8388.61"):
+        read_script_file(path)
+    schema = (checkout / "bindings/palpate/schemas/script.schema.json").read_text()
+    assert f'"maximum": {live.LONGEST}' in schema
+    assert device.LONGEST is script_file.LONGEST is live.LONGEST
