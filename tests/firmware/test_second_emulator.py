@@ -191,8 +191,8 @@ def test_on_another_emulator_the_worst_millisecond_is_as_full_as_on_ours(board, 
 
     worst = find_worst_load(board.slept, begin, board.cycle)
 
-    record_property("proved", f"{100 * worst:.1f} % of the worst millisecond, 63.6 % on simavr")
-    assert worst == pytest.approx(0.636, abs=0.05)
+    record_property("proved", f"{100 * worst:.1f} % of the worst millisecond, 65.7 % on simavr")
+    assert worst == pytest.approx(0.657, abs=0.05)
 
 
 def test_on_another_emulator_nothing_but_the_right_session_arms_the_motors(board):
