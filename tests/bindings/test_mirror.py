@@ -108,6 +108,7 @@ NOT_MIRRORED = {
     "World.last_force": "inside of World: how the force fades after an alarm",
     "World.fade_from": "inside of World: how the force fades after an alarm",
     "World.fade_ticks": "inside of World: how the force fades after an alarm",
+    "World.release_load": "inside of World: how holds that are let go fade",
     "World.packed_model": "inside of World; Python reads World.tissue",
     "World.packed": "inside of World; Python reads World.tissue",
     "World.measure": "inside of World; Python reads World.alarm",

@@ -57,10 +57,15 @@ def press(scene: palpate.Scene, place: Place, depth: float, speed: float = 0.03)
 
 
 def pull(
-    scene: palpate.Scene, place: Place, height: float, hold: float, depth: float = 4e-3
+    scene: palpate.Scene,
+    place: Place,
+    height: float,
+    hold: float,
+    depth: float = 4e-3,
+    speed: float = 0.05,
 ) -> Felt:
-    """Takes hold 4 mm deep, pulls at 50 mm/s to a height [m] above the surface at rest, holds [s],
-    lets go there and waits."""
+    """Takes hold 4 mm deep, pulls at a speed [m/s] to a height [m] above the surface at rest,
+    holds [s], lets go there and waits."""
     frames: list[palpate.KeyFrame] = []
 
     def go(above: float, duration: float, attached: bool = False) -> None:
@@ -74,7 +79,7 @@ def pull(
     go(-depth, (CLEARANCE + depth) / 0.03)
     go(-depth, 0.2)
     go(-depth, RAMP, attached=True)
-    go(height, (depth + height) / 0.05, attached=True)
+    go(height, (depth + height) / speed, attached=True)
     go(height, hold, attached=True)
     go(height, 1e-3)
     go(height, 0.5)

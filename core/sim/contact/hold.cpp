@@ -11,6 +11,15 @@ double measure_slip(const Coupling& coupling, const Vec3& hand_position,
   return std::max(0.0, (hand_position - state.position).norm() - reach);
 }
 
+double measure_held_load(const ToolState& state, const Load& load) noexcept {
+  // the pushes of holds come last
+  const std::span<const Push> pushes = load.pushes();
+  const auto held = std::min(pushes.size(), static_cast<std::size_t>(state.hold_count));
+  double sum = 0.0;
+  for (const Push& push : pushes.last(held)) sum += push.force.norm();
+  return sum;
+}
+
 /// The spring of the hand holds K d²/2, or F (d - F/(2K)) where it is limited to F; a hold f²/(2k).
 /// A contact's force grows with its depth, which is at most the radius: f r is more than it holds.
 double bound_stored_energy(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,

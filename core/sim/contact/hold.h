@@ -10,6 +10,10 @@ namespace palpate {
 double measure_slip(const Coupling& coupling, const Vec3& hand_position,
                     const ToolState& state) noexcept;
 
+/// [N] What all holds together carry, each whatever its direction; `load` is what they did in the
+/// last substep.
+double measure_held_load(const ToolState& state, const Load& load) noexcept;
+
 /// [J] No less than what the hand's spring, contacts and holds can give before the hand moves
 /// again; `load` is what they did in the last substep.
 double bound_stored_energy(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,

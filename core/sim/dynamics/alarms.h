@@ -26,6 +26,9 @@ Alarm check_particles(const State& state, const Guard& guard, int steps) noexcep
 Alarm confirm(const TissueModel& model, const Alarm& far, const Alarm& strained,
               Guard& guard) noexcept;
 
+/// [-] The strain of a link beyond which confirm() ends a run in which nothing but a hand pulls.
+double find_strain_limit(const TissueModel& model) noexcept;
+
 /// The first link or tetrahedron that has collapsed, else the link that is stretched most, once
 /// some have been out of their bounds for ten looks in a row.
 Alarm check_strains(const TissueModel& model, const Vec3Array& x, Guard& guard) noexcept;

@@ -160,6 +160,10 @@ Alarm check_energy(const TissueModel& model, double energy, double work, double 
   return {};
 }
 
+double find_strain_limit(const TissueModel& model) noexcept {
+  return has_energy(model) ? kTornStrain : kLargestStrain;
+}
+
 /// What energy trembles by in one look is no confirmation.
 Alarm confirm(const TissueModel& model, const Alarm& far, const Alarm& strained,
               Guard& guard) noexcept {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "palpate/sim/contact/hold.h"
+#include "palpate/sim/dynamics/alarms.h"
 #include "palpate/sim/haptics/device.h"
 #include "palpate/sim/haptics/linear_tick.h"
 
@@ -18,9 +19,9 @@ constexpr double kReleaseTime = 0.03;
 /// grip.
 constexpr double kSlipInRadii = 1.0;
 
-/// A grip lets go at these parts of its length or volume at rest, well before an alarm would end
-/// the run: at 3 and 0.05 (dynamics/alarms.h).
-constexpr double kLongestHeld = 2.5, kShortestHeld = 0.1, kSmallestHeld = 0.1;
+/// A grip lets go at this part of the strain of a link that would end the run (dynamics/alarms.h),
+/// and where a length or volume is down to these parts of it at rest: the run would end at 0.05.
+constexpr double kStrainHeld = 0.75, kShortestHeld = 0.1, kSmallestHeld = 0.1;
 
 /// And at this part of how far a linear solid may be moved.
 constexpr double kDeepestHeld = 0.9;
@@ -28,7 +29,8 @@ constexpr double kDeepestHeld = 0.9;
 /// The tissue could not be pulled much farther without an alarm.
 bool is_near_alarm(const Scene& scene, const World& world) noexcept {
   if (world.response) return measure_deepest_share(scene, world) > kDeepestHeld;
-  return world.stretch.longest > kLongestHeld || world.stretch.shortest < kShortestHeld ||
+  const double longest = 1.0 + kStrainHeld * find_strain_limit(scene.tissue);
+  return world.stretch.longest > longest || world.stretch.shortest < kShortestHeld ||
          world.stretch.smallest_volume < kSmallestHeld;
 }
 
@@ -36,14 +38,32 @@ bool is_out_of_grip(const Scene& scene, const World& world) noexcept {
   return measure_slip(scene.coupling, world.hand, world.tool) > kSlipInRadii * scene.tool.radius;
 }
 
-/// Let go at once the holds would kick hand and tissue: they fade linearly from the load they carry
-/// (TOOLS section 2).
 void begin_release(double dt, World& world) noexcept {
   world.release_ticks = std::max(1, static_cast<int>(std::lround(kReleaseTime / dt)));
+  world.release_load = measure_held_load(world.tool, world.load);
 }
 
-void fade_holds(World& world) noexcept {
-  const double part = double(world.release_ticks - 1) / world.release_ticks;
+/// The part of its stiffness that a hold keeps so as to carry F [N] in the next tick. Its length is
+/// then what it is and by how much the hand's spring K shortens as it comes down to F:
+///
+///     k' = F / (sum |f| / k + (|h - p| - F/K))
+double find_part(const Scene& scene, const World& world, double force) noexcept {
+  double stiffness = 0.0;
+  for (int h = 0; h < world.tool.hold_count; ++h) {
+    stiffness += world.tool.holds[static_cast<std::size_t>(h)].stiffness;
+  }
+  const double reach = (world.hand - world.tool.position).norm();
+  const double carried = measure_held_load(world.tool, world.load) +
+                         stiffness * std::max(0.0, reach - force / scene.coupling.stiffness);
+  return carried > force ? force / carried : 1.0;
+}
+
+/// Let go at once the holds would kick hand and tissue: what they carry falls linearly (TOOLS
+/// section 2). If it were their stiffness, nearly all of the load would be left to the last ticks,
+/// for where the tissue is softer than the holds it stretches them as they soften.
+void fade_holds(const Scene& scene, double dt, World& world) noexcept {
+  const double left = (world.release_ticks - 1) / std::max(1.0, std::round(kReleaseTime / dt));
+  const double part = find_part(scene, world, left * world.release_load);
   for (int h = 0; h < world.tool.hold_count; ++h) {
     world.tool.holds[static_cast<std::size_t>(h)].stiffness *= part;
   }
@@ -61,7 +81,7 @@ void follow_button(const Scene& scene, std::uint8_t buttons, double dt, World& w
     begin_release(dt, world);
   }
   if (world.release_ticks > 0) {
-    fade_holds(world);
+    fade_holds(scene, dt, world);
     world.attach_pressed = world.attach_pressed && pressed;
     return;
   }

@@ -143,7 +143,8 @@ Alarm end_linear(const Scene& scene, World& world) noexcept {
   settle(*world.response, scene.tissue, world.answer, world.tissue.position);
   move_skin(scene.tissue.skin, world.tissue.position, world.skin);
   Alarm alarm = check_particles(world.tissue, world.guard, 1);
-  if (!alarm) {
+  // a grip that is let go has gone as far as it may, and fades
+  if (!alarm && world.release_ticks == 0) {
     const Alarm deep = find_deepest(scene, world, 1.0);
     world.guard.strained_looks = deep ? world.guard.strained_looks + 1 : 0;
     if (world.guard.strained_looks >= kDeepLooks) alarm = deep;

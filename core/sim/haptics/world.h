@@ -56,6 +56,7 @@ struct World {
   double chosen_stiffness = 0.0;  ///< [1/s²] largest eigenvalue of M⁻¹K that substeps are for
   bool attach_pressed = false;
   int release_ticks = 0;             ///< left until a hold that fades is gone; 0 when none does
+  double release_load = 0.0;         ///< [N] that the holds which fade carried when they began to
   std::vector<double> scratch;       ///< per vertex of the surface
   std::vector<double> surface_mass;  ///< [kg] per vertex of the surface (compute_surface_mass)
 
