@@ -11,7 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from palpate import Alarm, AlarmKind, Scene, TickInput
-from palpate.cause import find_cause
+from palpate.cause import Cause, find_cause
 from palpate.sentence import Sentence, fill, sentence
 
 CONTEXT = "Alarm"
@@ -20,6 +20,20 @@ Say = Callable[[str, str], str]
 """(context, English text) -> text, as QCoreApplication.translate."""
 Write = Callable[[float], str]
 """A number in the digits of a language."""
+Name = Callable[[str], str]
+"""What a person calls a constant, by its key as in palpate.scene_parts ("tool.stiffness")."""
+
+
+@dataclass(frozen=True)
+class Advice:
+    """What a designer can do."""
+
+    text: str
+    """Places hold the values of the cause, if it has any, then the names of the constants."""
+    constants: tuple[str, ...] = ()
+    """Their keys."""
+    unit: float = 1.0
+    """The values are told in: of SI."""
 
 
 @dataclass(frozen=True)
@@ -30,8 +44,8 @@ class Words:
     """%1 is what was measured, %2 what it may be."""
     hand: str
     """What whoever holds the tool can do."""
-    design: str
-    """What whoever made the organ can do."""
+    design: Advice
+    """What its designer can do, where no cause is found."""
     scale: float = 1.0
     """From the SI units of an alarm to those of `found`."""
     offset: float = 0.0
@@ -39,10 +53,10 @@ class Words:
 
 LIGHTER = "Press less deep or more slowly."
 SLOWER = "Move more slowly. If it comes again, whoever made this organ has to make it more stable."
-STIFFER = "Press less deep or more slowly, or make the organ stiffer."
-STEADIER = (
-    "More substeps (--substeps), softer springs (--stiffness) or a larger mass (--density) hold it "
-    "together."
+STIFFER = Advice("Press less deep or more slowly, or make the organ stiffer.")
+STEADIER = Advice(
+    "More substeps (%1), softer springs (%2) or a larger mass (%3) hold it together.",
+    ("hand.substeps", "model.stiffness", "material.density"),
 )
 
 ALARMS = {
@@ -80,13 +94,13 @@ ALARMS = {
     AlarmKind.pressed_deep: Words(
         "the tissue was moved by %1 mm; there a linear solid is good for %2 mm",
         LIGHTER,
-        "Press less deep, or take a solid (MSS+V), which goes deeper.",
+        Advice("Press less deep, or take a solid (MSS+V), which goes deeper."),
         scale=1e3,
     ),
     AlarmKind.invalid_input: Words(
         "a tick was given a value that it cannot use",
         "Start again. If it comes again, the device or the program that runs it is at fault.",
-        "Give every tick finite numbers, and the scene as build_scene returned it.",
+        Advice("Give every tick finite numbers, and the scene as build_scene returned it."),
     ),
 }
 
@@ -110,24 +124,81 @@ INPUTS = {
 """What AlarmKind.invalid_input found, by the index of the alarm."""
 
 CAUSES = {
-    "substeps": (
-        "The tissue needs %1 substeps a tick, at most %2 are taken: choose more (--substeps), "
-        "softer springs (--stiffness) or a larger mass (--density)."
+    "stiffness": Advice(
+        "The tissue needs %1 substeps a tick, at most %2 are taken: choose more (%3), softer "
+        "springs (%4, or %5 where the tissue gives them) or a larger mass (%6).",
+        ("hand.substeps", "model.stiffness", "material.young_modulus", "material.density"),
     ),
-    "damping": (
-        "Its damping needs %1 substeps a tick, at most %2 are taken: choose less damping "
-        "(--damping) or more substeps (--substeps)."
+    "bend": Advice(
+        "The angles of the tissue need %1 substeps a tick, at most %2 are taken: choose more (%3) "
+        "or softer angles (%4, %5).",
+        ("hand.substeps", "model.bend_stiffness", "model.stretch_coupling"),
     ),
-    "contact": (
-        "The contact stiffness of the tool needs %1 substeps a tick, at most %2 are taken: choose "
-        "a lower one (--tool-stiffness) or more substeps (--substeps)."
+    "home": Advice(
+        "The home springs of the tissue need %1 substeps a tick, at most %2 are taken: choose more "
+        "(%3) or softer ones (%4).",
+        ("hand.substeps", "model.home_stiffness"),
     ),
-    "pressure": (
-        "Its pressure does it with nothing touching: choose a lower one (--pressure), or stiffer "
-        "springs (--stiffness, --home)."
+    "modulus": Advice(
+        "The tissue needs %1 substeps a tick, at most %2 are taken: choose more (%3), a softer "
+        "tissue (%4, %5) or a larger mass (%6).",
+        ("hand.substeps", "material.young_modulus", "material.poisson_ratio", "material.density"),
+    ),
+    "damping": Advice(
+        "Its damping needs %1 substeps a tick, at most %2 are taken: choose less damping (%3) or "
+        "more substeps (%4).",
+        ("material.damping_ratio", "hand.substeps"),
+    ),
+    "drag": Advice(
+        "Its drag needs %1 substeps a tick, at most %2 are taken: choose less drag (%3) or more "
+        "substeps (%4).",
+        ("model.drag", "hand.substeps"),
+    ),
+    "pressure": Advice(
+        "Its pressure does it with nothing touching: choose a lower one (%1), or stiffer springs "
+        "(%2, %3).",
+        ("model.pressure", "model.stiffness", "model.home_stiffness"),
+    ),
+    "eq10": Advice(
+        "Its angles do it with nothing touching, for Eq 10 makes energy: choose another law of "
+        "angles (%1) or softer angles (%2).",
+        ("model.angle_law", "model.bend_stiffness"),
+    ),
+    "finer": Advice(
+        "A light touch does it with %1 substeps a tick, and does not with %2: choose more (%3).",
+        ("hand.substeps",),
+    ),
+    "contact": Advice(
+        "A light touch does it with a contact stiffness of %1 N/mm³, and does not with %2 N/mm³: "
+        "choose a lower one (%3).",
+        ("tool.stiffness",),
+        unit=1e9,
+    ),
+    "grip": Advice(
+        "A light pull does it with a grip stiffness of %1 N/m, and does not with %2 N/m: choose a "
+        "lower one (%3).",
+        ("hand.hold_stiffness",),
     ),
 }
-"""What a designer can do about a cause (palpate.cause), with options of `palpate material`."""
+"""What a designer can do about a cause (palpate.cause)."""
+
+OPTIONS = {
+    "model.stiffness": "--stiffness",
+    "model.bend_stiffness": "--bend",
+    "model.stretch_coupling": "--stretch-bend",
+    "model.home_stiffness": "--home",
+    "model.drag": "--drag",
+    "model.pressure": "--pressure",
+    "model.angle_law": "--angle-law",
+    "material.density": "--density",
+    "material.damping_ratio": "--damping",
+    "material.young_modulus": "--young-modulus",
+    "material.poisson_ratio": "--poisson",
+    "tool.stiffness": "--tool-stiffness",
+    "hand.hold_stiffness": "--grip",
+    "hand.substeps": "--substeps",
+}
+"""What commands call the constants that advice names: options of `palpate material`."""
 
 
 def write_plain(value: float) -> str:
@@ -154,14 +225,25 @@ def advise_hand(kind: AlarmKind, say: Say) -> str:
     return say(CONTEXT, ALARMS[kind].hand)
 
 
-def advise_design(alarm: Alarm, scene: Scene | None, say: Say) -> str:
-    """What to change in an organ, and why where its scene tells."""
+def advise_design(
+    alarm: Alarm, scene: Scene | None, say: Say, name: Name, write: Write = write_plain
+) -> str:
+    """What to change in an organ, and why where its scene tells, in a language; `name` says what
+    the window or the command that is asked calls a constant."""
     cause = find_cause(scene, alarm) if scene is not None else None
-    if cause is None:
-        return say(CONTEXT, ALARMS[alarm.kind].design)
-    return fill(say(CONTEXT, CAUSES[cause.name]), (str(cause.needed), str(cause.most)))
+    advice = CAUSES[cause.name] if cause is not None else ALARMS[alarm.kind].design
+    values = list_values(cause, advice.unit, write)
+    return fill(say(CONTEXT, advice.text), (*values, *map(name, advice.constants)))
+
+
+def list_values(cause: Cause | None, unit: float, write: Write) -> tuple[str, ...]:
+    """What stands in the first places of an advice."""
+    if cause is None or cause.found == cause.limit == 0.0:
+        return ()
+    return write(cause.found / unit), write(cause.limit / unit)
 
 
 def tell_alarm(alarm: Alarm, scene: Scene | None) -> str:
-    """What happened and what to do about it, in English."""
-    return f"{describe_alarm(alarm)}. {advise_design(alarm, scene, lambda _, text: text)}"
+    """What happened and what to do about it, in English and with the options of commands."""
+    advice = advise_design(alarm, scene, lambda _, text: text, OPTIONS.__getitem__)
+    return f"{describe_alarm(alarm)}. {advice}"

@@ -13,6 +13,8 @@ from palpate.alarms import (
     CAUSES,
     CONTEXT,
     INPUTS,
+    OPTIONS,
+    Advice,
     advise_design,
     advise_hand,
     describe_alarm,
@@ -43,8 +45,9 @@ def test_every_alarm_has_words_of_its_own_in_english_and_turkish():
 
     assert len({str(describe_alarm(alarm)) for alarm in alarms}) == len(KINDS)
     assert len({say_alarm(alarm, say_turkish) for alarm in alarms}) == len(KINDS)
-    spoken = {text for words in ALARMS.values() for text in (words.found, words.hand, words.design)}
-    spoken |= set(INPUTS.values()) | set(CAUSES.values())
+    spoken = {text for words in ALARMS.values() for text in (words.found, words.hand)}
+    advices = [*CAUSES.values(), *(words.design for words in ALARMS.values())]
+    spoken |= set(INPUTS.values()) | {advice.text for advice in advices}
     assert {text for context, text in TURKISH if context == CONTEXT} == spoken
 
 
@@ -79,7 +82,27 @@ def test_only_what_is_unstable_is_said_to_have_blown_up():
     for kind in set(KINDS) - blown - {AlarmKind.invalid_input}:
         assert advise_hand(kind, lambda _, text: text).startswith("Press less deep")
         alarm = raise_alarm(kind, 3.0, 2.0)
-        assert advise_design(alarm, None, lambda _, text: text).startswith("Press less deep")
+        told = advise_design(alarm, None, lambda _, text: text, OPTIONS.__getitem__)
+        assert told.startswith("Press less deep")
+
+
+def list_advice() -> list[tuple[Advice, int]]:
+    """Every advice, and how many values of its cause it holds."""
+    causes = [(advice, 0 if name in ("pressure", "eq10") else 2) for name, advice in CAUSES.items()]
+    return causes + [(words.design, 0) for words in ALARMS.values()]
+
+
+def test_an_advice_has_a_place_for_every_value_and_constant_in_every_language():
+    for advice, values in list_advice():
+        places = {f"%{k + 1}" for k in range(values + len(advice.constants))}
+        for text in (advice.text, say_turkish(CONTEXT, advice.text)):
+            assert set(re.findall(r"%\d", text)) == places
+            assert "--" not in text
+
+
+def test_no_advice_to_a_hand_names_an_option_or_a_field():
+    for words in ALARMS.values():
+        assert "--" not in words.hand and "%" not in words.hand
 
 
 def test_a_press_that_overstretches_says_so_and_what_to_do(monkeypatch, tmp_path):

@@ -1,24 +1,54 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What an alarm advises a designer to do can be done: its options are those of the verb."""
+"""What an alarm advises a designer to do can be done where it is read: its options are those of the
+verb, its fields those of the window."""
 
 from __future__ import annotations
 
-import re
+from types import SimpleNamespace
 
-from palpate.alarms import ALARMS, CAUSES
+import palpate
+import pytest
+from palpate.alarms import ALARMS, CAUSES, OPTIONS
 from palpate_editor.compile import compile_organ
+from palpate_editor.document.constants import LAW_NAMES, find_constant
 from palpate_editor.edits import SetConstant
 from palpate_editor.shipped import make_organ
-from palpate_editor.verbs.tissue import OPTIONS
+from palpate_editor.verbs.tissue import LAWS
+from palpate_editor.verbs.tissue import OPTIONS as VERB
+from palpate_editor.views.touch.trial import describe_end, name_field
+
+ADVICES = [*CAUSES.values(), *(words.design for words in ALARMS.values())]
+NAMED = {key for advice in ADVICES for key in advice.constants}
 
 
 def test_every_option_that_an_alarm_names_is_one_of_palpate_material():
-    advice = " ".join([*CAUSES.values(), *(words.design for words in ALARMS.values())])
+    verb = {key: option for key, (option, _) in VERB.items()} | LAWS
 
-    named = set(re.findall(r"--[a-z-]+", advice))
+    assert set(OPTIONS) == NAMED
+    assert {verb[key] for key in NAMED} == set(OPTIONS.values())
+    assert all(OPTIONS[key] == verb[key] for key in NAMED)
 
-    assert {"--substeps", "--tool-stiffness", "--pressure", "--damping"} <= named
-    assert named <= {option for option, _ in OPTIONS.values()}
+
+@pytest.mark.parametrize("key", sorted(NAMED))
+def test_a_window_names_the_stage_and_the_label_of_a_constant(key, qapp):
+    part, field = key.split(".")
+    constant = find_constant(part, field)
+    label = LAW_NAMES[field] if constant is None else constant.label
+
+    assert name_field(key) == f"Material \N{SINGLE RIGHT-POINTING ANGLE QUOTATION MARK} {label}"
+
+
+def test_a_run_that_ends_in_the_window_names_fields_and_no_options(qapp):
+    organ = make_organ("spleen", 300)
+    scene = compile_organ(SetConstant("tool", "stiffness", 3e10)(organ))
+    alarm = palpate.Alarm()
+    alarm.kind, alarm.time, alarm.value, alarm.limit = palpate.AlarmKind.energy, 0.5, 2e-3, 1e-3
+
+    told = describe_end(SimpleNamespace(alarm=alarm), scene)
+
+    assert "--" not in told
+    assert "contact stiffness of 30 N/mm³" in told
+    assert name_field("tool.stiffness") in told
 
 
 def test_asked_for_substeps_are_taken_where_the_tissue_needs_fewer():

@@ -45,24 +45,52 @@
         <translation>Daha az derine ya da daha yavaş bastırın ya da organı sertleştirin.</translation>
     </message>
     <message>
-        <source>More substeps (--substeps), softer springs (--stiffness) or a larger mass (--density) hold it together.</source>
-        <translation>Daha çok alt adım (--substeps), daha yumuşak yaylar (--stiffness) ya da daha büyük kütle (--density) onu bir arada tutar.</translation>
+        <source>More substeps (%1), softer springs (%2) or a larger mass (%3) hold it together.</source>
+        <translation>Daha çok alt adım (%1), daha yumuşak yaylar (%2) ya da daha büyük kütle (%3) onu bir arada tutar.</translation>
     </message>
     <message>
-        <source>The tissue needs %1 substeps a tick, at most %2 are taken: choose more (--substeps), softer springs (--stiffness) or a larger mass (--density).</source>
-        <translation>Doku her tikte %1 alt adım ister, en çok %2 atılır: daha çok alt adım (--substeps), daha yumuşak yaylar (--stiffness) ya da daha büyük kütle (--density) seçin.</translation>
+        <source>The tissue needs %1 substeps a tick, at most %2 are taken: choose more (%3), softer springs (%4, or %5 where the tissue gives them) or a larger mass (%6).</source>
+        <translation>Doku her tikte %1 alt adım ister, en çok %2 atılır: daha çok alt adım (%3), daha yumuşak yaylar (%4, dokudan geliyorsa %5) ya da daha büyük kütle (%6) seçin.</translation>
     </message>
     <message>
-        <source>Its damping needs %1 substeps a tick, at most %2 are taken: choose less damping (--damping) or more substeps (--substeps).</source>
-        <translation>Sönümü her tikte %1 alt adım ister, en çok %2 atılır: daha az sönüm (--damping) ya da daha çok alt adım (--substeps) seçin.</translation>
+        <source>The angles of the tissue need %1 substeps a tick, at most %2 are taken: choose more (%3) or softer angles (%4, %5).</source>
+        <translation>Dokunun açıları her tikte %1 alt adım ister, en çok %2 atılır: daha çok alt adım (%3) ya da daha yumuşak açılar (%4, %5) seçin.</translation>
     </message>
     <message>
-        <source>The contact stiffness of the tool needs %1 substeps a tick, at most %2 are taken: choose a lower one (--tool-stiffness) or more substeps (--substeps).</source>
-        <translation>Aletin temas sertliği her tikte %1 alt adım ister, en çok %2 atılır: daha düşük bir temas sertliği (--tool-stiffness) ya da daha çok alt adım (--substeps) seçin.</translation>
+        <source>The home springs of the tissue need %1 substeps a tick, at most %2 are taken: choose more (%3) or softer ones (%4).</source>
+        <translation>Dokunun yuva yayları her tikte %1 alt adım ister, en çok %2 atılır: daha çok alt adım (%3) ya da daha yumuşak yuva yayları (%4) seçin.</translation>
     </message>
     <message>
-        <source>Its pressure does it with nothing touching: choose a lower one (--pressure), or stiffer springs (--stiffness, --home).</source>
-        <translation>Hiçbir şey değmeden basıncı bunu yapıyor: daha düşük bir basınç (--pressure) ya da daha sert yaylar (--stiffness, --home) seçin.</translation>
+        <source>The tissue needs %1 substeps a tick, at most %2 are taken: choose more (%3), a softer tissue (%4, %5) or a larger mass (%6).</source>
+        <translation>Doku her tikte %1 alt adım ister, en çok %2 atılır: daha çok alt adım (%3), daha yumuşak bir doku (%4, %5) ya da daha büyük kütle (%6) seçin.</translation>
+    </message>
+    <message>
+        <source>Its damping needs %1 substeps a tick, at most %2 are taken: choose less damping (%3) or more substeps (%4).</source>
+        <translation>Sönümü her tikte %1 alt adım ister, en çok %2 atılır: daha az sönüm (%3) ya da daha çok alt adım (%4) seçin.</translation>
+    </message>
+    <message>
+        <source>Its drag needs %1 substeps a tick, at most %2 are taken: choose less drag (%3) or more substeps (%4).</source>
+        <translation>Sürüklenmesi her tikte %1 alt adım ister, en çok %2 atılır: daha az sürüklenme (%3) ya da daha çok alt adım (%4) seçin.</translation>
+    </message>
+    <message>
+        <source>Its pressure does it with nothing touching: choose a lower one (%1), or stiffer springs (%2, %3).</source>
+        <translation>Hiçbir şey değmeden basıncı bunu yapıyor: daha düşük bir basınç (%1) ya da daha sert yaylar (%2, %3) seçin.</translation>
+    </message>
+    <message>
+        <source>Its angles do it with nothing touching, for Eq 10 makes energy: choose another law of angles (%1) or softer angles (%2).</source>
+        <translation>Hiçbir şey değmeden açıları bunu yapıyor, çünkü Eşitlik 10 enerji üretir: başka bir açı yasası (%1) ya da daha yumuşak açılar (%2) seçin.</translation>
+    </message>
+    <message>
+        <source>A light touch does it with %1 substeps a tick, and does not with %2: choose more (%3).</source>
+        <translation>Hafif bir dokunuş her tikte %1 alt adımla bunu yapıyor, %2 ile yapmıyor: daha çok alt adım (%3) seçin.</translation>
+    </message>
+    <message>
+        <source>A light touch does it with a contact stiffness of %1 N/mm³, and does not with %2 N/mm³: choose a lower one (%3).</source>
+        <translation>Hafif bir dokunuş %1 N/mm³ temas katılığıyla bunu yapıyor, %2 N/mm³ ile yapmıyor: daha düşük bir temas katılığı (%3) seçin.</translation>
+    </message>
+    <message>
+        <source>A light pull does it with a grip stiffness of %1 N/m, and does not with %2 N/m: choose a lower one (%3).</source>
+        <translation>Hafif bir çekiş %1 N/m tutma katılığıyla bunu yapıyor, %2 N/m ile yapmıyor: daha düşük bir tutma katılığı (%3) seçin.</translation>
     </message>
     <message>
         <source>Press less deep, or take a solid (MSS+V), which goes deeper.</source>

@@ -13,7 +13,9 @@ from palpate.live import LiveRun
 from palpate.translation.numbers import say_digits
 from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 
-from palpate_editor.views.words import fill, number, tr
+from palpate_editor.document.constants import LAW_NAMES, find_constant
+from palpate_editor.views.stage_bar import stage_title
+from palpate_editor.views.words import fill, number, say, tr
 
 FRAME = 16
 """[ms] between two looks at the loop."""
@@ -144,6 +146,14 @@ def round_up(value: float) -> float:
     return float(next(top * power for top in TOPS if top * power >= value * (1 - 1e-9)))
 
 
+def name_field(key: str) -> str:
+    """Where in the window a constant or a law is set: its stage and the label of its field."""
+    part, field = key.split(".")
+    constant = find_constant(part, field)
+    label = LAW_NAMES[field] if constant is None else constant.label
+    return f"{stage_title('material')} \N{SINGLE RIGHT-POINTING ANGLE QUOTATION MARK} {say(label)}"
+
+
 def describe_end(report: palpate.LoopReport, scene: palpate.Scene | None = None) -> str | None:
     """Why a run of a scene did not end well, in a sentence; None where it did."""
     if report.alarm.kind != palpate.AlarmKind.none:
@@ -151,7 +161,9 @@ def describe_end(report: palpate.LoopReport, scene: palpate.Scene | None = None)
             tr("The run was stopped after {time:.2f} s: {what}. {advice}"),
             time=report.alarm.time,
             what=say_alarm(report.alarm, QCoreApplication.translate, say_short),
-            advice=advise_design(report.alarm, scene, QCoreApplication.translate),
+            advice=advise_design(
+                report.alarm, scene, QCoreApplication.translate, name_field, say_short
+            ),
         )
     if report.fault != palpate.DeviceFault.none:
         return tr("The device failed ({what}): the run was stopped.").format(

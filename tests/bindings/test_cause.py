@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Each constant that alone is pushed over its limit is what the advice after the alarm names."""
+
+from __future__ import annotations
+
+import copy
+from dataclasses import replace
+
+import palpate
+import pytest
+from palpate.alarms import CAUSES, OPTIONS, tell_alarm
+from palpate.cause import HARD, find_cause
+from palpate.press import PressScript, find_top, write_script
+from palpate.scene_file import build_tissue, compile_scene
+from palpate.scene_parts import HandPart, MaterialPart, ModelPart, SceneFile, ToolPart
+from surfaces import ellipsoid
+
+MESH = ellipsoid((0.03, 0.025, 0.02), 2)
+SOUND = SceneFile(
+    organ=None,
+    material=MaterialPart(damping_ratio=0.3, wall_thickness=2.5e-3),
+    model=ModelPart(stiffness=60.0, home_stiffness=3e5, drag=8.0),
+    tool=ToolPart(),
+    hand=HandPart(),
+)
+MOLECULES = replace(
+    SOUND, model=replace(SOUND.model, kind="molecular", bend_stiffness=1e-5, stretch_coupling=1e-4)
+)
+WALL = replace(
+    SOUND,
+    material=replace(SOUND.material, young_modulus=2e5),
+    model=replace(SOUND.model, kind="shell"),
+)
+
+
+def push(parts: SceneFile, key: str, value: object) -> SceneFile:
+    """The same with one constant changed."""
+    part, field = key.split(".")
+    return replace(parts, **{part: replace(getattr(parts, part), **{field: value})})
+
+
+def keep_substeps(parts: SceneFile, usual: palpate.Scene) -> palpate.Scene:
+    """A scene with the substeps of another, as a file whose constants were edited has them."""
+    return palpate.build_scene(
+        palpate.Scene(
+            tissue=build_tissue(parts, MESH),
+            tool=usual.tool,
+            coupling=usual.coupling,
+            substeps=usual.substeps,
+            substeps_max=usual.substeps_max,
+        )
+    )
+
+
+def press(scene: palpate.Scene, pull: float = 4e-3) -> palpate.Alarm:
+    """The alarm of a press of 4 mm and a pull, if it raises one."""
+    frames, moments = write_script(find_top(scene), scene.tool.radius, PressScript(4e-3, pull))
+    device, world, dt = palpate.ScriptedDevice(frames), palpate.World(scene), 1.0 / scene.rate
+    for tick in range(round(moments.end * scene.rate)):
+        palpate.tick(scene, device.read(tick * dt), dt, world)
+        if world.alarm:
+            break
+    return world.alarm
+
+
+def check_named(scene: palpate.Scene, cause: str, option: str) -> None:
+    alarm = press(scene)
+
+    assert alarm, "no alarm"
+    found = find_cause(scene, alarm)
+    assert found is not None and found.name == cause
+    told = tell_alarm(alarm, scene)
+    assert option in told
+    assert "%" not in told.replace(" %", "")
+
+
+@pytest.mark.parametrize("parts", [SOUND, MOLECULES, WALL])
+def test_what_the_constants_were_pushed_from_raises_no_alarm(parts):
+    assert not press(compile_scene(parts, MESH))
+
+
+@pytest.mark.parametrize(
+    ("parts", "key", "value", "cause"),
+    [
+        (SOUND, "model.stiffness", 1e6, "stiffness"),
+        (SOUND, "model.home_stiffness", 1e12, "home"),
+        (SOUND, "material.damping_ratio", 60.0, "damping"),
+        (SOUND, "model.drag", 3e5, "drag"),
+        (MOLECULES, "model.stiffness", 1e6, "stiffness"),
+        (MOLECULES, "model.bend_stiffness", 10.0, "bend"),
+        (WALL, "material.young_modulus", 2e9, "modulus"),
+    ],
+)
+def test_what_of_a_tissue_needs_more_substeps_than_there_are_is_named(parts, key, value, cause):
+    usual = compile_scene(parts, MESH)
+    scene = keep_substeps(push(parts, key, value), usual)
+
+    check_named(scene, cause, OPTIONS[key])
+    found = find_cause(scene, press(scene))
+    assert found.limit == usual.substeps_max < found.found
+
+
+@pytest.mark.parametrize("pressure", [1e4, 1e5, -1e4, -1e5])
+def test_a_pressure_that_bursts_or_crushes_an_organ_is_named(pressure):
+    scene = compile_scene(push(SOUND, "model.pressure", pressure), MESH)
+
+    check_named(scene, "pressure", "--pressure")
+
+
+def test_a_pressure_that_is_borne_is_not_blamed_for_a_contact_that_is_too_stiff():
+    parts = push(SOUND, "model.pressure", 1e3)
+    assert not press(compile_scene(parts, MESH))
+
+    check_named(compile_scene(push(parts, "tool.stiffness", 3e9), MESH), "contact", "--tool-stiff")
+
+
+@pytest.mark.parametrize("stiffness", [3e9, 3e10, 1e12])
+def test_a_contact_stiffness_that_makes_energy_is_named_with_one_that_does_not(stiffness):
+    parts = push(SOUND, "tool.stiffness", stiffness)
+    scene = compile_scene(parts, MESH)
+
+    check_named(scene, "contact", "--tool-stiffness")
+    found = find_cause(scene, press(scene))
+    assert found.found == stiffness
+    assert not press(compile_scene(push(parts, "tool.stiffness", found.limit), MESH))
+
+
+def test_a_grip_that_is_too_stiff_for_the_steps_is_named():
+    scene = compile_scene(SOUND, MESH)
+    scene.hold_stiffness = 1e9  # no file may have it, a program may
+
+    check_named(scene, "grip", "--grip")
+
+
+@pytest.mark.parametrize("stiffness", [1e4, 1e6, 1e15])
+def test_no_coupling_is_so_stiff_that_the_tissue_blows_up(stiffness):
+    scene = compile_scene(SOUND, MESH)
+    coupling = copy.copy(scene.coupling)
+    coupling.stiffness = stiffness
+    scene.coupling = coupling
+
+    assert not press(scene)
+
+
+def test_eq_10_that_makes_energy_by_itself_is_named():
+    parts = push(push(MOLECULES, "model.stretch_coupling", 0.0), "model.angle_law", "eq10")
+    scene = compile_scene(push(parts, "model.bend_stiffness", 1e3), MESH)
+
+    check_named(scene, "eq10", "--angle-law")
+    assert not press(compile_scene(parts, MESH))
+
+
+def test_more_substeps_are_advised_where_they_alone_end_the_alarm():
+    parts = push(SOUND, "model.home_stiffness", 3e8)
+    scene = compile_scene(parts, MESH)
+
+    check_named(scene, "finer", "--substeps")
+    more = find_cause(scene, press(scene)).limit
+    assert not press(compile_scene(push(parts, "hand.substeps", int(more)), MESH))
+
+
+def test_a_sound_scene_that_was_strained_too_far_is_blamed_for_nothing():
+    scene = compile_scene(SOUND, MESH)
+    alarm = palpate.Alarm()
+    for kind in (palpate.AlarmKind.overstretched, palpate.AlarmKind.energy):
+        alarm.kind = kind
+        assert find_cause(scene, alarm) is None
+
+
+def test_every_cause_has_been_driven_to_its_alarm_here():
+    tissue = {"stiffness", "bend", "home", "modulus", "damping", "drag"}
+    assert set(CAUSES) == tissue | {"pressure", "eq10", "finer"} | {hard.name for hard in HARD}
