@@ -74,7 +74,8 @@ class Reader {
   void unpack_block(const BlockHeader& header, const Bytes& stored);
   Bytes unpack_body(const BlockHeader& header, const Bytes& stored) const;
   void take_ticks(const BlockHeader& header, const Bytes& body);
-  void refuse_damaged_summary(const Damage& damage) const;
+  void refuse_damaged_summary(const Damage& damage);
+  bool is_torn_summary(std::span<const std::uint8_t> tail);
   void check_summary();
   void finish(bool finished);
 
@@ -230,7 +231,29 @@ void Reader::take_ticks(const BlockHeader& header, const Bytes& body) {
 /// A file that was cut off ends in part of a block. One that ends in exactly as many bytes as a
 /// summary has, and not in another kind of block nor in zeros a loss of power left in place of its
 /// beginning or its end, was finished once and has been damaged since.
-void Reader::refuse_damaged_summary(const Damage& damage) const {
+/// Whether these bytes are the summary of what was read, but for two or more that are zero: the
+/// disk had not written them yet when the power went.
+bool Reader::is_torn_summary(std::span<const std::uint8_t> tail) {
+  const Bytes body = pack_summary({.ticks = record_.hand.size(),
+                                   .happenings = record_.happenings.size(),
+                                   .hashes = record_.hashes.size(),
+                                   .sha256 = sha256_.finish()});
+  BlockHeader header{
+      .kind = BlockKind::summary, .first_tick = next_tick_, .count = 1, .length = kSummaryBytes};
+  header.crc = compute_crc(header, body);
+  const auto packed = pack_block_header(header);
+  Bytes whole(packed.begin(), packed.end());
+  whole.insert(whole.end(), body.begin(), body.end());
+  int lost = 0;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    if (tail[i] == whole[i]) continue;
+    if (tail[i] != 0) return false;
+    ++lost;
+  }
+  return lost > 1;  // one may be a bit that was turned
+}
+
+void Reader::refuse_damaged_summary(const Damage& damage) {
   if (size_ - at_ != kSummaryBlockBytes) return;
   const Bytes tail = file_.read(at_, kSummaryBlockBytes);
   const auto header = unpack_block_header(tail);
@@ -238,7 +261,7 @@ void Reader::refuse_damaged_summary(const Damage& damage) const {
     return std::all_of(bytes.begin(), bytes.end(), [](auto byte) { return byte == 0; });
   };
   const bool torn = are_zeros(std::span(tail).first(8)) || are_zeros(std::span(tail).last(8));
-  if (torn || (header && header->kind != BlockKind::summary)) return;
+  if (torn || (header && header->kind != BlockKind::summary) || is_torn_summary(tail)) return;
   file_.refuse("summary at byte " + std::to_string(at_), damage.found, damage.expected);
 }
 

@@ -251,6 +251,29 @@ TEST_CASE("zeros that a crash left after the last block are not a damaged summar
 }
 
 // 1.1 MB of such blocks would be the 8.4 million rows that a file may have, and 1.2 GB of memory.
+TEST_CASE("a summary of which the disk kept some bytes and not others cuts the record off") {
+  const Folder folder;
+  const Record record = some_record(8);
+  const std::vector<char> whole = bytes_of(folder, record, RecordCodec::deflate);
+  for (std::size_t first = 0; first < kSummaryBlock; ++first) {
+    for (std::size_t last = first + 2; last <= kSummaryBlock; ++last) {
+      std::vector<char> bytes = whole;
+      const auto at = [&bytes](std::size_t i) {
+        return bytes.end() - static_cast<std::ptrdiff_t>(kSummaryBlock - i);
+      };
+      const long lost = std::count_if(at(first), at(last), [](char byte) { return byte != 0; });
+      std::fill(at(first), at(last), '\0');
+      if (lost == 1) continue;  // it may as well be a bit that was turned
+
+      const auto back = read_back(folder, bytes);
+
+      REQUIRE(back);
+      CHECK(is_same(*back, record));
+      CHECK(back->complete == (lost == 0));
+    }
+  }
+}
+
 TEST_CASE("blocks that unpack to more than any writer makes are refused before they are unpacked") {
   const Folder folder;
   const std::vector<char> good = bytes_of(folder, some_record(8), RecordCodec::deflate);
