@@ -3411,6 +3411,7 @@ class NativeCoreOptions:
         report_delay: float = ...,
         drift: float = ...,
         calibrated: bool = ...,
+        damaged: bool = ...,
     ) -> None:
         """Arguments are the fields of these names, with their shapes and units."""
     baud: float
@@ -3423,11 +3424,13 @@ class NativeCoreOptions:
     """[-] By how much the device's clock is fast."""
     calibrated: bool
     """Its EEPROM holds what find_calibration says of the plant."""
+    damaged: bool
+    """A byte of that has changed since it was stored."""
     def __copy__(self) -> NativeCoreOptions:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> NativeCoreOptions:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -3553,6 +3556,12 @@ class DeviceStatus:
     def mode(self) -> DeviceMode:
         """What it does."""
     @property
+    def blank(self) -> bool:
+        """No calibration was ever stored in it."""
+    @property
+    def damaged(self) -> bool:
+        """The newest calibration in its EEPROM is not what was stored."""
+    @property
     def degraded(self) -> bool:
         """Reports are missing: the force is taken back."""
     @property
@@ -3644,6 +3653,8 @@ class DeviceStatus:
     def __getstate__(
         self, /
     ) -> tuple[
+        object,
+        object,
         object,
         object,
         object,

@@ -89,12 +89,12 @@ void bind_transports(py::module_& m) {
                                         "How the simulated wire and the clocks at its ends are.");
   options
       .def(py::init([](double baud, double link_delay, double report_delay, double drift,
-                       bool calibrated) {
-             return NativeCoreOptions{baud, link_delay, report_delay, drift, calibrated};
+                       bool calibrated, bool damaged) {
+             return NativeCoreOptions{baud, link_delay, report_delay, drift, calibrated, damaged};
            }),
            py::kw_only(), "baud"_a = usual.baud, "link_delay"_a = usual.link_delay,
            "report_delay"_a = usual.report_delay, "drift"_a = usual.drift,
-           "calibrated"_a = usual.calibrated)
+           "calibrated"_a = usual.calibrated, "damaged"_a = usual.damaged)
       .def_readwrite("baud", &NativeCoreOptions::baud, "[bit/s]")
       .def_readwrite("link_delay", &NativeCoreOptions::link_delay,
                      "[s] of what joins wire and host, each way.")
@@ -103,11 +103,13 @@ void bind_transports(py::module_& m) {
       .def_readwrite("drift", &NativeCoreOptions::drift,
                      "[-] By how much the device's clock is fast.")
       .def_readwrite("calibrated", &NativeCoreOptions::calibrated,
-                     "Its EEPROM holds what find_calibration says of the plant.");
+                     "Its EEPROM holds what find_calibration says of the plant.")
+      .def_readwrite("damaged", &NativeCoreOptions::damaged,
+                     "A byte of that has changed since it was stored.");
   def_value(options, &NativeCoreOptions::baud, &NativeCoreOptions::link_delay,
             &NativeCoreOptions::report_delay, &NativeCoreOptions::drift,
-            &NativeCoreOptions::calibrated);
-  def_repr(options, {"baud", "link_delay", "report_delay", "drift", "calibrated"});
+            &NativeCoreOptions::calibrated, &NativeCoreOptions::damaged);
+  def_repr(options, {"baud", "link_delay", "report_delay", "drift", "calibrated", "damaged"});
 
   py::class_<NativeCore, Transport>(
       m, "NativeCore",
@@ -192,6 +194,9 @@ void bind_status(py::module_& m) {
                                   "for others some milliseconds ago.");
   status.def_readonly("link", &DeviceStatus::link, "How far the host has come with it.")
       .def_readonly("mode", &DeviceStatus::mode, "What it does.")
+      .def_readonly("blank", &DeviceStatus::blank, "No calibration was ever stored in it.")
+      .def_readonly("damaged", &DeviceStatus::damaged,
+                    "The newest calibration in its EEPROM is not what was stored.")
       .def_readonly("degraded", &DeviceStatus::degraded,
                     "Reports are missing: the force is taken back.")
       .def_readonly("first_fault", &DeviceStatus::first_fault,
@@ -228,9 +233,10 @@ void bind_status(py::module_& m) {
                     "[N/m] along the force that it answers by itself.")
       .def_readonly("release", &DeviceStatus::release, "Of the firmware.")
       .def_readonly("serial_number", &DeviceStatus::serial_number, "Of the device.");
-  def_value(status, &DeviceStatus::link, &DeviceStatus::mode, &DeviceStatus::degraded,
-            &DeviceStatus::first_fault, &DeviceStatus::faults, &DeviceStatus::time,
-            &DeviceStatus::counts, &DeviceStatus::joints, &DeviceStatus::gimbal, &DeviceStatus::tip,
+  def_value(status, &DeviceStatus::link, &DeviceStatus::mode, &DeviceStatus::blank,
+            &DeviceStatus::damaged, &DeviceStatus::degraded, &DeviceStatus::first_fault,
+            &DeviceStatus::faults, &DeviceStatus::time, &DeviceStatus::counts,
+            &DeviceStatus::joints, &DeviceStatus::gimbal, &DeviceStatus::tip,
             &DeviceStatus::force_commanded, &DeviceStatus::force_applied, &DeviceStatus::duty,
             &DeviceStatus::counters, &DeviceStatus::reports, &DeviceStatus::lost_reports,
             &DeviceStatus::damaged_frames, &DeviceStatus::commands, &DeviceStatus::report_rate,

@@ -204,14 +204,29 @@ def test_an_arm_that_moves_while_it_is_read_is_refused_in_a_sentence(open_device
     assert not window.calibrate.busy
 
 
-def test_a_new_device_opens_on_its_calibration(open_device, qtbot):
-    options = palpate.NativeCoreOptions(calibrated=False)
+@pytest.mark.parametrize(
+    ("memory", "language", "state", "advice"),
+    [
+        ({"calibrated": False}, "en", "Blank board", "No calibration was ever stored in it"),
+        ({"calibrated": False}, "tr", "Boş kart", "İçine hiç kalibrasyon yazılmamış"),
+        ({"damaged": True}, "en", "Calibration damaged", "in its EEPROM is damaged"),
+        ({"damaged": True}, "tr", "Kalibrasyon bozuk", "en yeni kopyası bozuk"),
+    ],
+)
+def test_a_device_without_a_calibration_opens_on_it_and_says_why_it_has_none(
+    open_device, qtbot, memory, language, state, advice
+):
+    options = palpate.NativeCoreOptions(**memory)
     window = open_device(build=lambda name: hold_plant(palpate.Plant(), options))
     connect(window, qtbot)
+    window.use_language(language)
 
     assert window.pages.seen() is window.calibrate
-    assert "Not calibrated" in window.bar.pill.text()
+    qtbot.waitUntil(lambda: state in window.bar.pill.text(), timeout=PATIENCE)
+    qtbot.waitUntil(lambda: advice in window.alarm.label.text(), timeout=PATIENCE)
     assert not window.monitor.motors.isEnabled()
+    keep_picture(window, f"device_{'_'.join(memory)}_{language}")
+    window.use_language("en")
 
 
 # ---------------------------------------------------------------- self-test

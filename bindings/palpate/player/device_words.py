@@ -16,6 +16,10 @@ def say_state(status: palpate.DeviceStatus) -> tuple[str, str]:
     if status.link is palpate.LinkState.lost:
         return translate("Device", "Gone"), "bad"
     if status.link is palpate.LinkState.uncalibrated:
+        if status.blank:
+            return translate("Device", "Blank board"), "warm"
+        if status.damaged:
+            return translate("Device", "Calibration damaged"), "bad"
         return translate("Device", "Not calibrated"), "warm"
     if status.link is not palpate.LinkState.ready:
         return translate("Device", "Greeting"), "plain"
@@ -34,6 +38,17 @@ def say_advice(status: palpate.DeviceStatus) -> str:
     if status.link is palpate.LinkState.lost:
         return translate(
             "Device", "Its cable is out, or it has fallen silent. Plug it in and connect again."
+        )
+    if status.link is palpate.LinkState.uncalibrated and status.blank:
+        return translate(
+            "Device",
+            "No calibration was ever stored in it: calibrate it. Its motors stay off until then.",
+        )
+    if status.link is palpate.LinkState.uncalibrated and status.damaged:
+        return translate(
+            "Device",
+            "The newest copy of its calibration in its EEPROM is damaged, and an older one is not "
+            "obeyed: calibrate it. Its motors stay off until then.",
         )
     if status.link is palpate.LinkState.uncalibrated:
         return translate(

@@ -26,6 +26,19 @@ std::string find_remedy(int fault) {
   }
 }
 
+/// Why a device does not know what its counts mean.
+std::string describe_memory(const DeviceStatus& status) {
+  if (status.blank) {
+    return "blank board: no calibration was ever stored in it, so its motors stay off; calibrate "
+           "the device";
+  }
+  if (status.damaged) {
+    return "the newest copy of its calibration in the EEPROM is damaged, so its motors stay off; "
+           "calibrate the device";
+  }
+  return "not calibrated: its motors stay off";
+}
+
 }  // namespace
 
 std::string name_fault(int fault) {
@@ -39,7 +52,7 @@ std::string describe_status(const DeviceStatus& status) {
     case LinkState::loading:
       return "reading its calibration";
     case LinkState::uncalibrated:
-      return "not calibrated: its motors stay off";
+      return describe_memory(status);
     case LinkState::lost:
       return "lost: the cable is out, or the device is silent";
     case LinkState::ready:

@@ -25,6 +25,8 @@ enum class DeviceMode { boot, idle, ramp, run, faulted };
 struct DeviceStatus {
   LinkState link = LinkState::greeting;
   DeviceMode mode = DeviceMode::boot;
+  bool blank = false;     ///< no calibration was ever stored in it
+  bool damaged = false;   ///< the newest calibration in its EEPROM is not what was stored
   bool degraded = false;  ///< reports are missing: the force is taken back
   int first_fault = 15;   ///< bit that cut the motors, 15 for none: see name_fault
   int faults = 0;         ///< bits: whatever was noticed

@@ -66,6 +66,12 @@ const NativeCoreOptions& validated(const NativeCoreOptions& options) {
   return options;
 }
 
+/// Both places where a copy may stand.
+void damage(std::span<std::uint8_t> eeprom) {
+  constexpr std::size_t kSecondCopy = 512, kInside = 40;
+  for (const std::size_t at : {kInside, kSecondCopy + kInside}) eeprom[at] ^= 0x10;
+}
+
 }  // namespace
 
 struct NativeCore::Impl {
@@ -75,6 +81,7 @@ struct NativeCore::Impl {
     std::array<std::uint8_t, PALPATE_EEPROM_BYTES> eeprom;
     eeprom.fill(0xff);
     if (options.calibrated) write_eeprom(find_calibration(plant), eeprom);
+    if (options.damaged) damage(eeprom);
     palpate_board_init(&board, eeprom.data());
   }
 

@@ -16,6 +16,7 @@ struct NativeCoreOptions {
   double report_delay = 0.5e-3;  ///< [s] from a tick's samples to the first byte of its report
   double drift = 0.0;            ///< by how much the device's clock is fast, 1e-6 for 1 ppm
   bool calibrated = true;        ///< its EEPROM holds what find_calibration says of the plant
+  bool damaged = false;          ///< a byte of that has changed since it was stored
 };
 
 /// The firmware's own C code, compiled for this machine, on a simulated arm at the far end of a

@@ -7,6 +7,8 @@ namespace palpate {
 
 void SerialLink::fill(DeviceStatus& status) const noexcept {
   status.link = state_;
+  status.blank = has_info_ && (info_.features & PALPATE_FEATURE_BLANK) != 0;
+  status.damaged = has_info_ && (info_.features & PALPATE_FEATURE_DAMAGED) != 0;
   status.mode = static_cast<DeviceMode>(std::min<int>(report_.mode, 4));
   status.first_fault = report_.first_fault;
   status.faults = report_.faults;

@@ -221,6 +221,21 @@ TEST_CASE("a host that comes back after a silence clears its own fault and no ot
   CHECK(bench.status().mode == DeviceMode::run);
 }
 
+TEST_CASE("a device whose calibration was damaged in its EEPROM says so, not that it is blank") {
+  DeviceBench bench({}, {.damaged = true});
+  bench.device.open();
+  bench.run(0.2, kNothing);
+
+  CHECK(bench.status().link == LinkState::uncalibrated);
+  CHECK(bench.status().damaged);
+  CHECK_FALSE(bench.status().blank);
+  CHECK(describe_status(bench.status()).find("its calibration in the EEPROM is damaged") !=
+        std::string::npos);
+
+  bench.device.store(find_calibration(bench.core.plant()));
+  CHECK_FALSE(bench.status().damaged);
+}
+
 TEST_CASE(
     "a device without calibration tells no place, keeps its motors off, and can be given one") {
   DeviceBench bench({}, {.calibrated = false});
@@ -228,7 +243,10 @@ TEST_CASE(
   bench.device.open();
   bench.run(0.2, kNothing);
   CHECK(bench.status().link == LinkState::uncalibrated);
-  CHECK(describe_status(bench.status()) == "not calibrated: its motors stay off");
+  CHECK(bench.status().blank);
+  CHECK(describe_status(bench.status()) ==
+        "blank board: no calibration was ever stored in it, so its motors stay off; calibrate the "
+        "device");
   CHECK_FALSE(bench.core.drive().enabled);
   CHECK(bench.status().counts[0] == 512);
   CHECK_THROWS_AS(bench.device.calibration(), DeviceError);

@@ -274,6 +274,10 @@
         <translation>Bayt kaybı</translation>
     </message>
     <message>
+        <source>Blank board</source>
+        <translation>Boş kart</translation>
+    </message>
+    <message>
         <source>Calibration damaged</source>
         <translation>Kalibrasyon bozuk</translation>
     </message>
@@ -370,6 +374,10 @@
         <translation>Arıza yok</translation>
     </message>
     <message>
+        <source>No calibration was ever stored in it: calibrate it. Its motors stay off until then.</source>
+        <translation>İçine hiç kalibrasyon yazılmamış: kalibre edin. O zamana dek motorları kapalı kalır.</translation>
+    </message>
+    <message>
         <source>Not calibrated</source>
         <translation>Kalibre edilmemiş</translation>
     </message>
@@ -404,6 +412,10 @@
     <message>
         <source>Unknown fault</source>
         <translation>Bilinmeyen arıza</translation>
+    </message>
+    <message>
+        <source>The newest copy of its calibration in its EEPROM is damaged, and an older one is not obeyed: calibrate it. Its motors stay off until then.</source>
+        <translation>EEPROM’undaki kalibrasyonun en yeni kopyası bozuk, eskisine de uyulmuyor: kalibre edin. O zamana dek motorları kapalı kalır.</translation>
     </message>
     <message>
         <source>What it keeps of itself cannot be read: calibrate it.</source>
