@@ -10,12 +10,17 @@ from __future__ import annotations
 
 import logging
 import threading
+import time
 from collections.abc import Callable
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
 LOG = logging.getLogger(__name__)
+
+OUTLIVED: list[Job] = []
+"""Work that was still under way when its window closed: kept until its thread has ended, because
+a signal of an object that is gone, or an object that ends in another thread, ends the program."""
 
 
 class Cancelled(Exception):  # noqa: N818  # not an error: somebody wanted it
@@ -58,6 +63,8 @@ class Job(QObject):
         super().__init__(parent)
         self.title, self.work = title, work
         self.progress = Progress(self)
+        self.speaking = threading.Lock()
+        self.left = False
         self.progress.said.connect(self.tell)
         self._finished.connect(self.finish)
         self.thread_id: int | None = None
@@ -73,13 +80,17 @@ class Job(QObject):
             result, problem = self.work(self.progress), None
         except BaseException as caught:  # whatever it is, the window must hear of it
             result, problem = None, caught
-        self._finished.emit(result, problem)
+        with self.speaking:
+            if not self.left:
+                self._finished.emit(result, problem)
 
     def tell(self, words: str, share: float) -> None:
-        if not self.cancelled:
+        if not self.cancelled and not self.left:
             self.progressed.emit(words, share)
 
     def finish(self, result: object, problem: object) -> None:
+        if self.left:
+            return
         self.thread.join()
         self.released.emit(self)
         if not self.cancelled:
@@ -95,6 +106,12 @@ class Job(QObject):
 
     def cancel(self) -> None:
         self.progress.stop.set()
+
+    def leave(self) -> None:
+        """Belongs to no window any more, and says nothing from now on."""
+        with self.speaking:
+            self.left = True
+        self.setParent(None)
 
 
 class Jobs(QObject):
@@ -151,12 +168,21 @@ class Jobs(QObject):
             self.stopped.emit(job)
 
     def finish(self, seconds: float = 5.0) -> None:
-        """Cancels everything, waits for it and begins nothing more; before the window goes away."""
+        """Cancels everything and begins nothing more; before the window goes away.
+
+        Waits so long [s] for all of it. What takes longer ends by itself, unheard.
+        """
         self.closed = True
         for job in self.alive:
             job.cancel()
+        until = time.monotonic() + seconds
         for job in self.alive:
-            job.thread.join(seconds)
+            job.thread.join(max(0.0, until - time.monotonic()))
+        OUTLIVED[:] = [job for job in OUTLIVED if job.thread.is_alive()]
+        for job in [job for job in self.alive if job.thread.is_alive()]:
+            job.leave()
+            self.alive.remove(job)
+            OUTLIVED.append(job)
 
     def _launch(
         self,
