@@ -108,6 +108,47 @@ def test_neither_the_task_nor_anything_else_covers_the_organ(open_window, tmp_pa
     assert organ.width() > 0.15 * size[0] or organ.height() > 0.3 * size[1]
 
 
+@pytest.mark.parametrize("size", [(1280, 800), (632, 332)])
+def test_the_clock_is_never_cut_off(open_window, size):
+    window = open_window()
+    window.resize(*size)
+    window.restart()
+    clock = window.over.clock.clock
+    window.over.clock.show_time(599.9)
+    window.over.place()
+    QTest.qWait(1)
+
+    assert clock.width() >= clock.sizeHint().width()
+
+
+TASKS = [
+    "Stroke gently.",
+    "Follow the lower edge from the right lobe to the notch of the round ligament.",
+    "Safra kesesinin dibine bastırın ve boynuna dek kenarı boyunca ilerleyin.",
+]
+
+
+@pytest.mark.parametrize("size", [(1280, 800), (1272, 772), (960, 540), (632, 332)])
+def test_a_task_that_fits_has_no_scroll_bar_beside_it(open_window, tmp_path, size):
+    window = open_window(open_play(publish(tmp_path)))
+    window.resize(*size)
+    window.restart()
+    task = window.over.task
+
+    for title in ("Liver", "Safra kesesi: dibini ve boynunu bul"):
+        for words in TASKS:
+            task.tell(title, words)
+            # a bar that was needed for a moment must not stay
+            task.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAsNeeded)
+            task.resize(task.width(), 40)
+            QTest.qWait(1)
+            window.over.place()
+            QTest.qWait(1)
+            if task.height() >= task.find_height(task.width()):
+                assert task.verticalScrollBar().maximum() == 0, (title, words)
+                assert not task.verticalScrollBar().isVisible()
+
+
 def test_a_task_is_folded_up_to_its_title_and_gives_its_room_to_the_organ(open_window, tmp_path):
     window = open_window(open_play(publish(tmp_path, task=LONG)))
     window.resize(1000, 500)

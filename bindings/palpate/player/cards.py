@@ -69,6 +69,19 @@ class Page(QScrollArea):
         self.rows.addWidget(label)
         return label
 
+    def fit(self, width: int, room: int) -> int:
+        """[px] the height to take of the room, scrolled only where that is less than is needed.
+
+        Left to itself, Qt keeps a bar that was needed once: beside it the text is higher.
+        """
+        needed = self.find_height(width)
+        policy = Qt.ScrollBarPolicy
+        fits = needed <= room
+        self.setVerticalScrollBarPolicy(
+            policy.ScrollBarAlwaysOff if fits else policy.ScrollBarAsNeeded
+        )
+        return needed if fits else room
+
     def find_height(self, width: int) -> int:
         """[px] that all rows need in this width."""
         for part in (self, self.page, *self.page.findChildren(QWidget)):

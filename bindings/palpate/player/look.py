@@ -75,6 +75,11 @@ def build_style(name: str, letter: float) -> str:
     over = as_css(mix(theme.panel, theme.text, 0.20), 0.95)
     return f"""
     QWidget#page {{ background: transparent; }}
+    QScrollBar:vertical {{ background: transparent; width: 9px; margin: 8px 2px 8px 0; }}
+    QScrollBar::handle:vertical {{ background: {as_css(theme.text, 0.35)}; border-radius: 3px;
+        min-height: 20px; }}
+    QScrollBar::add-line:vertical, QScrollBar::sub-line:vertical {{ height: 0; }}
+    QScrollBar::add-page:vertical, QScrollBar::sub-page:vertical {{ background: transparent; }}
     QFrame#card {{ background: {as_css(theme.panel, PANEL)}; border-radius: 14px; }}
     QFrame#board {{ background: {as_css(theme.panel, SOLID)}; border-radius: 20px;
         border: 1px solid {as_css(theme.text, 0.10)}; }}

@@ -87,6 +87,8 @@ class Overlays(QObject):
 
     def use_look(self, theme: str, letter: float) -> None:
         self._letter = letter
+        # no wider than a letter: on a small screen the clock needs the room
+        self.clock.rows.setContentsMargins(round(letter), 16, round(letter), 16)
         self.force.use_look(theme, letter)
         self.place()
 
@@ -107,7 +109,7 @@ class Overlays(QObject):
         self.notice.adjustSize()
         self.notice.move(EDGE, notice_top)
         wide = round(min(22.0 * m, 0.28 * width))
-        high = min(self.task.find_height(wide), notice_top - GAP - EDGE)
+        high = self.task.fit(wide, notice_top - GAP - EDGE)
         self.task.setGeometry(EDGE, EDGE, wide, high)
         self._put(self.clock, SIDE * m, width - EDGE - SIDE * m, EDGE)
         top = self.clock.geometry().bottom() + 12
@@ -184,7 +186,7 @@ class Overlays(QObject):
 
     def _centre(self, board: Board, wide: int, bottom: int) -> None:
         """In the middle of the window, and nowhere on the notice; scrolled where it is too high."""
-        high = min(board.find_height(wide), bottom - GAP)
+        high = board.fit(wide, bottom - GAP)
         y = min((self._view.height() - high) // 2, bottom - high)
         board.setGeometry((self._view.width() - wide) // 2, max(GAP, y), wide, high)
         board.raise_()
