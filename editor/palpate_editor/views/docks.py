@@ -5,14 +5,17 @@ from __future__ import annotations
 
 from PySide6.QtCore import QByteArray, QEvent, QObject, QSize, Qt, QTimer
 from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QUndoView, QWidget
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabBar, QUndoView, QWidget
 
 from palpate_editor.app.settings import LAYOUT_VERSION, Settings
 from palpate_editor.views.words import tr
 
 AREA = Qt.DockWidgetArea
+DIRECT = Qt.FindChildOption.FindDirectChildrenOnly
 SIDE, STAGE, BELOW = 262, 396, 226
 """[px] widths of the docks at the left and right, height of those below."""
+FOLDED, LEAST = 400, 200
+"""[px] width of docks that are folded into one column, as it begins and at the least."""
 
 
 class Docks(QObject):
@@ -37,6 +40,8 @@ class Docks(QObject):
         window.setCorner(Qt.Corner.BottomLeftCorner, AREA.BottomDockWidgetArea)
         window.setDockNestingEnabled(True)
         self.start: QByteArray | None = None
+        self.folded = False
+        """Whether all docks are tabs of one column, as a small screen needs them."""
 
     def add(self, name: str, title: str, widget: QWidget, area: AREA) -> QDockWidget:
         dock = QDockWidget(title, self.window)
@@ -110,10 +115,44 @@ class Docks(QObject):
         }
         self.recover()
 
+    def fit(self, room: QSize) -> None:
+        """Folds the docks where side by side they need more than the room [px] of the screen."""
+        least = self.window.minimumSizeHint()
+        if not self.folded and (least.width() > room.width() or least.height() > room.height()):
+            self.fold()
+
+    def fold(self) -> None:
+        """All docks as tabs of one column at the right, the stage in front."""
+        self.folded = True
+        stage = self.docks["stage"]
+        for dock in (stage, *(dock for dock in self.docks.values() if dock is not stage)):
+            dock.setFloating(False)
+            self.window.addDockWidget(AREA.RightDockWidgetArea, dock)
+            dock.show()
+            if dock is not stage:
+                self.window.tabifyDockWidget(stage, dock)
+            dock.widget().setMinimumWidth(LEAST)
+            dock.setTitleBarWidget(QWidget(dock))  # its tab says what it is
+        for bar in self.window.findChildren(QTabBar, options=DIRECT):
+            bar.setElideMode(Qt.TextElideMode.ElideNone)
+            bar.setUsesScrollButtons(True)
+        stage.raise_()
+        layout = self.window.layout()
+        if layout is not None:  # until then the window keeps the least size it had
+            layout.invalidate()
+            layout.activate()
+        self.wanted = {"stage": QSize(FOLDED, stage.height())}
+        self.recover()
+
     def show(self, name: str) -> None:
         if name in self.docks:
             self.docks[name].show()
             self.docks[name].raise_()
+
+    def show_beside(self, name: str) -> None:
+        """Shows a dock, but not over the one that is in front of it where they are folded."""
+        if not self.folded:
+            self.show(name)
 
     # ------------------------------------------------------------ keeping
 
@@ -126,6 +165,9 @@ class Docks(QObject):
         return self.window.restoreState(layout[1], LAYOUT_VERSION)
 
     def keep(self, settings: Settings) -> None:
+        """But for a layout that the screen alone asked for."""
+        if self.folded:
+            return
         settings.layout = (self.window.saveGeometry(), self.window.saveState(LAYOUT_VERSION))
 
     def reset(self) -> None:
@@ -134,7 +176,10 @@ class Docks(QObject):
         for dock in self.docks.values():
             dock.setFloating(False)
             dock.show()
-        self.arrange()
+        if self.folded:
+            self.fold()
+        else:
+            self.arrange()
 
 
 def build_history(window: QMainWindow, stack: object) -> QUndoView:

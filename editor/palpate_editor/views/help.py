@@ -7,14 +7,15 @@ from collections.abc import Iterable
 from html import escape
 
 import palpate
-from PySide6.QtCore import Qt
+from palpate.viewport.screen import fit_to_screen
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDialog, QTextBrowser, QVBoxLayout, QWidget
 
 from palpate_editor.views.stage_bar import stage_title
 from palpate_editor.views.words import tr
 
-SIZE = (560, 620)
+SIZE = QSize(560, 620)
 """[px]"""
 
 
@@ -76,7 +77,7 @@ class HelpWindow(QDialog):
         column = QVBoxLayout(self)
         column.setContentsMargins(14, 10, 6, 10)
         column.addWidget(self.text)
-        self.resize(*SIZE)
+        fit_to_screen(self, SIZE)
 
     def show_html(self, html: str) -> None:
         self.text.setHtml(html)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from palpate.viewport.screen import find_room, keep_on_screen
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt
 from PySide6.QtGui import QAction, QColor, QKeyEvent, QPainter, QPalette
 from PySide6.QtWidgets import (
@@ -121,14 +122,16 @@ class CommandPalette(QDialog):
         layout.addWidget(self.query)
         layout.addWidget(self.list)
         self.chosen: QAction | None = None
-        self.setFixedSize(WIDTH, 58 + 34 * ROWS)
+        room = find_room(self)
+        self.setFixedSize(min(WIDTH, room.width()), min(58 + 34 * ROWS, room.height()))
         self.find("")
 
     def place(self) -> None:
         """Under the top of the window, in its middle."""
         window = self.parentWidget()
-        corner = window.mapToGlobal(QPoint((window.width() - WIDTH) // 2, 92))
+        corner = window.mapToGlobal(QPoint((window.width() - self.width()) // 2, 92))
         self.move(corner)
+        keep_on_screen(self)
 
     def find(self, query: str) -> None:
         """Lists what fits, the best first; what cannot be done now stands last."""

@@ -76,6 +76,13 @@ class ShippedOrgans(QWidget):
         for name, button in self.buttons.items():
             button.setIcon(QIcon(round_off(QPixmap(str(find_picture(name, theme))))))
 
+    def use_columns(self, columns: int) -> None:
+        """So many beside each other."""
+        grid = self.layout()
+        if isinstance(grid, QGridLayout):
+            for row, button in enumerate(self.buttons.values()):
+                grid.addWidget(button, row // columns, row % columns)
+
     def use_size(self, large: bool) -> None:
         """Large pictures, or small ones where there is little room."""
         for button in self.buttons.values():

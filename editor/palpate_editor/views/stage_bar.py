@@ -6,13 +6,24 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontMetricsF,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QPolygonF,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import QAbstractButton, QButtonGroup, QHBoxLayout, QSizePolicy, QWidget
 
 from palpate_editor.views.theme import Colours
 from palpate_editor.views.words import tr
 
 STAGES = ("import", "repair", "decimate", "material", "test", "publish")
+SHORTEST = 6
+"""Letters of a name that is cut short, with its dots: fewer tell less than none."""
 HEIGHT, BADGE, TIP = 38, 20, 11
 """[px] of a step, of the disc with its number, of the arrow at its right."""
 
@@ -49,6 +60,7 @@ class Step(QAbstractButton):
         super().__init__(parent)
         self.stage, self.place, self.colours = stage, place, colours
         self.verdict = Verdict()
+        self.narrow = False
         self.setText(stage_title(stage))
         self.setCheckable(True)
         self.setObjectName(f"stage_{stage}")
@@ -57,11 +69,15 @@ class Step(QAbstractButton):
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
 
     def sizeHint(self) -> QSize:
+        """Where there is no room for all names, that of the stage that is shown."""
+        if self.narrow and not self.isChecked():
+            return self.minimumSizeHint()
         width = QFontMetricsF(self.bold()).horizontalAdvance(self.text())
         return QSize(int(width) + BADGE + 3 * TIP + 34, HEIGHT)
 
     def minimumSizeHint(self) -> QSize:
-        return self.sizeHint()
+        """The disc with its number: on a small screen the name is cut short, or left out."""
+        return QSize(BADGE + 2 * TIP + 20, HEIGHT)
 
     def bold(self) -> QFont:
         font = QFont(self.font())
@@ -116,7 +132,11 @@ class Step(QAbstractButton):
         painter.setPen(QColor("#ffffff" if chosen else c.text))
         painter.setFont(self.bold() if chosen else self.font())
         room = QRectF(badge.right() + 8, 0, self.width() - badge.right() - 8 - TIP, self.height())
-        painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, self.text())
+        words = painter.fontMetrics().elidedText(
+            self.text(), Qt.TextElideMode.ElideRight, max(0, int(room.width()))
+        )
+        words = "" if words != self.text() and len(words) < SHORTEST else words
+        painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, words)
         painter.end()
 
     def draw_badge(self, painter: QPainter, badge: QRectF, chosen: bool) -> None:
@@ -168,12 +188,23 @@ class StageBar(QWidget):
             step.show_verdict(Verdict())
         self.group.buttonClicked.connect(self.tell)
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        for step in self.steps.values():
+            step.narrow = False
+        wide = sum(step.sizeHint().width() for step in self.steps.values())
+        for step in self.steps.values():
+            step.narrow = wide + 4 > self.width()
+            step.updateGeometry()
+
     def tell(self, button: QAbstractButton) -> None:
         if isinstance(button, Step):
             self.chosen.emit(button.stage)
 
     def show_stage(self, stage: str) -> None:
         self.steps[stage].setChecked(True)
+        for step in self.steps.values():
+            step.updateGeometry()
 
     def show_verdict(self, stage: str, verdict: Verdict) -> None:
         self.steps[stage].show_verdict(verdict)

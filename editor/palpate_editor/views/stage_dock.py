@@ -5,8 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QScrollArea, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QScrollArea, QSizePolicy, QStackedWidget, QVBoxLayout, QWidget
 
 from palpate_editor.views.desk import Desk
 from palpate_editor.views.stage_bar import Verdict
@@ -31,14 +30,18 @@ class StageDock(QWidget):
         self.options_holder = QWidget(self)
         self.options_holder.setLayout(self.options)
         self.options_holder.setAutoFillBackground(True)
-        self.options_holder.hide()
-        column.addWidget(self.options_holder)
+        # no higher than the options are, and lower where panel and options share a small screen
+        self.options_area = QScrollArea(self)
+        self.options_area.setWidgetResizable(True)
+        self.options_area.setWidget(self.options_holder)
+        self.options_area.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
+        self.options_area.hide()
+        column.addWidget(self.options_area)
         self.stack = QStackedWidget(self)
         column.addWidget(self.stack, 1)
         for panel in panels:
             area = QScrollArea(self)
             area.setWidgetResizable(True)
-            area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
             area.setWidget(panel)
             self.stack.addWidget(area)
         self.shown_options: QWidget | None = None
@@ -63,7 +66,7 @@ class StageDock(QWidget):
             self.options.addWidget(options)
             options.show()
             self.shown_options = options
-        self.options_holder.setVisible(options is not None)
+        self.options_area.setVisible(options is not None)
 
     def show_organ(self) -> None:
         for panel in self.panels.values():

@@ -89,6 +89,8 @@ class Status(QStatusBar):
         self.place, self.counts, self.rate = QLabel(self), QLabel(self), QLabel(self)
         self.unit, self.saved = QLabel("mm", self), QLabel(self)
         self.unit.setToolTip(tr("Lengths are shown in millimetres"))
+        for label in (self.place, self.counts, self.rate, self.saved, self.busy.words):
+            label.setMinimumWidth(1)
         for label in (self.place, self.counts, self.rate, self.unit, self.saved):
             self.addPermanentWidget(label)
         self.frames, self.clock = 0, QElapsedTimer()

@@ -7,7 +7,7 @@ from typing import Any
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
-from PySide6.QtWidgets import QToolBar, QWidget
+from PySide6.QtWidgets import QToolBar, QToolButton, QWidget
 
 from palpate_editor.views.desk import Desk
 from palpate_editor.views.icons import icon
@@ -78,6 +78,14 @@ class ToolStrip(QToolBar):
 
     def show_hint(self) -> None:
         self.desk.set_hint(orbit_hint() if self.current is None else self.current.hint())
+
+    def be_narrow(self) -> None:
+        """Icons alone, for a small screen; they say their names when pointed at."""
+        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
+        self.setProperty("narrow", True)
+        for part in (self, *self.findChildren(QToolButton)):
+            part.style().unpolish(part)
+            part.style().polish(part)
 
     def show_organ(self, there: bool) -> None:
         for name, action in self.choices.items():

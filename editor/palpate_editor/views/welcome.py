@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QPushButton,
+    QScrollArea,
     QVBoxLayout,
     QWidget,
 )
@@ -21,13 +22,16 @@ from PySide6.QtWidgets import (
 from palpate_editor.document import Organ
 from palpate_editor.views.desk import Desk
 from palpate_editor.views.icons import draw_icon
-from palpate_editor.views.shipped_organs import ShippedOrgans
+from palpate_editor.views.shipped_organs import COLUMNS, ShippedOrgans
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.theme import title_font
 from palpate_editor.views.words import tr
 
 RECENT = 4
 WIDTH, LEAST_WIDTH = 560, 440
+"""[px] of the card, and for all of it beside each other."""
+SIDES, NARROW_SIDES = 30, 10
+"""[px] left free at the left and right."""
 
 
 class Welcome(QFrame):
@@ -41,8 +45,18 @@ class Welcome(QFrame):
         self.desk = desk
         self.setProperty("role", "card")
         self.setObjectName("welcome")
-        column = QVBoxLayout(self)
-        column.setContentsMargins(30, 20, 30, 16)
+        self.area = QScrollArea(self)
+        self.area.setWidgetResizable(True)
+        self.area.setFrameShape(QFrame.Shape.NoFrame)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.addWidget(self.area)
+        self.page = QWidget()
+        self.area.setWidget(self.page)
+        for part in (self.page, self.area.viewport()):
+            part.setAutoFillBackground(False)
+        self.column = column = QVBoxLayout(self.page)
+        column.setContentsMargins(SIDES, 20, SIDES, 16)
         column.setSpacing(8)
         self.sign = QLabel(self)
         self.sign.setAlignment(Qt.AlignmentFlag.AlignHCenter)
@@ -50,6 +64,7 @@ class Welcome(QFrame):
         title = write_label(tr("Drop an organ here"), "title", self)
         title.setFont(title_font(self.font(), 1.55))
         title.setAlignment(Qt.AlignmentFlag.AlignHCenter)
+        title.setWordWrap(True)
         column.addWidget(title)
         lead = write_label(
             tr("A mesh from a scan or a modeller (OBJ, STL, PLY, glTF, FBX …), or an .organ file."),
@@ -59,7 +74,7 @@ class Welcome(QFrame):
         lead.setWordWrap(True)
         lead.setAlignment(Qt.AlignmentFlag.AlignHCenter)
         column.addWidget(lead)
-        row = QHBoxLayout()
+        self.row = row = QHBoxLayout()
         row.setContentsMargins(0, 8, 0, 4)
         self.import_button = QPushButton(tr("Import a mesh…"), self)
         self.import_button.setProperty("main", True)
@@ -71,7 +86,9 @@ class Welcome(QFrame):
         row.addWidget(self.open_button)
         row.addStretch(1)
         column.addLayout(row)
-        column.addWidget(write_label(tr("Or begin with one of these"), "faint", self))
+        begin = write_label(tr("Or begin with one of these"), "faint", self)
+        begin.setWordWrap(True)
+        column.addWidget(begin)
         self.shipped = ShippedOrgans(self)
         column.addWidget(self.shipped)
         self.recent = QGridLayout()
@@ -128,17 +145,26 @@ class Welcome(QFrame):
 
     def place(self) -> None:
         room = self.parentWidget().size()
-        self.setFixedWidth(min(WIDTH, max(LEAST_WIDTH, room.width() - 16)))
+        width = min(WIDTH, max(0, room.width() - 16))
+        narrow = width < LEAST_WIDTH
+        sides = NARROW_SIDES if narrow else SIDES
+        self.column.setContentsMargins(sides, 20, sides, 16)
+        way = QHBoxLayout.Direction.TopToBottom if narrow else QHBoxLayout.Direction.LeftToRight
+        self.row.setDirection(way)
+        self.shipped.use_columns(1 if narrow else COLUMNS)
+        self.setFixedWidth(width)
         # in a low window the organs matter more than the sign, and then their names than they do
         for with_sign, large in ((True, True), (False, True), (False, False)):
             self.sign.setVisible(with_sign)
             self.shipped.use_size(large)
             self.shipped.layout().activate()
-            self.layout().invalidate()
-            self.layout().activate()
-            height = self.layout().totalHeightForWidth(self.width())
+            self.column.invalidate()
+            self.column.activate()
+            height = self.column.totalHeightForWidth(self.width()) + 2 * self.frameWidth()
             if height <= room.height() - 16:
                 break
+        # what there is no room for is scrolled
+        height = min(height, max(0, room.height() - 16))
         self.resize(self.width(), height)
         self.move((room.width() - self.width()) // 2, max(8, (room.height() - self.height()) // 2))
 

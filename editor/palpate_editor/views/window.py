@@ -6,7 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from palpate.viewport import make_view
-from palpate.viewport.screen import fit_to_screen, keep_on_screen
+from palpate.viewport.screen import find_room, fit_to_screen, keep_on_screen
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QShowEvent
 from PySide6.QtWidgets import QMainWindow, QToolBar, QVBoxLayout, QWidget
@@ -175,7 +175,7 @@ class MainWindow(QMainWindow):
         self.docks.show("stage")
         self.actions_by_name.check(f"stage_{stage}")
         if stage == "test":
-            self.docks.show("force")
+            self.docks.show_beside("force")
         self.desk.stage_shown.emit(stage)
 
     def toggle_run(self) -> None:
@@ -243,7 +243,8 @@ class MainWindow(QMainWindow):
         self.tools.use_colours(colours)
         self.actions_by_name.use_colours(colours)
         self.stage_dock.show_assessment()
-        self.stage_dock.fit()
+        if not self.docks.folded:
+            self.stage_dock.fit()
 
     # ------------------------------------------------------------ extras
 
@@ -274,6 +275,9 @@ class MainWindow(QMainWindow):
         if self.fresh:
             self.fresh = False
             self.docks.arrange()
+        self.docks.fit(find_room(self))
+        if self.docks.folded:
+            self.tools.be_narrow()
         keep_on_screen(self)
 
     # ------------------------------------------------------------ dropping and closing

@@ -35,32 +35,127 @@ for stage in window.stage_bar.steps:
     app.processEvents()
     sizes.append([window.frameGeometry().width(), window.frameGeometry().height()])
 free = window.screen().availableGeometry()
+MORE
 window.may_close = True
 window.close()
-print(json.dumps([[free.width(), free.height()], sizes]))
+print(json.dumps([[free.width(), free.height()], sizes, counts, missed]))
+"""
+SCREENS = [((1280, 720), 1), ((1920, 1080), 2), ((1280, 720), 2), ((1366, 768), 1.5)]
+
+
+REACH_EVERYTHING = """
+
+from PySide6.QtWidgets import (
+    QAbstractButton, QAbstractItemView, QAbstractSlider, QAbstractSpinBox, QComboBox, QLineEdit,
+    QPlainTextEdit, QScrollArea, QScrollBar,
+)
+CONTROLS = (QAbstractButton, QAbstractItemView, QAbstractSlider, QAbstractSpinBox, QComboBox,
+            QLineEdit, QPlainTextEdit)
+
+def reach(widget):
+    # scrolls all areas around it, then says whether it can be seen, as far as the areas are large
+    areas = []
+    parent = widget.parentWidget()
+    while parent is not None:
+        if isinstance(parent, QScrollArea) and parent.widget().isAncestorOf(widget):
+            areas.append(parent)
+            spot = widget.mapTo(parent.widget(), widget.rect().center())
+            parent.ensureVisible(spot.x(), spot.y(), widget.width() // 2, widget.height() // 2)
+            app.processEvents()
+        parent = parent.parentWidget()
+    seen, room = widget.rect(), areas[0].viewport().size() if areas else widget.size()
+    part = widget
+    while part is not window:
+        seen = seen.translated(part.pos())
+        part = part.parentWidget()
+        seen = seen.intersected(part.rect())
+    wide, high = min(widget.width(), room.width()) - 8, min(widget.height(), room.height()) - 8
+    if seen.width() < wide or seen.height() < high:
+        return [widget.metaObject().className(), widget.objectName(), seen.getRect(), [wide, high]]
+
+def miss(holder, where):
+    controls = [part for part in holder.findChildren(QWidget) if isinstance(part, CONTROLS)]
+    controls = [part for part in controls if part.isVisibleTo(holder) and part.width() > 8
+                and not isinstance(part, QScrollBar) and not part.objectName().startswith("qt_")]
+    counts[where] = len(controls)
+    return [[where, *found] for part in controls if (found := reach(part))]
+
+from PySide6.QtWidgets import QWidget
+import time
+counts = {}
+missed = miss(window.welcome, "welcome")
+window.files.open_shipped("spleen")
+until = time.monotonic() + 120
+while window.session.organ.surface is None or not window.desk.assessor.is_current:
+    app.processEvents()
+    assert time.monotonic() < until
+for stage in window.stage_bar.steps:
+    window.show_stage(stage)
+    app.processEvents()
+    missed += miss(window.stage_dock, stage)
+    missed += miss(window.stage_bar, "stages")
+for tool in window.tools.choices:
+    window.tools.use(tool)
+    app.processEvents()
+    missed += miss(window.stage_dock, tool)
+    missed += miss(window.tools, "tools")
+    sizes.append([window.frameGeometry().width(), window.frameGeometry().height()])
+for name, dock in window.docks.docks.items():
+    window.docks.show(name)
+    app.processEvents()
+    missed += miss(dock.widget(), name)
+for show in (window.show_palette, window.show_help, window.material_panel.published.show_values):
+    show()
+    app.processEvents()
+    for dialog in (top for top in app.topLevelWidgets() if top.isVisible() and top is not window):
+        sizes.append([dialog.frameGeometry().width(), dialog.frameGeometry().height()])
+        dialog.close()
+    counts["dialogs"] = counts.get("dialogs", 0) + 1
+least = window.minimumSizeHint()
+sizes.append([least.width(), least.height()])
 """
 
 
-@pytest.mark.parametrize("language", ["en", "tr"])
-@pytest.mark.parametrize(("size", "factor"), [((1280, 720), 1), ((1920, 1080), 2)])
-def test_the_editor_fits_its_screen_in_every_stage(tmp_path, size, factor, language):
+def open_on_a_screen(folder, size, factor, language, more="counts, missed = {}, []") -> tuple:
+    """Free room, sizes of the window, and what `more` counts and misses, all in pixels."""
     screen = {"name": "small", "x": 0, "y": 0, "width": size[0], "height": size[1]}
     screen |= {"logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1}
-    config = tmp_path / "screens.json"
+    config = folder / "screens.json"
     config.write_text(json.dumps({"screens": [screen]}))
     env = os.environ | {
         "QT_QPA_PLATFORM": f"offscreen:configfile={config}",
         "QT_SCALE_FACTOR": str(factor),
     }
 
-    words = [sys.executable, "-c", OPEN_ON_A_SCREEN, str(tmp_path), language]
+    program = OPEN_ON_A_SCREEN.replace("MORE", more)
+    words = [sys.executable, "-c", program, str(folder), language]
     ran = subprocess.run(words, env=env, capture_output=True, text=True)
-
     assert ran.returncode == 0, ran.stderr
-    free, sizes = json.loads(ran.stdout.splitlines()[-1])
-    assert free == [size[0] // factor, size[1] // factor]
+    return json.loads(ran.stdout.splitlines()[-1])
+
+
+@pytest.mark.parametrize("language", ["en", "tr"])
+@pytest.mark.parametrize(("size", "factor"), SCREENS)
+def test_the_editor_fits_its_screen_in_every_stage(tmp_path, size, factor, language):
+    free, sizes, _, _ = open_on_a_screen(tmp_path, size, factor, language)
+
+    assert free == [round(pixels / factor) for pixels in size]
     for width, height in sizes:
         assert width <= free[0] and height <= free[1], (free, sizes)
+
+
+@pytest.mark.parametrize("language", ["en", "tr"])
+def test_on_640_by_360_pixels_every_control_is_reached_by_scrolling(tmp_path, language):
+    free, sizes, counts, missed = open_on_a_screen(
+        tmp_path, (1280, 720), 2, language, REACH_EVERYTHING
+    )
+
+    assert free == [640, 360]
+    assert missed == []
+    assert counts["welcome"] > 8 and counts["stages"] == 6 and counts["tools"] >= 4
+    assert counts["dialogs"] == 3
+    assert all(counts[stage] > 3 for stage in ("import", "material", "test", "publish"))
+    assert max(width for width, _ in sizes) <= 640 and max(high for _, high in sizes) <= 360
 
 
 def test_docks_that_a_small_window_squeezed_are_as_large_as_before_in_a_large_one(qtbot, window):

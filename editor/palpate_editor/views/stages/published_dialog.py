@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 from palpate.verb import Refusal
-from PySide6.QtCore import Qt, Signal
+from palpate.viewport.screen import fit_to_screen
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
@@ -37,7 +38,7 @@ from palpate_editor.views.shipped_organs import name_tissue
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.words import number, say, tr
 
-SIZE = (880, 520)
+SIZE = QSize(880, 520)
 OWN = Qt.ItemDataRole.UserRole
 
 
@@ -140,7 +141,7 @@ class PublishedDialog(QDialog):
     def show_tissue(self, row: int) -> None:
         """Opens on a tissue."""
         self.tissue.setCurrentIndex(row)
-        self.resize(*SIZE)
+        fit_to_screen(self, SIZE)
         self.show()
         self.raise_()
 
