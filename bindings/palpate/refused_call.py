@@ -8,6 +8,7 @@ fit is found by the words of the signature, and named with what it was and what 
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -16,6 +17,8 @@ import numpy as np
 
 NUMBER = "typing.SupportsFloat | typing.SupportsIndex"
 WHOLE = "typing.SupportsInt | typing.SupportsIndex"
+MODULES = r"palpate(?:\._sim|_editor\._authoring)\."
+"""What the names of bound classes begin with."""
 LONGEST = 60
 """[characters] of a value that a refusal repeats."""
 
@@ -91,14 +94,15 @@ def name_kind(kind: str) -> str:
         return f"{size[1] or size[2]} of them in a list"
     kind = kind.replace(NUMBER, "a number").replace(WHOLE, "a whole number")
     kind = re.sub(r"typing\.Annotated\[numpy\.typing\.\w+, numpy\.(\w+)\]", r"an array of \1", kind)
-    kind = re.sub(r"palpate\._sim\.(?:_scenario\.)?|collections\.abc\.|typing\.", "", kind)
+    kind = re.sub(rf"{MODULES}(?:_scenario\.)?|collections\.abc\.|typing\.", "", kind)
     return kind.replace(" | ", " or ")
 
 
-def find_class(name: str) -> type | None:
-    import palpate._sim as found
-
-    for part in name.split("."):
+def find_class(kind: str) -> type | None:
+    """The class that a signature names, with its module."""
+    module = re.match(MODULES, kind)
+    found: object = sys.modules.get(module[0].removesuffix(".")) if module else None
+    for part in re.sub(MODULES, "", kind).split("."):
         found = getattr(found, part, None)
     return found if isinstance(found, type) else None
 
@@ -125,8 +129,8 @@ def fits_one(value: object, kind: str) -> bool:
         )
     if kind in ("bool", "str", "bytes"):
         return isinstance(value, {"bool": bool | np.bool_, "str": str, "bytes": bytes}[kind])
-    if kind.startswith("palpate._sim."):
-        known = find_class(kind.removeprefix("palpate._sim."))
+    if re.match(MODULES, kind):
+        known = find_class(kind)
         return known is None or isinstance(value, known)
     if kind == "None":
         return value is None

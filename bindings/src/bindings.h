@@ -3,6 +3,8 @@
 
 #include <pybind11/pybind11.h>
 
+#include "calls.h"
+
 namespace palpate::bindings {
 
 // One per folder of core/sim, called in this order: each needs the types of those before it.
@@ -31,9 +33,6 @@ void bind_serial(pybind11::module_& m);
 void bind_loop(pybind11::module_& m);
 void bind_session(pybind11::module_& m);
 void bind_bench(pybind11::module_& m);
-/// Refuses Python subclasses that override what only C++ calls.
-void refuse_overrides(const pybind11::object& interface);
 void bind_scenario(pybind11::module_& parent);  ///< a submodule, as it is a namespace in C++
-void bind_calls(pybind11::module_& m);          ///< last: what every call then passes through
 
 }  // namespace palpate::bindings

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pybind11/pybind11.h>
+#include "calls.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <cstring>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
-
-#include "bindings.h"
 
 /// What every call from Python passes through, once all is bound.
 ///
@@ -15,7 +15,8 @@
 /// method and property alike
 /// - an argument that no overload takes is refused in one sentence (palpate/refused_call.py);
 /// - what belongs to a running World, or to the tissue of a Scene, is shown read-only, as a tick
-///   has copies of its own of much of it and would not heed what is written there.
+///   has copies of its own of much of it and would not heed what is written there; a function that
+///   would write to it is refused.
 /// An object whose __init__ was never called is refused wherever it is used. The words of every
 /// function gain what its arguments are.
 namespace palpate::bindings {
@@ -28,6 +29,26 @@ static_assert(PYBIND11_VERSION_HEX >= 0x03010000, "the entry below is that of py
 using EntryPoint = PyObject* (*)(PyObject*, PyObject* const*, Py_ssize_t, PyObject*);
 
 constexpr const char* kUnmade = "found an object made by __new__ alone";
+
+/// What functions write to, by the class of the argument. tests/bindings/test_arguments.py compares
+/// them with the sources.
+struct Write {
+  const char *function, *type;
+};
+constexpr std::array kWrites = {
+    Write{"AabbTree.refit", "AabbTree"},
+    Write{"ImplicitStepper.step", "State"},
+    Write{"Load.add", "Load"},
+    Write{"Load.clear", "Load"},
+    Write{"attach_tool", "ToolState"},
+    Write{"balance_tool", "Load"},
+    Write{"balance_tool", "ToolState"},
+    Write{"check", "Guard"},
+    Write{"find_candidates", "Candidates"},
+    Write{"place_tool", "ToolState"},
+    Write{"release_tool", "ToolState"},
+    Write{"step", "State"},
+};
 
 struct Bound {
   enum class Kind { function, getter, setter } kind = Kind::function;
@@ -86,6 +107,28 @@ void reword(const std::string& name, PyObject* const* args, Py_ssize_t count, Py
   PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(refusal.ptr())), refusal.ptr());
 }
 
+/// The class of a part of a World that a function would write to; none if there is none.
+const char* find_written_part(const std::string& function, PyObject* const* args,
+                              Py_ssize_t count) {
+  for (Py_ssize_t i = 0; i < count; ++i) {
+    if (!is_part(args[i])) continue;
+    const std::string type = py::str(py::type::of(args[i]).attr("__name__"));
+    const auto write = std::find_if(kWrites.begin(), kWrites.end(), [&](const Write& known) {
+      return function == known.function && type == known.type;
+    });
+    if (write != kWrites.end()) return write->type;
+  }
+  return nullptr;
+}
+
+PyObject* refuse_part(const std::string& function, const char* type) {
+  PyErr_Format(PyExc_ValueError,
+               "%s: found a %s that is part of a World, expected one that belongs to nothing else: "
+               "ticks alone move what is in a World; copy.copy() gives one to work with",
+               function.c_str(), type);
+  return nullptr;
+}
+
 PyObject* enter(PyObject* self, PyObject* const* args, Py_ssize_t count, PyObject* keywords) {
   const auto found = bound().find(self);
   const Bound& function = found == bound().end() ? Bound{} : found->second;
@@ -96,6 +139,11 @@ PyObject* enter(PyObject* self, PyObject* const* args, Py_ssize_t count, PyObjec
                  "change, expected it to be made before the Scene is, or in a copy",
                  function.name.c_str());
     return nullptr;
+  }
+  if (function.kind == Bound::Kind::function && !parts().empty()) {
+    const Py_ssize_t named = keywords == nullptr ? 0 : PyTuple_GET_SIZE(keywords);
+    const char* part = find_written_part(function.name, args, count + named);
+    if (part != nullptr) return refuse_part(function.name, part);
   }
   PyObject* result = pybind11_entry()(self, args, count, keywords);
   try {

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from os import PathLike
 from typing import Any
 
-from palpate import SurfaceMesh
+from palpate import SolidMesh, SurfaceMesh
 
 Path = str | PathLike[str]
 
@@ -188,3 +188,14 @@ class FilledHoles:
 
 def fill_holes(mesh: SurfaceMesh, holes: Sequence[int]) -> FilledHoles:
     """Closes holes, numbered as palpate.find_border_loops lists them. Raises ValueError."""
+
+MOST_HOLE_EDGES: int
+"""Of a hole that fill_holes closes."""
+MOST_TETRAHEDRA: int
+"""That fill_interior makes."""
+
+def choose_cell_size(surface: SurfaceMesh, tetrahedron_count: int) -> float:
+    """[m] At which about tetrahedron_count tetrahedra fill the surface; good to a third."""
+
+def fill_interior(surface: SurfaceMesh, cell_size: float) -> SolidMesh:
+    """Tetrahedra of about cell_size [m] that fill a closed surface. Raises ValueError."""

@@ -9,7 +9,7 @@ namespace py = pybind11;
 using namespace pybind11::literals;
 
 void bind_fill(py::module_& m) {
-  m.attr("kMostHoleEdges") = kMostHoleEdges;
+  m.attr("MOST_HOLE_EDGES") = kMostHoleEdges;
   py::class_<FilledHoles>(m, "FilledHoles", "A surface with some of its holes closed.")
       .def_readonly("mesh", &FilledHoles::mesh,
                     "Vertices and triangles of the source first, in their order.")
@@ -24,7 +24,7 @@ void bind_fill(py::module_& m) {
       "mesh"_a, "holes"_a, py::call_guard<py::gil_scoped_release>(),
       "Close holes, numbered as palpate.find_border_loops lists them, with refined and smoothly "
       "bent patches; those whose patch would cross the surface stay open. Raises ValueError.");
-  m.attr("kMostTetrahedra") = kMostTetrahedra;
+  m.attr("MOST_TETRAHEDRA") = kMostTetrahedra;
   m.def("choose_cell_size", &choose_cell_size, "surface"_a, "tetrahedron_count"_a,
         py::call_guard<py::gil_scoped_release>(),
         "[m] The cell size at which about tetrahedron_count tetrahedra fill the surface; good to a "

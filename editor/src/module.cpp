@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bindings.h"
+#include "calls.h"
 
 PYBIND11_MODULE(_authoring, m) {
   m.doc() =
@@ -13,4 +14,5 @@ PYBIND11_MODULE(_authoring, m) {
   palpate::authoring::bind_decimate(m);
   palpate::authoring::bind_fill(m);
   palpate::authoring::bind_write(m);
+  palpate::bindings::bind_calls(m);
 }

@@ -3,6 +3,10 @@
 
 from __future__ import annotations
 
+import copy
+import re
+from pathlib import Path
+
 import numpy as np
 import palpate
 import pytest
@@ -247,6 +251,74 @@ def test_what_belongs_to_a_world_is_read_only(kernel):
     ):
         with pytest.raises(AttributeError, match="part of a Scene or a World"):
             change()
+
+
+@pytest.fixture
+def world() -> palpate.World:
+    return palpate.World(organ_scene(1))
+
+
+@pytest.mark.parametrize(
+    ("call", "name"),
+    [
+        (lambda w, m: palpate.step(m, palpate.Load(), 1e-4, w.tissue), "step: found a State"),
+        (
+            lambda w, m: palpate.step(model=m, load=palpate.Load(), dt=1e-4, state=w.tissue),
+            "step: found a State",
+        ),
+        (lambda w, m: palpate.release_tool(w.tool), "release_tool: found a ToolState"),
+        (lambda w, m: w.load.clear(), r"Load.clear: found a Load"),
+        (lambda w, m: w.load.add(palpate.Push()), r"Load.add: found a Load"),
+        (lambda w, m: w.tree.refit(m.rest_position), "AabbTree.refit: found a AabbTree"),
+        (
+            lambda w, m: palpate.check(m, (0, 0, 0), palpate.State(m), 0.0, w.guard),
+            "check: found a Guard",
+        ),
+    ],
+    ids=["step", "by name", "release", "clear", "add", "refit", "check"],
+)
+def test_no_function_moves_what_belongs_to_a_world(world, call, name):
+    model = organ_scene(1).tissue
+    before = palpate.compute_hash(world)
+
+    with pytest.raises(ValueError, match=name + " that is part of a World, expected one that"):
+        call(world, model)
+
+    assert palpate.compute_hash(world) == before
+
+
+def test_what_belongs_to_a_world_is_read_by_functions_and_copied(world):
+    model = organ_scene(1).tissue
+    state = copy.copy(world.tissue)
+
+    palpate.step(model, world.load, 1e-4, state)
+    palpate.check(model, (0, 0, 0), world.tissue, 0.0, palpate.Guard(model, (0, 0, 0), state))
+
+    assert state.time == 1e-4 and world.tissue.time == 0.0
+
+
+BINDINGS = Path(palpate.__file__).parents[1] / "src"
+OF_WORLD = "State|ToolState|Guard|Load|AabbTree|Candidates"
+
+
+def test_every_function_that_writes_to_a_part_of_a_world_is_known():
+    known = set(re.findall(r'Write\{"(?:\w+\.)?(\w+)", "(\w+)"\}', read(BINDINGS / "calls.cpp")))
+    found = set()
+    for source in BINDINGS.glob("*.cpp"):
+        for name, _, parameters in re.findall(
+            r'def\(\s*"(\w+)",\s*\[([^\]]*)\]\(([^)]*)\)', read(source)
+        ):
+            for written in re.findall(rf"(?<!const )\b({OF_WORLD})& \w+", parameters):
+                found.add((name, written))
+    # bound without a lambda
+    found |= {("release_tool", "ToolState"), ("add", "Load"), ("clear", "Load")}
+
+    assert len(found) > 8
+    assert found == known
+
+
+def read(path: Path) -> str:
+    return path.read_text(encoding="utf-8")
 
 
 def test_what_belongs_to_nobody_else_is_written_to():

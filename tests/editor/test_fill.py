@@ -38,7 +38,7 @@ def file(spleen, tmp_path) -> Path:
 
 def test_what_a_new_organ_is_filled_with_is_what_the_library_chooses():
     assert FillPart().nodal_share == palpate.SolidOptions().nodal_share
-    assert _authoring.kMostTetrahedra == MOST_TETRAHEDRA
+    assert _authoring.MOST_TETRAHEDRA == MOST_TETRAHEDRA
 
 
 def test_more_tetrahedra_fill_the_same_organ_finer_and_cost_more(spleen):
