@@ -4,13 +4,16 @@
 from __future__ import annotations
 
 import ast
+import tomllib
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
 import palpate
 import pytest
 from palpate import translation
+from palpate.cli import main
 from palpate.play import open_play
+from palpate.player import TraineeWindow
 from published import TITLE, publish
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -84,6 +87,38 @@ def test_the_language_of_the_system_is_taken_where_it_is_ours():
     assert translation.find_language(["de_DE"]) == "en"
     with pytest.raises(KeyError, match="one of en, tr"):
         translation.install(QApplication.instance(), "de")
+
+
+SHIPPED = Path(__file__).resolve().parents[2] / "meshes"
+
+
+@pytest.mark.parametrize("name", ["gallbladder", "liver"])
+def test_play_in_turkish_shows_the_turkish_title_and_task_of_a_scene_that_ships(
+    qapp, shown, monkeypatch, capsys, name
+):
+    catalogue = tomllib.loads((SHIPPED / "CATALOGUE.toml").read_text(encoding="utf-8"))
+    entry = catalogue["organs"][name]
+    words = entry["languages"]["tr"]
+    seen: list[str] = []
+
+    def play_and_look(*_: object) -> int:
+        window = next(top for top in qapp.topLevelWidgets() if isinstance(top, TraineeWindow))
+        seen.extend(texts(window))
+        window.restart()
+        seen.extend(texts(window))
+        window.close()
+        return 0
+
+    monkeypatch.setattr(QApplication, "exec", play_and_look)
+    try:
+        code = main(["play", str(SHIPPED / "published" / f"{name}.palpate"), "--language", "tr"])
+    finally:
+        translation.install(qapp, "en")
+
+    assert code == 0
+    assert seen.count(words["title"]) == 2 and seen.count(words["task"]) == 2
+    assert entry["title"] not in seen
+    assert capsys.readouterr().out.startswith(words["title"])
 
 
 # ---------------------------------------------------------------- pictures for people

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QByteArray, QEvent, QObject, QSize, Qt, QTimer
+from PySide6.QtCore import QByteArray, QEvent, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabBar, QUndoView, QWidget
 
@@ -24,6 +24,9 @@ class Docks(QObject):
     A window that gets smaller squeezes its docks, and Qt gives what it wins back to the middle
     alone. So the sizes that a person gave them are kept, and given again as far as there is room.
     """
+
+    folding = Signal(bool)
+    """Whether they stand in one column now."""
 
     def __init__(self, window: QMainWindow):
         super().__init__(window)
@@ -71,6 +74,10 @@ class Docks(QObject):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """A drag of a line between docks is told to the window alone."""
         if event.type() == QEvent.Type.Resize:
+            if self.folded and self.window.size().expandedTo(self.unfolded[1]) == (
+                self.window.size()
+            ):
+                self.unfold()
             self.settled.start()
         elif event.type() == QEvent.Type.MouseButtonRelease:
             self.remember()
@@ -119,6 +126,8 @@ class Docks(QObject):
         """Folds the docks where side by side they need more than the room [px] of the screen."""
         least = self.window.minimumSizeHint()
         if not self.folded and (least.width() > room.width() or least.height() > room.height()):
+            self.unfolded = self.window.saveState(LAYOUT_VERSION), least, dict(self.wanted)
+            self.least = {name: dock.widget().minimumWidth() for name, dock in self.docks.items()}
             self.fold()
 
     def fold(self) -> None:
@@ -137,11 +146,25 @@ class Docks(QObject):
             bar.setElideMode(Qt.TextElideMode.ElideNone)
             bar.setUsesScrollButtons(True)
         stage.raise_()
+        self.folding.emit(True)
         layout = self.window.layout()
         if layout is not None:  # until then the window keeps the least size it had
             layout.invalidate()
             layout.activate()
         self.wanted = {"stage": QSize(FOLDED, stage.height())}
+        self.recover()
+
+    def unfold(self) -> None:
+        """As before, in a window that has come to a larger screen."""
+        self.folded = False
+        state, _, self.wanted = self.unfolded
+        for name, dock in self.docks.items():
+            holder = dock.titleBarWidget()
+            dock.setTitleBarWidget(None)  # type: ignore[arg-type]
+            holder.deleteLater()
+            dock.widget().setMinimumWidth(self.least[name])
+        self.folding.emit(False)
+        self.window.restoreState(state, LAYOUT_VERSION)
         self.recover()
 
     def show(self, name: str) -> None:

@@ -79,10 +79,13 @@ class ToolStrip(QToolBar):
     def show_hint(self) -> None:
         self.desk.set_hint(orbit_hint() if self.current is None else self.current.hint())
 
-    def be_narrow(self) -> None:
+    def be_narrow(self, narrow: bool) -> None:
         """Icons alone, for a small screen; they say their names when pointed at."""
-        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
-        self.setProperty("narrow", True)
+        style = Qt.ToolButtonStyle
+        self.setToolButtonStyle(
+            style.ToolButtonIconOnly if narrow else style.ToolButtonTextUnderIcon
+        )
+        self.setProperty("narrow", narrow)
         for part in (self, *self.findChildren(QToolButton)):
             part.style().unpolish(part)
             part.style().polish(part)

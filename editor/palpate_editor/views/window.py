@@ -152,6 +152,7 @@ class MainWindow(QMainWindow):
         desk.jobs.stopped.connect(self.on_job)
         self.publishing.published.connect(self.on_published)
         self.stage_bar.chosen.connect(self.show_stage)
+        self.docks.folding.connect(self.tools.be_narrow)
         self.tools.chosen.connect(self.on_tool)
         self.test_panel.run_changed.connect(self.display.hold)
         desk.preview_shown.connect(self.display.hold)
@@ -276,8 +277,6 @@ class MainWindow(QMainWindow):
             self.fresh = False
             self.docks.arrange()
         self.docks.fit(find_room(self))
-        if self.docks.folded:
-            self.tools.be_narrow()
         keep_on_screen(self)
 
     # ------------------------------------------------------------ dropping and closing

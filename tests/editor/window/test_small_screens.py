@@ -11,7 +11,7 @@ import sys
 import pytest
 from hands import child, type_into
 from patience import settle
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtTest import QTest
 
 pytestmark = pytest.mark.window
@@ -156,6 +156,24 @@ def test_on_640_by_360_pixels_every_control_is_reached_by_scrolling(tmp_path, la
     assert counts["dialogs"] == 3
     assert all(counts[stage] > 3 for stage in ("import", "material", "test", "publish"))
     assert max(width for width, _ in sizes) <= 640 and max(high for _, high in sizes) <= 360
+
+
+def test_docks_are_unfolded_on_a_larger_screen(qtbot, window):
+    docks = window.docks
+    docks.fit(QSize(640, 360))
+    qtbot.wait(20)
+    assert docks.folded and window.tabifiedDockWidgets(docks.docks["stage"])
+    assert window.tools.toolButtonStyle() == Qt.ToolButtonStyle.ToolButtonIconOnly
+
+    window.resize(640, 360)
+    qtbot.wait(20)
+    assert docks.folded
+    window.resize(1440, 900)
+    qtbot.wait(50)
+
+    assert not docks.folded and not window.tabifiedDockWidgets(docks.docks["stage"])
+    assert docks.docks["scene"].isVisible() and docks.docks["scene"].titleBarWidget() is None
+    assert window.tools.toolButtonStyle() == Qt.ToolButtonStyle.ToolButtonTextUnderIcon
 
 
 def test_docks_that_a_small_window_squeezed_are_as_large_as_before_in_a_large_one(qtbot, window):
