@@ -72,6 +72,7 @@
 #include "palpate/sim/haptics/linear_tick.h"
 #include "palpate/sim/haptics/local_law.h"
 #include "palpate/sim/haptics/loop.h"
+#include "palpate/sim/haptics/mailbox_device.h"
 #include "palpate/sim/haptics/moment.h"
 #include "palpate/sim/haptics/move_tissue.h"
 #include "palpate/sim/haptics/native_core.h"

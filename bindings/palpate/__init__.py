@@ -13,3 +13,4 @@ from palpate.error import DeviceError as DeviceError
 from palpate.error import FileError as FileError
 from palpate.error import NotDurable as NotDurable
 from palpate.mesh_files import read_mesh as read_mesh
+from palpate.python_device import PythonDevice as PythonDevice

@@ -2121,7 +2121,9 @@ class Felt:
     @position.setter
     def position(self, value: ArrayLike) -> None: ...
     touched: int
-    """Bit 0: touching, bit 1: attached."""
+    """Bit 0: touching, bit 1: attached, bit 2 (NOT_RENDERED): the device's motors were not on,
+    so nobody felt the force.
+    """
     lateness_us: int
     """[us] saturates."""
     dtype: np.dtype[np.void]
@@ -2134,6 +2136,10 @@ class Felt:
     def __repr__(self) -> str:
         """The value on one line."""
 
+TOUCHING: int
+ATTACHED: int
+NOT_RENDERED: int
+
 class HappeningKind(enum.IntEnum):
     """What may happen at a tick."""
 
@@ -2145,6 +2151,8 @@ class HappeningKind(enum.IntEnum):
     released = 6
     paused = 7
     tree_exchanged = 8
+    motors_off = 9
+    motors_on = 10
 
 class Happening:
     """Something that happened at a tick."""
@@ -2452,9 +2460,17 @@ def compute_winding_number(triangles: ArrayLike, x: ArrayLike, p: ArrayLike) -> 
         p: [m] shape (3,)
     """
 
+class MotorState(enum.Enum):
+    """Whether a device makes the hand feel the force that it is sent."""
+
+    on = 0
+    silent = 1
+    off = 2
+    cut = 3
+
 class HapticDevice:
     """A haptic device, real or simulated. read and write belong to the haptic thread, which
-    Python never enters, so Python cannot make a device of its own: feed a PointerDevice.
+    Python never enters: to write a device in Python, hand its driver to a PythonDevice.
     """
     def read(self, time: float) -> HapticSample:
         """The hand at time [s] since the run began; devices with a clock of their own may
@@ -2467,6 +2483,19 @@ class HapticDevice:
         """The force the device shall make the hand feel."""
     def end(self) -> None:
         """A run is over: motors off, until the next write. The live loop calls it at its end."""
+    def rest(self, seconds: float) -> None:
+        """The run is paused and its time stands still: no force, and so many [s] of the world's
+        time have passed since the last call.
+
+        Args:
+            seconds: [s]
+        """
+    def motors(self) -> MotorState:
+        """Whether the hand feels what is written now."""
+    def explain_fault(self) -> str:
+        """Why the motors are cut, or the device has failed, and what to do; empty where it
+        cannot tell.
+        """
     def name(self) -> str:
         """What it is called in reports."""
     def failed(self) -> bool:
@@ -2542,6 +2571,9 @@ class DeviceFault(enum.Enum):
     sample_not_finite = 1
     force_not_finite = 2
     device_failed = 3
+    sample_out_of_reach = 4
+    sample_too_fast = 5
+    motors_cut = 6
 
 class SafeDevice(HapticDevice):
     """Stands between the tick and any device. What passes is finite, gives the hand no energy
@@ -2551,14 +2583,19 @@ class SafeDevice(HapticDevice):
     """
     def __init__(self, device: HapticDevice, limits: SafetyLimits = ...) -> None:
         """Raises ValueError for limits that are not positive."""
-    def rest(self) -> None:
+    def rest(self, seconds: float = ...) -> None:
         """A zero force at once, past the slew limit; the next command fades in as the first one
-        did.
+        did. So many [s] have passed in a pause.
+
+        Args:
+            seconds: [s]
         """
     def fault(self) -> DeviceFault:
         """The first fault; none for none."""
+    def fault_value(self) -> float:
+        """What the fault found: [m] or [m/s], 0 for a fault without a value."""
     def sent(self) -> HapticCommand:
-        """What was really sent last."""
+        """What was really sent last; nothing while the motors are not on."""
     def limited_count(self) -> int:
         """How often a limit had to act."""
     def damped_count(self) -> int:
@@ -2569,6 +2606,14 @@ class SafeDevice(HapticDevice):
         """[-] Of what the motors stand for ever, 0 to 1."""
     def __reduce_ex__(self, protocol: int) -> object:
         """Raises TypeError: not to be pickled."""
+
+def describe_fault(fault: DeviceFault, value: float, device: HapticDevice) -> str:
+    """One sentence without a stop. value is what the fault found, [m] or [m/s] where it has
+    one; what the motors are cut for, or why the device failed, the device says.
+
+    Args:
+        value: [m] or [m/s] that the fault found
+    """
 
 class DeviceCheck:
     """One thing a device owes, and whether it keeps it."""
@@ -2720,6 +2765,23 @@ class ScriptedDevice(HapticDevice):
     @property
     def last_command(self) -> HapticCommand:
         """The force it was last sent."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
+
+class MailboxDevice(HapticDevice):
+    """A hand that another thread tells of as often as it can, and that takes the newest force
+    from here; PythonDevice is one with a thread of its own. Outside of real time: what is
+    felt is late by as long as that thread takes. Where no sample comes for 20 ms the force
+    is taken back until one does; after a second the motors count as cut.
+    """
+    def __init__(self, title: str) -> None:
+        """What it is called in reports."""
+    def tell(self, sample: HapticSample) -> None:
+        """The other thread: where the hand is now. time is filled in by read()."""
+    def take_command(self) -> HapticCommand:
+        """The same thread: the newest force."""
+    def fail(self, reason: str) -> None:
+        """From any thread: the device is gone for good, and why; the first reason counts."""
     def __reduce_ex__(self, protocol: int) -> object:
         """Raises TypeError: not to be pickled."""
 
@@ -3783,6 +3845,7 @@ class Faults:
         delay: float = ...,
         stick_at: float = ...,
         unplug_at: float = ...,
+        cut_at: float = ...,
         seed: int = ...,
     ) -> None:
         """Arguments are the fields of these names, with their shapes and units."""
@@ -3798,13 +3861,17 @@ class Faults:
     """[s] from then on the same again."""
     unplug_at: float
     """[s] from then on nothing."""
+    cut_at: float
+    """[s] from then on a device moves but its motors are off; a transport knows of none."""
     seed: int
     """Of what goes wrong, and when."""
     def __copy__(self) -> Faults:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> Faults:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
+    def __getstate__(
+        self, /
+    ) -> tuple[object, object, object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -3823,6 +3890,13 @@ class FaultyTransport(Transport):
     def __reduce_ex__(self, protocol: int) -> object:
         """Raises TypeError: not to be pickled."""
 
+class FaultResponse(enum.Enum):
+    """What becomes of a run whose device fails, or gives no force any more."""
+
+    go_on = 0
+    pause = 1
+    end = 2
+
 class LoopOptions:
     """How the live loop runs."""
     def __init__(
@@ -3833,6 +3907,7 @@ class LoopOptions:
         cpu: int = ...,
         spin: float = ...,
         safety: SafetyLimits = ...,
+        on_fault: FaultResponse = ...,
     ) -> None:
         """Arguments are the fields of these names, with their shapes and units."""
     duration: float
@@ -3845,11 +3920,13 @@ class LoopOptions:
     """[s] spun instead of slept before every tick."""
     safety: SafetyLimits
     """What the device may be sent."""
+    on_fault: FaultResponse
+    """What becomes of the run where the device fails."""
     def __copy__(self) -> LoopOptions:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> LoopOptions:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -3875,12 +3952,15 @@ class Snapshot:
     def tool_position(self, value: ArrayLike) -> None: ...
     @property
     def force(self) -> NDArray[np.float64]:
-        """[N] on the hand. Shape (3,), a view."""
+        """[N] on the hand; none while the motors are not on. Shape (3,), a view."""
     @force.setter
     def force(self, value: ArrayLike) -> None: ...
     @property
     def touching(self) -> bool:
         """Any contact in force."""
+    @property
+    def motors(self) -> MotorState:
+        """Of the device."""
     @property
     def cost(self) -> float:
         """[s] of the last tick."""
@@ -3900,7 +3980,18 @@ class Snapshot:
     def __getstate__(
         self, /
     ) -> tuple[
-        object, object, object, object, object, object, object, object, object, object, object
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
     ]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
@@ -3957,17 +4048,48 @@ class LoopReport:
         """What ended the run; false for nothing."""
     @property
     def fault(self) -> DeviceFault:
-        """Of the device; none for none."""
+        """Of the device, now or when the run ended; none for none."""
+    @property
+    def fault_reason(self) -> str:
+        """In words."""
     @property
     def record_gaps(self) -> int:
         """Ticks the log had no room for."""
+    @property
+    def unrendered_ticks(self) -> int:
+        """The device's motors were not on: their force counts nowhere else here."""
+    @property
+    def peak_force(self) -> float:
+        """[N] The largest that was sent."""
+    @property
+    def touch_ticks(self) -> int:
+        """Touching or attached."""
+    @property
+    def touch_force(self) -> float:
+        """[N] The mean of what was sent in them."""
     def __copy__(self) -> LoopReport:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> LoopReport:
         """A copy of its own."""
     def __getstate__(
         self, /
-    ) -> tuple[object, object, object, object, object, object, object, object, object, object]: ...
+    ) -> tuple[
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+    ]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""

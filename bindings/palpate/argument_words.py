@@ -84,6 +84,7 @@ SPECIAL = {
     "build_membrane_molecular.bend_stiffness": "[J] of every corner; no bearing on the stretch",
     "find_in_sphere.centre": "[m] shape (3,), of the ball",
     "is_positive_definite.stiffness": "[N/m] shape (3, 3), symmetric",
+    "describe_fault.value": "[m] or [m/s] that the fault found",
     "compute_torque.torque_max": "[N·m] shape (3,), of each motor",
 }
 """By function and argument, where the name alone does not say it all."""

@@ -39,8 +39,10 @@ class Frame:
     tool_position: NDArray[np.float64]
     """[m] (3,)"""
     force: NDArray[np.float64]
-    """[N] (3,) on the hand, as the device was sent it."""
+    """[N] (3,) on the hand, as the device was sent it; none while its motors are not on."""
     touching: bool
+    motors: palpate.MotorState
+    """Of the device."""
     cost: float
     """[s] of the last tick."""
     lateness: float
@@ -138,6 +140,7 @@ class LiveRun:
             np.array(now.tool_position),
             np.array(now.force),
             now.touching,
+            now.motors,
             now.cost,
             now.lateness,
             now.substeps,

@@ -18,6 +18,7 @@ import palpate
 from palpate.data_folder import find_record_folder
 from palpate.device_link import SERIAL, build_link
 from palpate.display import require_display
+from palpate.felt import read_touched
 from palpate.file_kind import RECORD
 from palpate.live import LiveRun
 from palpate.output import add_output
@@ -27,7 +28,7 @@ from palpate.run import (
     describe_costs,
     is_published,
     require_recordable,
-    run_device,
+    run_until_fault,
 )
 from palpate.script_file import read_script_file
 from palpate.verb import Refusal, Report, Verb, WrongCall, quantity
@@ -36,6 +37,10 @@ SCRIPT = "script:"
 PLANT = "plant"
 DEVICES = "pointer, script:FILE, plant, plant:script:FILE or serial:PATH"
 EXTRA = 'pip install "palpate[player]"'
+DONE, DEVICE_FAULT = "done", "device_fault"
+"""How a run came out."""
+MUCH = 0.01
+"""[-] by which what was felt and what was computed have to differ before both are told."""
 TAIL = 0.5
 """[s] that a scripted run goes on after its last key frame."""
 
@@ -100,7 +105,9 @@ class Play:
         path = self.name_record()
         header = describe_build(self.scenario.scene, self.path, path, device.name())
         safety = self.find_safety(device)
-        options = palpate.LoopOptions(duration=self.duration, safety=safety)
+        options = palpate.LoopOptions(
+            duration=self.duration, safety=safety, on_fault=palpate.FaultResponse.pause
+        )
         run = LiveRun(self.scenario.scene, device, record=path, header=header, options=options)
         self.records.append(path)
         self.limit = safety.force_max
@@ -194,17 +201,30 @@ def split_device(device: str) -> tuple[str, str]:
 
 
 def play_headless(play: Play) -> Report:
-    """Runs a script through the real 1 kHz loop and says what it felt and what it cost."""
+    """Runs a script, or a real hand, through the real 1 kHz loop and says what was felt and what it
+    cost. A device that fails, or gives no force, ends the run.
+    """
     path = play.name_record()
     device = play.build_device()
     safety = play.find_safety(device)
-    costs = run_device(play.scenario.scene, device, play.duration, path, play.path, safety)
+    costs = run_until_fault(play.scenario.scene, device, play.duration, path, play.path, safety)
+    state = describe_device(device)
+    outcome = describe_outcome(costs)
+    if outcome["outcome"] == DONE and 0 < costs.ticks == costs.unrendered_ticks:
+        outcome = {"outcome": DEVICE_FAULT, "reason": f"the motors never came on: {state}"}
     return {
+        **outcome,
         **describe_play(play),
         "record": str(path),
         **describe_run(play, path, costs),
-        "device_state": describe_device(device),
+        "device_state": state,
     }
+
+
+def describe_outcome(costs: palpate.LoopReport) -> Report:
+    """How a run came out, and why where its device failed or gave no force any more."""
+    failed = costs.fault is not palpate.DeviceFault.none
+    return {"outcome": DEVICE_FAULT if failed else DONE, "reason": costs.fault_reason}
 
 
 def describe_play(play: Play) -> Report:
@@ -213,17 +233,23 @@ def describe_play(play: Play) -> Report:
 
 
 def describe_run(play: Play, record: Path, costs: palpate.LoopReport) -> Report:
-    """What a run felt, from its record, and what it cost."""
+    """What was felt in a run, what was computed, by its record, and what it cost.
+
+    Felt is what the device was sent while its motors were on.
+    """
     rows = palpate.read_record(record)
-    force = np.linalg.norm(np.asarray(rows.felt["force"], dtype=float), axis=1)
-    touched = np.asarray(rows.felt["touched"]) != 0
+    computed = np.linalg.norm(np.asarray(rows.felt["force"], dtype=float), axis=1)
+    rate = play.scenario.scene.rate
     return {
         **describe_costs(costs),
         "lateness_max_us": 1e6 * costs.lateness.max,
         "record_gaps": costs.record_gaps,
-        "peak_force_N": float(force.max(initial=0.0)),
-        "mean_force_in_touch_N": float(force[touched].mean()) if touched.any() else None,
-        "time_in_touch_s": float(touched.sum()) / play.scenario.scene.rate,
+        "peak_force_N": costs.peak_force,
+        "mean_force_in_touch_N": costs.touch_force if costs.touch_ticks > 0 else None,
+        "time_in_touch_s": costs.touch_ticks / rate,
+        "peak_computed_N": float(computed.max(initial=0.0)),
+        "time_in_touch_computed_s": float(read_touched(rows).sum()) / rate,
+        "motors_off_s": costs.unrendered_ticks / rate,
     }
 
 
@@ -278,20 +304,39 @@ def run_play(call: argparse.Namespace) -> Report:
 
 def describe_play_report(report: Report) -> str:
     lines = [report["title"] or report["scenario"]]
+    if is_device_fault(report):
+        lines.insert(0, f"device fault: {report['reason']}")
     if report.get("ticks"):
         lines += [
-            f"peak force   {report['peak_force_N']:.3f} N, "
-            f"{report['time_in_touch_s']:.1f} s in touch",
+            *describe_felt(report),
             f"ticks        {report['ticks']}; {report['missed_ticks']} missed",
             f"tick         {report['tick_median_us']:.0f} us median, "
             f"{report['tick_p99_us']:.0f} us p99",
-            f"lateness     {report['lateness_p99_us']:.0f} us p99; {report['realtime']}",
+            f"lateness     {report['lateness_p99_us']:.0f} us p99, "
+            f"{1e-3 * report['lateness_max_us']:.1f} ms at most; {report['realtime']}",
         ]
     if report.get("device_state"):
         lines.append(f"device       {report['device_state']}")
     lines.append(f"record       {report['record'] or 'none: nothing was played'}")
     lines.append("not validated, not a medical device")
     return "\n".join(lines)
+
+
+def describe_felt(report: Report) -> list[str]:
+    """What was felt and, where that is not what was computed, both."""
+    felt = report["peak_force_N"], report["time_in_touch_s"]
+    computed = report["peak_computed_N"], report["time_in_touch_computed_s"]
+    lines = [f"peak force   {felt[0]:.3f} N, {felt[1]:.1f} s in touch"]
+    differ = any(abs(a - b) > MUCH * b for a, b in zip(felt, computed, strict=True))
+    if differ:
+        lines.append(f"computed     {computed[0]:.3f} N, {computed[1]:.1f} s in touch")
+    if report["motors_off_s"] > 0.0:
+        lines.append(f"motors off   {report['motors_off_s']:.3f} s: what was computed was not felt")
+    return lines
+
+
+def is_device_fault(report: Report) -> bool:
+    return bool(report.get("outcome") == DEVICE_FAULT)
 
 
 PLAY = Verb(
@@ -301,4 +346,5 @@ PLAY = Verb(
     add_play,
     run_play,
     describe_play_report,
+    is_device_fault,
 )

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 import palpate
+from palpate.felt import read_force
 
 CLEARANCE = 4e-3
 """[m] between tip and tissue where a script begins and ends."""
@@ -128,7 +129,7 @@ def measure_press(
     peak is that of the impact.
     """
     time = np.asarray(record.hand["time"])
-    force = np.linalg.norm(np.asarray(record.felt["force"], dtype=float), axis=1)
+    force = np.linalg.norm(read_force(record), axis=1)
     centre = np.asarray(record.felt["position"], dtype=float)
     depth = (place.point - centre) @ place.outward + radius
     pressing = time <= moments.held

@@ -200,7 +200,7 @@ def require_no_override(subclass: type) -> None:
             raise TypeError(
                 f"{subclass.__name__}.{name}: found a method of a Python class, expected none: the "
                 f"haptic thread, which Python never enters, calls that of {compiled[0].__name__}; "
-                "to move a hand from Python, feed a PointerDevice"
+                "to write a device in Python, hand its driver to a PythonDevice"
             )
 
 

@@ -15,6 +15,7 @@ import numpy as np
 
 import palpate
 from palpate.alarms import tell_alarm
+from palpate.felt import read_force, read_rendered
 from palpate.live import LiveRun, find_longest
 from palpate.press import Moments, Place, PressScript, measure_press, write_script
 from palpate.scene_file import hash_file, open_scene
@@ -88,9 +89,28 @@ def run_device(
     Raises RuntimeError where the loop did not end, the tissue raised an alarm or the device failed,
     WrongCall for a time that no record holds.
     """
+    costs = run_until_fault(scene, device, duration, record_path, scene_path, safety)
+    if costs.fault != palpate.DeviceFault.none:
+        raise RuntimeError(f"the device failed: {costs.fault_reason}")
+    return costs
+
+
+def run_until_fault(
+    scene: palpate.Scene,
+    device: palpate.HapticDevice,
+    duration: float,
+    record_path: Path,
+    scene_path: Path,
+    safety: palpate.SafetyLimits | None = None,
+) -> palpate.LoopReport:
+    """As run_device, but a device that fails ends the run, and its report says so."""
     require_recordable(scene, duration)
     header = describe_build(scene, scene_path, record_path, device.name())
-    options = palpate.LoopOptions(duration=duration, safety=safety or palpate.SafetyLimits())
+    options = palpate.LoopOptions(
+        duration=duration,
+        safety=safety or palpate.SafetyLimits(),
+        on_fault=palpate.FaultResponse.end,
+    )
     with LiveRun(scene, device, record=record_path, header=header, options=options) as run:
         ended = run.wait(duration + GRACE)
     costs = run.finish()
@@ -100,8 +120,6 @@ def run_device(
         raise RuntimeError(
             f"the run was stopped at {costs.alarm.time:.3f} s: {tell_alarm(costs.alarm, scene)}"
         )
-    if costs.fault != palpate.DeviceFault.none:
-        raise RuntimeError(f"the device failed: {costs.fault.name}")
     return costs
 
 
@@ -217,6 +235,7 @@ def run_replay(path: Path, scene_path: Path | None = None) -> Report:
         "scene": str(where),
         "complete": record.complete,
         "ticks": result.ticks,
+        "motors_off_s": float((~read_rendered(record)).sum()) / scene.rate,
         "equal": result.equal,
         "first_difference": result.first_difference if result.first_difference >= 0 else None,
         "largest_force_difference_N": result.largest_force_difference,
@@ -266,7 +285,7 @@ def picture_of_record(
 
     record, where, scene = open_record(record_path, scene_path)
     times = np.asarray(record.hand["time"])
-    force = np.asarray(record.felt["force"], dtype=float)
+    force = read_force(record)
     if time is None:
         tick = int(np.linalg.norm(force, axis=1).argmax())
     else:

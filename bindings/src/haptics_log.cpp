@@ -60,9 +60,14 @@ void bind_log_rows(py::module_& m) {
       [](const py::object& self) { return view_one(self.cast<Felt&>().position, self); },
       [](Felt& self, const Eigen::Vector3f& value) { self.position = value; },
       "[m] float32, shape (3,), the tool.");
-  felt.def_readwrite("touched", &Felt::touched, "Bit 0: touching, bit 1: attached.")
+  felt.def_readwrite("touched", &Felt::touched,
+                     "Bit 0: touching, bit 1: attached, bit 2 (NOT_RENDERED): the device's motors "
+                     "were not on, so nobody felt the force.")
       .def_readwrite("lateness_us", &Felt::lateness_us, "[us] saturates.");
   felt.attr("dtype") = row_dtype<Felt>();
+  m.attr("TOUCHING") = kTouching;
+  m.attr("ATTACHED") = kAttached;
+  m.attr("NOT_RENDERED") = kNotRendered;
   def_value(felt, &Felt::force, &Felt::position, &Felt::touched, &Felt::lateness_us);
   def_repr(felt, {"force", "position", "touched", "lateness_us"});
 
@@ -73,7 +78,8 @@ void bind_log_rows(py::module_& m) {
       .value("record_gap", HappeningKind::record_gap,
              "index: how many ticks the log had no room for")
       .value("alarm", HappeningKind::alarm, "index: AlarmKind")
-      .value("fault", HappeningKind::fault, "index: DeviceFault")
+      .value("fault", HappeningKind::fault,
+             "index: DeviceFault; value: what it found, [m] or [m/s]")
       .value("attached", HappeningKind::attached)
       .value("released", HappeningKind::released)
       .value("paused", HappeningKind::paused,
@@ -81,6 +87,8 @@ void bind_log_rows(py::module_& m) {
       .value("tree_exchanged", HappeningKind::tree_exchanged,
              "index: ticks since its positions were taken; value: what the cost of queries had "
              "grown by")
+      .value("motors_off", HappeningKind::motors_off, "index: MotorState, 1 silent, 2 off, 3 cut")
+      .value("motors_on", HappeningKind::motors_on)
       .finalize();
   py::class_<Happening> happening(m, "Happening", "Something that happened at a tick.");
   happening

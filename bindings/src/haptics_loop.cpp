@@ -9,6 +9,7 @@
 #include "border.h"
 #include "interrupt.h"
 #include "palpate/sim/haptics/loop.h"
+#include "palpate/sim/haptics/mailbox_device.h"
 #include "palpate/sim/haptics/simulated_devices.h"
 #include "palpate/sim/haptics/surface_pointer.h"
 #include "rows.h"
@@ -38,6 +39,21 @@ void bind_scripted_device(py::module_& m) {
            "Raises ValueError for no frames, times that do not ascend, or non-finite numbers.")
       .def("duration", &ScriptedDevice::duration, "[s]")
       .def_readonly("last_command", &ScriptedDevice::last_command, "The force it was last sent.");
+}
+
+void bind_mailbox_device(py::module_& m) {
+  py::class_<MailboxDevice, HapticDevice>(
+      m, "MailboxDevice",
+      "A hand that another thread tells of as often as it can, and that takes the newest force "
+      "from here; PythonDevice is one with a thread of its own. Outside of real time: what is felt "
+      "is late by as long as that thread takes. Where no sample comes for 20 ms the force is taken "
+      "back until one does; after a second the motors count as cut.")
+      .def(py::init<const std::string&>(), "title"_a, "What it is called in reports.")
+      .def("tell", &MailboxDevice::tell, "sample"_a,
+           "The other thread: where the hand is now. time is filled in by read().")
+      .def("take_command", &MailboxDevice::take_command, "The same thread: the newest force.")
+      .def("fail", &MailboxDevice::fail, "reason"_a,
+           "From any thread: the device is gone for good, and why; the first reason counts.");
 }
 
 void bind_surface_pointer(py::module_& m) {
@@ -90,10 +106,19 @@ void bind_surface_pointer(py::module_& m) {
 }  // namespace
 
 void bind_devices(py::module_& m) {
+  py::native_enum<MotorState>(m, "MotorState", "enum.Enum",
+                              "Whether a device makes the hand feel the force that it is sent.")
+      .value("on", MotorState::on, "Or coming on.")
+      .value("silent", MotorState::silent,
+             "It has not been heard for some ticks: the force is taken back until it is.")
+      .value("off", MotorState::off, "Not on yet, or switched off on purpose.")
+      .value("cut", MotorState::cut,
+             "They were on: it took them off, was reset, fell silent or is gone.")
+      .finalize();
   py::class_<HapticDevice> device(
       m, "HapticDevice",
       "A haptic device, real or simulated. read and write belong to the haptic thread, which "
-      "Python never enters, so Python cannot make a device of its own: feed a PointerDevice.");
+      "Python never enters: to write a device in Python, hand its driver to a PythonDevice.");
   refuse_overrides(device);
   device
       .def(
@@ -112,6 +137,13 @@ void bind_devices(py::module_& m) {
            "The force the device shall make the hand feel.")
       .def("end", &HapticDevice::end,
            "A run is over: motors off, until the next write. The live loop calls it at its end.")
+      .def("rest", &HapticDevice::rest, "seconds"_a,
+           "The run is paused and its time stands still: no force, and so many [s] of the world's "
+           "time have passed since the last call.")
+      .def("motors", &HapticDevice::motors, "Whether the hand feels what is written now.")
+      .def("explain_fault", &HapticDevice::explain_fault,
+           "Why the motors are cut, or the device has failed, and what to do; empty where it "
+           "cannot tell.")
       .def("name", &HapticDevice::name, "What it is called in reports.")
       .def("failed", &HapticDevice::failed,
            "True once the device is gone for good: what it says and is told no longer counts.")
@@ -129,6 +161,7 @@ void bind_devices(py::module_& m) {
           "at most. False if none came.");
   bind_safe_device(m);
   bind_scripted_device(m);
+  bind_mailbox_device(m);
   bind_surface_pointer(m);
   py::class_<PointerDevice, HapticDevice>(
       m, "PointerDevice",
@@ -156,23 +189,34 @@ void bind_devices(py::module_& m) {
 namespace {
 
 void bind_options(py::module_& m) {
+  py::native_enum<FaultResponse>(
+      m, "FaultResponse", "enum.Enum",
+      "What becomes of a run whose device fails, or gives no force any more.")
+      .value("go_on", FaultResponse::go_on, "To its end, and counts the ticks that nobody felt.")
+      .value("pause", FaultResponse::pause,
+             "It rests until resume(), and again where the fault is still there then.")
+      .value("end", FaultResponse::end)
+      .finalize();
   const LoopOptions usual;
   py::class_<LoopOptions> options(m, "LoopOptions", "How the live loop runs.");
   options
       .def(py::init([](double duration, bool realtime, int cpu, double spin,
-                       const SafetyLimits& safety) {
-             return LoopOptions{duration, realtime, cpu, spin, safety};
+                       const SafetyLimits& safety, FaultResponse on_fault) {
+             return LoopOptions{duration, realtime, cpu, spin, safety, on_fault};
            }),
            py::kw_only(), "duration"_a = usual.duration, "realtime"_a = usual.realtime,
-           "cpu"_a = usual.cpu, "spin"_a = usual.spin, "safety"_a = usual.safety)
+           "cpu"_a = usual.cpu, "spin"_a = usual.spin, "safety"_a = usual.safety,
+           "on_fault"_a = usual.on_fault)
       .def_readwrite("duration", &LoopOptions::duration, "[s] 0 runs until stop().")
       .def_readwrite("realtime", &LoopOptions::realtime, "Ask for SCHED_FIFO and locked memory.")
       .def_readwrite("cpu", &LoopOptions::cpu, "Pin the thread to this core, -1 for none.")
       .def_readwrite("spin", &LoopOptions::spin, "[s] spun instead of slept before every tick.")
-      .def_readwrite("safety", &LoopOptions::safety, "What the device may be sent.");
+      .def_readwrite("safety", &LoopOptions::safety, "What the device may be sent.")
+      .def_readwrite("on_fault", &LoopOptions::on_fault,
+                     "What becomes of the run where the device fails.");
   def_value(options, &LoopOptions::duration, &LoopOptions::realtime, &LoopOptions::cpu,
-            &LoopOptions::spin, &LoopOptions::safety);
-  def_repr(options, {"duration", "realtime", "cpu", "spin", "safety"});
+            &LoopOptions::spin, &LoopOptions::safety, &LoopOptions::on_fault);
+  def_repr(options, {"duration", "realtime", "cpu", "spin", "safety", "on_fault"});
 }
 
 void bind_snapshot(py::module_& m) {
@@ -184,15 +228,17 @@ void bind_snapshot(py::module_& m) {
   def_view(snapshot, "position", &Snapshot::position, "[m], shape (n, 3); a view.");
   snapshot.def_readonly("sample", &Snapshot::sample, "What the device said.");
   def_vector(snapshot, "tool_position", &Snapshot::tool_position, "[m]");
-  def_vector(snapshot, "force", &Snapshot::force, "[N] on the hand.");
+  def_vector(snapshot, "force", &Snapshot::force,
+             "[N] on the hand; none while the motors are not on.");
   snapshot.def_readonly("touching", &Snapshot::touching, "Any contact in force.")
+      .def_readonly("motors", &Snapshot::motors, "Of the device.")
       .def_readonly("cost", &Snapshot::cost, "[s] of the last tick.")
       .def_readonly("lateness", &Snapshot::lateness, "[s] of the last tick.")
       .def_readonly("substeps", &Snapshot::substeps, "Of that tick.")
       .def_readonly("missed_ticks", &Snapshot::missed_ticks, "Skipped so far.");
   def_value(snapshot, &Snapshot::tick, &Snapshot::time, &Snapshot::position, &Snapshot::sample,
-            &Snapshot::tool_position, &Snapshot::force, &Snapshot::touching, &Snapshot::cost,
-            &Snapshot::lateness, &Snapshot::substeps, &Snapshot::missed_ticks);
+            &Snapshot::tool_position, &Snapshot::force, &Snapshot::touching, &Snapshot::motors,
+            &Snapshot::cost, &Snapshot::lateness, &Snapshot::substeps, &Snapshot::missed_ticks);
   def_repr(snapshot, {"tick", "time", "touching", "force", "tool_position", "substeps"});
 }
 
@@ -218,14 +264,24 @@ void bind_report(py::module_& m) {
       .def_readonly("realtime", &LoopReport::realtime, "Granted.")
       .def_readonly("realtime_note", &LoopReport::realtime_note, "Why not, in words.")
       .def_readonly("alarm", &LoopReport::alarm, "What ended the run; false for nothing.")
-      .def_readonly("fault", &LoopReport::fault, "Of the device; none for none.")
-      .def_readonly("record_gaps", &LoopReport::record_gaps, "Ticks the log had no room for.");
+      .def_readonly("fault", &LoopReport::fault,
+                    "Of the device, now or when the run ended; none for none.")
+      .def_readonly("fault_reason", &LoopReport::fault_reason, "In words.")
+      .def_readonly("record_gaps", &LoopReport::record_gaps, "Ticks the log had no room for.")
+      .def_readonly("unrendered_ticks", &LoopReport::unrendered_ticks,
+                    "The device's motors were not on: their force counts nowhere else here.")
+      .def_readonly("peak_force", &LoopReport::peak_force, "[N] The largest that was sent.")
+      .def_readonly("touch_ticks", &LoopReport::touch_ticks, "Touching or attached.")
+      .def_readonly("touch_force", &LoopReport::touch_force,
+                    "[N] The mean of what was sent in them.");
   def_value(report, &LoopReport::ticks, &LoopReport::missed_ticks, &LoopReport::unpaced_ticks,
             &LoopReport::lateness, &LoopReport::cost, &LoopReport::realtime,
             &LoopReport::realtime_note, &LoopReport::alarm, &LoopReport::fault,
-            &LoopReport::record_gaps);
+            &LoopReport::fault_reason, &LoopReport::record_gaps, &LoopReport::unrendered_ticks,
+            &LoopReport::peak_force, &LoopReport::touch_ticks, &LoopReport::touch_force);
   def_repr(report, {"ticks", "missed_ticks", "unpaced_ticks", "lateness", "cost", "realtime",
-                    "realtime_note", "alarm", "fault", "record_gaps"});
+                    "realtime_note", "alarm", "fault", "fault_reason", "record_gaps",
+                    "unrendered_ticks", "peak_force", "touch_ticks", "touch_force"});
 }
 
 /// Waits in short pieces, so that Ctrl-C is heard.

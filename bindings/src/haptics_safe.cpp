@@ -164,6 +164,10 @@ void bind_safe_device(py::module_& m) {
       .value("sample_not_finite", DeviceFault::sample_not_finite)
       .value("force_not_finite", DeviceFault::force_not_finite)
       .value("device_failed", DeviceFault::device_failed)
+      .value("sample_out_of_reach", DeviceFault::sample_out_of_reach, "A hand beyond 10 m.")
+      .value("sample_too_fast", DeviceFault::sample_too_fast, "A hand faster than 1000 m/s.")
+      .value("motors_cut", DeviceFault::motors_cut,
+             "MotorState.cut; of the live loop alone, for the motors may come back.")
       .finalize();
   py::class_<SafeDevice, HapticDevice>(
       m, "SafeDevice",
@@ -173,16 +177,22 @@ void bind_safe_device(py::module_& m) {
       "first fault latches.")
       .def(py::init<HapticDevice&, const SafetyLimits&>(), "device"_a, "limits"_a = SafetyLimits{},
            py::keep_alive<1, 2>(), "Raises ValueError for limits that are not positive.")
-      .def("rest", &SafeDevice::rest,
+      .def("rest", &SafeDevice::rest, "seconds"_a = 0.0,
            "A zero force at once, past the slew limit; the next command fades in as the first one "
-           "did.")
+           "did. So many [s] have passed in a pause.")
       .def("fault", &SafeDevice::fault, "The first fault; none for none.")
-      .def("sent", &SafeDevice::sent, "What was really sent last.")
+      .def("fault_value", &SafeDevice::fault_value,
+           "What the fault found: [m] or [m/s], 0 for a fault without a value.")
+      .def("sent", &SafeDevice::sent,
+           "What was really sent last; nothing while the motors are not on.")
       .def("limited_count", &SafeDevice::limited_count, "How often a limit had to act.")
       .def("damped_count", &SafeDevice::damped_count, "How often the passivity controller had to.")
       .def("given_energy", &SafeDevice::given_energy,
            "[J] that the hand has been given since it last felt nothing, fading within a second.")
       .def("heat", &SafeDevice::heat, "[-] Of what the motors stand for ever, 0 to 1.");
+  m.def("describe_fault", &describe_fault, "fault"_a, "value"_a, "device"_a,
+        "One sentence without a stop. value is what the fault found, [m] or [m/s] where it has "
+        "one; what the motors are cut for, or why the device failed, the device says.");
   bind_conformance(m);
   bind_device_loop(m);
 }

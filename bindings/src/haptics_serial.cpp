@@ -323,12 +323,12 @@ void bind_faults(py::module_& m) {
                             "The same in every run.");
   faults
       .def(py::init([](double drop, double corrupt, double reorder, double delay, double stick_at,
-                       double unplug_at, std::uint64_t seed) {
-             return Faults{drop, corrupt, reorder, delay, stick_at, unplug_at, seed};
+                       double unplug_at, double cut_at, std::uint64_t seed) {
+             return Faults{drop, corrupt, reorder, delay, stick_at, unplug_at, cut_at, seed};
            }),
            py::kw_only(), "drop"_a = none.drop, "corrupt"_a = none.corrupt,
            "reorder"_a = none.reorder, "delay"_a = none.delay, "stick_at"_a = none.stick_at,
-           "unplug_at"_a = none.unplug_at, "seed"_a = none.seed)
+           "unplug_at"_a = none.unplug_at, "cut_at"_a = none.cut_at, "seed"_a = none.seed)
       .def_readwrite("drop", &Faults::drop, "[-] Lost.")
       .def_readwrite("corrupt", &Faults::corrupt,
                      "[-] Changed: a bit of a frame, a number of a sample.")
@@ -336,10 +336,14 @@ void bind_faults(py::module_& m) {
       .def_readwrite("delay", &Faults::delay, "[s] each way.")
       .def_readwrite("stick_at", &Faults::stick_at, "[s] from then on the same again.")
       .def_readwrite("unplug_at", &Faults::unplug_at, "[s] from then on nothing.")
+      .def_readwrite("cut_at", &Faults::cut_at,
+                     "[s] from then on a device moves but its motors are off; a transport knows of "
+                     "none.")
       .def_readwrite("seed", &Faults::seed, "Of what goes wrong, and when.");
   def_value(faults, &Faults::drop, &Faults::corrupt, &Faults::reorder, &Faults::delay,
-            &Faults::stick_at, &Faults::unplug_at, &Faults::seed);
-  def_repr(faults, {"drop", "corrupt", "reorder", "delay", "stick_at", "unplug_at", "seed"});
+            &Faults::stick_at, &Faults::unplug_at, &Faults::cut_at, &Faults::seed);
+  def_repr(faults,
+           {"drop", "corrupt", "reorder", "delay", "stick_at", "unplug_at", "cut_at", "seed"});
   m.def("validate", py::overload_cast<const Faults&>(&validate), "faults"_a,
         "Raises ValueError naming the field, what it got and what was expected.");
   py::class_<FaultyDevice, HapticDevice>(m, "FaultyDevice", "A device to which faults happen.")

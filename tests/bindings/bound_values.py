@@ -105,6 +105,7 @@ MADE: dict[str, Callable[[], object]] = {
     "SurfacePointer": lambda: palpate.SurfacePointer(organ_scene(1)),
     "ReplayDevice": lambda: palpate.ReplayDevice([palpate.HapticSample()]),
     "SafeDevice": lambda: palpate.SafeDevice(device()),
+    "MailboxDevice": lambda: palpate.MailboxDevice("box"),
     "DeviceLoop": lambda: palpate.DeviceLoop(device()),
     "DeviceCheck": checked,
     "FaultyDevice": lambda: palpate.FaultyDevice(device(), palpate.Faults()),

@@ -60,6 +60,9 @@ def test_a_run_whose_device_cut_its_motors_ends_in_a_report_that_says_so(tmp_pat
 
     assert report["device_state"].startswith("motors off: stop pressed")
     assert "device       motors off: stop pressed" in describe_play_report(report)
+    assert report["outcome"] == "device_fault"
+    assert describe_play_report(report).startswith("device fault: motors off: stop pressed")
+    assert report["peak_force_N"] == 0.0
 
 
 def test_the_mouse_holds_the_simulated_arm_with_the_limits_of_its_motors(tmp_path):

@@ -55,6 +55,20 @@ def test_a_record_that_touched_nothing_has_no_depth():
     assert not trace.along_press().any()
 
 
+def test_a_force_that_the_motors_did_not_give_was_not_felt():
+    record, _ = make_record()
+    whole, felt = read_trace(record), record.felt.copy()
+    cut = record.hand["time"] > 0.2
+    felt["touched"][cut] |= palpate.NOT_RENDERED
+
+    trace = read_trace(palpate.Record(hand=record.hand, felt=felt))
+
+    assert whole.force[cut].any()
+    assert not trace.force[cut].any()
+    assert np.array_equal(trace.force[~cut], whole.force[~cut])
+    assert np.array_equal(trace.touching, whole.touching)
+
+
 def test_spans_begin_and_end_with_their_ticks():
     time = 0.001 * np.arange(10)
     on = np.array([1, 1, 0, 0, 1, 0, 0, 1, 1, 1], bool)

@@ -19,7 +19,8 @@ def record_of(force: np.ndarray) -> SimpleNamespace:
     """A run whose tip follows the hand into the depth, with a force [N] along the normal."""
     height = np.interp(TIME, [0.05, MOMENTS.pressed], [4e-3, -DEPTH])
     position = PLACE.point + np.outer(height + RADIUS, PLACE.outward)
-    felt = {"force": np.outer(force, PLACE.outward), "position": position}
+    touched = np.zeros(len(TIME), np.uint8)
+    felt = {"force": np.outer(force, PLACE.outward), "position": position, "touched": touched}
     return SimpleNamespace(hand={"time": TIME}, felt=felt)
 
 

@@ -22,7 +22,7 @@ MADE_VALUES = [name for name in VALUES if name not in NOT_MADE]
 NO_VALUES = {
     "AabbTree", "World", "Response", "VelocityWindow", "TickLog", "ImplicitStepper",
     "HapticDevice", "ScriptedDevice", "PointerDevice", "ReplayDevice", "SafeDevice",
-    "SurfacePointer",
+    "SurfacePointer", "MailboxDevice",
     "SerialDevice", "FaultyDevice", "SimulatedArm", "Transport", "NativeCore", "SerialTransport",
     "FaultyTransport", "PtyDevice", "Loop", "DeviceLoop", "Recorder",
 }  # fmt: skip

@@ -6,6 +6,7 @@ from __future__ import annotations
 import palpate
 from palpate.play import find_driver
 from palpate.player.device_words import say_advice, say_fault, say_state
+from palpate.player.words import say_fault as say_end_of_device
 from palpate.player.words import translate
 
 PATIENCE = 12
@@ -13,23 +14,34 @@ PATIENCE = 12
 
 
 class DeviceWatch:
-    """Looks at the device of a run, once a frame. A run goes on while the device's motors are off:
-    nobody could tell that from an organ without stiffness.
+    """Looks at the device of a run, once a frame. Nobody could tell motors that are off from an
+    organ without stiffness.
     """
 
     def __init__(self, device: palpate.HapticDevice | None = None):
         self._driver = None if device is None else find_driver(device)
         self._frames = 0
 
-    def say(self) -> str:
-        """Why no force can be felt, and what to do; empty where one can, or will at once."""
+    def say(self, fault: palpate.DeviceFault = palpate.DeviceFault.none) -> str:
+        """Why no force can be felt, and what to do; empty where one can, or will at once.
+
+        `fault` is that of the run, which rests while there is one.
+        """
+        if fault not in (palpate.DeviceFault.none, palpate.DeviceFault.motors_cut):
+            return say_end_of_device(fault)
         if self._driver is None:
-            return ""
+            return say_end_of_device(fault) if fault is palpate.DeviceFault.motors_cut else ""
         self._driver.take_status()
         status = self._driver.status()
         if status.link is palpate.LinkState.ready and status.mode is palpate.DeviceMode.faulted:
-            words = translate("Player", "No force from the device. %1. %2 C clears the fault.")
+            words = translate(
+                "Player", "Paused: no force from the device. %1. %2 C clears the fault."
+            )
             words = words.replace("%1", say_fault(status.first_fault))
+            return words.replace("%2", say_advice(status))
+        if fault is palpate.DeviceFault.motors_cut:
+            words = translate("Player", "Paused: no force from the device. %1. %2")
+            words = words.replace("%1", say_state(status)[0])
             return words.replace("%2", say_advice(status))
         gives = status.mode in (palpate.DeviceMode.run, palpate.DeviceMode.ramp)
         if gives and not status.degraded and status.link is palpate.LinkState.ready:

@@ -74,8 +74,11 @@ class Overlays(QObject):
             self.place()
 
     def show_pause(self, paused: bool) -> None:
-        self.pause.tell(translate("Player", "Paused. Space goes on.") if paused else "")
-        self.place()
+        words = translate("Player", "Paused. Space goes on.") if paused else ""
+        if words != self.pause.label.text():
+            self.pause.tell(words)
+            self.pause.setVisible(bool(words) and self.board() is None)
+            self.place()
 
     def show_board(self, board: Board | None) -> None:
         """One of the boards, or none; what else there is to read steps back for it."""

@@ -14,12 +14,12 @@ import palpate
 from palpate import translation
 from palpate.authored import find_look
 from palpate.live import Frame, LiveRun
-from palpate.play import Play, describe_play, describe_run
+from palpate.play import Play, describe_outcome, describe_play, describe_run
 from palpate.player.boards import Board
 from palpate.player.device_watch import DeviceWatch
 from palpate.player.look import build_palette, build_style
 from palpate.player.overlays import Overlays
-from palpate.player.words import say_slow, say_trouble, translate
+from palpate.player.words import say_end, say_slow, translate
 from palpate.translation.refusals import say_refusal
 from palpate.verb import Report
 from palpate.viewport import PointerHand, make_view
@@ -137,8 +137,11 @@ class TraineeWindow(QWidget):
             self.over.show_pause(True)
 
     def resume(self) -> None:
+        """Not while the device gives no force: the run would rest again at once."""
         if self.phase is Phase.paused and self.run is not None:
             self._show_board(None)
+            if self.run.report().fault is not palpate.DeviceFault.none:
+                return
             self.over.show_pause(False)
             self.phase = Phase.running
             self.run.resume()
@@ -150,7 +153,9 @@ class TraineeWindow(QWidget):
             self._show_board(self.over.menu)
 
     def follow(self) -> None:
-        """Shows what the haptic thread did since the last frame; ends the run where it ended."""
+        """Shows what the haptic thread did since the last frame; ends the run where it ended, and
+        pauses with it where its device gives no force any more.
+        """
         run = self.run
         if run is None:
             return
@@ -158,10 +163,15 @@ class TraineeWindow(QWidget):
         if frame is not None:
             self._show(frame)
         self.over.force.show_force(self._force)
-        self.over.tell_device(self._watch.say())
-        trouble = say_trouble(run.report())
-        if trouble or not run.running:
-            self._end(trouble)
+        report = run.report()
+        failed = report.fault is not palpate.DeviceFault.none
+        if failed:
+            self.pause()
+        self.over.tell_device(self._watch.say(report.fault))
+        self.over.show_pause(self.phase is Phase.paused and not failed)
+        alarm = report.alarm.kind is not palpate.AlarmKind.none
+        if alarm or not run.running:
+            self._end(say_end(report.alarm) if alarm else "")
 
     def _show(self, frame: Frame) -> None:
         self._time = frame.time
@@ -216,7 +226,8 @@ class TraineeWindow(QWidget):
         if self._costs is None or not records:
             return report
         last = self.play.records[-1]
-        return {**report, "record": str(last), **describe_run(self.play, last, self._costs)}
+        felt = describe_run(self.play, last, self._costs)
+        return {**describe_outcome(self._costs), **report, "record": str(last), **felt}
 
     # ------------------------------------------------------------ how it looks
 

@@ -17,15 +17,6 @@ def say_notice() -> str:
     return translate("Player", "Not validated. Not a medical device.")
 
 
-def say_trouble(report: palpate.LoopReport) -> str:
-    """Why a run has come to nothing; empty where it has not."""
-    if report.fault is not palpate.DeviceFault.none:
-        return say_fault(report.fault)
-    if report.alarm.kind is not palpate.AlarmKind.none:
-        return say_end(report.alarm)
-    return ""
-
-
 def say_end(alarm: palpate.Alarm) -> str:
     """What an alarm was, and what the hand can do about it."""
     words = translate(
@@ -38,11 +29,30 @@ def say_end(alarm: palpate.Alarm) -> str:
 
 
 def say_fault(fault: palpate.DeviceFault) -> str:
+    """Why a run rests that its device cannot go on with."""
     if fault is palpate.DeviceFault.sample_not_finite:
         return translate(
             "Player",
             "The device reported a position that is not a number, so its force was switched off. "
             "Check its cable, then press R to start again.",
+        )
+    if fault is palpate.DeviceFault.sample_out_of_reach:
+        return translate(
+            "Player",
+            "The device reported a position where no hand reaches, so its force was switched off. "
+            "Check its calibration, then press R to start again.",
+        )
+    if fault is palpate.DeviceFault.sample_too_fast:
+        return translate(
+            "Player",
+            "The device reported a speed that no hand has, so its force was switched off. "
+            "Check its cable, then press R to start again.",
+        )
+    if fault is palpate.DeviceFault.motors_cut:
+        return translate(
+            "Player",
+            "Paused: the motors of the device are off, so no force can be felt. "
+            "Press R to start again.",
         )
     if fault is palpate.DeviceFault.device_failed:
         return translate(

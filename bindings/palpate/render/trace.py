@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-TOUCHING, ATTACHED = 1, 2
+TOUCHING, ATTACHED, NOT_RENDERED = 1, 2, 4
 """Bits of Felt.touched."""
 
 
@@ -22,7 +22,7 @@ class Trace:
     time: Array
     """[s] (n,)"""
     force: Array
-    """[N] (n, 3) what the hand felt."""
+    """[N] (n, 3) what the hand felt: none while the motors of its device were off."""
     press: Array
     """(3,) the unit direction out of the tissue, against which the tool pressed."""
     depth: Array
@@ -51,9 +51,10 @@ def read_trace(record: Any) -> Trace:
     time = np.asarray(record.hand["time"], dtype=float)
     if len(time) == 0:
         raise ValueError("a record without ticks has nothing to plot")
-    force = np.asarray(record.felt["force"], dtype=float)
     place = np.asarray(record.felt["position"], dtype=float)
     bits = np.asarray(record.felt["touched"])
+    rendered = (bits & NOT_RENDERED) == 0
+    force = np.where(rendered[:, None], np.asarray(record.felt["force"], dtype=float), 0.0)
     attached = (bits & ATTACHED) != 0
     touching = (bits & TOUCHING) != 0
     pressing = touching & ~attached

@@ -27,6 +27,14 @@ struct HapticCommand {
 };
 static_assert(sizeof(HapticCommand) == 24 && alignof(HapticCommand) == 8);
 
+/// Whether a device makes the hand feel the force that it is sent.
+enum class MotorState {
+  on,      ///< or coming on
+  silent,  ///< it has not been heard for some ticks: the force is taken back until it is
+  off,     ///< not on yet, or switched off on purpose
+  cut,     ///< they were on: it took them off, was reset, fell silent or is gone
+};
+
 /// A haptic device, real or simulated: the one thing chosen at run time.
 /// read and write are called from the haptic thread: no exception, allocation, lock or log.
 class HapticDevice {
@@ -39,10 +47,22 @@ class HapticDevice {
   /// A run is over and nothing will be written for a while: a device with motors takes them off
   /// now, for it would take the silence that follows for a fault. The next write begins again.
   virtual void end() noexcept {}
+  /// The run is paused and its time stands still: no force, and `seconds` of the world's time have
+  /// passed since the last call of any of these. A device may take silence for a fault.
+  virtual void rest(double seconds) noexcept {
+    (void)seconds;
+    write({});
+  }
   virtual std::string name() const = 0;
   /// True once the device is gone for good: what it says and is told no longer counts. From the
   /// haptic thread too.
   virtual bool failed() const noexcept { return false; }
+  /// Whether the hand feels what is written now. From the haptic thread; a device that has no
+  /// motors to lose leaves it at this.
+  virtual MotorState motors() const noexcept { return MotorState::on; }
+  /// Why the motors are cut, or the device has failed, and what to do; empty where it cannot tell.
+  /// From any thread.
+  virtual std::string explain_fault() const { return {}; }
   /// [Hz] of the reports that can be waited for, 0 where the device has no clock of its own. Where
   /// it is that of the ticks, the live loop ticks when a report has come.
   virtual double report_rate() const noexcept { return 0.0; }

@@ -49,8 +49,8 @@ void validate(const Faults& faults) {
   if (!(faults.delay >= 0.0 && faults.delay <= 0.5)) {
     refuse("faults: delay [s]", write_text(faults.delay), "0 to 0.5");
   }
-  if (std::isnan(faults.stick_at) || std::isnan(faults.unplug_at)) {
-    refuse("faults: stick_at, unplug_at [s]", "a number that is not finite", "a time");
+  if (std::isnan(faults.stick_at) || std::isnan(faults.unplug_at) || std::isnan(faults.cut_at)) {
+    refuse("faults: stick_at, unplug_at, cut_at [s]", "a number that is not finite", "a time");
   }
 }
 
@@ -62,7 +62,7 @@ FaultyDevice::FaultyDevice(HapticDevice& device, const Faults& faults)
       commands_(kRing) {}
 
 HapticSample FaultyDevice::read(double time) noexcept {
-  now_ = time;
+  now_.store(time, std::memory_order_relaxed);
   if (failed()) return last_;
   HapticSample sample = device_.read(time);
   if (faults_.delay > 0.0) {
@@ -92,17 +92,30 @@ HapticSample FaultyDevice::read(double time) noexcept {
 
 void FaultyDevice::write(const HapticCommand& command) noexcept {
   if (failed() || draw(random_) < faults_.drop) return;
+  if (is_cut()) {
+    device_.write({});
+    return;
+  }
   if (!(faults_.delay > 0.0)) {
     device_.write(command);
     return;
   }
-  commands_[next_command_++ % kRing] = {now_, {}, command};
+  commands_[next_command_++ % kRing] = {time_now(), {}, command};
   for (std::size_t back = 1; back <= std::min(next_command_, kRing); ++back) {
     const Late& late = commands_[(next_command_ - back) % kRing];
-    if (late.time > now_ - faults_.delay + kSlack) continue;
+    if (late.time > time_now() - faults_.delay + kSlack) continue;
     device_.write(late.command);
     return;
   }
+}
+
+void FaultyDevice::rest(double seconds) noexcept {
+  if (!failed()) device_.rest(seconds);
+}
+
+std::string FaultyDevice::explain_fault() const {
+  if (is_unplugged()) return "unplugged";
+  return is_cut() ? "motors off: they were cut" : device_.explain_fault();
 }
 
 FaultyTransport::FaultyTransport(Transport& transport, const Faults& faults)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -19,6 +20,8 @@ struct Faults {
   double delay = 0.0;    ///< [s] each way
   double stick_at = std::numeric_limits<double>::infinity();   ///< [s] from then on the same again
   double unplug_at = std::numeric_limits<double>::infinity();  ///< [s] from then on nothing
+  /// [s] from then on a device moves but its motors are off; a transport knows of none.
+  double cut_at = std::numeric_limits<double>::infinity();
   std::uint64_t seed = 1;
 };
 
@@ -35,10 +38,19 @@ class FaultyDevice : public HapticDevice {
   HapticSample read(double time) noexcept override;
   void write(const HapticCommand& command) noexcept override;
   void end() noexcept override { device_.end(); }
+  void rest(double seconds) noexcept override;
   std::string name() const override { return "faulty " + device_.name(); }
-  bool failed() const noexcept override { return now_ >= faults_.unplug_at || device_.failed(); }
+  bool failed() const noexcept override { return is_unplugged() || device_.failed(); }
+  MotorState motors() const noexcept override {
+    return is_unplugged() || is_cut() ? MotorState::cut : device_.motors();
+  }
+  std::string explain_fault() const override;
 
  private:
+  bool is_unplugged() const noexcept { return time_now() >= faults_.unplug_at; }
+  bool is_cut() const noexcept { return time_now() >= faults_.cut_at; }
+  double time_now() const noexcept { return now_.load(std::memory_order_relaxed); }
+
   struct Late {
     double time = 0.0;
     HapticSample sample;
@@ -47,7 +59,7 @@ class FaultyDevice : public HapticDevice {
   HapticDevice& device_;
   const Faults faults_;
   std::uint64_t random_;
-  double now_ = 0.0;
+  std::atomic<double> now_{0.0};
   HapticSample last_, held_;
   bool holding_ = false;
   std::vector<Late> samples_, commands_;  ///< rings of what is under way

@@ -70,7 +70,9 @@ struct Loop::Impl {
   void run_tick(std::int64_t index, long skipped) noexcept;
   void rest(std::int64_t index) noexcept;
   void keep(const HapticCommand& command) noexcept;
-  void notice_faults(long number) noexcept;
+  void notice_alarm(long number) noexcept;
+  void notice_device(long number) noexcept;
+  void count_force() noexcept;
   void publish() noexcept;
   void log_hash(long number) noexcept {
     catch_up(scene, world);
@@ -95,6 +97,8 @@ struct Loop::Impl {
   HapticSample sample;
   std::int64_t lateness = 0, spent = 0;  // [ns] of the last tick
   long lost_ticks = 0;                   // had no room in the log, not yet told
+  MotorState motors = MotorState::on;    // as it was told last
+  double touch_force_sum = 0.0;          // [N]
 
   // written by the haptic thread before `ready`, constant after it
   Realtime realtime;
@@ -105,7 +109,10 @@ struct Loop::Impl {
   SnapshotReader reader;  // the reader's own
   Durations latenesses, costs;
   std::atomic<long> ticks{0}, missed{0};
+  std::atomic<long> unrendered{0}, touch_ticks{0};
+  std::atomic<double> peak_force{0.0}, touch_force{0.0};  // [N]
   std::atomic<DeviceFault> fault{DeviceFault::none};
+  std::atomic<double> fault_value{0.0};
   Alarm alarm;  // constant once has_alarm is set
   std::atomic<bool> has_alarm{false};
   std::atomic<bool> stopping{false}, running{false};
@@ -156,6 +163,9 @@ void Loop::Impl::run_ticks() noexcept {
       ++skipped;
     }
     missed.fetch_add(skipped, std::memory_order_relaxed);
+    if (fault.load(std::memory_order_relaxed) == DeviceFault::none) continue;
+    if (options.on_fault == FaultResponse::end) break;
+    if (options.on_fault == FaultResponse::pause) pausing.store(true, std::memory_order_release);
   }
   const long done = ticks.load(std::memory_order_relaxed);
   if (skipped > 0) tell(done, HappeningKind::missed_ticks, static_cast<std::int32_t>(skipped));
@@ -168,12 +178,13 @@ void Loop::Impl::run_ticks() noexcept {
 /// that nothing that follows is late for it.
 void Loop::Impl::rest(std::int64_t index) noexcept {
   const std::int64_t begun = read_clock();
-  safe.rest();
+  safe.rest(dt);
   if (world.tick_count > 0) publish();
   resting.store(true, std::memory_order_release);
   while (pausing.load(std::memory_order_acquire) && !stopping.load(std::memory_order_acquire)) {
     wait_until(read_clock() + pace.period(), 0);
-    safe.rest();  // again and again: a device may take silence for a fault
+    safe.rest(dt);  // again and again: a device may take silence for a fault
+    notice_device(world.tick_count);
   }
   const std::int64_t now = read_clock();
   resting.store(false, std::memory_order_release);
@@ -197,7 +208,9 @@ void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
   } else if (held > 0 && world.tool.hold_count == 0) {
     tell(number, HappeningKind::released, held);
   }
-  notice_faults(number);
+  notice_alarm(number);
+  notice_device(number);
+  count_force();
   keep(command);
   latenesses.add(lateness);
   costs.add(spent);
@@ -214,6 +227,7 @@ void Loop::Impl::keep(const HapticCommand& command) noexcept {
   TickLog::Tick entry{number, sample, compute_felt(command, world)};
   entry.felt.lateness_us = static_cast<std::uint16_t>(
       std::min<std::int64_t>(lateness / 1000, std::numeric_limits<std::uint16_t>::max()));
+  if (motors != MotorState::on) entry.felt.touched |= kNotRendered;
   if (!log->push(entry)) {
     ++lost_ticks;
   } else if (lost_ticks > 0) {
@@ -223,22 +237,53 @@ void Loop::Impl::keep(const HapticCommand& command) noexcept {
   if ((number + 1) % hash_ticks == 0) log_hash(number);
 }
 
-void Loop::Impl::notice_faults(long number) noexcept {
+void Loop::Impl::notice_alarm(long number) noexcept {
   if (world.alarm && !has_alarm.load(std::memory_order_relaxed)) {
     alarm = world.alarm;
     has_alarm.store(true, std::memory_order_release);
     tell(number, HappeningKind::alarm, static_cast<std::int32_t>(alarm.kind), alarm.value);
   }
-  if (safe.fault() != fault.load(std::memory_order_relaxed)) {
-    fault.store(safe.fault(), std::memory_order_relaxed);
-    tell(number, HappeningKind::fault, static_cast<std::int32_t>(safe.fault()));
+}
+
+/// Whether the device still gives its force, and what became of it where it does not.
+void Loop::Impl::notice_device(long number) noexcept {
+  const MotorState now = safe.motors();
+  if (now != motors) {
+    const bool on = now == MotorState::on;
+    tell(number, on ? HappeningKind::motors_on : HappeningKind::motors_off,
+         on ? 0 : static_cast<std::int32_t>(now));
+    motors = now;
   }
+  DeviceFault found = safe.fault();
+  if (found == DeviceFault::none && now == MotorState::cut) found = DeviceFault::motors_cut;
+  if (found == fault.load(std::memory_order_relaxed)) return;
+  fault_value.store(safe.fault_value(), std::memory_order_relaxed);
+  fault.store(found, std::memory_order_release);
+  if (found == DeviceFault::none) return;
+  tell(number, HappeningKind::fault, static_cast<std::int32_t>(found), safe.fault_value());
+}
+
+/// What the hand really felt of this tick.
+void Loop::Impl::count_force() noexcept {
+  if (motors != MotorState::on) {
+    unrendered.fetch_add(1, std::memory_order_relaxed);
+    return;
+  }
+  const double size = safe.sent().force.norm();
+  if (size > peak_force.load(std::memory_order_relaxed)) {
+    peak_force.store(size, std::memory_order_relaxed);
+  }
+  if (!world.tool.touching && world.tool.hold_count == 0) return;
+  const long count = touch_ticks.fetch_add(1, std::memory_order_relaxed) + 1;
+  touch_force_sum += size;
+  touch_force.store(touch_force_sum / double(count), std::memory_order_relaxed);
 }
 
 void Loop::Impl::publish() noexcept {
   note_world(world, sample, moments.back());
   Snapshot& snapshot = moments.back().seen;
   snapshot.force = safe.sent().force;
+  snapshot.motors = motors;
   snapshot.cost = to_seconds(spent);
   snapshot.lateness = to_seconds(lateness);
   snapshot.missed_ticks = missed.load(std::memory_order_relaxed);
@@ -292,7 +337,13 @@ LoopReport Loop::report() const {
     report.realtime_note = impl_->realtime.note;
   }
   if (impl_->has_alarm.load(std::memory_order_acquire)) report.alarm = impl_->alarm;
-  report.fault = impl_->fault.load(std::memory_order_relaxed);
+  report.fault = impl_->fault.load(std::memory_order_acquire);
+  report.fault_reason = describe_fault(
+      report.fault, impl_->fault_value.load(std::memory_order_relaxed), impl_->device);
+  report.unrendered_ticks = impl_->unrendered.load(std::memory_order_relaxed);
+  report.peak_force = impl_->peak_force.load(std::memory_order_relaxed);
+  report.touch_ticks = impl_->touch_ticks.load(std::memory_order_relaxed);
+  report.touch_force = impl_->touch_force.load(std::memory_order_relaxed);
   report.record_gaps = impl_->log ? impl_->log->gap_count() : 0;
   return report;
 }

@@ -13,12 +13,20 @@
 
 namespace palpate {
 
+/// What becomes of a run whose device fails, or gives no force any more.
+enum class FaultResponse {
+  go_on,  ///< to its end, and counts the ticks that nobody felt
+  pause,  ///< it rests until resume(), and again where the fault is still there then
+  end,
+};
+
 struct LoopOptions {
   double duration = 0.0;  ///< [s] 0 runs until stop()
   bool realtime = true;   ///< ask for SCHED_FIFO and locked memory
   int cpu = -1;           ///< pin the thread to this core, -1 for none
   double spin = 150e-6;   ///< [s] spun instead of slept before every tick
   SafetyLimits safety = {};
+  FaultResponse on_fault = FaultResponse::go_on;
 };
 
 /// Right within 0.4 %, the largest exactly.
@@ -36,8 +44,13 @@ struct LoopReport {
   bool realtime = false;      ///< granted
   std::string realtime_note;  ///< why not, in words
   Alarm alarm;
-  DeviceFault fault = DeviceFault::none;
-  long record_gaps = 0;  ///< ticks the log had no room for
+  DeviceFault fault = DeviceFault::none;  ///< now, or when the run ended
+  std::string fault_reason;               ///< in words
+  long record_gaps = 0;                   ///< ticks the log had no room for
+  long unrendered_ticks = 0;  ///< the device's motors were not on: their force counts nowhere below
+  double peak_force = 0.0;    ///< [N] largest that was sent
+  long touch_ticks = 0;       ///< touching or attached
+  double touch_force = 0.0;   ///< [N] mean of what was sent in them
 };
 static_assert(alignof(LoopReport) == 8);
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "palpate/sim/base/refuse.h"
+
 namespace palpate {
 namespace {
 
@@ -18,6 +20,7 @@ constexpr double kEnergyTime = 1.0;
 /// The share of the heat that motors stand from which on the force is taken back.
 constexpr double kWarm = 0.8;
 
+// further and faster than any hand; numbers beyond would overflow where they are squared
 constexpr double kFarthest = 10.0;   // [m] from the origin, along each axis
 constexpr double kFastest = 1000.0;  // [m/s]
 
@@ -45,12 +48,6 @@ bool is_finite(const HapticSample& sample) noexcept {
   return std::isfinite(sample.time) && sample.position.allFinite() &&
          sample.orientation.coeffs().allFinite() && sample.velocity.allFinite() &&
          std::isfinite(sample.grip);
-}
-
-/// Further and faster than any hand; numbers beyond would overflow where they are squared.
-bool is_within_reach(const HapticSample& sample) noexcept {
-  return (sample.position.cwiseAbs().array() <= kFarthest).all() &&
-         (sample.velocity.cwiseAbs().array() <= kFastest).all();
 }
 
 }  // namespace
@@ -88,10 +85,8 @@ void SafeDevice::look(double time) noexcept {
     fault_ = DeviceFault::device_failed;
     return;
   }
-  if (!is_finite(sample) || !is_within_reach(sample)) {
-    fault_ = DeviceFault::sample_not_finite;
-    return;
-  }
+  judge(sample);
+  if (fault_ != DeviceFault::none) return;
   if (has_sample_) {
     given_energy_ += sent_.force.dot(sample.position - last_sample_.position);
     if (sent_.force.isZero(0.0)) given_energy_ = std::max(given_energy_, 0.0);
@@ -100,6 +95,20 @@ void SafeDevice::look(double time) noexcept {
   warmth_ += (sent_.force.squaredNorm() - warmth_) * std::min(1.0, pause_ / limits_.heat_time);
   last_sample_ = sample;
   has_sample_ = true;
+}
+
+void SafeDevice::judge(const HapticSample& sample) noexcept {
+  const double farthest = sample.position.lpNorm<Eigen::Infinity>();
+  const double fastest = sample.velocity.lpNorm<Eigen::Infinity>();
+  if (!is_finite(sample)) {
+    fault_ = DeviceFault::sample_not_finite;
+  } else if (farthest > kFarthest) {
+    fault_ = DeviceFault::sample_out_of_reach;
+    fault_value_ = farthest;
+  } else if (fastest > kFastest) {
+    fault_ = DeviceFault::sample_too_fast;
+    fault_value_ = fastest;
+  }
 }
 
 /// The ramp begins with the first command that is small, or a hand that is in the tissue when the
@@ -155,13 +164,23 @@ Vec3 SafeDevice::slew(const Vec3& wanted) const noexcept {
   return change.norm() > most ? Vec3(sent_.force + change * (most / change.norm())) : wanted;
 }
 
+/// What motors that are not on are sent nobody feels: it heats nothing and moves no hand. Once they
+/// are, the force fades in, but for a few reports that were missing.
+bool SafeDevice::may_send(const Vec3& force) noexcept {
+  if (fault_ != DeviceFault::none) return false;
+  const MotorState state = device_.motors();
+  if (state == MotorState::on) return may_start(force);
+  if (state != MotorState::silent) commanded_ = false;
+  return false;
+}
+
 /// The norm is clamped before the fade-in and the slew limit: a step from a force within the norm
 /// towards another stays within it, so the last limit cannot undo the first.
 void SafeDevice::write(const HapticCommand& command) noexcept {
   if (!command.force.allFinite() && fault_ == DeviceFault::none) {
     fault_ = DeviceFault::force_not_finite;
   }
-  if (fault_ != DeviceFault::none || !may_start(command.force)) {
+  if (!may_send(command.force)) {
     sent_.force.setZero();
     device_.write(sent_);
     return;
@@ -184,10 +203,33 @@ void SafeDevice::write(const HapticCommand& command) noexcept {
   device_.write(sent_);
 }
 
-void SafeDevice::rest() noexcept {
+void SafeDevice::rest(double seconds) noexcept {
   commanded_ = false;
   sent_.force.setZero();
-  device_.write(sent_);
+  device_.rest(seconds);
+}
+
+std::string describe_fault(DeviceFault fault, double value, const HapticDevice& device) {
+  const std::string told = device.explain_fault();
+  switch (fault) {
+    case DeviceFault::none:
+      return {};
+    case DeviceFault::sample_not_finite:
+      return "the device told a hand with a number that is not finite";
+    case DeviceFault::force_not_finite:
+      return "the force that was computed is not finite";
+    case DeviceFault::sample_out_of_reach:
+      return write_text("the device told a hand at ", value, " m, expected within ", kFarthest,
+                        " m");
+    case DeviceFault::sample_too_fast:
+      return write_text("the device told a hand at ", value, " m/s, expected at most ", kFastest,
+                        " m/s");
+    case DeviceFault::device_failed:
+      return told.empty() ? "the device is gone" : told;
+    case DeviceFault::motors_cut:
+      break;
+  }
+  return told.empty() ? "the device's motors are off" : told;
 }
 
 }  // namespace palpate

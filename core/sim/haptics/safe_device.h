@@ -20,13 +20,25 @@ struct SafetyLimits {
   double damping_max = 2.0;      ///< [N·s/m] that the passivity controller may add
 };
 
-/// sample_not_finite is also a hand beyond 10 m, or faster than 1000 m/s: no device reaches there.
-enum class DeviceFault { none, sample_not_finite, force_not_finite, device_failed };
+enum class DeviceFault {
+  none,
+  sample_not_finite,
+  force_not_finite,
+  device_failed,
+  sample_out_of_reach,  ///< a hand beyond 10 m: no device reaches there
+  sample_too_fast,      ///< a hand faster than 1000 m/s
+  motors_cut,           ///< MotorState::cut; of the live loop alone, for the motors may come back
+};
+
+/// One sentence without a stop. `value` is what the fault found, [m] or [m/s] where it has one;
+/// what the motors are cut for, or why the device failed, `device` says. From any thread.
+std::string describe_fault(DeviceFault fault, double value, const HapticDevice& device);
 
 /// Stands between the tick and any device. What passes is finite and within 10 m, gives the hand no
 /// energy it did not put in, never pushes a hand that is too fast, is limited in norm, moment by
 /// moment and on the whole, fades in at the start, and changes no faster than the slew limit. The
 /// first fault latches: the force is zero from then on and the hand stays where it was last known.
+/// While the device's motors are not on nothing is sent, and the force then fades in again.
 class SafeDevice : public HapticDevice {
  public:
   /// `device` must outlive this. Throws std::invalid_argument for limits that are not positive, or
@@ -38,16 +50,23 @@ class SafeDevice : public HapticDevice {
   void write(const HapticCommand& command) noexcept override;
   void end() noexcept override { device_.end(); }
   /// A zero force at once, past the slew limit; the next command fades in as the first one did.
-  void rest() noexcept;
+  void rest(double seconds = 0.0) noexcept override;
   std::string name() const override { return device_.name(); }
   bool failed() const noexcept override { return device_.failed(); }
+  /// Cut too once a fault has latched.
+  MotorState motors() const noexcept override {
+    return fault_ == DeviceFault::none ? device_.motors() : MotorState::cut;
+  }
+  std::string explain_fault() const override { return device_.explain_fault(); }
   double report_rate() const noexcept override { return device_.report_rate(); }
   bool wait_for_report(std::int64_t latest) noexcept override {
     return device_.wait_for_report(latest);
   }
 
   DeviceFault fault() const noexcept { return fault_; }
-  /// What was really sent last.
+  /// What the fault found: [m] or [m/s], 0 for a fault without a value.
+  double fault_value() const noexcept { return fault_value_; }
+  /// What was really sent last; nothing while the motors are not on.
   const HapticCommand& sent() const noexcept { return sent_; }
   /// How often a limit had to act.
   long limited_count() const noexcept { return limited_count_; }
@@ -60,6 +79,8 @@ class SafeDevice : public HapticDevice {
 
  private:
   void look(double time) noexcept;
+  void judge(const HapticSample& sample) noexcept;
+  bool may_send(const Vec3& force) noexcept;
   bool may_start(const Vec3& force) noexcept;
   Vec3 damp(const Vec3& force) noexcept;
   Vec3 brake(const Vec3& force) const noexcept;
@@ -79,6 +100,7 @@ class SafeDevice : public HapticDevice {
   double given_energy_ = 0.0;
   double warmth_ = 0.0;  ///< [N²] running mean of the squared force
   DeviceFault fault_ = DeviceFault::none;
+  double fault_value_ = 0.0;
   long limited_count_ = 0, damped_count_ = 0;
 };
 static_assert(alignof(SafeDevice) == 8);

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <thread>
@@ -25,12 +26,22 @@ constexpr int kMostBridged = 3;       // missing reports
 constexpr double kLongestGap = 5e-3;  // [s] that a joint goes on without a report
 constexpr double kStatusTime = 8e-3;  // [s] between two of them
 
+// why the motors are cut, beside the firmware's own faults
+constexpr int kNoCause = -1;
+constexpr int kReset =
+    100;  // it is as after a start: someone else spoke to it, or its power failed
+constexpr int kUnheard = 101;
+constexpr int kLost = 102;
+
 }  // namespace
 
 struct SerialDevice::Impl {
   Impl(Transport& transport, const Vec3& origin_in) : link(transport), origin(origin_in) {}
 
   void take_report(double time) noexcept;
+  void listen(double time) noexcept;
+  void watch_motors() noexcept;
+  int find_cause() const noexcept;
   void publish(double time) noexcept;
   double bridge() const noexcept;
   Mat3 choose_law(const Vec3& force, const Vec3& torque, double share) noexcept;
@@ -46,8 +57,14 @@ struct SerialDevice::Impl {
   HapticSample sample;       // of the last report
   Vec3 told = Vec3::Zero();  // [m] where the hand was said to be
   double device_time = 0.0;  // [s] of the last report
+  double run_time = 0.0;     // [s] of the last read; all other times go on while the run is paused
+  double rested = 0.0;       // [s] of pauses since the run began
   double report_time = 0.0, last_time = 0.0, last_status = -1.0;
   int missing = 0;  // reports that should have come since the last
+  MotorState motors = MotorState::off;
+  MotorState told_motors = MotorState::off;  // with the last status
+  bool was_on = false;                       // in this run, and nobody has switched them off since
+  std::atomic<int> cause{kNoCause};
   bool was_read = false;
   bool has_news = false;  // a report came while it was waited for
   Vec3 force = Vec3::Zero();
@@ -91,6 +108,42 @@ void SerialDevice::Impl::take_report(double time) noexcept {
   has_sample = true;
 }
 
+/// Takes what has come by `time`, and sees whether the motors are on.
+void SerialDevice::Impl::listen(double time) noexcept {
+  last_time = time;
+  const bool came = link.receive(time);
+  if (std::exchange(has_news, false) || came) take_report(time);
+  const double since = std::clamp(time - report_time, 0.0, (kMostBridged + 1) * kTick);
+  missing = static_cast<int>(std::floor(since / kTick + 0.01));
+  watch_motors();
+}
+
+/// By the newest report. What ended the last host's run is cleared at the begin of ours, so it is
+/// no fault of it.
+void SerialDevice::Impl::watch_motors() noexcept {
+  const bool heard = link.state() == LinkState::ready && link.has_report();
+  if (heard && link.driving()) {
+    motors = missing > kMostBridged ? MotorState::silent : MotorState::on;
+    was_on = true;
+    cause.store(kNoCause, std::memory_order_relaxed);
+    return;
+  }
+  was_on = was_on && link.is_enabled();
+  const bool faulted = heard && link.faulted() && link.first_fault() != PALPATE_FAULT_HOST_SILENT;
+  const bool cut = was_on || link.state() == LinkState::lost || (faulted && link.is_enabled());
+  // a fault that was cleared is still why they are off until they are on
+  if (cut && (motors != MotorState::cut || link.state() == LinkState::lost)) {
+    cause.store(find_cause(), std::memory_order_relaxed);
+  }
+  motors = cut ? MotorState::cut : MotorState::off;
+}
+
+int SerialDevice::Impl::find_cause() const noexcept {
+  if (link.state() == LinkState::lost) return kLost;
+  if (link.state() != LinkState::ready || !link.has_report()) return kUnheard;
+  return link.faulted() ? link.first_fault() : kReset;
+}
+
 /// 1 while reports come, or are but a little late, falling to 0 over the ones that may be missing.
 double SerialDevice::Impl::bridge() const noexcept {
   return std::clamp(1.0 - double(missing - 1) / kMostBridged, 0.0, 1.0);
@@ -115,8 +168,10 @@ Mat3 SerialDevice::Impl::choose_law(const Vec3& wanted, const Vec3& torque, doub
 }
 
 void SerialDevice::Impl::publish(double time) noexcept {
-  if (time - last_status < kStatusTime && time >= last_status) return;
+  const bool is_due = time - last_status >= kStatusTime || time < last_status;
+  if (!is_due && motors == told_motors) return;
   last_status = time;
+  told_motors = motors;
   DeviceStatus& status = statuses.back();
   link.fill(status);
   // half a tick of holding it, if the acknowledgement did not wait for the next one
@@ -143,6 +198,7 @@ template <class Done>
 void SerialDevice::Impl::wait_until_done(double timeout, const std::function<bool()>& stopped,
                                          Done done) {
   const double begun = link.now(0.0);
+  run_time = rested = 0.0;
   for (double time = 0.0; time < timeout; time += kTick) {
     link.receive(time);
     last_time = time;
@@ -165,19 +221,22 @@ SerialDevice::~SerialDevice() { impl_->link.disable(impl_->last_time); }
 HapticSample SerialDevice::read(double time) noexcept {
   Impl& my = *impl_;
   my.was_read = true;
-  if (time < my.last_time) my.report_time = time;  // a new run begins
-  my.last_time = time;
-  const bool came = my.link.receive(time);
-  if (std::exchange(my.has_news, false) || came) my.take_report(time);
+  if (time < my.run_time || time + my.rested < my.last_time) {  // a new run begins
+    my.rested = 0.0;
+    my.report_time = time;
+    my.was_on = false;
+  }
+  my.run_time = time;
+  const double now = time + my.rested;
+  my.listen(now);
 
-  const double since = std::clamp(time - my.report_time, 0.0, (kMostBridged + 1) * kTick);
-  my.missing = static_cast<int>(std::floor(since / kTick + 0.01));
+  const double since = std::clamp(now - my.report_time, 0.0, (kMostBridged + 1) * kTick);
   HapticSample sample = my.sample;
   sample.time = time;
   sample.position += std::min(since, kMostBridged * kTick) * sample.velocity;
   if (my.missing > kMostBridged) sample.velocity.setZero();
   my.told = sample.position;
-  my.publish(time);
+  my.publish(now);
   return sample;
 }
 
@@ -199,6 +258,38 @@ void SerialDevice::write(const HapticCommand& command) noexcept {
 void SerialDevice::end() noexcept {
   write({});
   impl_->link.disable(impl_->last_time);
+  impl_->was_on = false;
+}
+
+/// Time goes on for the link: orders are given and asked for again, and the device hears its host.
+void SerialDevice::rest(double seconds) noexcept {
+  Impl& my = *impl_;
+  my.rested += std::max(seconds, 0.0);
+  my.listen(my.last_time + std::max(seconds, 0.0));
+  my.force.setZero();
+  my.publish(my.last_time);
+  my.was_read = false;
+  write({});
+}
+
+MotorState SerialDevice::motors() const noexcept { return impl_->motors; }
+
+std::string SerialDevice::explain_fault() const {
+  const int cause = impl_->cause.load(std::memory_order_relaxed);
+  DeviceStatus status;
+  status.link = cause == kLost ? LinkState::lost : LinkState::ready;
+  switch (cause) {
+    case kNoCause:
+      return {};
+    case kReset:
+      return "motors off: the device was reset, or another program speaks with it";
+    case kUnheard:
+      return "motors off: the device does not report any more";
+    default:
+      status.mode = DeviceMode::faulted;
+      status.first_fault = cause;
+      return describe_status(status);
+  }
 }
 
 std::string SerialDevice::name() const { return "serial device on " + impl_->link.name(); }

@@ -36,7 +36,10 @@ class SerialDevice : public HapticDevice {
   void write(const HapticCommand& command) noexcept override;
   void end() noexcept override;
   std::string name() const override;
+  void rest(double seconds) noexcept override;
   bool failed() const noexcept override;
+  MotorState motors() const noexcept override;
+  std::string explain_fault() const override;
   /// 0 where the machine does not tell of bytes that come, or no reports do.
   double report_rate() const noexcept override;
   bool wait_for_report(std::int64_t latest) noexcept override;

@@ -39,6 +39,7 @@ class SerialLink {
   void disable(double time) noexcept;
   void clear_fault() noexcept { clearing_.store(true, std::memory_order_relaxed); }  ///< any thread
   void enable(bool on) noexcept { enabled_.store(on, std::memory_order_relaxed); }   ///< any thread
+  bool is_enabled() const noexcept { return enabled_.load(std::memory_order_relaxed); }
 
   void begin_store(std::vector<std::uint8_t> bytes);
   StoreResult store_result() const noexcept { return store_result_; }
@@ -52,6 +53,8 @@ class SerialLink {
   const std::array<std::uint16_t, 6>& counts() const noexcept { return counts_; }
   std::uint8_t buttons() const noexcept { return report_.buttons; }
   int duty(int motor) const noexcept { return report_.duty[motor]; }
+  bool faulted() const noexcept { return report_.mode == PALPATE_FAULTED; }
+  int first_fault() const noexcept { return report_.first_fault; }  ///< PALPATE_FAULT_...
   bool driving() const noexcept {
     return report_.mode == PALPATE_RAMP || report_.mode == PALPATE_RUN;
   }

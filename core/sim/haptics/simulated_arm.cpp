@@ -70,13 +70,26 @@ HapticSample SimulatedArm::read(double time) noexcept {
   core_.hold({place_, dt > 0.0 ? Vec3(step / dt) : Vec3(Vec3::Zero()), true});
   core_.press_buttons(wanted.buttons);
   HapticSample sample = driver_.read(time);
+  tell_hand_force();
+  // turned by the hand as it likes: the mouse has no gimbal
+  sample.orientation = wanted.orientation;
+  return sample;
+}
+
+/// The hand stays where it is, and so does what moves it.
+void SimulatedArm::rest(double seconds) noexcept {
+  follow_orders();
+  core_.hold({place_, Vec3::Zero(), true});
+  driver_.rest(seconds);
+  tell_hand_force();
+  hand_.write({});
+}
+
+void SimulatedArm::tell_hand_force() noexcept {
   for (int i = 0; i < 3; ++i) {
     hand_force_[static_cast<std::size_t>(i)].store(core_.state().hand_force[i],
                                                    std::memory_order_relaxed);
   }
-  // turned by the hand as it likes: the mouse has no gimbal
-  sample.orientation = wanted.orientation;
-  return sample;
 }
 
 void SimulatedArm::write(const HapticCommand& command) noexcept {

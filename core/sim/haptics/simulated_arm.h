@@ -25,8 +25,11 @@ class SimulatedArm : public HapticDevice {
   HapticSample read(double time) noexcept override;
   void write(const HapticCommand& command) noexcept override;
   void end() noexcept override { driver_.end(); }
+  void rest(double seconds) noexcept override;
   std::string name() const override { return "simulated arm held by " + hand_.name(); }
   bool failed() const noexcept override { return driver_.failed(); }
+  MotorState motors() const noexcept override { return driver_.motors(); }
+  std::string explain_fault() const override { return driver_.explain_fault(); }
 
   /// From any thread, heard by the next read: whether the hand may leave the workspace and go to
   /// the stops of the joints.
@@ -44,6 +47,7 @@ class SimulatedArm : public HapticDevice {
  private:
   Vec3 to_arm(const Vec3& position) const noexcept;
   void follow_orders() noexcept;
+  void tell_hand_force() noexcept;
 
   HapticDevice& hand_;
   const Vec3 origin_;

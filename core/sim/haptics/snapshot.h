@@ -13,10 +13,11 @@ struct Snapshot {
   Vec3Array position;  ///< [m] of the vertices of the surface
   HapticSample sample;
   Vec3 tool_position = Vec3::Zero();
-  Vec3 force = Vec3::Zero();  ///< [N] on the hand
+  Vec3 force = Vec3::Zero();  ///< [N] on the hand; none while the motors are not on
   bool touching = false;
-  double cost = 0.0;      ///< [s] of the last tick
-  double lateness = 0.0;  ///< [s] of the last tick
+  MotorState motors = MotorState::on;  ///< of the device
+  double cost = 0.0;                   ///< [s] of the last tick
+  double lateness = 0.0;               ///< [s] of the last tick
   int substeps = 0;
   long missed_ticks = 0;
 };

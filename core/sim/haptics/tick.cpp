@@ -111,8 +111,8 @@ Felt compute_felt(const HapticCommand& command, const World& world) noexcept {
   Felt felt;
   felt.force = command.force.cast<float>();
   felt.position = world.tool.position.cast<float>();
-  felt.touched = static_cast<std::uint8_t>((world.tool.touching ? 1 : 0) |
-                                           (world.tool.hold_count > 0 ? 2 : 0));
+  felt.touched = static_cast<std::uint8_t>((world.tool.touching ? kTouching : 0) |
+                                           (world.tool.hold_count > 0 ? kAttached : 0));
   return felt;
 }
 

@@ -11,11 +11,17 @@
 
 namespace palpate {
 
+// bits of Felt::touched
+inline constexpr std::uint8_t kTouching = 1;
+inline constexpr std::uint8_t kAttached = 2;
+/// The device's motors were not on: nobody felt the force of this tick.
+inline constexpr std::uint8_t kNotRendered = 4;
+
 /// What was felt in one tick.
 struct Felt {
   Eigen::Vector3f force = Eigen::Vector3f::Zero();  ///< [N] from tick(), before the safety wrapper
   Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< [m] the tool
-  std::uint8_t touched = 0;                            ///< bit 0: touching, bit 1: attached
+  std::uint8_t touched = 0;                            ///< kTouching, kAttached, kNotRendered
   std::uint16_t lateness_us = 0;                       ///< [us] saturates
 };
 static_assert(sizeof(Felt) == 28 && alignof(Felt) == 4);
@@ -24,12 +30,14 @@ enum class HappeningKind : std::int32_t {
   missed_ticks = 1,  ///< index: how many were skipped before this tick
   record_gap = 2,    ///< index: how many ticks the log had no room for
   alarm = 3,         ///< index: AlarmKind
-  fault = 4,         ///< index: DeviceFault
+  fault = 4,         ///< index: DeviceFault; value: what it found, see describe_fault
   attached = 5,
   released = 6,
   paused = 7,          ///< value: how long [s] the loop rested before this tick
   tree_exchanged = 8,  ///< index: ticks since its positions were taken; value: what the cost of
                        ///< queries had grown by (TreeCost)
+  motors_off = 9,      ///< index: MotorState
+  motors_on = 10,
 };
 
 /// Something that happened at a tick.

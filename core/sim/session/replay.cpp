@@ -110,6 +110,7 @@ ReplayReport replay(const Scene& scene, const Record& record) {
     Felt felt = compute_felt(command, world);
     const Felt& then = record.felt[i];
     felt.lateness_us = then.lateness_us;
+    felt.touched |= then.touched & kNotRendered;  // of the device, not of the tick
     report.felt.push_back(felt);
     const bool same = same_bits(felt.force, then.force) &&
                       same_bits(felt.position, then.position) && felt.touched == then.touched;

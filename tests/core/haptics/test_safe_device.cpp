@@ -157,7 +157,7 @@ TEST_CASE("every number of a sample is looked at") {
   CHECK_FALSE(faults([](HapticSample&) {}));
 }
 
-TEST_CASE("a hand where no device reaches latches as one that is not finite does") {
+TEST_CASE("a hand where no device reaches, or faster than any, latches and is named as such") {
   for (const double far : {1e300, -1e300, 11.0}) {
     Puppet puppet;
     puppet.hand.position = Vec3(0.01, 0.02, 0.03);
@@ -169,8 +169,15 @@ TEST_CASE("a hand where no device reaches latches as one that is not finite does
     CHECK(safe.read(time).position == Vec3(0.01, 0.02, 0.03));
     safe.write({.force = {0, 0, 1}});
     CHECK(puppet.pushed == Vec3::Zero());
-    CHECK(safe.fault() == DeviceFault::sample_not_finite);
+    CHECK(safe.fault() == DeviceFault::sample_out_of_reach);
+    CHECK(safe.fault_value() == std::abs(far));
   }
+  Puppet fast;
+  fast.hand.velocity.y() = -1e200;
+  SafeDevice safe(fast);
+  safe.read(0.0);
+  CHECK(safe.fault() == DeviceFault::sample_too_fast);
+  CHECK(safe.fault_value() == 1e200);
 }
 
 TEST_CASE("a force that is not finite latches and never reaches the device") {

@@ -73,6 +73,30 @@ TEST_CASE("a record with an alarm replays, also one made before forces faded aft
   CHECK(replay(scene, older).first_difference == 190);
 }
 
+TEST_CASE("ticks that the motors did not give are kept in a record, and it replays to the bit") {
+  const Scene scene = press_scene();
+  Record record = press_record(scene);
+  for (std::size_t i = 200; i < 300; ++i) record.felt[i].touched |= kNotRendered;
+  record.happenings = {{200, HappeningKind::motors_off, int(MotorState::cut), 0.0},
+                       {200, HappeningKind::fault, int(DeviceFault::motors_cut), 0.0},
+                       {300, HappeningKind::motors_on, 0, 0.0}};
+  const Folder folder;
+  const std::string path = folder.file("cut.prec");
+  write_record(path, record);
+
+  const Record read = read_record(path);
+
+  const ReplayReport report = replay(scene, read);
+  CHECK(report.equal);
+  REQUIRE(read.happenings.size() == 3);
+  CHECK(read.happenings[0].kind == HappeningKind::motors_off);
+  CHECK(read.happenings[2].kind == HappeningKind::motors_on);
+  for (std::size_t i : {199u, 200u, 299u, 300u}) {
+    CHECK((read.felt[i].touched & kNotRendered) == (i >= 200 && i < 300 ? kNotRendered : 0));
+    CHECK(report.felt[i].touched == read.felt[i].touched);
+  }
+}
+
 TEST_CASE("a record replays to the same bits in another world") {
   const Scene scene = press_scene();
   const Record record = press_record(scene);

@@ -52,8 +52,24 @@
         <translation>Kayıt: %1</translation>
     </message>
     <message>
-        <source>No force from the device. %1. %2 C clears the fault.</source>
-        <translation>Cihazdan kuvvet gelmiyor. %1. %2 C tuşu arızayı siler.</translation>
+        <source>Paused: no force from the device. %1. %2 C clears the fault.</source>
+        <translation>Duraklatıldı: cihazdan kuvvet gelmiyor. %1. %2 C tuşu arızayı siler.</translation>
+    </message>
+    <message>
+        <source>Paused: no force from the device. %1. %2</source>
+        <translation>Duraklatıldı: cihazdan kuvvet gelmiyor. %1. %2</translation>
+    </message>
+    <message>
+        <source>The device reported a position where no hand reaches, so its force was switched off. Check its calibration, then press R to start again.</source>
+        <translation>Cihaz hiçbir elin ulaşamayacağı bir konum bildirdi, bu nedenle kuvveti kapatıldı. Kalibrasyonunu denetleyin, sonra yeniden başlamak için R tuşuna basın.</translation>
+    </message>
+    <message>
+        <source>The device reported a speed that no hand has, so its force was switched off. Check its cable, then press R to start again.</source>
+        <translation>Cihaz hiçbir elin ulaşamayacağı bir hız bildirdi, bu nedenle kuvveti kapatıldı. Kablosunu denetleyin, sonra yeniden başlamak için R tuşuna basın.</translation>
+    </message>
+    <message>
+        <source>Paused: the motors of the device are off, so no force can be felt. Press R to start again.</source>
+        <translation>Duraklatıldı: cihazın motorları kapalı, bu nedenle kuvvet hissedilmez. Yeniden başlamak için R tuşuna basın.</translation>
     </message>
     <message>
         <source>Time</source>

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import palpate
 from numpy.typing import NDArray
+from palpate.felt import read_force
 from palpate.press import Moments, Place, measure_press
 from palpate.run import describe_build
 
@@ -40,7 +41,7 @@ class Outcome:
     @property
     def force(self) -> NDArray[np.float64]:
         """[N] (n, 3)"""
-        return np.asarray(self.record.felt["force"], dtype=float)
+        return read_force(self.record)
 
 
 def read_felt(
@@ -50,7 +51,7 @@ def read_felt(
     if script is not None:
         place, moments = script
         return measure_press(record, place, radius, moments)
-    force = np.linalg.norm(np.asarray(record.felt["force"], dtype=float), axis=1)
+    force = np.linalg.norm(read_force(record), axis=1)
     return {"peak_force_N": float(force.max(initial=0.0))}
 
 
