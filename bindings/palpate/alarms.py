@@ -226,11 +226,10 @@ def advise_hand(kind: AlarmKind, say: Say) -> str:
 
 
 def advise_design(
-    alarm: Alarm, scene: Scene | None, say: Say, name: Name, write: Write = write_plain
+    alarm: Alarm, cause: Cause | None, say: Say, name: Name, write: Write = write_plain
 ) -> str:
-    """What to change in an organ, and why where its scene tells, in a language; `name` says what
+    """What to change in an organ, and why where the cause is known, in a language; `name` says what
     the window or the command that is asked calls a constant."""
-    cause = find_cause(scene, alarm) if scene is not None else None
     advice = CAUSES[cause.name] if cause is not None else ALARMS[alarm.kind].design
     values = list_values(cause, advice.unit, write)
     return fill(say(CONTEXT, advice.text), (*values, *map(name, advice.constants)))
@@ -245,5 +244,6 @@ def list_values(cause: Cause | None, unit: float, write: Write) -> tuple[str, ..
 
 def tell_alarm(alarm: Alarm, scene: Scene | None) -> str:
     """What happened and what to do about it, in English and with the options of commands."""
-    advice = advise_design(alarm, scene, lambda _, text: text, OPTIONS.__getitem__)
+    cause = find_cause(scene, alarm) if scene is not None else None
+    advice = advise_design(alarm, cause, lambda _, text: text, OPTIONS.__getitem__)
     return f"{describe_alarm(alarm)}. {advice}"

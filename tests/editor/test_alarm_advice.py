@@ -9,13 +9,14 @@ from types import SimpleNamespace
 import palpate
 import pytest
 from palpate.alarms import ALARMS, CAUSES, OPTIONS
+from palpate.cause import find_cause
 from palpate_editor.compile import compile_organ
 from palpate_editor.document.constants import LAW_NAMES, find_constant
 from palpate_editor.edits import SetConstant
 from palpate_editor.shipped import make_organ
 from palpate_editor.verbs.tissue import LAWS
 from palpate_editor.verbs.tissue import OPTIONS as VERB
-from palpate_editor.views.touch.trial import describe_end, name_field
+from palpate_editor.views.touch.trial import advise, name_field
 
 ADVICES = [*CAUSES.values(), *(words.design for words in ALARMS.values())]
 NAMED = {key for advice in ADVICES for key in advice.constants}
@@ -44,7 +45,7 @@ def test_a_run_that_ends_in_the_window_names_fields_and_no_options(qapp):
     alarm = palpate.Alarm()
     alarm.kind, alarm.time, alarm.value, alarm.limit = palpate.AlarmKind.energy, 0.5, 2e-3, 1e-3
 
-    told = describe_end(SimpleNamespace(alarm=alarm), scene)
+    told = advise(SimpleNamespace(alarm=alarm), find_cause(scene, alarm))
 
     assert "--" not in told
     assert "contact stiffness of 30 N/mm³" in told

@@ -33,3 +33,8 @@ def say_title(title: str) -> str:
     if isinstance(title, Phrase):
         return str(say(title))
     return QCoreApplication.translate("edits", title)
+
+
+def say_tissue(text: str) -> str:
+    """What the table of tissues that ships says of one: its note, how a value was measured."""
+    return QCoreApplication.translate("tissues", " ".join(text.split()))

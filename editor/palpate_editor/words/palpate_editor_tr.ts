@@ -1413,8 +1413,8 @@
         <translation>En uzun kararlı adımın payı olarak zaman adımı: yüzde 100'ün ötesinde doku patlar. Alt adımlar bunun altında kalacak biçimde seçilir.</translation>
     </message>
     <message>
-        <source>The run was stopped after {time:.2f} s: {what}. {advice}</source>
-        <translation>Çalışma {time:.2f} s sonra durduruldu: {what}. {advice}</translation>
+        <source>The run was stopped after {time:.2f} s: {what}.</source>
+        <translation>Çalışma {time:.2f} s sonra durduruldu: {what}.</translation>
     </message>
     <message>
         <source>The tissue can be built and stays stable.</source>
@@ -2786,6 +2786,121 @@ Beklenen: {expected}.</translation>
     <message>
         <source>{value:g} {unit}</source>
         <translation>{value:g} {unit}</translation>
+    </message>
+</context>
+<context>
+    <name>tissues</name>
+    <message>
+        <source>Calcium oxalate. It does not give: every vertex is held, so that it is felt as hard as hand and contact are. It cannot be moved; that waits for rigid bodies.</source>
+        <translation>Kalsiyum oksalat. Esnemez: her köşesi tutulmuştur; el ve temas ne kadar sertse o kadar sert hissedilir. Hareket ettirilemez; bu, rijit cisimleri bekliyor.</translation>
+    </message>
+    <message>
+        <source>Cortex under its capsule; the pelvis is several times stiffer, and is not told apart here.</source>
+        <translation>Kapsülünün altındaki korteks; pelvis birkaç kat daha serttir ve burada ayrılmamıştır.</translation>
+    </message>
+    <message>
+        <source>Healthy, perfused. Fibrosis stiffens it by a factor of up to ten.</source>
+        <translation>Sağlıklı, kanlanan doku. Fibroz onu on kata kadar sertleştirir.</translation>
+    </message>
+    <message>
+        <source>No organ: the first experiments' patch, of about the stiffness of a practice pad.</source>
+        <translation>Organ değil: ilk deneylerin parçası; sertliği yaklaşık bir alıştırma pedininki kadar.</translation>
+    </message>
+    <message>
+        <source>Published values differ by a factor of six between elastography devices.</source>
+        <translation>Yayımlanmış değerler elastografi aygıtları arasında altı kat değişiyor.</translation>
+    </message>
+    <message>
+        <source>Published values span three decades; the density is that of the wall and of half of what it holds.</source>
+        <translation>Yayımlanmış değerler bin kata yayılıyor; yoğunluk, duvarın ve içindekinin yarısınınkidir.</translation>
+    </message>
+    <message>
+        <source>Softer than its wall, so that 5400 vertices can be touched at 1 kHz; the density is that of the wall and of the bile that moves with it.</source>
+        <translation>5400 köşeye 1 kHz'de dokunulabilsin diye duvarından yumuşak; yoğunluk, duvarın ve onunla hareket eden safranınkidir.</translation>
+    </message>
+    <message>
+        <source>bending of a stone of calcium oxalate monohydrate</source>
+        <translation>kalsiyum oksalat monohidrat taşının eğilmesi</translation>
+    </message>
+    <message>
+        <source>from a shear modulus of 0.637 kPa, E = 3 G</source>
+        <translation>0,637 kPa kayma modülünden, E = 3 G</translation>
+    </message>
+    <message>
+        <source>from a shear modulus of 1.8 +- 0.4 kPa, E = 3 G</source>
+        <translation>1,8 ± 0,4 kPa kayma modülünden, E = 3 G</translation>
+    </message>
+    <message>
+        <source>from a shear modulus of 85 +- 8.2 kPa of the wall, E = 3 G</source>
+        <translation>duvarın 85 ± 8,2 kPa kayma modülünden, E = 3 G</translation>
+    </message>
+    <message>
+        <source>indentation in vivo, pig</source>
+        <translation>canlıda bastırma, domuz</translation>
+    </message>
+    <message>
+        <source>indentation, pig, ex vivo</source>
+        <translation>bastırma, domuz, canlı dışında</translation>
+    </message>
+    <message>
+        <source>indentation: 0.27 MPa human right lobe in vivo, 4.0 MPa pig ex vivo; stiffens with strain</source>
+        <translation>bastırma: canlıda insan sağ lobu 0,27 MPa, canlı dışında domuz 4,0 MPa; gerinimle sertleşir</translation>
+    </message>
+    <message>
+        <source>of the wall alone</source>
+        <translation>yalnız duvarın</translation>
+    </message>
+    <message>
+        <source>secant of human strips pulled until they break: 0.5 and 0.7 MPa at 190 %</source>
+        <translation>kopana dek çekilen insan şeritlerinin sekantı: % 190'da 0,5 ve 0,7 MPa</translation>
+    </message>
+    <message>
+        <source>shear wave elastography in vivo</source>
+        <translation>canlıda kayma dalgası elastografisi</translation>
+    </message>
+    <message>
+        <source>shear wave elastography in vivo, 2.9 +- 1.8 kPa</source>
+        <translation>canlıda kayma dalgası elastografisi, 2,9 ± 1,8 kPa</translation>
+    </message>
+    <message>
+        <source>shear wave elastography in vivo, 4.74 +- 0.91 kPa in 115</source>
+        <translation>canlıda kayma dalgası elastografisi, 115 kişide 4,74 ± 0,91 kPa</translation>
+    </message>
+    <message>
+        <source>shear wave elastography in vivo, cortex, 5.0 +- 2.9 kPa</source>
+        <translation>canlıda kayma dalgası elastografisi, korteks, 5,0 ± 2,9 kPa</translation>
+    </message>
+    <message>
+        <source>shear wave elastography in vivo, pelvis, 23.6 +- 5.4 kPa</source>
+        <translation>canlıda kayma dalgası elastografisi, pelvis, 23,6 ± 5,4 kPa</translation>
+    </message>
+    <message>
+        <source>silicone practice pads, by hardness</source>
+        <translation>silikon alıştırma pedleri, sertlikten</translation>
+    </message>
+    <message>
+        <source>speed of sound in plaster stones, said to cover natural ones</source>
+        <translation>alçı taşlarda ses hızı; doğal taşları da kapsadığı söyleniyor</translation>
+    </message>
+    <message>
+        <source>tables</source>
+        <translation>tablolar</translation>
+    </message>
+    <message>
+        <source>tables; 1060 is blood-rich tissue</source>
+        <translation>tablolar; 1060 kanlı dokudur</translation>
+    </message>
+    <message>
+        <source>ultrasound, fasting</source>
+        <translation>ultrason, aç karnına</translation>
+    </message>
+    <message>
+        <source>weighed plaster stones, said to cover natural ones</source>
+        <translation>tartılmış alçı taşlar; doğal taşları da kapsadığı söyleniyor</translation>
+    </message>
+    <message>
+        <source>what models assume: nearly incompressible</source>
+        <translation>modellerin varsaydığı: neredeyse sıkıştırılamaz</translation>
     </message>
 </context>
 </TS>

@@ -10,6 +10,7 @@ from pathlib import Path
 import palpate_editor
 from palpate_editor.document.constants import CONSTANTS, LAW_NAMES, VALUE_NAMES
 from palpate_editor.edits import EVERY_EDIT
+from palpate_editor.shipped import list_tissues
 
 SOURCES = Path(palpate_editor.__file__).parent
 Spoken = set[tuple[str, str]]
@@ -73,4 +74,7 @@ def find_spoken() -> Spoken:
             found.add(("constants", constant.absent))
     for name in (*LAW_NAMES.values(), *VALUE_NAMES.values(), "none"):
         found.add(("constants", name))
+    for tissue in list_tissues():
+        for text in (tissue.note, *(value.method for value in tissue.published)):
+            found.add(("tissues", " ".join(text.split())))
     return found

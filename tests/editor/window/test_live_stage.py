@@ -309,6 +309,9 @@ def test_an_organ_that_blows_up_ends_the_run_with_a_sentence(panel, qtbot):
     assert told[0][0].startswith("The run was stopped after")
     assert "the tissue blew up: " in told[0][0]
     assert not panel.desk.session.is_tested
+    # what to do about it is found beside the window
+    qtbot.waitUntil(lambda: len(told) == 2, timeout=LONG)
+    assert told[1][0].startswith(told[0][0]) and len(told[1][0]) > len(told[0][0]) + 10
 
 
 class HandThatMayFail(palpate.PointerDevice):

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from palpate_editor.app.spoken import say_tissue
 from palpate_editor.document.constants import find_constant
 from palpate_editor.edits import EditError
 from palpate_editor.own_values import (
@@ -157,22 +158,23 @@ class PublishedDialog(QDialog):
         mine = [value for value in self.own if value.tissue == tissue.name]
         self.table.setRowCount(len(tissue.published) + len(mine))
         for row, found in enumerate([*tissue.published, *mine]):
+            is_own = isinstance(found, OwnValue)
             source = found.source
             if getattr(found, "uncertain", False):
                 source += tr(" (not looked up)")
             words = (
                 say_quantity(found.quantity),
                 say_range(found.quantity, found.low, found.high),
-                found.method,
+                found.method if is_own else say_tissue(found.method),
                 source,
             )
             for column, text in enumerate(words):
                 item = QTableWidgetItem(text)
                 item.setToolTip(text)
-                item.setData(OWN, found if isinstance(found, OwnValue) else None)
+                item.setData(OWN, found if is_own else None)
                 self.table.setItem(row, column, item)
         self.table.resizeRowsToContents()
-        self.note.setText(" ".join(tissue.note.split()))
+        self.note.setText(say_tissue(tissue.note))
         self.show_use()
 
     def chosen(self) -> OwnValue | None:

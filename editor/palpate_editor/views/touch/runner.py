@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import palpate
 from numpy.typing import NDArray
+from palpate.cause import Cause, find_cause
 from palpate.press import Moments, Place, PressScript, find_place, find_top, write_script
 from palpate.viewport import PointerHand
 from PySide6.QtCore import QObject, Signal
@@ -19,10 +20,11 @@ from PySide6.QtCore import QObject, Signal
 from palpate_editor.compile import is_built_alike
 from palpate_editor.document import Organ
 from palpate_editor.document.problems import Problem
+from palpate_editor.views.jobs import Progress
 from palpate_editor.views.touch.force_plot import ForcePlot
 from palpate_editor.views.touch.live_costs import LiveCosts
 from palpate_editor.views.touch.results import Outcome, read_felt
-from palpate_editor.views.touch.trial import Trial, describe_end
+from palpate_editor.views.touch.trial import Trial, advise, describe_end
 from palpate_editor.views.words import say, tr
 
 
@@ -38,6 +40,18 @@ class PressWish:
     script: PressScript
     place: NDArray[np.float64] | None
     """[m] (3,) near which the surface is pressed; None for the top."""
+
+
+@dataclass(frozen=True)
+class CauseWork:
+    """Finds which constant an alarm is of."""
+
+    scene: palpate.Scene
+    report: palpate.LoopReport
+
+    def __call__(self, progress: Progress) -> tuple[palpate.LoopReport, Cause | None]:
+        del progress
+        return self.report, find_cause(self.scene, self.report.alarm)
 
 
 class Runner(QObject):
@@ -183,15 +197,25 @@ class Runner(QObject):
         else:
             self.plot.finish(outcome.time, outcome.force)
         trial.record.unlink(missing_ok=True)
-        problem = describe_end(report, trial.scene)
+        problem = describe_end(report)
         if problem is not None:
             self.desk.tell(problem)
+            self._find_cause(trial.scene, report)
         elif is_built_alike(self.desk.session.organ, self._organ):
             self.desk.session.mark_tested()
             self.desk.assessor.begin()
         self.changed.emit()
         if outcome is not None:
             self.ended.emit(outcome)
+
+    def _find_cause(self, scene: palpate.Scene, report: palpate.LoopReport) -> None:
+        """Advice, where the run ended in an alarm; trials of the scene take seconds."""
+        if report.alarm.kind != palpate.AlarmKind.none:
+            work = CauseWork(scene, report)
+            self.desk.jobs.start_unseen("cause of an alarm", work, self._advise, self.desk.refuse)
+
+    def _advise(self, found: tuple[palpate.LoopReport, Cause | None]) -> None:
+        self.desk.tell(advise(*found))
 
     def _read_outcome(self, trial: Trial, report: palpate.LoopReport) -> Outcome | None:
         try:

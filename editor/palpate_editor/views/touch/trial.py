@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import palpate
 from palpate.alarms import advise_design, say_alarm
+from palpate.cause import Cause
 from palpate.live import LiveRun
 from palpate.translation.numbers import say_digits
 from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
@@ -154,19 +155,22 @@ def name_field(key: str) -> str:
     return f"{stage_title('material')} \N{SINGLE RIGHT-POINTING ANGLE QUOTATION MARK} {say(label)}"
 
 
-def describe_end(report: palpate.LoopReport, scene: palpate.Scene | None = None) -> str | None:
-    """Why a run of a scene did not end well, in a sentence; None where it did."""
+def describe_end(report: palpate.LoopReport) -> str | None:
+    """Why a run did not end well, in a sentence; None where it did."""
     if report.alarm.kind != palpate.AlarmKind.none:
         return fill(
-            tr("The run was stopped after {time:.2f} s: {what}. {advice}"),
+            tr("The run was stopped after {time:.2f} s: {what}."),
             time=report.alarm.time,
             what=say_alarm(report.alarm, QCoreApplication.translate, say_short),
-            advice=advise_design(
-                report.alarm, scene, QCoreApplication.translate, name_field, say_short
-            ),
         )
     if report.fault != palpate.DeviceFault.none:
         return tr("The device failed ({what}): the run was stopped.").format(
             what=report.fault.name.replace("_", " ")
         )
     return None
+
+
+def advise(report: palpate.LoopReport, cause: Cause | None) -> str:
+    """Why a run ended in an alarm, and what to change in the organ."""
+    advice = advise_design(report.alarm, cause, QCoreApplication.translate, name_field, say_short)
+    return f"{describe_end(report)} {advice}"
