@@ -64,6 +64,7 @@ struct SerialDevice::Impl {
   MotorState motors = MotorState::off;
   MotorState told_motors = MotorState::off;  // with the last status
   bool was_on = false;                       // in this run, and nobody has switched them off since
+  bool was_clear = false;                    // of faults, in this run
   std::atomic<int> cause{kNoCause};
   bool was_read = false;
   bool has_news = false;  // a report came while it was waited for
@@ -119,7 +120,7 @@ void SerialDevice::Impl::listen(double time) noexcept {
 }
 
 /// By the newest report. What ended the last host's run is cleared at the begin of ours, so it is
-/// no fault of it.
+/// no fault of it; a silence after that is our own, even if the motors were never seen on.
 void SerialDevice::Impl::watch_motors() noexcept {
   const bool heard = link.state() == LinkState::ready && link.has_report();
   if (heard && link.driving()) {
@@ -129,7 +130,9 @@ void SerialDevice::Impl::watch_motors() noexcept {
     return;
   }
   was_on = was_on && link.is_enabled();
-  const bool faulted = heard && link.faulted() && link.first_fault() != PALPATE_FAULT_HOST_SILENT;
+  was_clear = was_clear || (heard && !link.faulted());
+  const bool inherited = !was_clear && link.first_fault() == PALPATE_FAULT_HOST_SILENT;
+  const bool faulted = heard && link.faulted() && !inherited;
   const bool cut = was_on || link.state() == LinkState::lost || (faulted && link.is_enabled());
   // a fault that was cleared is still why they are off until they are on
   if (cut && (motors != MotorState::cut || link.state() == LinkState::lost)) {
@@ -224,7 +227,7 @@ HapticSample SerialDevice::read(double time) noexcept {
   if (time < my.run_time || time + my.rested < my.last_time) {  // a new run begins
     my.rested = 0.0;
     my.report_time = time;
-    my.was_on = false;
+    my.was_on = my.was_clear = false;
   }
   my.run_time = time;
   const double now = time + my.rested;

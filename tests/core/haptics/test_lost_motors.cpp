@@ -288,6 +288,20 @@ TEST_CASE("a stop that is pressed before the run is a fault, the last host's sil
   }
 }
 
+TEST_CASE("a host that falls silent before it has seen the motors on finds them cut") {
+  const auto none = [](const HapticSample&) { return Vec3::Zero(); };
+  DeviceBench bench;
+  bench.device.open();
+  while (!bench.core.drive().enabled) bench.run(0.001, none);
+  REQUIRE(bench.device.motors() == MotorState::off);
+  bench.core.advance(bench.time + 0.05);
+  bench.time += 0.05;
+  bench.run(0.005, none);
+
+  CHECK(bench.device.motors() == MotorState::cut);
+  CHECK(bench.device.explain_fault().find("motors off: host silent") == 0);
+}
+
 TEST_CASE("a pause keeps the device awake, and its fault can be cleared meanwhile") {
   ScriptedDevice hand({{0.0, Vec3::Zero()}});
   SimulatedArm arm(hand);
