@@ -78,3 +78,5 @@ def test_what_is_bound_has_words_and_the_stub_has_all_of_it():
     assert len(names) > 15
     missing = [name for name in names if f" {name}(" not in written and f"{name}:" not in written]
     assert missing == []
+    called = [name for name in names if callable(getattr(_authoring, name))]
+    assert [name for name in called if not getattr(_authoring, name).__doc__] == []

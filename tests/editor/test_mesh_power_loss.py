@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A disk loses power after any step of writing a mesh: whoever was told that it stands has it."""
+"""A disk loses power after any step of writing a mesh: what write_mesh acknowledged is kept."""
 
 from __future__ import annotations
 

@@ -30,37 +30,34 @@ def say_end(alarm: palpate.Alarm) -> str:
 
 def say_fault(fault: palpate.DeviceFault) -> str:
     """Why a run rests that its device cannot go on with."""
-    if fault is palpate.DeviceFault.sample_not_finite:
-        return translate(
+    causes = {
+        palpate.DeviceFault.sample_not_finite: translate(
             "Player",
             "The device reported a position that is not a number, so its force was switched off. "
             "Check its cable, then press R to start again.",
-        )
-    if fault is palpate.DeviceFault.sample_out_of_reach:
-        return translate(
+        ),
+        palpate.DeviceFault.sample_out_of_reach: translate(
             "Player",
             "The device reported a position where no hand reaches, so its force was switched off. "
             "Check its calibration, then press R to start again.",
-        )
-    if fault is palpate.DeviceFault.sample_too_fast:
-        return translate(
+        ),
+        palpate.DeviceFault.sample_too_fast: translate(
             "Player",
             "The device reported a speed that no hand has, so its force was switched off. "
             "Check its cable, then press R to start again.",
-        )
-    if fault is palpate.DeviceFault.motors_cut:
-        return translate(
+        ),
+        palpate.DeviceFault.motors_cut: translate(
             "Player",
             "Paused: the motors of the device are off, so no force can be felt. "
             "Press R to start again.",
-        )
-    if fault is palpate.DeviceFault.device_failed:
-        return translate(
+        ),
+        palpate.DeviceFault.device_failed: translate(
             "Player",
             "The device is gone: its cable is out, or it has fallen silent. "
             "Plug it in again, then press R to start again.",
-        )
-    return translate(
+        ),
+    }
+    return causes.get(fault) or translate(
         "Player",
         "The computed force was not a number, so the force was switched off. "
         "Press R to start again.",

@@ -228,9 +228,6 @@ void Reader::take_ticks(const BlockHeader& header, const Bytes& body) {
   next_tick_ = header.first_tick + header.count;
 }
 
-/// A file that was cut off ends in part of a block. One that ends in exactly as many bytes as a
-/// summary has, and not in another kind of block nor in zeros a loss of power left in place of its
-/// beginning or its end, was finished once and has been damaged since.
 /// Whether these bytes are the summary of what was read, but for two or more that are zero: the
 /// disk had not written them yet when the power went.
 bool Reader::is_torn_summary(std::span<const std::uint8_t> tail) {
@@ -253,6 +250,9 @@ bool Reader::is_torn_summary(std::span<const std::uint8_t> tail) {
   return lost > 1;  // one may be a bit that was turned
 }
 
+/// A file that was cut off ends in part of a block. One that ends in exactly as many bytes as a
+/// summary has, and not in another kind of block nor in zeros a loss of power left in place of its
+/// beginning or its end, was finished once and has been damaged since.
 void Reader::refuse_damaged_summary(const Damage& damage) {
   if (size_ - at_ != kSummaryBlockBytes) return;
   const Bytes tail = file_.read(at_, kSummaryBlockBytes);

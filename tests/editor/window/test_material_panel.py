@@ -238,23 +238,6 @@ def test_published_values_are_in_reach_at_the_top_of_the_form_and_can_be_used(pa
     assert panel.desk.session.history.undoText() == "Material of gallbladder wall"
 
 
-def test_a_turkish_window_says_in_turkish_how_published_values_were_measured(
-    qtbot, make_editor, spleen
-):
-    window = make_editor(language="tr").window
-    window.files.open(spleen)
-    settle(qtbot, window)
-    window.show_stage("material")
-    click(child(window.material_panel, "show_published"))
-    dialog = window.material_panel.published.dialog
-
-    dialog.tissue.setCurrentIndex([t.name for t in dialog.tissues].index("liver"))
-    measured = {row[2] for row in table_of(dialog)}
-    assert "canlıda bastırma, domuz" in measured
-    assert not any("in vivo" in words for words in measured)
-    assert dialog.note.text().startswith("Sağlıklı")
-
-
 def test_a_designer_adds_a_published_value_and_removes_it_again(panel, user_data):
     click(child(panel, "show_published"))
     dialog = panel.published.dialog

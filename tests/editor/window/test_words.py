@@ -12,7 +12,7 @@ from string import Formatter
 
 import numpy as np
 import pytest
-from hands import action
+from hands import action, child, click
 from palpate.translation import read_words
 from palpate.translation.refusals import say_refusal
 from palpate.verb import Refusal
@@ -23,6 +23,7 @@ from palpate_editor.own_values import FORMAT, VERSION, OwnValue, read_own_values
 from palpate_editor.views.quantity_box import QuantityBox, write_number
 from palpate_editor.views.sentences import sentence_of
 from palpate_editor.views.words import fill, number, quantity
+from patience import settle
 from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QAbstractButton, QLabel
 from spoken import find_spoken
@@ -112,6 +113,24 @@ def test_the_window_is_turkish_and_back_with_the_same_organ(qtbot, make_editor):
     assert editor.window.session is session
     assert editor.window.desk.stage == "material"
     assert editor.settings.language == "en"
+
+
+def test_a_turkish_window_says_in_turkish_how_published_values_were_measured(
+    qtbot, make_editor, spleen
+):
+    window = make_editor(language="tr").window
+    window.files.open(spleen)
+    settle(qtbot, window)
+    window.show_stage("material")
+    click(child(window.material_panel, "show_published"))
+    dialog = window.material_panel.published.dialog
+
+    dialog.tissue.setCurrentIndex([t.name for t in dialog.tissues].index("liver"))
+    table = dialog.table
+    measured = {table.item(row, 2).text() for row in range(table.rowCount())}
+    assert "canlıda bastırma, domuz" in measured
+    assert not any("in vivo" in words for words in measured)
+    assert dialog.note.text().startswith("Sağlıklı")
 
 
 def test_no_text_is_cut_off_in_either_language(qtbot, make_editor):
