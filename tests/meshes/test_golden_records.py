@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Records of earlier versions replay to the same bits, or the commit that changes them says why."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import palpate
+import pytest
+from golden_records import GOLDEN, PLAIN, RECORDS, Golden, open_scene
+from palpate_editor.shipped import list_organs
+
+MEANT = (
+    "the replay of {name} is {force:.2g} N and {position:.2g} m off, first at tick {tick}; if that "
+    "is meant, run tests/meshes/golden_records.py and explain it in the commit (CONTRIBUTING.md)"
+)
+
+
+@pytest.mark.parametrize("golden", GOLDEN, ids=lambda golden: golden.path.stem)
+def test_a_record_of_an_earlier_version_replays_to_the_same_bits(golden):
+    if not golden.can_run:
+        pytest.skip(f"cannot be had here: the vector target {golden.target}")
+    record = palpate.read_record(golden.path)
+
+    report = palpate.replay(open_scene(golden), record)
+
+    assert report.ticks == len(record.hand)
+    assert report.equal, MEANT.format(
+        name=golden.path.name,
+        force=report.largest_force_difference,
+        position=report.largest_position_difference,
+        tick=report.first_difference,
+    )
+
+
+def test_every_shipped_organ_is_kept_for_every_target_pressed_and_pulled():
+    organs = {entry.name for entry, _ in list_organs()}
+
+    assert {path.name for path in RECORDS.iterdir()} == {golden.path.name for golden in GOLDEN}
+    for target in ("AVX3", "AVX2", "SSE4", PLAIN):
+        assert {golden.organ for golden in GOLDEN if golden.target == target} == organs
+    for golden in GOLDEN:
+        record = palpate.read_record(golden.path)
+        header = json.loads(record.header)
+        force = np.asarray(record.felt["force"], dtype=float)
+        assert header["kernel"] == ("reference" if golden.target == PLAIN else "packed")
+        assert golden.target in (header["vector_target"], PLAIN)
+        assert len(record.hashes) >= 8
+        # up while it is pressed, down while it is pulled
+        assert force[:, 2].max() > 0.02 and force[:, 2].min() < -0.02, golden.path.name
+
+
+def test_the_last_bit_of_one_force_is_seen():
+    golden = Golden("simple_tissue", PLAIN)
+    record = palpate.read_record(golden.path)
+    felt = np.array(record.felt)
+    tick = int(np.linalg.norm(felt["force"], axis=1).argmax())
+    felt["force"][tick, 2] = np.nextafter(felt["force"][tick, 2], np.float32(0))
+    changed = palpate.Record(
+        header=record.header, hand=record.hand, felt=felt, hashes=record.hashes
+    )
+
+    report = palpate.replay(open_scene(golden), changed)
+
+    assert not report.equal
+    assert report.first_difference == tick
