@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import pytest
 from tree import CHECKOUT, files_under, read, read_code, source_files
@@ -98,16 +99,88 @@ def test_every_link_in_the_tree_leads_somewhere():
     assert all(path.exists() for path in links)
 
 
-def test_every_source_that_a_comment_names_stands_in_the_list_and_every_one_listed_is_named():
-    key = r"\[([A-Z][A-Za-z]+\d{2,4}|Appleby|HdrHistogram|IEC [\d-]+)(?: [\d.]+)?\]"
-    listed = set(re.findall(rf"^\| {key} \|", read("core/README.md"), re.MULTILINE))
-    walk = read("core/README.md").partition("## 5. Sources")[0]
-    places = [read(name) for name in sources() if name != HERE] + [walk]
+PAPER = r"([A-Z][A-Za-z]+\d{2,4}|Appleby|HdrHistogram|IEC [\d-]+)"
+CITED_PAPER = rf"\[{PAPER}(?:[ ,][^\]]{{0,40}})?\]"
+CITED_SECTION = r"\[([a-z]+: [a-z0-9 -]+)\]"
+KEYED_HEADING = rf"^#+ .*{CITED_SECTION}$"
+OUTSIDE = (
+    "SCIENCE|TOOLS|PERFORMANCE|DEVICE|EDITOR|MESHES|ASSESSMENT|FIELD|PEERS|MODELS|ARCHITECTURE"
+)
+"""Pages that were written before the code and are not in the repository."""
 
-    named = {found for text in places for found in re.findall(key, text)}
 
-    assert named - listed == set()
-    assert listed - named - {"BulutDandil22"} == set()
+def join_lines(text: str) -> str:
+    """For a key may be broken between two lines of a comment."""
+    return re.sub(r"\n[ \t]*(?://[/!]?|#(?!#)|\*)?[ \t]*", " ", text)
+
+
+def pages() -> list[str]:
+    return [name for name in texts() if name.endswith(".md")]
+
+
+def list_sections() -> list[str]:
+    """Keys of all sections that a heading defines, each as often as it does."""
+    return [key for name in pages() for key in re.findall(KEYED_HEADING, read(name), re.MULTILINE)]
+
+
+def read_citing(name: str) -> str:
+    """Without what defines keys."""
+    text = read(name)
+    if name == "core/README.md":
+        text = text.partition("## 5. Sources")[0]
+    if name.endswith(".md"):
+        text = re.sub(KEYED_HEADING, "", text, flags=re.MULTILINE)
+    return join_lines(text)
+
+
+def list_cited(pattern: str) -> set[str]:
+    names = [name for name in (*sources(), *pages()) if name != HERE]
+    return {key for name in names for key in re.findall(pattern, read_citing(name))}
+
+
+def test_every_paper_that_is_cited_stands_in_the_list_and_every_one_listed_is_cited():
+    listed = re.findall(rf"^\| \[{PAPER}\] \|", read("core/README.md"), re.MULTILINE)
+
+    assert len(listed) == len(set(listed))
+    assert list_cited(CITED_PAPER) ^ set(listed) == set()
+
+
+def test_every_section_that_is_cited_is_the_heading_of_a_page_and_every_one_keyed_is_cited():
+    keyed = list_sections()
+
+    assert len(keyed) > 20
+    assert len(keyed) == len(set(keyed))
+    assert list_cited(CITED_SECTION) ^ set(keyed) == set()
+
+
+def test_the_key_of_a_section_begins_with_the_name_of_its_page():
+    wrong = [
+        f"{name}: {key}"
+        for name in pages()
+        for key in re.findall(KEYED_HEADING, read(name), re.MULTILINE)
+        if key.partition(":")[0] != Path(name).stem.lower()
+    ]
+
+    assert wrong == []
+
+
+def test_no_file_cites_a_page_that_is_not_in_the_repository():
+    """As a bare word in prose and C++; elsewhere, where it may be a constant, with its section."""
+    word = re.compile(rf"\b(?:{OUTSIDE})\b|design notes?\b")
+    cited = re.compile(rf"\b(?:{OUTSIDE})(?:\.md\b|'s\b|,? (?:section )?\d)|design notes?\b")
+
+    wrong = []
+    for name in source_files():
+        if name == HERE or "LICENSE" in name:
+            continue
+        try:
+            text = join_lines(read(name))
+        except UnicodeDecodeError:  # a picture, an organ, a record
+            continue
+        prose = name.endswith((".md", ".cpp", ".h", ".c", ".scad"))
+        wrong += [f"{name}: {found}" for found in (word if prose else cited).findall(text)]
+
+    assert wrong == []
 
 
 def test_every_python_that_is_started_is_isolated_from_the_current_folder():

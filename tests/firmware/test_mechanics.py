@@ -75,7 +75,7 @@ def find_tip(mechanics, pose) -> np.ndarray:
 def test_the_tip_is_where_the_kinematics_says(mechanics, place):
     x, y, z = place
     size = mechanics.read_parameters()
-    assert size["upper_arm"] == size["forearm"] == 150.0  # as DEVICE's kinematics and calibration
+    assert size["upper_arm"] == size["forearm"] == 150.0  # as in palpate.Arm
     pose = find_joints(x, y, z, size["upper_arm"])
     _, turret = mechanics.place_parts(0.0, 0.0, 0.0)["turret"]
     floor = turret[2, 3] + size["plate"] + size["floor_plate"]

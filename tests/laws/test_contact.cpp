@@ -15,7 +15,7 @@
 #include "scenes/kernels.h"
 #include "scenes/scenes.h"
 
-// The laws of touch over time, T1 to T3 of TOOLS section 1, through the tick the hand feels.
+// The laws of touch over time, T1 to T3 [contact: law], through the tick the hand feels.
 
 using namespace palpate;
 
@@ -64,7 +64,7 @@ SurfaceMesh make_geodesic(const Vec3& radii, int n) {
   return mesh;
 }
 
-/// The gallbladder of TOOLS: E h = 60 N/m in the wall, so 0.866 E h along every edge of a mesh of
+/// The wall of [contact: law]: E h = 60 N/m in the wall, so 0.866 E h along every edge of a mesh of
 /// even triangles, 3e5 N/m³ home, 2 kg/m², light damping on purpose.
 Scene make_organ(int n, double radius, double k_a) {
   SurfaceOptions options;
@@ -226,7 +226,7 @@ void check_flicks(int n, int count) {
 }  // namespace
 
 TEST_CASE("T1, T2: a held press is quiet, and refining the mesh changes its force by under 15 %") {
-  // [N] of second differences; TOOLS section 1
+  // [N] of second differences [contact: law]
   constexpr double kQuiet = 1e-3;
   std::vector<double> forces;
   for (const int n : {8, 14, 23}) {  // 642, 1962 and 5292 vertices

@@ -49,8 +49,8 @@ void add_both(const std::string& name, const SurfaceMesh& mesh, const Material& 
 }
 
 /// A closed solid, an open hollow tube and a sheet, 160 to 230 vertices each. The tip touches
-/// between the vertices, as tips do. Drag as in the test bed of TOOLS: what rings on for longer is
-/// the tissue, not the contact.
+/// between the vertices, as tips do. Drag as in tests/laws/test_contact.cpp: what rings on for
+/// longer is the tissue, not the contact.
 std::vector<Organ> make_organs() {
   std::vector<Organ> organs;
   SurfaceOptions options;
@@ -121,7 +121,7 @@ Range hold(const Scene& scene, const Organ& organ, double depth, double pull, Al
   return range;
 }
 
-/// 4 - 2 dt C - dt² (K + coupling at free particle p) is positive: SCIENCE section 3.
+/// 4 - 2 dt C - dt² (K + coupling at free particle p) is positive [motion: step].
 bool is_stable(const LinearTissue& tissue, double dt, double coupling, int p) {
   const Eigen::Index n = tissue.stiffness.rows();
   MatrixXd rest =

@@ -19,7 +19,7 @@ FILLED = CHECKOUT / "build" / "references"
 CELL_SIZE = {"spleen": 8e-3, "kidney": 7e-3, "liver": 14.5e-3, "ellipsoid": 8e-3}
 """[m] About two thousand tetrahedra each: what a simulation at 1 kHz can afford."""
 SEMI_AXES = (0.05, 0.035, 0.03)
-"""[m] of the ellipsoid of SCIENCE 2.4 and 2.5."""
+"""[m] of the ellipsoid of [accuracy: quarter]."""
 WALLS = {"gallbladder": (500, 2.5e-3), "stomach": (600, 4e-3)}
 """Vertices that the surface is decimated to, and the thickness [m] of tissues.toml."""
 

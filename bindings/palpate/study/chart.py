@@ -35,7 +35,7 @@ COLOURS = (
     "#b0256f",
 )
 TARGETS = (0.10, 0.05)
-"""Of force and of displacement: what a hand and an eye let pass [SCIENCE 5]."""
+"""Of force and of displacement: what a hand and an eye let pass [accuracy: targets]."""
 
 
 def save_chart(

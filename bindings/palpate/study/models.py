@@ -16,7 +16,7 @@ from palpate.study.statics import Press
 SOLID, WALL = "solid", "wall"
 """What a body is: full of tissue, or hollow."""
 MEMBRANE, SHELL = 3e-3, 4e-3
-"""[m] of the wall that a surface model of a solid is given: SCIENCE 2.4 has the same."""
+"""[m] of the wall that a surface model of a solid is given: a choice, for it has none."""
 
 
 @dataclass(frozen=True)

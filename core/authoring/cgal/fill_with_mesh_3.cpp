@@ -25,7 +25,7 @@ using Triangulation = CGAL::Mesh_triangulation_3<Domain, CGAL::Default, CGAL::Se
 using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 
-// MESHES section 5: with these, perturbing and exuding leave dihedral angles of 9 to 13 degrees
+// with these, perturbing and exuding leave dihedral angles of 12 degrees and more [laws: filling]
 constexpr double kFacetAngle = 25.0;      // [degree]
 constexpr double kFacetDistance = 0.15;   // of the cell size
 constexpr double kRadiusEdgeRatio = 2.0;  // of a cell's circumsphere to its shortest edge

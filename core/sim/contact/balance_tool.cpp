@@ -231,8 +231,8 @@ Vec3 write_pushes(const Surroundings& around, ToolState& state, Load& load) noex
 ///     R(p) = clamp(K (h - p)) + sum f_t n_t + sum k_h (y_h + o_h - p) = 0
 ///     J = K I + sum f_t' n n^T + sum k_h I,   dp = J^-1 R,   shortened before the surface
 ///
-/// (god-object [ZillesSalisbury95] without constraint planes, TOOLS section 1). J leaves out how n
-/// turns, the only part that could make it indefinite: steps come out short, never wild, and what
+/// (god-object [ZillesSalisbury95] without constraint planes [contact: balance]). J leaves out how
+/// n turns, the only part that could make it indefinite: steps come out short, never wild, and what
 /// three of them leave over goes on in the next substep, from where the tool is then. Convergence
 /// is linear; a tool at rest reaches R = 0 to rounding.
 ///

@@ -35,8 +35,8 @@ bool attach_tool(const Load& contacts, std::span<const Triangle> triangles, std:
 
 void release_tool(ToolState& state) noexcept;
 
-/// Largest extra eigenvalue [1/s²] that contacts and holds may add to M⁻¹K: the row-sum bound of
-/// TOOLS section 1, max over particles of sum k_t w / m. For choosing this tick's substeps.
+/// Largest extra eigenvalue [1/s²] that contacts and holds may add to M⁻¹K: the row-sum bound
+/// max over particles of sum k_t w / m [contact: substeps]. For choosing this tick's substeps.
 double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
                                std::span<const Triangle> triangles, std::span<const Vec3> x,
                                std::span<const double> mass, const ToolState& state,

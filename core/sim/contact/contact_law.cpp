@@ -13,7 +13,7 @@ namespace palpate {
 ///     f = k_A A d / z,   df/dd = k_A A / z²,   z = max(0.1, 1 - d/r)
 ///
 /// A pressure times an area, so that a finer mesh feels the same; and a barrier, so that no fast
-/// tool passes (TOOLS section 1). On the floor z = 0.1 the true slope is k_A A / z; the larger
+/// tool passes [contact: law]. On the floor z = 0.1 the true slope is k_A A / z; the larger
 /// one is kept, which only shortens the Newton step there.
 ///
 /// The side is (a - x)·N >= 0. A triangle seen from behind is dropped, never pushed the other

@@ -7,8 +7,8 @@
 
 namespace palpate {
 
-/// The contact law is a barrier: 1 - depth/radius, down to this. TOOLS section 1: 0.1 lets
-/// nothing through, 0.2 already leaks, and less only asks for more substeps.
+/// The contact law is a barrier: 1 - depth/radius, down to this. 0.1 lets nothing
+/// through, 0.2 already leaks, and less only asks for more substeps [contact: law].
 inline constexpr double kBarrierFloor = 0.1;
 
 /// Part of the radius below which the arm from the closest point to the centre is rounding, and

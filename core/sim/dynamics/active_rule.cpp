@@ -11,7 +11,7 @@ namespace palpate {
 namespace {
 
 /// What lies nearer than this many decay lengths always moves: frozen at half of one, 40 to 100 %
-/// of the force is wrong (PERFORMANCE 1.6).
+/// of the force is wrong [motion: active set].
 constexpr double kDecayLengths = 2.0;
 
 /// K1(2)/K0(2), modified Bessel functions of the second kind: how steeply a displacement falls off

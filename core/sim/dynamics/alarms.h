@@ -5,7 +5,7 @@
 
 namespace palpate {
 
-// What check() (guard.h) looks at, one by one: SCIENCE 3, blow-up protocol (b).
+// What check() (guard.h) looks at, one by one [motion: alarm].
 
 inline constexpr double kFarthestMove = 0.3;   ///< of the shortest rest length, in one step
 inline constexpr double kLargestStrain = 2.0;  ///< where energy has come from nowhere

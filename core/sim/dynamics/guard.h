@@ -11,7 +11,7 @@ enum class AlarmKind {
   moved_far,      ///< index: particle; more than 0.3 of the shortest rest length in one step
   overstretched,  ///< index: link, springs before bonds; strain above 2, ten looks in a row
   collapsed,      ///< index: link; shorter than 0.05 of its rest length, ten looks in a row
-  energy,         ///< index: -1; elastic and kinetic energy exceed what was given (SCIENCE 3)
+  energy,         ///< index: -1; elastic and kinetic energy exceed what was given
   inverted,       ///< index: tetrahedron; volume below 0.05 of that at rest, ten looks in a row
   pressed_deep,   ///< index: vertex of the surface; a linear solid moved beyond kShallow [m],
                   ///< likewise

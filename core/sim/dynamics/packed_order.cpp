@@ -8,7 +8,7 @@ namespace palpate {
 namespace {
 
 // slices may only be as even as their neighbourhood: a wider window costs more in memory than it
-// saves in padding, sooner on a large mesh (PERFORMANCE 1.1)
+// saves in padding, sooner on a large mesh [motion: packing]
 constexpr int kWindow = 256, kWindowOfLarge = 64;
 constexpr std::size_t kLarge = 100000;
 /// particles of a patch: few slices, for all of them wake where one particle does

@@ -18,7 +18,7 @@ Spectrum estimate_spectrum(const TissueModel& model, double coupling = 0.0);
 /// [s] A step at which symplectic Euler is stable at rest, with a margin; `coupling` [N/m] is the
 /// stiffness that a tool may add at any one particle. Lies between 0.6 and 1.0 of the exact limit,
 /// at which the largest eigenvalue of M⁻¹(dt² K + 2 dt C) is 4; dt² lambda_K + 2 dt lambda_C < 4
-/// (SCIENCE 3) is sufficient for that. Infinite where nothing can swing. Always the same for the
+/// is sufficient [motion: step] for that. Infinite where nothing can swing. Always the same for the
 /// same model. Eq 10 may flutter at any step where its triangles are uneven and damping is low.
 double stable_step(const TissueModel& model, double coupling = 0.0);
 

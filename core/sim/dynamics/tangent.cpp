@@ -60,7 +60,7 @@ Vec3 find_direction(const Vec3& d, double length, double rest_length) {
 }
 
 /// K_ii = k n nᵀ + (k (l - L)/l) (I - n nᵀ), K_ij = -K_ii: exact, or with both parts clamped at 0,
-/// which needs no eigenvalues (SCIENCE 1.1). `stiffness` stands in for that of the links.
+/// which needs no eigenvalues [laws: link]. `stiffness` stands in for that of the links.
 void add_links(const Links& links, const std::vector<double>& stiffness, std::span<const Vec3> x,
                Projection projection, Assembly& assembly) {
   for (std::size_t l = 0; l < links.ends.size(); ++l) {
@@ -175,7 +175,7 @@ Mat3 clamp_eigenvalues(const Mat3& symmetric) {
 }
 
 /// K = Bᵀ H B + sum of tau/l (I - n nᵀ) with the eigenvalues of the 3x3 Hessian H in the lengths
-/// and the tensions clamped at 0 (SCIENCE 1.6): no 9x9 eigenvalues. `energetic` are the angles
+/// and the tensions clamped at 0 [laws: tension]: no 9x9 eigenvalues. `energetic` are the angles
 /// that H is taken of, `tension` what the sides pull with.
 Mat9 compute_projected(const Angles& energetic, std::size_t row, const Sides& sides,
                        const PerSide<double>& share, PerSide<double> tension) {
@@ -206,7 +206,7 @@ void add_triangle(const Triangle& corners, const Mat9& k, Assembly& assembly) {
 }
 
 /// Eq 10 has no Hessian to project. Its stand-in is the angle energy that equals it to first order
-/// in an equilateral triangle, K_theta = K10 l / 1.5 with l the mean side (SCIENCE 1.4).
+/// in an equilateral triangle, K_theta = K10 l / 1.5 with l the mean side [laws: eq10].
 Angles build_energetic(const TissueModel& model) {
   Angles angles = model.angles;
   if (model.angle_law == AngleLaw::gradient) return angles;

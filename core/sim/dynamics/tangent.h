@@ -10,7 +10,7 @@ namespace palpate {
 
 enum class Projection {
   none,                   ///< the exact derivative; not symmetric under AngleLaw::eq10
-  positive_semidefinite,  ///< SCIENCE 1.1 and 1.6: clamp tensions and the 3x3 length Hessians at 0;
+  positive_semidefinite,  ///< tensions and 3x3 length Hessians clamped at 0 [laws: tension];
                           ///< under AngleLaw::eq10 the Hessian of the equivalent angle energy
 };
 

@@ -15,10 +15,11 @@ namespace palpate {
 // to the side opposite it, as in Angles.
 
 /// A side shorter than this part of its rest length is treated as if it were that long wherever
-/// its length divides: forces stay finite in needles and collapsed triangles (SCIENCE 1.7).
+/// its length divides: forces stay finite in needles and collapsed triangles
+/// [laws: degenerate].
 inline constexpr double kShortestSide = 0.05;
 
-/// A link shorter than this part of its rest length has no direction (SCIENCE 1.7).
+/// A link shorter than this part of its rest length has no direction [laws: degenerate].
 inline constexpr double kNoDirection = 1e-6;
 
 template <class Real>
@@ -50,7 +51,7 @@ PerSide<Real> compute_cosines(const PerSide<Real>& length, const PerSide<Real>& 
 }
 
 /// Eq 9 and Eq 11 as tensions of the sides [N], positive where a side pulls its ends together.
-/// With q = cos - cos0 and d = l - l0 (SCIENCE 1.6), for the corner A opposite side a and cyclic:
+/// With q = cos - cos0 and d = l - l0 [laws: tension], for the corner A opposite side a and cyclic:
 ///
 ///     w_A = (K_theta_A q_A + K_btheta_A (d_b + d_c)) a/(bc),   s_A = K_btheta_A q_A
 ///     tau_a = -w_A + w_B cos C + w_C cos B + s_B + s_C
@@ -81,7 +82,7 @@ PerSide<Real> compute_angle_tensions(const Angles& angles, std::size_t row,
   return tension;
 }
 
-/// Eq 10 as a tension of the side opposite each corner [N]: tau_a = -K10_A q_A (SCIENCE 1.4). A
+/// Eq 10 as a tension of the side opposite each corner [N]: tau_a = -K10_A q_A [laws: eq10]. A
 /// closed angle has a larger cosine, so its opposite side pushes and the angle reopens.
 template <class Real>
 PerSide<Real> compute_eq10_tensions(const Angles& angles, std::size_t row,

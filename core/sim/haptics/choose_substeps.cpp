@@ -18,7 +18,7 @@ constexpr double kStepShare = 0.75;
 /// are in a tick, and what they leave over lags behind the tissue and feeds it energy.
 constexpr double kFewestInContact = 3.0;
 
-/// How far a particle may go in one substep, in shortest links: what the guard allows (SCIENCE 3).
+/// How far a particle may go in one substep, in shortest links; the guard's own [motion: alarm].
 constexpr double kLongestMove = 0.3;
 
 /// A tissue that is this much stiffer gets other substeps: 0.9² of stable_step() has room for it.
@@ -29,7 +29,7 @@ constexpr double kStiffening = 1.2;
 ///
 ///     dt <= (sqrt(c² + 4 w²) - c) / w²
 ///
-/// which is 2/w (sqrt(1 + z²) - z) with z = c/(2w): TOOLS section 1, SCIENCE section 3.
+/// which is 2/w (sqrt(1 + z²) - z) with z = c/(2w) [motion: step].
 double find_limit(double w2, double c) noexcept { return (std::sqrt(c * c + 4.0 * w2) - c) / w2; }
 
 /// Takes note of a tissue that stretch has made stiffer, or that has come back.

@@ -12,7 +12,7 @@
 namespace palpate {
 namespace {
 
-/// [s] in which a hold that is let go fades: longer is no better (TOOLS section 2).
+/// [s] in which a hold that is let go fades: longer is no better [contact: release].
 constexpr double kReleaseTime = 0.03;
 
 /// Radii of the tip that a hand which pulls as hard as it can slides on before it is out of its
@@ -58,9 +58,9 @@ double find_part(const Scene& scene, const World& world, double force) noexcept 
   return carried > force ? force / carried : 1.0;
 }
 
-/// Let go at once the holds would kick hand and tissue: what they carry falls linearly (TOOLS
-/// section 2). If it were their stiffness, nearly all of the load would be left to the last ticks,
-/// for where the tissue is softer than the holds it stretches them as they soften.
+/// Let go at once the holds would kick hand and tissue: what they carry falls linearly
+/// [contact: release]. If it were their stiffness, nearly all of the load would be left to the last
+/// ticks, for where the tissue is softer than the holds it stretches them as they soften.
 void fade_holds(const Scene& scene, double dt, World& world) noexcept {
   const double left = (world.release_ticks - 1) / std::max(1.0, std::round(kReleaseTime / dt));
   const double part = find_part(scene, world, left * world.release_load);

@@ -56,7 +56,7 @@ void validate(const Arm& arm) {
   }
 }
 
-/// With r outwards from the yaw axis and h up (DEVICE 3.1),
+/// With r outwards from the yaw axis and h up [kinematics: tip],
 ///
 ///     r = L1 cos q1 + L2 sin q2,   h = L1 sin q1 - L2 cos q2,   p = (r sin q0, -r cos q0, h)
 Vec3 compute_tip(const Arm& arm, const Vec3& q) noexcept {
@@ -87,8 +87,8 @@ Mat3 compute_jacobian(const Arm& arm, const Vec3& q) noexcept {
   return jacobian;
 }
 
-/// The law of cosines in the plane of the links (DEVICE 3.1); of the two ways to bend, the elbow
-/// that is up.
+/// The law of cosines in the plane of the links [kinematics: inverse]; of the two ways to bend, the
+/// elbow that is up.
 std::optional<Vec3> find_joints(const Arm& arm, const Vec3& tip) noexcept {
   const double upper = arm.upper_length, forearm = arm.forearm_length;
   const double out = std::hypot(tip.x(), tip.y()), up = tip.z();
@@ -110,7 +110,7 @@ double compute_edge_fade(const Arm& arm, const Vec3& joints) noexcept {
   return std::clamp(compute_margin(arm, joints) / kFadeAngle, 0.0, 1.0);
 }
 
-/// G = dV/dq with V = g1 sin q1 - g2 cos q2, as the links' heights are (DEVICE 3.1).
+/// G = dV/dq with V = g1 sin q1 - g2 cos q2, as the links' heights are [kinematics: force].
 Vec3 compute_weight_torque(const Arm& arm, const Vec3& q) noexcept {
   return {0.0, arm.upper_weight * std::cos(q[1]), arm.forearm_weight * std::sin(q[2])};
 }

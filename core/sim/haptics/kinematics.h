@@ -13,7 +13,7 @@ namespace palpate {
 ///
 /// Joints [rad]: yaw, positive to the right; elevation of the upper link above the horizontal; the
 /// forearm's own angle from straight down, positive towards the user. Frame: x to the right, y away
-/// from the user, z up, the origin where the yaw axis and the first link meet. DEVICE section 3.
+/// from the user, z up, the origin where the yaw axis and the first link meet [kinematics: tip].
 struct Arm {
   double upper_length = 0.15;      ///< [m]
   double forearm_length = 0.15;    ///< [m]

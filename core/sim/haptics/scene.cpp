@@ -97,7 +97,7 @@ void choose_kernel(Scene& scene) {
 
 /// Substeps are what stable_step() allows at rest, n = ceil(dt / stable_step). Contact may raise
 /// them by a third, and to kSubstepsInBlow at least: more brings no more stability, for the
-/// massless tool yields before a contact gets as stiff as its row sum says (TOOLS section 1).
+/// massless tool yields before a contact gets as stiff as its row sum says [contact: substeps].
 Scene build_scene(Scene scene) {
   static std::atomic<std::uint64_t> built{0};
   validate(scene);

@@ -28,7 +28,7 @@ Vec3 follow_hand(const Vec3& hand, double dt, const World& world) noexcept {
   return way.norm() > most ? Vec3(world.hand + way * (most / way.norm())) : hand;
 }
 
-/// Back to the last tick in which nothing was wrong, and no further (SCIENCE 3).
+/// Back to the last tick in which nothing was wrong, and no further [motion: alarm].
 void stand_still(const Scene& scene, World& world) noexcept {
   std::copy(world.guard.last_position.begin(), world.guard.last_position.end(),
             world.tissue.position.begin());

@@ -10,7 +10,7 @@ namespace palpate {
 
 /// k = sqrt(3)/2 E h: springs along the edges of equilateral triangles stretch like a membrane of
 /// Young's modulus E and thickness h, with a Poisson's ratio of 1/3 whatever the material's is
-/// (SCIENCE 2.1, [VanGelder98]).
+/// [VanGelder98], [laws: lattice].
 double membrane_spring_stiffness(const Material& material) {
   validate(material);
   if (!material.wall_thickness) {

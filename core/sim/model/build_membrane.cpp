@@ -70,7 +70,7 @@ Vec3 share_springs(const Mat3& target, const std::array<Vec3, 3>& corners, doubl
 
 /// Solves for the K_btheta and the bond shares that give `target` beside the angles of a row: the
 /// off-diagonal terms are linear in the three K_btheta, the bonds take up the diagonal
-/// (SCIENCE 2.2).
+/// [laws: membrane].
 void fit_triangle(const Mat3& target, int row, Angles& angles) {
   angles.bond_share[row] = angles.stretch_coupling[row] = {0.0, 0.0, 0.0};
   const Mat3 missing = target - compute_rest_stiffness(angles, row);

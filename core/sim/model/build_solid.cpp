@@ -56,7 +56,7 @@ LameConstants compute_lame_constants(const Material& material) {
 }
 
 /// k_e = 5/2 mu sum V/L² over the tetrahedra around an edge: averaged over all directions such
-/// springs are an isotropic material with lambda = mu [VanGelder98], SCIENCE 2.3. What that lacks
+/// springs are an isotropic material with lambda = mu [VanGelder98], [laws: solid]. What that lacks
 /// of lambda is left to the volumes, B = lambda - mu, which is 0 at nu = 1/4.
 TissueModel build_solid(const SolidMesh& solid, const Material& material,
                         const SolidOptions& options) {

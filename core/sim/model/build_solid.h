@@ -34,7 +34,7 @@ LameConstants compute_lame_constants(const Material& material);
 inline constexpr double kLeastSolidPoisson = 0.25;
 inline constexpr double kMostSolidPoisson = 0.49;
 
-/// The mass-spring model of a solid with true volumes ("MSS+V", SCIENCE 2.3): a spring along every
+/// The mass-spring model of a solid with true volumes ("MSS+V") [laws: solid]: a spring along every
 /// edge of the tetrahedra, and what resists a change of volume in each of them. Its surface is the
 /// boundary of the tetrahedra. A material of the same E and nu answers small strains alike, on
 /// average over the directions that edges have.

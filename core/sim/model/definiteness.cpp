@@ -137,9 +137,9 @@ void check_definiteness(const Angles& angles, AngleLaw law) {
   }
 }
 
-/// SCIENCE 2.2: H = diag(k') + sum over corners c of
+/// H = diag(k') + sum over corners c of
 /// K_theta_c G_c G_cᵀ + K_btheta_c (G_c s_cᵀ + s_c G_cᵀ). At rest no term pulls, so the second
-/// derivatives of the cosines do not count.
+/// derivatives of the cosines do not count [laws: definite].
 Mat3 compute_rest_stiffness(const Angles& angles, int row) noexcept {
   const Mat3 g = compute_cosine_gradients(angles, row);
   return compute_plain_part(angles, row, g) +

@@ -10,7 +10,7 @@
 namespace palpate {
 
 // A wall under plane stress, which surface models are measured against: the linear triangle of
-// finite elements, told in the lengths of its sides (SCIENCE 2.2).
+// finite elements, told in the lengths of its sides [laws: membrane].
 
 /// [degree] A triangle with a smaller angle has no constants: it is refused.
 inline constexpr double kSmallestAngle = 0.05;

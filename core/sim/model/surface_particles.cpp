@@ -92,8 +92,6 @@ TissueModel build_surface_particles(const SurfaceMesh& mesh, const Material& mat
   return model;
 }
 
-/// One spring between two free masses swings with w² = k / m, m = m_i m_j / (m_i + m_j), so it is
-/// damped to the ratio zeta by c = 2 zeta sqrt(k m) (SCIENCE 1.2).
 Angles build_rest_angles(const SurfaceMesh& mesh) {
   Angles angles;
   angles.corners = mesh.triangles;
@@ -120,6 +118,8 @@ std::vector<double> sum_bond_shares(const Angles& angles, const Topology& topolo
   return stiffness;
 }
 
+/// One spring between two free masses swings with w² = k / m, m = m_i m_j / (m_i + m_j), so it is
+/// damped to the ratio zeta by c = 2 zeta sqrt(k m) [laws: damping].
 Links build_edge_links(const TissueModel& model, std::span<const std::array<int, 2>> edges,
                        std::vector<double> stiffness, double damping_ratio,
                        std::span<const double> damped_as) {

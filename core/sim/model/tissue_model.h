@@ -59,7 +59,7 @@ struct Prisms {
   std::vector<std::array<double, 3>> shear_damping;    ///< [N·s/m] likewise
 };
 
-/// Tetrahedra that resist a change of volume, and with it being turned inside out (SCIENCE 2.3).
+/// Tetrahedra that resist a change of volume, and with it being turned inside out [laws: solid].
 ///
 /// With J the volume over that at rest, the part 1 - nodal_share of each tetrahedron's bulk acts on
 /// its own J; the part nodal_share on the mean J around each of its particles, which does not lock

@@ -23,8 +23,8 @@ struct Record {
 enum class RecordCodec { none, deflate };
 
 /// Writes a `.prec` record while it is being made: an append-only file of blocks of 250 ticks,
-/// each with its own CRC, readable up to its last whole block at any moment (ASSESSMENT
-/// section 3; the layout is described in core/sim/session/RECORD.md).
+/// each with its own CRC, readable up to its last whole block at any moment. The layout, and
+/// why it is no other, stand in core/sim/session/RECORD.md.
 ///
 /// The haptic thread pushes into log(); a writer thread of this class empties it into the file
 /// every 250 ms and syncs every second.

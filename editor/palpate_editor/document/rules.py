@@ -16,7 +16,7 @@ from palpate_editor.document.problems import Facts, Problem, SurfaceFacts
 SIZE_LEAST, SIZE_MOST = 5e-3, 0.6
 """[m] No organ is smaller or larger from corner to corner: its unit is another."""
 ANGLE_LEAST = 15.0
-"""[degree] Needles make a model stiff and its stretch-bend range collapse (SCIENCE 1.7)."""
+"""[degree] Needles make a model stiff and its stretch-bend range collapse [laws: degenerate]."""
 TICK_SHARE = 0.7
 """[-] of a tick that may be spent on the tissue; the rest is for the hand and the machine."""
 SUBSTEP_COST = {"mass_spring": 10e-9, "molecular": 16e-9, "shell": 65e-9, "solid": 35e-9}

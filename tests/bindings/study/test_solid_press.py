@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Solids pressed by up to a quarter of their thickness, against neo-Hookean finite elements.
 
-The ellipsoid of SCIENCE 2.5, filled as organs are, on the mesh of the reference, so that only the
-law differs.
+The ellipsoid of [accuracy: quarter], filled as organs are, on the mesh of the reference, so that
+only the law differs.
 """
 
 from __future__ import annotations

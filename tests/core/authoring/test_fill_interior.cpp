@@ -27,7 +27,7 @@ TEST_CASE("a filled surface keeps its volume, and its tetrahedra have no slivers
   CHECK(solid.tetrahedra.size() > 500);
   CHECK(solid.tetrahedra.size() < 4000);
   CHECK(compute_volume(solid) == doctest::Approx(compute_volume(surface)).epsilon(0.05));
-  // MESHES section 5: 9 to 13 degrees, perturbed and exuded
+  // perturbed and exuded: 12 and more on the shipped organs [laws: filling]
   CHECK(compute_smallest_dihedral(solid) > 8.0 * std::numbers::pi / 180.0);
   CHECK(is_closed(find_boundary(solid)));
 }

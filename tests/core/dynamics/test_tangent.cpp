@@ -161,7 +161,7 @@ TEST_CASE("at rest nothing needs projecting: both tangents are the same") {
 }
 
 TEST_CASE("a negative bond that its triangles outweigh is kept by the projection at rest") {
-  // a flat triangle of bonds 60, 60, -2 N/m is stable through its angles (SCIENCE 2.2)
+  // a flat triangle of bonds 60, 60, -2 N/m is stable through its angles [laws: definite]
   TissueModel model;
   model.rest_position = {{0, 0, 0}, {0.01, 0, 0}, {0.005, 0.008, 0}};
   model.mass.assign(3, 1e-3);

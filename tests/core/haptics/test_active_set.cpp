@@ -251,7 +251,7 @@ TEST_CASE("a smaller error of the force asks for a lower threshold, at the same 
   CHECK(coarse.threshold == doctest::Approx(10.0 * fine.threshold));
   CHECK(coarse.reach == fine.reach);
   CHECK(fine.reach == doctest::Approx(3e-3 + 2.0 * fine.decay));
-  // three quarters of k L² / h in a lattice of equilateral triangles: SCIENCE's sheet
+  // three quarters of k L² / h in a lattice of equilateral triangles [motion: active set]
   CHECK(fine.decay ==
         doctest::Approx(std::sqrt(0.75 * 20.0 / (1e6 * std::sqrt(0.75)))).epsilon(0.1));
 }

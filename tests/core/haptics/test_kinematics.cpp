@@ -17,7 +17,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 const Vec3 kHome = {0.0, 30.0 * kDegree, 30.0 * kDegree};
 
-/// A grid of 9 x 9 x 9 points of the box that DEVICE 3.2 promises.
+/// A grid of 9 x 9 x 9 points of the box [kinematics: workspace].
 std::vector<Vec3> points_of_workspace() {
   const Workspace box;
   std::vector<Vec3> points;
@@ -181,7 +181,7 @@ TEST_CASE("a force beyond the motors keeps its direction, and the weight is carr
     CHECK((torque.cwiseAbs() - torque_max).maxCoeff() > -1e-12);  // all that can be had
     const Vec3 felt = compute_tip_force(arm, q, torque);
     CHECK(felt.dot(force) == doctest::Approx(felt.norm() * force.norm()));
-    CHECK(felt.norm() > 0.9);  // [N] DEVICE 3.3 promises 1.1 without weight
+    CHECK(felt.norm() > 0.9);  // [N] 1.09 without weight [kinematics: workspace]
   }
 }
 

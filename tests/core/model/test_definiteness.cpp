@@ -136,7 +136,7 @@ TEST_CASE("angles and stretch-bend terms never resist a change of size") {
 }
 
 TEST_CASE("the admissible K_btheta of six shapes agree with the published prototype") {
-  // shares of 1 N/m, shortest equal sides of 1 m, K_theta = 0 and 0.1 J (SCIENCE 1.5)
+  // shares of 1 N/m, shortest equal sides of 1 m, K_theta = 0 and 0.1 J [laws: definite]
   struct Shape {
     Vec3 length;
     double bend, low, high;
@@ -187,7 +187,7 @@ TEST_CASE("the admissible range is tight: definite just inside its ends, indefin
 
 TEST_CASE("a triangle with a negative bond holds where its stretch-bend terms make up for it") {
   // the plane-stress element of this triangle with nu = 0.3 and E h = 1 N/m, told in constants of
-  // the molecular model (SCIENCE 2.2): definite as the element is, though a bond is negative
+  // the molecular model [laws: membrane]: definite as the element is, though a bond is negative
   const Vec3 length(1.0, 0.35, 1.25);
   const double lambda = 0.3 / (1.0 - 0.09), mu = 0.5 / 1.3;
   const std::array<double, 3> cosine = compute_cosines(length);
