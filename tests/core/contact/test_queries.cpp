@@ -291,7 +291,7 @@ TEST_CASE("no way slips between triangles that share an edge or a corner") {
 }
 
 TEST_CASE("triangles near a segment equal brute force over their boxes and miss none in reach") {
-  // T8: a thousand poses
+  // a thousand poses
   for_each_soup([](const Soup& soup, const AabbTree& tree, const Vec3Array& x) {
     Dice dice(27);
     std::vector<int> out(soup.triangles.size());
