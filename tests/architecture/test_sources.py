@@ -183,6 +183,23 @@ def test_no_file_cites_a_page_that_is_not_in_the_repository():
     assert wrong == []
 
 
+def test_every_file_that_a_page_names_by_its_path_is_there():
+    """DECISIONS.md and CHANGELOG.md tell of their day, when it may have stood elsewhere."""
+    path = re.compile(
+        r"`((?:core|bindings|editor|firmware|meshes|tests)/[\w./-]+\.(?:h|c|cpp|py|md|json|toml))`"
+    )
+
+    wrong = [
+        f"{name}: {found}"
+        for name in pages()
+        if name not in ("DECISIONS.md", "CHANGELOG.md")
+        for found in path.findall(read(name))
+        if not (CHECKOUT / found).is_file()
+    ]
+
+    assert wrong == []
+
+
 def test_every_python_that_is_started_is_isolated_from_the_current_folder():
     """Only isolated.py names the interpreter; see tests/bindings/test_isolated.py."""
     started = re.compile(r"sys\.executable|multiprocessing|ProcessPoolExecutor")
