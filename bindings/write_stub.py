@@ -17,7 +17,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
 
-from palpate.isolated import build_command
+from palpate.system.isolated import build_command
 
 STUB = Path(__file__).with_name("palpate") / "_sim.pyi"
 SCENARIO_STUB = STUB.with_name("scenario.pyi")

@@ -14,9 +14,9 @@ from collections.abc import Callable
 from pathlib import Path
 
 from palpate import scenario
-from palpate.play import TAIL, Play
 from palpate.player.trainee_window import TraineeWindow
-from palpate.press import PressScript, find_top, write_script
+from palpate.runs.play import TAIL, Play
+from palpate.runs.press import PressScript, find_top, write_script
 from palpate.viewport.application import open_application
 from palpate_editor.app.settings import Settings
 from palpate_editor.views.editor import Editor

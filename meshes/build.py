@@ -10,7 +10,7 @@ import time
 from pathlib import Path
 
 import numpy as np
-from palpate.whole_file import write_whole
+from palpate.files.whole_file import write_whole
 from palpate_meshes.anatomy import ATTACHMENT, GENERATORS, find_regions, generate
 from palpate_meshes.catalogue import (
     CATALOGUE,

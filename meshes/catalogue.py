@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from palpate.mesh_file import read_mesh_file
-from palpate.scene_parts import LookPart
+from palpate.scene.mesh_file import read_mesh_file
+from palpate.scene.scene_parts import LookPart
 
 HERE = Path(__file__).parent
 PUBLISHED = HERE / "published"

@@ -8,8 +8,8 @@ from dataclasses import replace
 
 import numpy as np
 import palpate
-from palpate.scene_file import build_tissue
-from palpate.scene_parts import MaterialPart, ModelPart, SceneFile
+from palpate.scene.scene_file import build_tissue
+from palpate.scene.scene_parts import MaterialPart, ModelPart, SceneFile
 from palpate_editor.authoring import inspect_mesh
 from palpate_meshes.anatomy import ATTACHMENT
 from palpate_meshes.catalogue import Entry, Tissue

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from palpate.mesh_file import read_mesh_file
+from palpate.scene.mesh_file import read_mesh_file
 from palpate_meshes.catalogue import PUBLISHED, freeze
 from palpate_meshes.generate.field import Array
 from palpate_meshes.generate.loft import lathe, loft

@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cache
 
-from palpate.scene_parts import LookPart
+from palpate.scene.scene_parts import LookPart
 from palpate_meshes.catalogue import read_tissues
 
 Colour = tuple[float, ...]

@@ -13,9 +13,9 @@ from weakref import WeakKeyDictionary
 import numpy as np
 import palpate
 from palpate import scenario
-from palpate.scene_file import build_material
-from palpate.scene_parts import ModelPart
-from palpate.verb import Report
+from palpate.command.verb import Report
+from palpate.scene.scene_file import build_material
+from palpate.scene.scene_parts import ModelPart
 
 from palpate_editor import authoring
 from palpate_editor.compile import (

@@ -8,8 +8,8 @@ from dataclasses import replace
 
 import numpy as np
 import palpate
-from palpate.scene_file import build_tissue, compile_scene
-from palpate.scene_parts import FILLED, SceneFile
+from palpate.scene.scene_file import build_tissue, compile_scene
+from palpate.scene.scene_parts import FILLED, SceneFile
 
 from palpate_editor.document import Organ, Surface
 from palpate_editor.fill import build_filled

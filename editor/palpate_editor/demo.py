@@ -13,15 +13,16 @@ from pathlib import Path
 from typing import Any
 
 import palpate
-from palpate.isolated import build_verb
-from palpate.press import PressScript, find_top, write_script
-from palpate.read_file import read_file
-from palpate.run import Run, picture_of_record, plot_runs, run_script
-from palpate.scene_file import open_scene
-from palpate.scene_parts import HandPart, MaterialPart, ModelPart, ToolPart
-from palpate.script_file import write_script_file
-from palpate.verb import Refusal, Report
-from palpate.whole_file import write_whole
+from palpate.command.verb import Report
+from palpate.files.read_file import read_file
+from palpate.files.refusal import Refusal
+from palpate.files.whole_file import write_whole
+from palpate.runs.press import PressScript, find_top, write_script
+from palpate.runs.run import Run, picture_of_record, plot_runs, run_script
+from palpate.runs.script_file import write_script_file
+from palpate.scene.scene_file import open_scene
+from palpate.scene.scene_parts import HandPart, MaterialPart, ModelPart, ToolPart
+from palpate.system.isolated import build_verb
 
 from palpate_editor.authoring import write_mesh
 from palpate_editor.check import describe_model, measure_surface

@@ -7,7 +7,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 import palpate
-from palpate.scene_file import build_material, enumerator
+from palpate.scene.scene_file import build_material, enumerator
 
 from palpate_editor import authoring
 from palpate_editor.document import Organ, Surface

@@ -10,9 +10,10 @@ from pathlib import Path
 
 import numpy as np
 import palpate
-from palpate.scene_parts import MaterialPart
+from palpate.command.verb import Report
+from palpate.files.refusal import Refusal
+from palpate.scene.scene_parts import MaterialPart
 from palpate.study.findings import find_span
-from palpate.verb import Refusal, Report
 
 from palpate_editor.check import compare_with_wall, split_refusal
 from palpate_editor.compile import build_organ

@@ -8,7 +8,7 @@ import os
 from pathlib import Path
 
 from palpate import FileError, scenario
-from palpate.verb import Refusal
+from palpate.files.refusal import Refusal
 
 from palpate_editor.document import Organ
 from palpate_editor.document.files import FORMAT, VERSION, read_organ, unpack_organ

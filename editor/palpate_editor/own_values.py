@@ -8,10 +8,10 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from palpate.data_folder import find_data_folder
-from palpate.json_part import json_kind, read_part
-from palpate.verb import Refusal
-from palpate.whole_file import write_whole
+from palpate.files.json_part import json_kind, read_part
+from palpate.files.refusal import Refusal
+from palpate.files.whole_file import write_whole
+from palpate.system.data_folder import find_data_folder
 
 from palpate_editor.document import Phrase, phrase
 from palpate_editor.document.constants import Constant, find_constant

@@ -9,8 +9,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from palpate import FileError, Scene, scenario
-from palpate.scene_file import hash_file
-from palpate.verb import Report
+from palpate.command.verb import Report
+from palpate.scene.scene_file import hash_file
 
 from palpate_editor.check import Assessment, assess, describe_model, describe_problem
 from palpate_editor.document import Organ

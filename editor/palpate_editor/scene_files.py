@@ -7,9 +7,9 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from palpate.scene_file import hash_file, read_scene_and_mesh, write_scene_file
-from palpate.scene_parts import OrganPart
-from palpate.verb import Refusal
+from palpate.files.refusal import Refusal
+from palpate.scene.scene_file import hash_file, read_scene_and_mesh, write_scene_file
+from palpate.scene.scene_parts import OrganPart
 
 from palpate_editor import authoring
 from palpate_editor.compile import mesh_of, parts_of, surface_of

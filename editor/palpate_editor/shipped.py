@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from palpate.scene_parts import MaterialPart, ModelPart
+from palpate.scene.scene_parts import MaterialPart, ModelPart
 from palpate_meshes.catalogue import (
     PICTURES,
     Entry,

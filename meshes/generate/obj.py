@@ -6,7 +6,7 @@ from __future__ import annotations
 import os
 
 import numpy as np
-from palpate.whole_file import write_whole
+from palpate.files.whole_file import write_whole
 
 MARK = "# palpate: unit m, up z"
 """Tells the importer unit and up axis, so that it need not guess."""

@@ -16,8 +16,13 @@ from tree import files_under, read
 QT = ("PySide6", "shiboken6", "pyqtgraph")
 
 RENDER = ("palpate", "numpy", "moderngl")
-FILES = ("palpate.error", "palpate.json_part", "palpate.scenario", "palpate.verb")
-DOCUMENT = ("palpate_editor.document", "palpate.scene_parts", *FILES, "numpy")
+FILES = (
+    "palpate.error",
+    "palpate.files.json_part",
+    "palpate.files.refusal",
+    "palpate.scenario",
+)
+DOCUMENT = ("palpate_editor.document", "palpate.scene.scene_parts", *FILES, "numpy")
 EDITS = (
     "palpate_editor.edits",
     "palpate_editor.appearance",
@@ -35,6 +40,16 @@ DESK = (
 )
 
 ARROWS = {
+    "bindings/palpate/files": ("palpate.files", "palpate.error"),
+    "bindings/palpate/system": ("palpate.system",),
+    "bindings/palpate/command": ("palpate.command", "palpate.files"),
+    "bindings/palpate/mesh_files": (
+        "palpate.mesh_files",
+        "palpate.files",
+        "palpate.error",
+        "palpate._sim",
+        "numpy",
+    ),
     "bindings/palpate/render": (*RENDER, "matplotlib"),
     "bindings/palpate/viewport": (*RENDER, "PySide6"),
     "bindings/palpate/translation": ("palpate.translation", "PySide6"),
@@ -49,7 +64,7 @@ ARROWS = {
     "meshes/generate": (
         "palpate_meshes.generate",
         "palpate_editor.authoring",
-        "palpate.whole_file",
+        "palpate.files.whole_file",
         "numpy",
         "scipy",
         "skimage",
@@ -75,11 +90,14 @@ def module_of(name: str) -> str:
     return name.removesuffix(".py").replace("/", ".")
 
 
-OUR_MODULES = {
-    module_of(name).removesuffix(".__init__")
+OUR_FILES = [
+    name
     for folder in ("bindings/palpate", "editor/palpate_editor", "meshes")
     for name in files_under(folder, ".py")
-}
+]
+OUR_MODULES = {module_of(name).removesuffix(".__init__") for name in OUR_FILES}
+Graph = dict[str, set[str]]
+"""Module -> what it imports, of our own."""
 
 
 @dataclass(frozen=True)
@@ -119,6 +137,44 @@ def name_import(module: str, name: str) -> str:
     return f"{module}.{name}" if f"{module}.{name}" in OUR_MODULES else module
 
 
+def build_graph(packages: bool = False) -> Graph:
+    """Who imports whom, in functions and for annotations too; of modules, or of our packages."""
+    graph: Graph = {}
+    for name in OUR_FILES:
+        here = module_of(name).removesuffix(".__init__")
+        there = {i.module for i in imports(name) if i.module in OUR_MODULES}
+        if packages:
+            here, there = package_of(here), {package_of(module) for module in there}
+        graph.setdefault(here, set()).update(there - {here})
+    return graph
+
+
+def package_of(module: str) -> str:
+    """The part of a distribution that a module belongs to: palpate.runs of palpate.runs.live."""
+    return ".".join(module.split(".")[:2])
+
+
+def find_circles(graph: Graph) -> list[list[str]]:
+    """The strongly connected components of more than one node, each sorted."""
+    reached = {node: find_reached(graph, node) for node in graph}
+    circles = {
+        tuple(sorted(other for other in reached[node] if node in reached.get(other, ())))
+        for node in graph
+    }
+    return sorted(list(circle) for circle in circles if circle)
+
+
+def find_reached(graph: Graph, start: str) -> set[str]:
+    """What is imported by way of any number of others; `start` itself only in a circle."""
+    reached: set[str] = set()
+    waiting = [start]
+    while waiting:
+        new = graph.get(waiting.pop(), set()) - reached
+        reached |= new
+        waiting += new
+    return reached
+
+
 def within(module: str, names: tuple[str, ...]) -> bool:
     return any(module == name or module.startswith(name + ".") for name in names)
 
@@ -146,6 +202,29 @@ def test_a_package_imports_only_what_its_arrow_allows(folder):
     ]
 
     assert wrong == []
+
+
+def test_circles_are_found_where_there_are_some():
+    graph = {"a": {"b"}, "b": {"c"}, "c": {"a"}, "d": {"a", "e"}, "e": {"d"}, "f": {"a"}}
+
+    assert find_circles(graph) == [["a", "b", "c"], ["d", "e"]]
+
+
+def test_an_import_within_a_function_or_for_annotations_alone_counts_in_a_circle():
+    graph = build_graph()
+
+    assert "palpate.cli.verbs" in graph["palpate.cli.main"], "in load_verbs"
+    assert "palpate_editor.document.organ" in graph["palpate_editor.document.constants"]
+
+
+def test_no_modules_import_each_other_in_a_circle():
+    assert find_circles(build_graph()) == []
+
+
+def test_packages_import_each_other_in_one_direction():
+    graph = build_graph(packages=True)
+
+    assert find_circles(graph) == []
 
 
 @pytest.mark.parametrize(

@@ -97,7 +97,7 @@ def test_a_program_without_python_feels_the_very_forces_python_feels(player, pub
 
 
 def test_the_program_feels_in_the_demos_file_what_python_feels(player, tmp_path):
-    require(sys.executable, "-m", "palpate.cli", "demo", "--no-window", "--out", tmp_path)
+    require(sys.executable, "-m", "palpate", "demo", "--no-window", "--out", tmp_path)
     summary = json.loads((tmp_path / "summary.json").read_bytes())
     path = tmp_path / summary["published"]
 

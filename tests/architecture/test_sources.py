@@ -209,7 +209,7 @@ def test_every_python_that_is_started_is_isolated_from_the_current_folder():
 
     named = [name for name in own if started.search(read(name))]
 
-    assert named == ["bindings/palpate/isolated.py"]
+    assert named == ["bindings/palpate/system/isolated.py"]
 
 
 def test_only_one_file_of_each_language_writes_files():
@@ -228,4 +228,4 @@ def test_only_one_file_of_each_language_writes_files():
         "core/sim/session/record.cpp",
     ]
     # the other is run by a developer and rewrites sources
-    assert python == ["bindings/palpate/whole_file.py", "bindings/write_stub.py"]
+    assert python == ["bindings/palpate/files/whole_file.py", "bindings/write_stub.py"]

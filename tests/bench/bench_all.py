@@ -19,8 +19,8 @@ from typing import Any
 
 from palpate.bench.meshes import find_published
 from palpate.bench.rows import describe_rows
-from palpate.bench.verb import BENCH
-from palpate.cli import build_parser
+from palpate.cli.bench import BENCH
+from palpate.cli.main import build_parser
 from ratio_chart import save_ratio_chart
 
 PEERS = Path(__file__).parent / "peers"

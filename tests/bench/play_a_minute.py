@@ -25,11 +25,11 @@ import numpy as np
 import palpate
 from palpate import scenario
 from palpate.bench import generate_ellipsoid
-from palpate.live import LiveRun
-from palpate.play import open_play
 from palpate.player import TraineeWindow
-from palpate.scene_file import compile_scene
-from palpate.scene_parts import HandPart, MaterialPart, ModelPart, SceneFile, ToolPart
+from palpate.runs.live import LiveRun
+from palpate.runs.play import open_play
+from palpate.scene.scene_file import compile_scene
+from palpate.scene.scene_parts import HandPart, MaterialPart, ModelPart, SceneFile, ToolPart
 from palpate.viewport import FboView, GLView
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import QMouseEvent

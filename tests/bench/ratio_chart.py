@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullFormatter
-from palpate.whole_file import write_whole
+from palpate.files.whole_file import write_whole
 
 Report = dict[str, Any]
 INK, FAINT, LINE = "#1d2127", "#616b77", "#e6e8eb"

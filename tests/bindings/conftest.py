@@ -38,8 +38,8 @@ def shown(qtbot):
 @pytest.fixture
 def open_window(shown, tmp_path):
     """open_window(play or path) is a shown window of the trainee."""
-    from palpate.play import Play, open_play
     from palpate.player import TraineeWindow
+    from palpate.runs.play import Play, open_play
     from published import publish
 
     def open_it(play: Play | Path | None = None, **options) -> TraineeWindow:

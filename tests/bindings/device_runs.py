@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 import palpate
 from numpy.typing import NDArray
-from palpate.play import find_middle
-from palpate.press import PressScript, find_top, write_script
+from palpate.runs.play import find_middle
+from palpate.runs.press import PressScript, find_top, write_script
 
 DT = 1e-3
 """[s] of a tick."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import palpate
 from device_runs import spoil
-from palpate.device_link import Link, build_link
+from palpate.device.link import Link, build_link
 from palpate.device_window import DeviceWindow
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton

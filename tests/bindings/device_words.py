@@ -15,7 +15,7 @@ CONTEXT = "Device"
 
 def find_spoken() -> set[tuple[str, str]]:
     """(context, English text)"""
-    files = [*(PACKAGE / "device_window").glob("*.py"), *PACKAGE.glob("device_*.py")]
+    files = [*(PACKAGE / "device_window").glob("*.py"), *(PACKAGE / "device").glob("*.py")]
     return {said for file in files for said in read_calls(file)}
 
 

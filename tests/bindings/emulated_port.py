@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 import palpate
-from palpate.play import find_middle
+from palpate.runs.play import find_middle
 
 TICK = 1e-3
 """[s] of the device."""
@@ -138,7 +138,7 @@ class EmulatedPort:
 
 def play_as_process(path: Path, port: EmulatedPort, record: Path, *more: str) -> subprocess.Popen:
     """`palpate play --headless` on the port, as a person starts it."""
-    command = [sys.executable, "-P", "-m", "palpate.cli", "play", str(path), "--headless"]
+    command = [sys.executable, "-P", "-m", "palpate", "play", str(path), "--headless"]
     words = ["--device", f"serial:{port.path}", "--record", str(record), *more]
     return subprocess.Popen(
         [*command, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True

@@ -10,9 +10,9 @@ import tempfile
 from functools import cache
 from pathlib import Path
 
-from palpate.scene_file import read_scene_file, write_scene_file
-from palpate.script_file import read_script_file, write_script_file
-from palpate.verb import Refusal
+from palpate.files.refusal import Refusal
+from palpate.runs.script_file import read_script_file, write_script_file
+from palpate.scene.scene_file import read_scene_file, write_scene_file
 
 
 @cache

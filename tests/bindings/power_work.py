@@ -13,7 +13,7 @@ from pathlib import Path
 
 import palpate
 from palpate import scenario
-from palpate.whole_file import write_whole
+from palpate.files.whole_file import write_whole
 from simulated_disk import acknowledge
 from surfaces import organ_scene, press_frames, run_frames
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import palpate
 from palpate import scenario
-from palpate.script_file import write_script_file
+from palpate.runs.script_file import write_script_file
 from surfaces import organ_scene, press_frames
 
 TITLE, TASK = "Spleen: find the firm spot", "Stroke gently. Stay below 2 N."

@@ -16,13 +16,13 @@ from core_sentences import divide, has_words
 
 PACKAGES = (Path(palpate.__file__).parent, Path(__file__).resolve().parents[2] / "editor")
 COMMAND_LINE = (
-    *("bench/", "study/", "verbs/", "cli.py", "verbs.py", "verb.py", "output.py", "press.py"),
-    *("run.py", "play.py", "script_file.py", "display.py", "device.py", "device_link.py"),
-    *("demo.py", "kinds.py", "views/verb.py", "draw_windows.py"),
+    *("bench/", "study/", "verbs/", "cli/", "command/", "device/link.py", "device/names.py"),
+    *("runs/play.py", "runs/press.py", "runs/run.py", "runs/script_file.py", "system/display.py"),
+    *("demo.py", "kinds.py", "argument_text.py", "draw_windows.py"),
 )
 """Refuse what is typed, before a window opens or without one."""
 PROGRAMS = (
-    *("render/", "viewport/scenery.py", "refused_call.py", "translation/", "live.py"),
+    *("render/", "viewport/scenery.py", "refused_call.py", "translation/", "runs/live.py"),
     *("views/touch/force_trace.py", "document/surface.py", "document/organ.py", "app/settings.py"),
     *("app/session.py", "appearance.py", "python_device.py"),
 )

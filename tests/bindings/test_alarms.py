@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 import palpate
 import pytest
-from palpate.alarms import (
+from palpate.runs.alarms import (
     ALARMS,
     CAUSES,
     CONTEXT,
@@ -20,7 +20,7 @@ from palpate.alarms import (
     describe_alarm,
     say_alarm,
 )
-from palpate.run import run_device
+from palpate.runs.run import run_device
 from palpate.translation import read_words
 from surfaces import organ_scene
 
@@ -121,8 +121,8 @@ def test_a_press_that_overstretches_says_so_and_what_to_do(monkeypatch, tmp_path
         def finish(self):
             return costs
 
-    monkeypatch.setattr("palpate.run.LiveRun", Over)
-    monkeypatch.setattr("palpate.run.describe_build", lambda *_: {})
+    monkeypatch.setattr("palpate.runs.run.LiveRun", Over)
+    monkeypatch.setattr("palpate.runs.run.describe_build", lambda *_: {})
     with pytest.raises(RuntimeError) as stopped:
         run_device(organ_scene(1), SimpleNamespace(name=str), 1.0, tmp_path / "r", tmp_path / "s")
 

@@ -8,9 +8,10 @@ import json
 import numpy as np
 import palpate
 import pytest
-from palpate.bench import bodies, chart, frames, lateness, meshes, rows, table1, verb
+from palpate.bench import bodies, chart, frames, lateness, meshes, rows, table1
 from palpate.bench.frames import Frames
-from palpate.cli import main
+from palpate.cli.bench import describe_bench
+from palpate.cli.main import main
 from palpate.study import models
 from palpate.study.reference import read_reference
 
@@ -57,7 +58,7 @@ def test_the_loop_is_late_by_so_much_or_claims_nothing_without_real_time_priorit
     else:
         assert late == [None] * 4
         assert row["realtime_note"]
-    assert "25 ticks missed" in verb.describe_bench(report)
+    assert "25 ticks missed" in describe_bench(report)
 
 
 def test_a_loop_without_priority_says_so_and_shows_no_figures():
@@ -216,7 +217,7 @@ def test_the_scaling_chart_is_drawn_from_its_report(tmp_path, monkeypatch, capsy
     assert len(report["rows"]) == 2 * 2 * (1 + 3)
     assert {row["substeps"] for row in report["rows"]} == {None, 1, 4, 10}
     assert [row["vertices"] for row in report["largest"]] == [None] * 8
-    assert "not within the sizes" in verb.describe_bench(report)
+    assert "not within the sizes" in describe_bench(report)
 
 
 def test_table_1_has_both_laws_of_the_papers_organs_with_its_counts(monkeypatch, capsys):
@@ -232,7 +233,7 @@ def test_table_1_has_both_laws_of_the_papers_organs_with_its_counts(monkeypatch,
     assert row["frame_rate_hz"] == pytest.approx(100.0)
     assert row["deformation_rate_hz"] > row["tick_rate_hz"] > 0.0
     assert row["contact_rate_hz"] > row["tick_rate_hz"]
-    assert "the paper: 1000 Hz and 24 frames/s" in verb.describe_bench(report)
+    assert "the paper: 1000 Hz and 24 frames/s" in describe_bench(report)
 
 
 def test_table_1_refuses_an_organ_with_other_counts(monkeypatch, capsys):

@@ -8,11 +8,11 @@ from dataclasses import replace
 
 import palpate
 import pytest
-from palpate.alarms import CAUSES, OPTIONS, tell_alarm
-from palpate.cause import HARD, find_cause
-from palpate.press import PressScript, find_top, write_script
-from palpate.scene_file import build_tissue, compile_scene
-from palpate.scene_parts import HandPart, MaterialPart, ModelPart, SceneFile, ToolPart
+from palpate.runs.alarms import CAUSES, OPTIONS, tell_alarm
+from palpate.runs.cause import HARD, find_cause
+from palpate.runs.press import PressScript, find_top, write_script
+from palpate.scene.scene_file import build_tissue, compile_scene
+from palpate.scene.scene_parts import HandPart, MaterialPart, ModelPart, SceneFile, ToolPart
 from surfaces import ellipsoid
 
 MESH = ellipsoid((0.03, 0.025, 0.02), 2)

@@ -9,8 +9,8 @@ import subprocess
 import sys
 
 import pytest
-from palpate.cli import EDITOR_VERBS, build_parser, load_verbs, main
-from palpate.verb import quantity
+from palpate.cli.main import EDITOR_VERBS, build_parser, load_verbs, main
+from palpate.command.verb import quantity
 
 OUR_VERBS = ("doctor", "press", "replay", "render", "bench")
 
@@ -98,7 +98,7 @@ def test_quantities_are_read_to_si_and_need_their_unit():
 
 def test_the_installed_command_runs_in_a_process_of_its_own():
     done = subprocess.run(
-        [sys.executable, "-m", "palpate.cli", "--version"], capture_output=True, text=True
+        [sys.executable, "-m", "palpate", "--version"], capture_output=True, text=True
     )
 
     assert done.returncode == 0
@@ -106,7 +106,7 @@ def test_the_installed_command_runs_in_a_process_of_its_own():
 
 
 def test_a_verb_of_a_missing_distribution_says_what_to_install(monkeypatch, capsys):
-    monkeypatch.setattr("palpate.cli.entry_points", lambda group: [])
+    monkeypatch.setattr("palpate.cli.main.entry_points", lambda group: [])
 
     assert main(["import", "a.stl", "-o", "a.obj"]) == 2
 

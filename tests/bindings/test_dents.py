@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import palpate
 import pytest
-from palpate.play import open_play
-from palpate.press import Place, find_place, find_top
+from palpate.runs.play import open_play
+from palpate.runs.press import Place, find_place, find_top
 from palpate.viewport import canvas
 from palpate.viewport.dents import Dents
 from PySide6.QtCore import QPointF

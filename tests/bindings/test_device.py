@@ -12,14 +12,14 @@ import numpy as np
 import palpate
 import pytest
 from device_runs import spoil
-from palpate.cli import main
-from palpate.device import ACTIONS
-from palpate.device_calibrate import run_calibrate
-from palpate.device_fit import Pull, fit_joints, fit_motors
-from palpate.device_link import Ended, build_link, hold_plant
-from palpate.device_poses import HOME, HOME_JOINTS, POSES, average_counts
-from palpate.device_selftest import run_selftest
-from palpate.sentence import PoorData
+from palpate.cli.device import ACTIONS
+from palpate.cli.main import main
+from palpate.command.sentence import PoorData
+from palpate.device.calibrate import run_calibrate
+from palpate.device.fit import Pull, fit_joints, fit_motors
+from palpate.device.link import Ended, build_link, hold_plant
+from palpate.device.poses import HOME, HOME_JOINTS, POSES, average_counts
+from palpate.device.selftest import run_selftest
 
 SCHEMAS = Path(palpate.__file__).parent / "schemas"
 GALLBLADDER = Path(__file__).resolve().parents[2] / "meshes" / "published" / "gallbladder.palpate"
@@ -73,7 +73,7 @@ def test_a_fault_is_cleared_from_the_command_line_once_its_cause_is_gone(capsys,
 
     stopped = build_link("plant")
     stopped.arm.press_stop(True)
-    monkeypatch.setattr("palpate.device.build_link", lambda name: stopped)
+    monkeypatch.setattr("palpate.cli.device.build_link", lambda name: stopped)
     code, report, _ = call(capsys, "device", "clear", "plant", "--json")
     assert (code, report["first_fault"]) == (1, "stop pressed")
 

@@ -16,9 +16,10 @@ import numpy as np
 import palpate
 import pytest
 from emulated_port import EmulatedPort, play_as_process
-from palpate.cli import main
-from palpate.felt import read_rendered
-from palpate.play import DEVICE_FAULT, Play, describe_play_report, open_play, play_headless
+from palpate.cli.main import main
+from palpate.cli.play import describe_play_report
+from palpate.runs.felt import read_rendered
+from palpate.runs.play import DEVICE_FAULT, Play, open_play, play_headless
 from published import publish, write_press
 from surfaces import press_frames
 

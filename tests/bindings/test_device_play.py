@@ -10,23 +10,25 @@ import numpy as np
 import palpate
 import pytest
 from device_runs import press_through
-from palpate.cli import main
-from palpate.play import Play, describe_play_report, open_play, play_headless, split_device
-from palpate.verb import WrongCall
+from palpate.cli.main import main
+from palpate.cli.play import describe_play_report
+from palpate.command.verb import WrongCall
+from palpate.device.names import split_hand
+from palpate.runs.play import Play, open_play, play_headless
 from published import publish, write_press
 
 GALLBLADDER = Path(__file__).resolve().parents[2] / "meshes" / "published" / "gallbladder.palpate"
 
 
 def test_devices_are_named_by_what_is_held_and_who_moves_it():
-    assert split_device("pointer") == ("", "")
-    assert split_device("script:a.json") == ("", "script:a.json")
-    assert split_device("plant") == ("plant", "")
-    assert split_device("plant:script:a:b.json") == ("plant", "script:a:b.json")
-    assert split_device("serial:/dev/ttyUSB0") == ("serial:/dev/ttyUSB0", "")
+    assert split_hand("pointer") == ("", "")
+    assert split_hand("script:a.json") == ("", "a.json")
+    assert split_hand("plant") == ("plant", "")
+    assert split_hand("plant:script:a:b.json") == ("plant", "a:b.json")
+    assert split_hand("serial:/dev/ttyUSB0") == ("serial:/dev/ttyUSB0", "")
     for wrong in ("glove", "plant:", "plant:pointer", "plants", "script", "serial:", ""):
         with pytest.raises(WrongCall):
-            split_device(wrong)
+            split_hand(wrong)
 
 
 def test_a_scenario_is_played_on_the_simulated_arm_and_its_record_replays(tmp_path, capsys):

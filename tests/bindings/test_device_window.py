@@ -20,9 +20,9 @@ from device_windows import (
 )
 from device_words import find_spoken
 from palpate import translation
-from palpate.cli import main
-from palpate.device_calibration import Stage
-from palpate.device_link import hold_plant
+from palpate.cli.main import main
+from palpate.device.calibration import Stage
+from palpate.device.link import hold_plant
 from palpate.device_window import DeviceWindow
 from PySide6.QtCore import QTimer
 from PySide6.QtTest import QTest

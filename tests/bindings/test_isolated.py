@@ -9,8 +9,8 @@ import sys
 
 import pytest
 from hostile_names import list_run, make_hostile_folder
-from palpate.display import require_display
-from palpate.isolated import build_command, build_verb
+from palpate.system.display import require_display
+from palpate.system.isolated import build_command, build_verb
 
 
 @pytest.fixture

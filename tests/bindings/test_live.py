@@ -10,11 +10,12 @@ import sys
 import numpy as np
 import palpate
 import pytest
-from palpate import device, live, script_file
-from palpate.cli import main
-from palpate.live import Frame, LiveRun
-from palpate.script_file import read_script_file, write_script_file
-from palpate.verb import Refusal
+from palpate.cli import device
+from palpate.cli.main import main
+from palpate.files.refusal import Refusal
+from palpate.runs import live, script_file
+from palpate.runs.live import Frame, LiveRun
+from palpate.runs.script_file import read_script_file, write_script_file
 from published import publish, write_press
 from surfaces import organ_scene, press_frames
 
@@ -131,7 +132,7 @@ def test_a_record_that_cannot_be_written_is_refused_before_anything_runs(tmp_pat
 def test_a_live_run_needs_no_qt():
     import subprocess
 
-    words = "import sys, palpate.live; sys.exit(any('PySide' in m for m in sys.modules))"
+    words = "import sys, palpate.runs.live; sys.exit(any('PySide' in m for m in sys.modules))"
     assert subprocess.run([sys.executable, "-c", words], check=False).returncode == 0
 
 

@@ -17,7 +17,7 @@ SIM = Path(__file__).resolve().parents[2] / "core" / "sim"
 
 PRIVATE_HEADERS = {
     "base/refuse.h": "how C++ writes a refusal; Python raises its own",
-    "base/whole_file.h": "how C++ writes a file; Python has palpate.whole_file",
+    "base/whole_file.h": "how C++ writes a file; Python has palpate.files.whole_file",
     "base/vector_targets.h": "which vector targets are compiled",
     "contact/box.h": "inside of the tree and its queries",
     "contact/contact_lanes-inl.h": "compiled once per vector target",

@@ -10,9 +10,9 @@ from pathlib import Path
 import numpy as np
 import palpate
 import pytest
-from palpate.cli import main
-from palpate.read_file import read_file
-from palpate.run import describe_build
+from palpate.cli.main import main
+from palpate.files.read_file import read_file
+from palpate.runs.run import describe_build
 from published import publish, write_press
 from surfaces import organ_scene, press_frames, run_frames
 

@@ -13,13 +13,14 @@ from pathlib import Path
 import numpy as np
 import palpate
 import pytest
-from palpate import file_kind, scenario
-from palpate.cli import build_parser, load_verbs, main
-from palpate.file_kind import find_kind
-from palpate.output import DECLARED, require_replaceable
+from palpate import scenario
+from palpate.cli.main import build_parser, load_verbs, main
+from palpate.command.output import DECLARED, require_replaceable
+from palpate.files import file_kind
+from palpate.files.file_kind import find_kind
+from palpate.files.refusal import Refusal
 from palpate.render.picture import write_png
-from palpate.script_file import write_script_file
-from palpate.verb import Refusal
+from palpate.runs.script_file import write_script_file
 from surfaces import organ_scene, press_frames, run_frames
 
 READ = {"--scene", "--mesh", "--curve", "--constants"}

@@ -8,7 +8,6 @@ from dataclasses import asdict, replace
 
 import numpy as np
 import pytest
-from palpate.authored import find_look
 from palpate.render import (
     Camera,
     Look,
@@ -18,7 +17,8 @@ from palpate.render import (
     draw_picture,
     open_context,
 )
-from palpate.scene_parts import LookPart
+from palpate.render.authored_look import find_look
+from palpate.scene.scene_parts import LookPart
 from round_surfaces import ball
 
 SIZE = (240, 200)

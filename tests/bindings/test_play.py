@@ -16,12 +16,13 @@ import palpate
 import pytest
 from matplotlib.image import imread
 from palpate import scenario
-from palpate.cli import main
-from palpate.data_folder import find_data_folder, find_record_folder
-from palpate.play import find_free, open_play
-from palpate.run import describe_build
-from palpate.script_file import read_script_file, write_script_file
-from palpate.verb import Refusal, WrongCall
+from palpate.cli.main import main
+from palpate.command.verb import WrongCall
+from palpate.files.refusal import Refusal
+from palpate.runs.play import find_free, open_play
+from palpate.runs.run import describe_build
+from palpate.runs.script_file import read_script_file, write_script_file
+from palpate.system.data_folder import find_data_folder, find_record_folder
 from published import TASK, TITLE, publish, publish_unstable, read_peak, write_press
 from surfaces import organ_scene, press_frames, run_frames
 
@@ -84,7 +85,7 @@ def test_playing_headless_loads_no_qt(tmp_path):
     path, script = publish(tmp_path), write_press(tmp_path)
     words = [str(path), "--device", f"script:{script}", "--headless", "--duration", "100ms"]
     program = (
-        "import sys; from palpate.cli import main\n"
+        "import sys; from palpate.cli.main import main\n"
         f"code = main(['play', *{words!r}])\n"
         "bad = [m for m in sys.modules if m.startswith(('PySide6', 'shiboken'))]\n"
         "print(bad, file=sys.stderr); sys.exit(code or len(bad))"
@@ -143,7 +144,7 @@ def test_further_runs_leave_records_of_their_own(tmp_path):
     ("words", "code", "sentence"),
     [
         (("--headless",), 2, "--headless has no mouse"),
-        (("--device", "glove", "--headless"), 2, "--headless has no mouse"),
+        (("--device", "glove", "--headless"), 2, "expected pointer, script:FILE, plant"),
         (("--device", "glove"), 2, "expected pointer, script:FILE, plant"),
         (("--device", "script:none.json", "--headless"), 1, "No such file"),
         (("--device", "script:{script}", "--headless", "--duration", "0s"), 2, "more than 0"),

@@ -11,12 +11,12 @@ from pathlib import Path
 import numpy as np
 import palpate
 import pytest
-from palpate.cli import main
-from palpate.play import open_play
+from palpate.cli.main import main
 from palpate.player import TraineeWindow, play_in_window, trainee_window
 from palpate.player.force_bar import choose_range
 from palpate.player.trainee_window import Phase
 from palpate.player.words import format_clock, say_fault, say_notice
+from palpate.runs.play import open_play
 from published import TASK, TITLE, publish, publish_unstable, read_peak, write_press
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
@@ -348,7 +348,7 @@ def test_a_lost_record_is_an_error_of_the_command(open_window, monkeypatch):
 
 
 def test_ctrl_c_closes_a_window_in_which_nothing_happens(tmp_path):
-    program = "import sys; from palpate.cli import run_main; sys.exit(run_main())"
+    program = "import sys; from palpate.cli.main import run_main; sys.exit(run_main())"
     # a process of its own, as from a shell: whether the test's own parent ignores the signal is
     # inherited otherwise
     with subprocess.Popen(

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import palpate
-from palpate.play import open_play
 from palpate.player.trainee_window import Phase
+from palpate.runs.play import open_play
 from published import publish
 from trainees import press_and_wait
 

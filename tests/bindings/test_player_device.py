@@ -5,13 +5,13 @@ from __future__ import annotations
 
 import palpate
 import pytest
-from palpate import play as play_verb
 from palpate import player
-from palpate.cli import main
-from palpate.play import open_play
+from palpate.cli import play as play_verb
+from palpate.cli.main import main
 from palpate.player import TraineeWindow
 from palpate.player.device_watch import PATIENCE, DeviceWatch
 from palpate.player.trainee_window import Phase
+from palpate.runs.play import open_play
 from published import publish
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest

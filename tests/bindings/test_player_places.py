@@ -12,9 +12,9 @@ from pathlib import Path
 import numpy as np
 import palpate
 import pytest
-from palpate.play import open_play
 from palpate.player import cards
 from palpate.player.trainee_window import Phase
+from palpate.runs.play import open_play
 from published import TITLE, publish
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, QUrl
 from PySide6.QtTest import QTest
@@ -26,7 +26,7 @@ SCREENS = [((1280, 720), 1.0), ((1280, 720), 2.0), ((1920, 1080), 2.0), ((1366, 
 LONG = " ".join(["Stroke along the border, count the notches, and stay below 2 N."] * 12)
 PLAY_ON_A_SCREEN = """
 import json, sys
-from palpate.play import open_play
+from palpate.runs.play import open_play
 from palpate.player import TraineeWindow
 from palpate.viewport.application import open_application
 app, code = open_application(sys.argv[2])

@@ -11,9 +11,9 @@ from pathlib import Path
 import palpate
 import pytest
 from palpate import translation
-from palpate.cli import main
-from palpate.play import open_play
+from palpate.cli.main import main
 from palpate.player import TraineeWindow
+from palpate.runs.play import open_play
 from published import TITLE, publish
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest

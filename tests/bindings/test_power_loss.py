@@ -15,7 +15,7 @@ import numpy as np
 import palpate
 import pytest
 from palpate import scenario
-from palpate.whole_file import write_whole
+from palpate.files.whole_file import write_whole
 from power_work import SAVES, make_material
 from simulated_disk import (
     Disk,

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from palpate.press import Place, PressScript, measure_press, write_script
+from palpate.runs.press import Place, PressScript, measure_press, write_script
 
 PLACE = Place(np.array([0.0, 0.0, 0.02]), np.array([0.0, 0.0, 1.0]))
 RADIUS, DEPTH = 3e-3, 6e-3

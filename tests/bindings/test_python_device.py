@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import palpate
 import pytest
-from palpate.live import LiveRun
+from palpate.runs.live import LiveRun
 from surfaces import organ_scene
 
 EXAMPLE = Path(__file__).resolve().parents[1] / "examples" / "add_a_device" / "my_device.py"

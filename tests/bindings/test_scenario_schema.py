@@ -15,7 +15,8 @@ import jsonschema
 import palpate
 import pytest
 from hostile_scenarios import entries_of, pack, remove, set_in
-from palpate import scenario, scene_parts
+from palpate import scenario
+from palpate.scene import scene_parts
 from surfaces import organ_scene
 
 SCHEMAS = Path(palpate.__file__).parent / "schemas"

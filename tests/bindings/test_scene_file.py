@@ -8,16 +8,23 @@ from dataclasses import fields, replace
 
 import numpy as np
 import pytest
-from palpate.mesh_file import read_mesh_file
-from palpate.scene_file import (
+from palpate.files.refusal import Refusal
+from palpate.scene.mesh_file import read_mesh_file
+from palpate.scene.scene_file import (
     compile_scene,
     hash_file,
     open_scene,
     read_scene_file,
     write_scene_file,
 )
-from palpate.scene_parts import HandPart, MaterialPart, ModelPart, OrganPart, SceneFile, ToolPart
-from palpate.verb import Refusal
+from palpate.scene.scene_parts import (
+    HandPart,
+    MaterialPart,
+    ModelPart,
+    OrganPart,
+    SceneFile,
+    ToolPart,
+)
 
 OCTAHEDRON = """v 0.03 0 0
 v -0.03 0 0

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import pytest
-from palpate.cli import main
-from palpate.terminal import make_harmless
+from palpate.cli.main import main
+from palpate.command.terminal import make_harmless
 from published import publish, write_press
 
 HOSTILE = "\x1b]0;owned\x07\x1b[2J\x9b31m\x00\x7f\r\u202e\u2066\ufeff"

@@ -4,7 +4,7 @@ import stat
 
 import palpate
 import pytest
-from palpate.whole_file import create_beside, write_whole
+from palpate.files.whole_file import create_beside, write_whole
 from power_work import SAVES, make_material
 
 

@@ -10,7 +10,7 @@ from math import pi
 import numpy as np
 import palpate
 from organs import make_organ
-from palpate.scene_parts import FillPart, HandPart, MaterialPart, ModelPart, ToolPart
+from palpate.scene.scene_parts import FillPart, HandPart, MaterialPart, ModelPart, ToolPart
 from palpate_editor import authoring
 from palpate_editor.document import Organ, Surface
 

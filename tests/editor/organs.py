@@ -8,7 +8,14 @@ from dataclasses import fields, replace
 from functools import cache
 
 import numpy as np
-from palpate.scene_parts import FillPart, HandPart, LookPart, MaterialPart, ModelPart, ToolPart
+from palpate.scene.scene_parts import (
+    FillPart,
+    HandPart,
+    LookPart,
+    MaterialPart,
+    ModelPart,
+    ToolPart,
+)
 from palpate_editor.document import Decimation, Organ, Repairs, Source, Surface, Translation
 from palpate_meshes.generate import ellipsoid, sheet
 

@@ -8,14 +8,14 @@ from types import SimpleNamespace
 
 import palpate
 import pytest
-from palpate.alarms import ALARMS, CAUSES, OPTIONS
-from palpate.cause import find_cause
+from palpate.runs.alarms import ALARMS, CAUSES, OPTIONS
+from palpate.runs.cause import find_cause
+from palpate_editor.argument_text import LAWS
+from palpate_editor.argument_text import OPTIONS as VERB
 from palpate_editor.compile import compile_organ
 from palpate_editor.document.constants import LAW_NAMES, find_constant
 from palpate_editor.edits import SetConstant
 from palpate_editor.shipped import make_organ
-from palpate_editor.verbs.tissue import LAWS
-from palpate_editor.verbs.tissue import OPTIONS as VERB
 from palpate_editor.views.touch.trial import advise, name_field
 
 ADVICES = [*CAUSES.values(), *(words.design for words in ALARMS.values())]

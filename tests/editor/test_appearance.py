@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from organs import LOOK, SOURCE, make_organ, surface_of
-from palpate.cli import main
+from palpate.cli.main import main
 from palpate.render import build_look
 from palpate_editor.appearance import (
     choose_look,

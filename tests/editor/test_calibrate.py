@@ -11,9 +11,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from organs import make_organ
-from palpate.cli import main
-from palpate.press import find_top
-from palpate.scene_parts import HandPart, MaterialPart, ModelPart, ToolPart
+from palpate.cli.main import main
+from palpate.runs.press import find_top
+from palpate.scene.scene_parts import HandPart, MaterialPart, ModelPart, ToolPart
 from palpate.study.indent import measure_indentation
 from palpate_editor.compile import compile_organ
 from palpate_editor.document import Organ

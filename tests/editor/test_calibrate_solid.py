@@ -8,8 +8,8 @@ import json
 import numpy as np
 import pytest
 from layers import THICKNESS, make_layer_organ
-from palpate.cli import main
-from palpate.press import find_top
+from palpate.cli.main import main
+from palpate.runs.press import find_top
 from palpate.study import indent
 from palpate.study.calibrate import fit_factors
 from palpate.study.curve import Curve

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import palpate
 import pytest
-from palpate.doctor import find_landlock
+from palpate.cli.doctor import find_landlock
 from palpate_editor.authoring import READER, read_mesh
 
 TRIANGLE = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], "<f4").tobytes()

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import palpate
 import pytest
-from palpate.cli import main
+from palpate.cli.main import main
 from palpate_editor import demo as demo_module
 from palpate_editor.document.defaults import CONSTANTS
 from palpate_editor.open_organ import open_organ
@@ -211,5 +211,5 @@ def test_the_editor_opens_on_the_result_where_there_is_a_display(
     assert main(["demo", "--out", str(out), *words]) == 0
 
     assert [Path(call[-1]).name for call in seen] == opened
-    assert all(call[1:5] == ["-P", "-m", "palpate.cli", "editor"] for call in seen)
+    assert all(call[1:5] == ["-P", "-m", "palpate", "editor"] for call in seen)
     assert summary["published"] in capsys.readouterr().out

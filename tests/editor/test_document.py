@@ -9,7 +9,7 @@ from dataclasses import FrozenInstanceError, fields, replace
 import numpy as np
 import pytest
 from organs import SOURCE, make_organ, surface_of
-from palpate.scene_parts import FillPart, HandPart, MaterialPart, ModelPart, ToolPart
+from palpate.scene.scene_parts import FillPart, HandPart, MaterialPart, ModelPart, ToolPart
 from palpate_editor.document import EMPTY, Organ, Surface, freeze, phrase
 from palpate_editor.document.constants import CHOICES, CONSTANTS, find_constant
 

@@ -9,7 +9,7 @@ from dataclasses import fields, is_dataclass, replace
 import numpy as np
 import pytest
 from organs import SOURCE, make_organ, open_surface, same, surface_of, two_shells
-from palpate.scene_parts import MaterialPart, ModelPart
+from palpate.scene.scene_parts import MaterialPart, ModelPart
 from palpate_editor import authoring, edits
 from palpate_editor.app.session import Session
 from palpate_editor.compile import mesh_of

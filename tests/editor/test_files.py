@@ -19,7 +19,7 @@ import numpy as np
 import palpate
 import pytest
 from organs import LOOK, make_organ, open_surface, same, surface_of
-from palpate.scene_parts import FillPart
+from palpate.scene.scene_parts import FillPart
 from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.files import (
     VERSION,

@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 import palpate
 import pytest
-from palpate.cli import main
-from palpate.scene_parts import FillPart
+from palpate.cli.main import main
+from palpate.scene.scene_parts import FillPart
 from palpate_editor import _authoring
 from palpate_editor.check import assess
 from palpate_editor.compile import build_organ

@@ -10,7 +10,7 @@ import numpy as np
 import palpate
 import pytest
 from organs import make_organ, surface_of
-from palpate.cli import main
+from palpate.cli.main import main
 from palpate_editor import authoring
 from palpate_editor.document import Organ, Surface
 from palpate_editor.document.files import read_organ, write_organ

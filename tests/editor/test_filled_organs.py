@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import palpate
 import pytest
-from palpate.mesh_file import read_mesh_file
+from palpate.scene.mesh_file import read_mesh_file
 from palpate_editor import authoring
 
 PUBLISHED = Path(__file__).parents[2] / "meshes" / "published"

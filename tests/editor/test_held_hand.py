@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import palpate
 import pytest
-from palpate.press import CLEARANCE, Place, find_top
+from palpate.runs.press import CLEARANCE, Place, find_top
 from palpate_editor.authoring import decimate, import_mesh
 
 ORGANS = {

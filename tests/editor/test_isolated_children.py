@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 import pytest
 from hostile_names import list_run, make_hostile_folder
-from palpate.verb import Refusal
+from palpate.files.refusal import Refusal
 from palpate_editor import demo
 from palpate_editor.authoring import READER, read_mesh
 from palpate_editor.views.companions import Companions

@@ -11,8 +11,8 @@ import numpy as np
 import palpate
 import pytest
 from organs import make_organ, same
-from palpate.cli import main
-from palpate.scene_parts import FillPart, ModelPart
+from palpate.cli.main import main
+from palpate.scene.scene_parts import FillPart, ModelPart
 from palpate.study.findings import read_findings
 from palpate_editor.check import assess
 from palpate_editor.compile import compile_organ, mesh_of

@@ -13,7 +13,7 @@ import numpy as np
 import palpate
 import pytest
 from palpate import scenario
-from palpate.cli import main
+from palpate.cli.main import main
 from palpate_editor.check import assess
 from palpate_editor.document.constants import counts_choice, find_constant
 from palpate_editor.edits import SetChoice

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 from organs import make_organ, same
-from palpate.cli import main
+from palpate.cli.main import main
 from palpate_editor.document.files import read_organ, write_organ
 from palpate_editor.verbs import files
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from organs import make_organ, open_surface, surface_of, two_shells, untitled
-from palpate.scene_parts import FillPart
+from palpate.scene.scene_parts import FillPart
 from palpate_editor import check
 from palpate_editor.check import Assessment, assess
 from palpate_editor.document import EMPTY, Organ, Surface

@@ -11,7 +11,7 @@ import palpate
 import pytest
 from organs import make_organ, same, untitled
 from palpate import scenario
-from palpate.cli import main
+from palpate.cli.main import main
 from palpate_editor.check import assess
 from palpate_editor.compile import compile_organ
 from palpate_editor.document import EMPTY

@@ -12,7 +12,7 @@ import palpate
 import pytest
 from organs import make_organ
 from palpate import scenario
-from palpate.cli import main
+from palpate.cli.main import main
 from palpate_editor.check import assess
 from palpate_editor.compile import compile_organ
 from palpate_editor.document import Surface

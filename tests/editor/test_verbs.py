@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from palpate.cli import main
+from palpate.cli.main import main
 
 INSPECTED = {
     "vertices",
@@ -199,7 +199,7 @@ def test_a_hostile_file_gives_a_report_or_a_sentence(name, shared_data):
     path = shared_data(f"hostile/{name}")
 
     done = subprocess.run(
-        [sys.executable, "-m", "palpate.cli", "inspect", str(path), "--json"],
+        [sys.executable, "-m", "palpate", "inspect", str(path), "--json"],
         capture_output=True,
         text=True,
         timeout=3 * TIME_LIMIT,

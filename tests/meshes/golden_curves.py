@@ -16,9 +16,9 @@ from pathlib import Path
 
 import numpy as np
 import palpate
-from palpate.press import PressScript, find_place, find_top, write_script
-from palpate.run import read_scene
-from palpate.whole_file import write_whole
+from palpate.files.whole_file import write_whole
+from palpate.runs.press import PressScript, find_place, find_top, write_script
+from palpate.runs.run import read_scene
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 CURVES = CHECKOUT / "tests" / "references" / "golden_curves.json"

@@ -17,8 +17,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import palpate
-from palpate.press import PressScript, find_top, write_script
-from palpate.run import describe_arithmetic, follow_header, read_scene
+from palpate.runs.press import PressScript, find_top, write_script
+from palpate.runs.run import describe_arithmetic, follow_header, read_scene
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 RECORDS = CHECKOUT / "tests" / "references" / "records"

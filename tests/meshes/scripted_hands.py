@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 import palpate
-from palpate.press import CLEARANCE, RAMP, Place, PressScript, find_place, write_script
-from palpate.run import read_scene
+from palpate.runs.press import CLEARANCE, RAMP, Place, PressScript, find_place, write_script
+from palpate.runs.run import read_scene
 
 PUBLISHED = Path(__file__).resolve().parents[2] / "meshes" / "published"
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import palpate
 import pytest
-from palpate.mesh_file import read_mesh_file
+from palpate.scene.mesh_file import read_mesh_file
 from palpate_meshes.generate import ellipsoid, sheet, tube, write_obj
 from palpate_meshes.generate.relax import compute_angles
 

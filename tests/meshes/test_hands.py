@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import palpate
 import pytest
-from palpate.press import find_place, find_top
+from palpate.runs.press import find_place, find_top
 from palpate_editor.shipped import list_organs
 from scripted_hands import find_scattered_place, open_organ_scene, press, pull
 

@@ -11,7 +11,7 @@ import sys
 import numpy as np
 import palpate
 import pytest
-from palpate.mesh_file import read_mesh_file
+from palpate.scene.mesh_file import read_mesh_file
 from palpate_meshes.anatomy import ATTACHMENT, GENERATORS, find_regions, generate
 from palpate_meshes.build import main
 from palpate_meshes.catalogue import (

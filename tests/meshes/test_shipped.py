@@ -10,11 +10,11 @@ import numpy as np
 import palpate
 import pytest
 from matplotlib.image import imread
-from palpate.cli import main
-from palpate.press import PressScript, find_top
+from palpate.cli.main import main
 from palpate.render import build_look
-from palpate.run import read_scene, run_script
-from palpate.script_file import write_script_file
+from palpate.runs.press import PressScript, find_top
+from palpate.runs.run import read_scene, run_script
+from palpate.runs.script_file import write_script_file
 from palpate_editor.check import assess
 from palpate_editor.gallery import draw_organ, draw_tool
 from palpate_editor.open_organ import open_organ

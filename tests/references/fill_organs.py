@@ -52,7 +52,7 @@ def wall(name: str) -> None:
 def read_surface(name: str):
     import palpate
     from bodies import build_ellipsoid, find_surface
-    from palpate.mesh_file import read_mesh_file
+    from palpate.scene.mesh_file import read_mesh_file
 
     if name != "ellipsoid":
         return read_mesh_file(path_of(name))

@@ -13,9 +13,9 @@ import numpy as np
 import palpate
 from palpate import scenario
 from palpate.bench import generate_ellipsoid
-from palpate.live import LiveRun
-from palpate.scene_file import compile_scene
-from palpate.scene_parts import HandPart, MaterialPart, ModelPart, SceneFile, ToolPart
+from palpate.runs.live import LiveRun
+from palpate.scene.scene_file import compile_scene
+from palpate.scene.scene_parts import HandPart, MaterialPart, ModelPart, SceneFile, ToolPart
 
 RADIUS = 4e-3
 """[m] of the tool."""

@@ -15,8 +15,8 @@ from matplotlib.ticker import FuncFormatter, NullFormatter
 
 from palpate.bench.meshes import generate_meshes
 from palpate.bench.rows import Options, bench_meshes
-from palpate.verb import Report
-from palpate.whole_file import write_whole
+from palpate.command.verb import Report
+from palpate.files.whole_file import write_whole
 
 SIZES = (1_000, 2_000, 5_400, 10_000, 20_000, 50_000, 100_000, 200_000, 500_000)
 QUICK_SIZES = (1_000, 5_400, 20_000)

@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 import palpate
-from palpate.authored import find_look
-from palpate.press import find_top
 from palpate.render import Camera, Look, Renderer, open_context
+from palpate.render.authored_look import find_look
+from palpate.runs.press import find_top
 
 SIZE = (1280, 720)
 """[px]"""

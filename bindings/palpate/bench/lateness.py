@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 import palpate
 from palpate.bench.meshes import BenchMesh
-from palpate.press import find_top
-from palpate.verb import Report
+from palpate.command.verb import Report
+from palpate.runs.press import find_top
 
 LOOP = "loop"
 """The name of the work."""

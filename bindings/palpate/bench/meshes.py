@@ -15,10 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 import palpate
-from palpate.mesh_file import read_mesh_file
-from palpate.scene_file import compile_scene
-from palpate.scene_parts import HandPart, MaterialPart, ModelPart, SceneFile
-from palpate.verb import Refusal
+from palpate.files.refusal import Refusal
+from palpate.scene.mesh_file import read_mesh_file
+from palpate.scene.scene_file import compile_scene
+from palpate.scene.scene_parts import HandPart, MaterialPart, ModelPart, SceneFile
 
 SIZES = (20_000, 100_000, 500_000)
 """Vertices of the generated surfaces."""
@@ -74,7 +74,7 @@ def find_published() -> Path:
 def read_published(path: Path) -> BenchMesh:
     """A published file: its own surface, constants, fixed particles and painted stiffness."""
     # loads what draws, which every other command does without
-    from palpate.authored import read_constants
+    from palpate.scene.authored import read_constants
 
     scenario = palpate.scenario.read(path)
     tissue = scenario.scene.tissue

@@ -16,7 +16,7 @@ from palpate.bench.lateness import (
     measure_loop,
 )
 from palpate.bench.meshes import BenchMesh
-from palpate.verb import Report
+from palpate.command.verb import Report
 
 PRESSED = 20_000
 """Vertices up to which a press is held: it asks larger surfaces for so many substeps (100k: 29 to

@@ -16,8 +16,8 @@ import palpate
 from palpate.bench.frames import SIZE, measure_frames
 from palpate.bench.meshes import BenchMesh, find_published, read_published
 from palpate.bench.rows import Options, time_work
+from palpate.command.verb import Report
 from palpate.render import describe_gl
-from palpate.verb import Report
 
 PAPER = {"simple_tissue": (66, 45), "spleen": (1196, 600), "kidney": (3996, 2000)} | {
     "gallbladder": (10782, 5400)

@@ -8,8 +8,9 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QDoubleSpinBox, QWidget
 
 import palpate
-from palpate.device_calibration import Calibration, Reading, Stage, Work
-from palpate.device_link import Ended, Link
+from palpate.command.sentence import PoorData
+from palpate.device.calibration import Calibration, Reading, Stage, Work
+from palpate.device.link import Ended, Link
 from palpate.device_window.calibrate_words import (
     say_buttons,
     say_results,
@@ -21,7 +22,6 @@ from palpate.device_window.job import Job
 from palpate.device_window.results import Results
 from palpate.device_window.steps import Steps
 from palpate.device_window.words import say, translate
-from palpate.sentence import PoorData
 from palpate.translation.refusals import say_refusal
 
 

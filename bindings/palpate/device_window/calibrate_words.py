@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from palpate.device_calibration import Calibration, Stage
-from palpate.device_fit import find_change
-from palpate.device_poses import ARM, PLACES, POSES
+from palpate.device.calibration import Calibration, Stage
+from palpate.device.fit import find_change
+from palpate.device.poses import ARM, PLACES, POSES
 from palpate.device_window.words import (
     number,
     say_direction,

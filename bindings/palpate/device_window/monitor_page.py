@@ -8,8 +8,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDoubleSpinBox, QHBoxLayout, QWidget
 
 import palpate
-from palpate.device_link import DRIVING, Link
-from palpate.device_poses import PLACES
+from palpate.device.link import DRIVING, Link
+from palpate.device.poses import PLACES
 from palpate.device_window.cards import Facts, Page, build_button
 from palpate.device_window.gauges import Dial, Histogram, MotorBars
 from palpate.device_window.words import number, say_joint, translate

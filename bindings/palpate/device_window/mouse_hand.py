@@ -7,7 +7,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
 
-from palpate.device_link import Link
+from palpate.device.link import Link
 from palpate.device_window.arm_scene import ArmScene
 from palpate.viewport import ViewBase
 from palpate.viewport.navigation import meet_plane

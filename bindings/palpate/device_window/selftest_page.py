@@ -8,14 +8,14 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QCheckBox, QFileDialog, QGridLayout, QLabel, QWidget
 
-from palpate.device_link import Ended, Link
-from palpate.device_selftest import Check, inspect_link, write_selftest
+from palpate.command.verb import Report
+from palpate.device.link import Ended, Link
+from palpate.device.selftest import Check, inspect_link, write_selftest
 from palpate.device_window.cards import Page, build_button
 from palpate.device_window.job import Job
 from palpate.device_window.words import say, translate
 from palpate.player.cards import build_label
 from palpate.translation.refusals import say_refusal
-from palpate.verb import Report
 
 
 class SelftestPage(Page):

@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
+from palpate.command.verb import Report
 from palpate.device_window.window import DeviceWindow
 from palpate.player.start import Watch
-from palpate.verb import Report
 from palpate.viewport.application import open_application
 
 

@@ -6,7 +6,8 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QWidget
 
-from palpate.device_link import NATIVE, PLANT, SERIAL, list_devices
+from palpate.device.link import list_devices
+from palpate.device.names import PLANT, find_port, read_device
 from palpate.device_window.cards import build_button
 from palpate.device_window.words import say_device, translate
 from palpate.player.cards import build_label
@@ -58,14 +59,14 @@ class TopBar(QWidget):
         index = self.devices.findText(text)
         if index >= 0:
             return str(self.devices.itemData(index))
-        return text if text in (PLANT, NATIVE) or text.startswith(SERIAL) else f"{SERIAL}{text}"
+        return read_device(text)
 
     def choose(self, name: str) -> None:
         index = self.devices.findData(name)
         if index >= 0:
             self.devices.setCurrentIndex(index)
         else:
-            self.devices.setEditText(name.removeprefix(SERIAL))
+            self.devices.setEditText(find_port(name) or name)
 
     def list_anew(self) -> None:
         """Looks for devices; what is chosen stays where it is still there."""

@@ -12,7 +12,8 @@ from PySide6.QtWidgets import QWidget
 
 import palpate
 from palpate import translation
-from palpate.device_link import Link, build_link
+from palpate.command.verb import Report, WrongCall
+from palpate.device.link import Link, build_link
 from palpate.device_window.arm_scene import ArmScene
 from palpate.device_window.calibrate_page import CalibratePage
 from palpate.device_window.cards import Card
@@ -29,7 +30,6 @@ from palpate.player.cards import Banner, Notice
 from palpate.player.device_words import say_advice, say_state
 from palpate.player.look import build_palette
 from palpate.translation.refusals import say_refusal
-from palpate.verb import Report, WrongCall
 from palpate.viewport import make_view
 from palpate.viewport.application import use_language
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 from PySide6.QtCore import QCoreApplication, QLocale
 
-from palpate.device_poses import HOME, Pose
-from palpate.sentence import Sentence, fill
+from palpate.command.sentence import Sentence, fill
+from palpate.device.names import NATIVE, PLANT, find_port
+from palpate.device.poses import HOME, Pose
 
 translate = QCoreApplication.translate
 CONTEXT = "Device"
@@ -75,8 +76,8 @@ def say_direction(name: str) -> str:
 
 def say_device(name: str, product: str) -> str:
     """An entry of the list of devices."""
-    if name == "plant":
+    if name == PLANT:
         return translate("Device", "Simulated arm, moved by the mouse")
-    if name == "native":
+    if name == NATIVE:
         return translate("Device", "Firmware's code behind a pseudo terminal")
-    return f"{product or name} ({name.removeprefix('serial:')})"
+    return f"{product or name} ({find_port(name) or name})"

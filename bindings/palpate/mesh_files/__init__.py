@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 
 from palpate._sim import SurfaceMesh
 from palpate.error import FileError
+from palpate.files.read_file import read_file
 from palpate.mesh_files.obj import read_obj
 from palpate.mesh_files.ply import read_ply
 from palpate.mesh_files.stl import read_stl
-from palpate.read_file import read_file
 
 Surface = tuple[NDArray[np.float64], NDArray[np.int64]]
 READERS: dict[str, Callable[[str, bytes], Surface]] = {

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import palpate
-from palpate.play import find_driver
 from palpate.player.device_words import say_advice, say_fault, say_state
 from palpate.player.words import say_fault as say_end_of_device
 from palpate.player.words import translate
+from palpate.runs.play import find_driver
 
 PATIENCE = 12
 """Frames that anything but a fault has to last before it is told of."""

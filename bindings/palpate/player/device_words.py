@@ -6,7 +6,7 @@ from __future__ import annotations
 from PySide6.QtCore import QCoreApplication
 
 import palpate
-from palpate.device_report import NO_FAULT
+from palpate.device.report import NO_FAULT
 
 translate = QCoreApplication.translate
 

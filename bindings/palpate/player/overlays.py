@@ -9,11 +9,11 @@ from copy import copy
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QFrame
 
-from palpate.play import Play
 from palpate.player.boards import Board, EndBoard, MenuBoard, StartBoard
 from palpate.player.cards import Banner, ClockCard, KeyLine, Notice, TaskCard
 from palpate.player.force_bar import ForceBar
 from palpate.player.words import say_keys, translate
+from palpate.runs.play import Play
 from palpate.viewport import View, navigation
 
 EDGE = 20

@@ -10,9 +10,9 @@ from types import FrameType, TracebackType
 
 from PySide6.QtCore import QSocketNotifier
 
-from palpate.play import Play
+from palpate.command.verb import Report
 from palpate.player.trainee_window import TraineeWindow
-from palpate.verb import Report
+from palpate.runs.play import Play
 from palpate.viewport.application import open_application
 
 

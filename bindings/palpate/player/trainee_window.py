@@ -12,16 +12,16 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 import palpate
 from palpate import translation
-from palpate.authored import find_look
-from palpate.live import Frame, LiveRun
-from palpate.play import Play, describe_outcome, describe_play, describe_run
+from palpate.command.verb import Report
 from palpate.player.boards import Board
 from palpate.player.device_watch import DeviceWatch
 from palpate.player.look import build_palette, build_style
 from palpate.player.overlays import Overlays
 from palpate.player.words import say_end, say_slow, translate
+from palpate.render.authored_look import find_look
+from palpate.runs.live import Frame, LiveRun
+from palpate.runs.play import Play, describe_outcome, describe_play, describe_run
 from palpate.translation.refusals import say_refusal
-from palpate.verb import Report
 from palpate.viewport import PointerHand, make_view
 from palpate.viewport.application import use_language
 from palpate.viewport.screen import fit_to_screen

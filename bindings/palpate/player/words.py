@@ -6,8 +6,8 @@ from __future__ import annotations
 from PySide6.QtCore import QCoreApplication, QLocale
 
 import palpate
-from palpate.alarms import advise_hand, say_alarm
-from palpate.sentence import fill
+from palpate.command.sentence import fill
+from palpate.runs.alarms import advise_hand, say_alarm
 
 translate = QCoreApplication.translate
 

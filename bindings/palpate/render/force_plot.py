@@ -15,9 +15,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
+from palpate.files.whole_file import write_whole
 from palpate.render.theme import THEMES, Colour, Theme
 from palpate.render.trace import Trace, find_spans, read_trace
-from palpate.whole_file import write_whole
 
 DPI = 100
 SMALLEST = (800, 600)

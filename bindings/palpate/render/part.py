@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from palpate.render.theme import TISSUE, Colour
-from palpate.scene_parts import LookPart, find_look_fault
+from palpate.scene.scene_parts import LookPart, find_look_fault
 
 WIDTHS = {"position": 3, "normal": 3, "value": 1, "selection": 1, "openness": 1, "rest": 3}
 """The streams of a part and how many float32 each vertex has in them."""

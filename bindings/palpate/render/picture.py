@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 import palpate
+from palpate.files.whole_file import write_whole
 from palpate.render.camera import Camera
 from palpate.render.colour_map import build_legend
 from palpate.render.overlay import Overlay
@@ -28,7 +29,6 @@ from palpate.render.shapes import (
 )
 from palpate.render.studio import Shot, Thing, take_picture
 from palpate.render.theme import FORCE, STEEL, THEMES, TISSUE, Colour
-from palpate.whole_file import write_whole
 
 Array = NDArray[np.float64]
 

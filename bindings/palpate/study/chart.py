@@ -14,11 +14,11 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
+from palpate.files.whole_file import write_whole
 from palpate.render.force_plot import DPI, dress
 from palpate.render.theme import THEMES, Theme
 from palpate.study.accuracy import Row
 from palpate.study.cost import Cost
-from palpate.whole_file import write_whole
 
 WIDTH, HEIGHT, KEYS = 1280, 480, 190
 """[px] of the figure, of each row of panels, and of the keys with the title."""

@@ -18,8 +18,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from palpate.read_file import read_file
-from palpate.verb import UNITS, Refusal
+from palpate.command.verb import UNITS
+from palpate.files.read_file import read_file
+from palpate.files.refusal import Refusal
 
 COLUMNS = {"depth": "m", "force": "N"}
 """Column -> the unit that it is brought to."""

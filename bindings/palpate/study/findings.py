@@ -15,8 +15,8 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from palpate.json_part import read_part
-from palpate.whole_file import write_whole
+from palpate.files.json_part import read_part
+from palpate.files.whole_file import write_whole
 
 if TYPE_CHECKING:  # it loads SciPy
     from palpate.study.accuracy import Row

@@ -10,11 +10,11 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from palpate.files.whole_file import write_whole
 from palpate.render.force_plot import DPI, RUN_COLOURS, dress, write_key
 from palpate.render.theme import THEMES
 from palpate.study.calibrate import Fit
 from palpate.study.curve import Curve
-from palpate.whole_file import write_whole
 
 SIZE = (1000, 720)
 """[px]"""

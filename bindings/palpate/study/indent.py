@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 from scipy.interpolate import PchipInterpolator
 
 import palpate
-from palpate.alarms import tell_alarm
-from palpate.press import Place
+from palpate.runs.alarms import tell_alarm
+from palpate.runs.press import Place
 
 STOPS = 10
 """Depths at which the tool is let come to rest."""

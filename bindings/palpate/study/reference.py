@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from palpate.verb import Refusal
+from palpate.files.refusal import Refusal
 
 FOLDER = Path(__file__).parent / "references"
 FORMAT, VERSION = "palpate-reference", 1

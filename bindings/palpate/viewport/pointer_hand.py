@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, QPointF, Qt
 from PySide6.QtGui import QInputEvent, QKeyEvent, QMouseEvent, QWheelEvent
 
 import palpate
-from palpate.press import find_top
+from palpate.runs.press import find_top
 from palpate.viewport.hint_line import say_holding, say_hovering, say_pressing
 from palpate.viewport.navigation import meet_plane
 from palpate.viewport.view_base import ViewBase

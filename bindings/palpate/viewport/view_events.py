@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import Self
+
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
 
@@ -17,7 +19,7 @@ class ViewEvents:
     Shift with any, moves it, the wheel comes nearer to what lies under the pointer.
     """
 
-    tool: ViewTool | None
+    tool: ViewTool[Self] | None
     """Gets mouse and keys before the camera does."""
 
     def listen(self) -> None:

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
-from palpate.whole_file import write_whole
+from palpate.files.whole_file import write_whole
 from PySide6.QtCore import QLockFile, QStandardPaths
 
 from palpate_editor.document import Organ

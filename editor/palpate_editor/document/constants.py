@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from palpate.scene_parts import FILLED, KINDS, ORIGINS, SPRING_RULES, ModelPart
+from palpate.scene.scene_parts import FILLED, KINDS, ORIGINS, SPRING_RULES, ModelPart
 
 from palpate_editor.document.phrase import Phrase, phrase
 

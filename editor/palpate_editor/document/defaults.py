@@ -9,7 +9,7 @@ from __future__ import annotations
 import tomllib
 from pathlib import Path
 
-from palpate.scene_parts import FillPart, HandPart, MaterialPart, ModelPart, ToolPart
+from palpate.scene.scene_parts import FillPart, HandPart, MaterialPart, ModelPart, ToolPart
 
 CONSTANTS = Path(__file__).parents[1] / "demo.toml"
 """The file, with the words for every number."""

@@ -16,9 +16,10 @@ from typing import Any
 
 import numpy as np
 from palpate.error import FileError
-from palpate.json_part import json_kind, read_part, read_value
+from palpate.files.json_part import json_kind, read_part, read_value
+from palpate.files.refusal import Refusal
 from palpate.scenario import MOST_LANGUAGES, Container, read_container, write_container
-from palpate.scene_parts import (
+from palpate.scene.scene_parts import (
     FillPart,
     HandPart,
     LookPart,
@@ -27,7 +28,6 @@ from palpate.scene_parts import (
     ToolPart,
     find_look_fault,
 )
-from palpate.verb import Refusal
 
 from palpate_editor.document.organ import Decimation, Organ, Source, Translation, is_language
 from palpate_editor.document.surface import Surface

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from palpate.scene_parts import FILLED
+from palpate.scene.scene_parts import FILLED
 
 from palpate_editor.document.constants import CHOICES, CONSTANTS
 from palpate_editor.document.organ import Organ

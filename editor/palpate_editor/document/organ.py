@@ -9,7 +9,14 @@ from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
 import numpy as np
-from palpate.scene_parts import FillPart, HandPart, LookPart, MaterialPart, ModelPart, ToolPart
+from palpate.scene.scene_parts import (
+    FillPart,
+    HandPart,
+    LookPart,
+    MaterialPart,
+    ModelPart,
+    ToolPart,
+)
 
 from palpate_editor.document.defaults import FILL, HAND, MATERIAL, MODEL, TOOL
 from palpate_editor.document.surface import Surface, freeze

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from palpate.scenario import MOST_PARTICLES
-from palpate.scene_parts import FILLED
+from palpate.scene.scene_parts import FILLED
 
 from palpate_editor.document.material_rules import find_material_problems
 from palpate_editor.document.organ import Organ

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 import palpate
-from palpate.scene_file import build_tissue
-from palpate.scene_parts import ModelPart, SceneFile
+from palpate.scene.scene_file import build_tissue
+from palpate.scene.scene_parts import ModelPart, SceneFile
 
 from palpate_editor.document import Organ
 

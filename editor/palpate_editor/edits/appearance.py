@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
-from palpate.scene_parts import LookPart, find_look_fault
+from palpate.scene.scene_parts import LookPart, find_look_fault
 
 from palpate_editor.appearance import make_look, read_styles
 from palpate_editor.document import Organ, phrase

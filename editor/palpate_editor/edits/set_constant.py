@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from palpate.scene_parts import MaterialPart, ModelPart
+from palpate.scene.scene_parts import MaterialPart, ModelPart
 
 from palpate_editor.document import Organ, phrase
 from palpate_editor.document.constants import (

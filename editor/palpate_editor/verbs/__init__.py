@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from palpate_editor.verbs import appearance, calibrate, demo, mesh, organs, paint, publish, tissue
-from palpate_editor.views.verb import EDITOR
+from palpate_editor.verbs.editor import EDITOR
 
 VERBS = [
     *mesh.VERBS,

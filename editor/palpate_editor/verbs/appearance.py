@@ -7,9 +7,10 @@ import argparse
 from dataclasses import asdict
 from pathlib import Path
 
-from palpate.file_kind import ORGAN
-from palpate.output import add_output
-from palpate.verb import Refusal, Report, Verb
+from palpate.command.output import add_output
+from palpate.command.verb import Report, Verb
+from palpate.files.file_kind import ORGAN
+from palpate.files.refusal import Refusal
 
 from palpate_editor.appearance import find_style, read_colour, read_styles, write_colour
 from palpate_editor.document import Organ

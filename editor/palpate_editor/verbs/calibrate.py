@@ -10,13 +10,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import palpate
-from palpate.file_kind import ORGAN, PICTURE
-from palpate.output import add_output
-from palpate.press import find_place, find_top
-from palpate.scene_parts import FILLED
+from palpate.cli.press import read_point
+from palpate.command.output import add_output
+from palpate.command.verb import Report, Verb, quantity
+from palpate.files.file_kind import ORGAN, PICTURE
+from palpate.files.refusal import Refusal
+from palpate.runs.press import find_place, find_top
+from palpate.scene.scene_parts import FILLED
 from palpate.study.curve import Curve, read_curve
-from palpate.verb import Refusal, Report, Verb, quantity
-from palpate.verbs import read_point
 
 from palpate_editor.check import split_refusal
 from palpate_editor.compile import compile_organ, mesh_of

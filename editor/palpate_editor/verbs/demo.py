@@ -7,7 +7,10 @@ import argparse
 import sys
 from pathlib import Path
 
-from palpate.file_kind import (
+from palpate.command.output import Files, add_output_folder
+from palpate.command.terminal import make_harmless
+from palpate.command.verb import Report, Verb
+from palpate.files.file_kind import (
     OBJ,
     ORGAN,
     PICTURE,
@@ -18,9 +21,7 @@ from palpate.file_kind import (
     SCRIPT,
     SUMMARY,
 )
-from palpate.output import Files, add_output_folder
-from palpate.terminal import make_harmless
-from palpate.verb import Refusal, Report, Verb
+from palpate.files.refusal import Refusal
 
 from palpate_editor.demo import SHIPPED, TOUCHED, can_show_windows, open_editor, run_demo
 from palpate_editor.document.defaults import CONSTANTS

@@ -8,9 +8,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from palpate.file_kind import OBJ, ORGAN, STL
-from palpate.mesh_file import read_mesh_file
-from palpate.verb import Refusal
+from palpate.files.file_kind import OBJ, ORGAN, STL
+from palpate.files.refusal import Refusal
+from palpate.scene.mesh_file import read_mesh_file
 
 from palpate_editor import authoring
 from palpate_editor.compile import mesh_of, surface_of

@@ -7,8 +7,8 @@ import argparse
 from dataclasses import asdict
 from pathlib import Path
 
-from palpate.output import add_output
-from palpate.verb import Report, Verb
+from palpate.command.output import add_output
+from palpate.command.verb import Report, Verb
 
 from palpate_editor import authoring
 from palpate_editor.compile import mesh_of

@@ -7,9 +7,10 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from palpate.file_kind import ORGAN, PICTURE, PUBLISHED
-from palpate.output import Files, add_output, add_output_folder
-from palpate.verb import Refusal, Report, Verb
+from palpate.command.output import Files, add_output, add_output_folder
+from palpate.command.verb import Report, Verb
+from palpate.files.file_kind import ORGAN, PICTURE, PUBLISHED
+from palpate.files.refusal import Refusal
 from palpate_meshes.catalogue import (
     Entry,
     Tissue,

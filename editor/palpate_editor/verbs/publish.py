@@ -7,9 +7,10 @@ import argparse
 from pathlib import Path
 
 import palpate
-from palpate.file_kind import PUBLISHED
-from palpate.output import add_output
-from palpate.verb import Refusal, Report, Verb
+from palpate.command.output import add_output
+from palpate.command.verb import Report, Verb
+from palpate.files.file_kind import PUBLISHED
+from palpate.files.refusal import Refusal
 
 from palpate_editor.check import assess, check_file, describe_problem
 from palpate_editor.document import Organ

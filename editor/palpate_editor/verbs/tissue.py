@@ -10,11 +10,13 @@ from dataclasses import asdict
 from pathlib import Path
 
 import palpate
-from palpate.file_kind import OBJ, ORGAN, SCENE
-from palpate.output import Files, add_output
-from palpate.scene_parts import FILLED
-from palpate.verb import Refusal, Report, Verb, quantity
+from palpate.command.output import Files, add_output
+from palpate.command.verb import Report, Verb, quantity
+from palpate.files.file_kind import OBJ, ORGAN, SCENE
+from palpate.files.refusal import Refusal
+from palpate.scene.scene_parts import FILLED
 
+from palpate_editor.argument_text import LAWS, NONE, OPTIONS
 from palpate_editor.check import describe_model, split_refusal
 from palpate_editor.compile import compile_organ
 from palpate_editor.document import EMPTY, Organ
@@ -24,40 +26,6 @@ from palpate_editor.edits import FixLowest, SetChoice, SetConstant, SetGravity, 
 from palpate_editor.kinds import compare_kinds, describe_kinds
 from palpate_editor.scene_files import name_mesh, write_scene
 from palpate_editor.verbs.files import ReadFile, apply, open_any
-
-OPTIONS = {
-    "model.stiffness": ("--stiffness", "N/m"),
-    "model.bend_stiffness": ("--bend", "J"),
-    "model.stretch_coupling": ("--stretch-bend", "N"),
-    "model.home_stiffness": ("--home", "N/m3"),
-    "model.drag": ("--drag", "1/s"),
-    "model.pressure": ("--pressure", "Pa"),
-    "material.wall_thickness": ("--wall", "m"),
-    "material.density": ("--density", "kg/m3"),
-    "material.damping_ratio": ("--damping", ""),
-    "material.young_modulus": ("--young-modulus", "Pa"),
-    "material.poisson_ratio": ("--poisson", ""),
-    "fill.tetrahedra": ("--tetrahedra", ""),
-    "fill.nodal_share": ("--nodal-share", ""),
-    "tool.radius": ("--tool-radius", "m"),
-    "tool.stiffness": ("--tool-stiffness", "N/m3"),
-    "hand.coupling": ("--coupling", "N/m"),
-    "hand.force_max": ("--force-max", "N"),
-    "hand.hold_stiffness": ("--grip", "N/m"),
-    "hand.rate": ("--rate", ""),
-    "hand.force_error": ("--force-error", "N"),
-    "hand.substeps": ("--substeps", ""),
-}
-"""Constant -> its option, and the unit that must stand with the number."""
-
-LAWS = {
-    "model.angle_law": "--angle-law",
-    "model.damping_law": "--damping-law",
-    "model.constants": "--constants",
-    "model.spring_rule": "--spring-rule",
-}
-NONE = "none"
-"""The word for a constant that is not given: no wall, the builder's own home springs."""
 
 
 def read_constant(constant: Constant, unit: str) -> Callable[[str], float | str]:

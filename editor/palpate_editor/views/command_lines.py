@@ -16,6 +16,7 @@ import numpy as np
 from palpate.viewport import View
 
 from palpate_editor.appearance import write_colour
+from palpate_editor.argument_text import LAWS, NONE, OPTIONS, write_factors, write_ids
 from palpate_editor.document import Organ, Source
 from palpate_editor.document.constants import CONSTANTS, SHORT_KINDS
 from palpate_editor.edits import (
@@ -43,8 +44,6 @@ from palpate_editor.edits import (
     TurnOutward,
     UseImported,
 )
-from palpate_editor.verbs.paint import write_factors, write_ids
-from palpate_editor.verbs.tissue import LAWS, NONE, OPTIONS
 
 KINDS = {kind: short for short, kind in SHORT_KINDS.items()}
 ASKED = "as asked"

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from palpate.isolated import build_verb
+from palpate.system.isolated import build_verb
 from PySide6.QtCore import QObject, QProcess
 
 from palpate_editor.views.desk import Desk

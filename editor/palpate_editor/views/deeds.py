@@ -9,7 +9,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
-from palpate.scene_parts import MaterialPart, ModelPart
+from palpate.scene.scene_parts import MaterialPart, ModelPart
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QGuiApplication
 
@@ -26,6 +26,8 @@ from palpate_editor.views.command_lines import render_words
 from palpate_editor.views.desk import Desk
 from palpate_editor.views.display import Display
 from palpate_editor.views.files import Files
+from palpate_editor.views.publishing import Publishing
+from palpate_editor.views.tasks import Tasks
 from palpate_editor.views.words import tr
 
 LOWEST = 0.1
@@ -41,9 +43,18 @@ class Deeds(QObject):
     decimate_wanted = Signal()
     reimport_wanted = Signal()
 
-    def __init__(self, desk: Desk, display: Display, files: Files, parent: QObject | None = None):
+    def __init__(
+        self,
+        desk: Desk,
+        display: Display,
+        files: Files,
+        tasks: Tasks,
+        publishing: Publishing,
+        parent: QObject | None = None,
+    ):
         super().__init__(parent)
         self.desk, self.display, self.files = desk, display, files
+        self.tasks, self.publishing = tasks, publishing
 
     # ------------------------------------------------------------ looking
 
@@ -106,7 +117,7 @@ class Deeds(QObject):
 
     def published(self) -> Path | str:
         """A file that `palpate render` can draw."""
-        return self.desk.publishing.path or f"{self.desk.stem()}.palpate"
+        return self.publishing.path or f"{self.desk.stem()}.palpate"
 
     # ------------------------------------------------------------ mesh
 
@@ -117,14 +128,14 @@ class Deeds(QObject):
         self.desk.apply(TurnOutward())
 
     def keep_largest(self) -> None:
-        self.desk.tasks.apply_slowly(KeepLargestShell())
+        self.tasks.apply_slowly(KeepLargestShell())
 
     def decimate(self) -> None:
         self.desk.show_stage("decimate")
         self.decimate_wanted.emit()
 
     def use_imported(self) -> None:
-        self.desk.tasks.apply_slowly(UseImported())
+        self.tasks.apply_slowly(UseImported())
 
     # ------------------------------------------------------------ material
 

@@ -7,7 +7,6 @@ import logging
 import shlex
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from palpate.viewport import View
 from PySide6.QtCore import QObject, Signal
@@ -21,10 +20,6 @@ from palpate_editor.views.jobs import Jobs
 from palpate_editor.views.sentences import sentence_of
 from palpate_editor.views.theme import COLOURS, Colours
 from palpate_editor.views.words import say_title, tr
-
-if TYPE_CHECKING:
-    from palpate_editor.views.publishing import Publishing
-    from palpate_editor.views.tasks import Tasks
 
 LOG = logging.getLogger(__name__)
 
@@ -65,9 +60,6 @@ class Desk(QObject):
         self.stage = "import"
         self.previewing = False
         """Whether the view shows the parts of a file, not the organ."""
-        self.tasks: Tasks
-        self.publishing: Publishing
-        """Both made by the window, which knows what they need."""
 
     @property
     def colours(self) -> Colours:

@@ -18,7 +18,7 @@ from palpate_editor.shipped import make_organ
 from palpate_editor.views import file_questions
 from palpate_editor.views.desk import Desk
 from palpate_editor.views.jobs import Progress
-from palpate_editor.views.tasks import ImportWork
+from palpate_editor.views.tasks import ImportWork, Tasks
 from palpate_editor.views.words import tr
 
 DOCUMENTS = (".organ", ".palpate")
@@ -80,9 +80,9 @@ class ShippedWork:
 class Files(QObject):
     """Asks for files with dialogs that do not block, and does what they are for."""
 
-    def __init__(self, desk: Desk, window: QWidget):
+    def __init__(self, desk: Desk, tasks: Tasks, window: QWidget):
         super().__init__(window)
-        self.desk, self.window = desk, window
+        self.desk, self.tasks, self.window = desk, tasks, window
         self.after: Callable[[], None] | None = None
         """What waits for the answer about unsaved changes; a bound method."""
         self.wanted: Path | None = None
@@ -155,7 +155,7 @@ class Files(QObject):
     def import_mesh(self, work: ImportWork) -> None:
         """Imports a mesh: over an organ of another file it begins a document of its own."""
         if is_replaceable(self.desk.session.organ, work.path):
-            self.desk.tasks.import_mesh(work.path, work.parts, work.unit, work.up)
+            self.tasks.import_mesh(work.path, work.parts, work.unit, work.up)
             return
         self.mesh = work
         self.guard(self.import_over)
@@ -164,7 +164,7 @@ class Files(QObject):
         work = self.mesh
         if work is not None:
             organ = self.desk.session.organ
-            self.desk.tasks.import_mesh(work.path, work.parts, work.unit, work.up, over=organ)
+            self.tasks.import_mesh(work.path, work.parts, work.unit, work.up, over=organ)
 
     def open(self, path: Path) -> None:
         """Opens a document or imports a mesh, after asking about unsaved changes."""
@@ -191,7 +191,7 @@ class Files(QObject):
                 .format(file=path.name, meshes=", ".join(MESHES))
             )  # fmt: skip
             return
-        if not self.desk.tasks.is_busy():
+        if not self.tasks.is_busy():
             title = tr("Opening {file}").format(file=path.name)
             self.over = self.desk.session.organ
             self.desk.jobs.start(title, OpenWork(path), self.lay_down, self.desk.refuse)
@@ -199,7 +199,7 @@ class Files(QObject):
     def lay_down(self, opened: Opened) -> None:
         """Puts what was read on the desk."""
         path = opened.path
-        if self.desk.tasks.is_overtaken(self.over, path.name):
+        if self.tasks.is_overtaken(self.over, path.name):
             return
         self.desk.session.lay_down(opened.organ, path, opened.state)
         self.desk.settings.add_recent(path)
@@ -213,7 +213,7 @@ class Files(QObject):
         self.guard(self.load_shipped)
 
     def load_shipped(self) -> None:
-        if not self.desk.tasks.is_busy():
+        if not self.tasks.is_busy():
             title = tr("Opening {file}").format(file=self.shipped)
             self.over = self.desk.session.organ
             self.desk.jobs.start(
@@ -222,7 +222,7 @@ class Files(QObject):
 
     def lay_down_shipped(self, organ: Organ) -> None:
         """It has no file of its own yet: the one that ships stays as it is."""
-        if self.desk.tasks.is_overtaken(self.over, self.shipped):
+        if self.tasks.is_overtaken(self.over, self.shipped):
             return
         self.desk.session.lay_down(organ, None)
         self.desk.view.frame_all()

@@ -16,9 +16,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from palpate_editor.document.problems import STAGES
 from palpate_editor.views.desk import Desk
 from palpate_editor.views.icons import plain_icon
-from palpate_editor.views.stage_bar import STAGES, stage_title
+from palpate_editor.views.stage_bar import stage_title
 from palpate_editor.views.theme import fixed_font
 from palpate_editor.views.words import say, say_found, tr
 

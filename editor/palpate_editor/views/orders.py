@@ -3,17 +3,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from palpate_editor.views.action_targets import ActionTargets
 from palpate_editor.views.order import Order
 from palpate_editor.views.view_orders import view_orders
 from palpate_editor.views.words import tr
 
-if TYPE_CHECKING:
-    from palpate_editor.views.window import MainWindow
 
-
-def build_orders(w: MainWindow) -> list[Order]:
+def build_orders(w: ActionTargets) -> list[Order]:
     """All of them, in the order of the menus."""
     return [
         *file_orders(w),
@@ -27,7 +23,7 @@ def build_orders(w: MainWindow) -> list[Order]:
     ]
 
 
-def file_orders(w: MainWindow) -> list[Order]:
+def file_orders(w: ActionTargets) -> list[Order]:
     f = w.files
     return [
         Order("new", "file", tr("&New"), f.start_anew, ("Ctrl+N",), "new"),
@@ -48,7 +44,7 @@ def file_orders(w: MainWindow) -> list[Order]:
     ]
 
 
-def edit_orders(w: MainWindow) -> list[Order]:
+def edit_orders(w: ActionTargets) -> list[Order]:
     history = w.desk.session.history
     return [
         Order("undo", "edit", tr("&Undo"), history.undo, ("Ctrl+Z",), "undo"),
@@ -65,7 +61,7 @@ def edit_orders(w: MainWindow) -> list[Order]:
     ]
 
 
-def mesh_orders(w: MainWindow) -> list[Order]:
+def mesh_orders(w: ActionTargets) -> list[Order]:
     return [
         Order(
             "reimport", "mesh", tr("&Import again"), w.deeds.reimport, ("Ctrl+R",), needs_organ=True
@@ -106,7 +102,7 @@ def mesh_orders(w: MainWindow) -> list[Order]:
     ]
 
 
-def material_orders(w: MainWindow) -> list[Order]:
+def material_orders(w: ActionTargets) -> list[Order]:
     return [
         *(
             Order(name, "material", text, slot, (keys,), group="kinds")
@@ -154,7 +150,7 @@ def material_orders(w: MainWindow) -> list[Order]:
     ]
 
 
-def simulate_orders(w: MainWindow) -> list[Order]:
+def simulate_orders(w: ActionTargets) -> list[Order]:
     test = w.test_panel
     return [
         Order(
@@ -218,7 +214,7 @@ def simulate_orders(w: MainWindow) -> list[Order]:
     ]
 
 
-def publish_orders(w: MainWindow) -> list[Order]:
+def publish_orders(w: ActionTargets) -> list[Order]:
     return [
         Order(
             "publish",
@@ -235,7 +231,7 @@ def publish_orders(w: MainWindow) -> list[Order]:
     ]
 
 
-def help_orders(w: MainWindow) -> list[Order]:
+def help_orders(w: ActionTargets) -> list[Order]:
     return [
         Order("help", "help", tr("&Help on this stage"), w.show_help, ("F1",), "info"),
         Order("keys", "help", tr("&Keyboard and mouse"), w.show_keys, ("Shift+F1",)),

@@ -17,6 +17,7 @@ from palpate_editor.views.companions import Companions
 from palpate_editor.views.desk import Desk
 from palpate_editor.views.files import Files
 from palpate_editor.views.jobs import Progress
+from palpate_editor.views.tasks import Tasks
 from palpate_editor.views.words import tr
 
 
@@ -41,9 +42,9 @@ class Publishing(QObject):
     published = Signal(object)
     """The path."""
 
-    def __init__(self, desk: Desk, files: Files, parent: QObject | None = None):
+    def __init__(self, desk: Desk, files: Files, tasks: Tasks, parent: QObject | None = None):
         super().__init__(parent)
-        self.desk, self.files = desk, files
+        self.desk, self.files, self.tasks = desk, files, tasks
         self.path: Path | None = None
         """The file published last from this window."""
         self.wanted = Path()
@@ -73,7 +74,7 @@ class Publishing(QObject):
         self.publish(path if path.suffix == ".palpate" else path.with_name(path.name + ".palpate"))
 
     def publish(self, path: Path) -> None:
-        if self.desk.tasks.is_busy():
+        if self.tasks.is_busy():
             return
         self.wanted = path
         title = tr("Publishing {file}").format(file=path.name)

@@ -9,8 +9,8 @@ import threading
 from types import TracebackType
 
 from palpate import FileError
+from palpate.files.refusal import Refusal
 from palpate.translation.refusals import say_refusal
-from palpate.verb import Refusal
 from PySide6.QtCore import QObject, Signal
 
 from palpate_editor.edits import EditError

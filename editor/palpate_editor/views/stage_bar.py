@@ -18,10 +18,10 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QAbstractButton, QButtonGroup, QHBoxLayout, QSizePolicy, QWidget
 
+from palpate_editor.document.problems import STAGES
 from palpate_editor.views.theme import Colours
 from palpate_editor.views.words import tr
 
-STAGES = ("import", "repair", "decimate", "material", "test", "publish")
 SHORTEST = 6
 """Letters of a name that is cut short, with its dots: fewer tell less than none."""
 HEIGHT, BADGE, TIP = 38, 20, 11

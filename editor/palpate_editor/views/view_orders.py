@@ -3,17 +3,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from palpate_editor.document.problems import STAGES
+from palpate_editor.views.action_targets import ActionTargets
 from palpate_editor.views.order import Order
-from palpate_editor.views.stage_bar import STAGES, stage_title
+from palpate_editor.views.stage_bar import stage_title
 from palpate_editor.views.words import tr
 
-if TYPE_CHECKING:
-    from palpate_editor.views.window import MainWindow
 
-
-def view_orders(w: MainWindow) -> list[Order]:
+def view_orders(w: ActionTargets) -> list[Order]:
     looks = [
         (tr("&Front"), w.deeds.look_front, "1"),
         (tr("&Right"), w.deeds.look_right, "3"),

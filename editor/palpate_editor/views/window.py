@@ -15,6 +15,7 @@ from palpate_editor.app.session import Session
 from palpate_editor.app.settings import Settings
 from palpate_editor.document import Organ
 from palpate_editor.document.constants import SHORT_KINDS
+from palpate_editor.document.problems import STAGES
 from palpate_editor.views.action_set import ActionSet
 from palpate_editor.views.axis_gizmo import AxisGizmo
 from palpate_editor.views.deeds import Deeds
@@ -31,7 +32,7 @@ from palpate_editor.views.palette import CommandPalette
 from palpate_editor.views.publishing import Publishing
 from palpate_editor.views.recent_menu import RecentMenu
 from palpate_editor.views.scene_tree import SceneTree
-from palpate_editor.views.stage_bar import STAGES, StageBar
+from palpate_editor.views.stage_bar import StageBar
 from palpate_editor.views.stage_dock import StageDock
 from palpate_editor.views.stages.panels import build_panels
 from palpate_editor.views.status import Status
@@ -62,12 +63,11 @@ class MainWindow(QMainWindow):
         self.view = make_view(self)
         self.desk = Desk(session, self.view, settings, self)
         self.looks = Looks(self.desk, theme)
-        self.desk.tasks = Tasks(self.desk, self)
-        self.files = Files(self.desk, self)
-        self.publishing = Publishing(self.desk, self.files, self)
-        self.desk.publishing = self.publishing
+        self.tasks = Tasks(self.desk, self)
+        self.files = Files(self.desk, self.tasks, self)
+        self.publishing = Publishing(self.desk, self.files, self.tasks, self)
         self.display = Display(self.desk, self)
-        self.deeds = Deeds(self.desk, self.display, self.files, self)
+        self.deeds = Deeds(self.desk, self.display, self.files, self.tasks, self.publishing, self)
         self.build_centre()
         self.build_panels()
         self.build_bars()
@@ -96,7 +96,7 @@ class MainWindow(QMainWindow):
 
     def build_panels(self) -> None:
         desk = self.desk
-        panels = build_panels(desk, self)
+        panels = build_panels(desk, self.tasks, self.publishing, self)
         self.import_panel, self.decimate_panel = panels.importing, panels.decimate
         self.material_panel, self.publish_panel = panels.material, panels.publish
         self.test_panel = panels.test
@@ -147,7 +147,7 @@ class MainWindow(QMainWindow):
         desk.told.connect(self.messages.tell)
         desk.stage_wanted.connect(self.show_stage)
         desk.theme_changed.connect(self.on_theme)
-        desk.tasks.read.connect(self.import_panel.show_reading)
+        self.tasks.read.connect(self.import_panel.show_reading)
         desk.jobs.started.connect(self.on_job)
         desk.jobs.stopped.connect(self.on_job)
         self.publishing.published.connect(self.on_published)

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import pytest
+from palpate.files.refusal import Refusal
 from palpate.study.curve import read_curve
-from palpate.verb import Refusal
 
 GOOD = "depth [mm], force [N]\n0, 0\n1, 0.01\n2, 0.04\n3, 0.09\n"
 

@@ -9,11 +9,11 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from palpate.cli.study import SHIPPED
 from palpate.study.accuracy import Row, compare_deep
 from palpate.study.findings import find_span, read_findings, write_findings
 from palpate.study.models import KINDS
 from palpate.study.reference import read_reference
-from palpate.study.verb import SHIPPED
 
 ACCURACY = Path(__file__).parents[3] / "core" / "ACCURACY.md"
 CELL = re.compile(r"(\S+) \((\S+) to (\S+)\), (\S+) %")

@@ -6,9 +6,9 @@ from __future__ import annotations
 import numpy as np
 import palpate
 import pytest
-from palpate.press import find_top
-from palpate.scene_file import compile_scene
-from palpate.scene_parts import HandPart, MaterialPart, ModelPart, SceneFile, ToolPart
+from palpate.runs.press import find_top
+from palpate.scene.scene_file import compile_scene
+from palpate.scene.scene_parts import HandPart, MaterialPart, ModelPart, SceneFile, ToolPart
 from palpate.study.calibrate import NotFitted, fit_factors
 from palpate.study.curve import Curve
 from palpate.study.fit_plot import save_fit_plot

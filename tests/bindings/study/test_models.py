@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import palpate
 import pytest
-from palpate.cli import main
+from palpate.cli.main import main
 from palpate.study.accuracy import Row, compare_deep, compare_linear
 from palpate.study.calibrate import fit_factors
 from palpate.study.chart import save_chart

@@ -11,10 +11,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from palpate.files.refusal import Refusal
 from palpate.study import reference as module
 from palpate.study.models import compute_volumes, find_outside
 from palpate.study.reference import Reference, list_references, read_reference
-from palpate.verb import Refusal
 
 ALL = list_references()
 SOLIDS, WALLS = {"spleen", "kidney", "liver"}, {"gallbladder", "stomach"}

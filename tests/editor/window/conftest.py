@@ -99,7 +99,7 @@ def spleen_window(qtbot, window: MainWindow, spleen: Path) -> MainWindow:
     """A window with a real organ in it, decimated to 600 vertices and fixed at its lowest part."""
     window.files.open(spleen)
     settle(qtbot, window)
-    window.desk.tasks.decimate(600)
+    window.tasks.decimate(600)
     settle(qtbot, window)
     window.deeds.fix_lowest()
     settle(qtbot, window)

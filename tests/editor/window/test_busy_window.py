@@ -76,9 +76,9 @@ def test_the_window_lives_through_a_heavy_import_and_decimation(
     record_threads(monkeypatch, tasks, ["import_file", "decimate_organ"], seen, heartbeat)
     record_threads(monkeypatch, assessment, ["assess", "measure_distances"], seen, heartbeat)
 
-    window.desk.tasks.import_mesh(heart, [HEAVY_PART])
+    window.tasks.import_mesh(heart, [HEAVY_PART])
     settle(qtbot, window)
-    window.desk.tasks.decimate(4000)
+    window.tasks.decimate(4000)
     settle(qtbot, window)
 
     assert window.session.organ.decimation.vertices == 4000
@@ -112,7 +112,7 @@ def test_cancelling_lets_the_window_go_on_and_changes_nothing(qtbot, spleen_wind
         return real(organ, vertices)
 
     monkeypatch.setattr(tasks, "decimate_organ", slow)
-    window.desk.tasks.decimate(1200)
+    window.tasks.decimate(1200)
     job = window.desk.jobs.current
     button = child(window, "cancel_job")
     qtbot.waitUntil(button.isVisible, timeout=PATIENCE)  # after half a second, not before
@@ -131,9 +131,9 @@ def test_a_second_long_work_is_refused_with_a_sentence(qtbot, spleen_window, mon
     window, held = spleen_window, threading.Event()
     real = tasks.decimate_organ
     monkeypatch.setattr(tasks, "decimate_organ", lambda *a: held.wait(PATIENCE / 1000) and real(*a))
-    window.desk.tasks.decimate(1200)
+    window.tasks.decimate(1200)
 
-    window.desk.tasks.decimate(700)
+    window.tasks.decimate(700)
 
     assert "still under way" in window.messages.text
     held.set()
@@ -145,7 +145,7 @@ def test_work_that_changed_organ_meanwhile_is_refused(qtbot, spleen_window, sple
     window, held = spleen_window, threading.Event()
     real = tasks.decimate_organ
     monkeypatch.setattr(tasks, "decimate_organ", lambda *a: held.wait(PATIENCE / 1000) and real(*a))
-    window.desk.tasks.decimate(1200)
+    window.tasks.decimate(1200)
     window.session.history.setIndex(0)
 
     held.set()
@@ -162,7 +162,7 @@ def test_a_failure_inside_work_is_a_sentence(qtbot, spleen_window, monkeypatch):
         raise KeyError("surprise")
 
     monkeypatch.setattr(tasks, "decimate_organ", fail)
-    window.desk.tasks.decimate(1200)
+    window.tasks.decimate(1200)
     settle(qtbot, window)
 
     assert "Something went wrong in the editor itself" in window.messages.text
@@ -176,7 +176,7 @@ def test_closing_waits_for_work_that_is_under_way(qtbot, spleen_window, monkeypa
         assert window.desk.jobs.current.progress.stop.wait(PATIENCE / 1000)
 
     monkeypatch.setattr(tasks, "decimate_organ", work_until_cancelled)
-    window.desk.tasks.decimate(1200)
+    window.tasks.decimate(1200)
     job = window.desk.jobs.current
 
     window.may_close = True

@@ -12,7 +12,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from hands import action, child, log_of, type_into
-from palpate.cli import build_parser, load_verbs, main
+from palpate.cli.main import build_parser, load_verbs, main
+from palpate_editor.argument_text import read_factors, write_factors
 from palpate_editor.document.files import read_organ, write_organ
 from palpate_editor.edits import (
     EVERY_EDIT,
@@ -24,7 +25,6 @@ from palpate_editor.edits import (
     SetTask,
     UseImported,
 )
-from palpate_editor.verbs.paint import read_factors, write_factors
 from palpate_editor.views.command_lines import FINDERS
 from patience import settle
 
@@ -48,7 +48,7 @@ def folder(tmp_path, monkeypatch):
 def test_the_log_typed_anew_makes_the_same_organ(qtbot, window, spleen, folder, capsys):
     window.files.open(spleen)
     settle(qtbot, window)
-    window.desk.tasks.decimate(600)
+    window.tasks.decimate(600)
     settle(qtbot, window)
     window.show_stage("material")
     action(window, "fix_lowest").trigger()
@@ -72,7 +72,7 @@ def test_the_log_typed_anew_makes_the_same_organ(qtbot, window, spleen, folder, 
 
 def test_a_part_and_a_unit_that_were_asked_for_stand_in_the_line(qtbot, window, shared_data):
     heart = shared_data("organs/VH_M_Heart.glb")
-    window.desk.tasks.import_mesh(heart, ["VH_M_aortic_valve"])
+    window.tasks.import_mesh(heart, ["VH_M_aortic_valve"])
     settle(qtbot, window)
     window.import_panel.set_unit(2)
 

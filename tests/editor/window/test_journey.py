@@ -223,6 +223,6 @@ def test_ticks_follow_the_problems(qtbot, window, spleen, monkeypatch):
     assert window.stage_bar.steps["import"].verdict.good
     assert window.stage_bar.steps["repair"].verdict.good
     assert window.stage_bar.steps["decimate"].verdict.warnings == 1
-    window.desk.tasks.decimate(600)
+    window.tasks.decimate(600)
     settle(qtbot, window)
     assert window.stage_bar.steps["decimate"].verdict.good

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 import palpate
 import pytest
-from palpate.cli import main
+from palpate.cli.main import main
 from palpate_editor.compile import compile_organ
 from palpate_editor.document import EMPTY
 from palpate_editor.edits import FixVertices, PaintStiffness, SetChoice, SetConstant, SetTask

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from hands import action, child, click, type_into
-from palpate.scene_parts import FillPart
+from palpate.scene.scene_parts import FillPart
 from palpate_editor.compile import build_organ
 from palpate_editor.document.constants import CONSTANTS, SHORT_KINDS
 from palpate_editor.edits import FixLowest, RemoveRegion, SetChoice, SetConstant, SetRegion

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from palpate_editor.views.stage_bar import STAGES
+from palpate_editor.document.problems import STAGES
 from patience import settle
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
@@ -30,7 +30,7 @@ def test_every_stage_is_drawn(qtbot, make_editor, spleen, checkout, theme):
     settle(qtbot, window)
     for stage in STAGES:
         if stage == "decimate":
-            window.desk.tasks.decimate(1200)
+            window.tasks.decimate(1200)
         if stage == "material":
             window.deeds.fix_lowest()
         window.messages.dismiss()

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import QMessageBox
 
 pytestmark = pytest.mark.window
 
-COMMAND = [sys.executable, "-m", "palpate.cli", "editor"]
+COMMAND = [sys.executable, "-m", "palpate", "editor"]
 
 WORK_AND_DIE = """
 import sys

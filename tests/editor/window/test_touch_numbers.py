@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from palpate.press import PressScript
+from palpate.runs.press import PressScript
 from palpate_editor.brush import build_neighbours
 from palpate_editor.views.touch import ForcePlot, LiveCosts
 from palpate_editor.views.touch.force_trace import ForceTrace, write_csv

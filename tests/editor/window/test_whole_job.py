@@ -9,11 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from palpate import scenario
-from palpate.cli import main
-from palpate.play import Play
+from palpate.cli.main import main
 from palpate.player.trainee_window import TraineeWindow
-from palpate.press import PressScript, find_top, write_script
-from palpate.script_file import write_script_file
+from palpate.runs.play import Play
+from palpate.runs.press import PressScript, find_top, write_script
+from palpate.runs.script_file import write_script_file
 from palpate.viewport import FboView, GLView
 from patience import PATIENCE, settle
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl

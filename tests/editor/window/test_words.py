@@ -13,9 +13,9 @@ from string import Formatter
 import numpy as np
 import pytest
 from hands import action, child, click
+from palpate.files.refusal import Refusal
 from palpate.translation import read_words
 from palpate.translation.refusals import say_refusal
-from palpate.verb import Refusal
 from palpate_editor.compile import compile_organ
 from palpate_editor.document import EMPTY, phrase
 from palpate_editor.edits import EditError, PaintStiffness, SetConstant

@@ -4,13 +4,23 @@
 from __future__ import annotations
 
 from palpate.viewport.tone import set_tone
-from PySide6.QtWidgets import QCheckBox, QGridLayout, QHBoxLayout, QLabel, QPushButton, QSpinBox
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSpinBox,
+    QWidget,
+)
 
 from palpate_editor.document import Decimation, Organ
 from palpate_editor.document.rules import TICK_SHARE
 from palpate_editor.edits import UseImported
+from palpate_editor.views.desk import Desk
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.stages.stage_panel import StagePanel
+from palpate_editor.views.tasks import Tasks
 from palpate_editor.views.words import count, number, quantity, tr
 
 LEAST, STEP = 12, 100
@@ -23,6 +33,10 @@ class DecimatePanel(StagePanel):
     """Chooses how coarse the model is."""
 
     stage = "decimate"
+
+    def __init__(self, desk: Desk, tasks: Tasks, lead: str, parent: QWidget | None = None):
+        self.tasks = tasks
+        super().__init__(desk, lead, parent)
 
     def build(self) -> None:
         section = self.section(tr("Target"))
@@ -154,10 +168,10 @@ class DecimatePanel(StagePanel):
 
     def decimate(self) -> None:
         self.target.interpretText()
-        self.desk.tasks.decimate(self.target.value())
+        self.tasks.decimate(self.target.value())
 
     def use_imported(self) -> None:
-        self.desk.tasks.apply_slowly(UseImported())
+        self.tasks.apply_slowly(UseImported())
 
 
 def degrees(angle: float | None) -> str:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from palpate.scene_parts import FILLED
+from palpate.scene.scene_parts import FILLED
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QComboBox, QWidget
 

@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
 from palpate_editor.document import Surface
 from palpate_editor.edits import FillHoles
 from palpate_editor.views.desk import Desk
+from palpate_editor.views.tasks import Tasks
 from palpate_editor.views.words import count, quantity, tr
 
 HOLES = Qt.ItemDataRole.UserRole
@@ -39,9 +40,9 @@ RING = 0.012
 class HoleList(QWidget):
     """Lists, shows and fills holes."""
 
-    def __init__(self, desk: Desk, parent: QWidget | None = None):
+    def __init__(self, desk: Desk, tasks: Tasks, parent: QWidget | None = None):
         super().__init__(parent)
-        self.desk = desk
+        self.desk, self.tasks = desk, tasks
         self.surface: Surface | None = None
         self.loops: list[np.ndarray] = []
         self.shown = False
@@ -179,7 +180,7 @@ class HoleList(QWidget):
         if len(holes) == len(self.loops):
             self.fill_all()
         elif holes:
-            self.desk.tasks.apply_slowly(FillHoles(holes))
+            self.tasks.apply_slowly(FillHoles(holes))
 
     def fill_all(self) -> None:
-        self.desk.tasks.apply_slowly(FillHoles())
+        self.tasks.apply_slowly(FillHoles())

@@ -8,12 +8,14 @@ from dataclasses import dataclass
 from PySide6.QtWidgets import QWidget
 
 from palpate_editor.views.desk import Desk
+from palpate_editor.views.publishing import Publishing
 from palpate_editor.views.stages.decimate_panel import DecimatePanel
 from palpate_editor.views.stages.import_panel import ImportPanel
 from palpate_editor.views.stages.material_panel import MaterialPanel
 from palpate_editor.views.stages.publish_panel import PublishPanel
 from palpate_editor.views.stages.repair_panel import RepairPanel
 from palpate_editor.views.stages.stage_panel import StagePanel
+from palpate_editor.views.tasks import Tasks
 from palpate_editor.views.touch import TestPanel
 from palpate_editor.views.words import tr
 
@@ -33,14 +35,20 @@ class Panels:
         return [self.importing, self.repair, self.decimate, self.material, self.test, self.publish]
 
 
-def build_panels(desk: Desk, parent: QWidget) -> Panels:
+def build_panels(desk: Desk, tasks: Tasks, publishing: Publishing, parent: QWidget) -> Panels:
     return Panels(
         ImportPanel(desk, tr("Bring in a surface and say what its numbers mean."), parent),
         RepairPanel(
-            desk, tr("A tissue needs a clean surface. Holes stay open until you fill them."), parent
+            desk,
+            tasks,
+            tr("A tissue needs a clean surface. Holes stay open until you fill them."),
+            parent,
         ),
         DecimatePanel(
-            desk, tr("Fewer vertices tick faster. The shape shown is what will be felt."), parent
+            desk,
+            tasks,
+            tr("Fewer vertices tick faster. The shape shown is what will be felt."),
+            parent,
         ),
         MaterialPanel(
             desk,
@@ -48,5 +56,7 @@ def build_panels(desk: Desk, parent: QWidget) -> Panels:
             parent,
         ),
         TestPanel(desk, parent),
-        PublishPanel(desk, tr("Write one file that a trainee can open and feel."), parent),
+        PublishPanel(
+            desk, publishing, tr("Write one file that a trainee can open and feel."), parent
+        ),
     )

@@ -10,6 +10,8 @@ from PySide6.QtWidgets import QComboBox, QLineEdit, QPlainTextEdit, QPushButton,
 from palpate_editor.document import Organ, Translation
 from palpate_editor.document.problems import Problem
 from palpate_editor.edits import SetTask
+from palpate_editor.views.desk import Desk
+from palpate_editor.views.publishing import Publishing
 from palpate_editor.views.stage_bar import stage_title
 from palpate_editor.views.stages.facts import Facts, write_label
 from palpate_editor.views.stages.stage_panel import StagePanel
@@ -66,6 +68,12 @@ class PublishPanel(StagePanel):
 
     stage = "publish"
 
+    def __init__(
+        self, desk: Desk, publishing: Publishing, lead: str, parent: QWidget | None = None
+    ):
+        self.publishing = publishing
+        super().__init__(desk, lead, parent)
+
     def build(self) -> None:
         section = self.section(tr("What the trainee reads"))
         self.language = LanguageBox(self)
@@ -121,7 +129,7 @@ class PublishPanel(StagePanel):
             self.title.setText(words.title)
         if not self.task.hasFocus() and self.task.toPlainText() != words.task:
             self.task.setPlainText(words.task)
-        path = self.desk.publishing.path
+        path = self.publishing.path
         self.play_button.setEnabled(path is not None)
         self.published.setVisible(path is not None)
         if path is not None:
@@ -186,7 +194,7 @@ class PublishPanel(StagePanel):
     def publish(self) -> None:
         self.set_title()
         self.set_task()
-        self.desk.publishing.ask()
+        self.publishing.ask()
 
     def play(self) -> None:
-        self.desk.publishing.play()
+        self.publishing.play()

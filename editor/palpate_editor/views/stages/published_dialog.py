@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from palpate.verb import Refusal
+from palpate.files.refusal import Refusal
 from palpate.viewport.screen import fit_to_screen
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from palpate.scene_parts import MaterialPart, ModelPart
+from palpate.scene.scene_parts import MaterialPart, ModelPart
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPushButton, QWidget
 

@@ -3,12 +3,16 @@
 
 from __future__ import annotations
 
+from PySide6.QtWidgets import QWidget
+
 from palpate_editor.authoring import MeshReport
 from palpate_editor.document import Organ, Repairs
 from palpate_editor.edits import KeepLargestShell
+from palpate_editor.views.desk import Desk
 from palpate_editor.views.stages.facts import Facts
 from palpate_editor.views.stages.hole_list import HoleList
 from palpate_editor.views.stages.stage_panel import StagePanel
+from palpate_editor.views.tasks import Tasks
 from palpate_editor.views.words import count, quantity, tr
 
 
@@ -17,12 +21,16 @@ class RepairPanel(StagePanel):
 
     stage = "repair"
 
+    def __init__(self, desk: Desk, tasks: Tasks, lead: str, parent: QWidget | None = None):
+        self.tasks = tasks
+        super().__init__(desk, lead, parent)
+
     def build(self) -> None:
         self.facts = self.section(tr("The surface now")).add(Facts(self))
         self.largest = self.main_button(tr("Keep the largest piece"), "keep_largest")
         self.largest.clicked.connect(self.keep_largest)
         self.form.addWidget(self.largest)
-        self.holes = self.section(tr("Holes")).add(HoleList(self.desk, self))
+        self.holes = self.section(tr("Holes")).add(HoleList(self.desk, self.tasks, self))
         self.repairs = self.section(tr("Mended when it was read")).add(Facts(self))
 
     def show_organ(self, organ: Organ) -> None:
@@ -84,7 +92,7 @@ class RepairPanel(StagePanel):
         return news
 
     def keep_largest(self) -> None:
-        self.desk.tasks.apply_slowly(KeepLargestShell())
+        self.tasks.apply_slowly(KeepLargestShell())
 
 
 def say_outward(report: MeshReport) -> tuple[str, str]:

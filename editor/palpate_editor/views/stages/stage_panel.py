@@ -7,9 +7,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from palpate_editor.document import Organ
-from palpate_editor.document.problems import Problem
+from palpate_editor.document.problems import STAGES, Problem
 from palpate_editor.views.desk import Desk
-from palpate_editor.views.stage_bar import STAGES, stage_title
+from palpate_editor.views.stage_bar import stage_title
 from palpate_editor.views.stages.facts import CheckRow, Section, write_label
 from palpate_editor.views.theme import title_font
 from palpate_editor.views.words import say, say_found, tr

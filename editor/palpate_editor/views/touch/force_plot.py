@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import ArrayLike
+from palpate.files.whole_file import write_whole
 from palpate.render.force_plot import RUN_COLOURS
 from palpate.render.theme import THEMES
 from palpate.translation.numbers import say_digits
-from palpate.whole_file import write_whole
 from PySide6.QtCore import QEvent, QPoint, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QColor
 from PySide6.QtWidgets import QLabel, QMenu, QSizePolicy, QVBoxLayout, QWidget

@@ -138,7 +138,7 @@ class LiveCosts(QWidget):
         self._show("margin", f"{1e3 * step:.3f} ms {100 * share:4.0f} %", share)
 
     def show_frame(self, frame: Any, rate: float) -> None:
-        """A palpate.live.Frame of a loop of `rate` [Hz]."""
+        """A palpate.runs.live.Frame of a loop of `rate` [Hz]."""
         self._costs.append(frame.cost)
         self._latenesses.append(frame.lateness)
         self._show_time("cost", median(self._costs), rate)

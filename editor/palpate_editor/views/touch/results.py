@@ -10,9 +10,9 @@ from pathlib import Path
 import numpy as np
 import palpate
 from numpy.typing import NDArray
-from palpate.felt import read_force
-from palpate.press import Moments, Place, measure_press
-from palpate.run import describe_build
+from palpate.runs.felt import read_force
+from palpate.runs.press import Moments, Place, measure_press
+from palpate.runs.run import describe_build
 
 from palpate_editor.document import Organ
 from palpate_editor.publish import write_scenario
@@ -31,7 +31,7 @@ class Outcome:
     report: palpate.LoopReport
     device: str
     felt: dict[str, float | None]
-    """As palpate.press.measure_press for a scripted press; the peak force alone for a hand."""
+    """As palpate.runs.press.measure_press for a scripted press; the peak force alone for a hand."""
 
     @property
     def time(self) -> NDArray[np.float64]:

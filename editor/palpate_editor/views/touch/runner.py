@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 import palpate
 from numpy.typing import NDArray
-from palpate.cause import Cause, find_cause
-from palpate.press import Moments, Place, PressScript, find_place, find_top, write_script
+from palpate.runs.cause import Cause, find_cause
+from palpate.runs.press import Moments, Place, PressScript, find_place, find_top, write_script
 from palpate.viewport import PointerHand
 from PySide6.QtCore import QObject, Signal
 

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 import palpate
-from palpate.alarms import advise_design, say_alarm
-from palpate.cause import Cause
-from palpate.live import LiveRun
+from palpate.runs.alarms import advise_design, say_alarm
+from palpate.runs.cause import Cause
+from palpate.runs.live import LiveRun
 from palpate.translation.numbers import say_digits
 from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 
@@ -33,7 +33,7 @@ class Trial(QObject):
     """Runs a scene with a hand, and shows the tissue, the tool and the force in the view."""
 
     framed = Signal(object)
-    """A palpate.live.Frame has been shown."""
+    """A palpate.runs.live.Frame has been shown."""
     ended = Signal(object)
     """The LoopReport of a run that ended by itself: a script's end, an alarm, a fault."""
 

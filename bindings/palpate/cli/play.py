@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The verb `play`. The window stands in palpate.player, which is loaded only when asked for."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from palpate.command.output import add_output
+from palpate.command.verb import Report, Verb, WrongCall, quantity
+from palpate.device.names import HANDS, POINTER, find_port, split_hand
+from palpate.files.file_kind import RECORD
+from palpate.runs.play import DEVICE_FAULT, open_play, play_headless
+from palpate.runs.run import PUBLISHED
+from palpate.system.display import require_display
+
+EXTRA = 'pip install "palpate[player]"'
+MUCH = 0.01
+"""[-] by which what was felt and what was computed have to differ before both are told."""
+
+
+def add_play(word: argparse.ArgumentParser) -> None:
+    word.add_argument("file", type=Path, help=f"published scenario, {PUBLISHED}")
+    word.add_argument(
+        "--device",
+        default=POINTER,
+        metavar="DEVICE",
+        help=f"{HANDS}: the mouse, a script such as `palpate press --script` writes, either hand "
+        "on the simulated arm with the real firmware, or a real device",
+    )
+    word.add_argument("--headless", action="store_true", help="no window; needs a script")
+    add_output(
+        word,
+        "--record",
+        writes=RECORD,
+        help="write the run as this .prec; default: a name of its own in palpate/records of the "
+        "user's data folder (the window names it and opens it)",
+    )
+    word.add_argument(
+        "--duration", type=quantity("s"), help="of a run; default: of the script, or no end"
+    )
+    word.add_argument(
+        "--language",
+        choices=("en", "tr"),
+        help="of the window, and of title and task; default: that of the system",
+    )
+    word.add_argument("--theme", choices=("dark", "light"), default="dark")
+
+
+def run_play(call: argparse.Namespace) -> Report:
+    if call.duration is not None and not call.duration > 0.0:
+        raise WrongCall(f"--duration: got {call.duration:g} s, expected more than 0")
+    arm, script = split_hand(call.device)
+    if call.headless and not script and not find_port(arm):
+        raise WrongCall("--headless has no mouse: give --device script:FILE")
+    play = open_play(call.file, call.device, call.record, call.duration)
+    play.language = call.language or ""
+    if call.headless:
+        return play_headless(play)
+    try:
+        from palpate.player import play_in_window
+    except ImportError as problem:
+        raise RuntimeError(f"the window needs PySide6 ({problem}): {EXTRA}") from None
+    require_display("--headless plays a script without one")
+    return play_in_window(play, language=call.language, theme=call.theme)
+
+
+def describe_play_report(report: Report) -> str:
+    lines = [report["title"] or report["scenario"]]
+    if is_device_fault(report):
+        lines.insert(0, f"device fault: {report['reason']}")
+    if report.get("ticks"):
+        lines += [
+            *describe_felt(report),
+            f"ticks        {report['ticks']}; {report['missed_ticks']} missed",
+            f"tick         {report['tick_median_us']:.0f} us median, "
+            f"{report['tick_p99_us']:.0f} us p99",
+            f"lateness     {report['lateness_p99_us']:.0f} us p99, "
+            f"{1e-3 * report['lateness_max_us']:.1f} ms at most; {report['realtime']}",
+        ]
+    if report.get("device_state"):
+        lines.append(f"device       {report['device_state']}")
+    lines.append(f"record       {report['record'] or 'none: nothing was played'}")
+    lines.append("not validated, not a medical device")
+    return "\n".join(lines)
+
+
+def describe_felt(report: Report) -> list[str]:
+    """What was felt and, where that is not what was computed, both."""
+    felt = report["peak_force_N"], report["time_in_touch_s"]
+    computed = report["peak_computed_N"], report["time_in_touch_computed_s"]
+    lines = [f"peak force   {felt[0]:.3f} N, {felt[1]:.1f} s in touch"]
+    differ = any(abs(a - b) > MUCH * b for a, b in zip(felt, computed, strict=True))
+    if differ:
+        lines.append(f"computed     {computed[0]:.3f} N, {computed[1]:.1f} s in touch")
+    if report["motors_off_s"] > 0.0:
+        lines.append(f"motors off   {report['motors_off_s']:.3f} s: what was computed was not felt")
+    return lines
+
+
+def is_device_fault(report: Report) -> bool:
+    return bool(report.get("outcome") == DEVICE_FAULT)
+
+
+PLAY = Verb(
+    "play",
+    "play a published scenario: feel the organ with the mouse, or run a script",
+    "palpate play spleen.palpate --device script:press.json --headless",
+    add_play,
+    run_play,
+    describe_play_report,
+    is_device_fault,
+)

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The verb `press`: a scripted press and pull through the live loop."""
+
+from __future__ import annotations
+
+import argparse
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+from palpate.command.output import add_output
+from palpate.command.verb import Report, Verb, quantity
+from palpate.files.file_kind import PICTURE, RECORD, SCRIPT
+from palpate.runs.press import Place, PressScript, find_place, find_top, write_script
+from palpate.runs.run import plot_runs, read_scene, run_script
+from palpate.runs.script_file import write_script_file
+
+
+def add_press(word: argparse.ArgumentParser) -> None:
+    word.add_argument("scene", type=Path, help="scene file, or published .palpate file")
+    word.add_argument("--depth", type=quantity("m"), default=6e-3, help="of the press (6mm)")
+    word.add_argument("--pull", type=quantity("m"), default=0.0, help="beyond the surface (0mm)")
+    word.add_argument("--speed", type=quantity("m/s"), default=0.03, help="mean (30mm/s)")
+    word.add_argument("--hold", type=quantity("s"), default=0.3, help="at depth (300ms)")
+    word.add_argument(
+        "--at",
+        type=read_point,
+        metavar="X,Y,Z",
+        help="press the surface point nearest to this [mm]; default: from above",
+    )
+    add_output(word, "--record", writes=RECORD, help="write the run as a .prec record")
+    add_output(word, "--plot", writes=PICTURE, help="write the force plot as PNG")
+    add_output(
+        word,
+        "--script",
+        writes=SCRIPT,
+        help="write the way of the hand as a script for `palpate play`",
+    )
+
+
+def read_point(text: str) -> np.ndarray:
+    try:
+        point = np.array([float(word) for word in text.split(",")])
+    except ValueError:
+        point = np.array([])
+    if point.shape != (3,) or not np.isfinite(point).all():
+        raise argparse.ArgumentTypeError(f"got {text!r}, expected X,Y,Z in mm")
+    return 1e-3 * point
+
+
+def run_press(call: argparse.Namespace) -> Report:
+    scene = read_scene(call.scene)
+    place: Place = find_top(scene) if call.at is None else find_place(scene, call.at)
+    script = PressScript(call.depth, call.pull, call.speed, call.hold)
+    if call.script:
+        write_script_file(call.script, write_script(place, scene.tool.radius, script)[0])
+    with tempfile.TemporaryDirectory() as folder:
+        path = call.record or Path(folder) / "press.prec"
+        run = run_script(scene, place, script, path, call.scene)
+        if call.plot:
+            plot_runs(call.plot, {call.scene.stem: run}, title=call.scene.stem)
+    report = {"scene": str(call.scene), **run.report}
+    report["record"] = str(call.record) if call.record else None
+    report["plot"] = str(call.plot) if call.plot else None
+    report["script"] = str(call.script) if call.script else None
+    return report
+
+
+def describe_stiffness(stiffness: float | None) -> str:
+    if stiffness is None:
+        return "not at rest at the end of the hold (--hold): no stiffness"
+    return f"{stiffness:.3g} N/m, force over depth at rest"
+
+
+def describe_press(report: Report) -> str:
+    stiffness = report["patch_stiffness_N_per_m"]
+    pull = report["pull_force_N"]
+    return "\n".join(
+        [
+            f"peak force   {report['peak_force_N']:.3f} N",
+            f"patch        {describe_stiffness(stiffness)}",
+            f"pull         {'none' if pull is None else f'{pull:.3f} N'}",
+            f"tick         {report['tick_median_us']:.0f} us median, "
+            f"{report['tick_p99_us']:.0f} us p99, {report['substeps']} substeps",
+            f"lateness     {report['lateness_p99_us']:.0f} us p99; "
+            f"{report['missed_ticks']} ticks missed; {report['realtime']}",
+        ]
+    )
+
+
+PRESS = Verb(
+    "press",
+    "press and pull an organ with a scripted tip through the live 1 kHz loop",
+    "palpate press spleen.scene.json --depth 6mm --pull 5mm --record press.prec",
+    add_press,
+    run_press,
+    describe_press,
+)

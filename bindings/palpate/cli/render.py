@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The verb `render`: a picture of an organ, with no display."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+import palpate
+from palpate.command.output import add_output
+from palpate.command.verb import Report, Verb, WrongCall, quantity
+from palpate.files.file_kind import PICTURE
+from palpate.files.refusal import Refusal
+from palpate.runs.run import is_published, picture_of_record, picture_of_rest, read_scene
+from palpate.scene.mesh_file import read_mesh_file
+
+
+def add_render(word: argparse.ArgumentParser) -> None:
+    word.add_argument(
+        "file", type=Path, help="scene, published file, record, or OBJ of `palpate import`"
+    )
+    add_output(word, "--out", "-o", writes=PICTURE, required=True, help="PNG to write")
+    word.add_argument(
+        "--scene", type=Path, help="of a record, where its scene was moved; default: as it says"
+    )
+    word.add_argument("--time", type=quantity("s"), help="of a record; default: at its peak force")
+    word.add_argument("--size", type=read_size, default=(1280, 720), metavar="WxH")
+    word.add_argument("--theme", choices=("dark", "light"), default="dark")
+    word.add_argument("--azimuth", type=float, default=-60.0, help="[degree] of the camera (-60)")
+    word.add_argument("--elevation", type=float, default=25.0, help="[degree] (25)")
+    word.add_argument("--no-wireframe", action="store_true")
+
+
+def read_size(text: str) -> tuple[int, int]:
+    width, _, height = text.partition("x")
+    if not (
+        width.isdigit()
+        and height.isdigit()
+        and 64 <= int(width) <= 8192
+        and 64 <= int(height) <= 8192
+    ):
+        raise argparse.ArgumentTypeError(f"got {text!r}, expected WIDTHxHEIGHT, each 64 to 8192")
+    return int(width), int(height)
+
+
+def run_render(call: argparse.Namespace) -> Report:
+    look: dict[str, Any] = {
+        "size": call.size,
+        "theme": call.theme,
+        "azimuth": call.azimuth,
+        "elevation": call.elevation,
+        "wireframe": not call.no_wireframe,
+    }
+    if call.file.suffix == ".prec":
+        moment = picture_of_record(call.out, call.file, call.time, look, scene_path=call.scene)
+        return {"picture": str(call.out), "time_s": moment}
+    if call.time is not None:
+        raise WrongCall(f"--time: {call.file} is no record (.prec), so it has only its rest")
+    if call.file.suffix == ".obj":
+        mesh = read_mesh_file(call.file)
+    elif is_published(call.file):
+        # loads the renderer, which other verbs do without
+        from palpate.render.authored_look import find_look
+
+        made = palpate.scenario.read(call.file)
+        mesh, look["look"] = made.scene.tissue, find_look(made)
+    elif call.file.suffix == ".json":
+        mesh = read_scene(call.file).tissue
+    else:
+        raise Refusal(
+            call.file,
+            "",
+            f"a name ending in {call.file.suffix!r}",
+            ".palpate (published), .json (scene), .prec (record) or .obj",
+        )
+    picture_of_rest(call.out, mesh, call.file.stem, look)
+    return {"picture": str(call.out), "time_s": None}
+
+
+def describe_render(report: Report) -> str:
+    moment = report["time_s"]
+    return report["picture"] + ("" if moment is None else f" (at {moment:.3f} s)")
+
+
+RENDER = Verb(
+    "render",
+    "draw an organ, at rest or as a record left it, with no display",
+    "palpate render press.prec -o press.png",
+    add_render,
+    run_render,
+    describe_render,
+)

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The verbs of the distribution `palpate`; palpate-editor plugs in its own."""
+
+from __future__ import annotations
+
+from palpate.cli.bench import BENCH
+from palpate.cli.device import DEVICE
+from palpate.cli.doctor import DOCTOR
+from palpate.cli.play import PLAY
+from palpate.cli.press import PRESS
+from palpate.cli.render import RENDER
+from palpate.cli.replay import REPLAY
+from palpate.cli.study import STUDY
+
+VERBS = [DOCTOR, PRESS, PLAY, DEVICE, REPLAY, RENDER, BENCH, STUDY]

@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""How data that cannot be used is refused."""
+
+from __future__ import annotations
+
+
+class Refusal(Exception):
+    """Data that is refused: which file, where in it, what was found, what was expected."""
+
+    def __init__(self, file: object, where: str, found: str, expected: str):
+        self.file = str(file) if file is not None else None
+        self.where, self.found, self.expected = where, found, expected
+        place = ": ".join(part for part in (self.file, where) if part)
+        super().__init__(f"{place or 'input'}: found {found}, expected {expected}")

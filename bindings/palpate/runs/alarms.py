@@ -1,0 +1,249 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a running tissue's alarm says, and what to do about it: one table for every program.
+
+Commands print it in English. Windows have the same templates translated, context CONTEXT, by
+palpate.translation, which keeps their Turkish.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from palpate import Alarm, AlarmKind, Scene, TickInput
+from palpate.command.sentence import Sentence, fill, sentence
+from palpate.runs.cause import Cause, find_cause
+
+CONTEXT = "Alarm"
+
+Say = Callable[[str, str], str]
+"""(context, English text) -> text, as QCoreApplication.translate."""
+Write = Callable[[float], str]
+"""A number in the digits of a language."""
+Name = Callable[[str], str]
+"""What a person calls a constant, by its key as in palpate.scene.scene_parts ("tool.stiffness")."""
+
+
+@dataclass(frozen=True)
+class Advice:
+    """What a designer can do."""
+
+    text: str
+    """Places hold the values of the cause, if it has any, then the names of the constants."""
+    constants: tuple[str, ...] = ()
+    """Their keys."""
+    unit: float = 1.0
+    """The values are told in: of SI."""
+
+
+@dataclass(frozen=True)
+class Words:
+    """Of one kind of alarm."""
+
+    found: str
+    """%1 is what was measured, %2 what it may be."""
+    hand: str
+    """What whoever holds the tool can do."""
+    design: Advice
+    """What its designer can do, where no cause is found."""
+    scale: float = 1.0
+    """From the SI units of an alarm to those of `found`."""
+    offset: float = 0.0
+
+
+LIGHTER = "Press less deep or more slowly."
+SLOWER = "Move more slowly. If it comes again, whoever made this organ has to make it more stable."
+STIFFER = Advice("Press less deep or more slowly, or make the organ stiffer.")
+STEADIER = Advice(
+    "More substeps (%1), softer springs (%2) or a larger mass (%3) hold it together.",
+    ("hand.substeps", "model.stiffness", "material.density"),
+)
+
+ALARMS = {
+    AlarmKind.not_finite: Words("the tissue blew up: a position is not a number", SLOWER, STEADIER),
+    AlarmKind.moved_far: Words(
+        "the tissue blew up: a point moved %1 mm between two looks, at most %2 mm is right",
+        SLOWER,
+        STEADIER,
+        scale=1e3,
+    ),
+    AlarmKind.energy: Words(
+        "the tissue blew up: its energy rose to %1 mJ, what it was given allows %2 mJ",
+        SLOWER,
+        STEADIER,
+        scale=1e3,
+    ),
+    AlarmKind.overstretched: Words(
+        "a link was stretched to %1 times its length at rest, at most %2 times is right",
+        LIGHTER,
+        STIFFER,
+        offset=1.0,  # the alarm tells the strain
+    ),
+    AlarmKind.collapsed: Words(
+        "a link was squeezed to %1 % of its length at rest, at least %2 % is right",
+        LIGHTER,
+        STIFFER,
+        scale=1e2,
+    ),
+    AlarmKind.inverted: Words(
+        "a tetrahedron was squeezed to %1 % of its volume at rest, at least %2 % is right",
+        LIGHTER,
+        STIFFER,
+        scale=1e2,
+    ),
+    AlarmKind.pressed_deep: Words(
+        "the tissue was moved by %1 mm; there a linear solid is good for %2 mm",
+        LIGHTER,
+        Advice("Press less deep, or take a solid (MSS+V), which goes deeper."),
+        scale=1e3,
+    ),
+    AlarmKind.invalid_input: Words(
+        "a tick was given a value that it cannot use",
+        "Start again. If it comes again, the device or the program that runs it is at fault.",
+        Advice("Give every tick finite numbers, and the scene as build_scene returned it."),
+    ),
+}
+
+INPUTS = {
+    TickInput.time: "the device gave a time of %1 s, expected a finite number",
+    TickInput.position: "the device gave a position of %1 m, expected at most %2 m",
+    TickInput.orientation: "the device gave an orientation with %1, expected finite numbers",
+    TickInput.velocity: "the device gave a velocity of %1 m/s, expected a finite number",
+    TickInput.grip: "the device gave a grip of %1 rad, expected a finite number",
+    TickInput.dt: "a tick was asked to last %1 s, expected more than 0",
+    TickInput.scene: "a tick was given scene %1, expected scene %2, which its world was made for",
+    TickInput.tool_radius: "the radius of the tool became %1 m, expected more than 0",
+    TickInput.tool_stiffness: "the stiffness of the tool became %1 N/m³, expected more than 0",
+    TickInput.coupling_stiffness: "the coupling stiffness became %1 N/m, expected more than 0",
+    TickInput.coupling_force_max: "the largest coupling force became %1 N, expected more than 0",
+    TickInput.hold_stiffness: "the hold stiffness became %1 N/m, expected more than 0",
+    TickInput.gravity: "gravity became %1 m/s², expected a finite number",
+    TickInput.substeps: "the substeps became %1, expected at least %2",
+    TickInput.substeps_max: "the most substeps became %1, expected at least %2",
+}
+"""What AlarmKind.invalid_input found, by the index of the alarm."""
+
+CAUSES = {
+    "stiffness": Advice(
+        "The tissue needs %1 substeps a tick, at most %2 are taken: choose more (%3), softer "
+        "springs (%4, or %5 where the tissue gives them) or a larger mass (%6).",
+        ("hand.substeps", "model.stiffness", "material.young_modulus", "material.density"),
+    ),
+    "bend": Advice(
+        "The angles of the tissue need %1 substeps a tick, at most %2 are taken: choose more (%3) "
+        "or softer angles (%4, %5).",
+        ("hand.substeps", "model.bend_stiffness", "model.stretch_coupling"),
+    ),
+    "home": Advice(
+        "The home springs of the tissue need %1 substeps a tick, at most %2 are taken: choose more "
+        "(%3) or softer ones (%4).",
+        ("hand.substeps", "model.home_stiffness"),
+    ),
+    "modulus": Advice(
+        "The tissue needs %1 substeps a tick, at most %2 are taken: choose more (%3), a softer "
+        "tissue (%4, %5) or a larger mass (%6).",
+        ("hand.substeps", "material.young_modulus", "material.poisson_ratio", "material.density"),
+    ),
+    "damping": Advice(
+        "Its damping needs %1 substeps a tick, at most %2 are taken: choose less damping (%3) or "
+        "more substeps (%4).",
+        ("material.damping_ratio", "hand.substeps"),
+    ),
+    "drag": Advice(
+        "Its drag needs %1 substeps a tick, at most %2 are taken: choose less drag (%3) or more "
+        "substeps (%4).",
+        ("model.drag", "hand.substeps"),
+    ),
+    "pressure": Advice(
+        "Its pressure does it with nothing touching: choose a lower one (%1), or stiffer springs "
+        "(%2, %3).",
+        ("model.pressure", "model.stiffness", "model.home_stiffness"),
+    ),
+    "eq10": Advice(
+        "Its angles do it with nothing touching, for Eq 10 makes energy: choose another law of "
+        "angles (%1) or softer angles (%2).",
+        ("model.angle_law", "model.bend_stiffness"),
+    ),
+    "finer": Advice(
+        "A light touch does it with %1 substeps a tick, and does not with %2: choose more (%3).",
+        ("hand.substeps",),
+    ),
+    "contact": Advice(
+        "A light touch does it with a contact stiffness of %1 N/mm³, and does not with %2 N/mm³: "
+        "choose a lower one (%3).",
+        ("tool.stiffness",),
+        unit=1e9,
+    ),
+    "grip": Advice(
+        "A light pull does it with a grip stiffness of %1 N/m, and does not with %2 N/m: choose a "
+        "lower one (%3).",
+        ("hand.hold_stiffness",),
+    ),
+}
+"""What a designer can do about a cause (palpate.runs.cause)."""
+
+OPTIONS = {
+    "model.stiffness": "--stiffness",
+    "model.bend_stiffness": "--bend",
+    "model.stretch_coupling": "--stretch-bend",
+    "model.home_stiffness": "--home",
+    "model.drag": "--drag",
+    "model.pressure": "--pressure",
+    "model.angle_law": "--angle-law",
+    "material.density": "--density",
+    "material.damping_ratio": "--damping",
+    "material.young_modulus": "--young-modulus",
+    "material.poisson_ratio": "--poisson",
+    "tool.stiffness": "--tool-stiffness",
+    "hand.hold_stiffness": "--grip",
+    "hand.substeps": "--substeps",
+}
+"""What commands call the constants that advice names: options of `palpate material`."""
+
+
+def write_plain(value: float) -> str:
+    return f"{value:.3g}"
+
+
+def describe_alarm(alarm: Alarm, write: Write = write_plain) -> Sentence:
+    """What happened, without a capital and a stop."""
+    words = ALARMS[alarm.kind]
+    found = words.found
+    if alarm.kind is AlarmKind.invalid_input:
+        found = INPUTS.get(alarm.index, found)
+    shown = (words.scale * value + words.offset for value in (alarm.value, alarm.limit))
+    return sentence(found, *(write(value) for value in shown))
+
+
+def say_alarm(alarm: Alarm, say: Say, write: Write = write_plain) -> str:
+    """What happened, in a language."""
+    found = describe_alarm(alarm, write)
+    return fill(say(CONTEXT, found.template), found.values)
+
+
+def advise_hand(kind: AlarmKind, say: Say) -> str:
+    return say(CONTEXT, ALARMS[kind].hand)
+
+
+def advise_design(
+    alarm: Alarm, cause: Cause | None, say: Say, name: Name, write: Write = write_plain
+) -> str:
+    """What to change in an organ, and why where the cause is known, in a language; `name` says what
+    the window or the command that is asked calls a constant."""
+    advice = CAUSES[cause.name] if cause is not None else ALARMS[alarm.kind].design
+    values = list_values(cause, advice.unit, write)
+    return fill(say(CONTEXT, advice.text), (*values, *map(name, advice.constants)))
+
+
+def list_values(cause: Cause | None, unit: float, write: Write) -> tuple[str, ...]:
+    """What stands in the first places of an advice."""
+    if cause is None or cause.found == cause.limit == 0.0:
+        return ()
+    return write(cause.found / unit), write(cause.limit / unit)
+
+
+def tell_alarm(alarm: Alarm, scene: Scene | None) -> str:
+    """What happened and what to do about it, in English and with the options of commands."""
+    cause = find_cause(scene, alarm) if scene is not None else None
+    advice = advise_design(alarm, cause, lambda _, text: text, OPTIONS.__getitem__)
+    return f"{describe_alarm(alarm)}. {advice}"

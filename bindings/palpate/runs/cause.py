@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What crossed its limit where a run ended in an alarm: found from the scene, after the run.
+
+First from the spectrum of the tissue at rest, which says how many substeps each of its parts needs.
+Where that explains nothing the scene is tried: with nothing touching it, then under a light touch,
+each time with one constant after another nearer to what is usual. What alone lets the trial pass is
+the cause.
+"""
+
+from __future__ import annotations
+
+import copy
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+import palpate
+from palpate.runs.press import Place, PressScript, find_top, write_script
+
+AlarmKind = palpate.AlarmKind
+
+UNTOUCHED = 1.0
+"""[s] of a run in which nothing is touched."""
+TOUCH = PressScript(depth=2e-3, pull=2e-3, speed=0.3, hold=0.05)
+"""A light touch: no tissue that is sound raises an alarm."""
+FINER = 4
+"""Times the substeps that are tried."""
+STEP = 10.0
+"""Between two trials of a constant."""
+BLOWN = (AlarmKind.not_finite, AlarmKind.moved_far, AlarmKind.energy)
+"""For want of substeps or of a softer contact; what is merely strained is so without."""
+NEVER_ASKED = (AlarmKind.none, AlarmKind.invalid_input, AlarmKind.pressed_deep)
+"""These say themselves what they are of."""
+
+
+@dataclass(frozen=True)
+class Cause:
+    """A constant that is beyond its limit."""
+
+    name: str
+    """One of palpate.runs.alarms.CAUSES."""
+    found: float = 0.0
+    """Substeps that it needs, or the constant as it is."""
+    limit: float = 0.0
+    """Substeps that there are, or a value of the constant that passed."""
+
+
+def find_cause(scene: palpate.Scene, alarm: palpate.Alarm) -> Cause | None:
+    """The first that alone explains the alarm, from the tissue at rest to the tool; None where the
+    scene does not tell. Takes some seconds of ticks at most.
+    """
+    if alarm.kind in NEVER_ASKED or scene.response is not None:
+        return None
+    return (
+        find_unstable_part(scene)
+        or find_restless_part(scene)
+        or (find_hard_part(scene) if alarm.kind in BLOWN else None)
+    )
+
+
+# ---------------------------------------------------------------- substeps of the tissue at rest
+
+
+def count_substeps(scene: palpate.Scene, stiffness: float, damping: float) -> int:
+    """Substeps of a tick that are stable at eigenvalues [1/s²] and [1/s] of K and C over M:
+
+    dt <= (sqrt(c² + 4 w²) - c) / w² (core/sim/haptics/choose_substeps.cpp).
+    """
+    if not stiffness > 0.0:
+        return 1
+    longest = (math.sqrt(damping**2 + 4.0 * stiffness) - damping) / stiffness
+    return math.ceil(1.0 / (scene.rate * longest))
+
+
+def find_unstable_part(scene: palpate.Scene) -> Cause | None:
+    """What of the tissue needs more substeps than there can be."""
+    stiffness, damping = scene.spectrum_stiffness, scene.spectrum_damping
+    needed = count_substeps(scene, stiffness, 0.0)
+    if needed > scene.substeps_max:
+        return Cause(find_stiffest_part(scene.tissue), needed, scene.substeps_max)
+    needed = count_substeps(scene, stiffness, damping)
+    if needed > scene.substeps_max:
+        name = "drag" if scene.tissue.drag > 0.5 * damping else "damping"
+        return Cause(name, needed, scene.substeps_max)
+    return None
+
+
+def find_stiffest_part(tissue: palpate.TissueModel) -> str:
+    """stiffness, bend, home or modulus: whose own largest eigenvalue is the largest."""
+    mass, home = np.asarray(tissue.mass), np.asarray(tissue.home)
+    moves = np.ones(len(mass), dtype=bool)
+    moves[np.asarray(tissue.fixed, dtype=int)] = False
+    links = estimate_alone(tissue, springs=tissue.springs, bonds=tissue.bonds)
+    # shares of the bonds belong to the angles, which do not stand without them
+    bent = estimate_alone(
+        tissue, bonds=tissue.bonds, angles=tissue.angles, angle_law=tissue.angle_law
+    )
+    volumes = estimate_alone(tissue, volumes=tissue.volumes, prisms=tissue.prisms)
+    pulled_home = float((home / mass)[moves].max(initial=0.0)) if len(home) else 0.0
+    largest = {"stiffness": links, "bend": bent - links, "home": pulled_home, "modulus": volumes}
+    name = max(largest, key=lambda part: largest[part])
+    # one modulus gives volumes, prisms and all links beside them their constants
+    return "modulus" if volumes > 0.0 and name in ("stiffness", "bend") else name
+
+
+def estimate_alone(tissue: palpate.TissueModel, **parts: object) -> float:
+    """[1/s²] The largest eigenvalue of M⁻¹K of some parts of a tissue."""
+    alone = palpate.TissueModel(
+        rest_position=tissue.rest_position,
+        mass=tissue.mass,
+        fixed=tissue.fixed,
+        triangles=tissue.triangles,
+        skin=tissue.skin,
+        **parts,
+    )
+    return float(palpate.estimate_spectrum(alone).stiffness)
+
+
+# ---------------------------------------------------------------- trials
+
+
+def run_trial(scene: palpate.Scene, device: palpate.HapticDevice, lasts: float) -> AlarmKind:
+    """How so many seconds of a hand end."""
+    world, dt = palpate.World(scene), 1.0 / scene.rate
+    for tick in range(max(1, round(lasts * scene.rate))):
+        palpate.tick(scene, device.read(tick * dt), dt, world)
+        if world.alarm:
+            return world.alarm.kind
+    return AlarmKind.none
+
+
+def rests_untouched(scene: palpate.Scene) -> bool:
+    """Whether the tissue raises no alarm with nobody near it."""
+    x = np.asarray(scene.tissue.rest_position)
+    away = palpate.KeyFrame()
+    away.position = np.minimum(x.max(axis=0) + 10.0 * np.ptp(x, axis=0) + 1.0, 9.0)
+    hand = palpate.ScriptedDevice([away])
+    return run_trial(scene, hand, UNTOUCHED) is AlarmKind.none
+
+
+def bears_touch(scene: palpate.Scene, place: Place) -> bool:
+    """Whether a light press and pull leave the tissue sound."""
+    frames, moments = write_script(place, scene.tool.radius, TOUCH)
+    return run_trial(scene, palpate.ScriptedDevice(frames), moments.end) not in BLOWN
+
+
+def change(scene: palpate.Scene, **fields: object) -> palpate.Scene:
+    """A scene that differs in what its spectrum does not depend on."""
+    other = copy.copy(scene)
+    for name, value in fields.items():
+        setattr(other, name, value)
+    return other
+
+
+def drop_pressure(scene: palpate.Scene) -> palpate.Scene:
+    slack = copy.copy(scene.tissue)
+    slack.pressure = 0.0
+    kept = ("tool", "coupling", "hold_stiffness", "gravity", "rate", "substeps", "substeps_max")
+    fields = {name: getattr(scene, name) for name in (*kept, "force_error", "kernel")}
+    return palpate.build_scene(palpate.Scene(tissue=slack, **fields))
+
+
+def find_restless_part(scene: palpate.Scene) -> Cause | None:
+    """What moves the tissue though nothing touches it: pressure or Eq 10."""
+    tissue = scene.tissue
+    has_eq10 = tissue.angle_law == palpate.AngleLaw.eq10 and len(tissue.angles.corners) > 0
+    if not (tissue.pressure or has_eq10) or rests_untouched(scene):
+        return None
+    if tissue.pressure and rests_untouched(drop_pressure(scene)):
+        return Cause("pressure")
+    return Cause("eq10") if has_eq10 else None
+
+
+def find_hard_part(scene: palpate.Scene) -> Cause | None:
+    """What makes a light touch end the run: of the constants of hand and tool that are beyond what
+    is usual, the farthest is tried first; then shorter steps."""
+    place = find_top(scene)
+    if bears_touch(scene, place):
+        return None
+    for hard in sorted(HARD, key=lambda hard: hard.excess(scene), reverse=True):
+        for value in hard.list_trials(scene):
+            if bears_touch(hard.put(scene, value), place):
+                return Cause(hard.name, hard.get(scene), value)
+    most = FINER * scene.substeps
+    finer = change(scene, substeps=most, substeps_max=max(most, scene.substeps_max))
+    if bears_touch(finer, place):
+        return Cause("finer", scene.substeps, most)
+    return None
+
+
+@dataclass(frozen=True)
+class Hard:
+    """A constant of the hand or the tool that may be too much for a touch."""
+
+    name: str
+    usual: float
+    """[SI]"""
+    get: Callable[[palpate.Scene], float]
+    put: Callable[[palpate.Scene, float], palpate.Scene]
+
+    def excess(self, scene: palpate.Scene) -> float:
+        """[-] Times beyond what is usual."""
+        return self.get(scene) / self.usual
+
+    def list_trials(self, scene: palpate.Scene) -> Iterator[float]:
+        """Ever nearer to what is usual, which comes last."""
+        for power in reversed(range(math.ceil(math.log10(max(1.0, self.excess(scene)))))):
+            yield self.usual * STEP**power
+
+
+def put_contact(scene: palpate.Scene, value: float) -> palpate.Scene:
+    return change(scene, tool=palpate.Tool(radius=scene.tool.radius, stiffness=value))
+
+
+HARD = (
+    Hard("contact", palpate.Tool().stiffness, lambda scene: scene.tool.stiffness, put_contact),
+    Hard(
+        "grip",
+        palpate.Scene().hold_stiffness,
+        lambda scene: scene.hold_stiffness,
+        lambda scene, value: change(scene, hold_stiffness=value),
+    ),
+)
+"""The coupling is not among them: a tool without mass passes on no more than the contact does, and
+1e15 N/m raise no alarm."""

@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Playing a published scenario: its runs, their records, and how they came out. Knows no Qt."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+import palpate
+from palpate.command.verb import Report, WrongCall
+from palpate.device.link import build_link
+from palpate.device.names import PLANT, POINTER, find_port, split_hand
+from palpate.files.refusal import Refusal
+from palpate.runs.felt import read_touched
+from palpate.runs.live import LiveRun
+from palpate.runs.run import (
+    PUBLISHED,
+    describe_build,
+    describe_costs,
+    is_published,
+    require_recordable,
+    run_until_fault,
+)
+from palpate.runs.script_file import read_script_file
+from palpate.system.data_folder import find_record_folder
+
+DONE, DEVICE_FAULT = "done", "device_fault"
+"""How a run came out."""
+TAIL = 0.5
+"""[s] that a scripted run goes on after its last key frame."""
+
+
+@dataclass
+class Play:
+    """A scenario, whose hand it is, and where its records go."""
+
+    path: Path
+    scenario: palpate.scenario.Scenario
+    frames: list[palpate.KeyFrame] | None = None
+    """Of a script; None where the mouse, or a real hand, is the hand."""
+    arm: str = ""
+    """What the hand holds: nothing, the simulated arm PLANT, or a serial device."""
+    duration: float = 0.0
+    """[s] of a run; 0 for one that lasts until it is stopped."""
+    record: Path | None = None
+    """Of the first run; without it each run gets a name of its own in find_record_folder()."""
+    records: list[Path] = field(default_factory=list)
+    """Of the runs so far."""
+    limit: float = field(default_factory=lambda: palpate.SafetyLimits().force_max)
+    """[N] of the device of the last run."""
+    language: str = ""
+    """Of title and task, where the scenario has it; empty for the one it was written in."""
+
+    def build_hand(self) -> palpate.SurfacePointer | palpate.ScriptedDevice | None:
+        """Whoever moves the tip or the stylus; None where that is a real hand."""
+        if find_port(self.arm):
+            return None
+        if self.frames is not None:
+            return palpate.ScriptedDevice(self.frames)
+        return palpate.SurfacePointer(self.scenario.scene)
+
+    def build_device(self, hand: palpate.HapticDevice | None = None) -> palpate.HapticDevice:
+        """The device of one run, held by `hand` (of build_hand). Raises DeviceError."""
+        hand = hand or self.build_hand()
+        if self.arm == PLANT:
+            assert hand is not None
+            arm = palpate.SimulatedArm(hand, find_middle(self.scenario.scene))
+            arm.open()
+            return arm
+        if hand is not None:
+            return hand
+        link = build_link(self.arm, find_middle(self.scenario.scene))
+        link.open()
+        return link.driver
+
+    def find_safety(self, device: palpate.HapticDevice) -> palpate.SafetyLimits:
+        """What a device may be sent: a real arm, or a simulated one, by its calibration."""
+        driver = find_driver(device)
+        return (
+            palpate.SafetyLimits()
+            if driver is None
+            else palpate.find_safety_limits(driver.calibration())
+        )
+
+    def begin(self, device: palpate.HapticDevice) -> LiveRun:
+        """A run that has not started yet, and the file its record will be.
+
+        Raises OSError where no record can be written.
+        """
+        path = self.name_record()
+        header = describe_build(self.scenario.scene, self.path, path, device.name())
+        safety = self.find_safety(device)
+        options = palpate.LoopOptions(
+            duration=self.duration, safety=safety, on_fault=palpate.FaultResponse.pause
+        )
+        run = LiveRun(self.scenario.scene, device, record=path, header=header, options=options)
+        self.records.append(path)
+        self.limit = safety.force_max
+        return run
+
+    def name_record(self) -> Path:
+        """Where the next record goes: as asked for, numbered from the second run on."""
+        if self.record is None:
+            folder = self.record_folder()
+            folder.mkdir(parents=True, exist_ok=True)
+            return find_free(folder / f"{self.path.stem}-{time.strftime('%Y%m%d-%H%M%S')}.prec")
+        if not self.records:
+            return self.record
+        return find_free(self.record.with_stem(f"{self.record.stem}-{len(self.records) + 1}"))
+
+    def words(self) -> palpate.scenario.Words:
+        """Title and task in the language that was asked for, as far as the scenario has it."""
+        return palpate.scenario.find_words(self.scenario, self.language)
+
+    def title(self) -> str:
+        """What a window calls it: its title, else its file."""
+        return self.words().title or self.path.stem
+
+    def record_folder(self) -> Path:
+        """Where the records go; made with the first of them."""
+        return find_record_folder() if self.record is None else self.record.resolve().parent
+
+    def force_limit(self) -> float:
+        """[N] More than this no device is sent."""
+        return min(self.scenario.scene.coupling.force_max, self.limit)
+
+
+def find_driver(device: palpate.HapticDevice) -> palpate.SerialDevice | None:
+    """Who speaks with an arm, a real or a simulated one; None where there is none."""
+    driver = device.driver() if isinstance(device, palpate.SimulatedArm) else device
+    return driver if isinstance(driver, palpate.SerialDevice) else None
+
+
+def describe_device(device: palpate.HapticDevice) -> str | None:
+    """What an arm says of itself, a fault that has cut its motors first of all."""
+    driver = find_driver(device)
+    if driver is None:
+        return None
+    driver.take_status()
+    return palpate.describe_status(driver.status())
+
+
+def find_middle(scene: palpate.Scene) -> NDArray[np.float64]:
+    """[m] (3,) of the tissue: there lies the middle of the arm's workspace."""
+    x = scene.tissue.rest_position
+    return 0.5 * (x.min(axis=0) + x.max(axis=0))
+
+
+def find_free(path: Path) -> Path:
+    """The path, or one with a number behind its name where there is such a file already."""
+    free, number = path, 2
+    while free.exists():
+        free, number = path.with_stem(f"{path.stem}-{number}"), number + 1
+    return free
+
+
+def open_play(
+    path: Path, device: str = POINTER, record: Path | None = None, duration: float | None = None
+) -> Play:
+    """What `palpate play` was asked to play. Raises FileError, Refusal, WrongCall or OSError."""
+    if not is_published(path):
+        raise Refusal(
+            path, "", f"a name ending in {path.suffix!r}", f"a published file, {PUBLISHED}"
+        )
+    arm, script = split_hand(device)
+    frames = read_script_file(Path(script)) if script else None
+    if duration is None:
+        duration = 0.0 if frames is None else frames[-1].time + TAIL
+    if record is not None and record.exists() and record.samefile(path):
+        raise WrongCall("--record: is the scenario itself")
+    scenario = palpate.scenario.read(path)
+    require_recordable(scenario.scene, duration)
+    return Play(path, scenario, frames, arm, duration, record)
+
+
+def play_headless(play: Play) -> Report:
+    """Runs a script, or a real hand, through the real 1 kHz loop and says what was felt and what it
+    cost. A device that fails, or gives no force, ends the run.
+    """
+    path = play.name_record()
+    device = play.build_device()
+    safety = play.find_safety(device)
+    costs = run_until_fault(play.scenario.scene, device, play.duration, path, play.path, safety)
+    state = describe_device(device)
+    outcome = describe_outcome(costs)
+    if outcome["outcome"] == DONE and 0 < costs.ticks == costs.unrendered_ticks:
+        outcome = {"outcome": DEVICE_FAULT, "reason": f"the motors never came on: {state}"}
+    return {
+        **outcome,
+        **describe_play(play),
+        "record": str(path),
+        **describe_run(play, path, costs),
+        "device_state": state,
+    }
+
+
+def describe_outcome(costs: palpate.LoopReport) -> Report:
+    """How a run came out, and why where its device failed or gave no force any more."""
+    failed = costs.fault is not palpate.DeviceFault.none
+    return {"outcome": DEVICE_FAULT if failed else DONE, "reason": costs.fault_reason}
+
+
+def describe_play(play: Play) -> Report:
+    words = play.words()
+    return {"scenario": str(play.path), "title": words.title, "task": words.task}
+
+
+def describe_run(play: Play, record: Path, costs: palpate.LoopReport) -> Report:
+    """What was felt in a run, what was computed, by its record, and what it cost.
+
+    Felt is what the device was sent while its motors were on.
+    """
+    rows = palpate.read_record(record)
+    computed = np.linalg.norm(np.asarray(rows.felt["force"], dtype=float), axis=1)
+    rate = play.scenario.scene.rate
+    return {
+        **describe_costs(costs),
+        "lateness_max_us": 1e6 * costs.lateness.max,
+        "record_gaps": costs.record_gaps,
+        "peak_force_N": costs.peak_force,
+        "mean_force_in_touch_N": costs.touch_force if costs.touch_ticks > 0 else None,
+        "time_in_touch_s": costs.touch_ticks / rate,
+        "peak_computed_N": float(computed.max(initial=0.0)),
+        "time_in_touch_computed_s": float(read_touched(rows).sum()) / rate,
+        "motors_off_s": costs.unrendered_ticks / rate,
+    }

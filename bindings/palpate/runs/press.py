@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scripted presses and pulls: where the hand goes, and what it felt there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+import palpate
+from palpate.runs.felt import read_force
+
+CLEARANCE = 4e-3
+"""[m] between tip and tissue where a script begins and ends."""
+REST = 0.1
+"""[s] at the end of the hold, in which tissue at rest answers with the same force."""
+UNREST = 0.1
+"""[-] of the mean force: how far apart the forces of that time may lie."""
+RAMP = 0.02
+"""[s] The attach button goes down once the press has come to rest for this long."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """A point on the surface at rest and the outward direction there."""
+
+    point: np.ndarray
+    """[m] (3,)"""
+    outward: np.ndarray
+    """[-] (3,), unit"""
+
+
+@dataclass(frozen=True)
+class PressScript:
+    """A press to a depth, a hold, then a pull beyond the rest surface, and away."""
+
+    depth: float
+    """[m] of the hand's tip below the surface at rest."""
+    pull: float = 0.0
+    """[m] of the hand above where it touched; 0 for no pull."""
+    speed: float = 0.03
+    """[m/s] mean, of the press and the pull."""
+    hold: float = 0.3
+    """[s] at the deepest and at the highest point."""
+
+
+@dataclass(frozen=True)
+class Moments:
+    """When a script does what [s]."""
+
+    pressed: float
+    """The hand has come to rest at the depth."""
+    held: float
+    """It leaves the depth, or reaches for the attach button there."""
+    pulled: float | None
+    """The hand has come to rest at the height of the pull; None where nothing is pulled."""
+    end: float
+
+
+def find_top(scene: palpate.Scene) -> Place:
+    """Where a ray from above meets the surface over its centroid, or its highest vertex."""
+    x = palpate.compute_surface(scene.tissue, scene.tissue.rest_position)
+    triangles = np.asarray(scene.tissue.triangles)
+    middle = x[triangles].mean(axis=(0, 1))
+    above = np.array([middle[0], middle[1], x[:, 2].max() + 0.01])
+    tree = palpate.AabbTree(x, triangles)
+    hit = palpate.find_ray_hit(tree, x, above, np.array([0.0, 0.0, -1.0]))
+    start = np.asarray(hit.point) if hit is not None else x[x[:, 2].argmax()]
+    return find_place(scene, start)
+
+
+def find_place(scene: palpate.Scene, near: np.ndarray) -> Place:
+    """The surface point closest to `near` [m] and the smooth outward normal there."""
+    x = palpate.compute_surface(scene.tissue, scene.tissue.rest_position)
+    triangles = np.asarray(scene.tissue.triangles)
+    tree = palpate.AabbTree(x, triangles)
+    found = palpate.find_closest_point(tree, x, np.asarray(near, dtype=float))
+    normals = np.asarray(palpate.compute_vertex_normals(x, triangles))
+    outward = np.asarray(found.weights) @ normals[triangles[found.triangle]]
+    return Place(np.array(found.point), outward / np.linalg.norm(outward))
+
+
+def write_script(
+    place: Place, radius: float, script: PressScript
+) -> tuple[list[palpate.KeyFrame], Moments]:
+    """Key frames of the tip's centre for a ScriptedDevice, and when they do what."""
+    frames: list[palpate.KeyFrame] = []
+    now = 0.0
+
+    def go(height: float, duration: float, attached: bool = False) -> float:
+        nonlocal now
+        now += duration
+        frame = palpate.KeyFrame()
+        frame.time = now
+        frame.position = place.point + place.outward * (radius + height)
+        frame.buttons = 1 if attached else 0
+        frames.append(frame)
+        return now
+
+    go(CLEARANCE, 0.0)
+    go(CLEARANCE, 0.05)
+    pressed = go(-script.depth, (CLEARANCE + script.depth) / script.speed)
+    held = go(-script.depth, script.hold)
+    pulled = None
+    if script.pull > 0.0:
+        go(-script.depth, RAMP, attached=True)
+        pulled = go(script.pull, (script.depth + script.pull) / script.speed, attached=True)
+        go(script.pull, script.hold, attached=True)
+        go(script.pull, RAMP)
+    go(max(CLEARANCE, 2 * script.pull), 0.2)
+    go(max(CLEARANCE, 2 * script.pull), 0.1)
+    return frames, Moments(pressed, held, pulled, now)
+
+
+def is_at_rest(force: np.ndarray) -> bool:
+    """Whether forces [N] (n,) that a hand at rest feels are those of tissue at rest."""
+    return bool(force.max() - force.min() <= UNREST * force.mean())
+
+
+def measure_press(
+    record: palpate.Record, place: Place, radius: float, moments: Moments
+) -> dict[str, float | None]:
+    """What a recorded script felt: peak of the press, peak of the pull, stiffness of the patch.
+
+    The hand's own time counts, so skipped ticks do not shift the moments. Stiffness is the mean
+    force of the last 100 ms of the hold over how deep the tip itself then stands below the surface
+    at rest. It is None where the tip does not, and where the tissue has not come to rest: an organ
+    that swings as a whole, as a solid does on a small base, answers with any force then, and the
+    peak is that of the impact.
+    """
+    time = np.asarray(record.hand["time"])
+    force = np.linalg.norm(read_force(record), axis=1)
+    centre = np.asarray(record.felt["position"], dtype=float)
+    depth = (place.point - centre) @ place.outward + radius
+    pressing = time <= moments.held
+    settled = pressing & (time >= max(moments.pressed, moments.held - REST))
+    stiffness = pull = None
+    if settled.any() and depth[settled].mean() > 0.0 and is_at_rest(force[settled]):
+        stiffness = float(force[settled].mean() / depth[settled].mean())
+    if moments.pulled is not None:
+        pull = float(force[(time > moments.held) & (depth < 0.0)].max(initial=0.0))
+    return {
+        "peak_force_N": float(force[pressing].max(initial=0.0)),
+        "pull_force_N": pull,
+        "patch_stiffness_N_per_m": stiffness,
+    }

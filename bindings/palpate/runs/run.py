@@ -1,0 +1,320 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Live runs, their records, replays and pictures: what the verbs and the demo share."""
+
+from __future__ import annotations
+
+import json
+import os
+import platform
+from dataclasses import dataclass
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import palpate
+from palpate.command.verb import Report, WrongCall
+from palpate.files.refusal import Refusal
+from palpate.runs.alarms import tell_alarm
+from palpate.runs.felt import read_force, read_rendered
+from palpate.runs.live import LiveRun, find_longest
+from palpate.runs.press import Moments, Place, PressScript, measure_press, write_script
+from palpate.scene.scene_file import hash_file, open_scene
+
+PUBLISHED, WORKING = ".palpate", ".organ"
+GRACE = 20.0
+"""[s] A live run may take this much longer than its script before it is given up as stuck."""
+
+
+@dataclass(frozen=True)
+class Run:
+    """One live run of a script."""
+
+    record: palpate.Record
+    moments: Moments
+    report: Report
+
+
+def describe_build(
+    scene: palpate.Scene, scene_path: Path, record_path: Path, device: str
+) -> dict[str, str]:
+    """The header of a record: all that must match for a replay to give the same bits."""
+    return {
+        **describe_arithmetic(scene),
+        "scene": os.path.relpath(scene_path.resolve(), record_path.resolve().parent),
+        "scene_sha256": hash_file(scene_path),
+        "device": device,
+    }
+
+
+def describe_arithmetic(scene: palpate.Scene) -> dict[str, str]:
+    """What decides how a scene's ticks round here: program, kernel and vector target."""
+    targets = palpate.simd_targets() if scene.kernel == palpate.Kernel.packed else []
+    unpacked = scene.kernel == palpate.Kernel.packed and not targets
+    return {
+        "palpate": version("palpate"),
+        "kernel": (palpate.Kernel.reference if unpacked else scene.kernel).name,
+        "vector_target": (scene.simd_target or targets[0]) if targets else platform.machine(),
+    }
+
+
+def read_scene(path: Path) -> palpate.Scene:
+    """The compiled scene of a scene file or of a published one, by its ending .palpate.
+
+    Raises FileError, Refusal or OSError.
+    """
+    if is_published(path):
+        return palpate.scenario.read(path).scene
+    if path.suffix.lower() == WORKING:
+        raise Refusal(
+            path, "", "a working file", f"what `palpate publish` makes of it, a {PUBLISHED} file"
+        )
+    return open_scene(path)[1]
+
+
+def is_published(path: Path) -> bool:
+    return path.suffix.lower() == PUBLISHED
+
+
+def run_device(
+    scene: palpate.Scene,
+    device: palpate.HapticDevice,
+    duration: float,
+    record_path: Path,
+    scene_path: Path,
+    safety: palpate.SafetyLimits | None = None,
+) -> palpate.LoopReport:
+    """Runs a device for a time [s] through the live 1 kHz loop and its recorder.
+
+    Raises RuntimeError where the loop did not end, the tissue raised an alarm or the device failed,
+    WrongCall for a time that no record holds.
+    """
+    costs = run_until_fault(scene, device, duration, record_path, scene_path, safety)
+    if costs.fault != palpate.DeviceFault.none:
+        raise RuntimeError(f"the device failed: {costs.fault_reason}")
+    return costs
+
+
+def run_until_fault(
+    scene: palpate.Scene,
+    device: palpate.HapticDevice,
+    duration: float,
+    record_path: Path,
+    scene_path: Path,
+    safety: palpate.SafetyLimits | None = None,
+) -> palpate.LoopReport:
+    """As run_device, but a device that fails ends the run, and its report says so."""
+    require_recordable(scene, duration)
+    header = describe_build(scene, scene_path, record_path, device.name())
+    options = palpate.LoopOptions(
+        duration=duration,
+        safety=safety or palpate.SafetyLimits(),
+        on_fault=palpate.FaultResponse.end,
+    )
+    with LiveRun(scene, device, record=record_path, header=header, options=options) as run:
+        ended = run.wait(duration + GRACE)
+    costs = run.finish()
+    if not ended:
+        raise RuntimeError(f"the loop did not end within {duration + GRACE:.0f} s")
+    if costs.alarm.kind != palpate.AlarmKind.none:
+        raise RuntimeError(
+            f"the run was stopped at {costs.alarm.time:.3f} s: {tell_alarm(costs.alarm, scene)}"
+        )
+    return costs
+
+
+def require_recordable(scene: palpate.Scene, duration: float) -> None:
+    """Raises WrongCall for a run [s] that no record holds."""
+    longest = find_longest(scene)
+    if not duration <= longest:
+        raise WrongCall(
+            f"duration: got {duration:g} s, expected at most {longest:g} s, which a record holds "
+            f"at {scene.rate:g} Hz"
+        )
+
+
+def describe_costs(costs: palpate.LoopReport) -> Report:
+    """What a run of the loop cost, as a verb reports it."""
+    return {
+        "ticks": costs.ticks,
+        "tick_median_us": 1e6 * costs.cost.median,
+        "tick_p99_us": 1e6 * costs.cost.p99,
+        "lateness_p99_us": 1e6 * costs.lateness.p99,
+        "missed_ticks": costs.missed_ticks,
+        "realtime": "real-time priority" if costs.realtime else costs.realtime_note,
+    }
+
+
+def run_script(
+    scene: palpate.Scene, place: Place, script: PressScript, record_path: Path, scene_path: Path
+) -> Run:
+    """Runs a press through the live 1 kHz loop and its recorder; reads the record back.
+
+    Raises RuntimeError where the loop did not end, the tissue raised an alarm or the device failed.
+    """
+    frames, moments = write_script(place, scene.tool.radius, script)
+    device = palpate.ScriptedDevice(frames)
+    costs = run_device(scene, device, moments.end, record_path, scene_path)
+    record = palpate.read_record(str(record_path))
+    report = {
+        **describe_costs(costs),
+        "substeps": scene.substeps,
+        **measure_press(record, place, scene.tool.radius, moments),
+    }
+    return Run(record, moments, report)
+
+
+def open_record(
+    path: Path, scene_path: Path | None = None
+) -> tuple[palpate.Record, Path, palpate.Scene]:
+    """A record and the compiled scene it was made with.
+
+    Raises FileError, Refusal (another scene than the record's) or OSError.
+    """
+    record = palpate.read_record(str(path))
+    if len(record.hand) == 0:
+        raise Refusal(path, "", "no ticks", "a record of at least one: there is nothing to compare")
+    require_finite(path, record)
+    header = json.loads(record.header)
+    for key in ("scene", "scene_sha256"):
+        if not isinstance(header.get(key), str):
+            raise Refusal(path, f"header.{key}", repr(header.get(key)), "text")
+    where = scene_path or path.parent / header["scene"]
+    try:
+        found = hash_file(where)
+    except FileNotFoundError:
+        if scene_path is not None:
+            raise
+        expected = f"the scene there; where it was moved to, --scene {Path(header['scene']).name}"
+        raise Refusal(path, "header.scene", f"no file {where}", expected) from None
+    if found != header["scene_sha256"]:
+        raise Refusal(
+            where,
+            "",
+            f"SHA-256 {found[:12]}...",
+            f"{header['scene_sha256'][:12]}..., the scene of {path.name}",
+        )
+    return record, where, follow_header(read_scene(where), header)
+
+
+def require_finite(path: Path, record: palpate.Record) -> None:
+    """Raises Refusal, naming the tick, where a record has what no run can have felt."""
+    for table in (record.hand, record.felt):
+        for name in table.dtype.names:
+            rows = np.asarray(table[name]).reshape(len(table), -1)
+            wrong = np.flatnonzero(~np.isfinite(rows).all(axis=1))
+            if len(wrong):
+                found = str(np.asarray(table[name])[wrong[0]])
+                raise Refusal(path, f"tick {wrong[0]}: {name}", found, "finite numbers")
+
+
+def follow_header(scene: palpate.Scene, header: dict[str, Any]) -> palpate.Scene:
+    """The scene under the kernel and vector target of a record, as far as this machine has them."""
+    if str(header.get("kernel", "")).startswith("reference"):
+        scene.kernel = palpate.Kernel.reference
+    elif header.get("vector_target") in palpate.simd_targets():
+        scene.simd_target = header["vector_target"]
+    return scene
+
+
+def run_replay(path: Path, scene_path: Path | None = None) -> Report:
+    """Replays a record from a fresh world and compares force, tool and state bit by bit."""
+    record, where, scene = open_record(path, scene_path)
+    try:
+        result = palpate.replay(scene, record)
+    except ValueError as problem:
+        raise Refusal(path, "", str(problem), "a record that can be replayed") from None
+    header, here = json.loads(record.header), describe_arithmetic(scene)
+    changed = {
+        name: {"record": header.get(name), "here": now}
+        for name, now in here.items()
+        if header.get(name) != now
+    }
+    return {
+        "record": str(path),
+        "scene": str(where),
+        "complete": record.complete,
+        "ticks": result.ticks,
+        "motors_off_s": float((~read_rendered(record)).sum()) / scene.rate,
+        "equal": result.equal,
+        "first_difference": result.first_difference if result.first_difference >= 0 else None,
+        "largest_force_difference_N": result.largest_force_difference,
+        "largest_position_difference_m": result.largest_position_difference,
+        "changed": changed,
+    }
+
+
+def pose_at(scene: palpate.Scene, record: palpate.Record, tick: int) -> palpate.World:
+    """The world after `tick` ticks of a record."""
+    world = palpate.World(scene)
+    hand = record.hand
+    for row in range(tick + 1):
+        palpate.tick(scene, sample_of(hand[row]), 1.0 / scene.rate, world)
+    return world
+
+
+def sample_of(row: Any) -> palpate.HapticSample:
+    sample = palpate.HapticSample()
+    for name in ("time", "position", "orientation", "velocity", "grip"):
+        setattr(sample, name, row[name])
+    sample.buttons = int(row["buttons"])
+    return sample
+
+
+def picture_of_rest(
+    out: Path, organ: palpate.SurfaceMesh | palpate.TissueModel, title: str, look: dict[str, Any]
+) -> None:
+    """Draws a surface as it is."""
+    from palpate.render import save_picture
+
+    bare = isinstance(organ, palpate.SurfaceMesh)
+    x = organ.vertices if bare else palpate.compute_surface(organ, organ.rest_position)
+    save_picture(out, np.asarray(x), np.asarray(organ.triangles), title=title, **look)
+
+
+def picture_of_record(
+    out: Path,
+    record_path: Path,
+    time: float | None,
+    look: dict[str, Any],
+    title: str | None = None,
+    scene_path: Path | None = None,
+) -> float:
+    """Draws the organ of a record at a time [s], or where the force was greatest; returns when."""
+    from palpate.render import save_picture
+
+    record, where, scene = open_record(record_path, scene_path)
+    times = np.asarray(record.hand["time"])
+    force = read_force(record)
+    if time is None:
+        tick = int(np.linalg.norm(force, axis=1).argmax())
+    else:
+        tick = int(np.searchsorted(times, time).clip(0, len(times) - 1))
+    world = pose_at(scene, record, tick)
+    x = np.asarray(palpate.surface_position(world))
+    moved = x - palpate.compute_surface(scene.tissue, scene.tissue.rest_position)
+    save_picture(
+        out,
+        x,
+        np.asarray(scene.tissue.triangles),
+        values=1e3 * np.linalg.norm(moved, axis=1),
+        legend="displacement [mm]",
+        tool=(np.asarray(world.tool.position), scene.tool.radius),
+        force=force[tick],
+        title=title or name_scene(where),
+        **look,
+    )
+    return float(times[tick])
+
+
+def name_scene(path: Path) -> str:
+    """What a scene is called after its file."""
+    return path.name.removesuffix(".json").removesuffix(".scene").removesuffix(PUBLISHED)
+
+
+def plot_runs(out: Path, runs: dict[str, Run], title: str) -> None:
+    """Force against time of one or several runs of the same script, as PNG."""
+    from palpate.render import save_force_plot
+
+    save_force_plot(out, {name: run.record for name, run in runs.items()}, title=title)

@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scene files: an organ's mesh, its constants, the tool and the hand, as readable JSON.
+
+A scene file names a mesh beside it and carries the mesh's SHA-256, so a record made with it can be
+replayed years later or refused, never replayed on something else. Every field is checked and an
+unknown one is refused: a parameter that has no effect is an error, not a habit.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Callable
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any, get_type_hints
+
+import palpate
+from palpate.files.json_part import read_part
+from palpate.files.read_file import read_file
+from palpate.files.refusal import Refusal
+from palpate.files.whole_file import write_whole
+from palpate.scene.mesh_file import read_mesh_file
+from palpate.scene.scene_parts import FILLED, ORIGINS, MaterialPart, SceneFile
+
+FORMAT, VERSION = "palpate scene", 1
+MOST_BYTES = 32 * 2**20
+"""Of a scene file: a factor for each of a million vertices, written out, takes 20 MB."""
+
+
+PARTS = get_type_hints(SceneFile)
+
+
+def write_scene_file(path: Path, scene: SceneFile) -> None:
+    """Writes whole or not at all. Raises OSError."""
+    data = {"format": FORMAT, "version": VERSION, **asdict(scene)}
+    write_whole(path, (json.dumps(data, indent=2, allow_nan=False) + "\n").encode())
+
+
+def read_scene_file(path: Path) -> SceneFile:
+    """Reads and checks a scene file. Raises Refusal or OSError."""
+    try:
+        data = json.loads(read_file(path, MOST_BYTES))
+    except (ValueError, RecursionError) as problem:
+        raise Refusal(path, "", f"text that is not JSON ({problem})", "a scene file") from None
+    if not isinstance(data, dict) or data.get("format") != FORMAT:
+        raise Refusal(
+            path,
+            "format",
+            repr(data.get("format")) if isinstance(data, dict) else "no object",
+            f'"{FORMAT}"',
+        )
+    if data.get("version") != VERSION:
+        raise Refusal(
+            path, "version", repr(data.get("version")), f"{VERSION}, the one this program knows"
+        )
+    unknown = set(data) - set(PARTS) - {"format", "version"}
+    if unknown:
+        raise Refusal(path, "", f"unknown part {sorted(unknown)[0]!r}", ", ".join(PARTS))
+    parts = {}
+    for name, kind in PARTS.items():
+        parts[name] = read_part(path, name, kind, data.get(name, {}))
+    return SceneFile(**parts)
+
+
+def hash_file(path: Path) -> str:
+    return hashlib.sha256(read_file(path)).hexdigest()
+
+
+def build_material(part: MaterialPart) -> palpate.Material:
+    return palpate.Material(**asdict(part))
+
+
+def build_tissue(scene: SceneFile, mesh: palpate.SurfaceMesh) -> palpate.TissueModel:
+    """The compiled model of a scene's organ. Raises ValueError naming what is wrong."""
+    model = scene.model
+    if model.kind in FILLED:
+        raise ValueError(
+            f"model.kind: got {model.kind!r}, expected a law of surfaces: a scene file has no "
+            "tetrahedra; palpate-editor fills an organ and publishes it with them"
+        )
+    if model.kind not in BUILDERS:
+        raise ValueError(f"model.kind: got {model.kind!r}, expected one of {', '.join(BUILDERS)}")
+    options = palpate.SurfaceOptions()
+    options.home_stiffness = model.home_stiffness
+    options.stiffness_scale = list(model.stiffness_scale)
+    options.fixed = list(model.fixed)
+    options.pressure = model.pressure
+    options.drag = model.drag
+    options.damping_law = enumerator(palpate.DampingLaw, "model.damping_law", model.damping_law)
+    return BUILDERS[model.kind](scene, mesh, options)
+
+
+def has_constants_from_tissue(scene: SceneFile) -> bool:
+    if scene.model.constants not in ORIGINS:
+        raise ValueError(
+            f"model.constants: got {scene.model.constants!r}, expected one of {', '.join(ORIGINS)}"
+        )
+    return scene.model.constants == "tissue"
+
+
+def build_springs(
+    scene: SceneFile, mesh: palpate.SurfaceMesh, options: palpate.SurfaceOptions
+) -> palpate.TissueModel:
+    model, material = scene.model, build_material(scene.material)
+    if has_constants_from_tissue(scene):
+        rule = enumerator(palpate.SpringRule, "model.spring_rule", model.spring_rule)
+        return palpate.build_membrane_springs(mesh, material, rule, options)
+    return palpate.build_mass_spring(mesh, material, model.stiffness, options)
+
+
+def build_molecules(
+    scene: SceneFile, mesh: palpate.SurfaceMesh, options: palpate.SurfaceOptions
+) -> palpate.TissueModel:
+    model, material = scene.model, build_material(scene.material)
+    angle_law = enumerator(palpate.AngleLaw, "model.angle_law", model.angle_law)
+    if has_constants_from_tissue(scene):
+        return palpate.build_membrane_molecular(mesh, material, 0.0, angle_law, options)
+    constants = palpate.MolecularConstants()
+    constants.bond_stiffness = model.stiffness
+    constants.bend_stiffness = model.bend_stiffness
+    constants.stretch_coupling = model.stretch_coupling
+    constants.angle_law = angle_law
+    return palpate.build_molecular(mesh, material, constants, options)
+
+
+def build_wall(
+    scene: SceneFile, mesh: palpate.SurfaceMesh, options: palpate.SurfaceOptions
+) -> palpate.TissueModel:
+    return palpate.build_shell(mesh, build_material(scene.material), options)
+
+
+BUILDERS: dict[
+    str,
+    Callable[[SceneFile, palpate.SurfaceMesh, palpate.SurfaceOptions], palpate.TissueModel],
+] = {"mass_spring": build_springs, "molecular": build_molecules, "shell": build_wall}
+"""Model kind -> what builds it."""
+
+
+def enumerator(kind: Any, where: str, name: str) -> Any:
+    if name not in kind.__members__:
+        raise ValueError(f"{where}: got {name!r}, expected one of {', '.join(kind.__members__)}")
+    return kind.__members__[name]
+
+
+def compile_scene(
+    scene: SceneFile, mesh: palpate.SurfaceMesh, tissue: palpate.TissueModel | None = None
+) -> palpate.Scene:
+    """A scene that ticks, of its own tissue or of one that is built. Raises ValueError."""
+    if len(scene.hand.gravity) != 3:
+        raise ValueError(f"hand.gravity: got {len(scene.hand.gravity)} numbers, expected 3")
+    compiled = palpate.Scene()
+    compiled.tissue = build_tissue(scene, mesh) if tissue is None else tissue
+    tool = palpate.Tool()
+    tool.radius, tool.stiffness = scene.tool.radius, scene.tool.stiffness
+    compiled.tool = tool
+    coupling = palpate.Coupling()
+    coupling.stiffness, coupling.force_max = scene.hand.coupling, scene.hand.force_max
+    compiled.coupling = coupling
+    compiled.hold_stiffness = scene.hand.hold_stiffness
+    compiled.gravity = list(scene.hand.gravity)
+    compiled.rate = scene.hand.rate
+    compiled.force_error = scene.hand.force_error
+    palpate.scenario.check_ranges(compiled)
+    return raise_substeps(palpate.build_scene(compiled), scene.hand.substeps)
+
+
+def raise_substeps(scene: palpate.Scene, least: int) -> palpate.Scene:
+    """A built scene with that many substeps in the air, and as many more in contact as it had."""
+    more = least - scene.substeps
+    if more > 0:
+        scene.substeps_max += more
+        scene.substeps += more
+    return scene
+
+
+def read_scene_and_mesh(path: Path) -> tuple[SceneFile, palpate.SurfaceMesh]:
+    """A scene file and the very mesh it was made with. Raises Refusal or OSError."""
+    scene = read_scene_file(path)
+    mesh_path = path.parent / scene.organ.mesh
+    if mesh_path.is_file() and hash_file(mesh_path) != scene.organ.sha256:
+        raise Refusal(
+            path,
+            "organ.sha256",
+            f"{mesh_path.name} with another SHA-256",
+            "the mesh the scene was made with",
+        )
+    return scene, read_mesh_file(mesh_path)
+
+
+def open_scene(path: Path) -> tuple[SceneFile, palpate.Scene]:
+    """Reads a scene file and its mesh and compiles them. Raises Refusal or OSError."""
+    scene, mesh = read_scene_and_mesh(path)
+    try:
+        return scene, compile_scene(scene, mesh)
+    except ValueError as problem:
+        raise Refusal(path, "", str(problem), "a scene that can be built") from None

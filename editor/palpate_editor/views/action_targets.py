@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the actions of the menus call, for annotations: the window has all of it."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from palpate_editor.views.deeds import Deeds
+from palpate_editor.views.desk import Desk
+from palpate_editor.views.files import Files
+from palpate_editor.views.looks import Looks
+from palpate_editor.views.publishing import Publishing
+from palpate_editor.views.touch import TestPanel
+
+
+class ActionTargets(Protocol):
+    """The parts of a window that do what its actions say, and what the window does itself."""
+
+    desk: Desk
+    files: Files
+    deeds: Deeds
+    looks: Looks
+    publishing: Publishing
+    test_panel: TestPanel
+
+    def quit(self) -> None: ...
+    def show_palette(self) -> None: ...
+    def on_stage_action(self) -> None: ...
+    def toggle_run(self) -> None: ...
+    def switch_full(self) -> None: ...
+    def reset_layout(self) -> None: ...
+    def show_help(self) -> None: ...
+    def show_keys(self) -> None: ...
+    def show_about(self) -> None: ...
