@@ -64,7 +64,9 @@ def draw_editor(app: QApplication, out: Path, folder: Path) -> None:
     window.resize(*SIZE)
     editor.show()
     window.files.open(PUBLISHED / "spleen.organ")
-    wait(app, lambda: window.session.organ.surface is not None and window.desk.assessor.is_current)
+    wait(
+        app, lambda: window.session.organ.surface is not None and window.context.assessor.is_current
+    )
     window.show_stage("test")
     panel = window.test_panel
     panel.tabs.setCurrentIndex(1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Edits that mend a problem, for those that can be mended with one press of a button."""
+"""Edits that fix a problem, for those that one press of a button can fix."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ from palpate_editor.edits import (
 from palpate_editor.edits.orient import METRES
 
 AWAY = 0.1
-"""[-] of an admissible range: how far from its end a mended constant is put."""
+"""[-] of an admissible range: how far from its end a corrected constant is put."""
 
 
 def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
-    """An edit that mends the problem, where one is sure to."""
+    """An edit that fixes the problem, where one is sure to."""
     source, surface = organ.source, facts.surface
     if problem.key == "unit_guessed" and source is not None:
         return SetUnit(source.unit)

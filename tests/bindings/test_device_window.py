@@ -9,6 +9,7 @@ import signal
 import numpy as np
 import palpate
 import pytest
+from device_sentences import find_spoken
 from device_windows import (
     PATIENCE,
     build_quick,
@@ -18,7 +19,6 @@ from device_windows import (
     texts,
     wait_for_mode,
 )
-from device_words import find_spoken
 from palpate import translation
 from palpate.cli.main import main
 from palpate.device.calibration import Stage

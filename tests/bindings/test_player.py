@@ -14,8 +14,8 @@ import pytest
 from palpate.cli.main import main
 from palpate.player import TraineeWindow, play_in_window, trainee_window
 from palpate.player.force_bar import choose_range
+from palpate.player.sentences import format_clock, say_fault, say_notice
 from palpate.player.trainee_window import Phase
-from palpate.player.words import format_clock, say_fault, say_notice
 from palpate.runs.play import open_play
 from published import TASK, TITLE, publish, publish_unstable, read_peak, write_press
 from PySide6.QtCore import Qt, QTimer

@@ -28,7 +28,7 @@ PATIENCE = 30_000  # [ms] for a thread or a child to do what it does in a few
 
 
 @pytest.fixture
-def desk(qapp, tmp_path):
+def context(qapp, tmp_path):
     """A session with its autosave, in a folder of the test's own."""
     session = Session(make_organ())
     folder = tmp_path / "recovery"
@@ -38,8 +38,8 @@ def desk(qapp, tmp_path):
     autosave.finish()
 
 
-def keep(desk, qtbot, *edits) -> None:
-    session, autosave, _ = desk
+def keep(context, qtbot, *edits) -> None:
+    session, autosave, _ = context
     with qtbot.waitSignal(autosave.saved, timeout=PATIENCE):
         for edit in edits:
             session.apply(edit)
@@ -62,8 +62,8 @@ def kill_an_editor(folder: Path, edits: int, *document: Path) -> None:
     assert len(find_recoveries(folder)) == len(left_by_others) + 1
 
 
-def test_nothing_is_written_while_nothing_is_unsaved(desk, qtbot):
-    session, autosave, folder = desk
+def test_nothing_is_written_while_nothing_is_unsaved(context, qtbot):
+    session, autosave, folder = context
 
     autosave.keep()
     session.apply(SetName("one"))
@@ -73,12 +73,12 @@ def test_nothing_is_written_while_nothing_is_unsaved(desk, qtbot):
     assert files_of(folder) == set()
 
 
-def test_an_unsaved_edit_is_kept_and_told_of(desk, qtbot):
-    session, autosave, folder = desk
+def test_an_unsaved_edit_is_kept_and_told_of(context, qtbot):
+    session, autosave, folder = context
     told = []
     autosave.saved.connect(told.append)
 
-    keep(desk, qtbot, SetName("one"), SetTask(task="two"))
+    keep(context, qtbot, SetName("one"), SetTask(task="two"))
 
     [file] = folder.glob("*.organ")
     assert same(read_organ(file), session.organ)
@@ -86,9 +86,9 @@ def test_an_unsaved_edit_is_kept_and_told_of(desk, qtbot):
     assert files_of(folder) == {".organ", ".json", ".lock"}
 
 
-def test_an_edit_made_during_a_write_is_kept_too(desk, qtbot):
-    session, autosave, folder = desk
-    keep(desk, qtbot, SetName("one"))
+def test_an_edit_made_during_a_write_is_kept_too(context, qtbot):
+    session, autosave, folder = context
+    keep(context, qtbot, SetName("one"))
 
     session.apply(SetName("two"))
     autosave.keep()  # the thread is at work on this one
@@ -99,19 +99,19 @@ def test_an_edit_made_during_a_write_is_kept_too(desk, qtbot):
     assert read_organ(file).name == "three"
 
 
-def test_saving_leaves_nothing_to_recover(desk, qtbot, tmp_path):
-    session, autosave, folder = desk
-    keep(desk, qtbot, SetName("one"))
+def test_saving_leaves_nothing_to_recover(context, qtbot, tmp_path):
+    session, autosave, folder = context
+    keep(context, qtbot, SetName("one"))
 
     session.save(tmp_path / "a.organ")
 
     assert files_of(folder) == set()
-    keep(desk, qtbot, SetName("two"))
+    keep(context, qtbot, SetName("two"))
     assert files_of(folder) == {".organ", ".json", ".lock"}
 
 
-def test_saving_during_a_write_leaves_nothing_to_recover(desk, qtbot, tmp_path):
-    session, autosave, folder = desk
+def test_saving_during_a_write_leaves_nothing_to_recover(context, qtbot, tmp_path):
+    session, autosave, folder = context
     session.apply(SetName("one"))
     autosave.keep()
 
@@ -131,14 +131,14 @@ def test_closing_leaves_nothing_to_recover(qapp, qtbot, tmp_path):
     assert files_of(tmp_path) == set()
 
 
-def test_what_a_living_editor_keeps_is_not_offered(desk, qtbot):
-    keep(desk, qtbot, SetName("one"))
+def test_what_a_living_editor_keeps_is_not_offered(context, qtbot):
+    keep(context, qtbot, SetName("one"))
 
-    assert find_recoveries(desk[2]) == []
+    assert find_recoveries(context[2]) == []
 
 
-def test_a_disk_that_refuses_is_told_of(desk, qtbot):
-    session, autosave, folder = desk
+def test_a_disk_that_refuses_is_told_of(context, qtbot):
+    session, autosave, folder = context
     folder.rmdir()
 
     with qtbot.waitSignal(autosave.failed, timeout=PATIENCE) as told:
@@ -146,11 +146,11 @@ def test_a_disk_that_refuses_is_told_of(desk, qtbot):
 
     assert "recovery" in told.args[0]
     folder.mkdir()
-    keep(desk, qtbot, SetName("two"))  # and is tried again
+    keep(context, qtbot, SetName("two"))  # and is tried again
 
 
-def test_a_killed_editor_leaves_every_edit(desk, qtbot, tmp_path):
-    session, autosave, folder = desk
+def test_a_killed_editor_leaves_every_edit(context, qtbot, tmp_path):
+    session, autosave, folder = context
     kill_an_editor(folder, 12)
 
     [left] = find_recoveries(folder)
@@ -164,8 +164,8 @@ def test_a_killed_editor_leaves_every_edit(desk, qtbot, tmp_path):
     assert file == autosave.file.path and same(read_organ(file), session.organ)
 
 
-def test_a_killed_editor_leaves_word_of_its_file(desk, tmp_path):
-    session, autosave, folder = desk
+def test_a_killed_editor_leaves_word_of_its_file(context, tmp_path):
+    session, autosave, folder = context
     document = tmp_path / "dalağı.organ"
     write_organ(document, make_organ())
     kill_an_editor(folder, 2, document)
@@ -180,10 +180,10 @@ def test_a_killed_editor_leaves_word_of_its_file(desk, tmp_path):
     assert read_organ(document).task == "0 left"
 
 
-def test_restoring_over_unsaved_work_keeps_what_was_restored(desk, qtbot):
-    session, autosave, folder = desk
+def test_restoring_over_unsaved_work_keeps_what_was_restored(context, qtbot):
+    session, autosave, folder = context
     kill_an_editor(folder, 1)
-    keep(desk, qtbot, SetName("to be let go"))
+    keep(context, qtbot, SetName("to be let go"))
 
     autosave.restore(find_recoveries(folder)[0])
 
@@ -191,8 +191,8 @@ def test_restoring_over_unsaved_work_keeps_what_was_restored(desk, qtbot):
     assert read_organ(file).task == "0 left"
 
 
-def test_several_editors_leave_several_files_the_newest_first(desk):
-    folder = desk[2]
+def test_several_editors_leave_several_files_the_newest_first(context):
+    folder = context[2]
     for edits in (1, 2):
         kill_an_editor(folder, edits)
     stamps = [recovery.time for recovery in find_recoveries(folder)]
@@ -200,8 +200,8 @@ def test_several_editors_leave_several_files_the_newest_first(desk):
     assert len(stamps) == 2 and stamps == sorted(stamps, reverse=True)
 
 
-def test_a_recovery_can_be_thrown_away(desk):
-    folder = desk[2]
+def test_a_recovery_can_be_thrown_away(context):
+    folder = context[2]
     kill_an_editor(folder, 1)
 
     find_recoveries(folder)[0].remove()
@@ -209,8 +209,8 @@ def test_a_recovery_can_be_thrown_away(desk):
     assert files_of(folder) == set()
 
 
-def test_a_damaged_recovery_is_offered_and_refused_with_a_sentence(desk):
-    session, autosave, folder = desk
+def test_a_damaged_recovery_is_offered_and_refused_with_a_sentence(context):
+    session, autosave, folder = context
     organ = session.organ
     (folder / "x.organ").write_bytes(b"half a fil")
     (folder / "x.json").write_bytes(b"{")
@@ -252,8 +252,8 @@ def test_a_home_that_cannot_be_written_keeps_nobody_from_working(monkeypatch, tm
     assert folder.is_dir() and folder.parent == tmp_path
 
 
-def test_a_recovery_knows_whether_its_file_was_changed_since(desk, tmp_path):
-    session, autosave, folder = desk
+def test_a_recovery_knows_whether_its_file_was_changed_since(context, tmp_path):
+    session, autosave, folder = context
     document = tmp_path / "a.organ"
     write_organ(document, make_organ())
     kill_an_editor(folder, 1, document)

@@ -11,7 +11,7 @@ from hostile_names import list_run, make_hostile_folder
 from palpate.files.refusal import Refusal
 from palpate_editor import demo
 from palpate_editor.authoring import READER, read_mesh
-from palpate_editor.views.companions import Companions
+from palpate_editor.views.child_processes import ChildProcesses
 
 PATIENCE = 60_000
 """[ms]"""
@@ -51,12 +51,12 @@ def test_the_editor_that_a_demo_opens_imports_nothing_from_the_current_folder(ho
 
 def test_a_window_that_the_editor_opens_imports_nothing_from_the_current_folder(qtbot, hostile):
     said = []
-    desk = SimpleNamespace(tell=said.append, log_command=said.append)
-    companions = Companions(desk)
+    context = SimpleNamespace(tell=said.append, log_command=said.append)
+    child_processes = ChildProcesses(context)
 
-    companions.start(["play", hostile / "none.palpate"])
+    child_processes.start(["play", hostile / "none.palpate"])
 
-    qtbot.waitUntil(lambda: companions.running == [], timeout=PATIENCE)
+    qtbot.waitUntil(lambda: child_processes.running == [], timeout=PATIENCE)
     assert "none.palpate" in said[-1]
     assert list_run(hostile) == ""
 

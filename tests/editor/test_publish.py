@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From the desk to the trainee and back: what is published, and what is refused."""
+"""From the editor to the trainee and back: what is published, and what is refused."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ def test_what_has_errors_is_refused_with_all_of_them_and_leaves_the_old_file(tmp
     assert path.read_bytes() == before
 
 
-def test_an_empty_desk_cannot_be_published(tmp_path):
+def test_an_empty_document_cannot_be_published(tmp_path):
     with pytest.raises(PublishError, match="no surface"):
         publish(EMPTY, tmp_path / "a.palpate")
 
@@ -185,7 +185,7 @@ def test_a_scene_file_can_be_published_too(tmp_path, capsys):
      (("material", "a.organ", "--density=-1kg/m3", "-o", "b.organ"), "Density must be"),
      (("material", "a.organ", "--fix-lowest=2", "-o", "b.organ"), "--fix-lowest"),
      (("decimate", "a.organ", "--vertices", "9999", "-o", "b.organ"), "cannot be had"),
-     (("repair", "a.organ", "--problem", "shells", "-o", "b.organ"), "that can be mended")],
+     (("repair", "a.organ", "--problem", "shells", "-o", "b.organ"), "that can be repaired")],
 )  # fmt: skip
 def test_a_verb_refuses_with_a_sentence(tmp_path, capsys, monkeypatch, words, sentence):
     monkeypatch.chdir(tmp_path)
@@ -197,7 +197,7 @@ def test_a_verb_refuses_with_a_sentence(tmp_path, capsys, monkeypatch, words, se
     assert not list(tmp_path.glob("b.*"))
 
 
-def test_repair_mends_what_can_be_mended(tmp_path, capsys):
+def test_repair_fixes_what_needs_no_choice(tmp_path, capsys):
     bad = replace(
         untitled(SPLEEN),
         material=replace(SPLEEN.material, density=-1.0),
@@ -208,14 +208,14 @@ def test_repair_mends_what_can_be_mended(tmp_path, capsys):
 
     report = run(capsys, "repair", tmp_path / "a.organ", "-o", tmp_path / "b.organ")
 
-    mended = read_organ(tmp_path / "b.organ")
+    repaired = read_organ(tmp_path / "b.organ")
     assert report["done"] == [
-        f"Density: {mended.material.density:g} kg/m³",
-        f"Stretch-bend: {mended.model.stretch_coupling:g} N",
+        f"Density: {repaired.material.density:g} kg/m³",
+        f"Stretch-bend: {repaired.model.stretch_coupling:g} N",
         "Title: dalak",
     ]
     assert {p["severity"] for p in report["problems"]} <= {"warning", "note"}
-    assert mended.title == "dalak" and mended.tool.radius == 1e-3  # a warning was not asked for
+    assert repaired.title == "dalak" and repaired.tool.radius == 1e-3  # a warning was not asked for
     run(capsys, "repair", tmp_path / "b.organ", "--problem", "small_tip", "-o",
         tmp_path / "b.organ")  # fmt: skip
     assert read_organ(tmp_path / "b.organ").tool.radius > 1e-3

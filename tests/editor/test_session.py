@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The desk: what changes it, what tells of it, and what counts as saved."""
+"""The session: what changes it, what tells of it, and what counts as saved."""
 
 from __future__ import annotations
 
@@ -179,7 +179,7 @@ def test_the_unsaved_marker_is_told_of(session):
     assert seen == [False, True]
 
 
-def test_starting_anew_leaves_an_empty_desk(session, tmp_path):
+def test_starting_anew_leaves_an_empty_document(session, tmp_path):
     session.save(tmp_path / "a.organ")
 
     session.start_anew()

@@ -11,7 +11,7 @@ import palpate
 from palpate.command.sentence import PoorData
 from palpate.device.calibration import Calibration, Reading, Stage, Work
 from palpate.device.link import Ended, Link
-from palpate.device_window.calibrate_words import (
+from palpate.device_window.calibrate_sentences import (
     say_buttons,
     say_results,
     say_stage,
@@ -20,8 +20,8 @@ from palpate.device_window.calibrate_words import (
 from palpate.device_window.cards import Page, build_button
 from palpate.device_window.job import Job
 from palpate.device_window.results import Results
+from palpate.device_window.sentences import say, translate
 from palpate.device_window.steps import Steps
-from palpate.device_window.words import say, translate
 from palpate.translation.refusals import say_refusal
 
 

@@ -12,7 +12,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
 from palpate.device_window.look import Painted, applied_colour, pick
-from palpate.device_window.words import number, translate
+from palpate.device_window.sentences import number, translate
 
 SWEEP = 240.0
 """[degree] of a dial from the lower to the upper end."""

@@ -12,8 +12,8 @@ from palpate.device.link import DRIVING, Link
 from palpate.device.poses import PLACES
 from palpate.device_window.cards import Facts, Page, build_button
 from palpate.device_window.gauges import Dial, Histogram, MotorBars
-from palpate.device_window.words import number, say_joint, translate
-from palpate.player.device_words import say_advice, say_state
+from palpate.device_window.sentences import number, say_joint, translate
+from palpate.player.device_sentences import say_advice, say_state
 
 STIFFNESS = 80.0
 """[N/m] of the spring at first."""

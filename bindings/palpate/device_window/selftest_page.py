@@ -13,7 +13,7 @@ from palpate.device.link import Ended, Link
 from palpate.device.selftest import Check, inspect_link, write_selftest
 from palpate.device_window.cards import Page, build_button
 from palpate.device_window.job import Job
-from palpate.device_window.words import say, translate
+from palpate.device_window.sentences import say, translate
 from palpate.player.cards import build_label
 from palpate.translation.refusals import say_refusal
 

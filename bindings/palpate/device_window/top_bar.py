@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QWidget
 from palpate.device.link import list_devices
 from palpate.device.names import PLANT, find_port, read_device
 from palpate.device_window.cards import build_button
-from palpate.device_window.words import say_device, translate
+from palpate.device_window.sentences import say_device, translate
 from palpate.player.cards import build_label
 from palpate.translation import LANGUAGES
 from palpate.viewport.tone import set_tone

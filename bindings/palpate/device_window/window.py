@@ -23,11 +23,11 @@ from palpate.device_window.look import Painted, build_style
 from palpate.device_window.monitor_page import MonitorPage
 from palpate.device_window.mouse_hand import MouseHand
 from palpate.device_window.selftest_page import SelftestPage
+from palpate.device_window.sentences import translate
 from palpate.device_window.strip import Strip
 from palpate.device_window.top_bar import TopBar
-from palpate.device_window.words import translate
 from palpate.player.cards import Banner, Notice
-from palpate.player.device_words import say_advice, say_state
+from palpate.player.device_sentences import say_advice, say_state
 from palpate.player.look import build_palette
 from palpate.translation.refusals import say_refusal
 from palpate.viewport import make_view

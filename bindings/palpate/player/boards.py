@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QWidget
 
 from palpate.player.cards import FolderLine, Page, Table
-from palpate.player.words import format_clock, format_number, say_gestures, say_keys, translate
+from palpate.player.sentences import format_clock, format_number, say_gestures, say_keys, translate
 from palpate.translation import LANGUAGES
 
 

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from palpate.player.words import format_clock, say_notice, translate
+from palpate.player.sentences import format_clock, say_notice, translate
 
 
 def build_label(name: str, parent: QWidget, wrap: bool = False) -> QLabel:

@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 import palpate
-from palpate.player.device_words import say_advice, say_fault, say_state
-from palpate.player.words import say_fault as say_end_of_device
-from palpate.player.words import translate
+from palpate.player.device_sentences import say_advice, say_fault, say_state
+from palpate.player.sentences import say_fault as say_end_of_device
+from palpate.player.sentences import translate
 from palpate.runs.play import find_driver
 
 PATIENCE = 12

@@ -10,7 +10,7 @@ from PySide6.QtGui import QFont, QFontMetricsF, QLinearGradient, QPainter, QPain
 from PySide6.QtWidgets import QWidget
 
 from palpate.player.look import LOOKS, PANEL, to_colour
-from palpate.player.words import format_number, translate
+from palpate.player.sentences import format_number, translate
 from palpate.render.theme import THEMES
 
 SMOOTHING = 0.35

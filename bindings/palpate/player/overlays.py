@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QFrame
 from palpate.player.boards import Board, EndBoard, MenuBoard, StartBoard
 from palpate.player.cards import Banner, ClockCard, KeyLine, Notice, TaskCard
 from palpate.player.force_bar import ForceBar
-from palpate.player.words import say_keys, translate
+from palpate.player.sentences import say_keys, translate
 from palpate.runs.play import Play
 from palpate.viewport import View, navigation
 

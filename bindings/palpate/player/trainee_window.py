@@ -17,7 +17,7 @@ from palpate.player.boards import Board
 from palpate.player.device_watch import DeviceWatch
 from palpate.player.look import build_palette, build_style
 from palpate.player.overlays import Overlays
-from palpate.player.words import say_end, say_slow, translate
+from palpate.player.sentences import say_end, say_slow, translate
 from palpate.render.authored_look import find_look
 from palpate.runs.live import Frame, LiveRun
 from palpate.runs.play import Play, describe_outcome, describe_play, describe_run

@@ -25,6 +25,6 @@ def read_mesh_file(path: Path) -> palpate.SurfaceMesh:
         palpate.validate(mesh)
     except ValueError as problem:
         raise Refusal(
-            path, "", str(problem), "a clean surface: `palpate import` mends it"
+            path, "", str(problem), "a clean surface: `palpate import` repairs it"
         ) from None
     return mesh

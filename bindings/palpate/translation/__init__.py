@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Languages of the windows: reads Qt Linguist's .ts files as they are, with no step between.
 
-A package that shows words keeps words/<anything>_<language>.ts beside its modules, but for
+A package that shows words keeps translations/<anything>_<language>.ts beside its modules, but for
 English, which is what the source says.
 """
 
@@ -88,7 +88,7 @@ def find_language(wanted: Iterable[str]) -> str:
 def read_words(package: str, code: str) -> Words:
     """What a package says in a language; nothing where the package is not installed."""
     try:
-        folder = files(package) / "words"
+        folder = files(package) / "translations"
     except ModuleNotFoundError:
         return {}
     words: Words = {}

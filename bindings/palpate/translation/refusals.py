@@ -3,7 +3,7 @@
 
 They come as finished English sentences: where, what was found and what was expected. They are
 known by their pattern: a template such as "%1 bytes", and what stands in its places, which may be
-a sentence again. What no template fits stays as it is. words/ lists the templates.
+a sentence again. What no template fits stays as it is. translations/ lists the templates.
 """
 
 from __future__ import annotations

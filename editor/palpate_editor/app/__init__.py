@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The editor without its windows: the document on the desk, its history, files and settings."""
+"""The editor without its windows: the open document, its history, files and settings."""

@@ -58,7 +58,7 @@ class Autosave(QObject):
         self.thread_pool.submit(self._write, self.kept, session.path, session.name, session.state)
 
     def restore(self, recovery: Recovery) -> None:
-        """Puts what a crash left on the desk. It is removed once this editor has a copy of it.
+        """Puts what a crash left in the editor. It is removed once this editor has a copy of it.
 
         Raises FileError or OSError, and then nothing has changed.
         """

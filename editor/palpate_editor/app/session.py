@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The organ on the desk, its history, and the only way to change it."""
+"""The open organ, its history, and the only way to change it."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class Session(QObject):
         """Of the file when it was last read or written here; see document.file_state."""
         self.tested: Organ | None = None
         """The organ that was felt last, as it was then."""
-        self._laying = False
+        self._loading = False
         self.history = QUndoStack(self)
         self.history.setUndoLimit(REMEMBERED)
         self.history.cleanChanged.connect(self._tell_title)
@@ -58,24 +58,24 @@ class Session(QObject):
         self.history.push(_Applied(self, edit))
 
     def show(self, organ: Organ) -> None:
-        """Puts another organ on the desk; `apply`, undo and redo are the ways to call this."""
+        """Shows another organ; `apply`, undo and redo are the ways to call this."""
         before, self.organ = self.organ, organ
         self.changed.emit(before, organ)
         if before.name != organ.name:
             self.title_changed.emit()
 
     def start_anew(self) -> None:
-        """An empty desk."""
-        self.lay_down(EMPTY, None)
+        """No organ."""
+        self.load(EMPTY, None)
 
     def open(self, path: Path) -> None:
         """Reads any file that has an organ. Raises FileError, Refusal or OSError, and then nothing
-        has changed. A window reads in a thread and calls lay_down."""
+        has changed. A window reads in a thread and calls load."""
         state = read_state(path)
-        self.lay_down(open_organ(path), path, state)
+        self.load(open_organ(path), path, state)
 
-    def lay_down(self, organ: Organ, path: Path | None, state: str | None = None) -> None:
-        """Puts the organ of a file on the desk, with an empty history.
+    def load(self, organ: Organ, path: Path | None, state: str | None = None) -> None:
+        """Opens the organ of a file, with an empty history.
 
         Only a working file is saved where it came from: what came out of a published file or a
         scene file still stands there, and has no working file yet. `state` is the file's, read
@@ -84,7 +84,7 @@ class Session(QObject):
         self._replace(organ, path if path and path.suffix == ".organ" else None, state)
 
     def restore(self, organ: Organ, path: Path | None, state: str | None = None) -> None:
-        """Puts an unsaved organ on the desk: it belongs to `path` but is not what is there.
+        """Opens an unsaved organ: it belongs to `path` but is not what is there.
 
         `state` is that of the file when the organ was read from it, None where nobody knows.
         """
@@ -114,7 +114,7 @@ class Session(QObject):
         self.title_changed.emit()
 
     def mark_tested(self) -> None:
-        """The organ on the desk has been felt."""
+        """The open organ has been felt."""
         self.tested = self.organ
 
     @property
@@ -126,17 +126,17 @@ class Session(QObject):
         self, organ: Organ, path: Path | None, state: str | None, saved: bool = True
     ) -> None:
         # nobody is told before all of it is true: half way, the new organ would pass for saved
-        self._laying = True
+        self._loading = True
         self.history.clear()
         if not saved:
             self.history.resetClean()
-        self._laying = False
+        self._loading = False
         self.path, self.state, self.tested = path, state, None
         self.show(organ)
         self.title_changed.emit()
 
     def _tell_title(self) -> None:
-        if not self._laying:
+        if not self._loading:
             self.title_changed.emit()
 
 

@@ -20,7 +20,7 @@ SEVERITIES = ("error", "warning", "note")
 
 @dataclass(frozen=True)
 class Problem:
-    """One thing to mend, or to know."""
+    """One thing to fix, or to know."""
 
     key: str
     """What kind of problem, for programs; the same whatever the numbers."""
@@ -30,7 +30,7 @@ class Problem:
     found: Phrase
     expected: Phrase
     fix: Callable[[Organ], Organ] | None = field(default=None, compare=False)
-    """An edit that mends it, where one is sure to."""
+    """An edit that fixes it, where one is sure to."""
 
 
 @dataclass(frozen=True)

@@ -21,7 +21,7 @@ REPAIRS = tuple(f.name for f in fields(Repairs) if f.name != "welded_vertices")
 
 @dataclass(frozen=True, eq=False)
 class ImportMesh:
-    """Put a surface that was read on the desk. Constants stay; what was painted goes. An organ
+    """Put a surface that was read in the editor. Constants stay; what was painted goes. An organ
     without a look gets the one that fits its name."""
 
     title: ClassVar[str] = "Import"

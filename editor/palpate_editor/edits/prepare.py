@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Doing the work of an edit beside the window, before it is put on the desk."""
+"""Doing the work of an edit beside the window, before it is applied."""
 
 from __future__ import annotations
 

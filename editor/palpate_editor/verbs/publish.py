@@ -51,7 +51,7 @@ def describe_problems(problems: list[Report]) -> list[str]:
 
 
 def hint(problem: Report) -> str:
-    """Which call mends it."""
+    """Which call repairs it."""
     if problem["problem"] in ("no_title", "no_task"):
         return f" (palpate publish --{problem['where']})"
     return f" (palpate repair --problem {problem['problem']})" if problem["fix"] else ""
@@ -76,7 +76,7 @@ def add_repair(word: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="NAME",
-        help="of `palpate check --json`, may be repeated; default: all errors that can be mended",
+        help="of `palpate check --json`, may be repeated; default: all errors that can be repaired",
     )
     word.add_argument(
         "--fill-holes",
@@ -99,7 +99,7 @@ def run_repair(call: argparse.Namespace) -> Report:
         done.append(FillHoles.title)
     tried: set[tuple[str, str]] = set()
     assessment = assess(organ)
-    # one at a time: what mends one problem may mend, or change, another
+    # one at a time: what solves one problem may solve, or change, another
     wanted = call.problem or ([] if call.fill_holes is None else [NO_PROBLEM])
     while problem := find_next(assessment.problems, wanted, tried):
         assert problem.fix is not None
@@ -109,7 +109,7 @@ def run_repair(call: argparse.Namespace) -> Report:
         assessment = assess(organ, before=assessment)
     if not done and call.problem:
         raise Refusal(
-            call.file, "--problem", ", ".join(call.problem), "problems it has, that can be mended"
+            call.file, "--problem", ", ".join(call.problem), "problems it has, that can be repaired"
         )
     read.check(call.out)
     write_any(call.out, organ)
@@ -145,7 +145,7 @@ def find_next(
 
 
 def describe_repair(report: Report) -> str:
-    done = ", ".join(report["done"]) or "nothing to mend"
+    done = ", ".join(report["done"]) or "nothing to repair"
     heading = f"wrote {report['out']}: {done}; what is left:"
     return "\n".join([heading, *describe_problems(report["problems"])])
 
@@ -203,7 +203,7 @@ VERBS = [
     ),
     Verb(
         "repair",
-        "mend those problems of an organ that can be mended without a choice",
+        "repair the problems of an organ that need no choice",
         "palpate repair spleen.organ --problem shells --fill-holes 12 -o spleen.organ",
         add_repair,
         run_repair,

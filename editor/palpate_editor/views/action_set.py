@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From the table of orders to the actions and menus of a window."""
+"""From the table of commands to the actions and menus of a window."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMainWindow, QMenu
 
+from palpate_editor.views.command import MENUS, Command, menu_title
 from palpate_editor.views.icons import icon
-from palpate_editor.views.order import MENUS, Order, menu_title
 from palpate_editor.views.theme import Colours
 
 INSIDE = {
@@ -30,16 +30,16 @@ AFTER = {"recent": "open"}
 class ActionSet(QObject):
     """All actions, by name, and the menus they stand in."""
 
-    def __init__(self, window: QMainWindow, orders: Sequence[Order]):
+    def __init__(self, window: QMainWindow, commands: Sequence[Command]):
         super().__init__(window)
-        self.window, self.orders = window, orders
+        self.window, self.commands = window, commands
         self.actions: dict[str, QAction] = {}
         self.menus: dict[str, QMenu] = {}
         self.groups: dict[str, QActionGroup] = {}
         for menu in MENUS:
             self.menus[menu] = window.menuBar().addMenu(menu_title(menu))
-        for order in orders:
-            self.add(order)
+        for command in commands:
+            self.add(command)
         for menu in INSIDE:
             self.menu(menu)
 
@@ -59,21 +59,21 @@ class ActionSet(QObject):
             self.menus[name] = made
         return self.menus[name]
 
-    def add(self, order: Order) -> QAction:
-        action = QAction(order.text, self.window)
-        action.setObjectName(order.name)
-        action.setShortcuts([QKeySequence(keys) for keys in order.keys])
-        action.setCheckable(order.checkable or bool(order.group))
-        action.triggered.connect(order.slot)
-        menu = self.menu(order.menu)
-        if order.line_before:
+    def add(self, command: Command) -> QAction:
+        action = QAction(command.text, self.window)
+        action.setObjectName(command.name)
+        action.setShortcuts([QKeySequence(keys) for keys in command.keys])
+        action.setCheckable(command.checkable or bool(command.group))
+        action.triggered.connect(command.slot)
+        menu = self.menu(command.menu)
+        if command.line_before:
             menu.addSeparator()
         menu.addAction(action)
         self.window.addAction(action)
-        if order.group:
-            group = self.groups.setdefault(order.group, QActionGroup(self.window))
+        if command.group:
+            group = self.groups.setdefault(command.group, QActionGroup(self.window))
             group.addAction(action)
-        self.actions[order.name] = action
+        self.actions[command.name] = action
         return action
 
     def adopt(self, actions: Sequence[QAction], menu: str) -> None:
@@ -85,17 +85,17 @@ class ActionSet(QObject):
             self.window.addAction(action)
 
     def use_colours(self, colours: Colours) -> None:
-        for order in self.orders:
-            if order.sign:
-                self.actions[order.name].setIcon(
-                    icon(order.sign, colours.text, "#ffffff", colours.disabled)
+        for command in self.commands:
+            if command.sign:
+                self.actions[command.name].setIcon(
+                    icon(command.sign, colours.text, "#ffffff", colours.disabled)
                 )
 
     def show_organ(self, there: bool) -> None:
         """What needs an organ cannot be done without one."""
-        for order in self.orders:
-            if order.needs_organ:
-                self.actions[order.name].setEnabled(there)
+        for command in self.commands:
+            if command.needs_organ:
+                self.actions[command.name].setEnabled(there)
 
     def check(self, name: str) -> None:
         """Marks an action as the one of its group in force."""

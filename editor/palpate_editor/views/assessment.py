@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is good and bad about the organ on the desk, worked out beside the window.
+"""What is good and bad about the open organ, worked out beside the window.
 
 Inspecting a surface and building a tissue take up to seconds for a large organ, so both are done
 in a thread after every change; what did not change is not done again.
@@ -21,7 +21,7 @@ from palpate_editor.document import Organ, Surface
 from palpate_editor.document.problems import Problem, TissueFacts
 from palpate_editor.document.rules import compute_tick_share
 from palpate_editor.views.jobs import Jobs, Progress
-from palpate_editor.views.words import say_memory, tr
+from palpate_editor.views.translations import say_memory, tr
 
 PATIENCE = 60
 """[ms] without a change before work begins: a stroke of the keyboard is not yet a decision."""
@@ -70,7 +70,7 @@ class Assessment:
 
     @property
     def problems(self) -> tuple[Problem, ...]:
-        """Of an organ; an empty desk has none, it has only not begun."""
+        """Of an organ; an empty document has none, it has only not begun."""
         return () if self.organ.surface is None else self.checked.problems
 
     def of_stage(self, stage: str) -> list[Problem]:
@@ -166,7 +166,7 @@ class Assessor(QObject):
         self.timer.start()
 
     def begin(self) -> None:
-        """Starts assessing the organ on the desk, unless that is under way."""
+        """Starts assessing the open organ, unless that is under way."""
         if self.busy or self.jobs.closed:
             return
         self.busy = True
@@ -194,7 +194,7 @@ class Assessor(QObject):
 
     @property
     def is_current(self) -> bool:
-        """Whether the organ on the desk is the one that was assessed, and as felt as it is."""
+        """Whether the open organ is the one that was assessed, and as felt as it is."""
         return (
             self.assessment is not None
             and self.assessment.organ is self.session.organ

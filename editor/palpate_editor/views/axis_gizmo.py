@@ -11,7 +11,7 @@ from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 SIZE, ARM, BALL, EDGE = 92, 32, 8.5, 12
 """[px] of the widget, from its middle to an end, of an end, to the corner of the viewport."""

@@ -8,9 +8,9 @@ from palpate.render import build_look
 from PySide6.QtCore import QObject, Signal
 
 from palpate_editor.document import Organ
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.touch.colours import show_fixed, show_stiffness
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 COLOURINGS = ("auto", "plain", "stiffness", "distance")
 
@@ -20,9 +20,9 @@ class Display(QObject):
 
     colouring_changed = Signal(str)
 
-    def __init__(self, desk: Desk, parent: QObject | None = None):
+    def __init__(self, context: Context, parent: QObject | None = None):
         super().__init__(parent)
-        self.desk = desk
+        self.context = context
         self.colouring = "auto"
         self.with_distance = True
         self.held = False
@@ -30,10 +30,10 @@ class Display(QObject):
         self.drawn: Organ | None = None
         self.left = 0
         """[px] kept free for the legend."""
-        desk.session.changed.connect(self.on_changed)
-        desk.stage_shown.connect(self.on_stage)
-        desk.assessed.connect(self.refresh_values)
-        desk.distance_wanted.connect(self.use_distance)
+        context.session.changed.connect(self.on_changed)
+        context.stage_shown.connect(self.on_stage)
+        context.assessed.connect(self.refresh_values)
+        context.distance_wanted.connect(self.use_distance)
 
     def on_changed(self, before: Organ, after: Organ) -> None:
         del before, after
@@ -66,7 +66,7 @@ class Display(QObject):
         """Draws what the document says."""
         if self.held:
             return
-        organ, view = self.desk.session.organ, self.desk.view
+        organ, view = self.context.session.organ, self.context.view
         before = self.drawn
         if organ.surface is None:
             if before is None or before.surface is not None:
@@ -80,21 +80,21 @@ class Display(QObject):
 
     def refresh_values(self) -> None:
         """Draws the colours and what is fixed."""
-        organ, view = self.desk.session.organ, self.desk.view
+        organ, view = self.context.session.organ, self.context.view
         if self.held or organ.surface is None or self.drawn is not organ:
             return
         shown = self.choose()
         if shown == "stiffness":
             show_stiffness(view, organ.stiffness_scale, always=True)
         elif shown == "distance":
-            assessment = self.desk.assessment
+            assessment = self.context.assessment
             assert assessment is not None and assessment.comparison is not None
             view.show_values(
                 1e3 * assessment.comparison.distances, tr("Distance to the source [mm]")
             )
         else:
             view.show_values(None)
-        if self.desk.stage in ("material", "test", "publish"):
+        if self.context.stage in ("material", "test", "publish"):
             show_fixed(view, organ.fixed, None)
         else:
             view.show_selection(None)
@@ -104,15 +104,15 @@ class Display(QObject):
 
     def make_room(self) -> None:
         """The organ stands beside the legend, not under it, until somebody turns it."""
-        legend = self.desk.view.legend
+        legend = self.context.view.legend
         left = 0 if legend.isHidden() else legend.geometry().right()
         if left != self.left:
             self.left = left
-            self.desk.view.keep_free(left=left)
+            self.context.view.keep_free(left=left)
 
     def choose(self) -> str:
         """Which property is shown now."""
-        organ, assessment = self.desk.session.organ, self.desk.assessment
+        organ, assessment = self.context.session.organ, self.context.assessment
         painted = bool((organ.stiffness_scale != 1.0).any())
         known = (
             assessment is not None
@@ -122,11 +122,11 @@ class Display(QObject):
             and assessment.comparison.distances is not None
         )
         if self.colouring == "distance" or (
-            self.colouring == "auto" and self.desk.stage == "decimate" and self.with_distance
+            self.colouring == "auto" and self.context.stage == "decimate" and self.with_distance
         ):
             return "distance" if known else "plain"
         if self.colouring == "stiffness":
             return "stiffness"
-        if self.colouring == "auto" and self.desk.stage == "material" and painted:
+        if self.colouring == "auto" and self.context.stage == "material" and painted:
             return "stiffness"
         return "plain"

@@ -8,7 +8,7 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabBar, QUndoView, QWidget
 
 from palpate_editor.app.settings import LAYOUT_VERSION, Settings
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 AREA = Qt.DockWidgetArea
 DIRECT = Qt.FindChildOption.FindDirectChildrenOnly

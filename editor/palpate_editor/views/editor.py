@@ -18,8 +18,8 @@ from palpate_editor.app.recovery import Recovery, find_recoveries, find_recovery
 from palpate_editor.app.session import Session
 from palpate_editor.app.settings import Settings
 from palpate_editor.views.sentences import ExceptHook
+from palpate_editor.views.translations import tr
 from palpate_editor.views.window import MainWindow
-from palpate_editor.views.words import tr
 
 LOG = logging.getLogger(__name__)
 SWEEP = 2000
@@ -69,10 +69,10 @@ class Editor(QObject):
     def build_window(self) -> MainWindow:
         window = MainWindow(self.session, self.settings, self.theme)
         window.actions_by_name.check(f"language_{self.language}")
-        window.looks.language_wanted.connect(self.use_language)
+        window.appearance.language_wanted.connect(self.use_language)
         self.autosave.saved.connect(window.status.show_autosaved)
-        self.autosave.failed.connect(window.desk.tell)
-        self.hook.caught.connect(window.desk.tell)
+        self.autosave.failed.connect(window.context.tell)
+        self.hook.caught.connect(window.context.tell)
         window.closed.connect(self.finish)
         return window
 
@@ -87,7 +87,7 @@ class Editor(QObject):
         path = self.session.path
         other = self.document.take(path)
         if other is not None and path is not None:
-            self.window.desk.tell(
+            self.window.context.tell(
                 tr(
                     "{file} is open in another editor too (process {process}): saving asks before "
                     "it overwrites what was saved there."
@@ -109,7 +109,7 @@ class Editor(QObject):
         QTimer.singleShot(0, self.rebuild)
 
     def rebuild(self) -> None:
-        old, stage = self.window, self.window.desk.stage
+        old, stage = self.window, self.window.context.stage
         old.closed.disconnect(self.finish)
         self.theme = None
         old.may_close = True
@@ -123,7 +123,7 @@ class Editor(QObject):
     # ------------------------------------------------------------ recovery
 
     def ask_recovery(self) -> None:
-        """What a crash left behind: take it up again, or let it go."""
+        """What a crash left behind: restore it or discard it."""
         newest = self.recoveries[0]
         box = QMessageBox(self.window)
         box.setObjectName("recovery")
@@ -135,11 +135,11 @@ class Editor(QObject):
                 time=f"{newest.time:%Y-%m-%d %H:%M}",
             )
         )
-        box.setInformativeText(tr("Nothing is lost: take it up where you were?"))
+        box.setInformativeText(tr("Nothing is lost: continue where you were?"))
         buttons = QMessageBox.StandardButton
         box.setStandardButtons(buttons.Open | buttons.Discard | buttons.Cancel)
-        box.button(buttons.Open).setText(tr("Take it up"))
-        box.button(buttons.Discard).setText(tr("Throw it away"))
+        box.button(buttons.Open).setText(tr("Restore"))
+        box.button(buttons.Discard).setText(tr("Discard"))
         box.button(buttons.Cancel).setText(tr("Ask me later"))
         box.setDefaultButton(buttons.Open)
         box.finished.connect(self.answer_recovery)
@@ -150,16 +150,16 @@ class Editor(QObject):
     def answer_recovery(self, button: int) -> None:
         self.question = None
         newest = self.recoveries.pop(0)
-        desk = self.window.desk
+        context = self.window.context
         if button == QMessageBox.StandardButton.Open:
             try:
                 self.autosave.restore(newest)
             except (FileError, OSError) as problem:
-                desk.refuse(problem)
+                context.refuse(problem)
                 return
-            desk.view.frame_all()
-            desk.show_stage("material")
-            desk.tell(tr("Here is what was not saved. Save it to keep it."), "info")
+            context.view.frame_all()
+            context.show_stage("material")
+            context.tell(tr("Here is what was not saved. Save it to keep it."), "info")
         elif button == QMessageBox.StandardButton.Discard:
             newest.remove()
             if self.recoveries:

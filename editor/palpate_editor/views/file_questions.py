@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from PySide6.QtWidgets import QMessageBox, QWidget
 
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 BUTTONS = QMessageBox.StandardButton
 SAVE_AS, OVERWRITE, RELOAD = BUTTONS.Save, BUTTONS.Yes, BUTTONS.Reset

@@ -16,10 +16,10 @@ from palpate_editor.document.file_state import is_changed, read_state
 from palpate_editor.open_organ import open_organ
 from palpate_editor.shipped import make_organ
 from palpate_editor.views import file_questions
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.jobs import Progress
 from palpate_editor.views.tasks import ImportWork, Tasks
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 DOCUMENTS = (".organ", ".palpate")
 MESHES = (".obj", ".stl", ".ply", ".glb", ".gltf", ".3ds", ".fbx", ".dae", ".off")
@@ -80,9 +80,9 @@ class ShippedWork:
 class Files(QObject):
     """Asks for files with dialogs that do not block, and does what they are for."""
 
-    def __init__(self, desk: Desk, tasks: Tasks, window: QWidget):
+    def __init__(self, context: Context, tasks: Tasks, window: QWidget):
         super().__init__(window)
-        self.desk, self.tasks, self.window = desk, tasks, window
+        self.context, self.tasks, self.window = context, tasks, window
         self.after: Callable[[], None] | None = None
         """What waits for the answer about unsaved changes; a bound method."""
         self.wanted: Path | None = None
@@ -96,8 +96,8 @@ class Files(QObject):
         """The name of the organ of ours that is wanted."""
         self.dialog: QFileDialog | None = None
         self.question: QMessageBox | None = None
-        desk.import_wanted.connect(self.ask_import)
-        desk.mesh_wanted.connect(self.import_mesh)
+        context.import_wanted.connect(self.ask_import)
+        context.mesh_wanted.connect(self.import_mesh)
 
     # ------------------------------------------------------------ dialogs
 
@@ -107,7 +107,7 @@ class Files(QObject):
         """Shows a file dialog; `save` is the name proposed where a file is to be written."""
         dialog = QFileDialog(self.window, title)
         dialog.setNameFilters(filters)
-        folder = self.desk.settings.last_folder
+        folder = self.context.settings.last_folder
         if folder is not None:
             dialog.setDirectory(str(folder))
         if save:
@@ -124,7 +124,7 @@ class Files(QObject):
         return dialog
 
     def remember_folder(self, name: str) -> None:
-        self.desk.settings.last_folder = Path(name).parent
+        self.context.settings.last_folder = Path(name).parent
 
     def ask_open(self) -> None:
         self.guard(self.show_open_dialog)
@@ -154,7 +154,7 @@ class Files(QObject):
 
     def import_mesh(self, work: ImportWork) -> None:
         """Imports a mesh: over an organ of another file it begins a document of its own."""
-        if is_replaceable(self.desk.session.organ, work.path):
+        if is_replaceable(self.context.session.organ, work.path):
             self.tasks.import_mesh(work.path, work.parts, work.unit, work.up)
             return
         self.mesh = work
@@ -163,7 +163,7 @@ class Files(QObject):
     def import_over(self) -> None:
         work = self.mesh
         if work is not None:
-            organ = self.desk.session.organ
+            organ = self.context.session.organ
             self.tasks.import_mesh(work.path, work.parts, work.unit, work.up, over=organ)
 
     def open(self, path: Path) -> None:
@@ -178,70 +178,72 @@ class Files(QObject):
     def load(self, path: Path) -> None:
         """Opens a document, or imports a mesh into a new one."""
         if not path.is_file():
-            self.desk.tell(tr("There is no file {file}.").format(file=path))
+            self.context.tell(tr("There is no file {file}.").format(file=path))
             return
         if is_mesh(path):
             self.mesh = ImportWork(path)
             self.import_over()
-            self.desk.settings.add_recent(path)
+            self.context.settings.add_recent(path)
             return
         if not is_document(path):
-            self.desk.tell(
+            self.context.tell(
                 tr("{file}: the editor opens .organ and .palpate files and imports {meshes}.")
                 .format(file=path.name, meshes=", ".join(MESHES))
             )  # fmt: skip
             return
         if not self.tasks.is_busy():
             title = tr("Opening {file}").format(file=path.name)
-            self.over = self.desk.session.organ
-            self.desk.jobs.start(title, OpenWork(path), self.lay_down, self.desk.refuse)
+            self.over = self.context.session.organ
+            self.context.jobs.start(title, OpenWork(path), self.show_opened, self.context.refuse)
 
-    def lay_down(self, opened: Opened) -> None:
-        """Puts what was read on the desk."""
+    def show_opened(self, opened: Opened) -> None:
+        """Shows what was read."""
         path = opened.path
         if self.tasks.is_overtaken(self.over, path.name):
             return
-        self.desk.session.lay_down(opened.organ, path, opened.state)
-        self.desk.settings.add_recent(path)
-        self.desk.view.frame_all()
-        self.desk.log_command(["palpate", "editor", path])
-        self.desk.show_stage("import" if opened.organ.surface is None else "material")
+        self.context.session.load(opened.organ, path, opened.state)
+        self.context.settings.add_recent(path)
+        self.context.view.frame_all()
+        self.context.log_command(["palpate", "editor", path])
+        self.context.show_stage("import" if opened.organ.surface is None else "material")
 
     def open_shipped(self, name: str) -> None:
-        """Lays one of the organs that come with Palpate on the desk, after asking."""
+        """Opens one of the organs that come with Palpate, after asking."""
         self.shipped = name
         self.guard(self.load_shipped)
 
     def load_shipped(self) -> None:
         if not self.tasks.is_busy():
             title = tr("Opening {file}").format(file=self.shipped)
-            self.over = self.desk.session.organ
-            self.desk.jobs.start(
-                title, ShippedWork(self.shipped), self.lay_down_shipped, self.desk.refuse
+            self.over = self.context.session.organ
+            self.context.jobs.start(
+                title, ShippedWork(self.shipped), self.show_shipped, self.context.refuse
             )
 
-    def lay_down_shipped(self, organ: Organ) -> None:
+    def show_shipped(self, organ: Organ) -> None:
         """It has no file of its own yet: the one that ships stays as it is."""
         if self.tasks.is_overtaken(self.over, self.shipped):
             return
-        self.desk.session.lay_down(organ, None)
-        self.desk.view.frame_all()
-        self.desk.log_command(["palpate", "organs", self.shipped, "--out", f"{self.shipped}.organ"])
-        self.desk.show_stage("material")
+        self.context.session.load(organ, None)
+        self.context.view.frame_all()
+        self.context.log_command(
+            ["palpate", "organs", self.shipped, "--out", f"{self.shipped}.organ"]
+        )
+        self.context.show_stage("material")
 
     def drop(self, paths: list[Path]) -> None:
         """Files were dropped on the window: the first one that can be used is."""
         usable = [path for path in paths if is_mesh(path) or is_document(path)]
         if not usable:
             names = ", ".join(path.name for path in paths) or tr("Nothing")
-            self.desk.tell(
+            self.context.tell(
                 tr("{file}: the editor opens .organ and .palpate files and imports {meshes}.")
                 .format(file=names, meshes=", ".join(MESHES))
             )  # fmt: skip
             return
         if is_mesh(usable[0]):
             self.import_mesh(ImportWork(usable[0]))
-            self.desk.settings.add_recent(usable[0])
+            self.context.settings.add_recent(usable[0])
         else:
             self.open(usable[0])
 
@@ -249,20 +251,20 @@ class Files(QObject):
         self.guard(self.show_empty)
 
     def show_empty(self) -> None:
-        self.desk.session.start_anew()
-        self.desk.show_stage("import")
+        self.context.session.start_anew()
+        self.context.show_stage("import")
 
     # ------------------------------------------------------------ saving
 
     def save(self) -> None:
-        session = self.desk.session
+        session = self.context.session
         if session.path is None or session.path.suffix != ".organ":
             self.ask_save()
             return
         self.write(session.path)
 
     def ask_save(self) -> None:
-        name = f"{self.desk.stem()}.organ"
+        name = f"{self.context.stem()}.organ"
         self.ask(tr("Save as"), [tr("Organ documents (*.organ)")], self.write_name, save=name)
         if self.dialog is not None:
             self.dialog.rejected.connect(self.forget_after)
@@ -273,7 +275,7 @@ class Files(QObject):
 
     def write(self, path: Path) -> bool:
         """Saves, unless the session's own file holds what nobody has seen here: then it asks."""
-        session = self.desk.session
+        session = self.context.session
         own = session.path is not None and path.resolve() == session.path.resolve()
         if own and session.is_changed_on_disk():
             self.unwritten = path
@@ -284,14 +286,14 @@ class Files(QObject):
     def overwrite(self, path: Path) -> bool:
         """Saves, whatever stands there."""
         try:
-            self.desk.session.save(path)
+            self.context.session.save(path)
         except (FileError, OSError, ValueError) as problem:
-            self.desk.refuse(problem)
+            self.context.refuse(problem)
             self.after = None
             return False
-        self.desk.settings.add_recent(path)
-        self.desk.log_command(["palpate", "check", path])
-        self.desk.tell(tr("Saved as {file}.").format(file=path.name), "info")
+        self.context.settings.add_recent(path)
+        self.context.log_command(["palpate", "check", path])
+        self.context.tell(tr("Saved as {file}.").format(file=path.name), "info")
         self.go_on()
         return True
 
@@ -300,10 +302,10 @@ class Files(QObject):
     def guard(self, then: Callable[[], None]) -> None:
         """Calls `then` at once, or after asking where something is unsaved; a bound method."""
         self.after = then
-        if self.desk.session.saved:
+        if self.context.session.saved:
             self.go_on()
             return
-        name = self.desk.session.name or tr("This organ")
+        name = self.context.session.name or tr("This organ")
         self.question = file_questions.ask_unsaved(self.window, name, self.answer)
 
     def answer(self, button: int) -> None:

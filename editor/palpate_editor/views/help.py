@@ -13,7 +13,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDialog, QTextBrowser, QVBoxLayout, QWidget
 
 from palpate_editor.views.stage_bar import stage_title
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 SIZE = QSize(560, 620)
 """[px]"""

@@ -17,11 +17,11 @@ from PySide6.QtWidgets import (
 )
 
 from palpate_editor.document.problems import STAGES
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.icons import plain_icon
 from palpate_editor.views.stage_bar import stage_title
 from palpate_editor.views.theme import fixed_font
-from palpate_editor.views.words import say, say_found, tr
+from palpate_editor.views.translations import say, say_found, tr
 
 LINES = 2000
 """Kept in the log."""
@@ -32,9 +32,9 @@ STAGE = Qt.ItemDataRole.UserRole
 class LogDock(QTabWidget):
     """Log and problems."""
 
-    def __init__(self, desk: Desk, parent: QWidget | None = None):
+    def __init__(self, context: Context, parent: QWidget | None = None):
         super().__init__(parent)
-        self.desk = desk
+        self.context = context
         self.setDocumentMode(True)
         self.log = QPlainTextEdit(self)
         self.log.setObjectName("log")
@@ -56,11 +56,11 @@ class LogDock(QTabWidget):
         self.problems.itemClicked.connect(self.go)
         self.addTab(self.problems, tr("Problems"))
         self.addTab(self.log, tr("Log"))
-        desk.command_logged.connect(self.add_command)
-        desk.remarked.connect(self.add_remark)
-        desk.told.connect(self.add_sentence)
-        desk.assessed.connect(self.fill_problems)
-        desk.theme_changed.connect(self.on_theme)
+        context.command_logged.connect(self.add_command)
+        context.remarked.connect(self.add_remark)
+        context.told.connect(self.add_sentence)
+        context.assessed.connect(self.fill_problems)
+        context.theme_changed.connect(self.on_theme)
 
     def add_command(self, line: str) -> None:
         self.log.appendPlainText(f"{datetime.now():%H:%M:%S}  $ {line}")
@@ -78,14 +78,14 @@ class LogDock(QTabWidget):
         self.fill_problems()
 
     def fill_problems(self) -> None:
-        assessment = self.desk.assessment
+        assessment = self.context.assessment
         problems = [] if assessment is None else sorted(assessment.problems, key=rank)
         self.problems.clear()
         for problem in problems:
             words = [stage_title(problem.stage), say_found(problem), say(problem.expected)]
             item = QTreeWidgetItem(words)
             sign, colour = SIGNS[problem.severity]
-            item.setIcon(0, plain_icon(sign, getattr(self.desk.colours, colour)))
+            item.setIcon(0, plain_icon(sign, getattr(self.context.colours, colour)))
             item.setData(0, STAGE, problem.stage)
             for column in (1, 2):
                 item.setToolTip(column, words[column])
@@ -94,7 +94,7 @@ class LogDock(QTabWidget):
         self.setTabText(0, title)
 
     def go(self, item: QTreeWidgetItem) -> None:
-        self.desk.show_stage(item.data(0, STAGE))
+        self.context.show_stage(item.data(0, STAGE))
 
 
 def rank(problem: object) -> tuple[int, int]:

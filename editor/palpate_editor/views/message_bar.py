@@ -8,10 +8,10 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWi
 
 from palpate_editor.views.icons import draw_icon, icon
 from palpate_editor.views.theme import Colours
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 SHORT = 7000
-"""[ms] a mere information stays; what went wrong stays until it is read or mended."""
+"""[ms] a mere information stays; what went wrong stays until it is read or fixed."""
 SIGNS = {"error": ("cross", "bad"), "warning": ("warning", "warning"), "info": ("info", "good")}
 
 

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 WIDTH, ROWS = 620, 11
 SLACK = 22

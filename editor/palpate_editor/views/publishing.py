@@ -12,13 +12,13 @@ from PySide6.QtCore import QObject, Signal
 from palpate_editor.check import Assessment
 from palpate_editor.document import Organ
 from palpate_editor.publish import publish
+from palpate_editor.views.child_processes import ChildProcesses
 from palpate_editor.views.command_lines import publish_words
-from palpate_editor.views.companions import Companions
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.files import Files
 from palpate_editor.views.jobs import Progress
 from palpate_editor.views.tasks import Tasks
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import say_problems, tr
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,30 +42,30 @@ class Publishing(QObject):
     published = Signal(object)
     """The path."""
 
-    def __init__(self, desk: Desk, files: Files, tasks: Tasks, parent: QObject | None = None):
+    def __init__(self, context: Context, files: Files, tasks: Tasks, parent: QObject | None = None):
         super().__init__(parent)
-        self.desk, self.files, self.tasks = desk, files, tasks
+        self.context, self.files, self.tasks = context, files, tasks
         self.path: Path | None = None
         """The file published last from this window."""
         self.wanted = Path()
-        self.companions = Companions(desk, self)
+        self.child_processes = ChildProcesses(context, self)
 
     def ask(self) -> None:
-        """Asks for the file; refuses with the red checks where there are some."""
-        assessment = self.desk.assessment
-        if self.desk.session.organ.surface is None:
-            self.desk.tell(tr("There is nothing to publish yet: import a mesh first."))
+        """Asks for the file; refuses where there are errors."""
+        assessment = self.context.assessment
+        if self.context.session.organ.surface is None:
+            self.context.tell(tr("There is nothing to publish yet: import a mesh first."))
             return
         errors = [] if assessment is None else assessment.checked.errors
         if errors:
-            self.desk.show_stage("publish")
-            self.desk.tell(
-                tr("Not published: red checks stand at the right ({count}).").format(
-                    count=len(errors)
+            self.context.show_stage("publish")
+            self.context.tell(
+                tr("Not published: {problems}. See the checks on the right.").format(
+                    problems=say_problems(len(errors), 0)
                 )
             )
             return
-        name = f"{self.desk.stem()}.palpate"
+        name = f"{self.context.stem()}.palpate"
         filters = [tr("Published scenarios (*.palpate)")]
         self.files.ask(tr("Publish"), filters, self.publish_name, save=name)
 
@@ -78,16 +78,16 @@ class Publishing(QObject):
             return
         self.wanted = path
         title = tr("Publishing {file}").format(file=path.name)
-        known = self.desk.assessment
-        work = PublishWork(self.desk.session.organ, path, known.checked if known else None)
-        self.desk.jobs.start(title, work, self.on_published, self.desk.refuse)
+        known = self.context.assessment
+        work = PublishWork(self.context.session.organ, path, known.checked if known else None)
+        self.context.jobs.start(title, work, self.on_published, self.context.refuse)
 
     def on_published(self, report: Any) -> None:
         del report
         self.path = self.wanted
-        organ = self.desk.session.organ
-        self.desk.log_command(publish_words(organ, self.desk.document(), self.path))
-        self.desk.tell(tr("Published as {file}.").format(file=self.path.name), "info")
+        organ = self.context.session.organ
+        self.context.log_command(publish_words(organ, self.context.document(), self.path))
+        self.context.tell(tr("Published as {file}.").format(file=self.path.name), "info")
         self.published.emit(self.path)
 
     # ------------------------------------------------------------ playing
@@ -95,6 +95,6 @@ class Publishing(QObject):
     def play(self) -> None:
         """Starts the player in a process of its own."""
         if self.path is None or not self.path.is_file():
-            self.desk.tell(tr("Publish first: the player plays the published file."), "warning")
+            self.context.tell(tr("Publish first: the player plays the published file."), "warning")
             return
-        self.companions.start(["play", self.path])
+        self.child_processes.start(["play", self.path])

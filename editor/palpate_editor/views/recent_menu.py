@@ -10,7 +10,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu
 
 from palpate_editor.app.settings import Settings
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 
 class RecentMenu(QObject):

@@ -8,9 +8,9 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QHeaderView, QTreeWidget, QTreeWidgetItem, QWidget
 
 from palpate_editor.document import Organ
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.icons import plain_icon
-from palpate_editor.views.words import count, number, quantity, tr
+from palpate_editor.views.translations import count, number, quantity, tr
 
 STAGE = Qt.ItemDataRole.UserRole
 
@@ -18,9 +18,9 @@ STAGE = Qt.ItemDataRole.UserRole
 class SceneTree(QTreeWidget):
     """Shows what the document is made of."""
 
-    def __init__(self, desk: Desk, parent: QWidget | None = None):
+    def __init__(self, context: Context, parent: QWidget | None = None):
         super().__init__(parent)
-        self.desk = desk
+        self.context = context
         self.setObjectName("scene_tree")
         self.setColumnCount(2)
         self.setHeaderHidden(True)
@@ -33,8 +33,8 @@ class SceneTree(QTreeWidget):
         self.setMinimumWidth(230)
         self.itemClicked.connect(self.go)
         self.itemActivated.connect(self.go)
-        desk.session.changed.connect(self.on_changed)
-        desk.theme_changed.connect(self.on_theme)
+        context.session.changed.connect(self.on_changed)
+        context.theme_changed.connect(self.on_theme)
         self.fill()
 
     def on_changed(self, before: Organ, after: Organ) -> None:
@@ -46,7 +46,7 @@ class SceneTree(QTreeWidget):
         self.fill()
 
     def fill(self) -> None:
-        organ = self.desk.session.organ
+        organ = self.context.session.organ
         self.clear()
         top = self.add(None, organ.name or tr("No organ yet"), "", "organ", "import")
         if organ.surface is not None:
@@ -94,7 +94,7 @@ class SceneTree(QTreeWidget):
         self, above: QTreeWidgetItem | None, name: str, value: str, sign: str, stage: str
     ) -> QTreeWidgetItem:
         item = QTreeWidgetItem([name, value])
-        item.setIcon(0, plain_icon(sign, self.desk.colours.faint))
+        item.setIcon(0, plain_icon(sign, self.context.colours.faint))
         item.setData(0, STAGE, stage)
         item.setToolTip(1, value)
         item.setForeground(1, self.palette().placeholderText())
@@ -108,4 +108,4 @@ class SceneTree(QTreeWidget):
         return item
 
     def go(self, item: QTreeWidgetItem) -> None:
-        self.desk.show_stage(item.data(0, STAGE))
+        self.context.show_stage(item.data(0, STAGE))

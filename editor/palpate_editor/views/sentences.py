@@ -16,7 +16,7 @@ from PySide6.QtCore import QObject, Signal
 from palpate_editor.edits import EditError
 from palpate_editor.own_values import BadValue
 from palpate_editor.publish import PublishError
-from palpate_editor.views.words import say, tr
+from palpate_editor.views.translations import say, tr
 
 LOG = logging.getLogger(__name__)
 

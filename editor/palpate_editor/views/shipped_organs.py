@@ -8,7 +8,7 @@ from PySide6.QtGui import QIcon, QPainter, QPainterPath, QPixmap
 from PySide6.QtWidgets import QGridLayout, QToolButton, QWidget
 
 from palpate_editor.shipped import find_picture, list_organs
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 COLUMNS = 4
 PICTURE, SMALL_PICTURE = QSize(112, 92), QSize(78, 64)

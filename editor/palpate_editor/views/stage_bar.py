@@ -20,7 +20,7 @@ from PySide6.QtWidgets import QAbstractButton, QButtonGroup, QHBoxLayout, QSizeP
 
 from palpate_editor.document.problems import STAGES
 from palpate_editor.views.theme import Colours
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import say_problems, tr
 
 SHORTEST = 6
 """Letters of a name that is cut short, with its dots: fewer tell less than none."""
@@ -93,15 +93,10 @@ class Step(QAbstractButton):
     def describe(self) -> str:
         verdict = self.verdict
         if not verdict.known:
-            return tr("Not looked at yet")
+            return tr("Not checked yet")
         if verdict.good:
-            return tr("All is well")
-        parts = []
-        if verdict.errors:
-            parts.append(tr("{count} to mend").format(count=verdict.errors))
-        if verdict.warnings:
-            parts.append(tr("{count} to think about").format(count=verdict.warnings))
-        return ", ".join(parts)
+            return tr("No problems")
+        return say_problems(verdict.errors, verdict.warnings)
 
     # ------------------------------------------------------------ painting
 

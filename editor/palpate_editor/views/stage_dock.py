@@ -7,7 +7,7 @@ from typing import Any
 
 from PySide6.QtWidgets import QScrollArea, QSizePolicy, QStackedWidget, QVBoxLayout, QWidget
 
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.stage_bar import Verdict
 from palpate_editor.views.stages.stage_panel import StagePanel
 
@@ -18,9 +18,9 @@ SCROLL_BAR = 14
 class StageDock(QWidget):
     """Holds all panels and keeps the one that is seen up to date."""
 
-    def __init__(self, desk: Desk, panels: list[StagePanel], parent: QWidget | None = None):
+    def __init__(self, context: Context, panels: list[StagePanel], parent: QWidget | None = None):
         super().__init__(parent)
-        self.desk = desk
+        self.context = context
         self.panels = {panel.stage: panel for panel in panels}
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -70,7 +70,7 @@ class StageDock(QWidget):
 
     def show_organ(self) -> None:
         for panel in self.panels.values():
-            panel.show_organ(self.desk.session.organ)
+            panel.show_organ(self.context.session.organ)
 
     def show_assessment(self) -> None:
         for panel in self.panels.values():
@@ -79,11 +79,11 @@ class StageDock(QWidget):
 
     def verdict(self, stage: str) -> Verdict:
         """How a stage stands."""
-        assessment = self.desk.assessment
+        assessment = self.context.assessment
         if assessment is None or assessment.organ.surface is None:
             return Verdict()
         found = assessment.of_stage(stage)
         errors = sum(problem.severity == "error" for problem in found)
         warnings = sum(problem.severity == "warning" for problem in found)
-        known = stage != "test" or self.desk.session.is_tested
+        known = stage != "test" or self.context.session.is_tested
         return Verdict(errors, warnings, known)

@@ -10,9 +10,9 @@ from PySide6.QtCore import QElapsedTimer, QPointF, QTimer
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QStatusBar, QWidget
 
 from palpate_editor.document import Organ
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.jobs import Job
-from palpate_editor.views.words import count, tr
+from palpate_editor.views.translations import count, tr
 
 SOON = 500
 """[ms] work that is done by then shows no progress."""
@@ -26,9 +26,9 @@ STILL = 5.0
 class Busy(QWidget):
     """Progress and cancel of the work under way."""
 
-    def __init__(self, desk: Desk, parent: QWidget | None = None):
+    def __init__(self, context: Context, parent: QWidget | None = None):
         super().__init__(parent)
-        self.desk = desk
+        self.context = context
         row = QHBoxLayout(self)
         row.setContentsMargins(4, 0, 4, 0)
         row.setSpacing(8)
@@ -45,8 +45,8 @@ class Busy(QWidget):
         row.addWidget(self.button)
         self.timer = QTimer(self, singleShot=True, interval=SOON)
         self.timer.timeout.connect(self.show)
-        desk.jobs.started.connect(self.begin)
-        desk.jobs.stopped.connect(self.end)
+        context.jobs.started.connect(self.begin)
+        context.jobs.stopped.connect(self.end)
         self.hide()
 
     def begin(self, job: Job) -> None:
@@ -65,10 +65,10 @@ class Busy(QWidget):
         self.hide()
 
     def cancel(self) -> None:
-        job = self.desk.jobs.current
-        self.desk.jobs.cancel()
+        job = self.context.jobs.current
+        self.context.jobs.cancel()
         if job is not None:
-            self.desk.tell(
+            self.context.tell(
                 tr("{work}: cancelled, nothing has changed.").format(work=job.title), "info"
             )
 
@@ -76,15 +76,15 @@ class Busy(QWidget):
 class Status(QStatusBar):
     """Fills the bar under the window."""
 
-    def __init__(self, desk: Desk, parent: QWidget | None = None):
+    def __init__(self, context: Context, parent: QWidget | None = None):
         super().__init__(parent)
-        self.desk = desk
+        self.context = context
         self.setSizeGripEnabled(False)
         self.hint = QLabel(self)
         self.hint.setObjectName("hint")
         self.hint.setMinimumWidth(80)
         self.addWidget(self.hint, 1)
-        self.busy = Busy(desk, self)
+        self.busy = Busy(context, self)
         self.addPermanentWidget(self.busy)
         self.place, self.counts, self.rate = QLabel(self), QLabel(self), QLabel(self)
         self.unit, self.saved = QLabel("mm", self), QLabel(self)
@@ -101,11 +101,11 @@ class Status(QStatusBar):
         self.second = QTimer(self, interval=SECOND)
         self.second.timeout.connect(self.show_rate)
         self.second.start()
-        desk.hinted.connect(self.hint.setText)
-        desk.view.hover.connect(self.on_hover)
-        desk.view.frame_drawn.connect(self.on_frame)
-        desk.session.changed.connect(self.on_changed)
-        self.show_counts(desk.session.organ)
+        context.hinted.connect(self.hint.setText)
+        context.view.hover.connect(self.on_hover)
+        context.view.frame_drawn.connect(self.on_frame)
+        context.session.changed.connect(self.on_changed)
+        self.show_counts(context.session.organ)
 
     def on_changed(self, before: Organ, after: Organ) -> None:
         del before
@@ -129,9 +129,9 @@ class Status(QStatusBar):
 
     def pick(self) -> None:
         """What is under the pointer now."""
-        if self.pointer is None or self.desk.session.organ.surface is None:
+        if self.pointer is None or self.context.session.organ.surface is None:
             return
-        found = self.desk.view.pick(self.pointer)
+        found = self.context.view.pick(self.pointer)
         if found is None:
             self.place.setText("")
             return

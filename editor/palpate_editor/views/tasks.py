@@ -21,10 +21,10 @@ from palpate_editor.edits import (
     prepare,
 )
 from palpate_editor.edits.orient import METRES, TURNS
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.jobs import Progress
 from palpate_editor.views.sentences import sentence_of
-from palpate_editor.views.words import say_title, tr
+from palpate_editor.views.translations import say_title, tr
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,20 +135,20 @@ class EditWork:
 
 
 class Tasks(QObject):
-    """Starts the work and puts what comes of it on the desk."""
+    """Starts the work and applies what comes of it."""
 
     read = Signal(object)
     """A Reading, whether or not it could be imported."""
 
-    def __init__(self, desk: Desk, parent: QObject | None = None):
+    def __init__(self, context: Context, parent: QObject | None = None):
         super().__init__(parent)
-        self.desk = desk
+        self.context = context
 
     def is_busy(self) -> bool:
         """Says so where other work is under way."""
-        job = self.desk.jobs.current
+        job = self.context.jobs.current
         if job is not None:
-            self.desk.tell(
+            self.context.tell(
                 tr("{work} is still under way: wait for it, or cancel it below.").format(
                     work=job.title
                 ),
@@ -158,10 +158,10 @@ class Tasks(QObject):
 
     def is_overtaken(self, over: Organ | None, file: str) -> bool:
         """Whether the organ was changed while another was read: then it stays, and is told."""
-        session = self.desk.session
+        session = self.context.session
         if session.saved or session.organ is over:
             return False
-        self.desk.tell(
+        self.context.tell(
             tr("The organ was changed while {file} was read, so it stays: open that again.").format(
                 file=file
             ),
@@ -180,16 +180,16 @@ class Tasks(QObject):
         *,
         over: Organ | None = None,
     ) -> None:
-        """Imports into the document on the desk or, where `over` is its organ, into a new one."""
+        """Imports into the open document or, where `over` is its organ, into a new one."""
         if self.is_busy():
             return
         work = ImportWork(path, tuple(parts), unit, up, over)
         title = tr("Importing {file}").format(file=path.name)
-        self.desk.jobs.start(title, work, self.on_read, self.desk.refuse)
+        self.context.jobs.start(title, work, self.on_read, self.context.refuse)
 
     def show_view(self) -> None:
         """Lets the view draw again."""
-        self.desk.view.setUpdatesEnabled(True)
+        self.context.view.setUpdatesEnabled(True)
 
     def on_read(self, reading: Reading) -> None:
         self.read.emit(reading)
@@ -199,21 +199,21 @@ class Tasks(QObject):
                 sentence = tr("{problem} Choose fewer of its parts at the right.").format(
                     problem=sentence.rstrip(".").replace("; fewer parts may do (--part)", "") + "."
                 )
-            self.desk.tell(sentence)
-            self.desk.show_stage("import")
+            self.context.tell(sentence)
+            self.context.show_stage("import")
             return
         if reading.over is not None:
             if self.is_overtaken(reading.over, reading.path.name):
                 return
-            self.desk.session.start_anew()
+            self.context.session.start_anew()
         # the panels first, the picture at the next look at the events: both at once take too long
-        self.desk.view.setUpdatesEnabled(False)
+        self.context.view.setUpdatesEnabled(False)
         QTimer.singleShot(0, self.show_view)
-        if not self.desk.apply(reading.edit):
+        if not self.context.apply(reading.edit):
             return
-        self.desk.view.frame_all()
+        self.context.view.frame_all()
         surface = reading.edit.surface
-        self.desk.tell(
+        self.context.tell(
             tr("{file} imported: {vertices} vertices, {triangles} triangles.").format(
                 file=reading.path.name,
                 vertices=len(surface.vertices),
@@ -227,12 +227,14 @@ class Tasks(QObject):
     def decimate(self, vertices: int) -> None:
         if self.is_busy():
             return
-        work = DecimateWork(self.desk.session.organ, vertices)
-        self.desk.jobs.start(tr("Decimating"), work, self.desk.apply, self.desk.refuse)
+        work = DecimateWork(self.context.session.organ, vertices)
+        self.context.jobs.start(tr("Decimating"), work, self.context.apply, self.context.refuse)
 
     def apply_slowly(self, edit: Edit) -> None:
         """Applies an edit whose work takes long for a large organ."""
         if self.is_busy():
             return
-        work = EditWork(self.desk.session.organ, edit)
-        self.desk.jobs.start(say_title(edit.title), work, self.desk.apply, self.desk.refuse)
+        work = EditWork(self.context.session.organ, edit)
+        self.context.jobs.start(
+            say_title(edit.title), work, self.context.apply, self.context.refuse
+        )

@@ -9,10 +9,10 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QToolBar, QToolButton, QWidget
 
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.icons import icon
 from palpate_editor.views.theme import Colours
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 SIGNS = {"orbit": "orbit", "select": "select", "fix": "fix", "stiffness": "stiffness"}
 
@@ -23,10 +23,10 @@ class ToolStrip(QToolBar):
     chosen = Signal(object)
     """The tool, None for Orbit."""
 
-    def __init__(self, desk: Desk, tools: list[Any], parent: QWidget | None = None):
+    def __init__(self, context: Context, tools: list[Any], parent: QWidget | None = None):
         super().__init__(tr("Tools"), parent)
         self.setObjectName("tool_strip")
-        self.desk, self.tools = desk, tools
+        self.context, self.tools = context, tools
         self.current: Any = None
         self.setOrientation(Qt.Orientation.Vertical)
         self.setMovable(False)
@@ -39,7 +39,7 @@ class ToolStrip(QToolBar):
             self.add(tool.name, tool.title(), (tool.shortcut,))
             tool.left.connect(self.use_orbit)
         self.choices["orbit"].setChecked(True)
-        desk.stage_shown.connect(self.on_stage)
+        context.stage_shown.connect(self.on_stage)
         self.group.triggered.connect(self.on_action)
 
     def add(self, name: str, title: str, keys: tuple[str, ...]) -> None:
@@ -77,7 +77,7 @@ class ToolStrip(QToolBar):
         self.show_hint()
 
     def show_hint(self) -> None:
-        self.desk.set_hint(orbit_hint() if self.current is None else self.current.hint())
+        self.context.set_hint(orbit_hint() if self.current is None else self.current.hint())
 
     def be_narrow(self, narrow: bool) -> None:
         """Icons alone, for a small screen; they say their names when pointed at."""

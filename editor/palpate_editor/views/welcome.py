@@ -20,12 +20,12 @@ from PySide6.QtWidgets import (
 )
 
 from palpate_editor.document import Organ
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.icons import draw_icon
 from palpate_editor.views.shipped_organs import COLUMNS, ShippedOrgans
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.theme import title_font
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 RECENT = 4
 WIDTH, LEAST_WIDTH = 560, 440
@@ -40,9 +40,9 @@ class Welcome(QFrame):
     open_wanted = Signal()
     recent_wanted = Signal(object)
 
-    def __init__(self, desk: Desk, view: QWidget):
+    def __init__(self, context: Context, view: QWidget):
         super().__init__(view)
-        self.desk = desk
+        self.context = context
         self.setProperty("role", "card")
         self.setObjectName("welcome")
         self.area = QScrollArea(self)
@@ -78,7 +78,7 @@ class Welcome(QFrame):
         row.setContentsMargins(0, 8, 0, 4)
         self.import_button = QPushButton(tr("Import a mesh…"), self)
         self.import_button.setProperty("main", True)
-        self.import_button.clicked.connect(desk.import_wanted)
+        self.import_button.clicked.connect(context.import_wanted)
         self.open_button = QPushButton(tr("Open…"), self)
         self.open_button.clicked.connect(self.open_wanted)
         row.addStretch(1)
@@ -96,9 +96,9 @@ class Welcome(QFrame):
         column.addLayout(self.recent)
         self.setFixedWidth(WIDTH)
         view.installEventFilter(self)
-        desk.session.changed.connect(self.on_changed)
-        desk.theme_changed.connect(self.on_theme)
-        desk.preview_shown.connect(self.on_preview)
+        context.session.changed.connect(self.on_changed)
+        context.theme_changed.connect(self.on_theme)
+        context.preview_shown.connect(self.on_preview)
         self.refresh()
 
     def on_changed(self, before: Organ, after: Organ) -> None:
@@ -114,11 +114,11 @@ class Welcome(QFrame):
         self.refresh()
 
     def refresh(self) -> None:
-        empty = self.desk.session.organ.surface is None and not self.desk.previewing
+        empty = self.context.session.organ.surface is None and not self.context.previewing
         self.setVisible(empty)
         if empty:
-            self.sign.setPixmap(draw_icon("import", self.desk.colours.accent_text, 46, 1.2))
-            self.shipped.use_theme(self.desk.theme)
+            self.sign.setPixmap(draw_icon("import", self.context.colours.accent_text, 46, 1.2))
+            self.shipped.use_theme(self.context.theme)
             self.fill_recent()
             self.place()
 
@@ -128,7 +128,7 @@ class Welcome(QFrame):
             if widget is not None:
                 widget.hide()
                 widget.deleteLater()
-        for row, file in enumerate(self.desk.settings.recent_files()[:RECENT]):
+        for row, file in enumerate(self.context.settings.recent_files()[:RECENT]):
             button = QPushButton(file.path.name, self)
             button.setProperty("link", True)
             button.setProperty("path", str(file.path))

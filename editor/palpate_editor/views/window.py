@@ -17,17 +17,17 @@ from palpate_editor.document import Organ
 from palpate_editor.document.constants import SHORT_KINDS
 from palpate_editor.document.problems import STAGES
 from palpate_editor.views.action_set import ActionSet
+from palpate_editor.views.appearance import Appearance
 from palpate_editor.views.axis_gizmo import AxisGizmo
-from palpate_editor.views.deeds import Deeds
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.commands import build_commands
+from palpate_editor.views.context import Context
 from palpate_editor.views.display import Display
 from palpate_editor.views.docks import Docks, build_history
 from palpate_editor.views.files import Files
 from palpate_editor.views.help import HelpWindow
 from palpate_editor.views.log_dock import LogDock
-from palpate_editor.views.looks import Looks
+from palpate_editor.views.menu_actions import MenuActions
 from palpate_editor.views.message_bar import MessageBar
-from palpate_editor.views.orders import build_orders
 from palpate_editor.views.palette import CommandPalette
 from palpate_editor.views.publishing import Publishing
 from palpate_editor.views.recent_menu import RecentMenu
@@ -39,8 +39,8 @@ from palpate_editor.views.status import Status
 from palpate_editor.views.tasks import Tasks
 from palpate_editor.views.tool_strip import ToolStrip
 from palpate_editor.views.touch import build_tools
+from palpate_editor.views.translations import tr
 from palpate_editor.views.welcome import Welcome
-from palpate_editor.views.words import tr
 
 SHORT_NAMES = {kind: short for short, kind in SHORT_KINDS.items()}
 """Of the kinds of tissue, as actions and the command line call them."""
@@ -61,22 +61,24 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         self.may_close = False
         self.view = make_view(self)
-        self.desk = Desk(session, self.view, settings, self)
-        self.looks = Looks(self.desk, theme)
-        self.tasks = Tasks(self.desk, self)
-        self.files = Files(self.desk, self.tasks, self)
-        self.publishing = Publishing(self.desk, self.files, self.tasks, self)
-        self.display = Display(self.desk, self)
-        self.deeds = Deeds(self.desk, self.display, self.files, self.tasks, self.publishing, self)
+        self.context = Context(session, self.view, settings, self)
+        self.appearance = Appearance(self.context, theme)
+        self.tasks = Tasks(self.context, self)
+        self.files = Files(self.context, self.tasks, self)
+        self.publishing = Publishing(self.context, self.files, self.tasks, self)
+        self.display = Display(self.context, self)
+        self.menu_actions = MenuActions(
+            self.context, self.display, self.files, self.tasks, self.publishing, self
+        )
         self.build_centre()
         self.build_panels()
         self.build_bars()
-        self.actions_by_name = ActionSet(self, build_orders(self))
+        self.actions_by_name = ActionSet(self, build_commands(self))
         self.fill_menus()
         self.connect_all()
         self.help = HelpWindow(self)
         self.fresh = not self.docks.restore(settings)
-        self.looks.begin(self.actions_by_name)
+        self.appearance.begin(self.actions_by_name)
         self.show_stage("import")
         self.show_organ(session.organ)
         self.show_title()
@@ -89,23 +91,23 @@ class MainWindow(QMainWindow):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(self.view, 1)
-        self.messages = MessageBar(self.desk.colours, self.view)
+        self.messages = MessageBar(self.context.colours, self.view)
         self.setCentralWidget(centre)
         self.gizmo = AxisGizmo(self.view)
-        self.welcome = Welcome(self.desk, self.view)
+        self.welcome = Welcome(self.context, self.view)
 
     def build_panels(self) -> None:
-        desk = self.desk
-        panels = build_panels(desk, self.tasks, self.publishing, self)
+        context = self.context
+        panels = build_panels(context, self.tasks, self.publishing, self)
         self.import_panel, self.decimate_panel = panels.importing, panels.decimate
         self.material_panel, self.publish_panel = panels.material, panels.publish
         self.test_panel = panels.test
-        self.stage_dock = StageDock(desk, panels.in_order(), self)
-        self.log = LogDock(desk, self)
+        self.stage_dock = StageDock(context, panels.in_order(), self)
+        self.log = LogDock(context, self)
         self.docks = Docks(self)
         self.docks.build(
             {
-                "scene": SceneTree(desk, self),
+                "scene": SceneTree(context, self),
                 "history": build_history(self, self.session.history),
                 "stage": self.stage_dock,
                 "log": self.log,
@@ -118,12 +120,12 @@ class MainWindow(QMainWindow):
         bar = QToolBar(tr("Stages"), self)
         bar.setObjectName("stage_tools")
         bar.setMovable(False)
-        self.stage_bar = StageBar(self.desk.colours, bar)
+        self.stage_bar = StageBar(self.context.colours, bar)
         bar.addWidget(self.stage_bar)
         self.addToolBar(Qt.ToolBarArea.TopToolBarArea, bar)
-        self.tools = ToolStrip(self.desk, build_tools(self.desk), self)
+        self.tools = ToolStrip(self.context, build_tools(self.context), self)
         self.addToolBar(Qt.ToolBarArea.LeftToolBarArea, self.tools)
-        self.status = Status(self.desk, self)
+        self.status = Status(self.context, self)
         self.setStatusBar(self.status)
 
     def fill_menus(self) -> None:
@@ -138,26 +140,26 @@ class MainWindow(QMainWindow):
         actions.adopt(toggles, "docks")
 
     def connect_all(self) -> None:
-        desk, session = self.desk, self.session
+        context, session = self.context, self.session
         session.changed.connect(self.on_changed)
         session.title_changed.connect(self.show_title)
         session.history.canUndoChanged.connect(self.show_history)
         session.history.canRedoChanged.connect(self.show_history)
-        desk.assessed.connect(self.show_assessment)
-        desk.told.connect(self.messages.tell)
-        desk.stage_wanted.connect(self.show_stage)
-        desk.theme_changed.connect(self.on_theme)
+        context.assessed.connect(self.show_assessment)
+        context.told.connect(self.messages.tell)
+        context.stage_wanted.connect(self.show_stage)
+        context.theme_changed.connect(self.on_theme)
         self.tasks.read.connect(self.import_panel.show_reading)
-        desk.jobs.started.connect(self.on_job)
-        desk.jobs.stopped.connect(self.on_job)
+        context.jobs.started.connect(self.on_job)
+        context.jobs.stopped.connect(self.on_job)
         self.publishing.published.connect(self.on_published)
         self.stage_bar.chosen.connect(self.show_stage)
         self.docks.folding.connect(self.tools.be_narrow)
         self.tools.chosen.connect(self.on_tool)
         self.test_panel.run_changed.connect(self.display.hold)
-        desk.preview_shown.connect(self.display.hold)
-        self.deeds.decimate_wanted.connect(self.decimate_panel.decimate)
-        self.deeds.reimport_wanted.connect(self.import_panel.import_parts)
+        context.preview_shown.connect(self.display.hold)
+        self.menu_actions.decimate_wanted.connect(self.decimate_panel.decimate)
+        self.menu_actions.reimport_wanted.connect(self.import_panel.import_parts)
         self.welcome.open_wanted.connect(self.files.ask_open)
         self.welcome.recent_wanted.connect(self.files.open)
         self.welcome.shipped.chosen.connect(self.files.open_shipped)
@@ -170,17 +172,17 @@ class MainWindow(QMainWindow):
 
     def show_stage(self, stage: str) -> None:
         """Any stage, at any time."""
-        self.desk.stage = stage
+        self.context.stage = stage
         self.stage_bar.show_stage(stage)
         self.stage_dock.show_stage(stage)
         self.docks.show("stage")
         self.actions_by_name.check(f"stage_{stage}")
         if stage == "test":
             self.docks.show_beside("force")
-        self.desk.stage_shown.emit(stage)
+        self.context.stage_shown.emit(stage)
 
     def toggle_run(self) -> None:
-        if self.desk.stage != "test":
+        if self.context.stage != "test":
             self.show_stage("test")
         self.test_panel.toggle()
 
@@ -226,7 +228,7 @@ class MainWindow(QMainWindow):
         self.setWindowModified(not self.session.saved)
 
     def on_job(self) -> None:
-        busy = self.desk.jobs.current is not None
+        busy = self.context.jobs.current is not None
         for button in (self.import_panel.import_button, self.decimate_panel.button):
             button.setDisabled(busy or self.session.organ.imported is None and button is
                                self.decimate_panel.button)  # fmt: skip
@@ -238,7 +240,7 @@ class MainWindow(QMainWindow):
         self.publish_panel.show_organ(self.session.organ)
 
     def on_theme(self) -> None:
-        colours = self.desk.colours
+        colours = self.context.colours
         self.messages.use_colours(colours)
         self.stage_bar.use_colours(colours)
         self.tools.use_colours(colours)
@@ -256,7 +258,7 @@ class MainWindow(QMainWindow):
         self.palette_dialog.query.setFocus()
 
     def show_help(self) -> None:
-        self.help.show_stage(self.desk.stage)
+        self.help.show_stage(self.context.stage)
 
     def show_keys(self) -> None:
         self.help.show_keys(self.actions_by_name.walk())
@@ -300,8 +302,8 @@ class MainWindow(QMainWindow):
             return
         self.docks.keep(self.settings)
         self.test_panel.stop()
-        self.desk.jobs.finish()
-        self.publishing.companions.finish()
+        self.context.jobs.finish()
+        self.publishing.child_processes.finish()
         event.accept()
         self.closed.emit()
 

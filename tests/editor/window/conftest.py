@@ -101,6 +101,6 @@ def spleen_window(qtbot, window: MainWindow, spleen: Path) -> MainWindow:
     settle(qtbot, window)
     window.tasks.decimate(600)
     settle(qtbot, window)
-    window.deeds.fix_lowest()
+    window.menu_actions.fix_lowest()
     settle(qtbot, window)
     return window

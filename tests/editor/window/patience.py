@@ -10,8 +10,9 @@ PATIENCE = 60_000
 
 
 def settle(qtbot, window: MainWindow) -> None:
-    """Waits until no work is under way and the organ on the desk has been looked at."""
-    qtbot.waitUntil(lambda: window.desk.jobs.current is None, timeout=PATIENCE)
+    """Waits until no work is under way and the open organ has been looked at."""
+    qtbot.waitUntil(lambda: window.context.jobs.current is None, timeout=PATIENCE)
     qtbot.waitUntil(
-        lambda: window.desk.assessor.is_current and not window.desk.assessor.busy, timeout=PATIENCE
+        lambda: window.context.assessor.is_current and not window.context.assessor.busy,
+        timeout=PATIENCE,
     )

@@ -113,14 +113,14 @@ def test_cancelling_lets_the_window_go_on_and_changes_nothing(qtbot, spleen_wind
 
     monkeypatch.setattr(tasks, "decimate_organ", slow)
     window.tasks.decimate(1200)
-    job = window.desk.jobs.current
+    job = window.context.jobs.current
     button = child(window, "cancel_job")
     qtbot.waitUntil(button.isVisible, timeout=PATIENCE)  # after half a second, not before
     assert "Decimating to 1200 vertices" in window.status.busy.words.text()
 
     click(button)
 
-    assert window.desk.jobs.current is None
+    assert window.context.jobs.current is None
     assert "cancelled" in window.messages.text
     with qtbot.waitSignal(job.ended, timeout=PATIENCE):
         held.set()
@@ -173,14 +173,14 @@ def test_closing_waits_for_work_that_is_under_way(qtbot, spleen_window, monkeypa
     window = spleen_window
 
     def work_until_cancelled(organ, vertices):
-        assert window.desk.jobs.current.progress.stop.wait(PATIENCE / 1000)
+        assert window.context.jobs.current.progress.stop.wait(PATIENCE / 1000)
 
     monkeypatch.setattr(tasks, "decimate_organ", work_until_cancelled)
     window.tasks.decimate(1200)
-    job = window.desk.jobs.current
+    job = window.context.jobs.current
 
     window.may_close = True
     window.close()
 
     assert not job.thread.is_alive()
-    assert window.desk.jobs.start("late", print, print, print) is None
+    assert window.context.jobs.start("late", print, print, print) is None

@@ -13,7 +13,7 @@ from palpate_editor.views.file_questions import OVERWRITE, RELOAD, SAVE_AS
 from patience import settle
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMessageBox
-from touch_desk import build_organ
+from touch_context import build_organ
 
 pytestmark = pytest.mark.window
 
@@ -66,7 +66,7 @@ def test_a_mesh_over_an_open_document_begins_one_without_a_file(qtbot, liver_win
 @pytest.mark.parametrize("way", ["dropped", "opened", "chosen"])
 def test_a_mesh_over_unsaved_changes_asks_first(qtbot, liver_window, spleen, way):
     window = liver_window
-    window.desk.apply(SetName("liver, changed"))
+    window.context.apply(SetName("liver, changed"))
     changed = window.session.organ
     begin = {
         "dropped": lambda: window.files.drop([spleen]),
@@ -117,7 +117,7 @@ def test_what_was_changed_while_a_mesh_was_read_stays(qtbot, liver_window, splee
     window = liver_window
 
     window.files.open(spleen)
-    window.desk.apply(SetName("changed meanwhile"))
+    window.context.apply(SetName("changed meanwhile"))
     settle(qtbot, window)
 
     assert window.session.organ.name == "changed meanwhile"
@@ -130,7 +130,7 @@ def test_what_was_changed_while_a_mesh_was_read_stays(qtbot, liver_window, splee
 @pytest.fixture
 def overtaken(liver_window, liver):
     """An editor with changes of its own on a file that another program has written."""
-    liver_window.desk.apply(SetName("mine"))
+    liver_window.context.apply(SetName("mine"))
     write_organ(liver, replace(read_organ(liver), name="theirs"))
     return liver_window
 
@@ -149,7 +149,7 @@ def test_it_can_be_overwritten_knowingly_and_is_ours_from_then_on(overtaken, liv
     answer(overtaken, "changed_file", OVERWRITE)
     assert read_organ(liver).name == "mine" and overtaken.session.saved
 
-    overtaken.desk.apply(SetName("mine again"))
+    overtaken.context.apply(SetName("mine again"))
     overtaken.files.save()
 
     assert questions(overtaken) == [] and read_organ(liver).name == "mine again"
@@ -176,12 +176,12 @@ def test_both_can_be_kept(qtbot, overtaken, liver, tmp_path):
 def test_a_file_that_was_only_touched_or_is_gone_is_saved_without_a_question(liver_window, liver):
     window = liver_window
     liver.touch()
-    window.desk.apply(SetName("one"))
+    window.context.apply(SetName("one"))
     window.files.save()
     assert questions(window) == [] and read_organ(liver).name == "one"
 
     liver.unlink()
-    window.desk.apply(SetName("two"))
+    window.context.apply(SetName("two"))
     window.files.save()
     assert questions(window) == [] and read_organ(liver).name == "two"
 
@@ -197,7 +197,7 @@ def test_two_editors_on_one_file_know_of_each_other(qtbot, make_editor, liver):
     assert "liver.organ is open in another editor too" in second.messages.text
 
     for window, name in ((first, "first"), (second, "second")):
-        window.desk.apply(SetName(name))
+        window.context.apply(SetName(name))
         window.files.save()
     assert questions(first) == [] and questions(second) == ["changed_file"]
     assert read_organ(liver).name == "first"

@@ -52,7 +52,7 @@ def test_the_log_typed_anew_makes_the_same_organ(qtbot, window, spleen, folder, 
     settle(qtbot, window)
     window.show_stage("material")
     action(window, "fix_lowest").trigger()
-    window.deeds.use_mms()
+    window.menu_actions.use_mms()
     type_into(child(window, "model.stretch_coupling"), "-0.01")
     type_into(child(window, "model.drag"), "6,5")
     type_into(child(window, "tool.radius"), "3.5")
@@ -85,9 +85,9 @@ def test_a_part_and_a_unit_that_were_asked_for_stand_in_the_line(qtbot, window, 
 
 def test_a_pasted_material_is_one_line_with_all_its_numbers(qtbot, spleen_window):
     window = spleen_window
-    window.deeds.use_mms()
+    window.menu_actions.use_mms()
     action(window, "copy").trigger()
-    window.deeds.use_mss()
+    window.menu_actions.use_mss()
     action(window, "paste").trigger()
 
     call = build_parser(load_verbs()).parse_args(commands(window)[-1][1:])
@@ -123,7 +123,7 @@ def test_strokes_regions_and_words_typed_again_make_the_same_organ(qtbot, window
         SetTask("Dalak", None, "tr"),
         UseImported(),
     ):
-        assert window.desk.apply(edit)
+        assert window.context.apply(edit)
 
     lines = [words for words in commands(window) if words[1] != "editor"]
     assert len(lines) == 11
@@ -156,7 +156,7 @@ def test_vertices_that_are_none_are_refused(text):
 
 
 def test_what_is_undone_stands_in_the_log_behind_the_sign_of_a_remark(qtbot, window):
-    window.desk.apply(SetName("one"))
+    window.context.apply(SetName("one"))
     action(window, "undo").trigger()
     action(window, "redo").trigger()
 

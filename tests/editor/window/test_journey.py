@@ -146,7 +146,7 @@ def test_closing_asks_while_something_is_unsaved(qtbot, spleen_window):
 def test_saving_when_asked_goes_on_to_what_was_wanted(qtbot, spleen_window, tmp_path):
     window = spleen_window
     window.files.write(tmp_path / "mine.organ")
-    window.deeds.use_mms()
+    window.menu_actions.use_mms()
     assert window.isWindowModified()
 
     press(window, Qt.Key.Key_N, CONTROL)
@@ -167,13 +167,13 @@ def test_play_starts_the_player_in_a_process_of_its_own(qtbot, spleen_window, tm
 
     click(child(window, "play"))
 
-    player = window.publishing.companions.running[0]
+    player = window.publishing.child_processes.running[0]
     assert player.waitForStarted(PATIENCE)
     assert player.processId() != 0
     assert f"palpate play {tmp_path / 'spleen.palpate'}" in log_of(window)
     player.kill()
     qtbot.waitUntil(lambda: "The window ended" in window.messages.text, timeout=PATIENCE)
-    assert window.publishing.companions.running == []
+    assert window.publishing.child_processes.running == []
 
 
 def test_the_device_window_opens_from_the_menu_and_ends_with_the_editor(qtbot, spleen_window):
@@ -181,13 +181,13 @@ def test_the_device_window_opens_from_the_menu_and_ends_with_the_editor(qtbot, s
 
     action(window, "device").trigger()
 
-    companions = window.publishing.companions
-    process = companions.running[0]
+    child_processes = window.publishing.child_processes
+    process = child_processes.running[0]
     assert process.waitForStarted(PATIENCE)
     assert "palpate device --theme" in log_of(window)
     assert process.arguments()[3:5] == ["device", "--theme"]
-    companions.finish()
-    assert companions.running == []
+    child_processes.finish()
+    assert child_processes.running == []
 
 
 def test_publishing_is_refused_with_the_red_checks(qtbot, spleen_window):
@@ -195,13 +195,13 @@ def test_publishing_is_refused_with_the_red_checks(qtbot, spleen_window):
 
     action(window, "publish").trigger()
 
-    assert "red checks stand at the right (1)" in window.messages.text
-    assert window.desk.stage == "publish"
+    assert "Not published: 1 error to fix" in window.messages.text
+    assert window.context.stage == "publish"
     rows = [row.words.text() for row in window.publish_panel.rows if not row.isHidden()]
     assert any(row.startswith("No title.") for row in rows)
 
 
-def test_a_fix_button_mends_what_its_check_found(qtbot, spleen_window):
+def test_a_fix_button_solves_what_its_check_found(qtbot, spleen_window):
     window = spleen_window
     press(window, Qt.Key.Key_6, CONTROL)
     row = next(r for r in window.publish_panel.rows if r.words.text().startswith("No title."))

@@ -15,9 +15,9 @@ from palpate_editor.document import EMPTY
 from palpate_editor.edits import FixVertices, PaintStiffness, SetChoice, SetConstant, SetTask
 from palpate_editor.views.touch import TestPanel
 from palpate_editor.views.touch.press_form import write_command
-from palpate_editor.views.words import count
+from palpate_editor.views.translations import count
 from PySide6.QtCore import QEvent, QPoint, Qt
-from touch_desk import build_organ, drag, hover, middle, open_desk, send_mouse
+from touch_context import build_organ, drag, hover, middle, open_context, send_mouse
 
 pytestmark = pytest.mark.window
 LONG = 20000
@@ -33,8 +33,8 @@ def soft_organ():
 
 @pytest.fixture
 def panel(qtbot, settings):
-    with open_desk(qtbot, soft_organ(), settings) as desk:
-        made = TestPanel(desk)
+    with open_context(qtbot, soft_organ(), settings) as context:
+        made = TestPanel(context)
         for widget in (made, made.plot, made.costs):
             qtbot.addWidget(widget)
         made.show()
@@ -109,7 +109,7 @@ def test_the_panel_says_what_a_press_felt_and_the_plot_holds_every_tick(panel, q
 
 
 def test_a_stiffer_place_presses_harder_and_undo_gives_back_the_softer_one(panel, qtbot):
-    session = panel.desk.session
+    session = panel.context.session
     soft = press(panel, qtbot).felt["peak_force_N"]
     x = session.organ.surface.vertices
     top = np.flatnonzero(x[:, 2] > 0.02)
@@ -124,7 +124,7 @@ def test_a_stiffer_place_presses_harder_and_undo_gives_back_the_softer_one(panel
 
 
 def test_fixed_vertices_do_not_move_while_others_do(panel, qtbot):
-    session = panel.desk.session
+    session = panel.context.session
     x = session.organ.surface.vertices
     session.apply(FixVertices(np.flatnonzero(x[:, 0] > 0.0), True))
     moved = np.zeros(len(x))
@@ -142,7 +142,7 @@ def test_fixed_vertices_do_not_move_while_others_do(panel, qtbot):
 
 
 def test_a_press_marks_the_organ_as_tested_and_an_edit_takes_that_back(panel, qtbot):
-    session = panel.desk.session
+    session = panel.context.session
     assert not session.is_tested
     press(panel, qtbot)
     assert session.is_tested
@@ -152,7 +152,7 @@ def test_a_press_marks_the_organ_as_tested_and_an_edit_takes_that_back(panel, qt
 
 def test_a_number_out_of_range_is_refused_with_a_sentence(panel, qtbot):
     told = []
-    panel.desk.told.connect(lambda words, severity: told.append((words, severity)))
+    panel.context.told.connect(lambda words, severity: told.append((words, severity)))
     box = panel.press_form._rows["depth"].box
     box.lineEdit().setText("900")
     box.enter()
@@ -164,7 +164,7 @@ def test_a_number_out_of_range_is_refused_with_a_sentence(panel, qtbot):
 def test_picking_a_place_with_the_mouse_presses_there(panel, qtbot):
     panel.tabs.setCurrentIndex(1)
     panel.show()
-    view = panel.desk.view
+    view = panel.context.view
     qtbot.mouseClick(panel.press_form.pick, Qt.MouseButton.LeftButton)
     at = middle(view) + QPoint(40, 20)
     hover(view, at)
@@ -180,15 +180,15 @@ def test_picking_a_place_with_the_mouse_presses_there(panel, qtbot):
 
 
 def test_a_ring_marks_the_place_of_the_press(panel, qtbot, monkeypatch):
-    desk, rings, show_ring = panel.desk, [], panel.desk.view.show_ring
+    context, rings, show_ring = panel.context, [], panel.context.view.show_ring
 
     def look(centre, *rest):
         rings.append(centre)
         show_ring(centre, *rest)
 
-    monkeypatch.setattr(desk.view, "show_ring", look)
-    desk.stage = "test"
-    qtbot.waitUntil(lambda: desk.assessor.is_current, timeout=LONG)
+    monkeypatch.setattr(context.view, "show_ring", look)
+    context.stage = "test"
+    qtbot.waitUntil(lambda: context.assessor.is_current, timeout=LONG)
     panel.tabs.setCurrentIndex(1)
     assert rings[-1][2] == pytest.approx(0.03, rel=0.02)  # the top of the ball
     panel.press_form.show_place(np.array([0.0, -0.05, 0.0]))
@@ -201,7 +201,7 @@ def test_a_ring_marks_the_place_of_the_press(panel, qtbot, monkeypatch):
 
 
 def test_the_mouse_presses_the_organ_and_feels_nothing_away_from_it(panel, qtbot):
-    view = panel.desk.view
+    view = panel.context.view
     start_hand(panel, qtbot)
     at = middle(view)
     hover(view, at)
@@ -237,43 +237,43 @@ def test_space_pauses_and_goes_on_and_reset_begins_anew(panel, qtbot):
 
 def test_editing_the_organ_ends_the_run_with_a_sentence(panel, qtbot):
     told = []
-    panel.desk.told.connect(lambda words, severity: told.append(words))
+    panel.context.told.connect(lambda words, severity: told.append(words))
     start_hand(panel, qtbot)
-    panel.desk.session.apply(FixVertices(np.array([0]), True))
+    panel.context.session.apply(FixVertices(np.array([0]), True))
     assert not panel.running
     assert told == ["The run was stopped because the organ was changed. Start it again."]
 
 
 def test_words_about_the_organ_may_change_during_a_run(panel, qtbot):
     start_hand(panel, qtbot)
-    panel.desk.session.apply(SetTask(scenario_title="The ball"))
+    panel.context.session.apply(SetTask(scenario_title="The ball"))
     assert panel.running
     panel.stop()
-    assert panel.desk.session.is_tested
+    assert panel.context.session.is_tested
 
 
 def test_leaving_the_stage_ends_the_run(panel, qtbot):
     start_hand(panel, qtbot)
-    panel.desk.stage_shown.emit("material")
+    panel.context.stage_shown.emit("material")
     assert not panel.running
 
 
 def test_closing_in_the_middle_of_a_run_neither_hangs_nor_crashes(panel, qtbot):
     start_hand(panel, qtbot)
     trial = panel.runner.trial
-    panel.desk.view.close()
+    panel.context.view.close()
     panel.close()
     panel.stop()
     assert trial.report is not None and not trial.run.running
 
 
 def test_without_an_organ_a_sentence_says_what_to_do(qtbot, settings):
-    with open_desk(qtbot, soft_organ(), settings) as desk:
-        desk.session.restore(EMPTY, None)
-        panel = TestPanel(desk)
+    with open_context(qtbot, soft_organ(), settings) as context:
+        context.session.restore(EMPTY, None)
+        panel = TestPanel(context)
         qtbot.addWidget(panel)
         told = []
-        desk.told.connect(lambda words, severity: told.append(words))
+        context.told.connect(lambda words, severity: told.append(words))
         panel.toggle()
     assert told == ["There is no organ to test yet: import a mesh file first."]
     assert not panel.running
@@ -284,9 +284,9 @@ def test_without_an_organ_a_sentence_says_what_to_do(qtbot, settings):
 
 def test_an_organ_that_cannot_be_compiled_is_refused_with_the_reason(panel, qtbot):
     told = []
-    panel.desk.told.connect(lambda words, severity: told.append(words))
-    panel.desk.session.apply(SetChoice("kind", "molecular"))
-    panel.desk.session.apply(SetConstant("model", "stretch_coupling", 50.0))
+    panel.context.told.connect(lambda words, severity: told.append(words))
+    panel.context.session.apply(SetChoice("kind", "molecular"))
+    panel.context.session.apply(SetConstant("model", "stretch_coupling", 50.0))
     panel.toggle()
     qtbot.waitUntil(lambda: not panel.runner.waiting, timeout=LONG)
     assert not panel.running
@@ -295,20 +295,20 @@ def test_an_organ_that_cannot_be_compiled_is_refused_with_the_reason(panel, qtbo
 
 
 def test_an_organ_that_blows_up_ends_the_run_with_a_sentence(panel, qtbot):
-    desk, told = panel.desk, []
-    desk.told.connect(lambda words, severity: told.append((words, severity)))
-    qtbot.waitUntil(lambda: desk.assessor.is_current, timeout=LONG)
+    context, told = panel.context, []
+    context.told.connect(lambda words, severity: told.append((words, severity)))
+    qtbot.waitUntil(lambda: context.assessor.is_current, timeout=LONG)
     # no organ of the editor blows up by itself: the builder chooses the substeps
-    scene = scene_that_blows_up(desk.session.organ)
-    checked = replace(desk.assessment.checked, scene=scene)
-    desk.assessor.assessment = replace(desk.assessment, checked=checked)
+    scene = scene_that_blows_up(context.session.organ)
+    checked = replace(context.assessment.checked, scene=scene)
+    context.assessor.assessment = replace(context.assessment, checked=checked)
 
     press(panel, qtbot)
 
     assert len(told) == 1 and told[0][1] == "error"
     assert told[0][0].startswith("The run was stopped after")
     assert "the tissue blew up: " in told[0][0]
-    assert not panel.desk.session.is_tested
+    assert not panel.context.session.is_tested
     # what to do about it is found beside the window
     qtbot.waitUntil(lambda: len(told) == 2, timeout=LONG)
     assert told[1][0].startswith(told[0][0]) and len(told[1][0]) > len(told[0][0]) + 10
@@ -325,7 +325,7 @@ def test_a_device_that_fails_ends_the_run_with_a_sentence(panel, qtbot, monkeypa
     told = []
     # the window's own hand refuses what is not finite: this one may say it, as a real device may
     monkeypatch.setattr(palpate, "SurfacePointer", lambda scene: HandThatMayFail())
-    panel.desk.told.connect(lambda words, severity: told.append((words, severity)))
+    panel.context.told.connect(lambda words, severity: told.append((words, severity)))
     start_hand(panel, qtbot)
     with qtbot.waitSignal(panel.runner.ended, timeout=LONG):
         panel.runner.trial.device.set(palpate.HapticSample(position=[np.nan, 0.0, 0.0]))

@@ -41,7 +41,7 @@ def test_every_constant_can_be_edited_with_its_unit_beside_it(panel):
 def test_a_typed_number_is_in_the_unit_shown(panel):
     type_into(child(panel, "tool.radius"), "4.5")
 
-    assert panel.desk.session.organ.tool.radius == pytest.approx(4.5e-3)
+    assert panel.context.session.organ.tool.radius == pytest.approx(4.5e-3)
     assert "--tool-radius=0.0045m" in panel.window().log.log.toPlainText()
 
 
@@ -50,7 +50,7 @@ def test_a_number_that_is_refused_stays_in_red_with_a_sentence(panel):
 
     type_into(box, "-5")
 
-    assert panel.desk.session.organ.material.density == 1060.0
+    assert panel.context.session.organ.material.density == 1060.0
     assert "Density must be more than 0 kg/m³" in panel.window().messages.text
     assert box.property("refused")
     QTest.keyClick(box, Qt.Key.Key_Escape)
@@ -64,7 +64,7 @@ def test_arrow_keys_step_by_a_tenth_of_the_decade(panel):
 
     QTest.keyClick(box, Qt.Key.Key_Up)
 
-    assert panel.desk.session.organ.model.stiffness == 160.0
+    assert panel.context.session.organ.model.stiffness == 160.0
 
 
 def test_the_wheel_over_a_field_without_the_cursor_changes_nothing(panel, qtbot):
@@ -72,7 +72,7 @@ def test_the_wheel_over_a_field_without_the_cursor_changes_nothing(panel, qtbot)
     from PySide6.QtGui import QWheelEvent
     from PySide6.QtWidgets import QApplication
 
-    box, before = child(panel, "model.stiffness"), panel.desk.session.organ
+    box, before = child(panel, "model.stiffness"), panel.context.session.organ
     middle = QPointF(box.rect().center())
     event = QWheelEvent(
         middle, box.mapToGlobal(middle), QPoint(), QPoint(0, 120), Qt.MouseButton.NoButton,
@@ -80,7 +80,7 @@ def test_the_wheel_over_a_field_without_the_cursor_changes_nothing(panel, qtbot)
     )  # fmt: skip
     QApplication.sendEvent(box, event)
 
-    assert panel.desk.session.organ is before
+    assert panel.context.session.organ is before
 
 
 def test_mass_substeps_and_margin_follow_at_once(panel, qtbot):
@@ -120,12 +120,12 @@ def test_fields_of_the_molecular_model_show_with_it_alone(panel):
     panel.kind.activated.emit(1)
 
     assert bend.isVisible()
-    assert panel.desk.session.organ.model.kind == "molecular"
+    assert panel.context.session.organ.model.kind == "molecular"
 
 
 def test_a_coupling_that_no_triangle_can_take_says_which_it_can(panel, qtbot):
     window = panel.window()
-    window.deeds.use_mms()
+    window.menu_actions.use_mms()
 
     type_into(child(panel, "model.stretch_coupling"), "50")
     settle(qtbot, window)
@@ -135,12 +135,12 @@ def test_a_coupling_that_no_triangle_can_take_says_which_it_can(panel, qtbot):
     row = next(r for r in panel.rows if r.isVisible() and r.fix is not None)
     click(row.button)
     settle(qtbot, window)
-    assert panel.desk.assessment.scene is not None
+    assert panel.context.assessment.scene is not None
 
 
 def test_a_linear_solid_tells_its_memory_and_asks_for_nothing_that_swings(panel, qtbot):
     window = panel.window()
-    window.desk.apply(FixLowest(0.2))
+    window.context.apply(FixLowest(0.2))
 
     choose(panel, "model.kind", "linear_solid")
     settle(qtbot, window)
@@ -156,7 +156,7 @@ def test_a_linear_solid_tells_its_memory_and_asks_for_nothing_that_swings(panel,
 def test_gravity_gives_the_organ_weight(panel):
     click(child(panel, "gravity"))
 
-    assert panel.desk.session.organ.hand.gravity == (0.0, 0.0, -9.81)
+    assert panel.context.session.organ.hand.gravity == (0.0, 0.0, -9.81)
 
 
 def test_numbers_are_read_as_people_write_them():
@@ -186,9 +186,9 @@ def test_a_box_takes_letters_of_numbers_only(qtbot):
 
 def test_a_wall_takes_its_constants_from_its_tissue_and_says_how_well(panel, qtbot):
     window = panel.window()
-    window.desk.apply(SetConstant("material", "wall_thickness", 2e-3))
+    window.context.apply(SetConstant("material", "wall_thickness", 2e-3))
     type_into(child(panel, "material.young_modulus"), "50")
-    window.desk.apply(SetChoice("kind", "molecular"))
+    window.context.apply(SetChoice("kind", "molecular"))
     settle(qtbot, window)
     before = panel.facts.words()
     choose(panel, "model.constants", "tissue")
@@ -205,9 +205,9 @@ def test_a_wall_takes_its_constants_from_its_tissue_and_says_how_well(panel, qtb
     settle(qtbot, window)
 
     assert child(panel, "model.stiffness").isVisible()
-    assert panel.desk.session.organ.model.stiffness == pytest.approx(100.0, rel=0.5)
-    window.desk.session.history.undo()
-    assert panel.desk.session.organ.model.constants == "tissue"
+    assert panel.context.session.organ.model.stiffness == pytest.approx(100.0, rel=0.5)
+    window.context.session.history.undo()
+    assert panel.context.session.organ.model.constants == "tissue"
 
 
 def table_of(dialog) -> list[tuple[str, ...]]:
@@ -232,10 +232,10 @@ def test_published_values_are_in_reach_at_the_top_of_the_form_and_can_be_used(pa
     assert modulus[1] == "230 – 280\N{NO-BREAK SPACE}kPa"
     click(child(panel, "use_tissue"))
 
-    organ = panel.desk.session.organ
+    organ = panel.context.session.organ
     assert organ.material.young_modulus == 2.5e5
     assert organ.material.wall_thickness == 2.5e-3
-    assert panel.desk.session.history.undoText() == "Material of gallbladder wall"
+    assert panel.context.session.history.undoText() == "Material of gallbladder wall"
 
 
 def test_a_designer_adds_a_published_value_and_removes_it_again(panel, user_data):
@@ -254,7 +254,7 @@ def test_a_designer_adds_a_published_value_and_removes_it_again(panel, user_data
 
     added = ("Young's modulus", "4.5 – 7\N{NO-BREAK SPACE}kPa", "indentation")
     assert table_of(dialog) == [*before, (*added, "Doe et al., J Biomech 2024")]
-    again = PublishedDialog(panel.desk, panel)
+    again = PublishedDialog(panel.context, panel)
     assert table_of(again) == table_of(dialog)
     kept = read_own_values(user_data / "palpate" / "published_values.json")
     assert [(value.low, value.high) for value in kept] == [(4500.0, 7000.0)]
@@ -267,20 +267,20 @@ def test_a_designer_adds_a_published_value_and_removes_it_again(panel, user_data
 
 def test_young_modulus_cannot_be_edited_where_it_does_nothing_and_says_why(panel, qtbot):
     window, modulus = panel.window(), child(panel, "material.young_modulus")
-    assert panel.desk.session.organ.model.kind == "mass_spring"
+    assert panel.context.session.organ.model.kind == "mass_spring"
 
     assert not modulus.isEnabled()
     assert "Has no effect here" in modulus.toolTip()
     assert "have no effect" in panel.origin_note.text()
-    window.desk.apply(SetConstant("material", "wall_thickness", 2e-3))
+    window.context.apply(SetConstant("material", "wall_thickness", 2e-3))
     assert modulus.isEnabled() and "Has no effect" not in modulus.toolTip()
     window.session.history.undo()
-    window.deeds.use_solid()
+    window.menu_actions.use_solid()
     assert modulus.isEnabled()
 
 
 def test_what_has_no_effect_changes_no_number_of_the_tissue(panel):
-    organ = panel.desk.session.organ
+    organ = panel.context.session.organ
     changed = replace(organ, material=replace(organ.material, young_modulus=9e4))
     for constant in CONSTANTS:
         if constant.key == "material.young_modulus":
@@ -300,7 +300,7 @@ def test_every_kind_of_tissue_stands_in_the_menu_and_the_one_in_use_is_marked(pa
 
 def test_the_history_says_which_law_and_which_value(panel):
     window = panel.window()
-    window.deeds.use_solid()
+    window.menu_actions.use_solid()
     type_into(child(panel, "material.young_modulus"), "7.5")
 
     stack = window.session.history
@@ -318,7 +318,7 @@ def test_no_field_moves_when_the_organ_is_looked_at_or_refused(panel, qtbot):
     settle(qtbot, window)
     type_into(child(panel, "material.density"), "-5")
     assert window.messages.text
-    window.desk.apply(SetConstant("model", "home_stiffness", 0.0))
+    window.context.apply(SetConstant("model", "home_stiffness", 0.0))
     settle(qtbot, window)
 
     assert places(panel) == before
@@ -354,7 +354,7 @@ def test_a_solid_is_filled_as_its_designer_says(panel, qtbot):
 
     assert panel.facts.words()["Tetrahedra"] != before
     assert "--tetrahedra=1500" in window.log.log.toPlainText()
-    assert panel.desk.assessment.scene.tissue.volumes.nodal_share == 0.5
+    assert panel.context.assessment.scene.tissue.volumes.nodal_share == 0.5
     type_into(child(panel, "fill.tetrahedra"), "12.5")
     assert "Tetrahedra must be a whole number of 100 to 40000" in window.messages.text
     window.session.history.undo()
@@ -364,11 +364,11 @@ def test_a_solid_is_filled_as_its_designer_says(panel, qtbot):
 
 def test_a_linear_solid_is_reached_where_a_region_says(panel, qtbot):
     window, reach, said = panel.window(), panel.filling.reach, []
-    window.desk.apply(FixLowest(0.2))
-    window.desk.apply(SetConstant("fill", "tetrahedra", 800))
+    window.context.apply(FixLowest(0.2))
+    window.context.apply(SetConstant("fill", "tetrahedra", 800))
     x = window.session.organ.surface.vertices
-    window.desk.apply(SetRegion("top", np.flatnonzero(x[:, 2] > np.median(x[:, 2]))))
-    window.desk.assessor.said.connect(said.append)
+    window.context.apply(SetRegion("top", np.flatnonzero(x[:, 2] > np.median(x[:, 2]))))
+    window.context.assessor.said.connect(said.append)
     choose(panel, "model.kind", "linear_solid")
     settle(qtbot, window)
     whole = panel.facts.words()["Its response"]
@@ -382,7 +382,7 @@ def test_a_linear_solid_is_reached_where_a_region_says(panel, qtbot):
     assert read_number(part.split("\u00a0")[0]) < read_number(whole.split("\u00a0")[0])
     assert said == [f"{words}, being solved for" for words in (whole, part)]
     assert "--reach=top" in window.log.log.toPlainText()
-    window.desk.apply(RemoveRegion("top"))
+    window.context.apply(RemoveRegion("top"))
     settle(qtbot, window)
     row = next(r for r in panel.rows if r.isVisible() and r.fix is not None)
     assert reach.currentText() == "top" and "region of the organ" in row.words.text()

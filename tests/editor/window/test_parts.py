@@ -102,10 +102,10 @@ def test_the_organ_has_the_view_again_when_parts_were_imported(qtbot, heart_wind
     click(panel.import_button)
     settle(qtbot, window)
 
-    assert not window.desk.previewing and not panel.chooser.show_button.isChecked()
+    assert not window.context.previewing and not panel.chooser.show_button.isChecked()
     assert drawn(window) == len(window.session.organ.surface.triangles)
     click(panel.chooser.show_button)
-    assert window.desk.previewing
+    assert window.context.previewing
     window.show_stage("repair")
-    assert not window.desk.previewing
+    assert not window.context.previewing
     assert drawn(window) == len(window.session.organ.surface.triangles)

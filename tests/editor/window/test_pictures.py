@@ -32,7 +32,7 @@ def test_every_stage_is_drawn(qtbot, make_editor, spleen, checkout, theme):
         if stage == "decimate":
             window.tasks.decimate(1200)
         if stage == "material":
-            window.deeds.fix_lowest()
+            window.menu_actions.fix_lowest()
         window.messages.dismiss()
         window.show_stage(stage)
         settle(qtbot, window)

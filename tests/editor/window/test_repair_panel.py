@@ -13,7 +13,7 @@ from palpate_editor.document import Surface
 from palpate_editor.document.rules import TICK_SHARE
 from palpate_editor.views.assessment import Assessment
 from patience import settle
-from touch_desk import build_organ
+from touch_context import build_organ
 
 pytestmark = pytest.mark.window
 
@@ -134,8 +134,8 @@ def test_a_tick_that_takes_too_long_has_no_tick(qtbot, holed, share):
     """The check said "98 %, at most 70 %" above a green "98 %"."""
     holed.session.restore(build_organ(), None)
     settle(qtbot, holed)
-    found = holed.desk.assessment
-    holed.desk.assessor.assessment = Assessment(found.checked, found.comparison, share)
+    found = holed.context.assessment
+    holed.context.assessor.assessment = Assessment(found.checked, found.comparison, share)
 
     news = " ".join(holed.stage_dock.panels["decimate"].good_news())
 

@@ -39,7 +39,7 @@ def test_the_pictures_follow_the_theme(make_editor):
     assert brightness["light"] > brightness["dark"] + 60
 
 
-def test_an_organ_that_is_chosen_lies_on_the_desk_whole_and_without_a_file(qtbot, window):
+def test_an_organ_that_is_chosen_is_open_whole_and_without_a_file(qtbot, window):
     click(window.welcome.shipped.buttons["kidney_stone"])
     settle(qtbot, window)
 
@@ -48,5 +48,5 @@ def test_an_organ_that_is_chosen_lies_on_the_desk_whole_and_without_a_file(qtbot
     assert organ.fixed.any() and "crown" in organ.regions and organ.look is not None
     assert window.session.path is None and not window.isWindowModified()
     assert window.welcome.isHidden()
-    assert window.desk.stage == "material"
+    assert window.context.stage == "material"
     assert "palpate organs kidney_stone --out kidney_stone.organ" in log_of(window)

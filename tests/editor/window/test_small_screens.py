@@ -86,7 +86,7 @@ counts = {}
 missed = miss(window.welcome, "welcome")
 window.files.open_shipped("spleen")
 until = time.monotonic() + 120
-while window.session.organ.surface is None or not window.desk.assessor.is_current:
+while window.session.organ.surface is None or not window.context.assessor.is_current:
     app.processEvents()
     assert time.monotonic() < until
 for stage in window.stage_bar.steps:

@@ -19,7 +19,7 @@ from patience import PATIENCE, settle
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QFileDialog, QLineEdit
-from touch_desk import drag, hover, middle
+from touch_context import drag, hover, middle
 
 pytestmark = pytest.mark.window
 

@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QColorDialog, QComboBox, QHBoxLayout, QPushButton,
 from palpate_editor.appearance import find_style, read_styles, write_colour
 from palpate_editor.document import Organ
 from palpate_editor.edits import SetAppearance
-from palpate_editor.views.desk import Desk
-from palpate_editor.views.words import tr
+from palpate_editor.views.context import Context
+from palpate_editor.views.translations import tr
 
 SWATCH = 16
 """[px]"""
@@ -36,9 +36,9 @@ def style_title(name: str) -> str:
 class AppearanceRow(QWidget):
     """A list of styles and a button for the colour."""
 
-    def __init__(self, desk: Desk, parent: QWidget | None = None):
+    def __init__(self, context: Context, parent: QWidget | None = None):
         super().__init__(parent)
-        self.desk = desk
+        self.context = context
         self.styles = QComboBox(self)
         self.styles.setObjectName("appearance")
         for name, style in read_styles().items():
@@ -79,13 +79,13 @@ class AppearanceRow(QWidget):
 
     def choose_style(self, row: int) -> None:
         name = self.styles.itemData(row)
-        style = find_style(self.desk.session.organ.look)
+        style = find_style(self.context.session.organ.look)
         if name == OWN or name == (style.name if style else PLAIN):
             return
-        self.desk.apply(SetAppearance(name or None))
+        self.context.apply(SetAppearance(name or None))
 
     def ask_colour(self) -> None:
-        look = self.desk.session.organ.look
+        look = self.context.session.organ.look
         if look is None:
             return
         dialog = QColorDialog(QColor.fromRgbF(*look.colour), self)
@@ -96,10 +96,10 @@ class AppearanceRow(QWidget):
         dialog.open()
 
     def choose_colour(self, colour: QColor) -> None:
-        style = find_style(self.desk.session.organ.look)
+        style = find_style(self.context.session.organ.look)
         if style is not None:
             wanted = (colour.red() / 255.0, colour.green() / 255.0, colour.blue() / 255.0)
-            self.desk.apply(SetAppearance(style.name, wanted))
+            self.context.apply(SetAppearance(style.name, wanted))
 
 
 def swatch(colour: QColor) -> QIcon:

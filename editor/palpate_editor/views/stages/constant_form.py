@@ -18,10 +18,10 @@ from palpate_editor.document.constants import (
     find_constant,
 )
 from palpate_editor.edits import SetChoice, SetConstant
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.quantity_box import QuantityBox, QuantityRow
 from palpate_editor.views.stages.facts import write_label
-from palpate_editor.views.words import say, tr
+from palpate_editor.views.translations import say, tr
 
 LABEL_WIDTH = 112
 """[px] so that all sections line up."""
@@ -37,10 +37,10 @@ def choice_words(value: str) -> str:
 class ConstantField(QuantityRow):
     """One number of the document."""
 
-    def __init__(self, desk: Desk, constant: Constant, parent: QWidget | None = None):
+    def __init__(self, context: Context, constant: Constant, parent: QWidget | None = None):
         box = QuantityBox(constant.unit, constant.scale)
         super().__init__(box, self.tick_words(constant), parent)
-        self.desk, self.constant = desk, constant
+        self.context, self.constant = context, constant
         self.label = write_label(say(constant.label), "name", parent)
         self.label.setMinimumWidth(LABEL_WIDTH)
         self.label.setBuddy(box)
@@ -58,7 +58,7 @@ class ConstantField(QuantityRow):
 
     def enter(self, value: float | None) -> None:
         edit = SetConstant(self.constant.part, self.constant.field, value)
-        if not self.desk.apply(edit):
+        if not self.context.apply(edit):
             self.box.mark(True)
 
     def show_organ(self, organ: Organ) -> None:
@@ -77,9 +77,9 @@ class ConstantField(QuantityRow):
 class ChoiceField(QComboBox):
     """One law of the model."""
 
-    def __init__(self, desk: Desk, field: str, parent: QWidget | None = None):
+    def __init__(self, context: Context, field: str, parent: QWidget | None = None):
         super().__init__(parent)
-        self.desk, self.field = desk, field
+        self.context, self.field = context, field
         label = str(say(LAW_NAMES[field]))
         self.values = CHOICES[f"model.{field}"]
         self.addItems([choice_words(value) for value in self.values])
@@ -91,10 +91,10 @@ class ChoiceField(QComboBox):
 
     def enter(self, row: int) -> None:
         value = self.values[row]
-        if value == getattr(self.desk.session.organ.model, self.field):
+        if value == getattr(self.context.session.organ.model, self.field):
             return
-        self.desk.apply(SetChoice(self.field, value))
-        self.show_organ(self.desk.session.organ)
+        self.context.apply(SetChoice(self.field, value))
+        self.show_organ(self.context.session.organ)
 
     def show_organ(self, organ: Organ) -> None:
         value = getattr(organ.model, self.field)
@@ -110,7 +110,7 @@ class ChoiceField(QComboBox):
 
 
 def build_grid(
-    desk: Desk, keys: Sequence[str], parent: QWidget
+    context: Context, keys: Sequence[str], parent: QWidget
 ) -> tuple[QGridLayout, list[ConstantField]]:
     """Labels and fields of some constants, one under the other."""
     grid = QGridLayout()
@@ -121,7 +121,7 @@ def build_grid(
     for row, key in enumerate(keys):
         constant = find_constant(*key.split("."))
         assert constant is not None, key
-        field = ConstantField(desk, constant, parent)
+        field = ConstantField(context, constant, parent)
         grid.addWidget(field.label, row, 0)
         grid.addWidget(field, row, 1)
         fields.append(field)

@@ -17,11 +17,11 @@ from PySide6.QtWidgets import (
 from palpate_editor.document import Decimation, Organ
 from palpate_editor.document.rules import TICK_SHARE
 from palpate_editor.edits import UseImported
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.stages.stage_panel import StagePanel
 from palpate_editor.views.tasks import Tasks
-from palpate_editor.views.words import count, number, quantity, tr
+from palpate_editor.views.translations import count, number, quantity, tr
 
 LEAST, STEP = 12, 100
 PRESETS = (600, 1200, 2400, 5400)
@@ -34,9 +34,9 @@ class DecimatePanel(StagePanel):
 
     stage = "decimate"
 
-    def __init__(self, desk: Desk, tasks: Tasks, lead: str, parent: QWidget | None = None):
+    def __init__(self, context: Context, tasks: Tasks, lead: str, parent: QWidget | None = None):
         self.tasks = tasks
-        super().__init__(desk, lead, parent)
+        super().__init__(context, lead, parent)
 
     def build(self) -> None:
         section = self.section(tr("Target"))
@@ -97,7 +97,7 @@ class DecimatePanel(StagePanel):
         self.coloured = QCheckBox(tr("Show the distance as colours"), self)
         self.coloured.setObjectName("distance_colours")
         self.coloured.setChecked(True)
-        self.coloured.toggled.connect(self.desk.show_distance)
+        self.coloured.toggled.connect(self.context.show_distance)
         self.result.add(self.coloured)
 
     # ------------------------------------------------------------ showing
@@ -128,7 +128,7 @@ class DecimatePanel(StagePanel):
         self.write(4, "", quantity(1e3 * done.max_distance, "mm", 3) if done else "–")
 
     def show_assessment(self) -> None:
-        assessment = self.desk.assessment
+        assessment = self.context.assessment
         if assessment is None or assessment.report is None or assessment.comparison is None:
             return
         angle = assessment.report.smallest_angle_deg
@@ -142,7 +142,7 @@ class DecimatePanel(StagePanel):
         self.cells[row][1].setText(after)
 
     def good_news(self) -> list[str]:
-        organ, assessment = self.desk.session.organ, self.desk.assessment
+        organ, assessment = self.context.session.organ, self.context.assessment
         if organ.surface is None or assessment is None or assessment.report is None:
             return []
         angle = assessment.report.smallest_angle_deg

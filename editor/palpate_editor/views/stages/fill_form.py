@@ -9,10 +9,10 @@ from PySide6.QtWidgets import QComboBox, QWidget
 
 from palpate_editor.document import Organ
 from palpate_editor.edits import SetReach
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.stages.constant_form import build_grid
 from palpate_editor.views.stages.facts import Section, write_label
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 FILLING = ("fill.tetrahedra", "fill.nodal_share")
 
@@ -20,9 +20,9 @@ FILLING = ("fill.tetrahedra", "fill.nodal_share")
 class ReachField(QComboBox):
     """The region on which a linear solid can be pushed."""
 
-    def __init__(self, desk: Desk, parent: QWidget | None = None):
+    def __init__(self, context: Context, parent: QWidget | None = None):
         super().__init__(parent)
-        self.desk = desk
+        self.context = context
         self.names: list[str] = []
         """One for each item; empty for all of the surface."""
         label = tr("The tool reaches")
@@ -33,9 +33,9 @@ class ReachField(QComboBox):
         self.activated.connect(self.choose)
 
     def choose(self, row: int) -> None:
-        if self.names[row] != self.desk.session.organ.fill.reach:
-            self.desk.apply(SetReach(self.names[row]))
-        self.show_organ(self.desk.session.organ)
+        if self.names[row] != self.context.session.organ.fill.reach:
+            self.context.apply(SetReach(self.names[row]))
+        self.show_organ(self.context.session.organ)
 
     def show_organ(self, organ: Organ) -> None:
         chosen = organ.fill.reach
@@ -59,10 +59,10 @@ class ReachField(QComboBox):
 class FillForm(Section):
     """Shown for solids alone."""
 
-    def __init__(self, desk: Desk, parent: QWidget | None = None):
+    def __init__(self, context: Context, parent: QWidget | None = None):
         super().__init__(tr("Filling"), parent)
-        grid, self.constants = build_grid(desk, FILLING, self)
-        self.reach = ReachField(desk, self)
+        grid, self.constants = build_grid(context, FILLING, self)
+        self.reach = ReachField(context, self)
         grid.addWidget(self.reach.label, len(FILLING), 0)
         grid.addWidget(self.reach, len(FILLING), 1)
         self.body.addLayout(grid)

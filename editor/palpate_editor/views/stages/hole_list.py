@@ -22,9 +22,9 @@ from PySide6.QtWidgets import (
 
 from palpate_editor.document import Surface
 from palpate_editor.edits import FillHoles
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.tasks import Tasks
-from palpate_editor.views.words import count, quantity, tr
+from palpate_editor.views.translations import count, quantity, tr
 
 HOLES = Qt.ItemDataRole.UserRole
 """Of an item: the numbers of its holes."""
@@ -40,9 +40,9 @@ RING = 0.012
 class HoleList(QWidget):
     """Lists, shows and fills holes."""
 
-    def __init__(self, desk: Desk, tasks: Tasks, parent: QWidget | None = None):
+    def __init__(self, context: Context, tasks: Tasks, parent: QWidget | None = None):
         super().__init__(parent)
-        self.desk, self.tasks = desk, tasks
+        self.context, self.tasks = context, tasks
         self.surface: Surface | None = None
         self.loops: list[np.ndarray] = []
         self.shown = False
@@ -70,7 +70,7 @@ class HoleList(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.tree)
         column.addLayout(row)
-        desk.stage_shown.connect(self.on_stage)
+        context.stage_shown.connect(self.on_stage)
 
     # ------------------------------------------------------------ showing
 
@@ -133,7 +133,7 @@ class HoleList(QWidget):
         weights = np.zeros(len(self.surface.vertices), np.float32)
         for hole in holes:
             weights[self.loops[hole]] = 1.0
-        view, self.shown = self.desk.view, True
+        view, self.shown = self.context.view, True
         view.show_selection(weights)
         # the first of them that is largest
         hole = max(holes, key=lambda hole: (len(self.loops[hole]), -hole))
@@ -155,7 +155,7 @@ class HoleList(QWidget):
 
     def look_at(self, middle: np.ndarray, outward: np.ndarray, size: float) -> None:
         """From outside, with `size` [m] of the surface around it in sight."""
-        view = self.desk.view
+        view = self.context.view
         view.orbit(0.0, 0.0)  # from here on the camera is where it is put
         x, y, z = (float(value) for value in outward)
         view.look_from(atan2(y, x), asin(max(-0.99, min(0.99, z))))
@@ -170,8 +170,8 @@ class HoleList(QWidget):
     def unmark(self) -> None:
         if self.shown:
             self.shown = False
-            self.desk.view.show_ring(None)
-            self.desk.view.show_selection(None)
+            self.context.view.show_ring(None)
+            self.context.view.show_selection(None)
 
     # ------------------------------------------------------------ doing
 

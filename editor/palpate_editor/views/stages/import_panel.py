@@ -21,7 +21,7 @@ from palpate_editor.views.stages.facts import Facts, write_label
 from palpate_editor.views.stages.parts_chooser import PartsChooser
 from palpate_editor.views.stages.stage_panel import StagePanel
 from palpate_editor.views.tasks import ImportWork, Part, Reading
-from palpate_editor.views.words import count, number, quantity, tr
+from palpate_editor.views.translations import count, number, quantity, tr
 
 UNITS = ("m", "cm", "mm", "in")
 UPS = ("z", "y", "x", "-z", "-y", "-x")
@@ -34,7 +34,7 @@ class ImportPanel(StagePanel):
 
     def build(self) -> None:
         self.reading: Reading | None = None
-        """The file read last in this window; it may not be the one on the desk."""
+        """The file read last in this window; it may not be the one in the editor."""
         self.shown_source: Source | None = None
         self.build_file()
         self.build_parts()
@@ -62,14 +62,14 @@ class ImportPanel(StagePanel):
         self.name.setObjectName("organ_name")
         self.name.editingFinished.connect(self.set_name)
         name_row.addWidget(self.name, 0, 1)
-        self.appearance = AppearanceRow(self.desk, self)
+        self.appearance = AppearanceRow(self.context, self)
         name_row.addWidget(write_label(tr("Appearance"), "name", self), 1, 0)
         name_row.addWidget(self.appearance, 1, 1)
         section.body.addLayout(name_row)
 
     def build_parts(self) -> None:
         self.parts_section = self.section(tr("Parts to use"))
-        self.chooser = PartsChooser(self.desk, self)
+        self.chooser = PartsChooser(self.context, self)
         self.parts = self.chooser.list
         self.all_button, self.none_button = self.chooser.all_button, self.chooser.none_button
         self.chooser.changed.connect(self.on_part)
@@ -168,7 +168,7 @@ class ImportPanel(StagePanel):
         self.parts_section.setVisible(len(parts) > 1)
 
     def show_assessment(self) -> None:
-        assessment = self.desk.assessment
+        assessment = self.context.assessment
         report = assessment.report if assessment else None
         if report is None:
             self.facts.show_facts([])
@@ -186,7 +186,7 @@ class ImportPanel(StagePanel):
         )
 
     def good_news(self) -> list[str]:
-        source = self.desk.session.organ.source
+        source = self.context.session.organ.source
         if source is None:
             return []
         used = tr("{used} of {all} parts are in use.").format(
@@ -206,13 +206,13 @@ class ImportPanel(StagePanel):
         self.chooser.tick_none()
 
     def choose(self) -> None:
-        self.desk.import_wanted.emit()
+        self.context.import_wanted.emit()
 
     def path(self) -> Path | None:
         """The file the shown parts are in."""
         if self.reading is not None and self.reading.path.name == self.file.text():
             return self.reading.path
-        source = self.desk.session.organ.source
+        source = self.context.session.organ.source
         return Path(source.folder) / source.file if source is not None else None
 
     def import_parts(self) -> None:
@@ -220,37 +220,40 @@ class ImportPanel(StagePanel):
         if path is None:
             return
         if not path.is_file():
-            self.desk.tell(
-                tr("{file} is no longer where it was: choose it anew.").format(file=path.name)
+            self.context.tell(
+                tr("{file} is no longer where it was: choose it again.").format(file=path.name)
             )
             return
         whole = len(parts) == self.parts.count()
-        source = self.desk.session.organ.source
+        source = self.context.session.organ.source
         same = source is not None and source.file == path.name
         unit = source.unit if same and source and not source.unit_guessed else None
         up = source.up if same and source and not source.up_guessed else None
         chosen = () if whole else tuple(parts)
-        self.desk.mesh_wanted.emit(ImportWork(path, chosen, unit, up))
+        self.context.mesh_wanted.emit(ImportWork(path, chosen, unit, up))
 
     def set_unit(self, row: int) -> None:
-        source = self.desk.session.organ.source
+        source = self.context.session.organ.source
         if source is None or (source.unit == UNITS[row] and not source.unit_guessed):
             return
-        if not self.desk.apply(SetUnit(UNITS[row])):
-            self.show_organ(self.desk.session.organ)
+        if not self.context.apply(SetUnit(UNITS[row])):
+            self.show_organ(self.context.session.organ)
             return
-        self.desk.view.frame_all()
+        self.context.view.frame_all()
 
     def set_up(self, row: int) -> None:
-        source = self.desk.session.organ.source
+        source = self.context.session.organ.source
         if source is None or (source.up == UPS[row] and not source.up_guessed):
             return
-        if not self.desk.apply(SetUp(UPS[row])):
-            self.show_organ(self.desk.session.organ)
+        if not self.context.apply(SetUp(UPS[row])):
+            self.show_organ(self.context.session.organ)
             return
-        self.desk.view.frame_all()
+        self.context.view.frame_all()
 
     def set_name(self) -> None:
         name = self.name.text().strip()
-        if name != self.desk.session.organ.name and self.desk.session.organ.surface is not None:
-            self.desk.apply(SetName(name))
+        if (
+            name != self.context.session.organ.name
+            and self.context.session.organ.surface is not None
+        ):
+            self.context.apply(SetName(name))

@@ -17,7 +17,7 @@ from palpate_editor.views.stages.facts import Fact, Facts, Section, write_label
 from palpate_editor.views.stages.fill_form import FillForm
 from palpate_editor.views.stages.published_values import PublishedValues
 from palpate_editor.views.stages.stage_panel import StagePanel
-from palpate_editor.views.words import count, number, quantity, say_memory, tr
+from palpate_editor.views.translations import count, number, quantity, say_memory, tr
 
 WEIGHT = (0.0, 0.0, -9.81)
 """[m/s²]"""
@@ -103,15 +103,15 @@ class MaterialPanel(StagePanel):
         self.tool_options = QVBoxLayout()
         self.form.addLayout(self.tool_options)
         self.fields: list[ConstantField | ChoiceField] = []
-        self.kind = ChoiceField(self.desk, "kind", self)
-        self.origin = ChoiceField(self.desk, "constants", self)
+        self.kind = ChoiceField(self.context, "kind", self)
+        self.origin = ChoiceField(self.context, "constants", self)
         for choice in (self.kind, self.origin):
             row = QHBoxLayout()
             row.setSpacing(12)
             row.addWidget(choice.label)
             row.addWidget(choice, 1)
             self.form.addLayout(row)
-        self.published = PublishedValues(self.desk, self)
+        self.published = PublishedValues(self.context, self)
         self.section(tr("Published values")).add(self.published)
         self.facts = self.section(tr("What comes of it")).add(Facts(self))
         self.facts.keep_height = True
@@ -122,7 +122,7 @@ class MaterialPanel(StagePanel):
         self.add_constants(tissue, TISSUE)
         self.origin_note = tissue.add(write_label("", "note", self))
         self.origin_note.setWordWrap(True)
-        self.filling = FillForm(self.desk, self)
+        self.filling = FillForm(self.context, self)
         self.form.addWidget(self.filling)
         self.fields += self.filling.constants
         self.links = self.section(tr("Springs and bonds"))
@@ -131,19 +131,19 @@ class MaterialPanel(StagePanel):
         self.add_constants(self.section(tr("Tip of the tool")), TIP)
         self.add_constants(self.section(tr("Hand")), HAND)
         self.fields += [self.kind, self.origin]
-        self.desk.assessor.said.connect(self.show_building)
+        self.context.assessor.said.connect(self.show_building)
 
     def build_laws(self) -> list[ChoiceField]:
         return [
-            ChoiceField(self.desk, "spring_rule", self),
-            ChoiceField(self.desk, "damping_law", self),
-            ChoiceField(self.desk, "angle_law", self),
+            ChoiceField(self.context, "spring_rule", self),
+            ChoiceField(self.context, "damping_law", self),
+            ChoiceField(self.context, "angle_law", self),
         ]
 
     def add_constants(
         self, section: Section, keys: tuple[str, ...], laws: Sequence[ChoiceField] = ()
     ) -> None:
-        grid, fields = build_grid(self.desk, keys, self)
+        grid, fields = build_grid(self.context, keys, self)
         for law in laws:
             row = grid.rowCount()
             grid.addWidget(law.label, row, 0)
@@ -206,14 +206,14 @@ class MaterialPanel(StagePanel):
         self.gravity.setChecked(any(organ.hand.gravity))
 
     def show_assessment(self) -> None:
-        assessment = self.desk.assessment
+        assessment = self.context.assessment
         if assessment is None:
             return
         for field in self.fields:
             if isinstance(field, ConstantField) and field.constant.field == "home_stiffness":
                 tissue = assessment.tissue
                 field.default = (tissue.default_home if tissue else None) or 0.0
-                field.show_organ(self.desk.session.organ)
+                field.show_organ(self.context.session.organ)
         tissue = assessment.tissue
         self.facts.parentWidget().setVisible(assessment.organ.surface is not None)
         span = tissue.coupling_range if tissue else None
@@ -234,7 +234,7 @@ class MaterialPanel(StagePanel):
         self.facts.show_facts([(tr("Its response"), words)])
 
     def result_rows(self) -> list[Fact]:
-        assessment = self.desk.assessment
+        assessment = self.context.assessment
         assert assessment is not None and assessment.tissue is not None
         tissue, share = assessment.tissue, assessment.tick_share
         mass, step = tissue.total_mass, tissue.stable_step
@@ -262,11 +262,11 @@ class MaterialPanel(StagePanel):
 
     def wall_rows(self) -> list[Fact]:
         """How the springs and bonds of a wall compare with its material."""
-        assessment = self.desk.assessment
+        assessment = self.context.assessment
         wall = assessment.tissue.wall if assessment and assessment.tissue else None
         if wall is None:
             return []
-        from_tissue = self.desk.session.organ.model.constants == "tissue"
+        from_tissue = self.context.session.organ.model.constants == "tissue"
         tone = "good" if wall.error <= GOOD_FIT else "warning" if from_tissue else ""
         least, most = number(wall.least, 3), number(wall.most, 3)
         stiff = f"{least} ×" if least == most else f"{least} – {most} ×"
@@ -278,7 +278,7 @@ class MaterialPanel(StagePanel):
         ]
 
     def good_news(self) -> list[str]:
-        assessment = self.desk.assessment
+        assessment = self.context.assessment
         if assessment is None or assessment.scene is None:
             return []
         return [tr("The tissue can be built and stays stable.")]
@@ -287,11 +287,11 @@ class MaterialPanel(StagePanel):
 
     def fix_lowest(self) -> None:
         self.share.interpretText()
-        self.desk.apply(FixLowest(self.share.value() / 100.0))
+        self.context.apply(FixLowest(self.share.value() / 100.0))
 
     def free_all(self) -> None:
-        ids = np.flatnonzero(self.desk.session.organ.fixed)
-        self.desk.apply(FixVertices(ids, False))
+        ids = np.flatnonzero(self.context.session.organ.fixed)
+        self.context.apply(FixVertices(ids, False))
 
     def set_gravity(self, on: bool) -> None:
-        self.desk.apply(SetGravity(WEIGHT if on else (0.0, 0.0, 0.0)))
+        self.context.apply(SetGravity(WEIGHT if on else (0.0, 0.0, 0.0)))

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from PySide6.QtWidgets import QWidget
 
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.publishing import Publishing
 from palpate_editor.views.stages.decimate_panel import DecimatePanel
 from palpate_editor.views.stages.import_panel import ImportPanel
@@ -17,7 +17,7 @@ from palpate_editor.views.stages.repair_panel import RepairPanel
 from palpate_editor.views.stages.stage_panel import StagePanel
 from palpate_editor.views.tasks import Tasks
 from palpate_editor.views.touch import TestPanel
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 
 @dataclass(frozen=True)
@@ -35,28 +35,28 @@ class Panels:
         return [self.importing, self.repair, self.decimate, self.material, self.test, self.publish]
 
 
-def build_panels(desk: Desk, tasks: Tasks, publishing: Publishing, parent: QWidget) -> Panels:
+def build_panels(context: Context, tasks: Tasks, publishing: Publishing, parent: QWidget) -> Panels:
     return Panels(
-        ImportPanel(desk, tr("Bring in a surface and say what its numbers mean."), parent),
+        ImportPanel(context, tr("Bring in a surface and say what its numbers mean."), parent),
         RepairPanel(
-            desk,
+            context,
             tasks,
             tr("A tissue needs a clean surface. Holes stay open until you fill them."),
             parent,
         ),
         DecimatePanel(
-            desk,
+            context,
             tasks,
             tr("Fewer vertices tick faster. The shape shown is what will be felt."),
             parent,
         ),
         MaterialPanel(
-            desk,
+            context,
             tr("Chosen by hand to feel like an organ, or given by what the tissue is made of."),
             parent,
         ),
-        TestPanel(desk, parent),
+        TestPanel(context, parent),
         PublishPanel(
-            desk, publishing, tr("Write one file that a trainee can open and feel."), parent
+            context, publishing, tr("Write one file that a trainee can open and feel."), parent
         ),
     )

@@ -18,10 +18,10 @@ from PySide6.QtWidgets import (
 )
 
 from palpate_editor.appearance import fold
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.stages.parts_preview import PartsPreview
 from palpate_editor.views.tasks import Part
-from palpate_editor.views.words import count, number, tr
+from palpate_editor.views.translations import count, number, tr
 
 NAME = Qt.ItemDataRole.UserRole
 ROWS = 6
@@ -35,12 +35,12 @@ class PartsChooser(QWidget):
     changed = Signal()
     """Other parts are ticked."""
 
-    def __init__(self, desk: Desk, parent: QWidget | None = None):
+    def __init__(self, context: Context, parent: QWidget | None = None):
         super().__init__(parent)
-        self.desk = desk
+        self.context = context
         self.known: dict[str, Part | None] = {}
         """By name; None for one whose file was not read in this window."""
-        self.preview = PartsPreview(desk, self)
+        self.preview = PartsPreview(context, self)
         self.search = QLineEdit(self)
         self.search.setObjectName("find_part")
         self.search.setPlaceholderText(tr("Find a part by its name"))
@@ -67,8 +67,8 @@ class PartsChooser(QWidget):
         column.addWidget(self.search)
         column.addWidget(self.list)
         column.addLayout(row)
-        desk.stage_shown.connect(self.on_stage)
-        desk.session.changed.connect(self.end_preview)
+        context.stage_shown.connect(self.on_stage)
+        context.session.changed.connect(self.end_preview)
 
     def build_list(self) -> QListWidget:
         made = QListWidget(self)
@@ -147,7 +147,7 @@ class PartsChooser(QWidget):
     def on_tick(self, item: QListWidgetItem | None = None) -> None:
         del item
         self.changed.emit()
-        if self.desk.previewing:
+        if self.context.previewing:
             self.preview.show(self.ticked())
 
     def ticked(self) -> list[Part]:
@@ -172,7 +172,7 @@ class PartsChooser(QWidget):
 
     def mark(self, item: QListWidgetItem | None, *_: object) -> None:
         """Highlights the part under the pointer, or that the keyboard has come to."""
-        if not self.desk.previewing or item is None:
+        if not self.context.previewing or item is None:
             return
         self.preview.mark(self.known.get(str(item.data(NAME))))
 

@@ -11,7 +11,7 @@ from palpate.render import Look, Shape, build_look
 from PySide6.QtCore import QObject
 
 from palpate_editor.appearance import USUAL, make_look
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.tasks import Part
 
 MARK = "part under the pointer"
@@ -21,15 +21,15 @@ MARKED = Look((1.0, 0.62, 0.10), gloss=0.2, softness=0.0, seen_through=True, cas
 class PartsPreview(QObject):
     """Takes the view from the organ and gives it back."""
 
-    def __init__(self, desk: Desk, parent: QObject | None = None):
+    def __init__(self, context: Context, parent: QObject | None = None):
         super().__init__(parent)
-        self.desk = desk
+        self.context = context
         self.marked: Part | None = None
 
     def show(self, parts: Sequence[Part], frame: bool = False) -> None:
         """Draws these parts in the place of the organ; `frame` puts all of them in sight."""
-        view, first = self.desk.view, not self.desk.previewing
-        self.desk.show_preview(True)
+        view, first = self.context.view, not self.context.previewing
+        self.context.show_preview(True)
         vertices, triangles = join(parts)
         view.show_selection(None)
         view.show_surface(vertices, triangles)
@@ -41,7 +41,7 @@ class PartsPreview(QObject):
         """Highlights a part through all that hides it; None for none."""
         if part is self.marked:
             return
-        view, self.marked = self.desk.view, part
+        view, self.marked = self.context.view, part
         view.show_part(MARK, None, MARKED)  # its triangles may be others
         if part is not None and len(part.surface.triangles):
             x, triangles = part.surface.vertices, part.surface.triangles
@@ -51,9 +51,9 @@ class PartsPreview(QObject):
     def clear(self) -> None:
         """The organ has the view again."""
         self.mark(None)
-        if self.desk.previewing:
-            self.desk.show_preview(False)
-            self.desk.view.frame_all()
+        if self.context.previewing:
+            self.context.show_preview(False)
+            self.context.view.frame_all()
 
 
 def join(parts: Sequence[Part]) -> tuple[np.ndarray, np.ndarray]:

@@ -10,12 +10,12 @@ from PySide6.QtWidgets import QComboBox, QLineEdit, QPlainTextEdit, QPushButton,
 from palpate_editor.document import Organ, Translation
 from palpate_editor.document.problems import Problem
 from palpate_editor.edits import SetTask
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.publishing import Publishing
 from palpate_editor.views.stage_bar import stage_title
 from palpate_editor.views.stages.facts import Facts, write_label
 from palpate_editor.views.stages.stage_panel import StagePanel
-from palpate_editor.views.words import count, quantity, tr
+from palpate_editor.views.translations import count, quantity, tr
 
 TASK_HEIGHT = 130
 """[px]"""
@@ -69,10 +69,10 @@ class PublishPanel(StagePanel):
     stage = "publish"
 
     def __init__(
-        self, desk: Desk, publishing: Publishing, lead: str, parent: QWidget | None = None
+        self, context: Context, publishing: Publishing, lead: str, parent: QWidget | None = None
     ):
         self.publishing = publishing
-        super().__init__(desk, lead, parent)
+        super().__init__(context, lead, parent)
 
     def build(self) -> None:
         section = self.section(tr("What the trainee reads"))
@@ -110,7 +110,7 @@ class PublishPanel(StagePanel):
 
     def words(self) -> Translation:
         """Title and task in the language that is being written."""
-        organ, code = self.desk.session.organ, self.language.code()
+        organ, code = self.context.session.organ, self.language.code()
         if not code:
             return Translation(organ.title, organ.task)
         return organ.languages.get(code, Translation())
@@ -136,7 +136,7 @@ class PublishPanel(StagePanel):
             self.published.setText(tr("Published as {file}.").format(file=path))
 
     def show_assessment(self) -> None:
-        assessment, organ = self.desk.assessment, self.desk.session.organ
+        assessment, organ = self.context.assessment, self.context.session.organ
         tissue = assessment.tissue if assessment else None
         self.facts.parentWidget().setVisible(organ.surface is not None)
         self.button.setEnabled(organ.surface is not None)
@@ -161,7 +161,7 @@ class PublishPanel(StagePanel):
         )
 
     def problems(self) -> list[Problem]:
-        assessment = self.desk.assessment
+        assessment = self.context.assessment
         if assessment is None:
             return []
         others = [p for p in assessment.problems if p.severity == "error" and p.stage != self.stage]
@@ -172,7 +172,7 @@ class PublishPanel(StagePanel):
         return words if problem.stage == self.stage else f"{stage_title(problem.stage)}: {words}"
 
     def good_news(self) -> list[str]:
-        assessment = self.desk.assessment
+        assessment = self.context.assessment
         if assessment is None or assessment.organ.surface is None:
             return []
         if any(p.severity == "error" for p in assessment.problems):
@@ -184,12 +184,12 @@ class PublishPanel(StagePanel):
     def set_title(self) -> None:
         title = self.title.text().strip()
         if title != self.words().title:
-            self.desk.apply(SetTask(scenario_title=title, language=self.language.code()))
+            self.context.apply(SetTask(scenario_title=title, language=self.language.code()))
 
     def set_task(self) -> None:
         task = self.task.toPlainText().strip()
         if task != self.words().task:
-            self.desk.apply(SetTask(task=task, language=self.language.code()))
+            self.context.apply(SetTask(task=task, language=self.language.code()))
 
     def publish(self) -> None:
         self.set_title()

@@ -33,11 +33,11 @@ from palpate_editor.own_values import (
     write_own_values,
 )
 from palpate_editor.shipped import list_tissues
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.quantity_box import QuantityBox, QuantityRow
 from palpate_editor.views.shipped_organs import name_tissue
 from palpate_editor.views.stages.facts import write_label
-from palpate_editor.views.words import number, say, tr
+from palpate_editor.views.translations import number, say, tr
 
 SIZE = QSize(880, 520)
 OWN = Qt.ItemDataRole.UserRole
@@ -49,10 +49,10 @@ class PublishedDialog(QDialog):
     changed = Signal()
     """A value was added or removed."""
 
-    def __init__(self, desk: Desk, parent: QWidget | None = None):
+    def __init__(self, context: Context, parent: QWidget | None = None):
         super().__init__(parent)
         self.setObjectName("published_dialog")
-        self.desk, self.tissues = desk, list_tissues()
+        self.context, self.tissues = context, list_tissues()
         self.own: tuple[OwnValue, ...] = ()
         self.setWindowTitle(tr("Published values"))
         column = QVBoxLayout(self)
@@ -150,7 +150,7 @@ class PublishedDialog(QDialog):
         try:
             self.own = read_own_values(find_file())
         except (Refusal, OSError) as problem:
-            self.desk.refuse(problem)
+            self.context.refuse(problem)
         self.fill()
 
     def fill(self) -> None:
@@ -196,7 +196,7 @@ class PublishedDialog(QDialog):
         low = self.low.shown
         high = low if self.high.shown is None else self.high.shown
         if low is None or high is None:
-            self.desk.tell(tr("A published value needs a number."), "warning")
+            self.context.tell(tr("A published value needs a number."), "warning")
             return
         value = OwnValue(
             self.tissues[self.tissue.currentIndex()].name,
@@ -208,7 +208,7 @@ class PublishedDialog(QDialog):
         )
         fault = find_fault(value)
         if fault is not None:
-            self.desk.refuse(EditError(fault))
+            self.context.refuse(EditError(fault))
             return
         if self.keep((*self.own, value)):
             self.method.clear()
@@ -224,7 +224,7 @@ class PublishedDialog(QDialog):
         try:
             write_own_values(find_file(), own)
         except (OSError, ValueError) as problem:
-            self.desk.refuse(problem)
+            self.context.refuse(problem)
             return False
         self.own = own
         self.fill()

@@ -9,10 +9,10 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPushButton, QWidget
 
 from palpate_editor.edits import SetMaterial
 from palpate_editor.shipped import list_tissues
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.shipped_organs import name_tissue
 from palpate_editor.views.stages.published_dialog import PublishedDialog
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 
 class TissueBox(QComboBox):
@@ -24,9 +24,9 @@ class TissueBox(QComboBox):
 class PublishedValues(QWidget):
     """One row at the top of the form."""
 
-    def __init__(self, desk: Desk, parent: QWidget | None = None):
+    def __init__(self, context: Context, parent: QWidget | None = None):
         super().__init__(parent)
-        self.desk, self.tissues = desk, list_tissues()
+        self.context, self.tissues = context, list_tissues()
         self.dialog: PublishedDialog | None = None
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
@@ -52,10 +52,10 @@ class PublishedValues(QWidget):
 
     def show_values(self) -> None:
         if self.dialog is None:
-            self.dialog = PublishedDialog(self.desk, self)
+            self.dialog = PublishedDialog(self.context, self)
         self.dialog.show_tissue(self.box.currentIndex())
 
     def use_tissue(self) -> None:
         tissue = self.tissues[self.box.currentIndex()]
         material, model = MaterialPart(**tissue.material), ModelPart(**tissue.model)
-        self.desk.apply(SetMaterial(material, model, name_tissue(tissue.name, tissue.title)))
+        self.context.apply(SetMaterial(material, model, name_tissue(tissue.name, tissue.title)))

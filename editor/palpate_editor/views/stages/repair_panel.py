@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stage 2: what is good and bad about the surface, and what was mended when it was read."""
+"""Stage 2: what is good and bad about the surface, and what was repaired when it was read."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from PySide6.QtWidgets import QWidget
 from palpate_editor.authoring import MeshReport
 from palpate_editor.document import Organ, Repairs
 from palpate_editor.edits import KeepLargestShell
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.stages.facts import Facts
 from palpate_editor.views.stages.hole_list import HoleList
 from palpate_editor.views.stages.stage_panel import StagePanel
 from palpate_editor.views.tasks import Tasks
-from palpate_editor.views.words import count, quantity, tr
+from palpate_editor.views.translations import count, quantity, tr
 
 
 class RepairPanel(StagePanel):
@@ -21,26 +21,26 @@ class RepairPanel(StagePanel):
 
     stage = "repair"
 
-    def __init__(self, desk: Desk, tasks: Tasks, lead: str, parent: QWidget | None = None):
+    def __init__(self, context: Context, tasks: Tasks, lead: str, parent: QWidget | None = None):
         self.tasks = tasks
-        super().__init__(desk, lead, parent)
+        super().__init__(context, lead, parent)
 
     def build(self) -> None:
         self.facts = self.section(tr("The surface now")).add(Facts(self))
         self.largest = self.main_button(tr("Keep the largest piece"), "keep_largest")
         self.largest.clicked.connect(self.keep_largest)
         self.form.addWidget(self.largest)
-        self.holes = self.section(tr("Holes")).add(HoleList(self.desk, self.tasks, self))
-        self.repairs = self.section(tr("Mended when it was read")).add(Facts(self))
+        self.holes = self.section(tr("Holes")).add(HoleList(self.context, self.tasks, self))
+        self.repairs = self.section(tr("Repaired when it was read")).add(Facts(self))
 
     def show_organ(self, organ: Organ) -> None:
         repairs = organ.source.repairs if organ.source else Repairs()
         rows = [(name, count(value)) for name, value in repair_rows(repairs) if value]
-        self.repairs.show_facts(rows or [(tr("Nothing needed mending"), "")])
+        self.repairs.show_facts(rows or [(tr("Nothing needed repair"), "")])
         self.repairs.parentWidget().setVisible(organ.source is not None)
 
     def show_assessment(self) -> None:
-        assessment = self.desk.assessment
+        assessment = self.context.assessment
         report = assessment.report if assessment else None
         self.facts.parentWidget().setVisible(report is not None)
         self.largest.setVisible(report is not None and report.shells > 1)
@@ -76,7 +76,7 @@ class RepairPanel(StagePanel):
         )
 
     def good_news(self) -> list[str]:
-        assessment = self.desk.assessment
+        assessment = self.context.assessment
         report = assessment.report if assessment else None
         if report is None:
             return []

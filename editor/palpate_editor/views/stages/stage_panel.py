@@ -8,11 +8,11 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from palpate_editor.document import Organ
 from palpate_editor.document.problems import STAGES, Problem
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.stage_bar import stage_title
 from palpate_editor.views.stages.facts import CheckRow, Section, write_label
 from palpate_editor.views.theme import title_font
-from palpate_editor.views.words import say, say_found, tr
+from palpate_editor.views.translations import say, say_found, tr
 
 TONES = {"error": "bad", "warning": "warning", "note": "faint"}
 
@@ -22,10 +22,10 @@ class StagePanel(QWidget):
 
     stage = ""
 
-    def __init__(self, desk: Desk, lead: str, parent: QWidget | None = None):
+    def __init__(self, context: Context, lead: str, parent: QWidget | None = None):
         super().__init__(parent)
         self.setObjectName("stage_page")
-        self.desk = desk
+        self.context = context
         self.column = QVBoxLayout(self)
         self.column.setContentsMargins(16, 12, 16, 14)
         self.column.setSpacing(8)
@@ -60,7 +60,7 @@ class StagePanel(QWidget):
 
     def problems(self) -> list[Problem]:
         """Those shown among the checks."""
-        assessment = self.desk.assessment
+        assessment = self.context.assessment
         return [] if assessment is None else assessment.of_stage(self.stage)
 
     def words_of(self, problem: Problem) -> str:
@@ -88,7 +88,7 @@ class StagePanel(QWidget):
         return row
 
     def go_on(self) -> None:
-        self.desk.show_stage(STAGES[STAGES.index(self.stage) + 1])
+        self.context.show_stage(STAGES[STAGES.index(self.stage) + 1])
 
     def section(self, title: str) -> Section:
         made = Section(title, self)
@@ -104,7 +104,7 @@ class StagePanel(QWidget):
 
     def show_checks(self) -> None:
         """All problems of the stage, then what is good."""
-        colours = self.desk.colours
+        colours = self.context.colours
         entries = [
             (TONES[p.severity], self.words_of(p), p.fix, tr("Fix it") if p.fix else "")
             for p in self.problems()
@@ -112,7 +112,7 @@ class StagePanel(QWidget):
         entries += [("good", sentence, None, "") for sentence in self.good_news()]
         while len(self.rows) < len(entries):
             row = CheckRow(self)
-            row.fix_wanted.connect(self.desk.apply)
+            row.fix_wanted.connect(self.context.apply)
             self.rows.append(row)
             self.checks.add(row)
         for i, row in enumerate(self.rows):

@@ -27,9 +27,9 @@ __all__ = [
 ]
 
 
-def build_tools(desk: Any) -> list[Any]:
+def build_tools(context: Any) -> list[Any]:
     """The tools of a window in the order of its tool strip; the brushes share one size."""
     brush = Brush()
-    fix, stiffness = FixTool(desk, brush), StiffnessTool(desk, brush)
-    stiffness.keys = BrushKeys([fix, stiffness], desk)
-    return [SelectTool(desk), fix, stiffness]
+    fix, stiffness = FixTool(context, brush), StiffnessTool(context, brush)
+    stiffness.keys = BrushKeys([fix, stiffness], context)
+    return [SelectTool(context), fix, stiffness]

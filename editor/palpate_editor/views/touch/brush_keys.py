@@ -9,7 +9,7 @@ from typing import Any
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction
 
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 
 class BrushKeys(QObject):

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 
 from palpate_editor.edits.paint import LEAST, MOST
 from palpate_editor.views.quantity_box import QuantityBox, QuantityRow
-from palpate_editor.views.words import count, tr
+from palpate_editor.views.translations import count, tr
 
 STEPS = 200
 """of a slider from end to end."""
@@ -117,7 +117,7 @@ class BrushOptions(QWidget):
         )
         form.addRow(self._build_foot(has_factor))
         tool.brush_changed.connect(self.show_brush)
-        tool.desk.session.changed.connect(self._show_count)
+        tool.context.session.changed.connect(self._show_count)
         self.show_brush()
         self._show_count()
 

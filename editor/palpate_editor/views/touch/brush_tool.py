@@ -20,7 +20,7 @@ from palpate_editor.views.touch.colours import show_painted
 from palpate_editor.views.touch.painted_surface import FIRST_RADIUS, PaintedSurface, Spot
 from palpate_editor.views.touch.stroke import Brush, Stroke
 from palpate_editor.views.touch.surface_keeper import keeper_of
-from palpate_editor.views.words import fill, tr
+from palpate_editor.views.translations import fill, tr
 
 GROWTH = 1.15
 """[-] of the radius for one key or one notch of the wheel."""
@@ -71,19 +71,19 @@ class BrushTool(QObject):
     activated = Signal(bool)
     """It has the mouse now, or no longer."""
 
-    def __init__(self, desk: Any, brush: Brush, paint: Paint, parent: QObject | None = None):
-        super().__init__(parent or desk)
-        self.desk, self.brush, self.paint = desk, brush, paint
+    def __init__(self, context: Any, brush: Brush, paint: Paint, parent: QObject | None = None):
+        super().__init__(parent or context)
+        self.context, self.brush, self.paint = context, brush, paint
         self.name, self.shortcut = paint.name, paint.shortcut
         self.keys: BrushKeys | None = None
         """Those of all brushes, where there is a menu for them."""
         self.active = False
-        self._keeper = keeper_of(desk)
+        self._keeper = keeper_of(context)
         self._painted: PaintedSurface | None = None
         self._stroke: Stroke | None = None
         self._last: QPointF | None = None
         self._options: QWidget | None = None
-        desk.session.changed.connect(self._take_organ)
+        context.session.changed.connect(self._take_organ)
 
     def title(self) -> str:
         return self.paint.title()
@@ -96,19 +96,19 @@ class BrushTool(QObject):
     def activate(self) -> None:
         """Takes the mouse over the organ."""
         self.active = True
-        self.desk.view.tool = self
+        self.context.view.tool = self
         self.find_painted()
-        self.show_organ(self.desk.session.organ)
+        self.show_organ(self.context.session.organ)
         self.activated.emit(True)
 
     def deactivate(self) -> None:
         """Gives the mouse back; a stroke under way is dropped."""
         self._stroke = None
         self.active = False
-        self.desk.view.show_ring(None)
-        if self.desk.view.tool is self:
-            self.desk.view.tool = None
-        show_painted(self.desk.view, self.desk.session.organ)
+        self.context.view.show_ring(None)
+        if self.context.view.tool is self:
+            self.context.view.tool = None
+        show_painted(self.context.view, self.context.session.organ)
         self.activated.emit(False)
 
     def actions(self) -> list[QAction]:
@@ -125,19 +125,19 @@ class BrushTool(QObject):
         """Colours the view with what the document says, or a stroke under way will say."""
         if organ.surface is None:
             return
-        self.paint.show_organ(self.desk.view, organ)
+        self.paint.show_organ(self.context.view, organ)
         if self._stroke is not None:
-            self.paint.show_stroke(self.desk.view, self._stroke)
+            self.paint.show_stroke(self.context.view, self._stroke)
 
     def count_painted(self) -> tuple[int, int]:
         """How many vertices carry this paint, and how many there are."""
-        painted = self.paint.find_painted(self.desk.session.organ)
+        painted = self.paint.find_painted(self.context.session.organ)
         return int(painted.sum()), len(painted)
 
     def erase_all(self) -> None:
         """Takes this paint off the whole organ."""
-        ids = np.flatnonzero(self.paint.find_painted(self.desk.session.organ))
-        self.desk.apply(self.paint.erase(ids))
+        ids = np.flatnonzero(self.paint.find_painted(self.context.session.organ))
+        self.context.apply(self.paint.erase(ids))
 
     def find_painted(self) -> PaintedSurface | None:
         """The surface to paint on; None while there is none that is ready."""
@@ -169,7 +169,7 @@ class BrushTool(QObject):
 
     def find_spot(self, at: QPointF) -> Spot | None:
         """What the mouse points at; None beside the organ."""
-        view = self.desk.view
+        view = self.context.view
         found = view.pick(at)
         if found is None or self.find_painted() is None:
             return None
@@ -183,19 +183,19 @@ class BrushTool(QObject):
 
     def pixels(self, spot: Spot) -> float:
         """[px] of the screen that the radius is at a spot."""
-        return self.brush.radius / max(self.desk.view.pixel_size_at(spot.point), 1e-12)
+        return self.brush.radius / max(self.context.view.pixel_size_at(spot.point), 1e-12)
 
     def _show_ring(self, at: QPointF) -> Spot | None:
         spot = self.find_spot(at)
         if spot is None:
-            self.desk.view.show_ring(None)
-            self.desk.set_hint(self.hint())
+            self.context.view.show_ring(None)
+            self.context.set_hint(self.hint())
             return None
-        self.desk.view.show_ring(spot.point, self._painted.normal_at(spot), self.brush.radius)
+        self.context.view.show_ring(spot.point, self._painted.normal_at(spot), self.brush.radius)
         size = fill(
             tr("brush {mm:.1f} mm ({px:.0f} px)"), mm=1e3 * self.brush.radius, px=self.pixels(spot)
         )
-        self.desk.set_hint(f"{size}   {self.hint()}")
+        self.context.set_hint(f"{size}   {self.hint()}")
         return spot
 
     # ------------------------------------------------------------ events of the view
@@ -208,11 +208,11 @@ class BrushTool(QObject):
         spot = self._show_ring(event.position())
         if spot is None:
             return False
-        organ, keys = self.desk.session.organ, event.modifiers()
+        organ, keys = self.context.session.organ, event.modifiers()
         self._stroke = self.paint.begin(organ, self._painted, self.brush, keys)
         self._last = event.position()
         self._stamp(spot)
-        self.paint.show_stroke(self.desk.view, self._stroke)
+        self.paint.show_stroke(self.context.view, self._stroke)
         return True
 
     def move(self, view: Any, event: QMouseEvent) -> bool:
@@ -222,7 +222,7 @@ class BrushTool(QObject):
         if self._stroke is None:
             return False
         self._paint_way(event.position(), spot)
-        self.paint.show_stroke(self.desk.view, self._stroke)
+        self.paint.show_stroke(self.context.view, self._stroke)
         return True
 
     def release(self, view: Any, event: QMouseEvent) -> bool:
@@ -232,8 +232,8 @@ class BrushTool(QObject):
             return False
         stroke, self._stroke = self._stroke, None
         edit = stroke.edit()
-        if edit is None or not self.desk.apply(edit):
-            self.show_organ(self.desk.session.organ)
+        if edit is None or not self.context.apply(edit):
+            self.show_organ(self.context.session.organ)
         return True
 
     def wheel(self, view: Any, event: QWheelEvent) -> bool:
@@ -256,7 +256,7 @@ class BrushTool(QObject):
         if event.key() == Qt.Key.Key_Escape:
             if self._stroke is not None:
                 self._stroke = None
-                self.show_organ(self.desk.session.organ)
+                self.show_organ(self.context.session.organ)
             else:
                 self.left.emit()
             return True

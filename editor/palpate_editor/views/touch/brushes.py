@@ -21,7 +21,7 @@ from palpate_editor.views.touch.stroke import (
     StiffnessStroke,
     Stroke,
 )
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 CONTROL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 
@@ -91,12 +91,12 @@ class StiffnessPaint:
 class FixTool(BrushTool):
     """Paints with FixPaint."""
 
-    def __init__(self, desk: Any, brush: Brush, parent: QObject | None = None):
-        super().__init__(desk, brush, FixPaint(), parent)
+    def __init__(self, context: Any, brush: Brush, parent: QObject | None = None):
+        super().__init__(context, brush, FixPaint(), parent)
 
 
 class StiffnessTool(BrushTool):
     """Paints with StiffnessPaint."""
 
-    def __init__(self, desk: Any, brush: Brush, parent: QObject | None = None):
-        super().__init__(desk, brush, StiffnessPaint(), parent)
+    def __init__(self, context: Any, brush: Brush, parent: QObject | None = None):
+        super().__init__(context, brush, StiffnessPaint(), parent)

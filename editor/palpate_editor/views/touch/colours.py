@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from palpate_editor.document import Organ
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 FAINT_FIXED = 0.45
 """[-] highlight of fixed vertices beside selected ones."""

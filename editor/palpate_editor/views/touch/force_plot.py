@@ -19,7 +19,7 @@ from PySide6.QtWidgets import QLabel, QMenu, QSizePolicy, QVBoxLayout, QWidget
 
 from palpate_editor.views.touch.force_trace import ForceTrace, write_csv
 from palpate_editor.views.touch.save_dialog import ask_save
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 FRAME = 33
 """[ms] between two drawings, about 30 a second."""

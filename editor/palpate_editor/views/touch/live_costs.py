@@ -12,7 +12,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 GOOD, NEAR, OVER = QColor("#2f9e6e"), QColor("#d9912b"), QColor("#d64545")
 """Colours of a share that is well inside, near and beyond its limit."""

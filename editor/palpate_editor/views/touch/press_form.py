@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLabel, QPushButton, QSi
 
 from palpate_editor.views.quantity_box import QuantityBox, QuantityRow
 from palpate_editor.views.stages.facts import write_label
-from palpate_editor.views.words import fill, tr
+from palpate_editor.views.translations import fill, tr
 
 FIRST = {"depth": 6e-3, "pull": 0.0, "speed": 0.03, "hold": 0.3}
 """[m] [m] [m/s] [s], those of `palpate press`."""

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPushButton, QWidget
 
 from palpate_editor.document import Organ
 from palpate_editor.edits import RemoveRegion, SetRegion
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 
 class RegionRow(QWidget):
@@ -40,7 +40,7 @@ class RegionRow(QWidget):
         row.addWidget(self.keep)
         row.addWidget(self.forget)
         self.show_names()
-        tool.desk.session.changed.connect(self._on_changed)
+        tool.context.session.changed.connect(self._on_changed)
         tool.selection_changed.connect(self.show_use)
 
     def _button(self, title: str, tip: str, slot: Any, name: str) -> QPushButton:
@@ -57,11 +57,11 @@ class RegionRow(QWidget):
         return self.names.currentText().strip()
 
     def show_names(self) -> None:
-        """Lists the regions of the organ on the desk; what was typed stays."""
+        """Lists the regions of the open organ; what was typed stays."""
         typed = self.names.currentText()
         self.names.blockSignals(True)
         self.names.clear()
-        self.names.addItems(sorted(self.tool.desk.session.organ.regions))
+        self.names.addItems(sorted(self.tool.context.session.organ.regions))
         self.names.setEditText(typed)
         self.names.blockSignals(False)
         self.show_use()
@@ -69,21 +69,21 @@ class RegionRow(QWidget):
     def show_use(self) -> None:
         """Locks what would do nothing."""
         self.keep.setEnabled(bool(self.name) and bool(self.tool.selected.any()))
-        self.forget.setEnabled(self.name in self.tool.desk.session.organ.regions)
+        self.forget.setEnabled(self.name in self.tool.context.session.organ.regions)
 
     def _on_changed(self, before: Organ, after: Organ) -> None:
         if before.regions is not after.regions:
             self.show_names()
 
     def _recall(self, index: int) -> None:
-        ids = self.tool.desk.session.organ.regions.get(self.names.itemText(index))
+        ids = self.tool.context.session.organ.regions.get(self.names.itemText(index))
         if ids is not None:
             self.tool.select(ids)
 
     def _keep(self) -> None:
         ids = np.flatnonzero(self.tool.selected)
-        self.tool.desk.apply(SetRegion(self.name, ids))
+        self.tool.context.apply(SetRegion(self.name, ids))
 
     def _forget(self) -> None:
-        if self.tool.desk.apply(RemoveRegion(self.name)):
+        if self.tool.context.apply(RemoveRegion(self.name)):
             self.names.setEditText("")

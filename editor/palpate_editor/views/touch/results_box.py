@@ -11,15 +11,15 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 from palpate_editor.views.stages.facts import Fact, Facts
 from palpate_editor.views.touch.results import Outcome, keep_record
 from palpate_editor.views.touch.save_dialog import ask_save
-from palpate_editor.views.words import count, quantity, tr
+from palpate_editor.views.translations import count, quantity, tr
 
 
 class ResultsBox(QWidget):
     """Numbers of one run."""
 
-    def __init__(self, desk: Any, parent: QWidget | None = None):
+    def __init__(self, context: Any, parent: QWidget | None = None):
         super().__init__(parent)
-        self.desk = desk
+        self.context = context
         self.outcome: Outcome | None = None
         self.facts = Facts(self)
         self.save_button = QPushButton(tr("Save record…"), self)
@@ -48,7 +48,7 @@ class ResultsBox(QWidget):
     def choose_record(self) -> None:
         """Asks for a file and keeps the last run in it."""
         if self.outcome is None:
-            self.desk.tell(tr("There is no run to save yet."))
+            self.context.tell(tr("There is no run to save yet."))
             return
         first = (self.outcome.organ.name or "organ") + ".prec"
         filters = tr("Record (*.prec)")
@@ -63,15 +63,15 @@ class ResultsBox(QWidget):
         try:
             scene = keep_record(self.outcome, path)
         except (OSError, ValueError) as problem:
-            self.desk.refuse(problem)
+            self.context.refuse(problem)
             return
-        self.desk.tell(
+        self.context.tell(
             tr("Kept in {record}, with the organ beside it in {scene}.").format(
                 record=path.name, scene=scene.name
             ),
             "info",
         )
-        self.desk.log_command(["palpate", "replay", str(path)])
+        self.context.log_command(["palpate", "replay", str(path)])
 
 
 def list_felt(outcome: Outcome) -> list[Fact]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Begins and ends live runs of the organ on the desk, and keeps what the last one felt."""
+"""Begins and ends live runs of the open organ, and keeps what the last one felt."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from palpate_editor.views.touch.force_plot import ForcePlot
 from palpate_editor.views.touch.live_costs import LiveCosts
 from palpate_editor.views.touch.results import Outcome, read_felt
 from palpate_editor.views.touch.trial import Trial, advise, describe_end
-from palpate_editor.views.words import say, tr
+from palpate_editor.views.translations import say, tr
 
 
 @dataclass(frozen=True)
@@ -62,9 +62,11 @@ class Runner(QObject):
     ended = Signal(object)
     """An Outcome."""
 
-    def __init__(self, desk: Any, plot: ForcePlot, costs: LiveCosts, parent: QObject | None = None):
+    def __init__(
+        self, context: Any, plot: ForcePlot, costs: LiveCosts, parent: QObject | None = None
+    ):
         super().__init__(parent)
-        self.desk, self.plot, self.costs = desk, plot, costs
+        self.context, self.plot, self.costs = context, plot, costs
         self.wish: HandWish | PressWish | None = None
         """What waits for the organ to be compiled, or runs."""
         self.trial: Trial | None = None
@@ -73,8 +75,8 @@ class Runner(QObject):
         self._tool_before: Any = None
         self._name, self._count = "", 0
         self._folder = tempfile.TemporaryDirectory(prefix="palpate-test-")
-        desk.session.changed.connect(self._on_changed)
-        desk.assessed.connect(self._on_assessed)
+        context.session.changed.connect(self._on_changed)
+        context.assessed.connect(self._on_assessed)
 
     @property
     def running(self) -> bool:
@@ -95,8 +97,8 @@ class Runner(QObject):
     def start(self, wish: HandWish | PressWish) -> None:
         """Begins as soon as the organ is compiled; another run is ended first."""
         self.stop()
-        if self.desk.session.organ.surface is None:
-            self.desk.tell(tr("There is no organ to test yet: import a mesh file first."))
+        if self.context.session.organ.surface is None:
+            self.context.tell(tr("There is no organ to test yet: import a mesh file first."))
             return
         self.wish = wish
         self.changed.emit()
@@ -129,14 +131,14 @@ class Runner(QObject):
     # ------------------------------------------------------------ beginning
 
     def _on_assessed(self) -> None:
-        found, organ = self.desk.assessment, self.desk.session.organ
+        found, organ = self.context.assessment, self.context.session.organ
         if self.wish is None or self.trial is not None or found is None:
             return
         if found.organ is not organ:
             return
         if found.scene is None:
             self.wish = None
-            self.desk.tell(describe_refusal(found.problems))
+            self.context.tell(describe_refusal(found.problems))
             self.changed.emit()
             return
         self._begin(organ, found.scene, self.wish)
@@ -154,12 +156,12 @@ class Runner(QObject):
             self._script = place, moments
             self._name = tr("Press {count}").format(count=self._count)
         record = Path(self._folder.name) / f"run{self._count}.prec"
-        view = self.desk.view
+        view = self.context.view
         try:
             self.trial = Trial(view, scene, device, record, duration, self)
         except OSError as problem:
             self.wish = None
-            self.desk.refuse(problem)
+            self.context.refuse(problem)
             self.changed.emit()
             return
         self._organ = organ
@@ -170,7 +172,7 @@ class Runner(QObject):
             view.tool = PointerHand(view, device, scene)
         self.plot.begin(self._name)
         self.costs.clear()
-        facts = self.desk.assessment.tissue
+        facts = self.context.assessment.tissue
         if facts is not None and facts.margin:
             self.costs.show_margin(1.0 / scene.rate / scene.substeps, facts.margin)
         self.trial.start()
@@ -184,7 +186,7 @@ class Runner(QObject):
 
     def _end(self, report: palpate.LoopReport) -> None:
         trial, self.trial, self.wish = self.trial, None, None
-        view = self.desk.view
+        view = self.context.view
         if isinstance(view.tool, PointerHand):
             view.tool = self._tool_before
             view.hint.say(None)
@@ -199,11 +201,11 @@ class Runner(QObject):
         trial.record.unlink(missing_ok=True)
         problem = describe_end(report)
         if problem is not None:
-            self.desk.tell(problem)
+            self.context.tell(problem)
             self._find_cause(trial.scene, report)
-        elif is_built_alike(self.desk.session.organ, self._organ):
-            self.desk.session.mark_tested()
-            self.desk.assessor.begin()
+        elif is_built_alike(self.context.session.organ, self._organ):
+            self.context.session.mark_tested()
+            self.context.assessor.begin()
         self.changed.emit()
         if outcome is not None:
             self.ended.emit(outcome)
@@ -212,10 +214,12 @@ class Runner(QObject):
         """Advice, where the run ended in an alarm; trials of the scene take seconds."""
         if report.alarm.kind != palpate.AlarmKind.none:
             work = CauseWork(scene, report)
-            self.desk.jobs.start_unseen("cause of an alarm", work, self._advise, self.desk.refuse)
+            self.context.jobs.start_unseen(
+                "cause of an alarm", work, self._advise, self.context.refuse
+            )
 
     def _advise(self, found: tuple[palpate.LoopReport, Cause | None]) -> None:
-        self.desk.tell(advise(*found))
+        self.context.tell(advise(*found))
 
     def _read_outcome(self, trial: Trial, report: palpate.LoopReport) -> Outcome | None:
         try:
@@ -223,7 +227,7 @@ class Runner(QObject):
                 raise trial.problem
             record = palpate.read_record(str(trial.record))
         except OSError as problem:
-            self.desk.refuse(problem)
+            self.context.refuse(problem)
             return None
         if len(record.hand) == 0:
             return None
@@ -238,7 +242,7 @@ class Runner(QObject):
         del before
         if self.trial is not None and not is_built_alike(after, self._organ):
             self.stop()
-            self.desk.tell(
+            self.context.tell(
                 tr("The run was stopped because the organ was changed. Start it again."), "info"
             )
 

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QWidget
 
 from palpate_editor.views.quantity_box import QuantityBox, QuantityRow
 from palpate_editor.views.touch.region_row import RegionRow
-from palpate_editor.views.words import count, tr
+from palpate_editor.views.translations import count, tr
 
 FIRST_FACTOR = 3.0
 

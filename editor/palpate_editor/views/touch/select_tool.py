@@ -19,7 +19,7 @@ from palpate_editor.views.touch.colours import show_fixed, show_painted, show_st
 from palpate_editor.views.touch.painted_surface import PaintedSurface, Spot
 from palpate_editor.views.touch.selection import find_in_rectangle
 from palpate_editor.views.touch.surface_keeper import SeenWork, keeper_of
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 QUICK_TO_SEE = 3000
 """Vertices that are looked at between two pictures."""
@@ -34,12 +34,12 @@ class SelectTool(QObject):
     left = Signal()
     selection_changed = Signal()
 
-    def __init__(self, desk: Any, parent: QObject | None = None):
-        super().__init__(parent or desk)
-        self.desk = desk
+    def __init__(self, context: Any, parent: QObject | None = None):
+        super().__init__(parent or context)
+        self.context = context
         self.active = False
-        self.selected: NDArray[np.bool_] = np.zeros(desk.session.organ.vertex_count, bool)
-        self._keeper = keeper_of(desk)
+        self.selected: NDArray[np.bool_] = np.zeros(context.session.organ.vertex_count, bool)
+        self._keeper = keeper_of(context)
         self._painted: PaintedSurface | None = None
         self._late: tuple[Surface, Any] | None = None
         """What waits for a thread to find what is seen: of which surface, with which keys."""
@@ -47,7 +47,7 @@ class SelectTool(QObject):
         self._band: QRubberBand | None = None
         self._options: QWidget | None = None
         self._actions = self._build_actions()
-        desk.session.changed.connect(self._take_organ)
+        context.session.changed.connect(self._take_organ)
 
     def title(self) -> str:
         return tr("Select")
@@ -63,17 +63,17 @@ class SelectTool(QObject):
     def activate(self) -> None:
         """Takes the mouse over the organ."""
         self.active = True
-        self.desk.view.tool = self
-        self.desk.set_hint(self.hint())
-        self.show_organ(self.desk.session.organ)
+        self.context.view.tool = self
+        self.context.set_hint(self.hint())
+        self.show_organ(self.context.session.organ)
 
     def deactivate(self) -> None:
         """Gives the mouse back; the selection is kept for the next time."""
         self.active = False
         self._end_band()
-        if self.desk.view.tool is self:
-            self.desk.view.tool = None
-        show_painted(self.desk.view, self.desk.session.organ)
+        if self.context.view.tool is self:
+            self.context.view.tool = None
+        show_painted(self.context.view, self.context.session.organ)
 
     def options(self) -> QWidget:
         """What can be done with the selection, for the stage's panel."""
@@ -111,13 +111,13 @@ class SelectTool(QObject):
             self.selected = np.zeros(after.vertex_count, bool)
             self.selection_changed.emit()
         if self.active:
-            self.show_organ(self.desk.session.organ)
+            self.show_organ(self.context.session.organ)
 
     def show_organ(self, organ: Organ) -> None:
         """Highlights the selection, and what is fixed beside it."""
         if organ.surface is not None:
-            show_fixed(self.desk.view, organ.fixed, self.selected)
-            show_stiffness(self.desk.view, organ.stiffness_scale)
+            show_fixed(self.context.view, organ.fixed, self.selected)
+            show_stiffness(self.context.view, organ.stiffness_scale)
 
     # ------------------------------------------------------------ the selection
 
@@ -146,7 +146,7 @@ class SelectTool(QObject):
         """Grows the selection to all that hangs together with it."""
         painted = self._find_painted()
         if painted is None or not self.selected.any():
-            self.desk.tell(tr("Select a vertex first: then L takes all that is linked."), "info")
+            self.context.tell(tr("Select a vertex first: then L takes all that is linked."), "info")
             return
         self.select(select_linked(np.flatnonzero(self.selected), painted.neighbours))
 
@@ -161,21 +161,21 @@ class SelectTool(QObject):
     def stiffen(self, factor: float) -> None:
         """Gives the selected vertices a stiffness, [-] times the organ's own."""
         if self._has_selection():
-            self.desk.apply(PaintStiffness(np.flatnonzero(self.selected), factor))
+            self.context.apply(PaintStiffness(np.flatnonzero(self.selected), factor))
 
     def _apply_fixed(self, fixed: bool) -> None:
         if self._has_selection():
-            self.desk.apply(FixVertices(np.flatnonzero(self.selected), fixed))
+            self.context.apply(FixVertices(np.flatnonzero(self.selected), fixed))
 
     def _has_selection(self) -> bool:
         if not self.selected.any():
-            self.desk.tell(tr("No vertices are selected: click or drag on the organ."), "info")
+            self.context.tell(tr("No vertices are selected: click or drag on the organ."), "info")
         return bool(self.selected.any())
 
     def _take(self, selected: NDArray[np.bool_]) -> None:
         self.selected = selected
         if self.active:
-            self.show_organ(self.desk.session.organ)
+            self.show_organ(self.context.session.organ)
         self.selection_changed.emit()
 
     # ------------------------------------------------------------ events of the view
@@ -259,9 +259,9 @@ class SelectTool(QObject):
             self.select(work(), keys)
             return
         self._late = painted.surface, keys
-        self.desk.jobs.start_unseen("selecting", work, self._take_late, self.desk.refuse)
+        self.context.jobs.start_unseen("selecting", work, self._take_late, self.context.refuse)
 
     def _take_late(self, ids: NDArray[np.intp]) -> None:
         late, self._late = self._late, None
-        if late is not None and late[0] is self.desk.session.organ.surface:
+        if late is not None and late[0] is self.context.session.organ.surface:
             self.select(ids, late[1])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Keeps what painting needs of the surface on the desk, and never holds up the window for it."""
+"""Keeps what painting needs of the open surface, and never holds up the window for it."""
 
 from __future__ import annotations
 
@@ -20,20 +20,20 @@ QUICK = 15_000
 
 
 class SurfaceKeeper(QObject):
-    """One for all tools of a desk: keeper_of(desk)."""
+    """One for all tools of a context: keeper_of(context)."""
 
     ready = Signal()
     """A large surface can be painted from now on."""
 
-    def __init__(self, desk: Any):
-        super().__init__(desk)
-        self.desk = desk
+    def __init__(self, context: Any):
+        super().__init__(context)
+        self.context = context
         self._kept: PaintedSurface | None = None
         self._wanted: Surface | None = None
 
     def find(self) -> PaintedSurface | None:
-        """Of the organ on the desk; None where there is none, or not yet."""
-        surface = self.desk.session.organ.surface
+        """Of the open organ; None where there is none, or not yet."""
+        surface = self.context.session.organ.surface
         if surface is None:
             return None
         if self._kept is not None and self._kept.surface is surface:
@@ -44,7 +44,7 @@ class SurfaceKeeper(QObject):
         if self._wanted is not surface:
             self._wanted = surface
             work = PaintedWork(surface)
-            self.desk.jobs.start_unseen("painting", work, self._take, self.desk.refuse)
+            self.context.jobs.start_unseen("painting", work, self._take, self.context.refuse)
         return None
 
     def _take(self, painted: PaintedSurface) -> None:
@@ -53,9 +53,9 @@ class SurfaceKeeper(QObject):
             self.ready.emit()
 
 
-def keeper_of(desk: Any) -> SurfaceKeeper:
-    """The one of a desk; made when it is first asked for."""
-    return desk.findChild(SurfaceKeeper) or SurfaceKeeper(desk)
+def keeper_of(context: Any) -> SurfaceKeeper:
+    """The one of a context; made when it is first asked for."""
+    return context.findChild(SurfaceKeeper) or SurfaceKeeper(context)
 
 
 @dataclass(frozen=True, eq=False)

@@ -27,7 +27,7 @@ from palpate_editor.views.touch.press_form import PressForm, write_command
 from palpate_editor.views.touch.results import Outcome
 from palpate_editor.views.touch.results_box import ResultsBox
 from palpate_editor.views.touch.runner import HandWish, PressWish, Runner, find_target
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 HAND, PRESS = 0, 1
 """Tabs."""
@@ -41,29 +41,29 @@ class TestPanel(StagePanel):
     run_changed = Signal(bool)
     """A run has begun, is paused, goes on or has ended; whether there is one."""
 
-    def __init__(self, desk: Any, parent: QWidget | None = None):
+    def __init__(self, context: Any, parent: QWidget | None = None):
         self.plot, self.costs = ForcePlot(), LiveCosts()
         self._marked = False
         super().__init__(
-            desk,
+            context,
             tr("Feel the organ in the loop a device will run, 1000 times a second."),
             parent,
         )
-        self.runner = Runner(desk, self.plot, self.costs, self)
+        self.runner = Runner(context, self.plot, self.costs, self)
         self.runner.changed.connect(self._show_state)
         self.runner.ended.connect(self._take_outcome)
-        self._place_tool = PlaceTool(desk.session.organ.tool.radius, self)
+        self._place_tool = PlaceTool(context.session.organ.tool.radius, self)
         self._place_tool.picked.connect(self._take_place)
         self._place_tool.left.connect(self._end_pick)
-        desk.session.changed.connect(self._on_changed)
-        desk.stage_shown.connect(self._on_stage)
-        desk.theme_changed.connect(self.plot.use_theme)
-        self.plot.use_theme(desk.theme)
-        self.plot.failed.connect(desk.tell)
+        context.session.changed.connect(self._on_changed)
+        context.stage_shown.connect(self._on_stage)
+        context.theme_changed.connect(self.plot.use_theme)
+        self.plot.use_theme(context.theme)
+        self.plot.failed.connect(context.tell)
         self.plot.said.connect(self._say)
-        self.press_form.refused.connect(desk.tell)
+        self.press_form.refused.connect(context.tell)
         self.press_form.changed.connect(self._show_marker)
-        desk.assessed.connect(self._show_marker)
+        context.assessed.connect(self._show_marker)
         self._show_command()
         self._show_state()
 
@@ -87,7 +87,7 @@ class TestPanel(StagePanel):
         self.state.setWordWrap(True)
         self.form.addWidget(self.state)
         results = self.section(tr("Last run"))
-        self.results = results.add(ResultsBox(self.desk, self))
+        self.results = results.add(ResultsBox(self.context, self))
 
     def _build_hand(self) -> QWidget:
         page = QWidget(self)
@@ -215,22 +215,22 @@ class TestPanel(StagePanel):
         self._show_command()
 
     def good_news(self) -> list[str]:
-        if not self.desk.session.is_tested:
+        if not self.context.session.is_tested:
             return []
         return [tr("The organ was felt as it is now.")]
 
     # ------------------------------------------------------------ the place
 
     def _on_pick(self, on: bool) -> None:
-        view = self.desk.view
+        view = self.context.view
         if on:
             self.runner.stop()
-            self._place_tool.radius = self.desk.session.organ.tool.radius
+            self._place_tool.radius = self.context.session.organ.tool.radius
             self._place_tool.take(view)
-            self.desk.set_hint(tr("Click on the organ where the tip shall press, Esc to leave"))
+            self.context.set_hint(tr("Click on the organ where the tip shall press, Esc to leave"))
         else:
             self._place_tool.give_back(view)
-            self.desk.set_hint("")
+            self.context.set_hint("")
             self._show_marker()
 
     def _take_place(self, point: np.ndarray) -> None:
@@ -241,30 +241,30 @@ class TestPanel(StagePanel):
 
     def _show_marker(self) -> None:
         """A ring where the script would press, while nothing else has the mouse."""
-        desk, found = self.desk, self.desk.assessment
+        context, found = self.context, self.context.assessment
         wanted = (
-            desk.stage == self.stage
+            context.stage == self.stage
             and self.tabs.currentIndex() == PRESS
             and not self.runner.running
-            and desk.view.tool is None
+            and context.view.tool is None
             and found is not None
             and found.scene is not None
-            and found.organ is desk.session.organ
+            and found.organ is context.session.organ
         )
         if wanted:
             place = find_target(found.scene, self.press_form.place)
-            desk.view.show_ring(place.point, place.outward, found.scene.tool.radius)
-        elif self._marked and desk.view.tool is None:
-            desk.view.show_ring(None)
+            context.view.show_ring(place.point, place.outward, found.scene.tool.radius)
+        elif self._marked and context.view.tool is None:
+            context.view.show_ring(None)
         self._marked = wanted
 
     # ------------------------------------------------------------ what is said
 
     def _say(self, sentence: str) -> None:
-        self.desk.tell(sentence, "info")
+        self.context.tell(sentence, "info")
 
     def _command_words(self) -> list[str]:
-        session, form = self.desk.session, self.press_form
+        session, form = self.context.session, self.press_form
         stem = session.path.stem if session.path else session.organ.name or "organ"
         return write_command(f"{stem}.palpate", form.script(), form.place)
 
@@ -283,7 +283,7 @@ class TestPanel(StagePanel):
             if runner.waiting
             else tr("Paused: Space goes on.")
             if runner.paused
-            else tr("Running: Space pauses, R begins anew.")
+            else tr("Running: Space pauses, R restarts.")
             if runner.running
             else tr("Space starts.")
         )
@@ -294,4 +294,4 @@ class TestPanel(StagePanel):
     def _take_outcome(self, outcome: Outcome) -> None:
         self.results.show_outcome(outcome)
         if outcome.device == "script":
-            self.desk.log_command(self._command_words())
+            self.context.log_command(self._command_words())

@@ -16,7 +16,7 @@ from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 
 from palpate_editor.document.constants import LAW_NAMES, find_constant
 from palpate_editor.views.stage_bar import stage_title
-from palpate_editor.views.words import fill, number, say, tr
+from palpate_editor.views.translations import fill, number, say, tr
 
 FRAME = 16
 """[ms] between two looks at the loop."""

@@ -261,12 +261,12 @@
         <translation>Tüm dosyalar (*)</translation>
     </message>
     <message>
-        <source>All is well</source>
-        <translation>Her şey yolunda</translation>
+        <source>No problems</source>
+        <translation>Sorun yok</translation>
     </message>
     <message>
-        <source>All is well with this organ.</source>
-        <translation>Bu organda her şey yolunda.</translation>
+        <source>This organ has no problems.</source>
+        <translation>Bu organda sorun yok.</translation>
     </message>
     <message>
         <source>All triangles face outwards.</source>
@@ -785,7 +785,7 @@
         <translation>Dosyanın anlamı</translation>
     </message>
     <message>
-        <source>Mended when it was read</source>
+        <source>Repaired when it was read</source>
         <translation>Okunurken onarılanlar</translation>
     </message>
     <message>
@@ -845,12 +845,12 @@
         <translation>Hiçbiri</translation>
     </message>
     <message>
-        <source>Not looked at yet</source>
-        <translation>Henüz bakılmadı</translation>
+        <source>Not checked yet</source>
+        <translation>Henüz denetlenmedi</translation>
     </message>
     <message>
-        <source>Not published: red checks stand at the right ({count}).</source>
-        <translation>Yayımlanmadı: sağda kırmızı denetimler var ({count}).</translation>
+        <source>Not published: {problems}. See the checks on the right.</source>
+        <translation>Yayımlanmadı: {problems}. Sağdaki denetimlere bakın.</translation>
     </message>
     <message>
         <source>Not published: {problems}.</source>
@@ -869,11 +869,11 @@
         <translation>Henüz bir şey hissedilmedi</translation>
     </message>
     <message>
-        <source>Nothing is lost: take it up where you were?</source>
+        <source>Nothing is lost: continue where you were?</source>
         <translation>Hiçbir şey kaybolmadı: kaldığınız yerden sürdürülsün mü?</translation>
     </message>
     <message>
-        <source>Nothing needed mending</source>
+        <source>Nothing needed repair</source>
         <translation>Onarılacak bir şey yoktu</translation>
     </message>
     <message>
@@ -1057,7 +1057,7 @@
         <translation>Çalıştır</translation>
     </message>
     <message>
-        <source>Running: Space pauses, R begins anew.</source>
+        <source>Running: Space pauses, R restarts.</source>
         <translation>Çalışıyor: Boşluk tuşu duraklatır, R baştan başlatır.</translation>
     </message>
     <message>
@@ -1297,8 +1297,8 @@
         <translation>Tablo (*.csv)</translation>
     </message>
     <message>
-        <source>Take it up</source>
-        <translation>Sürdür</translation>
+        <source>Restore</source>
+        <translation>Geri yükle</translation>
     </message>
     <message>
         <source>Target</source>
@@ -1365,8 +1365,8 @@
         <translation>Organın ağırlığı var (aşağı doğru 9,81 m/s²)</translation>
     </message>
     <message>
-        <source>The organ is being looked at: one moment.</source>
-        <translation>Organa bakılıyor: bir an.</translation>
+        <source>The organ is being checked: one moment.</source>
+        <translation>Organ denetleniyor: bir an.</translation>
     </message>
     <message>
         <source>The organ was felt as it is now.</source>
@@ -1465,8 +1465,8 @@
         <translation>Bu organ</translation>
     </message>
     <message>
-        <source>Throw it away</source>
-        <translation>At</translation>
+        <source>Discard</source>
+        <translation>Sil</translation>
     </message>
     <message>
         <source>Tick</source>
@@ -1761,20 +1761,28 @@
         <translation>imlece yakınlaştırma</translation>
     </message>
     <message>
-        <source>{count} to mend</source>
-        <translation>onarılacak: {count}</translation>
+        <source>1 error to fix</source>
+        <translation>düzeltilecek 1 hata</translation>
     </message>
     <message>
-        <source>{count} to think about</source>
-        <translation>düşünülecek: {count}</translation>
+        <source>1 warning</source>
+        <translation>1 uyarı</translation>
+    </message>
+    <message>
+        <source>{count} errors to fix</source>
+        <translation>düzeltilecek {count} hata</translation>
+    </message>
+    <message>
+        <source>{count} warnings</source>
+        <translation>{count} uyarı</translation>
     </message>
     <message>
         <source>{count} vertices</source>
         <translation>{count} köşe</translation>
     </message>
     <message>
-        <source>{errors} to mend, {warnings} to think about: they stand under Problems.</source>
-        <translation>Onarılacak {errors}, düşünülecek {warnings}: Sorunlar altında yazıyor.</translation>
+        <source>{problems}: see Problems.</source>
+        <translation>{problems}: Sorunlar bölümüne bakın.</translation>
     </message>
     <message>
         <source>{file} could not be written.</source>
@@ -1785,7 +1793,7 @@
         <translation>{file} içe aktarıldı: {vertices} köşe, {triangles} üçgen.</translation>
     </message>
     <message>
-        <source>{file} is no longer where it was: choose it anew.</source>
+        <source>{file} is no longer where it was: choose it again.</source>
         <translation>{file} artık yerinde değil: yeniden seçin.</translation>
     </message>
     <message>

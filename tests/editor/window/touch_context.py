@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A desk with a view and a round organ on it, and a mouse that drags over the view."""
+"""A context with a view and a round organ on it, and a mouse that drags over the view."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 from palpate.viewport import make_view
 from palpate_editor.app.session import Session
 from palpate_editor.document import EMPTY, Organ, Surface
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_meshes.generate import ellipsoid
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent, QWheelEvent
@@ -32,24 +32,24 @@ def build_organ(radii=RADII, vertices: int = 600) -> Organ:
 
 
 @contextmanager
-def open_desk(qtbot, organ: Organ, settings) -> Iterator[Desk]:
-    """A desk on a shown view that looks at the organ from in front and a little above."""
+def open_context(qtbot, organ: Organ, settings) -> Iterator[Context]:
+    """A context on a shown view that looks at the organ from in front and a little above."""
     view = make_view()
     qtbot.addWidget(view)
     view.resize(*SIZE)
     session = Session()
-    desk = Desk(session, view, settings, view)
+    context = Context(session, view, settings, view)
     session.restore(organ, None)
     view.show_surface(organ.surface.vertices, organ.surface.triangles)
     view.look_from(np.radians(-60.0), np.radians(50.0))
     view.frame_all()
     with qtbot.waitExposed(view):
         view.show()
-    yield desk
-    # nobody may start work on a desk that is about to go
-    desk.assessor.timer.stop()
-    desk.assessor.busy = True
-    desk.jobs.finish()
+    yield context
+    # nobody may start work on a context that is about to go
+    context.assessor.timer.stop()
+    context.assessor.busy = True
+    context.jobs.finish()
 
 
 def middle(view) -> QPoint:

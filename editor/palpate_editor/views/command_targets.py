@@ -5,21 +5,21 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from palpate_editor.views.deeds import Deeds
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.appearance import Appearance
+from palpate_editor.views.context import Context
 from palpate_editor.views.files import Files
-from palpate_editor.views.looks import Looks
+from palpate_editor.views.menu_actions import MenuActions
 from palpate_editor.views.publishing import Publishing
 from palpate_editor.views.touch import TestPanel
 
 
-class ActionTargets(Protocol):
+class CommandTargets(Protocol):
     """The parts of a window that do what its actions say, and what the window does itself."""
 
-    desk: Desk
+    context: Context
     files: Files
-    deeds: Deeds
-    looks: Looks
+    menu_actions: MenuActions
+    looks: Appearance
     publishing: Publishing
     test_panel: TestPanel
 

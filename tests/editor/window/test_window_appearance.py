@@ -83,7 +83,7 @@ def test_the_layout_comes_back_and_can_be_reset(qtbot, make_editor):
 def test_stages_never_lock(window):
     for i, stage in enumerate(window.stage_bar.steps, start=1):
         press(window, Qt.Key(Qt.Key.Key_0 + i), CONTROL)
-        assert window.desk.stage == stage
+        assert window.context.stage == stage
         assert window.stage_dock.stack.currentWidget().widget() is window.stage_dock.panels[stage]
 
 
@@ -95,7 +95,7 @@ def test_the_decimate_stage_shows_the_distance_as_colours(qtbot, spleen_window):
     window.show_stage("decimate")
 
     assert window.view.legend.isVisible()
-    distances = window.desk.assessment.comparison.distances
+    distances = window.context.assessment.comparison.distances
     decimation = window.session.organ.decimation
     assert distances.min() >= 0.0
     assert 0.2 * decimation.max_distance < distances.max() <= 1.1 * decimation.max_distance
@@ -155,10 +155,10 @@ def test_a_click_on_an_end_of_the_axes_looks_from_there(qtbot, spleen_window):
 
 def test_a_material_is_copied_and_pasted(qtbot, spleen_window):
     window, session = spleen_window, spleen_window.session
-    window.deeds.use_mms()
+    window.menu_actions.use_mms()
     wanted = session.organ.model
     action(window, "copy").trigger()
-    window.deeds.use_mss()
+    window.menu_actions.use_mss()
     assert session.organ.model != wanted
 
     action(window, "paste").trigger()

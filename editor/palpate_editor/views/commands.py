@@ -3,53 +3,53 @@
 
 from __future__ import annotations
 
-from palpate_editor.views.action_targets import ActionTargets
-from palpate_editor.views.order import Order
-from palpate_editor.views.view_orders import view_orders
-from palpate_editor.views.words import tr
+from palpate_editor.views.command import Command
+from palpate_editor.views.command_targets import CommandTargets
+from palpate_editor.views.translations import tr
+from palpate_editor.views.view_commands import view_commands
 
 
-def build_orders(w: ActionTargets) -> list[Order]:
+def build_commands(w: CommandTargets) -> list[Command]:
     """All of them, in the order of the menus."""
     return [
-        *file_orders(w),
-        *edit_orders(w),
-        *view_orders(w),
-        *mesh_orders(w),
-        *material_orders(w),
-        *simulate_orders(w),
-        *publish_orders(w),
-        *help_orders(w),
+        *file_commands(w),
+        *edit_commands(w),
+        *view_commands(w),
+        *mesh_commands(w),
+        *material_commands(w),
+        *simulate_commands(w),
+        *publish_commands(w),
+        *help_commands(w),
     ]
 
 
-def file_orders(w: ActionTargets) -> list[Order]:
+def file_commands(w: CommandTargets) -> list[Command]:
     f = w.files
     return [
-        Order("new", "file", tr("&New"), f.start_anew, ("Ctrl+N",), "new"),
-        Order("open", "file", tr("&Open…"), f.ask_open, ("Ctrl+O",), "open"),
-        Order("import", "file", tr("&Import a mesh…"), f.ask_import, ("Ctrl+Shift+I",), "import"),
-        Order("save", "file", tr("&Save"), f.save, ("Ctrl+S",), "save", line_before=True),
-        Order("save_as", "file", tr("Save &as…"), f.ask_save, ("Ctrl+Shift+S",)),
-        Order(
+        Command("new", "file", tr("&New"), f.start_anew, ("Ctrl+N",), "new"),
+        Command("open", "file", tr("&Open…"), f.ask_open, ("Ctrl+O",), "open"),
+        Command("import", "file", tr("&Import a mesh…"), f.ask_import, ("Ctrl+Shift+I",), "import"),
+        Command("save", "file", tr("&Save"), f.save, ("Ctrl+S",), "save", line_before=True),
+        Command("save_as", "file", tr("Save &as…"), f.ask_save, ("Ctrl+Shift+S",)),
+        Command(
             "screenshot",
             "file",
             tr("Save a &picture…"),
-            w.deeds.ask_picture,
+            w.menu_actions.ask_picture,
             ("F12",),
             "camera",
             line_before=True,
         ),
-        Order("quit", "file", tr("&Quit"), w.quit, ("Ctrl+Q",), line_before=True),
+        Command("quit", "file", tr("&Quit"), w.quit, ("Ctrl+Q",), line_before=True),
     ]
 
 
-def edit_orders(w: ActionTargets) -> list[Order]:
-    history = w.desk.session.history
+def edit_commands(w: CommandTargets) -> list[Command]:
+    history = w.context.session.history
     return [
-        Order("undo", "edit", tr("&Undo"), history.undo, ("Ctrl+Z",), "undo"),
-        Order("redo", "edit", tr("&Redo"), history.redo, ("Ctrl+Shift+Z", "Ctrl+Y"), "redo"),
-        Order(
+        Command("undo", "edit", tr("&Undo"), history.undo, ("Ctrl+Z",), "undo"),
+        Command("redo", "edit", tr("&Redo"), history.redo, ("Ctrl+Shift+Z", "Ctrl+Y"), "redo"),
+        Command(
             "palette",
             "edit",
             tr("&Find an action…"),
@@ -61,99 +61,104 @@ def edit_orders(w: ActionTargets) -> list[Order]:
     ]
 
 
-def mesh_orders(w: ActionTargets) -> list[Order]:
+def mesh_commands(w: CommandTargets) -> list[Command]:
     return [
-        Order(
-            "reimport", "mesh", tr("&Import again"), w.deeds.reimport, ("Ctrl+R",), needs_organ=True
+        Command(
+            "reimport",
+            "mesh",
+            tr("&Import again"),
+            w.menu_actions.reimport,
+            ("Ctrl+R",),
+            needs_organ=True,
         ),
-        Order(
+        Command(
             "turn",
             "mesh",
             tr("&Turn outwards"),
-            w.deeds.turn_outward,
+            w.menu_actions.turn_outward,
             ("Ctrl+Alt+O",),
             needs_organ=True,
         ),
-        Order(
+        Command(
             "largest",
             "mesh",
             tr("Keep the &largest piece"),
-            w.deeds.keep_largest,
+            w.menu_actions.keep_largest,
             ("Ctrl+Alt+K",),
             needs_organ=True,
         ),
-        Order(
+        Command(
             "decimate",
             "mesh",
             tr("&Decimate"),
-            w.deeds.decimate,
+            w.menu_actions.decimate,
             ("Ctrl+D",),
             "mesh",
             needs_organ=True,
         ),
-        Order(
+        Command(
             "use_imported",
             "mesh",
             tr("&Use the imported surface"),
-            w.deeds.use_imported,
+            w.menu_actions.use_imported,
             ("Ctrl+Shift+D",),
             needs_organ=True,
         ),
     ]
 
 
-def material_orders(w: ActionTargets) -> list[Order]:
+def material_commands(w: CommandTargets) -> list[Command]:
     return [
         *(
-            Order(name, "material", text, slot, (keys,), group="kinds")
+            Command(name, "material", text, slot, (keys,), group="kinds")
             for name, text, slot, keys in (
-                ("mss", tr("&Mass–spring model"), w.deeds.use_mss, "Ctrl+Alt+S"),
-                ("mms", tr("M&olecular model"), w.deeds.use_mms, "Ctrl+Alt+M"),
-                ("shell", tr("S&hell of prisms"), w.deeds.use_shell, "Ctrl+Alt+H"),
-                ("solid", tr("&Solid"), w.deeds.use_solid, "Ctrl+Alt+V"),
-                ("linear", tr("L&inear solid"), w.deeds.use_linear, "Ctrl+Alt+I"),
+                ("mss", tr("&Mass–spring model"), w.menu_actions.use_mss, "Ctrl+Alt+S"),
+                ("mms", tr("M&olecular model"), w.menu_actions.use_mms, "Ctrl+Alt+M"),
+                ("shell", tr("S&hell of prisms"), w.menu_actions.use_shell, "Ctrl+Alt+H"),
+                ("solid", tr("&Solid"), w.menu_actions.use_solid, "Ctrl+Alt+V"),
+                ("linear", tr("L&inear solid"), w.menu_actions.use_linear, "Ctrl+Alt+I"),
             )
         ),
-        Order(
+        Command(
             "fix_lowest",
             "material",
             tr("Fix the &lowest part"),
-            w.deeds.fix_lowest,
+            w.menu_actions.fix_lowest,
             ("Ctrl+L",),
             "fix",
             needs_organ=True,
             line_before=True,
         ),
-        Order(
+        Command(
             "free_all",
             "material",
             tr("&Free all"),
-            w.deeds.free_all,
+            w.menu_actions.free_all,
             ("Ctrl+Shift+L",),
             needs_organ=True,
         ),
-        Order(
+        Command(
             "copy",
             "material",
             tr("&Copy the material"),
-            w.deeds.copy_material,
+            w.menu_actions.copy_material,
             ("Ctrl+Shift+C",),
             line_before=True,
         ),
-        Order(
+        Command(
             "paste",
             "material",
             tr("&Paste the material"),
-            w.deeds.paste_material,
+            w.menu_actions.paste_material,
             ("Ctrl+Shift+V",),
         ),
     ]
 
 
-def simulate_orders(w: ActionTargets) -> list[Order]:
+def simulate_commands(w: CommandTargets) -> list[Command]:
     test = w.test_panel
     return [
-        Order(
+        Command(
             "run",
             "simulate",
             tr("&Feel it / pause"),
@@ -162,7 +167,7 @@ def simulate_orders(w: ActionTargets) -> list[Order]:
             "play",
             needs_organ=True,
         ),
-        Order(
+        Command(
             "press",
             "simulate",
             tr("Scripted &press"),
@@ -170,7 +175,7 @@ def simulate_orders(w: ActionTargets) -> list[Order]:
             ("Shift+Space",),
             needs_organ=True,
         ),
-        Order(
+        Command(
             "restart",
             "simulate",
             tr("&Back to rest"),
@@ -179,7 +184,7 @@ def simulate_orders(w: ActionTargets) -> list[Order]:
             "reset",
             needs_organ=True,
         ),
-        Order(
+        Command(
             "record",
             "simulate",
             tr("Save the r&ecord…"),
@@ -187,36 +192,36 @@ def simulate_orders(w: ActionTargets) -> list[Order]:
             ("Ctrl+Alt+P",),
             line_before=True,
         ),
-        Order(
+        Command(
             "forces", "simulate", tr("E&xport the forces…"), test.plot.choose_csv, ("Ctrl+Alt+X",)
         ),
-        Order(
+        Command(
             "clear_plot", "simulate", tr("Clear the force plo&t"), test.plot.clear, ("Ctrl+Alt+C",)
         ),
-        Order(
+        Command(
             "check",
             "simulate",
             tr("&Check the organ"),
-            w.deeds.check,
+            w.menu_actions.check,
             ("F5",),
             "tick",
             needs_organ=True,
             line_before=True,
         ),
-        Order(
+        Command(
             "device",
             "simulate",
             tr("Haptic de&vice…"),
-            w.publishing.companions.open_device,
+            w.publishing.child_processes.open_device,
             ("F7",),
             line_before=True,
         ),
     ]
 
 
-def publish_orders(w: ActionTargets) -> list[Order]:
+def publish_commands(w: CommandTargets) -> list[Command]:
     return [
-        Order(
+        Command(
             "publish",
             "publish",
             tr("&Publish…"),
@@ -225,15 +230,15 @@ def publish_orders(w: ActionTargets) -> list[Order]:
             "publish",
             needs_organ=True,
         ),
-        Order(
+        Command(
             "play", "publish", tr("P&lay the published file"), w.publishing.play, ("F6",), "play"
         ),
     ]
 
 
-def help_orders(w: ActionTargets) -> list[Order]:
+def help_commands(w: CommandTargets) -> list[Command]:
     return [
-        Order("help", "help", tr("&Help on this stage"), w.show_help, ("F1",), "info"),
-        Order("keys", "help", tr("&Keyboard and mouse"), w.show_keys, ("Shift+F1",)),
-        Order("about", "help", tr("&About Palpate"), w.show_about, ("Ctrl+F1",)),
+        Command("help", "help", tr("&Help on this stage"), w.show_help, ("F1",), "info"),
+        Command("keys", "help", tr("&Keyboard and mouse"), w.show_keys, ("Shift+F1",)),
+        Command("about", "help", tr("&About Palpate"), w.show_about, ("Ctrl+F1",)),
     ]

@@ -8,7 +8,7 @@ import numpy as np
 from palpate.device.calibration import Calibration, Stage
 from palpate.device.fit import find_change
 from palpate.device.poses import ARM, PLACES, POSES
-from palpate.device_window.words import (
+from palpate.device_window.sentences import (
     number,
     say_direction,
     say_joint,

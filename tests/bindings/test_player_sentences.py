@@ -41,7 +41,7 @@ def spoken() -> dict[str, set[str]]:
 
 
 def test_every_word_of_the_player_is_translated_and_none_is_left_over():
-    file = ET.parse(PLAYER / "words" / "palpate_player_tr.ts")
+    file = ET.parse(PLAYER / "translations" / "palpate_player_tr.ts")
     written = {
         context.findtext("name"): {
             message.findtext("source") for message in context.iter("message")

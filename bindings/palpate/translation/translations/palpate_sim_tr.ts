@@ -508,7 +508,7 @@
         <translation>şekil değiştirmeden hareket edebilen bir cisim</translation>
     </message>
     <message>
-        <source>a clean surface: `palpate import` mends it</source>
+        <source>a clean surface: `palpate import` repairs it</source>
         <translation>temiz bir yüzey: `palpate import` onarır</translation>
     </message>
     <message>

@@ -21,6 +21,7 @@ __all__ = [
     "say",
     "say_found",
     "say_memory",
+    "say_problems",
     "say_title",
     "tr",
 ]
@@ -32,6 +33,18 @@ THIN_SPACE = "\N{NARROW NO-BREAK SPACE}"
 def tr(text: str) -> str:
     """The text in the language of the window."""
     return QCoreApplication.translate(CONTEXT, text)
+
+
+def say_problems(errors: int, warnings: int) -> str:
+    """2 errors to fix, 1 warning; what there is none of is left out."""
+    parts = []
+    if errors:
+        several = tr("{count} errors to fix").format(count=errors)
+        parts.append(tr("1 error to fix") if errors == 1 else several)
+    if warnings:
+        several = tr("{count} warnings").format(count=warnings)
+        parts.append(tr("1 warning") if warnings == 1 else several)
+    return ", ".join(parts)
 
 
 def say_found(problem: Problem) -> str:

@@ -19,12 +19,12 @@ from palpate_editor.views.command_lines import find_words
 from palpate_editor.views.jobs import Jobs
 from palpate_editor.views.sentences import sentence_of
 from palpate_editor.views.theme import COLOURS, Colours
-from palpate_editor.views.words import say_title, tr
+from palpate_editor.views.translations import say_title, tr
 
 LOG = logging.getLogger(__name__)
 
 
-class Desk(QObject):
+class Context(QObject):
     """Shared by everything in one main window."""
 
     told = Signal(str, str)
@@ -41,10 +41,10 @@ class Desk(QObject):
     mesh_wanted = Signal(object)
     """An ImportWork is to be done, after what could be lost was asked about."""
     preview_shown = Signal(bool)
-    """The view shows something else than the organ on the desk, or the organ again."""
+    """The view shows something else than the open organ, or the organ again."""
     distance_wanted = Signal(bool)
     assessed = Signal()
-    """`assessment` is that of the organ on the desk."""
+    """`assessment` is that of the open organ."""
 
     def __init__(
         self, session: Session, view: View, settings: Settings, parent: QObject | None = None
@@ -67,7 +67,7 @@ class Desk(QObject):
 
     @property
     def assessment(self) -> Assessment | None:
-        """What is known of the organ on the desk; None until it has been looked at."""
+        """What is known of the open organ; None until it has been looked at."""
         return self.assessor.assessment
 
     def apply(self, edit: Edit) -> bool:

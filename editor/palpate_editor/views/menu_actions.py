@@ -23,12 +23,12 @@ from palpate_editor.edits import (
     UseImported,
 )
 from palpate_editor.views.command_lines import render_words
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.display import Display
 from palpate_editor.views.files import Files
 from palpate_editor.views.publishing import Publishing
 from palpate_editor.views.tasks import Tasks
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import say_problems, tr
 
 LOWEST = 0.1
 """[-] of the height that the menu fixes; the form takes any share."""
@@ -37,7 +37,7 @@ CLIPBOARD = "palpate material"
 STEEPEST = math.radians(89.0)
 
 
-class Deeds(QObject):
+class MenuActions(QObject):
     """Slots of the menus."""
 
     decimate_wanted = Signal()
@@ -45,7 +45,7 @@ class Deeds(QObject):
 
     def __init__(
         self,
-        desk: Desk,
+        context: Context,
         display: Display,
         files: Files,
         tasks: Tasks,
@@ -53,14 +53,14 @@ class Deeds(QObject):
         parent: QObject | None = None,
     ):
         super().__init__(parent)
-        self.desk, self.display, self.files = desk, display, files
+        self.context, self.display, self.files = context, display, files
         self.tasks, self.publishing = tasks, publishing
 
     # ------------------------------------------------------------ looking
 
     def look(self, azimuth: float, elevation: float) -> None:
         """From a direction [rad]."""
-        self.desk.view.look_from(azimuth, elevation)
+        self.context.view.look_from(azimuth, elevation)
 
     def look_front(self) -> None:
         self.look(math.radians(-90.0), 0.0)
@@ -81,10 +81,10 @@ class Deeds(QObject):
         self.look(math.radians(-90.0), -STEEPEST)
 
     def frame_all(self) -> None:
-        self.desk.view.frame_all()
+        self.context.view.frame_all()
 
     def switch_wireframe(self) -> None:
-        self.desk.view.wireframe = not self.desk.view.wireframe
+        self.context.view.wireframe = not self.context.view.wireframe
 
     def colour_auto(self) -> None:
         self.display.use_colouring("auto")
@@ -101,23 +101,23 @@ class Deeds(QObject):
     # ------------------------------------------------------------ pictures
 
     def ask_picture(self) -> None:
-        name = f"{self.desk.stem()}.png"
+        name = f"{self.context.stem()}.png"
         self.files.ask(tr("Save a picture"), [tr("Pictures (*.png)")], self.save_picture, save=name)
 
     def save_picture(self, name: str) -> None:
         """Writes what the viewport shows, with its legend."""
         path = Path(name)
-        picture = self.desk.view.grab_picture()
+        picture = self.context.view.grab_picture()
         if not picture.save(str(path)):
-            self.desk.tell(tr("{file} could not be written.").format(file=path))
+            self.context.tell(tr("{file} could not be written.").format(file=path))
             return
-        words = render_words(self.published(), path, self.desk.view, self.desk.theme)
-        self.desk.log_command(words)
-        self.desk.tell(tr("Saved as {file}.").format(file=path.name), "info")
+        words = render_words(self.published(), path, self.context.view, self.context.theme)
+        self.context.log_command(words)
+        self.context.tell(tr("Saved as {file}.").format(file=path.name), "info")
 
     def published(self) -> Path | str:
         """A file that `palpate render` can draw."""
-        return self.publishing.path or f"{self.desk.stem()}.palpate"
+        return self.publishing.path or f"{self.context.stem()}.palpate"
 
     # ------------------------------------------------------------ mesh
 
@@ -125,13 +125,13 @@ class Deeds(QObject):
         self.reimport_wanted.emit()
 
     def turn_outward(self) -> None:
-        self.desk.apply(TurnOutward())
+        self.context.apply(TurnOutward())
 
     def keep_largest(self) -> None:
         self.tasks.apply_slowly(KeepLargestShell())
 
     def decimate(self) -> None:
-        self.desk.show_stage("decimate")
+        self.context.show_stage("decimate")
         self.decimate_wanted.emit()
 
     def use_imported(self) -> None:
@@ -155,51 +155,49 @@ class Deeds(QObject):
         self.use_kind("linear_solid")
 
     def use_kind(self, kind: str) -> None:
-        if self.desk.session.organ.model.kind == kind:
+        if self.context.session.organ.model.kind == kind:
             return
-        self.desk.apply(SetChoice("kind", kind))
+        self.context.apply(SetChoice("kind", kind))
 
     def fix_lowest(self) -> None:
-        self.desk.apply(FixLowest(LOWEST))
+        self.context.apply(FixLowest(LOWEST))
 
     def free_all(self) -> None:
-        self.desk.apply(FixVertices(np.flatnonzero(self.desk.session.organ.fixed), False))
+        self.context.apply(FixVertices(np.flatnonzero(self.context.session.organ.fixed), False))
 
     def copy_material(self) -> None:
         """The constants as JSON, for this window, another one or an e-mail."""
-        organ = self.desk.session.organ
+        organ = self.context.session.organ
         model = asdict(organ.model) | {"fixed": [], "stiffness_scale": []}
         data = {"format": CLIPBOARD, "material": asdict(organ.material), "model": model}
         QGuiApplication.clipboard().setText(json.dumps(data, indent=2))
-        self.desk.tell(tr("The material is on the clipboard."), "info")
+        self.context.tell(tr("The material is on the clipboard."), "info")
 
     def paste_material(self) -> None:
         edit = read_material(QGuiApplication.clipboard().text())
         if edit is None:
-            self.desk.tell(tr("There is no material on the clipboard: copy one first."), "warning")
+            self.context.tell(
+                tr("There is no material on the clipboard: copy one first."), "warning"
+            )
         else:
-            self.desk.apply(edit)
+            self.context.apply(edit)
 
     # ------------------------------------------------------------ checks
 
     def check(self) -> None:
-        """Looks at the organ anew and says how it stands."""
-        assessment = self.desk.assessment
-        if assessment is None or not self.desk.assessor.is_current:
-            self.desk.tell(tr("The organ is being looked at: one moment."), "info")
+        """Says in how far the organ has problems."""
+        assessment = self.context.assessment
+        if assessment is None or not self.context.assessor.is_current:
+            self.context.tell(tr("The organ is being checked: one moment."), "info")
             return
         errors = len(assessment.checked.errors)
         warnings = sum(p.severity == "warning" for p in assessment.problems)
-        self.desk.log_command(["palpate", "check", self.desk.document()])
+        self.context.log_command(["palpate", "check", self.context.document()])
         if not errors and not warnings:
-            self.desk.tell(tr("All is well with this organ."), "info")
+            self.context.tell(tr("This organ has no problems."), "info")
             return
-        self.desk.tell(
-            tr("{errors} to mend, {warnings} to think about: they stand under Problems.").format(
-                errors=errors, warnings=warnings
-            ),
-            "warning",
-        )
+        problems = say_problems(errors, warnings)
+        self.context.tell(tr("{problems}: see Problems.").format(problems=problems), "warning")
 
 
 def read_material(text: str) -> SetMaterial | None:

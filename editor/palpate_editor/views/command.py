@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from palpate_editor.views.words import tr
+from palpate_editor.views.translations import tr
 
 MENUS = ("file", "edit", "view", "mesh", "material", "simulate", "publish", "help")
 
@@ -32,7 +32,7 @@ def menu_title(menu: str) -> str:
 
 
 @dataclass(frozen=True)
-class Order:
+class Command:
     """One action as it is asked for."""
 
     name: str

@@ -22,7 +22,7 @@ from palpate_editor.edits import EditError, PaintStiffness, SetConstant
 from palpate_editor.own_values import FORMAT, VERSION, OwnValue, read_own_values
 from palpate_editor.views.quantity_box import QuantityBox, write_number
 from palpate_editor.views.sentences import sentence_of
-from palpate_editor.views.words import fill, number, quantity
+from palpate_editor.views.translations import fill, number, quantity, say_problems
 from patience import settle
 from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QAbstractButton, QLabel
@@ -111,7 +111,7 @@ def test_the_window_is_turkish_and_back_with_the_same_organ(qtbot, make_editor):
 
     assert editor.window.menuBar().actions()[0].text() == "&File"
     assert editor.window.session is session
-    assert editor.window.desk.stage == "material"
+    assert editor.window.context.stage == "material"
     assert editor.settings.language == "en"
 
 
@@ -150,6 +150,16 @@ def test_no_text_is_cut_off_in_either_language(qtbot, make_editor):
                     )  # fmt: skip
 
 
+def test_problems_are_counted_in_plain_words(make_editor):
+    assert say_problems(2, 1) == "2 errors to fix, 1 warning"
+    assert say_problems(1, 0) == "1 error to fix"
+    assert say_problems(0, 3) == "3 warnings"
+
+    make_editor(language="tr")
+
+    assert say_problems(2, 1) == "düzeltilecek 2 hata, 1 uyarı"
+
+
 def test_numbers_are_written_for_people():
     QLocale.setDefault(QLocale("en"))
     assert number(12345.678) == "12\u202f346"
@@ -179,7 +189,7 @@ def test_turkish_numbers_have_a_comma_in_every_window_and_a_point_on_the_command
         box.enter()
         assert window.session.organ.tool.radius == pytest.approx(4.5e-3)
         window.session.history.undo()
-    window.deeds.use_solid()
+    window.menu_actions.use_solid()
     box.lineEdit().setText("3,5")
     box.enter()
     assert "--tool-radius=0.0035m" in window.log.log.toPlainText()

@@ -8,24 +8,24 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QApplication
 
 from palpate_editor.views.action_set import ActionSet
-from palpate_editor.views.desk import Desk
+from palpate_editor.views.context import Context
 from palpate_editor.views.theme import prefers_dark, use_theme
 
 
-class Looks(QObject):
+class Appearance(QObject):
     """Slots of View > Theme and View > Language."""
 
     language_wanted = Signal(str)
     """The window must be made anew in another language."""
 
-    def __init__(self, desk: Desk, asked: str | None):
-        super().__init__(desk)
-        self.desk, self.asked = desk, asked
+    def __init__(self, context: Context, asked: str | None):
+        super().__init__(context)
+        self.context, self.asked = context, asked
         """`asked` is the theme of the command line, for this window alone."""
-        desk.theme = self.find_theme()
+        context.theme = self.find_theme()
 
     def find_theme(self) -> str:
-        chosen = self.asked or self.desk.settings.theme
+        chosen = self.asked or self.context.settings.theme
         if chosen != "system":
             return chosen
         app = QApplication.instance()
@@ -33,12 +33,12 @@ class Looks(QObject):
 
     def begin(self, actions: ActionSet) -> None:
         """Dresses the window for the first time and marks what is in force."""
-        actions.check(f"theme_{self.asked or self.desk.settings.theme}")
-        code = self.desk.settings.language
+        actions.check(f"theme_{self.asked or self.context.settings.theme}")
+        code = self.context.settings.language
         if code in LANGUAGES:
             actions.check(f"language_{code}")
         actions.check("colour_auto")
-        actions.actions["wireframe"].setChecked(self.desk.view.wireframe)
+        actions.actions["wireframe"].setChecked(self.context.view.wireframe)
         self.dress()
 
     def dress(self) -> None:
@@ -46,11 +46,11 @@ class Looks(QObject):
         assert isinstance(app, QApplication)
         theme = self.find_theme()
         use_theme(app, theme)
-        self.desk.use_theme(theme)
+        self.context.use_theme(theme)
 
     def use_theme(self, theme: str) -> None:
         self.asked = None
-        self.desk.settings.theme = theme
+        self.context.settings.theme = theme
         self.dress()
 
     def theme_system(self) -> None:
@@ -69,5 +69,5 @@ class Looks(QObject):
         self.use_language("tr")
 
     def use_language(self, language: str) -> None:
-        self.desk.settings.language = language
+        self.context.settings.language = language
         self.language_wanted.emit(language)

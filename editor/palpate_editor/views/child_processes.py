@@ -8,19 +8,19 @@ from collections.abc import Sequence
 from palpate.system.isolated import build_verb
 from PySide6.QtCore import QObject, QProcess
 
-from palpate_editor.views.desk import Desk
-from palpate_editor.views.words import tr
+from palpate_editor.views.context import Context
+from palpate_editor.views.translations import tr
 
 GRACE = 2000
 """[ms] for one to end by itself."""
 
 
-class Companions(QObject):
+class ChildProcesses(QObject):
     """Starts them, tells why one ended badly, and ends them with the editor."""
 
-    def __init__(self, desk: Desk, parent: QObject | None = None):
+    def __init__(self, context: Context, parent: QObject | None = None):
         super().__init__(parent)
-        self.desk = desk
+        self.context = context
         self.running: list[QProcess] = []
 
     def start(self, words: Sequence[object]) -> QProcess:
@@ -32,19 +32,19 @@ class Companions(QObject):
         self.running.append(process)
         program, *arguments = build_verb(*words)
         process.start(program, arguments)
-        self.desk.log_command(["palpate", *words])
+        self.context.log_command(["palpate", *words])
         return process
 
     def open_device(self) -> None:
         """The device window, in the colours and the language of the editor."""
-        words: list[object] = ["device", "--theme", self.desk.theme]
-        if self.desk.settings.language:
-            words += ["--language", self.desk.settings.language]
+        words: list[object] = ["device", "--theme", self.context.theme]
+        if self.context.settings.language:
+            words += ["--language", self.context.settings.language]
         self.start(words)
 
     def on_error(self, error: QProcess.ProcessError) -> None:
         if error == QProcess.ProcessError.FailedToStart:
-            self.desk.tell(tr("The window could not be started."))
+            self.context.tell(tr("The window could not be started."))
 
     def on_finished(self, code: int, status: QProcess.ExitStatus) -> None:
         ended = [p for p in self.running if p.state() == QProcess.ProcessState.NotRunning]
@@ -54,7 +54,7 @@ class Companions(QObject):
             process.deleteLater()
             if code != 0 or status != QProcess.ExitStatus.NormalExit:
                 last = words.splitlines()[-1] if words else tr("it said nothing")
-                self.desk.tell(tr("The window ended: {words}").format(words=last))
+                self.context.tell(tr("The window ended: {words}").format(words=last))
 
     def finish(self) -> None:
         """They end with the window that started them."""
