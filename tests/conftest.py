@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 from pathlib import Path
 
 import pytest
@@ -30,6 +30,30 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     if sweeps:
         config.hook.pytest_deselected(items=sweeps)
         items[:] = [item for item in items if not item.get_closest_marker("verify")]
+
+
+PROCESSOR_TIME = pytest.StashKey[float]()
+
+
+def read_processor_time() -> float:
+    """[s] of this process, and of its children that have ended."""
+    return sum(os.times()[:4])
+
+
+@pytest.hookimpl(wrapper=True, tryfirst=True)
+def pytest_runtest_setup(item: pytest.Item) -> Generator[None, object, object]:
+    item.stash[PROCESSOR_TIME] = read_processor_time()
+    return (yield)
+
+
+@pytest.hookimpl(wrapper=True, tryfirst=True)
+def pytest_runtest_teardown(item: pytest.Item) -> Generator[None, object, object]:
+    """What a test took, its fixtures included, stands in the results; summarise.py adds it up."""
+    try:
+        return (yield)
+    finally:
+        used = read_processor_time() - item.stash[PROCESSOR_TIME]
+        item.user_properties.append(("processor_s", f"{used:.2f}"))
 
 
 @pytest.fixture(autouse=True)

@@ -9,7 +9,7 @@ reason matches none of the patterns is a failure: on a machine where everything 
 nothing may be left out.
 
 A test that can prove more on one machine than on another says what it proved in a property of that
-name, which is printed.
+name, which is printed. So are the files of Python tests that took the most processor time.
 """
 
 from __future__ import annotations
@@ -21,6 +21,9 @@ from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
 from xml.etree import ElementTree
+
+COSTLY = 10
+"""How many of the files that took the most processor time are named."""
 
 CASES = re.compile(r"\[doctest\] test cases: *\d+ *\| *(\d+) passed *\| *(\d+) failed")
 SKIPPED = re.compile(r"^SKIPPED: *(.+)$", re.MULTILINE)
@@ -36,12 +39,15 @@ class Outcome:
     """How often, by reason."""
     proved: list[str] = field(default_factory=list)
     """By tests that can prove more or less."""
+    processor: Counter[str] = field(default_factory=Counter)
+    """[s] by file."""
 
     def add(self, other: Outcome) -> None:
         self.passed += other.passed
         self.failed += other.failed
         self.skipped += other.skipped
         self.proved += other.proved
+        self.processor.update(other.processor)
 
 
 def read_ctest_case(case: ElementTree.Element) -> Outcome:
@@ -56,14 +62,20 @@ def read_ctest_case(case: ElementTree.Element) -> Outcome:
 
 
 def read_pytest_case(case: ElementTree.Element) -> Outcome:
-    name = f"{case.get('classname')}::{case.get('name')}"
+    outcome = Outcome()
+    said = [(p.get("name"), p.get("value", "")) for p in case.iter("property")]
+    for name, value in said:
+        if name == "processor_s":
+            outcome.processor[case.get("classname", "?")] += float(value)
     skip = case.find("skipped")
     if case.find("failure") is not None or case.find("error") is not None:
-        return Outcome(failed=[name])
-    if skip is not None:
-        return Outcome(skipped=Counter([skip.get("message") or "no reason given"]))
-    said = [p.get("value", "") for p in case.iter("property") if p.get("name") == "proved"]
-    return Outcome(passed=1, proved=[f"{case.get('name')}: {what}" for what in said])
+        outcome.failed = [f"{case.get('classname')}::{case.get('name')}"]
+    elif skip is not None:
+        outcome.skipped[skip.get("message") or "no reason given"] += 1
+    else:
+        outcome.passed = 1
+        outcome.proved = [f"{case.get('name')}: {what}" for name, what in said if name == "proved"]
+    return outcome
 
 
 def read_results(path: Path) -> Outcome:
@@ -89,6 +101,8 @@ def main() -> int:
     total = Outcome()
     for path in call.results:
         total.add(read_results(path))
+    for name, used in total.processor.most_common(COSTLY):
+        print(f"{used:6.1f} s of processor time: {name}")
     for what in total.proved:
         print(f"proved by {what}")
     for reason, count in sorted(total.skipped.items()):

@@ -63,6 +63,17 @@ def test_what_a_test_proved_here_is_printed(tmp_path):
     assert lines[0] == "proved by holds: the same bytes"
 
 
+def test_the_files_that_took_the_most_processor_time_are_named_first(tmp_path):
+    def took(seconds: float) -> str:
+        return pytest_case(
+            f'<properties><property name="processor_s" value="{seconds}"/></properties>'
+        )
+
+    _, lines = print_summary(tmp_path, took(1.5), took(0.25))
+
+    assert lines == ["   1.8 s of processor time: tests.t", "2 passed, 0 failed, 0 skipped"]
+
+
 def test_a_failed_case_fails_the_whole(tmp_path):
     code, line = summarise(tmp_path, ctest("fail", FAILED), pytest_case("<failure/>"))
 
