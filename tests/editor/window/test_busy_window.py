@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import threading
-import time
 
 import pytest
 from hands import child, click
@@ -21,33 +20,17 @@ HEAVY_PART = "VH_M_left_cardiac_atrium"
 """Of the heart: 16967 vertices, the largest surface among the shared organs that is clean."""
 
 
-LONGEST_BLOCK = 0.5
-"""Of the shortest job's work: what the window's own thread may work between two looks at its
-events. On the reference machine 54 to 137 ms of 730; a window that did a job itself would fail."""
-
-
 class Heartbeat:
-    """Counts how often the window's thread got round to its events, phase by phase.
-
-    What it worked between two beats is its own processor time: what the machine gives to others
-    meanwhile is not counted, so that a busy one proves the same as an idle one.
-    """
+    """Counts how often the window's thread got round to its events, phase by phase."""
 
     def __init__(self, window):
         self.beats: dict[str, int] = {}
         self.phase = "idle"
-        self.last, self.worked = time.perf_counter(), time.thread_time()
-        self.longest = self.hardest = 0.0
-        self.jobs: dict[str, float] = {}
         self.timer = QTimer(window, interval=5)
         self.timer.timeout.connect(self.beat)
         self.timer.start()
 
     def beat(self) -> None:
-        now, worked = time.perf_counter(), time.thread_time()
-        self.longest = max(self.longest, now - self.last)
-        self.hardest = max(self.hardest, worked - self.worked)
-        self.last, self.worked = now, worked
         self.beats[self.phase] = self.beats.get(self.phase, 0) + 1
 
 
@@ -58,11 +41,10 @@ def record_threads(monkeypatch, module, names, seen, heartbeat) -> None:
 
         def watched(*args, real=real, name=name, **options):
             seen[name] = threading.get_ident()
-            heartbeat.phase, worked = name, time.thread_time()
+            heartbeat.phase = name
             try:
                 return real(*args, **options)
             finally:
-                heartbeat.jobs[name] = time.thread_time() - worked
                 heartbeat.phase = "idle"
 
         monkeypatch.setattr(module, name, watched)
@@ -87,12 +69,6 @@ def test_the_window_lives_through_a_heavy_import_and_decimation(
     # each takes many times longer than a beat: the window's thread was never kept waiting for one
     for phase in ("import_file", "decimate_organ", "assess"):
         assert heartbeat.beats.get(phase, 0) >= 3, (phase, heartbeat.beats)
-    print(
-        f"longest gap between two beats: {1e3 * heartbeat.longest:.0f} ms, "
-        f"{1e3 * heartbeat.hardest:.0f} ms of it work; {heartbeat.beats}; {heartbeat.jobs}"
-    )
-    shortest = min(heartbeat.jobs["decimate_organ"], heartbeat.jobs["assess"])
-    assert heartbeat.hardest < LONGEST_BLOCK * shortest
 
 
 def test_the_heavy_functions_are_the_ones_the_work_calls():
