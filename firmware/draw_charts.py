@@ -3,7 +3,7 @@
 
 mkdir -p build/charts
 PALPATE_CHARTS=build/charts build/release/tests/test_laws -tc="full torque*"
-PALPATE_CHARTS=build/charts build/release/tests/test_haptics -tc="search*"
+PALPATE_CHARTS=build/charts build/release/tests/test_arm -tc="search*"
 PALPATE_CHARTS=build/charts build/release/tests/test_simavr_loops -tc="the gallbladder*"
 .venv/bin/python firmware/draw_charts.py build/charts firmware/pictures
 """

@@ -1306,7 +1306,7 @@ class Response:
     def column(self) -> NDArray[np.int32]:
         """Per particle, shape (n,): among the pushed, or -1; a view."""
     @property
-    def softness(self) -> NDArray[np.float64]:
+    def self_compliance(self) -> NDArray[np.float64]:
         """[m/N] per vertex of the surface, shape (n,), of itself; 0 out of reach; a view."""
     def __reduce_ex__(self, protocol: int) -> object:
         """Raises TypeError: not to be pickled."""
@@ -1553,7 +1553,7 @@ class TickInput(enum.IntEnum):
     substeps_max = 14
 
 class Guard:
-    """The memory of the blow-up alarm between looks."""
+    """The memory of the blow-up alarm between checks."""
     def __init__(self, model: TissueModel, gravity: ArrayLike, state: State) -> None:
         """Of a tissue as it is now.
 
@@ -1562,9 +1562,9 @@ class Guard:
         """
     @property
     def last_position(self) -> NDArray[np.float64]:
-        """[m] at the last look that found nothing wrong, shape (n, 3); a view."""
+        """[m] at the last check that found nothing wrong, shape (n, 3); a view."""
     last_time: float
-    """[s] of the last look."""
+    """[s] of the last check."""
     shortest_rest_length: float
     """[m]"""
     start_energy: float
@@ -1574,15 +1574,15 @@ class Guard:
     work: float
     """[J] done by pushes, gravity and pressure since the start."""
     unnoticed_energy: float
-    """[J] less than anybody could see or feel."""
+    """[J] less than can be seen or felt."""
     given_energy: float
     """[J] of start and work, less what has long been lost."""
     reference_energy: float
     """[J] the most that has lately been given."""
     rising_steps: int
-    """Looks in a row at which energy rose without work."""
-    strained_looks: int
-    """Looks in a row at which a link was out of its bounds."""
+    """Checks in a row at which energy rose without work."""
+    strained_checks: int
+    """Checks in a row at which a link was out of its bounds."""
     def __copy__(self) -> Guard:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> Guard:
@@ -1604,9 +1604,9 @@ def check(
     guard: Guard,
     steps: int = ...,
 ) -> Alarm:
-    """Looks at a tissue after a step; the first thing wrong comes back. work [J] is what pushes
-    have done to the tissue since the last look; what gravity and pressure have done is found
-    here. steps taken since then may have moved a particle that many times as far.
+    """Checks a tissue after a step; the first thing wrong comes back. work [J] is what pushes
+    have done to the tissue since the last check; what gravity and pressure have done is
+    found here. steps taken since then may have moved a particle that many times as far.
 
     Args:
         gravity: [m/s²] shape (3,)
@@ -1715,8 +1715,8 @@ def find_closest_point(
 def find_segment_hit(
     tree: AabbTree, x: ArrayLike, from_: ArrayLike, to: ArrayLike
 ) -> SurfacePoint | None:
-    """The first triangle on the way from from_ to to, both sides counting; None if the way is
-    clear. No way slips between triangles that share an edge.
+    """The first triangle on the segment from from_ to to, both sides counting; None if it is
+    clear. No segment slips between triangles that share an edge.
 
     Args:
         x: [m] shape (n, 3), positions
@@ -1951,7 +1951,7 @@ class Candidates:
         """How many of them there are."""
     @property
     def from_(self) -> NDArray[np.float64]:
-        """[m] the way they were looked for along. Shape (3,), a view."""
+        """[m] the path they were looked for along. Shape (3,), a view."""
     @from_.setter
     def from_(self, value: ArrayLike) -> None: ...
     @property
@@ -1977,7 +1977,7 @@ def find_candidates(
     rest_areas: ArrayLike,
     candidates: Candidates,
 ) -> None:
-    """Finds every triangle within radius + CANDIDATE_MARGIN of the way from the tool's last
+    """Finds every triangle within radius + CANDIDATE_MARGIN of the path from the tool's last
     position to where the hand is now. rest_areas [m²] per triangle of the tissue.
 
     Args:
@@ -2140,7 +2140,7 @@ TOUCHING: int
 ATTACHED: int
 NOT_RENDERED: int
 
-class HappeningKind(enum.IntEnum):
+class EventKind(enum.IntEnum):
     """What may happen at a tick."""
 
     missed_ticks = 1
@@ -2154,24 +2154,24 @@ class HappeningKind(enum.IntEnum):
     motors_off = 9
     motors_on = 10
 
-class Happening:
+class Event:
     """Something that happened at a tick."""
     def __init__(
-        self, *, tick: int = ..., kind: HappeningKind = ..., index: int = ..., value: float = ...
+        self, *, tick: int = ..., kind: EventKind = ..., index: int = ..., value: float = ...
     ) -> None:
         """Arguments are the fields of these names, with their shapes and units."""
     tick: int
     """Its number."""
-    kind: HappeningKind
+    kind: EventKind
     """What happened."""
     index: int
-    """HappeningKind says of what."""
+    """EventKind says of what."""
     value: float
-    """[s] or [-]; HappeningKind says what."""
+    """[s] or [-]; EventKind says what."""
     dtype: np.dtype[np.void]
-    def __copy__(self) -> Happening:
+    def __copy__(self) -> Event:
         """A copy of its own."""
-    def __deepcopy__(self, memo: dict[int, object]) -> Happening:
+    def __deepcopy__(self, memo: dict[int, object]) -> Event:
         """A copy of its own."""
     def __getstate__(self, /) -> tuple[object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
@@ -2238,12 +2238,12 @@ class TickLog:
         Likewise.
         """
     @overload
-    def push(self, happening: Happening) -> bool: ...
+    def push(self, event: Event) -> bool: ...
     @overload
     def push(self, hash: StateHash) -> bool: ...
     def take(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
-        """For the one reader: ticks, happenings and hashes that have arrived since the last
-        call, as structured arrays of shape (k,).
+        """For the one reader: ticks, events and hashes that have arrived since the last call,
+        as structured arrays of shape (k,).
         """
     def gap_count(self) -> int:
         """How many ticks it had no room for."""
@@ -2397,17 +2397,6 @@ class World:
         """[m] the vertices of the skin, shape (n, 3), after every tick; empty where there is
         none; a view.
         """
-    @property
-    def surface_mass(self) -> NDArray[np.float64]:
-        """[kg] per vertex of the surface, shape (n,), see compute_surface_mass; a view."""
-    @property
-    def deepest(self) -> NDArray[np.float64]:
-        """[m] per vertex of the surface, shape (n,): how far a linear solid may go; else empty;
-        a view.
-        """
-    @property
-    def scratch(self) -> NDArray[np.float64]:
-        """[-] Work space per vertex of the surface, shape (n,); a view."""
     def __copy__(self) -> World:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> World:
@@ -3032,7 +3021,7 @@ class VelocityWindow:
         """
     def add(self, time: float, value: float) -> float:
         """Takes a reading at time [s] and returns its speed, per second; 0 for the first. The
-        same time again is ignored, an earlier one begins anew.
+        same time again is ignored, an earlier one starts again.
 
         Args:
             time: [s] since the run began
@@ -3782,7 +3771,7 @@ class SerialDevice(HapticDevice):
     def calibration(self) -> Calibration:
         """As it was read when the link was made. Raises DeviceError where there is none."""
     def store(self, calibration: Calibration, timeout: float = ...) -> None:
-        """Writes a calibration to the device, which keeps it; then the device is greeted anew.
+        """Writes a calibration to the device, which keeps it; then the device is greeted again.
         Not while a run is on. Raises DeviceError in words, and ValueError for numbers it
         cannot hold.
 
@@ -4149,12 +4138,12 @@ class Record:
         header: str = ...,
         hand: object = ...,
         felt: object = ...,
-        happenings: object = ...,
+        events: object = ...,
         hashes: object = ...,
         complete: bool = ...,
     ) -> None:
-        """Copies its tables: structured arrays with the dtype of HapticSample, Felt, Happening
-        and StateHash, or lists of these.
+        """Copies its tables: structured arrays with the dtype of HapticSample, Felt, Event and
+        StateHash, or lists of these.
 
         Arguments are the fields of these names, with their shapes and units.
         """
@@ -4167,8 +4156,8 @@ class Record:
     def felt(self) -> NDArray[Any]:
         """Per tick, a structured array with the fields of Felt, shape (n,); a view."""
     @property
-    def happenings(self) -> NDArray[Any]:
-        """A structured array with the fields of Happening, shape (n,); a view."""
+    def events(self) -> NDArray[Any]:
+        """A structured array with the fields of Event, shape (n,); a view."""
     @property
     def hashes(self) -> NDArray[Any]:
         """At 1 Hz, a structured array with the fields of StateHash, shape (n,); a view."""

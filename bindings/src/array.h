@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "arguments.h"
-#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/base/types.h"
 
 /// How tables of the library and NumPy arrays become each other.

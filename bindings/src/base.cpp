@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bindings.h"
-#include "palpate/sim/base/whole_file.h"
+#include "palpate/sim/base/private/whole_file.h"
 
 namespace palpate::bindings {
 

@@ -7,7 +7,7 @@
 
 namespace palpate::bindings {
 
-// One per folder of core/sim, called in this order: each needs the types of those before it.
+// One or more per room of core/sim, called in this order: each needs the types of those before it.
 // Where a folder takes more than one file, the first of them calls the others.
 void bind_base(pybind11::module_& m);
 void bind_mesh(pybind11::module_& m);
@@ -23,7 +23,7 @@ void bind_response(pybind11::module_& m);
 void bind_guard(pybind11::module_& m);
 void bind_contact(pybind11::module_& m);
 void bind_queries(pybind11::module_& m);
-void bind_haptics(pybind11::module_& m);
+void bind_tick(pybind11::module_& m);
 void bind_log(pybind11::module_& m);
 void bind_devices(pybind11::module_& m);
 void bind_safe_device(pybind11::module_& m);

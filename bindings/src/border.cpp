@@ -133,8 +133,6 @@ void require_fit(const Scene& scene, const World& world) {
   require_fit(scene.tissue, world.tissue);
   require_count("world.tree", world.tree.triangles().size(), scene.tissue.triangles.size());
   require_count("world.skin", world.skin.size(), scene.tissue.skin.corners.size());
-  require_count("world.surface_mass", world.surface_mass.size(),
-                static_cast<std::size_t>(surface_count(scene.tissue)));
   require_fit(scene.tissue, world.guard);
   require_fit(world.candidates, scene.tissue.triangles.size());
   require_fit(world.tool, scene.tissue.triangles.size());

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "array.h"
-#include "palpate/sim/contact/aabb_tree.h"
 #include "palpate/sim/contact/find_candidates.h"
 #include "palpate/sim/contact/tool.h"
 #include "palpate/sim/dynamics/guard.h"
-#include "palpate/sim/dynamics/load.h"
 #include "palpate/sim/dynamics/state.h"
-#include "palpate/sim/haptics/world.h"
+#include "palpate/sim/model/load.h"
+#include "palpate/sim/tick/world.h"
+#include "palpate/sim/tree/aabb_tree.h"
 
 /// What must fit together before a kernel may run: kernels check nothing themselves.
 /// Each throws std::invalid_argument naming the argument, what was found and what was expected.

@@ -3,7 +3,7 @@
 #include "border.h"
 #include "palpate/sim/contact/balance_tool.h"
 #include "palpate/sim/contact/contact_law.h"
-#include "palpate/sim/contact/tree_cost.h"
+#include "palpate/sim/tree/tree_cost.h"
 #include "rows.h"
 #include "value.h"
 
@@ -208,7 +208,7 @@ void bind_candidates(py::module_& m) {
   def_view(candidates, "areas", &Candidates::areas,
            "[m²] shape (capacity,), at rest, so that pressing does not change the law; a view.");
   candidates.def_readonly("count", &Candidates::count, "How many of them there are.");
-  def_vector(candidates, "from_", &Candidates::from, "[m] the way they were looked for along.");
+  def_vector(candidates, "from_", &Candidates::from, "[m] the path they were looked for along.");
   def_vector(candidates, "to", &Candidates::to, "[m]");
   def_value(candidates, &Candidates::triangles, &Candidates::areas, &Candidates::count,
             &Candidates::from, &Candidates::to);
@@ -229,7 +229,7 @@ void bind_candidates(py::module_& m) {
       },
       "tree"_a, "x"_a, "tool"_a, "tool_position"_a, "hand_position"_a, "rest_areas"_a,
       "candidates"_a,
-      "Finds every triangle within radius + CANDIDATE_MARGIN of the way from the tool's last "
+      "Finds every triangle within radius + CANDIDATE_MARGIN of the path from the tool's last "
       "position to where the hand is now. rest_areas [m²] per triangle of the tissue.");
 }
 

@@ -5,11 +5,11 @@
 #include "border.h"
 #include "palpate/sim/dynamics/energy.h"
 #include "palpate/sim/dynamics/guard.h"
-#include "palpate/sim/dynamics/packed.h"
-#include "palpate/sim/dynamics/simd_targets.h"
 #include "palpate/sim/dynamics/stable_step.h"
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/dynamics/tangent.h"
+#include "palpate/sim/packed/private/packed.h"
+#include "palpate/sim/packed/simd_targets.h"
 #include "rows.h"
 #include "value.h"
 

@@ -4,7 +4,7 @@
 #include "bindings.h"
 #include "border.h"
 #include "palpate/sim/dynamics/guard.h"
-#include "palpate/sim/haptics/check_input.h"
+#include "palpate/sim/tick/private/check_input.h"
 #include "value.h"
 
 namespace palpate::bindings {
@@ -67,34 +67,34 @@ void bind_input(py::module_& m) {
 }
 
 void bind_memory(py::module_& m) {
-  py::class_<Guard> guard(m, "Guard", "The memory of the blow-up alarm between looks.");
+  py::class_<Guard> guard(m, "Guard", "The memory of the blow-up alarm between checks.");
   guard.def(py::init([](const TissueModel& model, const Vec3& gravity, const State& state) {
               require_fit(model, state);
               return Guard(model, gravity, state);
             }),
             "model"_a, "gravity"_a, "state"_a, "Of a tissue as it is now.");
   def_view(guard, "last_position", &Guard::last_position,
-           "[m] at the last look that found nothing wrong, shape (n, 3); a view.");
-  guard.def_readwrite("last_time", &Guard::last_time, "[s] of the last look.")
+           "[m] at the last check that found nothing wrong, shape (n, 3); a view.");
+  guard.def_readwrite("last_time", &Guard::last_time, "[s] of the last check.")
       .def_readwrite("shortest_rest_length", &Guard::shortest_rest_length, "[m]")
       .def_readwrite("start_energy", &Guard::start_energy, "[J] elastic and kinetic.")
       .def_readwrite("last_energy", &Guard::last_energy, "[J] elastic and kinetic.")
       .def_readwrite("work", &Guard::work,
                      "[J] done by pushes, gravity and pressure since the start.")
       .def_readwrite("unnoticed_energy", &Guard::unnoticed_energy,
-                     "[J] less than anybody could see or feel.")
+                     "[J] less than can be seen or felt.")
       .def_readwrite("given_energy", &Guard::given_energy,
                      "[J] of start and work, less what has long been lost.")
       .def_readwrite("reference_energy", &Guard::reference_energy,
                      "[J] the most that has lately been given.")
       .def_readwrite("rising_steps", &Guard::rising_steps,
-                     "Looks in a row at which energy rose without work.")
-      .def_readwrite("strained_looks", &Guard::strained_looks,
-                     "Looks in a row at which a link was out of its bounds.");
+                     "Checks in a row at which energy rose without work.")
+      .def_readwrite("strained_checks", &Guard::strained_checks,
+                     "Checks in a row at which a link was out of its bounds.");
   def_value(guard, &Guard::last_position, &Guard::last_time, &Guard::shortest_rest_length,
             &Guard::start_energy, &Guard::last_energy, &Guard::work, &Guard::given_energy,
             &Guard::unnoticed_energy, &Guard::reference_energy, &Guard::rising_steps,
-            &Guard::strained_looks);
+            &Guard::strained_checks);
   def_repr(guard, {"last_time", "work", "last_energy", "reference_energy", "rising_steps"});
   m.def(
       "check",
@@ -106,8 +106,8 @@ void bind_memory(py::module_& m) {
         return check(model, gravity, state, work, memory, steps);
       },
       "model"_a, "gravity"_a, "state"_a, "work"_a, "guard"_a, "steps"_a = 1,
-      "Looks at a tissue after a step; the first thing wrong comes back. work [J] is what pushes "
-      "have done to the tissue since the last look; what gravity and pressure have done is found "
+      "Checks a tissue after a step; the first thing wrong comes back. work [J] is what pushes "
+      "have done to the tissue since the last check; what gravity and pressure have done is found "
       "here. steps taken since then may have moved a particle that many times as far.");
 }
 

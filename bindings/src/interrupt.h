@@ -7,7 +7,7 @@
 #include <chrono>
 #include <cstdint>
 
-#include "palpate/sim/haptics/realtime.h"
+#include "palpate/sim/base/private/realtime.h"
 
 namespace palpate::bindings {
 

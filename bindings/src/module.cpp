@@ -16,7 +16,7 @@ PYBIND11_MODULE(_sim, m) {
   bind_model(m);
   bind_dynamics(m);
   bind_contact(m);
-  bind_haptics(m);
+  bind_tick(m);
   bind_session(m);
   bind_bench(m);
   bind_scenario(m);

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "array.h"
-#include "palpate/sim/contact/aabb_tree.h"
 #include "palpate/sim/contact/tool.h"
-#include "palpate/sim/dynamics/load.h"
-#include "palpate/sim/haptics/tick_log.h"
+#include "palpate/sim/model/load.h"
+#include "palpate/sim/tick/tick_log.h"
+#include "palpate/sim/tree/aabb_tree.h"
 
 namespace palpate::bindings {
 
@@ -60,7 +60,7 @@ inline constexpr bool is_row<HapticSample> = true;
 template <>
 inline constexpr bool is_row<Felt> = true;
 template <>
-inline constexpr bool is_row<Happening> = true;
+inline constexpr bool is_row<Event> = true;
 template <>
 inline constexpr bool is_row<StateHash> = true;
 
@@ -78,7 +78,7 @@ py::dtype row_dtype<HapticSample>();
 template <>
 py::dtype row_dtype<Felt>();
 template <>
-py::dtype row_dtype<Happening>();
+py::dtype row_dtype<Event>();
 template <>
 py::dtype row_dtype<StateHash>();
 template <>

@@ -15,17 +15,17 @@ namespace {
 void bind_record(py::module_& m) {
   py::class_<Record> record(m, "Record", "A whole run in memory: enough to run it again.");
   record.def(py::init([](const std::string& header, const py::object& hand, const py::object& felt,
-                         const py::object& happenings, const py::object& hashes, bool complete) {
+                         const py::object& events, const py::object& hashes, bool complete) {
                return Record{header,
                              copy_rows<HapticSample>(hand, "hand"),
                              copy_rows<Felt>(felt, "felt"),
-                             copy_rows<Happening>(happenings, "happenings"),
+                             copy_rows<Event>(events, "events"),
                              copy_rows<StateHash>(hashes, "hashes"),
                              complete};
              }),
              py::kw_only(), "header"_a = "", "hand"_a = py::tuple(), "felt"_a = py::tuple(),
-             "happenings"_a = py::tuple(), "hashes"_a = py::tuple(), "complete"_a = false,
-             "Copies its tables: structured arrays with the dtype of HapticSample, Felt, Happening "
+             "events"_a = py::tuple(), "hashes"_a = py::tuple(), "complete"_a = false,
+             "Copies its tables: structured arrays with the dtype of HapticSample, Felt, Event "
              "and StateHash, or lists of these.");
   record.def_readwrite("header", &Record::header,
                        "JSON: version, kernel, build, scene hash, device, columns, ...");
@@ -33,14 +33,14 @@ void bind_record(py::module_& m) {
            "Per tick, a structured array with the fields of HapticSample, shape (n,); a view.");
   def_rows(record, "felt", &Record::felt,
            "Per tick, a structured array with the fields of Felt, shape (n,); a view.");
-  def_rows(record, "happenings", &Record::happenings,
-           "A structured array with the fields of Happening, shape (n,); a view.");
+  def_rows(record, "events", &Record::events,
+           "A structured array with the fields of Event, shape (n,); a view.");
   def_rows(record, "hashes", &Record::hashes,
            "At 1 Hz, a structured array with the fields of StateHash, shape (n,); a view.");
   record.def_readwrite("complete", &Record::complete,
                        "The file has its summary and the summary's SHA-256 holds.");
-  def_value(record, &Record::header, &Record::hand, &Record::felt, &Record::happenings,
-            &Record::hashes, &Record::complete);
+  def_value(record, &Record::header, &Record::hand, &Record::felt, &Record::events, &Record::hashes,
+            &Record::complete);
   record.def("__repr__", [](const Record& self) {
     return "Record(" + std::to_string(self.hand.size()) + " ticks, " +
            (self.complete ? "complete" : "incomplete") + ")";

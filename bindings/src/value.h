@@ -4,8 +4,8 @@
 #include <initializer_list>
 
 #include "array.h"
+#include "palpate/sim/arm/plant.h"
 #include "palpate/sim/dynamics/state.h"
-#include "palpate/sim/haptics/plant.h"
 #include "rows.h"
 
 namespace palpate::bindings {

@@ -5,7 +5,7 @@
 
 #include "palpate/authoring/cgal/patch_holes.h"
 #include "palpate/authoring/self_intersections.h"
-#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/mesh/topology.h"
 
 namespace palpate::authoring {

@@ -41,7 +41,7 @@ class Flipping {
         on_border_[edge[0].low] = on_border_[edge[0].high] = 1;
         return;
       }
-      const Diamond d = look_at(edge[0], edge[1]);
+      const Diamond d = find_diamond(edge[0], edge[1]);
       if (d.excess > kLeastExcess) found.push_back(d);
     });
     std::stable_sort(found.begin(), found.end(),
@@ -68,7 +68,7 @@ class Flipping {
  private:
   const Vec3& at(int v) const { return mesh_.vertices[v]; }
 
-  Diamond look_at(const HalfEdge& one, const HalfEdge& other) const {
+  Diamond find_diamond(const HalfEdge& one, const HalfEdge& other) const {
     const Triangle &s = mesh_.triangles[one.triangle], &t = mesh_.triangles[other.triangle];
     Diamond d{one.triangle,
               other.triangle,

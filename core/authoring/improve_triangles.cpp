@@ -18,14 +18,14 @@ namespace {
 
 constexpr int kFlipsPerRound = 3;
 
-/// Rounds of smoothing; before the ones after these, triangles nothing else can mend are traded.
+/// Rounds of smoothing; before the ones after these, triangles nothing else can repair are traded.
 constexpr int kSmoothRounds = 24;
 constexpr int kTradeRounds[] = {15, 20};
 
 /// Rounds that only work on the worst triangles left.
 constexpr int kMendRounds = 12;
 
-/// Of the way to the middle of the neighbours: all of it overshoots where everybody moves.
+/// Of the path to the middle of the neighbours: all of it overshoots where everybody moves.
 constexpr double kStep = 0.6;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -55,7 +55,7 @@ class Moving {
   }
 
   /// Who is around whom; to be called after the triangles have changed.
-  void look_around() {
+  void find_neighbours() {
     fans_.assign(mesh_.vertices.size(), {});
     for (int t = 0; t < static_cast<int>(mesh_.triangles.size()); ++t) {
       for (const int v : mesh_.triangles[t]) fans_[v].push_back(t);
@@ -78,7 +78,7 @@ class Moving {
   }
 
   /// Each vertex of a triangle that is not good to the best place near by.
-  void mend() {
+  void repair() {
     for (int v = 0; v < static_cast<int>(mesh_.vertices.size()); ++v) {
       const Fan fan = measure(v, mesh_.vertices[v]);
       if (fan.angle < kGoodAngle) search(v, fan);
@@ -173,8 +173,8 @@ class Moving {
     for (const double step : kSearchSteps) {
       for (int d = 0; d < kSearchDirections; ++d) {
         const double turn = 2.0 * std::numbers::pi * d / kSearchDirections;
-        const Vec3 way = step * fan.length * (std::cos(turn) * side + std::sin(turn) * other);
-        const Vec3 place = draw_back(v, mesh_.vertices[v] + way);
+        const Vec3 offset = step * fan.length * (std::cos(turn) * side + std::sin(turn) * other);
+        const Vec3 place = draw_back(v, mesh_.vertices[v] + offset);
         if (!stands(v, place, best)) continue;
         best = measure(v, place).angle;
         found = place;
@@ -251,12 +251,12 @@ void run_rounds(const BorderLines& lines, const SourceSurface& source, bool guar
       trade_edges(source, kBadAngle, mesh);
       if (guarded && count_crossings(mesh) > allowed) mesh = before;
     }
-    moving.look_around();
+    moving.find_neighbours();
     const Vec3Array before = mesh.vertices;
     if (round < kSmoothRounds) {
       moving.smooth();
     } else {
-      moving.mend();
+      moving.repair();
     }
     if (guarded) undo_crossings(before, allowed, mesh);
   }

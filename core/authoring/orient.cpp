@@ -13,7 +13,7 @@ namespace palpate::authoring {
 namespace {
 
 /// An open shell that encloses less than this part of area^(3/2) about its centroid is flat: its
-/// bulge is a thousandth of its width, and its hollow side is anybody's guess.
+/// bulge is a thousandth of its width, and its hollow side cannot be told.
 constexpr double kFlat = 1e-4;
 
 struct Shell {

@@ -17,7 +17,7 @@ struct ImportedPart {
   SurfaceMesh mesh;  ///< in units and axes of the file
 };
 
-/// What a mesh file holds, before anybody has decided what it means.
+/// What a mesh file holds, before its unit and axes are chosen.
 struct ImportedScene {
   std::string file;
   std::string format;  ///< OBJ, STL, PLY, GLB, GLTF, 3DS, FBX, DAE or OFF

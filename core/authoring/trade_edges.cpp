@@ -24,7 +24,7 @@ struct Edge {
 class Trading {
  public:
   Trading(const SourceSurface& source, SurfaceMesh& mesh) : source_(source), mesh_(mesh) {
-    look_around();
+    find_neighbours();
   }
 
   /// Collapses an edge of triangle `t` and splits another; leaves all as it was where that would
@@ -35,7 +35,7 @@ class Trading {
     const std::optional<Edge> edge = find_shortest_edge(t);
     if (edge && collapse(*edge, worst)) {
       if (split_longest(edge->v, {edge->first, edge->second}, worst)) {
-        look_around();
+        find_neighbours();
         return true;
       }
       mesh_ = before;
@@ -44,7 +44,7 @@ class Trading {
   }
 
  private:
-  void look_around() {
+  void find_neighbours() {
     fans_.assign(mesh_.vertices.size(), {});
     on_border_.assign(mesh_.vertices.size(), 0);
     for (int t = 0; t < static_cast<int>(mesh_.triangles.size()); ++t) {

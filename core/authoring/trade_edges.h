@@ -5,7 +5,7 @@
 
 namespace palpate::authoring {
 
-/// Gets rid of triangles with an angle below `least` [rad] that no flip and no move can mend:
+/// Gets rid of triangles with an angle below `least` [rad] that no flip and no move can repair:
 /// their shortest edge is collapsed and a long edge elsewhere is split, so the counts stay. Border
 /// edges and border vertices stay. Returns how many were traded.
 int trade_edges(const SourceSurface& source, double least, SurfaceMesh& mesh);

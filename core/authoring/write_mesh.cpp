@@ -6,14 +6,14 @@
 #include <stdexcept>
 #include <string>
 
-#include "palpate/authoring/house_mark.h"
-#include "palpate/sim/base/whole_file.h"
+#include "palpate/authoring/file_signature.h"
+#include "palpate/sim/base/private/whole_file.h"
 
 namespace palpate::authoring {
 namespace {
 
 std::string format_obj(const SurfaceMesh& mesh) {
-  std::string text = std::string("# ") + kHouseMark + "\n";
+  std::string text = std::string("# ") + kFileSignature + "\n";
   char line[128];
   for (const Vec3& x : mesh.vertices) {
     std::snprintf(line, sizeof line, "v %.17g %.17g %.17g\n", x.x(), x.y(), x.z());
@@ -27,7 +27,7 @@ std::string format_obj(const SurfaceMesh& mesh) {
 }
 
 std::string format_stl(const SurfaceMesh& mesh) {
-  std::string bytes(kHouseMark);
+  std::string bytes(kFileSignature);
   bytes.resize(80, ' ');
   const auto put = [&](const auto& value) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);

@@ -10,7 +10,7 @@
 #include "palpate/bench/time_queries.h"
 #include "palpate/bench/time_steps.h"
 #include "palpate/bench/time_ticks.h"
-#include "palpate/sim/dynamics/simd_targets.h"
+#include "palpate/sim/packed/simd_targets.h"
 
 namespace palpate::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "palpate/sim/haptics/scene.h"
+#include "palpate/sim/tick/scene.h"
 
 namespace palpate::bench {
 

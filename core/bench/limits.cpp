@@ -5,7 +5,7 @@
 #include <chrono>
 
 #include "palpate/sim/base/cache_aligned.h"
-#include "palpate/sim/base/vector_targets.h"
+#include "palpate/sim/base/private/vector_targets.h"
 
 #ifdef PALPATE_SIMD
 

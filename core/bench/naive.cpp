@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "palpate/sim/dynamics/forces.h"
-#include "palpate/sim/dynamics/volume_law.h"
+#include "palpate/sim/dynamics/private/volume_law.h"
 
 namespace palpate::bench {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "palpate/sim/dynamics/load.h"
 #include "palpate/sim/dynamics/state.h"
+#include "palpate/sim/model/load.h"
 
 namespace palpate::bench {
 

@@ -34,7 +34,7 @@ void NaiveResponse::step(const TissueModel& model, const Load& load, double shar
   const std::size_t width = goal_.size();
   std::copy(sag_.begin(), sag_.end(), goal_.begin());
   for (std::size_t row = 0; row < force_.size(); ++row) {
-    if (force_[row] == 0.0) continue;  // whoever writes this loop sees that most of it is nothing
+    if (force_[row] == 0.0) continue;  // most of it is zero
     const double* answer = compliance_.data() + row * width;
     for (std::size_t k = 0; k < width; ++k) goal_[k] += force_[row] * answer[k];
   }

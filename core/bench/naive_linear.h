@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "palpate/sim/dynamics/load.h"
-#include "palpate/sim/dynamics/response.h"
+#include "palpate/sim/model/load.h"
+#include "palpate/sim/response/response.h"
 
 namespace palpate::bench {
 

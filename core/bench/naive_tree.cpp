@@ -13,16 +13,16 @@ double distance_to(const Box& box, const Vec3& p) noexcept {
   return (box.low - p).cwiseMax(p - box.high).cwiseMax(0.0).norm();
 }
 
-/// Slab by slab, the part of the way from 0 to `nearest` that lies in the box.
-bool meets(const Box& box, const Vec3& from, const Vec3& way, double nearest) noexcept {
+/// Slab by slab, the part of the segment from 0 to `nearest` that lies in the box.
+bool meets(const Box& box, const Vec3& from, const Vec3& segment, double nearest) noexcept {
   double begin = 0.0, end = nearest;
   for (int axis = 0; axis < 3; ++axis) {
-    if (way[axis] == 0.0) {
+    if (segment[axis] == 0.0) {
       if (from[axis] < box.low[axis] || from[axis] > box.high[axis]) return false;
       continue;
     }
-    const double a = (box.low[axis] - from[axis]) / way[axis];
-    const double b = (box.high[axis] - from[axis]) / way[axis];
+    const double a = (box.low[axis] - from[axis]) / segment[axis];
+    const double b = (box.high[axis] - from[axis]) / segment[axis];
     begin = std::max(begin, std::min(a, b));
     end = std::min(end, std::max(a, b));
   }
@@ -37,26 +37,27 @@ SurfacePoint closest_of(const Triangle& t, std::span<const Vec3> x, const Vec3& 
 
 /// Möller-Trumbore on one triangle.
 void cross_triangle(const Triangle& triangle, int t, std::span<const Vec3> x, const Vec3& from,
-                    const Vec3& way, std::optional<SurfacePoint>& hit, double& nearest) noexcept {
+                    const Vec3& segment, std::optional<SurfacePoint>& hit,
+                    double& nearest) noexcept {
   const Vec3& a = x[static_cast<std::size_t>(triangle[0])];
   const Vec3 ab = x[static_cast<std::size_t>(triangle[1])] - a;
   const Vec3 ac = x[static_cast<std::size_t>(triangle[2])] - a;
-  const Vec3 p = way.cross(ac);
+  const Vec3 p = segment.cross(ac);
   const double det = ab.dot(p);
   if (det == 0.0) return;
   const Vec3 s = from - a;
   const double u = s.dot(p) / det;
   if (u < 0.0 || u > 1.0) return;
   const Vec3 q = s.cross(ab);
-  const double v = way.dot(q) / det;
+  const double v = segment.dot(q) / det;
   if (v < 0.0 || u + v > 1.0) return;
   const double fraction = ac.dot(q) / det;
   if (fraction < 0.0 || fraction > nearest || (hit && fraction == nearest)) return;
   nearest = fraction;
   hit = SurfacePoint{.triangle = t,
                      .weights = {1.0 - u - v, u, v},
-                     .point = from + fraction * way,
-                     .distance = fraction * way.norm()};
+                     .point = from + fraction * segment,
+                     .distance = fraction * segment.norm()};
 }
 
 }  // namespace
@@ -127,8 +128,8 @@ std::optional<SurfacePoint> NaiveTree::find_segment_hit(std::span<const Vec3> x,
 
 void NaiveTree::cross(std::span<const Vec3> x, const Node& node, const Vec3& from, const Vec3& to,
                       std::optional<SurfacePoint>& hit, double& nearest) const noexcept {
-  const Vec3 way = to - from;
-  if (!meets(node.box, from, way, nearest)) return;
+  const Vec3 segment = to - from;
+  if (!meets(node.box, from, segment, nearest)) return;
   if (node.left >= 0) {
     cross(x, nodes_[static_cast<std::size_t>(node.left)], from, to, hit, nearest);
     cross(x, nodes_[static_cast<std::size_t>(node.right)], from, to, hit, nearest);
@@ -136,7 +137,7 @@ void NaiveTree::cross(std::span<const Vec3> x, const Node& node, const Vec3& fro
   }
   for (int e = node.begin; e < node.end; ++e) {
     const int t = order_[static_cast<std::size_t>(e)];
-    cross_triangle(triangles_[static_cast<std::size_t>(t)], t, x, from, way, hit, nearest);
+    cross_triangle(triangles_[static_cast<std::size_t>(t)], t, x, from, segment, hit, nearest);
   }
 }
 

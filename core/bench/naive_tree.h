@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "palpate/sim/contact/box.h"
-#include "palpate/sim/contact/queries.h"
-#include "palpate/sim/haptics/device.h"
-#include "palpate/sim/haptics/world.h"
+#include "palpate/sim/device/device.h"
+#include "palpate/sim/tick/world.h"
+#include "palpate/sim/tree/private/box.h"
+#include "palpate/sim/tree/queries.h"
 
 namespace palpate::bench {
 
@@ -18,7 +18,7 @@ class NaiveTree {
  public:
   NaiveTree(std::span<const Vec3> x, std::span<const Triangle> triangles);
 
-  /// Every box anew from the positions, the shape of the tree unchanged.
+  /// Every box again from the positions, the shape of the tree unchanged.
   void refit(std::span<const Vec3> x) noexcept;
 
   /// [m] The corners of the box around the whole surface.

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "palpate/sim/haptics/tick.h"
+#include "palpate/sim/tick/tick.h"
 
 namespace palpate::bench {
 

@@ -8,9 +8,9 @@
 #include "palpate/bench/naive_tree.h"
 #include "palpate/bench/press_and_hold.h"
 #include "palpate/bench/timing.h"
-#include "palpate/sim/dynamics/relax.h"
-#include "palpate/sim/dynamics/simd_targets.h"
-#include "palpate/sim/haptics/linear_tick.h"
+#include "palpate/sim/packed/simd_targets.h"
+#include "palpate/sim/response/private/relax.h"
+#include "palpate/sim/tick/private/linear_tick.h"
 
 namespace palpate::bench {
 namespace {
@@ -20,7 +20,7 @@ constexpr int kAgreementSteps = 20;
 constexpr double kStepAgreement = 1e-7;
 /// [m] What the tool feels follows, tick after tick (time_ticks.cpp).
 constexpr double kTickAgreement = 1e-6;
-/// [-] of the way, the share of a step: near the end of it a step has as much to do as ever.
+/// [-] of the path, the share of a step: near the end of it a step has as much to do as ever.
 constexpr double kShare = 0.3;
 /// [m] of the tip above the surface, in the air.
 constexpr double kAirHeight = 5e-3;
@@ -63,7 +63,8 @@ void tick_naively(const Scene& scene, const HapticSample& sample, double dt, Nai
   for (int s = 0; s < world.substeps; ++s) {
     balance_tool(scene.tool, scene.coupling, sample.position, world.candidates,
                  scene.tissue.triangles, world.tissue.position, world.tool, world.load);
-    const double share = choose_linear_share(scene, dt / world.substeps, world);
+    const double share =
+        choose_linear_share(scene, dt / world.substeps, *find_response(world), world);
     response.step(scene.tissue, world.load, share, world.tissue.position);
   }
 }
@@ -72,7 +73,7 @@ void tick_naively(const Scene& scene, const HapticSample& sample, double dt, Nai
 double compare_ticks(const Scene& scene, const HapticSample& sample, World ours, World naive) {
   NaiveTree tree(naive.tissue.position, scene.tissue.triangles);
   NaiveResponse response(*scene.response);
-  response.follow(naive.answer);
+  response.follow(find_response(naive)->state);
   for (int i = 0; i < 5; ++i) {
     tick(scene, sample, 1.0 / scene.rate, ours);
     tick_naively(scene, sample, 1.0 / scene.rate, tree, response, naive);
@@ -88,7 +89,7 @@ BenchRow time_world(const std::string& work, const Scene& scene, const HapticSam
   require_agreement(work, compare_ticks(scene, sample, world, naive), kTickAgreement);
   NaiveTree tree(naive.tissue.position, scene.tissue.triangles);
   NaiveResponse response(*scene.response);
-  response.follow(naive.answer);
+  response.follow(find_response(naive)->state);
   const double dt = 1.0 / scene.rate;
   BenchRow row = time_against(
       options, 1, [&] { tick(scene, sample, dt, world); },
@@ -99,7 +100,7 @@ BenchRow time_world(const std::string& work, const Scene& scene, const HapticSam
   if (!simd_targets().empty()) row.simd_target = simd_targets().front();
   row.physics = std::to_string(world.load.push_count) +
                 " contacts, refit, candidates, depth of the press, response in float; naive has a "
-                "textbook tree, moves everything in every substep and looks at no depth";
+                "textbook tree, moves everything in every substep and checks no depth";
   return row;
 }
 

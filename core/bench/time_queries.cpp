@@ -9,8 +9,8 @@
 #include "palpate/bench/naive_tree.h"
 #include "palpate/bench/time_steps.h"
 #include "palpate/bench/timing.h"
-#include "palpate/sim/contact/queries.h"
-#include "palpate/sim/dynamics/simd_targets.h"
+#include "palpate/sim/packed/simd_targets.h"
+#include "palpate/sim/tree/queries.h"
 
 namespace palpate::bench {
 namespace {

@@ -8,9 +8,9 @@
 #include "palpate/bench/limits.h"
 #include "palpate/bench/naive.h"
 #include "palpate/bench/timing.h"
-#include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/mesh/measure.h"
+#include "palpate/sim/packed/private/packed.h"
 
 namespace palpate::bench {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 constexpr int kAgreementSteps = 20;
 /// [m] Both in double, they run different operations: only rounding may differ.
 constexpr double kDoubleAgreement = 1e-9;
-/// [m] A float rounds forces to some 1e-6; what tests/core/dynamics/test_packed.cpp allows 0.1 s.
+/// [m] A float rounds forces to some 1e-6; what tests/core/packed/test_packed.cpp allows 0.1 s.
 constexpr double kFloatAgreement = 1e-7;
 
 bool is_damped(const Links& links) {

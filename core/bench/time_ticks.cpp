@@ -9,9 +9,10 @@
 #include "palpate/bench/press_and_hold.h"
 #include "palpate/bench/time_steps.h"
 #include "palpate/bench/timing.h"
-#include "palpate/sim/dynamics/packed.h"
-#include "palpate/sim/haptics/follow_tissue.h"
-#include "palpate/sim/haptics/tick.h"
+#include "palpate/sim/packed/private/packed.h"
+#include "palpate/sim/tick/private/follow_tissue.h"
+#include "palpate/sim/tick/private/world_internals.h"
+#include "palpate/sim/tick/tick.h"
 
 namespace palpate::bench {
 namespace {
@@ -65,10 +66,11 @@ BenchRow time_world(const Scene& scene, const HapticSample& sample, World world,
   if (world.alarm) throw std::logic_error("bench: tick: the tissue blew up while it was timed");
   row.substeps = world.substeps;
   row.share_of_bound = world.substeps * bound_step(scene.tissue) / row.median;
-  if (world.packed_model) row.simd_target = simd_target(*world.packed_model);
+  const PackedKernel* packed = find_packed(world);
+  if (packed) row.simd_target = simd_target(*packed->model);
   row.physics = std::to_string(world.load.push_count) +
                 " contacts, refit in turn, candidates, alarm, " +
-                (world.packed_model ? "packed" : "reference") +
+                (packed ? "packed" : "reference") +
                 " kernel; naive has a textbook tree, steps naively and has no alarm";
   return row;
 }

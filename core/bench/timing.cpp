@@ -25,7 +25,7 @@ double percentile(std::vector<double>& sorted, double p) {
 
 BenchRow time_against(const BenchOptions& options, int batch, const std::function<void()>& ours,
                       const std::function<void()>& naive) {
-  // a naive form may be a hundred times dearer: a fifth of the budget still gives it a median
+  // a naive form may be a hundred times slower: a fifth of the budget still gives it a median
   constexpr double kNaiveShare = 0.2;
   constexpr double kMostBudgets = 20.0;
   std::vector<double> our_times, naive_times;

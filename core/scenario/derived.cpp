@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "palpate/scenario/ranges.h"
-#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/base/private/refuse.h"
 
 namespace palpate::scenario {
 namespace {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "palpate/scenario/json_fields.h"
-#include "palpate/sim/session/record_file.h"
+#include "palpate/sim/session/private/record_file.h"
 
 namespace palpate::scenario {
 namespace {

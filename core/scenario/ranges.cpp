@@ -7,7 +7,7 @@
 
 #include "palpate/scenario/table_array.h"
 #include "palpate/scenario/tables.h"
-#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/base/private/refuse.h"
 
 namespace palpate::scenario {
 namespace {

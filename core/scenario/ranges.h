@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "palpate/sim/haptics/scene.h"
+#include "palpate/sim/tick/scene.h"
 
 // Not installed: how large and how small the numbers of a scene may be in a file.
 

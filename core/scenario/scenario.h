@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "palpate/scenario/container.h"
-#include "palpate/sim/haptics/scene.h"
+#include "palpate/sim/tick/scene.h"
 
 namespace palpate::scenario {
 

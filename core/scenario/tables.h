@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "palpate/sim/haptics/scene.h"
+#include "palpate/sim/tick/scene.h"
 
 // Not installed: the tables of a scene, each under the name it has in a file.
 //

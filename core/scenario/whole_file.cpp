@@ -3,8 +3,8 @@
 
 #include <fcntl.h>
 
-#include "palpate/sim/base/whole_file.h"
-#include "palpate/sim/session/record_file.h"
+#include "palpate/sim/base/private/whole_file.h"
+#include "palpate/sim/session/private/record_file.h"
 
 namespace palpate::scenario {
 

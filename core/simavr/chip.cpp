@@ -163,7 +163,7 @@ void SimAvr::Chip::set_pin(char port, int pin, bool high) {
   std::uint8_t& pins = port == 'D' ? pins_d : pins_b;
   const auto bit = static_cast<std::uint8_t>(1 << pin);
   pins = static_cast<std::uint8_t>(high ? pins | bit : pins & ~bit);
-  // a raised pin alone is forgotten at the next write to PORT, which sets the pull-ups anew
+  // a raised pin alone is forgotten at the next write to PORT, which sets the pull-ups again
   avr_ioport_external_t external{};
   external.name = static_cast<unsigned long>(port);
   external.mask = port == 'D' ? 0x44 : 0x18;

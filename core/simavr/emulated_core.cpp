@@ -6,8 +6,8 @@
 #include <deque>
 #include <stdexcept>
 
+#include "palpate/sim/arm/private/calibration_bytes.h"
 #include "palpate/sim/base/error.h"
-#include "palpate/sim/haptics/calibration_bytes.h"
 
 namespace palpate {
 namespace {

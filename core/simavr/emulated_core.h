@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "palpate/sim/haptics/plant.h"
-#include "palpate/sim/haptics/transport.h"
+#include "palpate/sim/arm/plant.h"
+#include "palpate/sim/arm/transport.h"
 #include "palpate/simavr/sim_avr.h"
 
 namespace palpate {

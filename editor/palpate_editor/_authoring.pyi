@@ -18,7 +18,7 @@ class ImportedPart:
     def mesh(self) -> SurfaceMesh: ...
 
 class ImportedScene:
-    """What a mesh file holds, before anybody has decided what it means."""
+    """What a mesh file holds, before its unit and axes are chosen."""
 
     @property
     def file(self) -> str: ...

@@ -18,7 +18,7 @@ void bind_scene(py::module_& m) {
       .def_readonly("name", &ImportedPart::name)
       .def_readonly("mesh", &ImportedPart::mesh);
   py::class_<ImportedScene>(m, "ImportedScene",
-                            "What a mesh file holds, before anybody has decided what it means.")
+                            "What a mesh file holds, before its unit and axes are chosen.")
       .def_readonly("file", &ImportedScene::file)
       .def_readonly("format", &ImportedScene::format)
       .def_readonly("parts", &ImportedScene::parts)

@@ -18,22 +18,22 @@ extern "C" {
 enum {
   PALPATE_ADC_BITS = 10,
   PALPATE_COUNTS = 1 << PALPATE_ADC_BITS,
-  PALPATE_SAMPLES = 1,       ///< summed into a position
-  PALPATE_RAIL_LOW = 8,      ///< [counts] below or
-  PALPATE_RAIL_HIGH = 1015,  ///< above: a wire is off, or short
-  PALPATE_DUTY_MAX = 230,    ///< bootstrap drivers need some low time
-  PALPATE_DUTY_SLEW = 48,    ///< [duty/ms] fastest change of a torque, faults excepted
-  PALPATE_HOLD_MS = 5,       ///< a torque is held so long after its command,
-  PALPATE_SILENT_MS = 20,    ///< then falls to zero at this age, and past it the host is silent
-  PALPATE_RAMP_MS = 500,     ///< from ENABLE to the full torque limit
-  PALPATE_LATE_TICKS = 3,    ///< whose work was late, within 100, are a fault
-  PALPATE_FAST_STEP = 2,     ///< that a tick of over-speed counts; a calm one takes back 1
-  PALPATE_FAST_MOST = 8,     ///< that they may come to: 4 in a row, or every second one for 13
-  PALPATE_STUCK_STEP = 4,    ///< [counts] that a joint has to go to have moved
-  PALPATE_STUCK_DUTY = 64,   ///< torque from which a joint that stands still is watched
-  PALPATE_STUCK_WAY = 512,   ///< [counts] that both others may go meanwhile,
-  PALPATE_STUCK_FAR = 8192,  ///< [counts] and one of them alone, as in strokes about its axis
-  PALPATE_HOT_MS = 5000,     ///< of torque reduced for heat in a row are a fault
+  PALPATE_SAMPLES = 1,         ///< summed into a position
+  PALPATE_RAIL_LOW = 8,        ///< [counts] below or
+  PALPATE_RAIL_HIGH = 1015,    ///< above: a wire is off, or short
+  PALPATE_DUTY_MAX = 230,      ///< bootstrap drivers need some low time
+  PALPATE_DUTY_SLEW = 48,      ///< [duty/ms] fastest change of a torque, faults excepted
+  PALPATE_HOLD_MS = 5,         ///< a torque is held so long after its command,
+  PALPATE_SILENT_MS = 20,      ///< then falls to zero at this age, and past it the host is silent
+  PALPATE_RAMP_MS = 500,       ///< from ENABLE to the full torque limit
+  PALPATE_LATE_TICKS = 3,      ///< whose work was late, within 100, are a fault
+  PALPATE_FAST_STEP = 2,       ///< that a tick of over-speed counts; a calm one takes back 1
+  PALPATE_FAST_MOST = 8,       ///< that they may come to: 4 in a row, or every second one for 13
+  PALPATE_STUCK_STEP = 4,      ///< [counts] that a joint has to go to have moved
+  PALPATE_STUCK_DUTY = 64,     ///< torque from which a joint that stands still is watched
+  PALPATE_STUCK_TRAVEL = 512,  ///< [counts] that both others may go meanwhile,
+  PALPATE_STUCK_FAR = 8192,    ///< [counts] and one of them alone, as in strokes about its axis
+  PALPATE_HOT_MS = 5000,       ///< of torque reduced for heat in a row are a fault
 };
 
 /// Pins as palpate_guard gets them.
@@ -95,7 +95,7 @@ struct palpate_device {
   uint8_t fast;                    ///< over-speed so far
   uint16_t place[PALPATE_MOTORS];  ///< [counts] where a joint was last seen to have moved to
   uint16_t rest[PALPATE_MOTORS];   ///< [counts] where it has stood still since
-  uint16_t way[PALPATE_MOTORS][PALPATE_MOTORS];  ///< [counts] that each other has gone meanwhile
+  uint16_t travel[PALPATE_MOTORS][PALPATE_MOTORS];  ///< [counts] that each other has gone meanwhile
   uint8_t overruns_now, overrun_window;
   uint16_t overruns, damaged, refused, gaps;
 

@@ -39,37 +39,37 @@ static void check_samples(struct palpate_device *device, const uint16_t *positio
 
 // How far the others have gone since a joint stands still: both of them some way, or one very far.
 // A hand that strokes about the axis of one joint moves that one alone.
-static bool have_others_gone(const uint16_t way[PALPATE_MOTORS]) {
+static bool have_others_gone(const uint16_t travel[PALPATE_MOTORS]) {
   uint8_t gone = 0;
   for (uint8_t m = 0; m < PALPATE_MOTORS; m++) {
-    if (way[m] > PALPATE_STUCK_FAR * PALPATE_SAMPLES) return true;
-    if (way[m] > PALPATE_STUCK_WAY * PALPATE_SAMPLES) gone++;
+    if (travel[m] > PALPATE_STUCK_FAR * PALPATE_SAMPLES) return true;
+    if (travel[m] > PALPATE_STUCK_TRAVEL * PALPATE_SAMPLES) gone++;
   }
   return gone == PALPATE_MOTORS - 1;
 }
 
-// A sensor that stays where it is while its motor pushes and the other joints go their way. A hand
+// A sensor that stays where it is while its motor pushes and the other joints go their travel. A hand
 // that holds still lets none of them go; one that moves in a plane has no torque out of it. A joint
 // turn about, so a tick pays for one.
 static void check_stuck(struct palpate_device *device) {
   uint8_t turn = device->heat_turn;
   uint16_t now = device->position[turn];
-  uint16_t way = find_distance(now, device->place[turn]);
-  if (way >= PALPATE_STUCK_STEP * PALPATE_SAMPLES) {
+  uint16_t travel = find_distance(now, device->place[turn]);
+  if (travel >= PALPATE_STUCK_STEP * PALPATE_SAMPLES) {
     device->place[turn] = now;
-    // no joint goes that far in three ticks: a leap is no way
-    if (way > 3 * (uint16_t)device->limits.speed_max * PALPATE_SAMPLES) way = 0;
+    // no joint goes that far in three ticks: a leap is no travel
+    if (travel > 3 * (uint16_t)device->limits.speed_max * PALPATE_SAMPLES) travel = 0;
     for (uint8_t m = 0; m < PALPATE_MOTORS; m++) {
       int16_t duty = device->duty[m];
       if (m != turn && (duty >= PALPATE_STUCK_DUTY || duty <= -PALPATE_STUCK_DUTY)) {
-        device->way[m][turn] += way;
+        device->travel[m][turn] += travel;
       }
     }
   }
   if (find_distance(now, device->rest[turn]) > PALPATE_SAMPLES || !palpate_is_energised(device)) {
     device->rest[turn] = now;
-    for (uint8_t m = 0; m < PALPATE_MOTORS; m++) device->way[turn][m] = 0;
-  } else if (have_others_gone(device->way[turn])) {
+    for (uint8_t m = 0; m < PALPATE_MOTORS; m++) device->travel[turn][m] = 0;
+  } else if (have_others_gone(device->travel[turn])) {
     palpate_cut(device, PALPATE_FAULT_SENSOR);
   }
 }

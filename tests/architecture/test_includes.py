@@ -13,28 +13,47 @@ STANDARD = re.compile(r"[a-z_0-9]+")
 """A header of the C++ library has neither folder nor ending."""
 
 ROOMS = {
-    "base": ("base",),
-    "mesh": ("base", "mesh"),
-    "model": ("base", "mesh", "model"),
-    "dynamics": ("base", "mesh", "model", "dynamics"),
-    # the tool writes what it does to the tissue into a Load, and knows nothing else of dynamics
-    "contact": ("base", "mesh", "contact", "dynamics/load.h"),
-    "haptics": ("base", "mesh", "model", "dynamics", "contact", "haptics"),
-    "session": ("base", "mesh", "model", "dynamics", "contact", "haptics", "session"),
+    "base": (),
+    "mesh": ("base",),
+    "model": ("base", "mesh"),
+    "dynamics": ("base", "mesh", "model"),
+    "packed": ("base", "model", "dynamics"),
+    "response": ("base", "model", "dynamics"),
+    "tree": ("base", "mesh"),
+    # the tool writes what it does to the tissue into a Load, and knows nothing of dynamics
+    "contact": ("base", "mesh", "model", "tree"),
+    "device": ("base",),
+    "tick": (
+        "base",
+        "mesh",
+        "model",
+        "dynamics",
+        "packed",
+        "response",
+        "tree",
+        "contact",
+        "device",
+    ),
+    "loop": ("base", "model", "packed", "tree", "contact", "device", "tick"),
+    "arm": ("base", "device"),
+    "session": ("base", "device", "tick", "loop"),
 }
-"""Room of core/sim -> what of core/sim it may include."""
+"""Room of core/sim -> the other rooms that it may include."""
+
+MOST_FILES = 36
+"""in a room: with more it holds two."""
 
 POSIX = ("fcntl.h", "poll.h", "pthread.h", "sched.h", "sys/", "time.h", "unistd.h")
 SYSTEM = {
-    "core/sim/base/whole_file.cpp": POSIX,
-    "core/sim/haptics/serial_transport.cpp": ("asio/", "termios.h", "linux/serial.h", *POSIX),
-    "core/sim/haptics/pty_device.cpp": ("termios.h", *POSIX),
-    "core/sim/haptics/": POSIX,
+    "core/sim/base/private/whole_file.cpp": POSIX,
+    "core/sim/arm/serial_transport.cpp": ("asio/", "termios.h", "linux/serial.h", *POSIX),
+    "core/sim/arm/pty_device.cpp": ("termios.h", *POSIX),
+    "core/sim/base/private/realtime.cpp": POSIX,
     "core/sim/session/": ("openssl/", "zlib.h", *POSIX),
-    "core/sim/dynamics/packed_": ("hwy/",),
+    "core/sim/packed/": ("hwy/",),
     "core/sim/contact/contact_lanes": ("hwy/",),
-    "core/sim/contact/four-inl.h": ("hwy/",),
-    "core/sim/contact/tree_kernels.cpp": ("hwy/",),
+    "core/sim/tree/private/four-inl.h": ("hwy/",),
+    "core/sim/tree/private/tree_kernels.cpp": ("hwy/",),
 }
 """Private parts of palpate::sim that may need more than Eigen and the C++ library."""
 
@@ -71,8 +90,8 @@ def foreign(name: str) -> list[str]:
 
 
 @pytest.mark.parametrize("room", ROOMS)
-def test_a_room_of_sim_includes_only_rooms_left_of_it(room):
-    allowed = ("palpate/version.h", *(f"palpate/sim/{part}" for part in ROOMS[room]))
+def test_a_room_of_sim_includes_only_the_rooms_below_it(room):
+    allowed = ("palpate/version.h", *(f"palpate/sim/{part}/" for part in (room, *ROOMS[room])))
     files = files_under(f"core/sim/{room}", ".h", ".cpp")
     assert files
 
@@ -81,7 +100,7 @@ def test_a_room_of_sim_includes_only_rooms_left_of_it(room):
     assert wrong == []
 
 
-def test_the_firmware_is_included_by_the_haptics_only_and_by_no_header_that_is_installed():
+def test_the_firmware_is_included_by_the_arm_only_and_by_no_header_that_is_installed():
     found = {
         (name, path)
         for name in files_under("core/sim", ".h", ".cpp")
@@ -90,9 +109,30 @@ def test_the_firmware_is_included_by_the_haptics_only_and_by_no_header_that_is_i
     }
 
     assert found
-    assert {name for name, _ in found if not name.startswith("core/sim/haptics/")} == set()
+    assert {name for name, _ in found if not name.startswith("core/sim/arm/")} == set()
     assert {path for _, path in found if not path.startswith(FIRMWARE)} == set()
-    assert {name for name, _ in found if name.endswith(".h")} == {"core/sim/haptics/serial_link.h"}
+    assert {name for name, _ in found if name.endswith(".h") and "/private/" not in name} == set()
+
+
+def test_arrows_between_rooms_only_point_downwards():
+    below: list[str] = []
+    for room, used in ROOMS.items():
+        assert set(used) <= set(below)
+        below.append(room)
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_a_room_has_no_more_files_than_a_reader_can_keep_apart(room):
+    assert len(files_under(f"core/sim/{room}", ".h", ".cpp")) <= MOST_FILES
+
+
+def test_no_public_header_includes_a_private_one():
+    headers = [name for name in files_under("core/sim", ".h") if "/private/" not in name]
+    assert headers
+
+    wrong = [(name, path) for name in headers for path in own(name) if "/private/" in path]
+
+    assert wrong == []
 
 
 def test_every_folder_of_sim_is_a_room_with_arrows():
@@ -170,7 +210,10 @@ def test_nothing_of_sim_includes_scenario():
 
 
 def test_authoring_sees_only_base_mesh_and_model_of_sim():
-    allowed = ("palpate/authoring/", *(f"palpate/sim/{room}/" for room in ROOMS["model"]))
+    allowed = (
+        "palpate/authoring/",
+        *(f"palpate/sim/{room}/" for room in ("model", *ROOMS["model"])),
+    )
     files = files_under("core/authoring", ".h", ".cpp")
     assert files
 

@@ -37,7 +37,7 @@ def prefix(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_an_installed_header_is_all_a_program_needs(prefix):
     headers = {str(path.relative_to(prefix)) for path in prefix.rglob("*.h")}
 
-    assert "include/palpate/sim/haptics/tick.h" in headers
+    assert "include/palpate/sim/tick/tick.h" in headers
     assert not any("authoring" in name or "bench" in name for name in headers)
 
 

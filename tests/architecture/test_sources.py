@@ -223,8 +223,8 @@ def test_only_one_file_of_each_language_writes_files():
 
     # the recorder writes as the run goes; low latency is asked for by a word into sysfs
     assert cpp == [
-        "core/sim/base/whole_file.cpp",
-        "core/sim/haptics/serial_transport.cpp",
+        "core/sim/arm/serial_transport.cpp",
+        "core/sim/base/private/whole_file.cpp",
         "core/sim/session/record.cpp",
     ]
     # the other is run by a developer and rewrites sources

@@ -186,12 +186,12 @@ def measure(
     scene = scenario.read(path).scene
     alone = play_without_window(scene, record)
     replayed = palpate.replay(scene, record)
-    kinds = record.happenings["kind"].tolist()
+    kinds = record.events["kind"].tolist()
     return report | {
         "vertices": vertices,
         "rows": len(record.hand),
         "complete": record.complete,
-        "attached": kinds.count(palpate.HappeningKind.attached),
+        "attached": kinds.count(palpate.EventKind.attached),
         "replay_equal": replayed.equal,
         "missed_ticks_without_window": alone.missed_ticks,
         "lateness_p99_us_without_window": 1e6 * alone.lateness.p99,

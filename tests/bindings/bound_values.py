@@ -97,7 +97,7 @@ MADE: dict[str, Callable[[], object]] = {
     "HapticSample": lambda: palpate.HapticSample(
         time=1.5, position=(1, 2, 3), orientation=(0, 0.6, 0, 0.8), buttons=1, grip=0.2
     ),
-    "Happening": lambda: palpate.Happening(tick=3, kind=palpate.HappeningKind.alarm, value=0.5),
+    "Event": lambda: palpate.Event(tick=3, kind=palpate.EventKind.alarm, value=0.5),
     "StateHash": lambda: palpate.StateHash(tick=3, hash=(2**64 - 1, 5)),
     "Scene": lambda: organ_scene(1),
     "World": lambda: palpate.World(organ_scene(1)),

@@ -10,12 +10,21 @@ from pathlib import Path
 CORE = Path(__file__).resolve().parents[2] / "core"
 FILES = (
     *("authoring/*.cpp", "authoring/cgal/*.cpp", "authoring/read_mesh_child/*.cpp"),
-    *("sim/base/whole_file.cpp", "sim/haptics/serial_transport.cpp"),
-    *("sim/haptics/serial_device.cpp", "sim/haptics/serial_link_status.cpp"),
-    *("sim/haptics/pty_device.cpp", "sim/haptics/calibration.cpp", "sim/haptics/scene.cpp"),
-    *("sim/haptics/world.cpp", "sim/dynamics/active_rule.cpp", "sim/dynamics/build_response.cpp"),
-    *("sim/session/record.cpp", "sim/session/record_file.cpp", "sim/session/record_writer.cpp"),
-    *("scenario/*.cpp", "sim/mesh/*.cpp", "sim/model/*.cpp", "sim/model/check_options.h"),
+    *("sim/base/private/whole_file.cpp", "sim/arm/serial_transport.cpp"),
+    *("sim/arm/serial_device.cpp", "sim/arm/private/serial_link_status.cpp"),
+    *("sim/arm/pty_device.cpp", "sim/arm/calibration.cpp", "sim/tick/scene.cpp"),
+    *(
+        "sim/tick/world.cpp",
+        "sim/packed/private/active_rule.cpp",
+        "sim/response/build_response.cpp",
+    ),
+    *(
+        "sim/session/record.cpp",
+        "sim/session/private/record_file.cpp",
+        "sim/session/private/record_writer.cpp",
+    ),
+    *("scenario/*.cpp", "sim/mesh/*.cpp", "sim/model/*.cpp"),
+    *("sim/model/private/*.cpp", "sim/model/private/check_options.h"),
 )
 """Where what a window opens is read and built: meshes, organs, published files, devices."""
 CALL = re.compile(

@@ -238,7 +238,7 @@ def test_what_belongs_to_a_world_is_read_only(kernel):
 
     for array in (
         world.tissue.position, world.tissue.velocity, world.tool.position, world.hand,
-        world.load.gravity, world.guard.last_position, world.surface_mass,
+        world.load.gravity, world.guard.last_position,
         scene.tissue.mass, scene.tissue.springs.stiffness, raw.tissue.rest_position,
     ):  # fmt: skip
         with pytest.raises(ValueError, match="read-only"):

@@ -23,7 +23,7 @@ from palpate.runs.play import DEVICE_FAULT, Play, open_play, play_headless
 from published import publish, write_press
 from surfaces import press_frames
 
-KIND = palpate.HappeningKind
+KIND = palpate.EventKind
 UNHEARD, SILENT = "the device does not report any more", "host silent"
 ATTEMPTS = 6
 """On a machine that is busy with other things."""
@@ -74,8 +74,8 @@ def stop_for_two_seconds(child: subprocess.Popen) -> None:
     child.send_signal(signal.SIGCONT)
 
 
-def list_happenings(record: palpate.Record, kind: palpate.HappeningKind) -> np.ndarray:
-    return record.happenings[record.happenings["kind"] == int(kind)]
+def list_events(record: palpate.Record, kind: palpate.EventKind) -> np.ndarray:
+    return record.events[record.events["kind"] == int(kind)]
 
 
 @pytest.fixture
@@ -101,9 +101,9 @@ def test_motors_that_are_cut_in_their_ramp_end_the_run_with_1_and_the_reason_fir
     assert 0 < len(rows.hand) < 3000
     rendered = read_rendered(rows)
     assert rendered.any() and not rendered[-1]
-    assert (list_happenings(rows, KIND.fault)["index"] == 6).all()
-    assert len(list_happenings(rows, KIND.fault)) == 1
-    off = list_happenings(rows, KIND.motors_off)[-1]
+    assert (list_events(rows, KIND.fault)["index"] == 6).all()
+    assert len(list_events(rows, KIND.fault)) == 1
+    off = list_events(rows, KIND.motors_off)[-1]
     assert off["index"] == 3 and off["tick"] == len(rows.hand) - 1
     assert palpate.replay(open_scene(organ), rows).equal
 
@@ -141,7 +141,7 @@ def test_an_unplugged_device_ends_the_run_with_1_and_the_reason_first(organ, tmp
     rows = palpate.read_record(record)
     assert rows.complete
     assert len(rows.hand) < 10_000
-    faults = list_happenings(rows, KIND.fault)["index"]
+    faults = list_events(rows, KIND.fault)["index"]
     assert faults.tolist() == [3]  # device_failed
     assert palpate.replay(open_scene(organ), rows).equal
 
@@ -181,7 +181,7 @@ def test_a_stopped_program_reports_what_it_missed_and_the_silence_its_device_too
     assert report["missed_ticks"] >= 1900
     assert report["lateness_max_us"] >= 1.9e6
     rows = palpate.read_record(record)
-    missed = list_happenings(rows, KIND.missed_ticks)
+    missed = list_events(rows, KIND.missed_ticks)
     assert missed["index"].max() >= 1900
     assert "device fault: motors off: host silent" in describe_play_report(report)
     assert f"{report['missed_ticks']} missed" in describe_play_report(report)

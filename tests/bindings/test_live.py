@@ -102,7 +102,7 @@ def test_a_record_with_pauses_replays_bit_by_bit_and_tells_of_them(tmp_path):
     assert json.loads(record.header)["device"] == "script"
     assert record.complete
     assert len(record.hand) == report.ticks
-    told = record.happenings[record.happenings["kind"] == palpate.HappeningKind.paused]
+    told = record.events[record.events["kind"] == palpate.EventKind.paused]
     assert len(told) == 2
     assert (told["value"] > 0.0).all()
     replayed = palpate.replay(scene, record)
@@ -161,7 +161,7 @@ def test_a_run_that_no_record_holds_is_refused_before_it_begins(tmp_path):
 
 
 def test_the_longest_record_is_that_of_the_core(checkout):
-    layout = (checkout / "core/sim/session/record_layout.h").read_text()
+    layout = (checkout / "core/sim/session/private/record_layout.h").read_text()
 
     assert "kMostRows = 1 << 23;" in layout
     assert live.MOST_TICKS == 1 << 23

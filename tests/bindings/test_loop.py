@@ -168,7 +168,7 @@ def test_a_loop_keeps_its_scene_device_and_log_alive():
     loop.wait(0.05)
     loop.stop()
     assert loop.report().ticks > 0
-    ticks, happenings, hashes = seen().take()
+    ticks, events, hashes = seen().take()
     assert len(ticks) == loop.report().ticks
     assert len(hashes) >= 1
     del loop

@@ -155,8 +155,8 @@ def test_a_record_that_was_cut_off_says_so_beside_the_same_bits(tmp_path, capsys
 
 def test_a_record_with_a_gap_is_refused_in_a_sentence(tmp_path, capsys):
     path, record = write_true_record(tmp_path)
-    gap = palpate.Happening(tick=9, kind=palpate.HappeningKind.record_gap, index=3)
-    rows = {"hand": record.hand, "felt": record.felt, "happenings": [gap]}
+    gap = palpate.Event(tick=9, kind=palpate.EventKind.record_gap, index=3)
+    rows = {"hand": record.hand, "felt": record.felt, "events": [gap]}
     palpate.write_record(path, palpate.Record(header=record.header, **rows))
 
     assert "lost 3 ticks" in refuse(["replay", str(path)], capsys)

@@ -385,7 +385,7 @@ def test_a_pause_in_a_played_run_changes_no_bit_of_its_replay(tmp_path):
         assert run.wait(60.0)
 
     record = palpate.read_record(tmp_path / "paused.prec")
-    kinds = record.happenings["kind"].tolist()
-    assert kinds.count(palpate.HappeningKind.paused) == 1
+    kinds = record.events["kind"].tolist()
+    assert kinds.count(palpate.EventKind.paused) == 1
     assert palpate.replay(palpate.scenario.read(play.path).scene, record).equal
     assert palpate.replay(organ_scene(2), record).equal

@@ -137,13 +137,13 @@ def test_a_log_without_room_counts_its_gaps():
     log = palpate.TickLog(2)
 
     pushed = [log.push(palpate.TickLog.Tick(tick=tick)) for tick in range(5)]
-    log.push(palpate.Happening(tick=3, kind=palpate.HappeningKind.attached, index=1))
-    ticks, happenings, hashes = log.take()
+    log.push(palpate.Event(tick=3, kind=palpate.EventKind.attached, index=1))
+    ticks, events, hashes = log.take()
 
     assert pushed == [True, True, False, False, False]
     assert log.gap_count() == 3
     assert ticks["tick"].tolist() == [0, 1]
-    assert happenings["kind"].tolist() == [palpate.HappeningKind.attached]
+    assert events["kind"].tolist() == [palpate.EventKind.attached]
     assert len(hashes) == 0
 
 

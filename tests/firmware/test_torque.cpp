@@ -165,7 +165,7 @@ TEST_CASE("no law that is taken turns its sign over: what 64 bits give is what t
     for (int j = 0; j < 3; ++j) bench.board.adc[j] = static_cast<std::uint16_t>(pick(8, 1015));
     for (int i = 0; i < 12; ++i) {
       bench.board.device.fast = 0;  // these joints leap, and one may keep its place
-      for (auto& ways : bench.board.device.way) std::fill(ways, ways + PALPATE_MOTORS, 0);
+      for (auto& ways : bench.board.device.travel) std::fill(ways, ways + PALPATE_MOTORS, 0);
       bench.say(bench.host.command(command));
       bench.wait();
     }

@@ -11,10 +11,10 @@
 
 #include "../firmware/host_of_device.h"
 #include "insist.h"
-#include "palpate/sim/haptics/calibration_bytes.h"
-#include "palpate/sim/haptics/device_status.h"
-#include "palpate/sim/haptics/safe_device.h"
-#include "palpate/sim/haptics/serial_device.h"
+#include "palpate/sim/arm/device_status.h"
+#include "palpate/sim/arm/private/calibration_bytes.h"
+#include "palpate/sim/arm/serial_device.h"
+#include "palpate/sim/device/safe_device.h"
 
 using palpate::Bytes;
 using palpate::fuzz::Input;

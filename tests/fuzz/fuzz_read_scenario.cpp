@@ -8,7 +8,7 @@
 #include "palpate/scenario/read.h"
 #include "palpate/scenario/write.h"
 #include "palpate/sim/base/error.h"
-#include "palpate/sim/haptics/tick.h"
+#include "palpate/sim/tick/tick.h"
 
 using namespace palpate;
 

@@ -11,11 +11,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/haptics/press_scene.h"
+#include "core/tick/press_scene.h"
 #include "insist.h"
 #include "palpate/sim/base/error.h"
-#include "palpate/sim/session/record_file.h"
-#include "palpate/sim/session/record_layout.h"
+#include "palpate/sim/session/private/record_file.h"
+#include "palpate/sim/session/private/record_layout.h"
 #include "palpate/sim/session/replay.h"
 
 using namespace palpate;

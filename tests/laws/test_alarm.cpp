@@ -7,8 +7,8 @@
 
 #include "laws/linear_tissue.h"
 #include "palpate/sim/dynamics/guard.h"
-#include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/dynamics/stable_step.h"
+#include "palpate/sim/packed/private/packed.h"
 
 using namespace palpate;
 using namespace palpate::laws;

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <deque>
 
-#include "core/haptics/plants.h"
+#include "core/arm/plants.h"
 
 using namespace palpate;
 

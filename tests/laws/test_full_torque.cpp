@@ -11,7 +11,7 @@
 #include <fstream>
 #include <string>
 
-#include "core/haptics/device_bench.h"
+#include "core/arm/device_bench.h"
 
 using namespace palpate;
 

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "laws/linear_tissue.h"
-#include "palpate/sim/haptics/simulated_devices.h"
-#include "palpate/sim/haptics/tick.h"
+#include "palpate/sim/device/simulated_devices.h"
 #include "palpate/sim/model/build_molecular.h"
+#include "palpate/sim/tick/tick.h"
 #include "scenes/kernels.h"
 #include "scenes/tissues.h"
 

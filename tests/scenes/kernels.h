@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "palpate/sim/haptics/scene.h"
+#include "palpate/sim/tick/scene.h"
 
 namespace palpate::scenes {
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files that appear whole or not at all: the Python twin of core/sim/base/whole_file.h."""
+"""Files that appear whole or not at all: the Python twin of core/sim/base/private/whole_file.h."""
 
 from __future__ import annotations
 

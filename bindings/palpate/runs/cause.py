@@ -66,7 +66,7 @@ def find_cause(scene: palpate.Scene, alarm: palpate.Alarm) -> Cause | None:
 def count_substeps(scene: palpate.Scene, stiffness: float, damping: float) -> int:
     """Substeps of a tick that are stable at eigenvalues [1/s²] and [1/s] of K and C over M:
 
-    dt <= (sqrt(c² + 4 w²) - c) / w² (core/sim/haptics/choose_substeps.cpp).
+    dt <= (sqrt(c² + 4 w²) - c) / w² (core/sim/tick/private/choose_substeps.cpp).
     """
     if not stiffness > 0.0:
         return 1

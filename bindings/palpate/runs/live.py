@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 import palpate
 
 MOST_TICKS = 2**23
-"""Of a record: 2 h 19 min at 1 kHz; kMostRows of core/sim/session/record_layout.h."""
+"""Of a record: 2 h 19 min at 1 kHz; kMostRows of core/sim/session/private/record_layout.h."""
 LONGEST = MOST_TICKS / 1000
 """[s] of a record at 1 kHz; no script and no wait for a device lasts longer."""
 

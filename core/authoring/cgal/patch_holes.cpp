@@ -9,7 +9,7 @@
 
 #include <map>
 
-#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/base/private/refuse.h"
 
 // A file of its own: a minute and more to compile, and nobody includes it.
 

@@ -93,14 +93,14 @@ std::optional<std::vector<int>> find_self_intersecting_faces(const SurfaceMesh& 
     boxes.emplace_back(to_triangle(mesh, mesh.triangles[i]).bbox(), static_cast<int>(i));
   }
   std::vector<char> hit(mesh.triangles.size(), 0);
-  const auto look = [&](const Box& a, const Box& b) {
+  const auto examine = [&](const Box& a, const Box& b) {
     if (--pair_budget < 0) throw OutOfBudget{};
     if (hit[a.info()] && hit[b.info()]) return;
     if (crosses(a.info(), b.info())) hit[a.info()] = hit[b.info()] = 1;
   };
 
   try {
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), look);
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), examine);
   } catch (const OutOfBudget&) {
     return std::nullopt;
   }

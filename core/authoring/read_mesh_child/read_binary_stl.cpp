@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "palpate/authoring/house_mark.h"
+#include "palpate/authoring/file_signature.h"
 #include "palpate/authoring/read_mesh_child/foreign_formats.h"
 
 namespace palpate::authoring {
@@ -64,7 +64,7 @@ std::optional<ImportedScene> read_binary_stl(const std::string& path) {
   }
 
   ImportedScene scene{};
-  if (bytes.compare(0, std::strlen(kHouseMark), kHouseMark) == 0) {
+  if (bytes.compare(0, std::strlen(kFileSignature), kFileSignature) == 0) {
     scene.unit = "m";
     scene.up = "z";
   }

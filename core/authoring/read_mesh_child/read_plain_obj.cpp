@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "palpate/authoring/house_mark.h"
+#include "palpate/authoring/file_signature.h"
 #include "palpate/authoring/read_mesh_child/foreign_formats.h"
 
 namespace palpate::authoring {
@@ -77,7 +77,7 @@ class PlainObj {
 
  private:
   bool take_comment(std::string_view text) {
-    marked_ = marked_ || text.find(kHouseMark) != std::string_view::npos;
+    marked_ = marked_ || text.find(kFileSignature) != std::string_view::npos;
     return true;
   }
 

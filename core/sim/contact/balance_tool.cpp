@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "palpate/sim/contact/box.h"
 #include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/tree/private/box.h"
 
 namespace palpate {
 namespace {
@@ -159,17 +159,17 @@ Vec3 shorten(const Surroundings& around, const Vec3& p, const Touch& touch, Vec3
   return part * step;
 }
 
-/// [m] How far p lies beside the way that candidates were looked for along.
+/// [m] How far p lies beside the path that candidates were looked for along.
 double measure_beside(const Candidates& candidates, const Vec3& p) noexcept {
-  const Vec3 way = candidates.to - candidates.from;
-  const double squared_length = way.squaredNorm();
+  const Vec3 path = candidates.to - candidates.from;
+  const double squared_length = path.squaredNorm();
   if (!(squared_length > 0.0)) return (p - candidates.from).norm();
-  const double t = std::clamp((p - candidates.from).dot(way) / squared_length, 0.0, 1.0);
-  return (p - (candidates.from + t * way)).norm();
+  const double t = std::clamp((p - candidates.from).dot(path) / squared_length, 0.0, 1.0);
+  return (p - (candidates.from + t * path)).norm();
 }
 
-/// More than kCandidateMargin beside the way there may be triangles nobody looked for: a tool
-/// that slides so far waits for the next tick. It stops short, for a pull back to the way would
+/// More than kCandidateMargin beside the path there may be triangles nobody looked for: a tool
+/// that slides so far waits for the next tick. It stops short, for a pull back to the path would
 /// be a step that knows no surface.
 Vec3 keep_near_way(const Candidates& candidates, const Vec3& p, const Vec3& step) noexcept {
   if (measure_beside(candidates, p + step) <= kCandidateMargin) return step;
@@ -194,7 +194,7 @@ Vec3 take_newton_step(const Surroundings& around, const Coupling& coupling, cons
 
 /// The step of a tool that rides on the motion of the nearest surface, along their common normal:
 /// since the last substep the tissue has moved and the tool has not. Left behind, it would be
-/// passed over by any surface faster than distance per substep, which is not fast for a blow.
+/// passed over by any surface faster than distance per substep, which is not fast for an impact.
 Vec3 ride(const Surroundings& around, const ToolState& state) noexcept {
   const ToolState::Carrier& carrier = state.carrier;
   if (carrier.triangle < 0) return Vec3::Zero();
@@ -256,7 +256,7 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
     state.position = hand_position;
     state.placed = true;
   }
-  // nothing anywhere near the way: no need to go it in steps
+  // nothing anywhere near the path: no need to go it in steps
   if (candidates.count == 0 && state.hold_count == 0) state.position = hand_position;
 
   state.position += ride(around, state);

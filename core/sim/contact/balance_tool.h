@@ -3,7 +3,7 @@
 
 #include "palpate/sim/contact/find_candidates.h"
 #include "palpate/sim/contact/tool.h"
-#include "palpate/sim/dynamics/load.h"
+#include "palpate/sim/model/load.h"
 
 namespace palpate {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/sim/contact/contact_lanes.h"
 
-#include "palpate/sim/base/vector_targets.h"
+#include "palpate/sim/base/private/vector_targets.h"
 
 #ifdef PALPATE_SIMD
 
@@ -11,7 +11,7 @@
 // after it, or its first pass would be the last
 #include <hwy/highway.h>
 
-#include "palpate/sim/contact/contact_lanes-inl.h"
+#include "palpate/sim/contact/private/contact_lanes-inl.h"
 
 #if HWY_ONCE
 namespace palpate {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "palpate/sim/contact/box.h"
-#include "palpate/sim/contact/queries.h"
+#include "palpate/sim/tree/private/box.h"
+#include "palpate/sim/tree/queries.h"
 
 namespace palpate {
 
@@ -17,7 +17,7 @@ namespace palpate {
 /// one is kept, which only shortens the Newton step there.
 ///
 /// The side is (a - x)·N >= 0. A triangle seen from behind is dropped, never pushed the other
-/// way: in a narrow dent the closest point of a wall lies on its edge and the centre is behind
+/// path: in a narrow dent the closest point of a wall lies on its edge and the centre is behind
 /// its plane, though outside. Seen nearly edge-on it fades, in proportion to the cosine: dropped
 /// at its full force, the wall of a dent would chatter for ever between seen and not seen.
 bool find_contact(const Tool& tool, double rest_area, const Vec3& centre, const Vec3& a,

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "palpate/sim/contact/queries.h"
+#include "palpate/sim/tree/queries.h"
 
 namespace palpate {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "palpate/sim/contact/aabb_tree.h"
 #include "palpate/sim/contact/tool.h"
+#include "palpate/sim/tree/aabb_tree.h"
 
 namespace palpate {
 
@@ -14,7 +14,7 @@ struct Candidates {
   std::vector<int> triangles;  ///< capacity; the triangle count of the tissue is always enough
   std::vector<double> areas;   ///< [m²] at rest, so that pressing does not change the law
   int count = 0;
-  Vec3 from = Vec3::Zero();  ///< [m] the way they were looked for along
+  Vec3 from = Vec3::Zero();  ///< [m] the path they were looked for along
   Vec3 to = Vec3::Zero();    ///< [m]
 };
 
@@ -22,7 +22,7 @@ struct Candidates {
 /// [m].
 inline constexpr double kCandidateMargin = 1.2e-3;
 
-/// Finds every triangle within radius + kCandidateMargin of the way from the tool's last position
+/// Finds every triangle within radius + kCandidateMargin of the path from the tool's last position
 /// to where the hand is now. Once per tick; the contacts themselves are found in every substep.
 /// `rest_areas` [m²] per triangle of the tissue.
 void find_candidates(const AabbTree& tree, std::span<const Vec3> x, const Tool& tool,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/dynamics/elastic_law.h"
 #include "palpate/sim/dynamics/forces.h"
+#include "palpate/sim/dynamics/private/elastic_law.h"
 
 namespace palpate {
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "palpate/sim/dynamics/elastic_energy.h"
+#include "palpate/sim/dynamics/private/elastic_energy.h"
 
 namespace palpate {
 namespace {

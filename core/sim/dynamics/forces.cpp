@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "palpate/sim/dynamics/prism_law.h"
-#include "palpate/sim/dynamics/tensions.h"
-#include "palpate/sim/dynamics/volume_law.h"
+#include "palpate/sim/dynamics/private/prism_law.h"
+#include "palpate/sim/dynamics/private/tensions.h"
+#include "palpate/sim/dynamics/private/volume_law.h"
 
 namespace palpate {
 namespace {

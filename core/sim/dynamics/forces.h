@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "palpate/sim/dynamics/load.h"
+#include "palpate/sim/model/load.h"
 #include "palpate/sim/model/tissue_model.h"
 
 namespace palpate {

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <limits>
 
-#include "palpate/sim/dynamics/alarms.h"
-#include "palpate/sim/dynamics/elastic_energy.h"
-#include "palpate/sim/dynamics/free_particles.h"
+#include "palpate/sim/dynamics/private/alarms.h"
+#include "palpate/sim/dynamics/private/elastic_energy.h"
+#include "palpate/sim/dynamics/private/free_particles.h"
 
 namespace palpate {
 namespace {
 
-constexpr double kRise = 0.05;   // of E_ref in one look, ...
+constexpr double kRise = 0.05;   // of E_ref in one check, ...
 constexpr int kRisingSteps = 3;  // ... this often in a row
 constexpr double kExcess = 0.5;  // of E_ref, at any time
 
@@ -126,8 +126,8 @@ Alarm check_strains(const TissueModel& model, const Vec3Array& x, Guard& guard) 
   if (!alarm) alarm = check_links(model.bonds, x, springs, longest);
   if (!alarm) alarm = check_volumes(model.volumes, x);
   if (!alarm) alarm = longest;
-  guard.strained_looks = alarm ? guard.strained_looks + 1 : 0;
-  return guard.strained_looks >= kStrainedLooks ? alarm : Alarm{};
+  guard.strained_checks = alarm ? guard.strained_checks + 1 : 0;
+  return guard.strained_checks >= kStrainedChecks ? alarm : Alarm{};
 }
 
 /// Energy may be what was given, and as much more as finite steps make it tremble. That is
@@ -164,14 +164,14 @@ double find_strain_limit(const TissueModel& model) noexcept {
   return has_energy(model) ? kTornStrain : kLargestStrain;
 }
 
-/// What energy trembles by in one look is no confirmation.
+/// What energy trembles by in one check is no confirmation.
 Alarm confirm(const TissueModel& model, const Alarm& far, const Alarm& strained,
               Guard& guard) noexcept {
   const double most = guard.given_energy + kRise * guard.reference_energy;
   const bool is_explained = has_energy(model) && guard.last_energy <= most;
   if (far && !is_explained) return far;
   if (strained.kind != AlarmKind::overstretched || !is_explained) return strained;
-  guard.strained_looks = 0;
+  guard.strained_checks = 0;
   if (!(strained.value > kTornStrain)) return {};
   Alarm torn = strained;
   torn.limit = kTornStrain;

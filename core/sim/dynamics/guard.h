@@ -9,13 +9,14 @@ enum class AlarmKind {
   none,
   not_finite,     ///< index: particle
   moved_far,      ///< index: particle; more than 0.3 of the shortest rest length in one step
-  overstretched,  ///< index: link, springs before bonds; strain above 2, ten looks in a row
-  collapsed,      ///< index: link; shorter than 0.05 of its rest length, ten looks in a row
+  overstretched,  ///< index: link, springs before bonds; strain above 2, ten checks in a row
+  collapsed,      ///< index: link; shorter than 0.05 of its rest length, ten checks in a row
   energy,         ///< index: -1; elastic and kinetic energy exceed what was given
-  inverted,       ///< index: tetrahedron; volume below 0.05 of that at rest, ten looks in a row
+  inverted,       ///< index: tetrahedron; volume below 0.05 of that at rest, ten checks in a row
   pressed_deep,   ///< index: vertex of the surface; a linear solid moved beyond kShallow [m],
                   ///< likewise
-  invalid_input,  ///< index: TickInput (haptics/check_input.h); a tick cannot use what it was given
+  invalid_input,  ///< index: TickInput (tick/private/check_input.h); a tick cannot use what it was
+                  ///< given
 };
 
 /// What is wrong with a running tissue, as a value: the haptic thread never throws.
@@ -28,26 +29,26 @@ struct Alarm {
   explicit operator bool() const noexcept { return kind != AlarmKind::none; }
 };
 
-/// The memory of the blow-up alarm between looks.
+/// The memory of the blow-up alarm between checks.
 struct Guard {
   Guard() = default;
   Guard(const TissueModel& model, const Vec3& gravity, const State& state);
 
-  Vec3Array last_position;            ///< [m] at the last look that found nothing wrong
-  double last_time = 0.0;             ///< [s] of the last look
+  Vec3Array last_position;            ///< [m] at the last check that found nothing wrong
+  double last_time = 0.0;             ///< [s] of the last check
   double shortest_rest_length = 0.0;  ///< [m]
   double start_energy = 0.0;          ///< [J] elastic and kinetic
   double last_energy = 0.0;           ///< [J] elastic and kinetic
   double work = 0.0;                  ///< [J] done by pushes, gravity and pressure since the start
   double given_energy = 0.0;          ///< [J] of start and work, less what has long been lost
-  double unnoticed_energy = 0.0;      ///< [J] less than anybody could see or feel
+  double unnoticed_energy = 0.0;      ///< [J] less than can be seen or felt
   double reference_energy = 0.0;      ///< [J] E_ref: the most that has lately been given
-  int rising_steps = 0;               ///< looks in a row at which energy rose without work
-  int strained_looks = 0;             ///< in a row at which a link or volume was out of bounds
+  int rising_steps = 0;               ///< checks in a row at which energy rose without work
+  int strained_checks = 0;            ///< in a row at which a link or volume was out of bounds
 };
 
-/// Looks at a tissue after a step; the first thing wrong comes back. `work` [J] is what pushes
-/// have done to the tissue since the last look; what gravity and pressure have done is found here.
+/// Checks a tissue after a step; the first thing wrong comes back. `work` [J] is what pushes
+/// have done to the tissue since the last check; what gravity and pressure have done is found here.
 /// `steps` taken since then may have moved a particle that many times as far.
 Alarm check(const TissueModel& model, const Vec3& gravity, const State& state, double work,
             Guard& guard, int steps = 1) noexcept;

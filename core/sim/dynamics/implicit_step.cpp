@@ -3,9 +3,9 @@
 #include <cmath>
 #include <string>
 
-#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/dynamics/forces.h"
-#include "palpate/sim/dynamics/free_particles.h"
+#include "palpate/sim/dynamics/private/free_particles.h"
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/dynamics/tangent.h"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "palpate/sim/dynamics/free_particles.h"
-#include "palpate/sim/dynamics/lanczos.h"
+#include "palpate/sim/dynamics/private/free_particles.h"
+#include "palpate/sim/dynamics/private/lanczos.h"
 #include "palpate/sim/dynamics/tangent.h"
 
 namespace palpate {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "palpate/sim/dynamics/forces.h"
-#include "palpate/sim/dynamics/free_particles.h"
+#include "palpate/sim/dynamics/private/free_particles.h"
 
 namespace palpate {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string_view>
 
-#include "palpate/sim/dynamics/load.h"
 #include "palpate/sim/dynamics/state.h"
+#include "palpate/sim/model/load.h"
 
 namespace palpate {
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/sim/dynamics/free_particles.h"
-#include "palpate/sim/dynamics/lanczos.h"
-#include "palpate/sim/dynamics/measure_stretch.h"
+#include "palpate/sim/dynamics/private/free_particles.h"
+#include "palpate/sim/dynamics/private/lanczos.h"
+#include "palpate/sim/dynamics/private/measure_stretch.h"
+#include "palpate/sim/dynamics/private/tensions.h"
+#include "palpate/sim/dynamics/private/volume_law.h"
 #include "palpate/sim/dynamics/stable_step.h"
-#include "palpate/sim/dynamics/tensions.h"
-#include "palpate/sim/dynamics/volume_law.h"
 
 namespace palpate {
 namespace {

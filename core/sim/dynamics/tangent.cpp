@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/sim/dynamics/elastic_tangent.h"
-#include "palpate/sim/dynamics/prism_tangent.h"
-#include "palpate/sim/dynamics/tensions.h"
-#include "palpate/sim/dynamics/volume_tangent.h"
+#include "palpate/sim/dynamics/private/elastic_tangent.h"
+#include "palpate/sim/dynamics/private/prism_tangent.h"
+#include "palpate/sim/dynamics/private/tensions.h"
+#include "palpate/sim/dynamics/private/volume_tangent.h"
 
 namespace palpate {
 namespace {

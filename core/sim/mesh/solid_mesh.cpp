@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/base/private/refuse.h"
 
 namespace palpate {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/base/private/refuse.h"
 
 namespace palpate {
 namespace {

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/model/build_solid.h"
-#include "palpate/sim/model/surface_particles.h"
+#include "palpate/sim/model/private/surface_particles.h"
 #include "palpate/sim/model/volumes.h"
 
 namespace palpate {

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "palpate/sim/base/refuse.h"
-#include "palpate/sim/model/surface_particles.h"
+#include "palpate/sim/base/private/refuse.h"
+#include "palpate/sim/model/private/surface_particles.h"
 
 namespace palpate {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/model/definiteness.h"
 #include "palpate/sim/model/membrane.h"
-#include "palpate/sim/model/surface_particles.h"
+#include "palpate/sim/model/private/surface_particles.h"
 
 namespace palpate {
 namespace {
@@ -36,7 +36,7 @@ Eigen::Matrix<double, 3, 9> compute_pulls(const std::array<Vec3, 3>& corners) {
 }
 
 /// The k >= 0 that make |Bᵀ (H - diag k) B| least. With M = B Bᵀ the normal equations are
-/// sum_j M_ij² k_j = (M H M)_ii; what comes out negative is left out and the rest solved anew.
+/// sum_j M_ij² k_j = (M H M)_ii; what comes out negative is left out and the rest solved again.
 Vec3 fit_springs(const Mat3& target, const std::array<Vec3, 3>& corners) {
   const Eigen::Matrix<double, 3, 9> b = compute_pulls(corners);
   const Mat3 m = b * b.transpose();

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/model/definiteness.h"
-#include "palpate/sim/model/surface_particles.h"
+#include "palpate/sim/model/private/surface_particles.h"
 
 namespace palpate {
 namespace {

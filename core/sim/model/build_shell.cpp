@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/mesh/measure.h"
 #include "palpate/sim/model/build_membrane.h"
-#include "palpate/sim/model/surface_particles.h"
+#include "palpate/sim/model/private/surface_particles.h"
 
 namespace palpate {
 namespace {

@@ -2,7 +2,7 @@
 #include <limits>
 #include <optional>
 
-#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/model/build_solid.h"
 #include "palpate/sim/model/volumes.h"
 

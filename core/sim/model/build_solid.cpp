@@ -5,9 +5,9 @@
 #include <cmath>
 #include <map>
 
-#include "palpate/sim/base/refuse.h"
-#include "palpate/sim/model/check_options.h"
-#include "palpate/sim/model/surface_particles.h"
+#include "palpate/sim/base/private/refuse.h"
+#include "palpate/sim/model/private/check_options.h"
+#include "palpate/sim/model/private/surface_particles.h"
 #include "palpate/sim/model/volumes.h"
 
 namespace palpate {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/base/private/refuse.h"
 
 namespace palpate {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/base/private/refuse.h"
 
 namespace palpate {
 

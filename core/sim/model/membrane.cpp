@@ -8,7 +8,7 @@
 #include <map>
 #include <numbers>
 
-#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/mesh/topology.h"
 #include "palpate/sim/model/definiteness.h"
 

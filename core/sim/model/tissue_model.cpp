@@ -6,10 +6,10 @@
 #include <map>
 #include <numeric>
 
-#include "palpate/sim/base/refuse.h"
-#include "palpate/sim/model/check_prisms.h"
-#include "palpate/sim/model/check_solid.h"
+#include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/model/definiteness.h"
+#include "palpate/sim/model/private/check_prisms.h"
+#include "palpate/sim/model/private/check_solid.h"
 
 namespace palpate {
 namespace {

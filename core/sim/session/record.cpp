@@ -13,8 +13,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "palpate/sim/base/whole_file.h"
-#include "palpate/sim/session/record_writer.h"
+#include "palpate/sim/base/private/whole_file.h"
+#include "palpate/sim/session/private/record_writer.h"
 
 namespace palpate {
 namespace {
@@ -32,13 +32,13 @@ constexpr std::chrono::seconds kSyncInterval(1);
 std::vector<TickLog::Tick> number_ticks(const Record& record) {
   std::vector<TickLog::Tick> ticks;
   ticks.reserve(record.hand.size());
-  auto happening = record.happenings.begin();
+  auto event = record.events.begin();
   std::int64_t number = 0;
   for (std::size_t i = 0; i < record.hand.size(); ++i, ++number) {
-    for (; happening != record.happenings.end(); ++happening) {
-      if (happening->kind != HappeningKind::record_gap) continue;
-      if (happening->tick != number + happening->index) break;
-      number = happening->tick;
+    for (; event != record.events.end(); ++event) {
+      if (event->kind != EventKind::record_gap) continue;
+      if (event->tick != number + event->index) break;
+      number = event->tick;
     }
     ticks.push_back({number, record.hand[i], record.felt[i]});
   }
@@ -94,7 +94,7 @@ struct Recorder::Impl {
   TickLog log;
   RecordWriter writer;
   std::vector<TickLog::Tick> ticks;
-  std::vector<Happening> happenings;
+  std::vector<Event> events;
   std::vector<StateHash> hashes;
   std::exception_ptr failure;
 
@@ -125,15 +125,15 @@ void Recorder::Impl::work() {
 
 /// After a failure the log is still emptied: the run goes on, and finish() will tell.
 void Recorder::Impl::empty_log(bool all) {
-  log.take(ticks, happenings, hashes);
+  log.take(ticks, events, hashes);
   try {
-    if (!failure) writer.write(ticks, happenings, hashes, all);
+    if (!failure) writer.write(ticks, events, hashes, all);
   } catch (...) {
     failure = std::current_exception();
   }
   if (failure) {
     ticks.clear();
-    happenings.clear();
+    events.clear();
     hashes.clear();
   }
 }
@@ -173,9 +173,9 @@ void write_record(const std::string& path, const Record& record, RecordCodec cod
   if (copy < 0) throw FileError(path, "", std::strerror(errno), "a file that can be opened");
   RecordWriter writer(std::make_unique<File>(path, Descriptor{copy}), header, codec);
   std::vector<TickLog::Tick> ticks = number_ticks(record);
-  std::vector<Happening> happenings = record.happenings;
+  std::vector<Event> events = record.events;
   std::vector<StateHash> hashes = record.hashes;
-  writer.write(ticks, happenings, hashes, true);
+  writer.write(ticks, events, hashes, true);
   writer.write_summary();
   file.commit();
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "palpate/sim/haptics/tick_log.h"
+#include "palpate/sim/tick/tick_log.h"
 
 namespace palpate {
 
@@ -14,7 +14,7 @@ struct Record {
   std::string header;  ///< JSON: version, kernel, build, scene hash, device, columns, ...
   std::vector<HapticSample> hand;  ///< per tick
   std::vector<Felt> felt;          ///< per tick
-  std::vector<Happening> happenings;
+  std::vector<Event> events;
   std::vector<StateHash> hashes;  ///< at 1 Hz
   bool complete = false;          ///< the file has its summary and the summary's SHA-256 holds
 };

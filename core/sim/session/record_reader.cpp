@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "palpate/sim/session/json_object.h"
-#include "palpate/sim/session/record_file.h"
+#include "palpate/sim/session/private/json_object.h"
+#include "palpate/sim/session/private/record_file.h"
 
 namespace palpate {
 namespace {
@@ -194,9 +194,9 @@ void Reader::unpack_block(const BlockHeader& header, const Bytes& stored) {
   if (header.count < 1 || header.count > kMostBlockRows) {
     file_.refuse(where() + ": count", std::to_string(header.count), "1 to 4096");
   }
-  const std::size_t have = header.kind == BlockKind::ticks        ? record_.hand.size()
-                           : header.kind == BlockKind::happenings ? record_.happenings.size()
-                                                                  : record_.hashes.size();
+  const std::size_t have = header.kind == BlockKind::ticks    ? record_.hand.size()
+                           : header.kind == BlockKind::events ? record_.events.size()
+                                                              : record_.hashes.size();
   if (have + header.count > static_cast<std::size_t>(kMostRows)) {
     file_.refuse(where(), std::string("more than 8388608 ") + kind_name(header.kind), "fewer");
   }
@@ -204,8 +204,8 @@ void Reader::unpack_block(const BlockHeader& header, const Bytes& stored) {
   switch (header.kind) {
     case BlockKind::ticks:
       return take_ticks(header, body);
-    case BlockKind::happenings:
-      return unpack(body, header, record_.happenings);
+    case BlockKind::events:
+      return unpack(body, header, record_.events);
     case BlockKind::hashes:
       return unpack(body, header, record_.hashes);
     case BlockKind::summary:
@@ -232,7 +232,7 @@ void Reader::take_ticks(const BlockHeader& header, const Bytes& body) {
 /// disk had not written them yet when the power went.
 bool Reader::is_torn_summary(std::span<const std::uint8_t> tail) {
   const Bytes body = pack_summary({.ticks = record_.hand.size(),
-                                   .happenings = record_.happenings.size(),
+                                   .events = record_.events.size(),
                                    .hashes = record_.hashes.size(),
                                    .sha256 = sha256_.finish()});
   BlockHeader header{
@@ -273,7 +273,7 @@ void Reader::check_summary() {
     file_.refuse(std::string("summary: ") + what, std::to_string(found), std::to_string(expected));
   };
   check("ticks", record_.hand.size(), summary.ticks);
-  check("happenings", record_.happenings.size(), summary.happenings);
+  check("events", record_.events.size(), summary.events);
   check("hashes", record_.hashes.size(), summary.hashes);
   const auto digest = sha256_.finish();
   if (digest != summary.sha256) {
@@ -286,7 +286,7 @@ void Reader::finish(bool finished) {
   const auto check = [&](const char* what, std::int64_t tick) {
     if (tick < 0) file_.refuse(std::string(what) + ": tick", std::to_string(tick), "0 or more");
   };
-  for (const Happening& happening : record_.happenings) check("happenings", happening.tick);
+  for (const Event& event : record_.events) check("events", event.tick);
   for (const StateHash& hash : record_.hashes) check("hashes", hash.tick);
 }
 

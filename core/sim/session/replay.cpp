@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "palpate/sim/haptics/exchange_tree.h"
+#include "palpate/sim/loop/private/exchange_tree.h"
 
 namespace palpate {
 namespace {
@@ -20,10 +20,10 @@ void validate(const Record& record) {
     refuse("got " + std::to_string(record.hand.size()) + " hand samples and " +
            std::to_string(record.felt.size()) + " felt ones, expected as many of both");
   }
-  for (const Happening& happening : record.happenings) {
-    if (happening.kind != HappeningKind::record_gap) continue;
-    refuse("got a record that lost " + std::to_string(happening.index) + " ticks before tick " +
-           std::to_string(happening.tick) + ", expected one without gaps");
+  for (const Event& event : record.events) {
+    if (event.kind != EventKind::record_gap) continue;
+    refuse("got a record that lost " + std::to_string(event.index) + " ticks before tick " +
+           std::to_string(event.tick) + ", expected one without gaps");
   }
   for (std::size_t i = 0; i < record.hand.size(); ++i) {
     if (!record.hand[i].position.allFinite()) {
@@ -57,23 +57,23 @@ class RecordedTrees {
   /// Throws std::invalid_argument for exchanges that no run has: one tree is built at a time.
   explicit RecordedTrees(const Record& record) {
     std::int64_t last = 0;
-    for (const Happening& happening : record.happenings) {
-      if (happening.kind != HappeningKind::tree_exchanged) continue;
-      if (happening.index < 0 || happening.index > happening.tick - last) {
+    for (const Event& event : record.events) {
+      if (event.kind != EventKind::tree_exchanged) continue;
+      if (event.index < 0 || event.index > event.tick - last) {
         throw std::invalid_argument(
-            "replay: got at tick " + std::to_string(happening.tick) + " a tree built " +
-            std::to_string(happening.index) + " ticks before, expected 0 to " +
-            std::to_string(happening.tick - last) + ", after the exchange before it");
+            "replay: got at tick " + std::to_string(event.tick) + " a tree built " +
+            std::to_string(event.index) + " ticks before, expected 0 to " +
+            std::to_string(event.tick - last) + ", after the exchange before it");
       }
-      exchanges_.push_back(happening);
-      last = happening.tick;
+      exchanges_.push_back(event);
+      last = event.tick;
     }
   }
 
   /// Between two ticks.
   void follow(World& world) {
     for (; next_ < exchanges_.size(); ++next_) {
-      const Happening& exchange = exchanges_[next_];
+      const Event& exchange = exchanges_[next_];
       if (exchange.tick - exchange.index == world.tick_count) {
         built_ = build_over(surface_position(world), world.tree.triangles());
       }
@@ -83,7 +83,7 @@ class RecordedTrees {
   }
 
  private:
-  std::vector<Happening> exchanges_;  // one after the other
+  std::vector<Event> exchanges_;  // one after the other
   std::size_t next_ = 0;
   BuiltTree built_;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "palpate/sim/haptics/tick.h"
 #include "palpate/sim/session/record.h"
+#include "palpate/sim/tick/tick.h"
 
 namespace palpate {
 

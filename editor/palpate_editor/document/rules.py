@@ -25,7 +25,7 @@ over the substeps in the air (./run bench: mss_dashpot_tick, mms_dashpot_tick, s
 solid_tick). A press asks a solid for about twice as many, which is in its figure. A linear solid
 costs by what is touched, whatever its size."""
 SUBSTEPS_IN_CONTACT = 3
-"""A touched tissue takes at least as many (core/sim/haptics/tick.cpp)."""
+"""A touched tissue takes at least as many (core/sim/tick/tick.cpp)."""
 
 
 def find_problems(organ: Organ, facts: Facts) -> list[Problem]:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/contact/queries.h"
+#include "palpate/sim/tree/queries.h"
 #include "peer.h"
 
 namespace palpate::bench {

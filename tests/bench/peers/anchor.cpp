@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "palpate/sim/contact/queries.h"
+#include "palpate/sim/tree/queries.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "palpate/sim/base/error.h"
-#include "palpate/sim/base/refuse.h"
+#include "palpate/sim/base/private/refuse.h"
 
 using namespace palpate;
 

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "palpate/sim/haptics/scene.h"
+#include "palpate/sim/tick/scene.h"
 
 namespace palpate {
 

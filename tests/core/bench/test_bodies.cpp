@@ -8,9 +8,9 @@
 #include "palpate/bench/naive.h"
 #include "palpate/bench/naive_linear.h"
 #include "palpate/bench/press_and_hold.h"
-#include "palpate/sim/dynamics/relax.h"
-#include "palpate/sim/dynamics/simd_targets.h"
 #include "palpate/sim/dynamics/step.h"
+#include "palpate/sim/packed/simd_targets.h"
+#include "palpate/sim/response/private/relax.h"
 #include "scenes/linear_solids.h"
 #include "scenes/shells.h"
 

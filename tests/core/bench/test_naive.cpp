@@ -5,10 +5,10 @@
 #include "palpate/bench/bench.h"
 #include "palpate/bench/naive.h"
 #include "palpate/bench/naive_tree.h"
-#include "palpate/sim/dynamics/simd_targets.h"
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/model/build_mass_spring.h"
 #include "palpate/sim/model/build_molecular.h"
+#include "palpate/sim/packed/simd_targets.h"
 #include "scenes/scenes.h"
 
 using namespace palpate;
@@ -64,7 +64,6 @@ TEST_CASE("the bench has one row for every piece of work, with positive figures"
     CHECK(rows[r].work == expected[r]);
     CHECK(rows[r].vertices == static_cast<int>(mass_spring.tissue.mass.size()));
     CHECK(rows[r].median > 0.0);
-    CHECK(rows[r].p99 >= rows[r].median);
     CHECK(rows[r].ratio_to_naive > 0.0);
     CHECK(!rows[r].physics.empty());
     CHECK(!rows[r].compiler_flags.empty());

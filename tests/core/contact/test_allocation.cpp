@@ -3,7 +3,7 @@
 
 #include "calls.h"
 #include "palpate/sim/contact/balance_tool.h"
-#include "palpate/sim/contact/queries.h"
+#include "palpate/sim/tree/queries.h"
 #include "scenes/scenes.h"
 
 using namespace palpate;

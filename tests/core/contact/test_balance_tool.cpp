@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/tree/soups.h"
 #include "palpate/sim/contact/contact_law.h"
-#include "palpate/sim/contact/find_suspects.h"
-#include "palpate/sim/contact/queries.h"
-#include "soups.h"
+#include "palpate/sim/contact/private/broad_phase.h"
+#include "palpate/sim/tree/queries.h"
 #include "tool_bench.h"
 
 using namespace palpate;

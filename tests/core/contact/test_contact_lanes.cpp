@@ -5,7 +5,7 @@
 
 #include "palpate/sim/contact/contact_lanes.h"
 #include "palpate/sim/contact/contact_law.h"
-#include "palpate/sim/dynamics/simd_targets.h"
+#include "palpate/sim/packed/simd_targets.h"
 
 using namespace palpate;
 

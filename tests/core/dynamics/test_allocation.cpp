@@ -3,8 +3,8 @@
 
 #include "calls.h"
 #include "palpate/sim/dynamics/guard.h"
-#include "palpate/sim/dynamics/packed.h"
 #include "palpate/sim/dynamics/step.h"
+#include "palpate/sim/packed/private/packed.h"
 #include "scenes/tissues.h"
 
 using namespace palpate;

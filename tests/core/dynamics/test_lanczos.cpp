@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
-#include "palpate/sim/dynamics/lanczos.h"
+#include "palpate/sim/dynamics/private/lanczos.h"
 
 using namespace palpate;
 using doctest::Approx;

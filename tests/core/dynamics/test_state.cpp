@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
-#include "palpate/sim/dynamics/load.h"
 #include "palpate/sim/dynamics/state.h"
+#include "palpate/sim/model/load.h"
 #include "scenes/tissues.h"
 
 using namespace palpate;

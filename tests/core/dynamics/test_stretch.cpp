@@ -4,10 +4,10 @@
 #include <Eigen/Eigenvalues>
 #include <functional>
 
-#include "palpate/sim/dynamics/measure_stretch.h"
-#include "palpate/sim/dynamics/packed.h"
+#include "palpate/sim/dynamics/private/measure_stretch.h"
 #include "palpate/sim/dynamics/stable_step.h"
 #include "palpate/sim/dynamics/tangent.h"
+#include "palpate/sim/packed/private/packed.h"
 #include "scenes/solids.h"
 
 using namespace palpate;

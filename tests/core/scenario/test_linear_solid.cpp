@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "palpate/sim/base/error.h"
-#include "palpate/sim/haptics/tick.h"
+#include "palpate/sim/tick/tick.h"
 #include "scenes/linear_solids.h"
 #include "some_scenario.h"
 

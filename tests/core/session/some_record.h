@@ -58,7 +58,7 @@ inline Record some_record(int ticks) {
     record.hand.push_back(tick.sample);
     record.felt.push_back(tick.felt);
   }
-  record.happenings = {{3, HappeningKind::attached, 12, 0.25}, {5, HappeningKind::released, 12, 0}};
+  record.events = {{3, EventKind::attached, 12, 0.25}, {5, EventKind::released, 12, 0}};
   record.hashes = {{4, {0x0123456789abcdef, 0xfedcba9876543210}}};
   return record;
 }
@@ -87,9 +87,9 @@ inline bool is_prefix(const Record& part, const Record& whole) {
       return false;
     }
   }
-  if (part.happenings.size() > whole.happenings.size()) return false;
-  for (std::size_t i = 0; i < part.happenings.size(); ++i) {
-    const Happening &a = part.happenings[i], &b = whole.happenings[i];
+  if (part.events.size() > whole.events.size()) return false;
+  for (std::size_t i = 0; i < part.events.size(); ++i) {
+    const Event &a = part.events[i], &b = whole.events[i];
     if (a.tick != b.tick || a.kind != b.kind || a.index != b.index || a.value != b.value) {
       return false;
     }

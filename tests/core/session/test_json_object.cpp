@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
-#include "palpate/sim/session/json_object.h"
+#include "palpate/sim/session/private/json_object.h"
 
 using namespace palpate;
 

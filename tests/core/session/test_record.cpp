@@ -9,8 +9,8 @@
 
 #include "core/session/some_record.h"
 #include "palpate/sim/base/error.h"
+#include "palpate/sim/session/private/record_file.h"
 #include "palpate/sim/session/record.h"
-#include "palpate/sim/session/record_file.h"
 
 using namespace palpate;
 using namespace palpate::record_layout;
@@ -105,9 +105,9 @@ TEST_CASE("deflating makes a smooth hand's record smaller") {
 TEST_CASE("ticks lost from a record keep the numbers of the others") {
   const Folder folder;
   Record record = some_record(600);
-  record.happenings = {{100, HappeningKind::record_gap, 40, 0.0},
-                       {150, HappeningKind::missed_ticks, 3, 0.0},
-                       {400, HappeningKind::record_gap, 7, 0.0}};
+  record.events = {{100, EventKind::record_gap, 40, 0.0},
+                   {150, EventKind::missed_ticks, 3, 0.0},
+                   {400, EventKind::record_gap, 7, 0.0}};
 
   const std::vector<char> bytes = bytes_of(folder, record, RecordCodec::none);
   const auto back = read_back(folder, bytes);
@@ -149,10 +149,10 @@ TEST_CASE("the bytes of a file are where RECORD.md says") {
   CHECK(number(body + (11 * 6 + 4) * 8, 0.0) == record.hand[4].grip);
   CHECK(number(body + 12 * 6 * 8 + 6, 0.0f) == record.felt[0].force.x());
   CHECK(number(body + 6 * 122 + 2 * 3, std::uint16_t{}) == record.felt[3].lateness_us);
-  const std::size_t happenings = body + 6 * 124;
-  CHECK(std::memcmp(&bytes[happenings], "HAPP", 4) == 0);
-  CHECK(number(happenings + 28, std::int64_t{}) == 3);
-  CHECK(number(happenings + 28 + 16 + 4, std::int32_t{}) == 6);  // kind of the second
+  const std::size_t events = body + 6 * 124;
+  CHECK(std::memcmp(&bytes[events], "HAPP", 4) == 0);
+  CHECK(number(events + 28, std::int64_t{}) == 3);
+  CHECK(number(events + 28 + 16 + 4, std::int32_t{}) == 6);  // kind of the second
   const std::size_t summary = bytes.size() - kSummaryBlock;
   CHECK(std::memcmp(&bytes[summary], "SUMM", 4) == 0);
   CHECK(number(summary + 28, std::uint64_t{}) == 6);

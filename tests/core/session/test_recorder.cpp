@@ -11,16 +11,17 @@
 #include "core/session/some_record.h"
 #include "palpate/sim/base/error.h"
 #include "palpate/sim/session/record.h"
+#include "skip.h"
 
 using namespace palpate;
 using namespace palpate::testing;
 
 namespace {
 
-/// Pushes what a run of the loop would: every tick, now and then a happening, a hash a second.
+/// Pushes what a run of the loop would: every tick, now and then an event, a hash a second.
 void push(TickLog& log, std::int64_t i) {
   log.push(some_tick(i));
-  if (i % 300 == 7) log.push(Happening{i, HappeningKind::missed_ticks, 1, 0.0});
+  if (i % 300 == 7) log.push(Event{i, EventKind::missed_ticks, 1, 0.0});
   if (i % 1000 == 999) log.push(StateHash{i, {static_cast<std::uint64_t>(i), 42}});
 }
 
@@ -30,7 +31,7 @@ Record expected_record(int ticks) {
     const TickLog::Tick tick = some_tick(i);
     record.hand.push_back(tick.sample);
     record.felt.push_back(tick.felt);
-    if (i % 300 == 7) record.happenings.push_back({i, HappeningKind::missed_ticks, 1, 0.0});
+    if (i % 300 == 7) record.events.push_back({i, EventKind::missed_ticks, 1, 0.0});
     if (i % 1000 == 999) record.hashes.push_back({i, {static_cast<std::uint64_t>(i), 42}});
   }
   return record;
@@ -72,10 +73,7 @@ TEST_CASE("a recorder that goes away finishes its file") {
 TEST_CASE("a recorder that can write nothing more says so when it finishes") {
   // every write to this device fails as on a full disk
   const int full = ::open("/dev/full", O_WRONLY);
-  if (full < 0) {
-    MESSAGE("skipped: no /dev/full here");
-    return;
-  }
+  SKIP_UNLESS(full >= 0, "there is no /dev/full");
   ::close(full);
 
   CHECK_THROWS_AS(Recorder("/dev/full", "{}"), FileError);

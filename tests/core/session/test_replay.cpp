@@ -7,10 +7,10 @@
 #include <thread>
 #include <utility>
 
-#include "core/haptics/collapse_scene.h"
+#include "core/loop/collapse_scene.h"
 #include "core/session/some_record.h"
-#include "palpate/sim/dynamics/simd_targets.h"
-#include "palpate/sim/haptics/loop.h"
+#include "palpate/sim/loop/loop.h"
+#include "palpate/sim/packed/simd_targets.h"
 #include "palpate/sim/session/replay.h"
 
 using namespace palpate;
@@ -33,10 +33,10 @@ Record press_record(const Scene& scene) {
 }
 
 /// The tree exchanges of a record.
-std::vector<Happening> list_exchanges(const Record& record) {
-  std::vector<Happening> exchanges;
-  for (const Happening& happening : record.happenings) {
-    if (happening.kind == HappeningKind::tree_exchanged) exchanges.push_back(happening);
+std::vector<Event> list_exchanges(const Record& record) {
+  std::vector<Event> exchanges;
+  for (const Event& event : record.events) {
+    if (event.kind == EventKind::tree_exchanged) exchanges.push_back(event);
   }
   return exchanges;
 }
@@ -77,9 +77,9 @@ TEST_CASE("ticks that the motors did not give are kept in a record, and it repla
   const Scene scene = press_scene();
   Record record = press_record(scene);
   for (std::size_t i = 200; i < 300; ++i) record.felt[i].touched |= kNotRendered;
-  record.happenings = {{200, HappeningKind::motors_off, int(MotorState::cut), 0.0},
-                       {200, HappeningKind::fault, int(DeviceFault::motors_cut), 0.0},
-                       {300, HappeningKind::motors_on, 0, 0.0}};
+  record.events = {{200, EventKind::motors_off, int(MotorState::cut), 0.0},
+                   {200, EventKind::fault, int(DeviceFault::motors_cut), 0.0},
+                   {300, EventKind::motors_on, 0, 0.0}};
   const Folder folder;
   const std::string path = folder.file("cut.prec");
   write_record(path, record);
@@ -88,9 +88,9 @@ TEST_CASE("ticks that the motors did not give are kept in a record, and it repla
 
   const ReplayReport report = replay(scene, read);
   CHECK(report.equal);
-  REQUIRE(read.happenings.size() == 3);
-  CHECK(read.happenings[0].kind == HappeningKind::motors_off);
-  CHECK(read.happenings[2].kind == HappeningKind::motors_on);
+  REQUIRE(read.events.size() == 3);
+  CHECK(read.events[0].kind == EventKind::motors_off);
+  CHECK(read.events[2].kind == EventKind::motors_on);
   for (std::size_t i : {199u, 200u, 299u, 300u}) {
     CHECK((read.felt[i].touched & kNotRendered) == (i >= 200 && i < 300 ? kNotRendered : 0));
     CHECK(report.felt[i].touched == read.felt[i].touched);
@@ -167,9 +167,9 @@ TEST_CASE("trees are exchanged in a replay where the record says, even in its la
   const Scene scene = press_scene();
   Record record = press_record(scene);
   for (const auto& [tick, age] : {std::pair{0, 0}, {17, 3}, {200, 100}, {200, 0}, {499, 1}}) {
-    record.happenings.push_back({tick, HappeningKind::tree_exchanged, age, 2.0});
+    record.events.push_back({tick, EventKind::tree_exchanged, age, 2.0});
   }
-  record.happenings.push_back({500, HappeningKind::tree_exchanged, 1, 2.0});  // never taken up
+  record.events.push_back({500, EventKind::tree_exchanged, 1, 2.0});  // never taken up
 
   CHECK(replay(scene, record).equal);
 }
@@ -177,10 +177,10 @@ TEST_CASE("trees are exchanged in a replay where the record says, even in its la
 TEST_CASE("a record whose trees no run could have built is refused with where and why") {
   const Scene scene = press_scene();
   Record early = press_record(scene), negative = early, crossed = early;
-  early.happenings = {{5, HappeningKind::tree_exchanged, 6, 2.0}};
-  negative.happenings = {{5, HappeningKind::tree_exchanged, -1, 2.0}};
-  crossed.happenings = {{50, HappeningKind::tree_exchanged, 10, 2.0},
-                        {60, HappeningKind::tree_exchanged, 15, 2.0}};
+  early.events = {{5, EventKind::tree_exchanged, 6, 2.0}};
+  negative.events = {{5, EventKind::tree_exchanged, -1, 2.0}};
+  crossed.events = {{50, EventKind::tree_exchanged, 10, 2.0},
+                    {60, EventKind::tree_exchanged, 15, 2.0}};
 
   CHECK(refusal_of(scene, early) ==
         "replay: got at tick 5 a tree built 6 ticks before, expected 0 to 5, after the exchange "
@@ -251,7 +251,7 @@ TEST_CASE(
 TEST_CASE("a record that cannot be run again is refused") {
   const Scene scene = press_scene();
   Record gap = press_record(scene), uneven = gap, poisoned = gap;
-  gap.happenings.push_back({100, HappeningKind::record_gap, 5, 0.0});
+  gap.events.push_back({100, EventKind::record_gap, 5, 0.0});
   uneven.felt.pop_back();
   poisoned.hand[7].position.x() = std::numeric_limits<double>::quiet_NaN();
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/haptics/device_bench.h"
+#include "core/arm/device_bench.h"
 #include "palpate/simavr/emulated_core.h"
 #include "sim_bench.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the device's own law is worth: how stiff a spring may be that the host answers late, on the
 // chip's image, with the law that the driver sends and without. How stiff at most is searched in
-// tests/core/haptics/test_local_law.cpp.
+// tests/core/arm/test_local_law.cpp.
 #include <doctest/doctest.h>
 
-#include "core/haptics/law_bench.h"
+#include "core/arm/law_bench.h"
 #include "palpate/simavr/emulated_core.h"
 #include "sim_bench.h"
 

@@ -12,9 +12,9 @@
 #include <fstream>
 
 #include "palpate/scenario/read.h"
-#include "palpate/sim/haptics/serial_device.h"
-#include "palpate/sim/haptics/simulated_devices.h"
-#include "palpate/sim/haptics/tick.h"
+#include "palpate/sim/arm/serial_device.h"
+#include "palpate/sim/device/simulated_devices.h"
+#include "palpate/sim/tick/tick.h"
 #include "palpate/simavr/emulated_core.h"
 #include "sim_bench.h"
 

@@ -3,8 +3,8 @@
 #include <cstring>
 
 #include "my_device.h"
-#include "palpate/sim/haptics/conformance.h"
-#include "palpate/sim/haptics/safe_device.h"
+#include "palpate/sim/device/conformance.h"
+#include "palpate/sim/device/safe_device.h"
 
 /// Says of MyDevice what it keeps of what a device owes, bare and behind the safety wrapper.
 /// With the word `live`, tick by tick in real time: hold the stylus.

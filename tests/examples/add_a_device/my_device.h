@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "palpate/sim/haptics/device.h"
-#include "palpate/sim/haptics/velocity_window.h"
+#include "palpate/sim/device/device.h"
+#include "palpate/sim/device/velocity_window.h"
 
 /// A device of your own. As it stands it is a mass on a spring, so that there is something to read;
 /// the four places marked FILL IN are where your driver comes in.

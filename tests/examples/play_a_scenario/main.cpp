@@ -5,8 +5,8 @@
 
 #include "palpate/scenario/read.h"
 #include "palpate/sim/base/error.h"
-#include "palpate/sim/haptics/safe_device.h"
-#include "palpate/sim/haptics/tick.h"
+#include "palpate/sim/device/safe_device.h"
+#include "palpate/sim/tick/tick.h"
 
 using namespace palpate;
 

@@ -2,10 +2,10 @@
 // Presses a dome of tissue with the default tip, 1000 times a second, and prints what a hand feels.
 #include <cstdio>
 
-#include "palpate/sim/haptics/safe_device.h"
-#include "palpate/sim/haptics/simulated_devices.h"
-#include "palpate/sim/haptics/tick.h"
+#include "palpate/sim/device/safe_device.h"
+#include "palpate/sim/device/simulated_devices.h"
 #include "palpate/sim/model/build_mass_spring.h"
+#include "palpate/sim/tick/tick.h"
 
 using namespace palpate;
 

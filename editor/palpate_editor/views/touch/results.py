@@ -69,7 +69,7 @@ def keep_record(outcome: Outcome, path: Path) -> Path:
         header=json.dumps(header),
         hand=outcome.record.hand,
         felt=outcome.record.felt,
-        happenings=outcome.record.happenings,
+        events=outcome.record.events,
         hashes=outcome.record.hashes,
         complete=outcome.record.complete,
     )

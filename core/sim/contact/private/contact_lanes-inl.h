@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Included once per vector target by contact_lanes.cpp: closest points, and the contact law.
+#if defined(PALPATE_CONTACT_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PALPATE_CONTACT_LANES_INL_H
+#undef PALPATE_CONTACT_LANES_INL_H
+#else
+#define PALPATE_CONTACT_LANES_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "palpate/sim/contact/contact_lanes.h"
+#include "palpate/sim/contact/contact_law.h"
+
+#if HWY_TARGET != HWY_SCALAR
+HWY_BEFORE_NAMESPACE();
+namespace palpate {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Lanes = hn::CappedTag<double, 8>;
+using Real = hn::Vec<Lanes>;
+inline constexpr Lanes kLanes;
+
+struct Points {
+  Real x, y, z;
+};
+
+HWY_INLINE Points operator-(const Points& a, const Points& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+HWY_INLINE Points add_scaled(const Real s, const Points& a, const Points& b) {
+  return {hn::MulAdd(s, a.x, b.x), hn::MulAdd(s, a.y, b.y), hn::MulAdd(s, a.z, b.z)};
+}
+HWY_INLINE Real dot(const Points& a, const Points& b) {
+  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+}
+HWY_INLINE Points cross(const Points& a, const Points& b) {
+  return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
+          hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
+}
+HWY_INLINE Points choose(const hn::Mask<Lanes> mask, const Points& yes, const Points& no) {
+  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
+          hn::IfThenElse(mask, yes.z, no.z)};
+}
+HWY_INLINE Points load_points(const std::array<ContactLanes::Column, 9>& columns, std::size_t first,
+                              std::size_t at) {
+  return {hn::Load(kLanes, columns[first].data() + at),
+          hn::Load(kLanes, columns[first + 1].data() + at),
+          hn::Load(kLanes, columns[first + 2].data() + at)};
+}
+HWY_INLINE void store_points(const Points& points, std::size_t at,
+                             std::array<ContactLanes::Column, 3>& columns) {
+  hn::Store(points.x, kLanes, columns[0].data() + at);
+  hn::Store(points.y, kLanes, columns[1].data() + at);
+  hn::Store(points.z, kLanes, columns[2].data() + at);
+}
+
+/// The closest point so far: its weights, the arm from it to the centre and its square.
+struct Closest {
+  Points weights, arm;
+  Real square;
+};
+
+/// Keeps the nearer one; `arm` goes from the new point to the centre.
+HWY_INLINE void keep_nearer(const Points& weights, const Points& arm, Closest& best) {
+  const Real square = dot(arm, arm);
+  const auto nearer = hn::Lt(square, best.square);
+  best.weights = choose(nearer, weights, best.weights);
+  best.arm = choose(nearer, arm, best.arm);
+  best.square = hn::IfThenElse(nearer, square, best.square);
+}
+
+/// Where along an edge, from 0 to 1, the point closest to the end of `to` from its start lies.
+HWY_INLINE Real find_on_edge(const Points& to, const Points& edge) {
+  const Real zero = hn::Zero(kLanes), one = hn::Set(kLanes, 1.0), square = dot(edge, edge);
+  const auto has_length = hn::Gt(square, zero);
+  const Real t = hn::Div(dot(to, edge), hn::IfThenElse(has_length, square, one));
+  return hn::IfThenElseZero(has_length, hn::Min(hn::Max(t, zero), one));
+}
+
+/// The foot of the perpendicular where that falls inside, and the nearest points of the edges:
+/// the nearest of the four [Ericson04].
+HWY_INLINE Closest find_closest(const Points& p, const Points& a, const Points& b,
+                                const Points& c) {
+  const Real zero = hn::Zero(kLanes), one = hn::Set(kLanes, 1.0);
+  const Points ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+  const Real on_ab = find_on_edge(ap, ab), on_bc = find_on_edge(bp, c - b);
+  const Real on_ca = find_on_edge(cp, a - c);
+  Closest best;
+  best.weights = {hn::Sub(one, on_ab), on_ab, zero};
+  best.arm = add_scaled(hn::Neg(on_ab), ab, ap);
+  best.square = dot(best.arm, best.arm);
+  keep_nearer({zero, hn::Sub(one, on_bc), on_bc}, add_scaled(hn::Neg(on_bc), c - b, bp), best);
+  keep_nearer({on_ca, zero, hn::Sub(one, on_ca)}, add_scaled(hn::Neg(on_ca), a - c, cp), best);
+
+  const Real aa = dot(ab, ab), cc = dot(ac, ac), bc = dot(ab, ac);
+  const Real determinant = hn::MulSub(aa, cc, hn::Mul(bc, bc));
+  const auto is_plane = hn::Gt(determinant, zero);
+  const Real inverse = hn::Div(one, hn::IfThenElse(is_plane, determinant, one));
+  const Real d1 = dot(ab, ap), d2 = dot(ac, ap);
+  const Real v = hn::Mul(hn::MulSub(cc, d1, hn::Mul(bc, d2)), inverse);
+  const Real w = hn::Mul(hn::MulSub(aa, d2, hn::Mul(bc, d1)), inverse);
+  const Real u = hn::Sub(one, hn::Add(v, w));
+  const auto inside = hn::And(is_plane, hn::Ge(hn::Min(hn::Min(u, v), w), zero));
+  const Points arm = add_scaled(hn::Neg(w), ac, add_scaled(hn::Neg(v), ab, ap));
+  const Real square = hn::IfThenElse(inside, dot(arm, arm), best.square);
+  const auto nearer = hn::Lt(square, best.square);
+  best.weights = choose(nearer, {u, v, w}, best.weights);
+  best.arm = choose(nearer, arm, best.arm);
+  best.square = hn::IfThenElse(nearer, square, best.square);
+  return best;
+}
+
+/// The law of find_contact for the lanes from `at` on.
+HWY_INLINE void find_contacts_at(std::size_t at, double radius, double stiffness,
+                                 ContactLanes& lanes) {
+  const Real zero = hn::Zero(kLanes), one = hn::Set(kLanes, 1.0), r = hn::Set(kLanes, radius);
+  const Points p = {hn::Set(kLanes, lanes.centre.x()), hn::Set(kLanes, lanes.centre.y()),
+                    hn::Set(kLanes, lanes.centre.z())};
+  const Points a = load_points(lanes.corners, 0, at), b = load_points(lanes.corners, 3, at);
+  const Points c = load_points(lanes.corners, 6, at);
+  const Closest closest = find_closest(p, a, b, c);
+  const Real distance = hn::Sqrt(closest.square), depth = hn::Sub(r, distance);
+  const Points normal = cross(b - a, c - a);
+  const Real twice_area = hn::Sqrt(dot(normal, normal));
+
+  const auto has_arm = hn::Gt(distance, hn::Set(kLanes, kNoArm * radius));
+  const Points arm = choose(has_arm, closest.arm, normal);
+  const Real length = hn::IfThenElse(has_arm, distance, twice_area);
+  const auto has_length = hn::Gt(length, zero);
+  const Real inverse = hn::Div(one, hn::IfThenElse(has_length, length, one));
+  const Real facing = hn::Mul(dot(closest.arm, normal),
+                              hn::Div(inverse, hn::Max(twice_area, hn::Set(kLanes, 1e-300))));
+  const Real share = hn::IfThenElse(
+      has_arm, hn::Min(one, hn::Mul(facing, hn::Set(kLanes, 1.0 / kFullFacing))), one);
+  const auto touches = hn::And(hn::And(hn::Gt(depth, zero), has_length), hn::Gt(share, zero));
+
+  const Real area = hn::Max(hn::Load(kLanes, lanes.rest_area.data() + at),
+                            hn::Mul(twice_area, hn::Set(kLanes, 0.5)));
+  const Real k =
+      hn::IfThenElseZero(touches, hn::Mul(hn::Mul(share, hn::Set(kLanes, stiffness)), area));
+  const Real z = hn::Max(hn::Set(kLanes, kBarrierFloor),
+                         hn::NegMulAdd(depth, hn::Set(kLanes, 1.0 / radius), one));
+  const Real slope = hn::Div(k, z);
+  store_points(closest.weights, at, lanes.weights);
+  store_points({hn::Mul(arm.x, inverse), hn::Mul(arm.y, inverse), hn::Mul(arm.z, inverse)}, at,
+               lanes.direction);
+  hn::Store(distance, kLanes, lanes.distance.data() + at);
+  hn::Store(hn::Mul(slope, depth), kLanes, lanes.force.data() + at);
+  hn::Store(hn::Div(slope, z), kLanes, lanes.stiffness.data() + at);
+}
+
+void find_contacts(ContactLanes& lanes, double radius, double stiffness) noexcept {
+  for (std::size_t at = 0; at < static_cast<std::size_t>(lanes.count); at += hn::MaxLanes(kLanes)) {
+    find_contacts_at(at, radius, stiffness, lanes);
+  }
+}
+
+int count_lanes() noexcept { return static_cast<int>(hn::MaxLanes(kLanes)); }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace palpate
+HWY_AFTER_NAMESPACE();
+#endif  // HWY_TARGET
+
+#endif  // PALPATE_CONTACT_LANES_INL_H

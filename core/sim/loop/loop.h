@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+
+#include "palpate/sim/base/latest.h"
+#include "palpate/sim/device/safe_device.h"
+#include "palpate/sim/loop/snapshot.h"
+#include "palpate/sim/tick/tick.h"
+#include "palpate/sim/tick/tick_log.h"
+
+namespace palpate {
+
+/// What becomes of a run whose device fails, or gives no force any more.
+enum class FaultResponse {
+  go_on,  ///< to its end, and counts the ticks that nobody felt
+  pause,  ///< it rests until resume(), and again where the fault is still there then
+  end,
+};
+
+struct LoopOptions {
+  double duration = 0.0;  ///< [s] 0 runs until stop()
+  bool realtime = true;   ///< ask for SCHED_FIFO and locked memory
+  int cpu = -1;           ///< pin the thread to this core, -1 for none
+  double spin = 150e-6;   ///< [s] spun instead of slept before every tick
+  SafetyLimits safety = {};
+  FaultResponse on_fault = FaultResponse::go_on;
+};
+
+/// Right within 0.4 %, the largest exactly.
+struct Percentiles {
+  double median = 0.0, p99 = 0.0, p99_9 = 0.0, max = 0.0;  ///< [s]
+};
+
+/// What a run of the loop cost.
+struct LoopReport {
+  long ticks = 0;
+  long missed_ticks = 0;      ///< skipped because an earlier tick was still at work
+  long unpaced_ticks = 0;     ///< went without the report of a device that has its own pace
+  Percentiles lateness;       ///< start of a tick behind its due time
+  Percentiles cost;           ///< of the tick itself, device included
+  bool realtime = false;      ///< granted
+  std::string realtime_note;  ///< why not, in words
+  Alarm alarm;
+  DeviceFault fault = DeviceFault::none;  ///< now, or when the run ended
+  std::string fault_reason;               ///< in words
+  long record_gaps = 0;                   ///< ticks the log had no room for
+  long unrendered_ticks = 0;  ///< the device's motors were not on: their force counts nowhere below
+  double peak_force = 0.0;    ///< [N] largest that was sent
+  long touch_ticks = 0;       ///< touching or attached
+  double touch_force = 0.0;   ///< [N] mean of what was sent in them
+};
+static_assert(alignof(LoopReport) == 8);
+
+/// The live 1 kHz loop: a thread that waits, reads, ticks, writes. Sleeps to an absolute time and
+/// spins the rest; ticks that were missed are skipped and counted, never made up in a burst.
+///
+/// A device that reports by its own clock sets the pace: a tick begins when its report has come, or
+/// half a period after that is due where none comes.
+///
+/// The device is asked where the hand is at the time the tick was due, so a script gives the same
+/// hand in every run in which no tick is missed.
+class Loop {
+ public:
+  /// `scene` and `device` must outlive the loop; `log` may be null; its
+  /// reader (session/record.h) is any one other thread.
+  Loop(const Scene& scene, HapticDevice& device, const LoopOptions& options = {},
+       TickLog* log = nullptr);
+  Loop(Scene&&, HapticDevice&, const LoopOptions& = {}, TickLog* = nullptr) = delete;
+  ~Loop();  ///< stops and joins
+
+  void start();               ///< throws std::logic_error the second time: a loop runs once
+  void stop();                ///< asks and waits; the device gets a zero force last
+  bool wait(double timeout);  ///< [s] true once the run has ended
+  bool running() const noexcept;
+
+  /// From any thread; followed within a tick. While it is paused the device gets zero forces and
+  /// the time of the run stands still: what would have been due is neither missed nor made up. The
+  /// force then fades in as at the start. A run that ends while paused is over.
+  void pause() noexcept;
+  void resume() noexcept;
+  bool paused() const noexcept;  ///< the last command has gone out, a zero force after it
+
+  /// For one reader thread: true if something newer than last time was taken.
+  bool take_snapshot();
+  const Snapshot& snapshot() const noexcept;
+
+  /// Costs so far; while running, of the ticks finished by now.
+  LoopReport report() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace palpate

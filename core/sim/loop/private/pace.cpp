@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/loop/private/pace.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "palpate/sim/base/private/realtime.h"
+
+namespace palpate {
+namespace {
+
+/// Of the ticks' rate; clocks of quartz are a thousand times better.
+constexpr double kSameRate = 0.02;
+
+}  // namespace
+
+std::int64_t Pace::after_start(std::int64_t index) const noexcept {
+  return std::llround(double(index) * 1e9 / rate_);
+}
+
+bool Pace::is_paced() const noexcept {
+  return std::abs(device_.report_rate() - rate_) < kSameRate * rate_;
+}
+
+void Pace::begin(std::int64_t index) noexcept {
+  start_ = read_clock() + period() - after_start(index);
+}
+
+std::int64_t Pace::wait(std::int64_t index) noexcept {
+  if (!is_paced()) {
+    wait_until(due(index), spin_);
+    return due(index);
+  }
+  const std::int64_t latest = due(index) + period() / 2;
+  if (!device_.wait_for_report(latest)) {
+    wait_until(latest, 0);  // one that has just been unplugged does not wait
+    unpaced_.fetch_add(1, std::memory_order_relaxed);
+    return latest;
+  }
+  // longer than a report was waited for, we were stopped ourselves: this tick is late, and those
+  // that were due meanwhile are missed
+  const std::int64_t now = read_clock();
+  if (now - latest > period()) return due(index);
+  start_ = now - after_start(index);
+  return std::min(now, latest);
+}
+
+}  // namespace palpate

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <bit>
+
+#include "palpate/sim/tick/tick.h"
+
+namespace palpate {
+namespace {
+
+/// MurmurHash3 x64 128 [Appleby] over 64-bit words. Not against forgers: it finds the second in
+/// which a replay departs.
+class Hash {
+ public:
+  void add(std::uint64_t word) noexcept {
+    if (count_++ % 2 == 0) {
+      h_[0] ^= std::rotl(word * kC1, 31) * kC2;
+      h_[0] = (std::rotl(h_[0], 27) + h_[1]) * 5 + 0x52dce729;
+    } else {
+      h_[1] ^= std::rotl(word * kC2, 33) * kC1;
+      h_[1] = (std::rotl(h_[1], 31) + h_[0]) * 5 + 0x38495ab5;
+    }
+  }
+  void add(double value) noexcept { add(std::bit_cast<std::uint64_t>(value)); }
+  void add(const Vec3& v) noexcept {
+    for (int axis = 0; axis < 3; ++axis) add(v[axis]);
+  }
+
+  std::array<std::uint64_t, 2> finish() const noexcept {
+    std::uint64_t a = h_[0] ^ count_ * 8, b = h_[1] ^ count_ * 8;
+    a += b;
+    b += a;
+    a = mix(a);
+    b = mix(b);
+    a += b;
+    b += a;
+    return {a, b};
+  }
+
+ private:
+  static constexpr std::uint64_t kC1 = 0x87c37b91114253d5, kC2 = 0x4cf5ad432745937f;
+
+  static std::uint64_t mix(std::uint64_t k) noexcept {
+    k = (k ^ (k >> 33)) * 0xff51afd7ed558ccd;
+    k = (k ^ (k >> 33)) * 0xc4ceb9fe1a85ec53;
+    return k ^ (k >> 33);
+  }
+
+  std::array<std::uint64_t, 2> h_{};
+  std::uint64_t count_ = 0;
+};
+
+}  // namespace
+
+std::array<std::uint64_t, 2> compute_hash(const World& world) noexcept {
+  Hash hash;
+  for (const Vec3& x : world.tissue.position) hash.add(x);
+  for (const Vec3& v : world.tissue.velocity) hash.add(v);
+  hash.add(world.tool.position);
+  hash.add(static_cast<std::uint64_t>(world.tool.placed));
+  hash.add(static_cast<std::uint64_t>(world.alarm.kind));
+  for (int h = 0; h < world.tool.hold_count; ++h) {
+    const ToolState::Hold& hold = world.tool.holds[static_cast<std::size_t>(h)];
+    hash.add(static_cast<std::uint64_t>(hold.triangle));
+    hash.add(hold.weights);
+    hash.add(hold.offset);
+    hash.add(hold.stiffness);
+  }
+  return hash.finish();
+}
+
+}  // namespace palpate

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/tick/place_tool.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "palpate/sim/tree/queries.h"
+
+namespace palpate {
+namespace {
+
+/// Of the radius. A tool may begin by touching, but not so deep that it throws the surface.
+constexpr double kClear = 0.4;
+
+}  // namespace
+
+/// The sum of signed solid angles over 4 pi [Jacobson13], each from [VanOosteromStrackee83]:
+///
+///     tan(omega / 2) = a·(b x c) / (abc + (a·b) c + (b·c) a + (c·a) b)
+///
+/// with a, b, c the corners seen from p. Unlike a ray it has no direction to choose, no edge to
+/// hit by bad luck, and a hole changes it by no more than the hole is wide.
+double compute_winding_number(std::span<const Triangle> triangles, std::span<const Vec3> x,
+                              const Vec3& p) noexcept {
+  double half_angles = 0.0;
+  for (const auto& [i, j, k] : triangles) {
+    const Vec3 a = x[i] - p, b = x[j] - p, c = x[k] - p;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    half_angles +=
+        std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return half_angles / (2.0 * std::numbers::pi);
+}
+
+bool place_tool(const AabbTree& tree, std::span<const Vec3> x, const Vec3& hand_position,
+                double radius, ToolState& tool) noexcept {
+  if (tool.placed) return true;
+  const bool in_box = (hand_position.array() >= tree.low().array()).all() &&
+                      (hand_position.array() <= tree.high().array()).all();
+  tool.position = hand_position;
+  tool.placed = !find_closest_point(tree, x, hand_position, kClear * radius) &&
+                (!in_box || compute_winding_number(tree.triangles(), x, hand_position) < 0.5);
+  return tool.placed;
+}
+
+}  // namespace palpate

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/tick/private/linear_tick.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "palpate/sim/dynamics/private/alarms.h"
+#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/response/private/relax.h"
+#include "palpate/sim/tree/queries.h"
+
+namespace palpate {
+namespace {
+
+/// [m] by which a ray through the tissue begins below the surface.
+constexpr double kBelow = 1e-5;
+
+/// Substeps in contact: what three Newton steps of the tool leave over shall not lag
+/// (choose_substeps).
+constexpr double kFewestInContact = 3.0;
+
+/// Substeps in which the hand comes as far as the tool's radius.
+constexpr double kSubstepsPerRadius = 8.0;
+
+/// Ticks in a row in which a press must be too deep: as many as for any strain (guard.cpp).
+constexpr int kDeepChecks = 10;
+
+Vec3Array compute_normals(const TissueModel& tissue, const Vec3Array& x) {
+  Vec3Array normals(x.size(), Vec3::Zero());
+  for (const auto& [a, b, c] : tissue.triangles) {
+    const Vec3 normal = (x[b] - x[a]).cross(x[c] - x[a]);
+    normals[a] += normal;
+    normals[b] += normal;
+    normals[c] += normal;
+  }
+  for (Vec3& normal : normals) normal.normalize();
+  return normals;
+}
+
+/// [-] How many times as stiff as the tissue the contacts are, from above: with K_c = sum of
+/// k_t w_t w_tᵀ over contacts and holds, the largest eigenvalue of G K_c is at most its trace, and
+/// that at most the sum of k_t w_tv c_v over vertices, c_v their own compliance, for w_t sums to 1.
+double bound_contact_share(const Scene& scene, const ResponseKernel& kernel,
+                           World& world) noexcept {
+  const std::vector<Triangle>& triangles = scene.tissue.triangles;
+  WorldInternals& work = internals(world);
+  bound_contact_stiffness(scene.tool, world.candidates, triangles, surface_position(world),
+                          work.surface_mass, world.tool, work.vertex_scratch);
+  double sum = 0.0;
+  const auto take = [&](int triangle) noexcept {
+    for (const int vertex : triangles[static_cast<std::size_t>(triangle)]) {
+      const auto v = static_cast<std::size_t>(vertex);
+      sum += work.vertex_scratch[v] * kernel.response->self_compliance[v];
+      work.vertex_scratch[v] = 0.0;
+    }
+  };
+  for (int c = 0; c < world.candidates.count; ++c) {
+    take(world.candidates.triangles[static_cast<std::size_t>(c)]);
+  }
+  for (int h = 0; h < world.tool.hold_count; ++h) {
+    take(world.tool.holds[static_cast<std::size_t>(h)].triangle);
+  }
+  return sum;
+}
+
+/// The tissue goes the share s of the path to where the pushes hold it, while these take back up to
+/// k of what it goes: stable below s = 2/(1 + k), and without overshoot up to 1/(1 + k). Where
+/// that is less than damping asks for, there is more damping.
+double choose_share(double dt, double contact, double damping_time) noexcept {
+  const double damped = damping_time > 0.0 ? 1.0 - std::exp(-dt / damping_time) : 1.0;
+  return std::min(damped, 1.0 / (1.0 + contact));
+}
+
+/// [m] of a vertex of the surface from where it was at rest.
+double measure_displacement(const TissueModel& tissue, const World& world, int vertex) noexcept {
+  const auto v = static_cast<std::size_t>(vertex);
+  const Vec3Array& rest = tissue.rest_position;
+  if (tissue.skin.corners.empty()) return (world.tissue.position[v] - rest[v]).norm();
+  const auto& [a, b, c, d] = tissue.skin.corners[v];
+  const auto& w = tissue.skin.weights[v];
+  return (world.skin[v] - (w[0] * rest[a] + w[1] * rest[b] + w[2] * rest[c] + w[3] * rest[d]))
+      .norm();
+}
+
+/// What is pushed farthest of where it may be, farther than `worst` [-] of that.
+Alarm find_deepest(const Scene& scene, const ResponseKernel& kernel, const World& world,
+                   double worst) noexcept {
+  Alarm alarm;
+  for (const Push& push : world.load.pushes()) {
+    for (const int v : scene.tissue.triangles[static_cast<std::size_t>(push.triangle)]) {
+      const double displacement = measure_displacement(scene.tissue, world, v);
+      const double limit = kernel.deepest[static_cast<std::size_t>(v)];
+      if (!(displacement > worst * limit)) continue;
+      worst = displacement / limit;
+      alarm = {AlarmKind::pressed_deep, v, displacement, limit};
+    }
+  }
+  return alarm;
+}
+
+}  // namespace
+
+std::vector<double> compute_shallow_depths(const TissueModel& tissue, const AabbTree& tree) {
+  const Vec3Array x = compute_surface(tissue, tissue.rest_position);
+  const Vec3Array normals = compute_normals(tissue, x);
+  std::vector<double> depths(x.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t v = 0; v < x.size(); ++v) {
+    if (!normals[v].allFinite()) continue;
+    const auto hit = find_ray_hit(tree, x, x[v] - kBelow * normals[v], -normals[v]);
+    if (hit) depths[v] = kShallow * (hit->distance + kBelow);
+  }
+  return depths;
+}
+
+int count_linear_substeps(const Scene& scene, double travel, double dt,
+                          const ResponseKernel& kernel, World& world) noexcept {
+  if (world.candidates.count == 0 && world.tool.hold_count == 0) return 1;
+  const double tau = kernel.response->damping_time;
+  const double contact = bound_contact_share(scene, kernel, world);
+  const double most = scene.substeps_max;
+  const double damped = tau > 0.0 ? std::ceil(dt / tau * (1.0 + contact)) : most;
+  const double impact = std::ceil(kSubstepsPerRadius * travel / scene.tool.radius);
+  const double wanted = std::max({kFewestInContact, damped, impact});
+  return static_cast<int>(std::min(wanted, most));
+}
+
+double choose_linear_share(const Scene& scene, double dt, const ResponseKernel& kernel,
+                           World& world) noexcept {
+  return choose_share(dt, bound_contact_share(scene, kernel, world), kernel.response->damping_time);
+}
+
+void move_linear(const Scene& scene, double dt, ResponseKernel& kernel, World& world) noexcept {
+  const Response& response = *kernel.response;
+  relax(response, scene.tissue, world.load, choose_linear_share(scene, dt, kernel, world),
+        kernel.state);
+  place_near(response, scene.tissue, kernel.state, kernel.near.particles_in_use(),
+             world.tissue.position);
+  world.tissue.time += dt;
+}
+
+double measure_deepest_share(const Scene& scene, const ResponseKernel& kernel,
+                             const World& world) noexcept {
+  const Alarm deepest = find_deepest(scene, kernel, world, 0.0);
+  return deepest ? deepest.value / deepest.limit : 0.0;
+}
+
+Alarm end_linear(const Scene& scene, ResponseKernel& kernel, World& world) noexcept {
+  settle(*kernel.response, scene.tissue, kernel.state, world.tissue.position);
+  move_skin(scene.tissue.skin, world.tissue.position, world.skin);
+  Alarm alarm = check_particles(world.tissue, world.guard, 1);
+  // a grip that is let go has gone as far as it may, and fades
+  if (!alarm && world.release_ticks == 0) {
+    const Alarm deep = find_deepest(scene, kernel, world, 1.0);
+    world.guard.strained_checks = deep ? world.guard.strained_checks + 1 : 0;
+    if (world.guard.strained_checks >= kDeepChecks) alarm = deep;
+  }
+  if (alarm) {
+    alarm.time = world.tissue.time;
+  } else {
+    std::copy(world.tissue.position.begin(), world.tissue.position.end(),
+              world.guard.last_position.begin());
+  }
+  return alarm;
+}
+
+}  // namespace palpate

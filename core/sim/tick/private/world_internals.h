@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "palpate/sim/packed/private/active_set.h"
+#include "palpate/sim/packed/private/packed_model.h"
+#include "palpate/sim/tick/world.h"
+#include "palpate/sim/tree/tree_cost.h"
+
+namespace palpate {
+
+/// What the tool may touch in a tick: particles, and vertices of a skin that rides on them. Only
+/// these are brought up to date between the substeps.
+struct NearList {
+  NearList() = default;
+  NearList(std::size_t particle_count, std::size_t skin_count);
+
+  void clear() noexcept { particle_count = skin_count = 0; }
+  std::span<const int> particles_in_use() const noexcept {
+    return std::span(particles).first(static_cast<std::size_t>(particle_count));
+  }
+  std::span<const int> skin_in_use() const noexcept {
+    return std::span(skin).first(static_cast<std::size_t>(skin_count));
+  }
+
+  std::vector<int> particles, skin;
+  int particle_count = 0, skin_count = 0;            ///< how many of them are in use
+  std::vector<long> particle_last_at, skin_last_at;  ///< the last tick in which each was listed
+};
+
+/// How far behind the packed tissue is what a world has in double, where World::follows_all is off.
+/// A round brings positions and the tree up to date in parts, one in every tick.
+struct Lag {
+  bool behind = false;         ///< tissue and skin are not all what the last tick has left
+  std::size_t next = 0;        ///< part of the round
+  double moved = 0.0;          ///< [m] no particle has gone farther since the start
+  double at_round = 0.0;       ///< [m] `moved` when this round began
+  double at_last_round = 0.0;  ///< [m] when the one before it did, and no box is older
+};
+
+/// The plain laws in double, on World::tissue itself.
+struct ReferenceKernel {};
+
+/// The same laws in float, in vector code. Between the substeps its own state is the truth, and
+/// World::tissue is up to date where the tool may touch it.
+struct PackedKernel {
+  PackedKernel(const Scene& scene, const State& tissue, const Load& load);
+
+  std::shared_ptr<const PackedModel> model;
+  PackedState state;                   ///< (move_tissue)
+  PackedMeasure measure;               ///< of the last substep (move_tissue)
+  NearList near;                       ///< (begin_moving)
+  Lag lag;                             ///< (follow_tissue, end_moving)
+  ActiveSet active;                    ///< off unless Scene::force_error allows (begin, end_moving)
+  std::vector<unsigned char> in_tree;  ///< per slice: moves, and the tree follows (begin_moving)
+  std::vector<int> broad_candidates;   ///< triangles of boxes near the tool (find_touchable)
+  std::vector<long> last_read_at;      ///< tick, per vertex of the surface (find_touchable)
+  double skin_gain = 1.0;  ///< [-] no vertex of the skin goes farther than a particle times this
+};
+
+/// A linear solid, which its precomputed response moves.
+struct ResponseKernel {
+  ResponseKernel(const Scene& scene, const AabbTree& tree);
+
+  std::shared_ptr<const Response> response;
+  ResponseState state;          ///< (move_tissue)
+  NearList near;                ///< (begin_moving)
+  std::vector<double> deepest;  ///< [m] per vertex of the surface: how far it may be moved
+};
+
+using TissueKernel = std::variant<ReferenceKernel, PackedKernel, ResponseKernel>;
+
+/// What stands behind a World: the kernel that moves its tissue, and buffers.
+struct WorldInternals {
+  WorldInternals(const Scene& scene, const World& world);
+
+  TissueKernel kernel;
+  TreeCost tree_cost;                  ///< (follow_tissue)
+  StretchSpectrum spectrum;            ///< never changes
+  double chosen_stiffness;             ///< [1/s²] largest eigenvalue of M⁻¹K (choose_substeps)
+  std::vector<double> surface_mass;    ///< [kg] per vertex of the surface; never changes
+  std::vector<double> vertex_scratch;  ///< per vertex of the surface; zero between its uses
+};
+
+inline WorldInternals& internals(World& world) noexcept { return world.internals_.get(); }
+inline const WorldInternals& internals(const World& world) noexcept {
+  return world.internals_.get();
+}
+
+/// The packed kernel of a world, null under another.
+inline PackedKernel* find_packed(World& world) noexcept {
+  return std::get_if<PackedKernel>(&internals(world).kernel);
+}
+inline const PackedKernel* find_packed(const World& world) noexcept {
+  return std::get_if<PackedKernel>(&internals(world).kernel);
+}
+
+/// The response kernel of a world, null under another.
+inline const ResponseKernel* find_response(const World& world) noexcept {
+  return std::get_if<ResponseKernel>(&internals(world).kernel);
+}
+
+}  // namespace palpate

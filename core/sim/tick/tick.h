@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "palpate/sim/device/device.h"
+#include "palpate/sim/tick/tick_log.h"
+#include "palpate/sim/tick/world.h"
+
+namespace palpate {
+
+/// One haptic tick of dt [s]: from where the hand is to the force it must feel, the mean over the
+/// substeps. The live loop, the replay of a record and the tests all call this function, so a
+/// recorded session gives back the very same forces. Does not allocate, lock, log or throw.
+///
+/// The tool is drawn to the hand, which is followed at up to 3 m/s. It appears there with the first
+/// sample outside the tissue (place_tool.h). Pressing the attach button fastens it to what it
+/// touched last, letting go releases it.
+///
+/// What cannot be used is an alarm too (check_input.h). After an alarm the tissue stands still as
+/// it was before the tick that raised it, and the force fades from that of the tick before to zero
+/// within 20 ms.
+HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
+                   World& world) noexcept;
+
+/// What a record keeps of a tick, lateness left at 0.
+Felt compute_felt(const HapticCommand& command, const World& world) noexcept;
+
+/// 128 bits over positions, velocities and the tool: equal worlds, equal hashes. Nothing of the
+/// world may be behind (catch_up).
+std::array<std::uint64_t, 2> compute_hash(const World& world) noexcept;
+
+}  // namespace palpate

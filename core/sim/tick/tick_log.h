@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "palpate/sim/base/ring.h"
+#include "palpate/sim/device/device.h"
+
+namespace palpate {
+
+// bits of Felt::touched
+inline constexpr std::uint8_t kTouching = 1;
+inline constexpr std::uint8_t kAttached = 2;
+/// The device's motors were not on: nobody felt the force of this tick.
+inline constexpr std::uint8_t kNotRendered = 4;
+
+/// What was felt in one tick.
+struct Felt {
+  Eigen::Vector3f force = Eigen::Vector3f::Zero();  ///< [N] from tick(), before the safety wrapper
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< [m] the tool
+  std::uint8_t touched = 0;                            ///< kTouching, kAttached, kNotRendered
+  std::uint16_t lateness_us = 0;                       ///< [us] saturates
+};
+static_assert(sizeof(Felt) == 28 && alignof(Felt) == 4);
+
+enum class EventKind : std::int32_t {
+  missed_ticks = 1,  ///< index: how many were skipped before this tick
+  record_gap = 2,    ///< index: how many ticks the log had no room for
+  alarm = 3,         ///< index: AlarmKind
+  fault = 4,         ///< index: DeviceFault; value: what it found, see describe_fault
+  attached = 5,
+  released = 6,
+  paused = 7,          ///< value: how long [s] the loop rested before this tick
+  tree_exchanged = 8,  ///< index: ticks since its positions were taken; value: what the cost of
+                       ///< queries had grown by (TreeCost)
+  motors_off = 9,      ///< index: MotorState
+  motors_on = 10,
+};
+
+/// Something that happened at a tick.
+struct Event {
+  std::int64_t tick = 0;
+  EventKind kind = EventKind::missed_ticks;
+  std::int32_t index = 0;
+  double value = 0.0;
+};
+
+/// The world's hash after a tick (compute_hash in tick.h).
+struct StateHash {
+  std::int64_t tick = 0;
+  std::array<std::uint64_t, 2> hash{};
+};
+
+/// Where the haptic thread leaves what it did: rings with room for 4 s, one writer and one
+/// reader, without lock or allocation. A full ring is a counted gap, never a blocked tick.
+class TickLog {
+ public:
+  struct Tick {
+    std::int64_t tick = 0;
+    HapticSample sample;
+    Felt felt;
+  };
+
+  explicit TickLog(int tick_capacity = 4000);
+
+  // haptic thread; false, and counted, when there is no room (of anything)
+  bool push(const Tick& tick) noexcept;
+  bool push(const Event& event) noexcept;
+  bool push(const StateHash& hash) noexcept;
+
+  // reader thread; append what has arrived since the last call
+  void take(std::vector<Tick>& ticks, std::vector<Event>& events, std::vector<StateHash>& hashes);
+  long gap_count() const noexcept { return gaps_.load(std::memory_order_relaxed); }
+
+ private:
+  Ring<Tick> ticks_;
+  Ring<Event> events_;
+  Ring<StateHash> hashes_;
+  std::atomic<long> gaps_{0};
+};
+
+}  // namespace palpate

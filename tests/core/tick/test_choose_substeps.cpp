@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/tick/press_scene.h"
+#include "palpate/sim/dynamics/private/measure_stretch.h"
+#include "palpate/sim/tick/private/world_internals.h"
+#include "palpate/sim/tick/tick.h"
+
+using namespace palpate;
+using namespace palpate::testing;
+
+namespace {
+
+/// An organ that a tool holds at its middle and pulls out by `height` [m] over 0.4 s, keeps there
+/// for 0.1 s, lets go, and waits for a second.
+struct Pull {
+  explicit Pull(double height_in) : scene(make_soft()), world(scene), height(height_in) {}
+
+  /// Where links weigh more than home springs.
+  static Scene make_soft() {
+    Scene soft = press_scene();
+    for (double& home : soft.tissue.home) home *= 0.1;
+    soft.substeps = soft.substeps_max = 0;
+    return build_scene(std::move(soft));
+  }
+
+  HapticSample hand(int i) const {
+    HapticSample sample;
+    const double up = height * std::clamp((i - 150) / 400.0, 0.0, 1.0);
+    sample.position = {0.001, 0.002, i < 20 ? 0.0235 : 0.0205 + up};
+    sample.buttons = i > 150 && i < 650 ? kAttachButton : 0;
+    if (i >= 700) sample.position.z() = 0.06;
+    return sample;
+  }
+
+  Scene scene;
+  World world;
+  double height;
+};
+
+}  // namespace
+
+TEST_CASE("a tissue that is stretched gets more substeps, and gives them back at rest") {
+  Pull pull(0.065);
+  double stiffest = 0.0;
+  for (int i = 0; i < 2000; ++i) {
+    const Stretch before = pull.world.stretch;
+    const double now = bound_stiffness(internals(pull.world).spectrum, before);
+    tick(pull.scene, pull.hand(i), 1e-3, pull.world);
+    // at the very next tick, and by no less than it takes
+    CHECK(now <= 1.2 * internals(pull.world).chosen_stiffness);
+    CHECK(now >= internals(pull.world).chosen_stiffness / 1.2);
+    stiffest = std::max(stiffest, internals(pull.world).chosen_stiffness);
+  }
+  REQUIRE_FALSE(pull.world.alarm);
+  CHECK(stiffest > 1.2 * pull.scene.spectrum_stiffness);
+  CHECK(internals(pull.world).chosen_stiffness == pull.scene.spectrum_stiffness);
+  CHECK(pull.world.substeps == pull.scene.substeps);
+}
+
+TEST_CASE("a tissue that is hardly stretched keeps the substeps it rests with") {
+  Pull pull(0.001);
+  for (int i = 0; i < 1000; ++i) {
+    tick(pull.scene, pull.hand(i), 1e-3, pull.world);
+    CHECK(internals(pull.world).chosen_stiffness == pull.scene.spectrum_stiffness);
+  }
+}
+
+TEST_CASE("in the air a stretched tissue has as many substeps as its stiffness needs") {
+  Scene scene = press_scene();
+  scene.substeps = 8;
+  // so that eight are just enough
+  scene.spectrum_damping = 0.0;
+  const double rest = scene.spectrum_stiffness;
+  scene.rate = 1.0 / (8 * 0.74 * 2.0 / std::sqrt(rest));
+  World world(scene);
+  world.stretch.longest = 2.5;
+  const double stiffer = bound_stiffness(internals(world).spectrum, world.stretch) / rest;
+  REQUIRE(stiffer > 1.2);
+
+  HapticSample hand;
+  hand.position = {0, 0, 0.06};
+  tick(scene, hand, 1.0 / scene.rate, world);
+
+  CHECK(world.substeps == static_cast<int>(std::ceil(8.0 * std::sqrt(stiffer))));
+}
+
+TEST_CASE("substeps that follow the stretch are the same in every run of the same hand") {
+  Pull first(0.065), second(0.065);
+  int most = 0;
+  for (int i = 0; i < 900; ++i) {
+    const Vec3 a = tick(first.scene, first.hand(i), 1e-3, first.world).force;
+    const Vec3 b = tick(second.scene, second.hand(i), 1e-3, second.world).force;
+    CHECK(a == b);
+    CHECK(first.world.substeps == second.world.substeps);
+    most = std::max(most, first.world.substeps);
+  }
+  CHECK(most > first.scene.substeps);
+  CHECK(compute_hash(first.world) == compute_hash(second.world));
+}

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include "core/tick/press_scene.h"
+#include "palpate/sim/dynamics/private/alarms.h"
+#include "palpate/sim/model/build_molecular.h"
+#include "palpate/sim/model/volumes.h"
+#include "scenes/linear_solids.h"
+
+using namespace palpate;
+using namespace palpate::testing;
+using doctest::Approx;
+
+namespace {
+
+/// How a pull straight up ended.
+struct Pull {
+  bool held_to_the_end = false;
+  double largest_force = 0.0;  ///< [N]
+  double longest = 1.0;        ///< [-] of a link's rest length
+  double slip = 0.0;           ///< [m] of the hand beyond its spring's reach, when let go
+  double largest_drop = 0.0;   ///< [N] of the force in one tick, from when it was let go
+  AlarmKind alarm = AlarmKind::none;
+};
+
+/// Takes hold `depth` [m] deep at the top of the tissue, goes up to `height` [m] above it at
+/// `speed` [m/s] and stays there for half a second.
+Pull pull_up(const Scene& scene, double depth, double height, double speed) {
+  double top = -1.0;
+  Vec3 place = Vec3::Zero();
+  for (const Vec3& x : compute_surface(scene.tissue, scene.tissue.rest_position)) {
+    if (x.z() > top) place = x, top = x.z();
+  }
+  World world(scene);
+  Pull pull;
+  HapticSample sample;
+  double last = 0.0;
+  const auto go = [&](double from, double to, int ticks, std::uint8_t buttons) {
+    for (int i = 1; i <= ticks; ++i) {
+      const double above = from + (to - from) * i / ticks;
+      sample.position = place + (scene.tool.radius + above) * Vec3::UnitZ();
+      sample.buttons = buttons;
+      const bool held = world.tool.hold_count > 0 && world.release_ticks == 0;
+      const double force = tick(scene, sample, 1e-3, world).force.norm();
+      if (held && world.release_ticks > 0) {
+        pull.slip = (world.hand - world.tool.position).norm() -
+                    scene.coupling.force_max / scene.coupling.stiffness;
+      }
+      if (world.release_ticks > 0) pull.largest_drop = std::max(pull.largest_drop, last - force);
+      pull.largest_force = std::max(pull.largest_force, force);
+      pull.longest = std::max(pull.longest, world.stretch.longest);
+      last = force;
+    }
+  };
+  go(0.002, -depth, 100, 0);
+  go(-depth, -depth, 200, 0);
+  pull.largest_force = 0.0;
+  go(-depth, height, static_cast<int>(1e3 * (depth + height) / speed), kAttachButton);
+  go(height, height, 500, kAttachButton);
+  pull.held_to_the_end = world.tool.hold_count > 0;
+  pull.alarm = world.alarm.kind;
+  return pull;
+}
+
+Scene molecular_scene(AngleLaw law) {
+  const SurfaceMesh mesh = scenes::make_ellipsoid({0.030, 0.025, 0.020}, 2);
+  SurfaceOptions options;
+  options.home_stiffness = 4e5;
+  options.drag = 8.0;
+  Scene scene;
+  scene.kernel = scenes::kernel_under_test();
+  scene.tissue =
+      build_molecular(mesh, {.damping_ratio = 0.3, .wall_thickness = 0.003},
+                      {.bond_stiffness = 20.0, .bend_stiffness = 1e-5, .angle_law = law}, options);
+  return build_scene(std::move(scene));
+}
+
+}  // namespace
+
+TEST_CASE("a hand that pulls as hard as it can slips off once it has gone on by a tip's radius") {
+  Scene scene = press_scene();
+  scene.coupling.force_max = 1.0;  // long before the tissue gives any reason
+
+  const Pull on_and_on = pull_up(scene, 0.003, 0.060, 0.05);
+
+  CHECK(on_and_on.alarm == AlarmKind::none);
+  CHECK_FALSE(on_and_on.held_to_the_end);
+  CHECK(on_and_on.largest_force == Approx(scene.coupling.force_max));
+  CHECK(on_and_on.slip == Approx(scene.tool.radius).epsilon(0.02));
+  CHECK(on_and_on.longest < 1.0 + 0.75 * find_strain_limit(scene.tissue));
+  CHECK(on_and_on.largest_drop < 0.08 * scene.coupling.force_max);
+}
+
+TEST_CASE("a pull at the largest force of the hand that goes no farther is held") {
+  Scene scene = press_scene();
+  scene.coupling.force_max = 1.0;
+  const double where_it_slips = [&] {
+    double height = 0.005;
+    while (pull_up(scene, 0.003, height, 0.05).held_to_the_end) height += 0.001;
+    return height;
+  }();
+
+  const Pull held = pull_up(scene, 0.003, where_it_slips - 0.001, 0.05);
+
+  CHECK(held.held_to_the_end);
+  CHECK(held.largest_force == Approx(scene.coupling.force_max));
+}
+
+TEST_CASE("a grip bears links three times as long where energy tells a pull from a blow-up") {
+  const Scene scene = molecular_scene(AngleLaw::gradient);
+
+  const Pull held = pull_up(scene, 0.003, 0.045, 0.05);
+
+  CHECK(held.alarm == AlarmKind::none);
+  CHECK(held.held_to_the_end);
+  CHECK(held.longest > 3.0);
+}
+
+TEST_CASE("under Eq 10, which has no energy, a grip lets go before a link is three times as long") {
+  const Scene scene = molecular_scene(AngleLaw::eq10);
+  REQUIRE(find_strain_limit(scene.tissue) == kLargestStrain);
+
+  for (const double speed : {0.05, 0.3, 1.0}) {
+    const Pull slipped = pull_up(scene, 0.003, 0.060, speed);
+
+    CHECK(slipped.alarm == AlarmKind::none);
+    CHECK_FALSE(slipped.held_to_the_end);
+    CHECK(slipped.longest > 2.4);
+    CHECK(slipped.longest < 1.0 + kLargestStrain);
+  }
+}
+
+TEST_CASE("a grip of a linear solid lets go before it has been moved too far, however fast") {
+  for (const bool covered : {true, false}) {
+    Scene scene;
+    scene.kernel = scenes::kernel_under_test();
+    scene.tissue = covered ? scenes::make_covered_linear_organ(5, 0.9, 0.2)
+                           : scenes::make_linear_organ(5, 0.9, 0.2);
+    scene = build_scene(std::move(scene));
+    if (!scene.response) continue;  // the reference kernel has the rules of other tissues
+    for (const double speed : {0.05, 0.3, 1.0, 3.0}) {
+      const Pull slipped = pull_up(scene, 0.003, 0.060, speed);
+
+      CAPTURE(covered);
+      CAPTURE(speed);
+      CHECK(slipped.alarm == AlarmKind::none);
+      CHECK_FALSE(slipped.held_to_the_end);
+      CHECK(slipped.largest_force < scene.coupling.force_max);
+      CHECK(slipped.largest_drop < 0.08 * slipped.largest_force);
+    }
+  }
+}

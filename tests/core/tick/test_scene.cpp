@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+#include "core/tick/press_scene.h"
+#include "palpate/sim/dynamics/stable_step.h"
+#include "palpate/sim/mesh/measure.h"
+#include "palpate/sim/tick/scene.h"
+
+using namespace palpate;
+using namespace palpate::testing;
+
+namespace {
+
+std::string refusal(const std::function<void(Scene&)>& spoil) {
+  Scene scene = press_scene();
+  scene.substeps = scene.substeps_max = 0;
+  spoil(scene);
+  try {
+    build_scene(std::move(scene));
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool names(const std::string& text, const char* word) {
+  return text.find(word) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a built scene has as many substeps as its tissue needs at rest") {
+  Scene scene = press_scene();
+  const double needed = 1e-3 / stable_step(scene.tissue);
+
+  CHECK(scene.substeps == std::max(1, static_cast<int>(std::ceil(needed))));
+
+  scene.substeps = scene.substeps_max = 0;
+  scene.rate = 100.0;
+  CHECK(build_scene(scene).substeps == static_cast<int>(std::ceil(10.0 * needed)));
+}
+
+TEST_CASE("contact may raise the substeps by a third, and always to thirty-two") {
+  Scene scene = press_scene();
+  for (const auto& [substeps, most] : {std::pair(1, 32), {12, 32}, {24, 32}, {27, 36}, {30, 40}}) {
+    scene.substeps = substeps;
+    scene.substeps_max = 0;
+    CHECK(build_scene(scene).substeps_max == most);
+  }
+}
+
+TEST_CASE("a scene's own substeps are kept") {
+  Scene scene = press_scene();
+  scene.substeps = 7;
+  scene.substeps_max = 7;
+
+  scene = build_scene(std::move(scene));
+
+  CHECK(scene.substeps == 7);
+  CHECK(scene.substeps_max == 7);
+}
+
+TEST_CASE("the rest areas of a built scene sum to its surface") {
+  const Scene scene = press_scene();
+  const SurfaceMesh mesh{scene.tissue.rest_position, scene.tissue.triangles};
+
+  const double sum = std::accumulate(scene.rest_areas.begin(), scene.rest_areas.end(), 0.0);
+
+  CHECK(sum == doctest::Approx(compute_area(mesh)));
+}
+
+TEST_CASE("a scene that cannot run is refused by the name of the field") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+
+  CHECK(names(refusal([](Scene& s) { s.tool.radius = 0.0; }), "tool.radius"));
+  CHECK(names(refusal([&](Scene& s) { s.tool.stiffness = nan; }), "tool.stiffness"));
+  CHECK(names(refusal([](Scene& s) { s.coupling.stiffness = -1; }), "coupling.stiffness"));
+  CHECK(names(refusal([](Scene& s) { s.coupling.force_max = 0; }), "coupling.force_max"));
+  CHECK(names(refusal([](Scene& s) { s.hold_stiffness = 0; }), "hold_stiffness"));
+  CHECK(names(refusal([&](Scene& s) { s.gravity.y() = nan; }), "gravity"));
+  CHECK(names(refusal([](Scene& s) { s.rate = 0; }), "rate"));
+  CHECK(names(refusal([](Scene& s) { s.substeps = -1; }), "substeps"));
+  CHECK(names(refusal([](Scene& s) { s.substeps = 5, s.substeps_max = 4; }), "substeps_max"));
+  CHECK(names(refusal([](Scene& s) { s.tissue.mass[3] = -1; }), "mass"));
+  CHECK(names(refusal([](Scene& s) { s.tissue.triangles.clear(); }), "triangles"));
+  CHECK(names(refusal([](Scene& s) { s.rate = 1e-3; }), "substeps"));
+  CHECK(refusal([](Scene&) {}) == "");
+}
+
+TEST_CASE("a world wants a scene that was built") {
+  Scene scene;
+  scene.tissue = press_scene().tissue;
+
+  CHECK_THROWS_AS(World{scene}, std::invalid_argument);
+}
