@@ -119,12 +119,14 @@ def build_palette(colours: Colours) -> QPalette:
 def use_theme(app: QApplication, name: str) -> Colours:
     """Dresses the whole application and returns the colours in use."""
     colours = COLOURS[name]
-    app.setStyle(QStyleFactory.create("Fusion"))
-    app.setPalette(build_palette(colours))
     sheet = SHEET.read_text(encoding="utf-8")
     for field in sorted(Colours.__dataclass_fields__, key=len, reverse=True):
         sheet = sheet.replace(f"@{field}", getattr(colours, field))
     sheet = sheet.replace("@folder", SHEET.parent.as_posix()).replace("@name", name)
+    if app.styleSheet() == sheet:
+        return colours  # as it is: Qt would take half a second to dress every widget again
+    app.setStyle(QStyleFactory.create("Fusion"))
+    app.setPalette(build_palette(colours))
     app.setStyleSheet(sheet)
     return colours
 
