@@ -8,9 +8,22 @@ from pathlib import Path
 
 import pytest
 
+FEW_DIRECTIONS = 4
+"""Of the sky, in place of 96."""
+
 
 @pytest.fixture
-def shown(qtbot):
+def rough_frames(request, monkeypatch):
+    """No frame is refined, and folds are shaded roughly, unless a test is marked `fine`."""
+    from palpate.viewport import canvas, sky_light
+
+    if not request.node.get_closest_marker("fine"):
+        monkeypatch.setattr(sky_light, "DIRECTIONS", FEW_DIRECTIONS)
+        monkeypatch.setattr(canvas.Canvas, "refine", lambda *frame: False)
+
+
+@pytest.fixture
+def shown(qtbot, rough_frames):
     """shown(window) shows it and gives it back; closed and English when all is over."""
     from palpate import translation
     from PySide6.QtCore import QLocale

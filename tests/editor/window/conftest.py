@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 from palpate import translation
+from palpate.viewport import canvas, sky_light
 from palpate.viewport.gl_view import build_format
 from palpate_editor.app.settings import Settings
 from palpate_editor.views.editor import Editor
@@ -35,6 +36,21 @@ def end_widgets_in_the_window_thread(qapp: QApplication) -> Iterator[None]:
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     qapp.processEvents()
     gc.collect()
+
+
+FEW_DIRECTIONS = 4
+"""Of the sky, in place of 96."""
+
+
+@pytest.fixture(autouse=True)
+def rough_frames(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """No frame is refined, and folds are shaded roughly, unless a test is marked `fine`.
+
+    On a processor that stands in for a graphics card it is half of what a window costs.
+    """
+    if not request.node.get_closest_marker("fine"):
+        monkeypatch.setattr(sky_light, "DIRECTIONS", FEW_DIRECTIONS)
+        monkeypatch.setattr(canvas.Canvas, "refine", lambda *frame: False)
 
 
 @pytest.fixture

@@ -12,7 +12,7 @@ from patience import settle
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
-pytestmark = pytest.mark.window
+pytestmark = [pytest.mark.window, pytest.mark.fine]
 
 
 def colours_of(path: Path) -> np.ndarray:
