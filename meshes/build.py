@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes meshes/published anew: `python -m palpate_meshes.build [NAME ...]`, or `./run meshes`."""
+"""Makes meshes/published: `python -m palpate_meshes.build [NAME ...]`, or `./run meshes`."""
 
 from __future__ import annotations
 

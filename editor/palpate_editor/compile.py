@@ -74,7 +74,7 @@ def is_built_alike(one: Organ, other: Organ) -> bool:
 def is_alike(one: object, other: object) -> bool:
     if one is other:
         return True
-    # arrays that an edit made anew are taken to differ; parts of a few numbers are compared
+    # arrays that an edit made are taken to differ; parts of a few numbers are compared
     return not isinstance(one, np.ndarray | Surface) and one == other
 
 

@@ -267,7 +267,7 @@ def print_json(report: Report) -> bytes:
 
 
 def can_show_windows() -> bool:
-    """Whether somebody sits before a display here."""
+    """Whether there is a display here."""
     return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 

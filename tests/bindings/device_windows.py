@@ -16,7 +16,7 @@ PATIENCE = 30_000
 
 
 class QuickLink(Link):
-    """A simulated device whose time passes only while somebody waits, and then at once."""
+    """A simulated device whose time passes only while a thread waits, and then at once."""
 
     def begin(self, live: bool | None = None) -> None:
         super().begin(live=False)

@@ -114,7 +114,7 @@ def test_escape_opens_a_menu_that_pauses_and_closes_it_again(open_window, qtbot)
     assert window.phase is Phase.running
 
 
-def test_r_begins_anew_and_keeps_the_record_of_the_first_run(open_window, qtbot):
+def test_r_starts_over_and_keeps_the_record_of_the_first_run(open_window, qtbot):
     window = open_window()
     window.restart()
     press_and_wait(window, qtbot)
@@ -280,7 +280,7 @@ def test_the_column_of_force_grows_up_to_the_limit_and_keeps_the_peak(open_windo
     bar.show_force(0.0)
     assert bar.peak == 3.0
     assert bar.range == 5.0
-    bar.start_anew()
+    bar.reset()
     assert bar.peak == 0.0
 
 

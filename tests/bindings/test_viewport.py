@@ -285,5 +285,5 @@ def test_updates_at_screen_rate_leave_no_memory_behind(view):
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
 
-    # less than the surface itself takes: nothing of its size is made anew
+    # less than the surface itself takes: nothing of its size is made again
     assert peak < x.nbytes + 2**17

@@ -296,7 +296,7 @@ def test_the_lowest_part_is_fixed_beside_what_is_fixed_already():
     assert after.fixed.tolist() == ((height <= limit) | SPLEEN.fixed).tolist()
 
 
-def test_a_region_is_named_in_order_and_may_be_named_anew():
+def test_a_region_is_named_in_order_and_may_be_named_again():
     after = edits.SetRegion("hilum", np.array([5, 2, 5]))(SPLEEN)
 
     assert after.regions["hilum"].tolist() == [2, 5]

@@ -182,7 +182,7 @@ def test_the_unsaved_marker_is_told_of(session):
 def test_starting_anew_leaves_an_empty_document(session, tmp_path):
     session.save(tmp_path / "a.organ")
 
-    session.start_anew()
+    session.clear()
 
     assert session.organ is EMPTY and session.path is None and session.saved
 

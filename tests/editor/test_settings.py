@@ -12,7 +12,7 @@ from PySide6.QtCore import QByteArray, QSettings
 
 @pytest.fixture
 def open_settings(tmp_path):
-    """Opens the same file anew, as another start of the editor does."""
+    """Opens the same file again, as another start of the editor does."""
     return lambda: Settings(QSettings(str(tmp_path / "editor.ini"), QSettings.Format.IniFormat))
 
 

@@ -117,6 +117,6 @@ def describe_table1(report: Report) -> str:
         "CPU time, one core",
         f"frames: {width} x {height}, the organ's published look, edges smoothed, no shadows, "
         "positions and normals",
-        f"  anew in each; by the clock, on {report['processors']} processors: {report['graphics']}",
+        f"  new in each; by the clock, on {report['processors']} processors: {report['graphics']}",
     ]
     return "\n".join(lines + [f"missing: {sentence}" for sentence in report["missing"]])

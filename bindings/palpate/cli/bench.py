@@ -106,7 +106,7 @@ def run_special(call: argparse.Namespace, named: object) -> Report:
 
 
 def say(words: str) -> None:
-    """What is being done now, for whoever waits; the report alone goes to standard output."""
+    """What is being done now, on standard error; the report alone goes to standard output."""
     print(make_harmless(words), file=sys.stderr, flush=True)
 
 

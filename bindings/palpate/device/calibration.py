@@ -90,7 +90,7 @@ class Calibration:
         aim(self.link, POSES[0])
 
     def take_pose(self, gather: Gather) -> None:
-        """Raises PoorData, and stays at the pose; at the last, it begins anew with the poses."""
+        """Raises PoorData, and stays at the pose; at the last, it begins again with the poses."""
         self.guide.take(gather.counts)
         if self.guide.pose is not None:
             aim(self.link, self.guide.pose)
@@ -166,7 +166,7 @@ class Calibration:
     def take_push(self, gather: Gather, reading: float) -> Work | None:
         """What the scale said [N]. Returns what has to be done before the next push.
 
-        Raises PoorData with the last, and begins anew with the pushes.
+        Raises PoorData with the last, and begins again with the pushes.
         """
         if self._half is None:
             self._half = (gather.duty(), reading)

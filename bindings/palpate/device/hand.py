@@ -66,7 +66,7 @@ def aim(link: Link, pose: Pose) -> None:
 
 
 def bring(link: Link, pose: Pose) -> None:
-    """A hand does it: ours in a simulation, otherwise that of whoever reads the sentence."""
+    """A hand does it: ours in a simulation, otherwise that of the person who reads the sentence."""
     if link.arm is None:
         ask(f"{describe_pose(pose)}; hold it there, press Enter")
     else:

@@ -18,7 +18,7 @@ DRIVING = (palpate.DeviceMode.ramp, palpate.DeviceMode.run)
 
 
 class Ended(Exception):
-    """The link was ended while somebody waited."""
+    """The link was ended while a thread waited."""
 
 
 class Link:
@@ -63,7 +63,7 @@ class Link:
         """Greets the device and keeps it company, its motors off. Raises DeviceError in words.
 
         `live` by the clock, in a thread of its own, as a device in real time needs; otherwise time
-        passes only while somebody waits.
+        passes only while a thread waits.
         """
         self.open()
         self.driver.enable(False)
@@ -72,7 +72,7 @@ class Link:
         self._keep_company(self.arm is None if live is None else live)
 
     def interrupt(self) -> None:
-        """Whoever waits in another thread gets Ended at once, and so does who waits later."""
+        """What waits in another thread gets Ended at once, and so does what waits later."""
         self._over = True
         self._ending.set()
 

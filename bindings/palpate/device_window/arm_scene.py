@@ -37,7 +37,7 @@ SCALE = 0.07
 LEAST = 0.02
 """[N] below which no arrow is drawn."""
 STILL = 2e-4
-"""[rad] below which nothing is drawn anew."""
+"""[rad] below which nothing is drawn again."""
 LINE = 0.0008
 """[m] radius of a line."""
 SIGHT = (-42.0, 18.0)

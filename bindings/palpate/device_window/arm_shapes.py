@@ -36,7 +36,7 @@ TURRET = (
 )
 """[m] its profile: radius and height."""
 SIDES = 24
-"""Of what is round: it is drawn anew whenever the arm moves, often without a graphics card."""
+"""Of what is round: it is drawn again whenever the arm moves, often without a graphics card."""
 AROUND = 6
 """Sides of a line's tube."""
 

@@ -193,7 +193,7 @@ class CalibratePage(Page):
     # ------------------------------------------------------------ what is shown
 
     def say(self) -> None:
-        """Sets everything anew, by where the calibration stands."""
+        """Sets everything by where the calibration stands."""
         run = self.run
         self.card.title.setText(translate("Device", "CALIBRATION"))
         self.steps.show_step(say_stage(), 0 if run is None else find_step(run))

@@ -64,7 +64,7 @@ def say_step(run: Calibration | None) -> tuple[str, str]:
         )
     off = number(float(np.degrees(np.abs(run.home_offset).max())), 2)
     return translate("Device", "%1° off home at most").replace("%1", off), translate(
-        "Device", "The device keeps this calibration. Measure again, or begin anew."
+        "Device", "The device keeps this calibration. Measure again, or begin again."
     )
 
 
@@ -105,7 +105,7 @@ def say_buttons(run: Calibration | None, working: bool) -> tuple[str, str, str]:
     if run.stage is Stage.motors:
         write = translate("Device", "Write to the device")
         return write, "", translate("Device", "Leave the motors as they were")
-    return translate("Device", "Measure at home"), "", translate("Device", "Begin anew")
+    return translate("Device", "Measure at home"), "", translate("Device", "Begin again")
 
 
 def say_results(run: Calibration) -> list[list[str]]:

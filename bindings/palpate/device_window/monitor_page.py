@@ -128,7 +128,7 @@ class MonitorPage(Page):
             self.link.driver.enable(on)
 
     def clear_fault(self) -> None:
-        """The device forgets its fault; its motors stay off until they are asked for anew."""
+        """The device forgets its fault; its motors stay off until they are asked for again."""
         if self.link is not None:
             self.link.driver.enable(False)
             self.link.push()
@@ -238,7 +238,7 @@ class MonitorPage(Page):
             label.setText(text)
 
     def say(self) -> None:
-        """Sets all words anew."""
+        """Sets all texts."""
         self.state_card.title.setText(translate("Device", "STATE"))
         self.motors.setText(translate("Device", "Motors on"))
         self.clear.setText(translate("Device", "Clear the fault"))

@@ -108,7 +108,7 @@ class SelftestPage(Page):
         self.explained.setText(words)
 
     def say(self) -> None:
-        """Sets all words anew."""
+        """Sets all texts."""
         self.card.title.setText(translate("Device", "SELF-TEST"))
         self.headline.setText(self._say_verdict())
         self.explained.setText(

@@ -46,12 +46,12 @@ class TopBar(QWidget):
         row.addStretch(1)
         row.addWidget(self.theme)
         row.addWidget(self.languages)
-        self.refresh.clicked.connect(self.list_anew)
+        self.refresh.clicked.connect(self.update_devices)
         self.go.clicked.connect(self._ask)
         self.theme.clicked.connect(self.theme_asked)
         self.languages.activated.connect(self._choose_language)
         self.connected = False
-        self.list_anew()
+        self.update_devices()
 
     def chosen(self) -> str:
         """The device by name: of the list, or as it was typed."""
@@ -68,7 +68,7 @@ class TopBar(QWidget):
         else:
             self.devices.setEditText(find_port(name) or name)
 
-    def list_anew(self) -> None:
+    def update_devices(self) -> None:
         """Looks for devices; what is chosen stays where it is still there."""
         before = self.chosen() if self.devices.count() else PLANT
         self.devices.clear()
@@ -96,7 +96,7 @@ class TopBar(QWidget):
         )  # fmt: skip
 
     def say(self, theme: str, language: str) -> None:
-        """Sets all words anew."""
+        """Sets all texts."""
         self.brand.setText(translate("Device", "Device"))
         self.refresh.setText("\N{CLOCKWISE OPEN CIRCLE ARROW}")
         self.refresh.setToolTip(translate("Device", "Look for devices again"))
@@ -105,7 +105,7 @@ class TopBar(QWidget):
         )
         self.languages.setCurrentIndex(self.languages.findData(language))
         name = self.chosen()
-        self.list_anew()
+        self.update_devices()
         self.choose(name)
 
     def _ask(self) -> None:

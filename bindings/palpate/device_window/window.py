@@ -240,7 +240,7 @@ class DeviceWindow(QWidget):
         self.say()
 
     def say(self) -> None:
-        """Sets all words anew, in the language of the program."""
+        """Sets all texts, in the language of the program."""
         self.setLocale(QLocale())
         self.setWindowTitle(translate("Device", "Device \N{EN DASH} Palpate"))
         self.bar.say(self.theme, self.language)

@@ -36,7 +36,7 @@ class Board(Page):
         return button
 
     def say(self) -> None:
-        """Sets all words again."""
+        """Sets all texts."""
 
     def focus(self) -> None:
         """Gives the keyboard to the button one most likely wants."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Panels over the picture: texts that say themselves anew when the language changes."""
+"""Panels over the picture: texts that say themselves again when the language changes."""
 
 from __future__ import annotations
 

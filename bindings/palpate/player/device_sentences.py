@@ -106,7 +106,7 @@ def say_remedy(fault: int) -> str:
         4: translate("Device", "The arm was thrown. Hold the stylus, then clear the fault."),
         5: translate("Device", "Let the motors cool for a minute, then clear the fault."),
         7: translate(
-            "Device", "Its program hung and was started anew. Clear the fault; if it comes again, "
+            "Device", "Its program hung and was restarted. Clear the fault; if it comes again, "
             "flash it again."
         ),
         10: translate("Device", "What it keeps of itself cannot be read: calibrate it."),

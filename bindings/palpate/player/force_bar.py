@@ -52,7 +52,7 @@ class ForceBar(QWidget):
         self.force = self._shown = 0.0
         self.update()
 
-    def start_anew(self) -> None:
+    def reset(self) -> None:
         self.force = self.peak = self._shown = 0.0
         self.range = choose_range(0.0, self.limit)
         self.update()

@@ -45,7 +45,7 @@ class Overlays(QObject):
         self._free = (0, 0, 0, 0)
         self.tell_task()
         self.task.folded.connect(self.place)
-        self.start_anew()
+        self.reset()
         view.installEventFilter(self)
 
     def tell_task(self) -> None:
@@ -58,10 +58,10 @@ class Overlays(QObject):
         """The one that is shown."""
         return next((b for b in (self.start, self.menu, self.end) if not b.isHidden()), None)
 
-    def start_anew(self) -> None:
+    def reset(self) -> None:
         """As before a run."""
         self.clock.show_time(0.0)
-        self.force.start_anew()
+        self.force.reset()
         self.alarm.tell("")
         self.warning.tell("")
         self.device.tell("")
@@ -96,7 +96,7 @@ class Overlays(QObject):
         self.place()
 
     def say(self) -> None:
-        """Sets all words anew, in the language of the program."""
+        """Sets all texts, in the language of the program."""
         paused = bool(self.pause.label.text())
         for panel in (self.clock, self.notice, self.keys, self.start, self.menu, self.end):
             panel.say()

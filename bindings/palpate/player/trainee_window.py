@@ -116,7 +116,7 @@ class TraineeWindow(QWidget):
         self._time, self._force, self._second, self._missed = 0.0, 0.0, 0, 0
         self._watch = DeviceWatch(device)
         self.over.force.limit = self.play.force_limit()  # known once the device is open
-        self.over.start_anew()
+        self.over.reset()
         self._tell_loss()
         self.view.move_surface(self._rest)
         self.view.show_force(None)
@@ -212,7 +212,7 @@ class TraineeWindow(QWidget):
             self._tell_loss()
 
     def _tell_loss(self) -> None:
-        """Of a record, until the window is closed: somebody may count on it."""
+        """Of a record, until the window is closed: the record may be needed."""
         if self._problem is not None:
             words = translate("Player", "The record could not be completed: %1")
             self.over.alarm.tell(words.replace("%1", say_refusal(str(self._problem))))

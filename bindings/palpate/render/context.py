@@ -20,7 +20,7 @@ LIBEGL = "libEGL.so.1"
 def create_context(libgl: str = LIBGL, libegl: str = LIBEGL) -> moderngl.Context:
     """An OpenGL 3.3 context of our own, to be entered in a with statement wherever it is used.
 
-    Raises RenderError where this machine has none. Whoever made it calls its release().
+    Raises RenderError where this machine has none. The caller releases it.
     """
     try:
         return moderngl.create_context(

@@ -44,7 +44,7 @@ class Renderer:
     """Everything in sight, and the programs that draw it.
 
     The context must be current in every call. Bounds are the caller's: organs move little, and
-    measuring them anew in each frame would cost more than it gives.
+    measuring them again in each frame would cost more than it gives.
     """
 
     def __init__(self, context: moderngl.Context, theme: Theme = DARK):
@@ -91,14 +91,14 @@ class Renderer:
         camera: Camera,
         size: tuple[int, int],
         tile: Tile | None = None,
-        shadows_anew: bool = True,
+        new_shadows: bool = True,
     ) -> None:
         """Draws a picture of `size` pixels, or a tile of it, into the framebuffer in use.
 
-        Without `shadows_anew`, shadows fall as cast_shadows left them: for tiles of one picture.
+        Without `new_shadows`, shadows fall as cast_shadows left them: for tiles of one picture.
         """
         screen = self.context.fbo
-        if shadows_anew:
+        if new_shadows:
             self.cast_shadows(camera)
             screen.use()
         tile = tile or Tile(0, 0, *size)

@@ -43,7 +43,7 @@ class Words:
     found: str
     """%1 is what was measured, %2 what it may be."""
     hand: str
-    """What whoever holds the tool can do."""
+    """What the person who holds the tool can do."""
     design: Advice
     """What its designer can do, where no cause is found."""
     scale: float = 1.0
@@ -52,7 +52,9 @@ class Words:
 
 
 LIGHTER = "Press less deep or more slowly."
-SLOWER = "Move more slowly. If it comes again, whoever made this organ has to make it more stable."
+SLOWER = (
+    "Move more slowly. If it happens again, the designer of this organ has to make it more stable."
+)
 STIFFER = Advice("Press less deep or more slowly, or make the organ stiffer.")
 STEADIER = Advice(
     "More substeps (%1), softer springs (%2) or a larger mass (%3) hold it together.",

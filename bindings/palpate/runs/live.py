@@ -69,7 +69,7 @@ def fit_record(options: palpate.LoopOptions, longest: float) -> palpate.LoopOpti
 
 
 class LiveRun:
-    """The 1 kHz loop over a scene, its record, and the newest frame for whoever draws.
+    """The 1 kHz loop over a scene, its record, and the newest frame to draw.
 
     One thread calls it. Nothing here holds up the haptic thread. As a context manager it starts,
     and finishes at the end.

@@ -56,7 +56,7 @@ class Play:
     """Of title and task, where the scenario has it; empty for the one it was written in."""
 
     def build_hand(self) -> palpate.SurfacePointer | palpate.ScriptedDevice | None:
-        """Whoever moves the tip or the stylus; None where that is a real hand."""
+        """What moves the tip or the stylus; None where that is a real hand."""
         if find_port(self.arm):
             return None
         if self.frames is not None:

@@ -3,7 +3,7 @@
 
     palpate study accuracy --deep --findings bindings/palpate/study/findings.json
 
-writes the file anew; tests hold it against core/ACCURACY.md and against the models themselves.
+writes the file again; tests hold it against core/ACCURACY.md and against the models themselves.
 """
 
 from __future__ import annotations

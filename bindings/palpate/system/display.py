@@ -22,7 +22,7 @@ def require_display(instead: str) -> None:
     name = os.environ.get("WAYLAND_DISPLAY") or os.environ.get("DISPLAY")
     if not name:
         raise RuntimeError(f"there is no display to open a window on; {instead}")
-    # somebody else's display, or one that is gone: only another process survives finding out
+    # another user's display, or one that is gone: only another process survives finding out
     probe = subprocess.run(build_command("-c", PROBE), capture_output=True, check=False)
     if probe.returncode != 0:
         raise RuntimeError(f"the display {name} cannot be reached; {instead}")

@@ -27,7 +27,7 @@ def open_application(language: str | None) -> tuple[QApplication, str]:
 def use_language(code: str) -> None:
     """One of palpate.translation.LANGUAGES, from now on, in the words and numbers of all windows.
 
-    Numbers first: windows say everything anew when they are told of the words.
+    Numbers first: windows say everything again when they are told of the words.
     """
     app = QApplication.instance()
     assert app is not None

@@ -143,11 +143,11 @@ class Canvas:
         tile = self._tiles.pop()
         small = self._use("tile", (side, side), SAMPLES)
         small.drawn.use()
-        renderer.draw(camera, size, tile, shadows_anew=False)
+        renderer.draw(camera, size, tile, new_shadows=False)
         small.resolve()
         fine = self._use("fine", size, 0)
         self._stretch(small.texture, fine.frame, (tile.left, tile.bottom, side, side))
-        # drivers put work off, and then it would count for somebody else
+        # drivers put work off, and then it would count as the cost of another part
         self._context.finish()
         self._slowest = max(self._slowest, time.perf_counter() - begun)
         self._is_fine = not self._tiles

@@ -72,7 +72,7 @@ class FboView(ViewBase, QWidget):
         self.frame_drawn.emit()
 
     def close_context(self) -> None:
-        """Gives back all OpenGL; the next frame opens it anew."""
+        """Gives back all OpenGL; the next frame opens it again."""
         if self._held is not None:
             self._held.release()
         self._held = self._context = self._canvas = None

@@ -217,7 +217,7 @@ class Scenery:
     # ------------------------------------------------------------ OpenGL
 
     def build(self, context: moderngl.Context) -> None:
-        """Starts anew on a context, which must be current; what was on another one is forgotten."""
+        """Starts on a context, which must be current; what was on another one is forgotten."""
         self._renderer = Renderer(context, self.theme)
         self._sky, self.is_lit = None, False
         self._gone.clear()

@@ -64,7 +64,7 @@ class Session(QObject):
         if before.name != organ.name:
             self.title_changed.emit()
 
-    def start_anew(self) -> None:
+    def clear(self) -> None:
         """No organ."""
         self.load(EMPTY, None)
 

@@ -9,7 +9,7 @@ from typing import Any
 class Phrase(str):
     """English text, with the template and the values it was made of.
 
-    The command line prints it as it is. A window translates the template and fills it anew.
+    The command line prints it as it is. A window translates the template and fills it again.
     """
 
     template: str

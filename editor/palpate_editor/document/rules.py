@@ -155,7 +155,7 @@ def find_decimate_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
             "decimate",
             "surface",
             phrase("a smallest angle of {angle:.1f} degrees", angle=angle),
-            phrase("at least {least:g}: decimate anew", least=ANGLE_LEAST),
+            phrase("at least {least:g}: decimate again", least=ANGLE_LEAST),
         )
     if organ.vertex_count > MOST_PARTICLES:
         yield Problem(

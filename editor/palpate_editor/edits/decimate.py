@@ -31,7 +31,7 @@ class Decimate:
     def __call__(self, organ: Organ) -> Organ:
         if organ.imported is not self.source:
             raise EditError(
-                phrase("The organ has changed since it was decimated: decimate it anew.")
+                phrase("The organ has changed since it was decimated: decimate it again.")
             )
         return replace(carry_paint(organ, self.surface), decimation=self.decimation)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Understanding the file anew: another unit, another axis up. The file itself is not needed."""
+"""Another unit, another axis up: the numbers of a file understood otherwise, without the file."""
 
 from __future__ import annotations
 

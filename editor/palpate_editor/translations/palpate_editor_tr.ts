@@ -2364,7 +2364,7 @@ Beklenen: {expected}.</translation>
         <translation>İçe aktarılan yüzey zaten kullanılıyor.</translation>
     </message>
     <message>
-        <source>The organ has changed since it was decimated: decimate it anew.</source>
+        <source>The organ has changed since it was decimated: decimate it again.</source>
         <translation>Organ sadeleştirildiğinden beri değişti: yeniden sadeleştirin.</translation>
     </message>
     <message>
@@ -2468,7 +2468,7 @@ Beklenen: {expected}.</translation>
         <translation>en az {edge:.1f} mm olan ortalama kenarın yarısı</translation>
     </message>
     <message>
-        <source>at least {least:g}: decimate anew</source>
+        <source>at least {least:g}: decimate again</source>
         <translation>en az {least:g}: yeniden sadeleştirin</translation>
     </message>
     <message>

@@ -169,7 +169,7 @@ def run_material(call: argparse.Namespace) -> Report:
 
 
 def say_size(size: palpate.ResponseSize) -> None:
-    """For whoever waits; the report alone goes to standard output."""
+    """On standard error; the report alone goes to standard output."""
     words = f"{1e-6 * size.bytes:.1f} MB for {size.pushed} of {size.moved} particles"
     print(f"its response takes {words}", file=sys.stderr, flush=True)
 

@@ -16,7 +16,7 @@ class Appearance(QObject):
     """Slots of View > Theme and View > Language."""
 
     language_wanted = Signal(str)
-    """The window must be made anew in another language."""
+    """The window must be made again in another language."""
 
     def __init__(self, context: Context, asked: str | None):
         super().__init__(context)

@@ -44,7 +44,7 @@ class AxisGizmo(QWidget):
         self.place()
 
     def follow(self) -> None:
-        """Draws anew where the camera has turned."""
+        """Draws it where the camera has turned."""
         seen = (self.view.camera.azimuth, self.view.camera.elevation)
         if seen != self.drawn:
             self.update()

@@ -47,7 +47,7 @@ from palpate_editor.edits import (
 
 KINDS = {kind: short for short, kind in SHORT_KINDS.items()}
 ASKED = "as asked"
-"""The reason of a unit or an axis that somebody chose."""
+"""The reason of a unit or an axis that a person chose."""
 
 Words = list[object]
 

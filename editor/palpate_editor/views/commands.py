@@ -26,7 +26,7 @@ def build_commands(w: CommandTargets) -> list[Command]:
 def file_commands(w: CommandTargets) -> list[Command]:
     f = w.files
     return [
-        Command("new", "file", tr("&New"), f.start_anew, ("Ctrl+N",), "new"),
+        Command("new", "file", tr("&New"), f.start_new, ("Ctrl+N",), "new"),
         Command("open", "file", tr("&Open…"), f.ask_open, ("Ctrl+O",), "open"),
         Command("import", "file", tr("&Import a mesh…"), f.ask_import, ("Ctrl+Shift+I",), "import"),
         Command("save", "file", tr("&Save"), f.save, ("Ctrl+S",), "save", line_before=True),

@@ -31,7 +31,7 @@ class Context(QObject):
     """A sentence and how grave it is: error, warning or info."""
     command_logged = Signal(str)
     remarked = Signal(str)
-    """What no command line does, for whoever reads the log."""
+    """What no command line does, for those who read the log."""
     hinted = Signal(str)
     theme_changed = Signal(str)
     stage_shown = Signal(str)

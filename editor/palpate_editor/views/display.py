@@ -16,7 +16,7 @@ COLOURINGS = ("auto", "plain", "stiffness", "distance")
 
 
 class Display(QObject):
-    """Draws the document anew whenever it, the stage or the choice of colours changes."""
+    """Draws the document whenever it, the stage or the choice of colours changes."""
 
     colouring_changed = Signal(str)
 
@@ -103,7 +103,7 @@ class Display(QObject):
         self.make_room()
 
     def make_room(self) -> None:
-        """The organ stands beside the legend, not under it, until somebody turns it."""
+        """The organ stands beside the legend, not under it, until a person turns it."""
         legend = self.context.view.legend
         left = 0 if legend.isHidden() else legend.geometry().right()
         if left != self.left:

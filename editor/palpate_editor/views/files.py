@@ -247,11 +247,11 @@ class Files(QObject):
         else:
             self.open(usable[0])
 
-    def start_anew(self) -> None:
+    def start_new(self) -> None:
         self.guard(self.show_empty)
 
     def show_empty(self) -> None:
-        self.context.session.start_anew()
+        self.context.session.clear()
         self.context.show_stage("import")
 
     # ------------------------------------------------------------ saving

@@ -23,7 +23,7 @@ OUTLIVED: list[Job] = []
 a signal of an object that is gone, or an object that ends in another thread, ends the program."""
 
 
-class Cancelled(Exception):  # noqa: N818  # not an error: somebody wanted it
+class Cancelled(Exception):  # noqa: N818  # not an error: a person wanted it
     """Raised inside work that is no longer wanted."""
 
 

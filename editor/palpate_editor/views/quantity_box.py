@@ -45,7 +45,7 @@ class QuantityBox(QAbstractSpinBox):
     # ------------------------------------------------------------ value
 
     def show_value(self, value: float | None) -> None:
-        """Shows a value [SI] of the document, unless somebody is typing another."""
+        """Shows a value [SI] of the document, unless another is being typed."""
         if value == self.shown and not self.property("refused"):
             return
         self.shown = value

@@ -205,7 +205,7 @@ class Tasks(QObject):
         if reading.over is not None:
             if self.is_overtaken(reading.over, reading.path.name):
                 return
-            self.context.session.start_anew()
+            self.context.session.clear()
         # the panels first, the picture at the next look at the events: both at once take too long
         self.context.view.setUpdatesEnabled(False)
         QTimer.singleShot(0, self.show_view)

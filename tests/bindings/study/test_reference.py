@@ -38,7 +38,7 @@ def test_the_reference_of_a_shipped_organ_was_solved_on_the_shape_that_ships(nam
 
     assert found == shape.sha256, (
         f"{shape.file} has changed: run tests/references/fill_organs.py {name}, then "
-        f"solve_references.py {name}, and write core/ACCURACY.md anew"
+        f"solve_references.py {name}, and write core/ACCURACY.md again"
     )
 
 

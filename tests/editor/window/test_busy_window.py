@@ -128,7 +128,7 @@ def test_work_that_changed_organ_meanwhile_is_refused(qtbot, spleen_window, sple
     settle(qtbot, window)
 
     assert window.session.organ.surface is None
-    assert "decimate it anew" in window.messages.text
+    assert "decimate it again" in window.messages.text
 
 
 def test_a_failure_inside_work_is_a_sentence(qtbot, spleen_window, monkeypatch):

@@ -220,7 +220,7 @@ def test_the_mouse_presses_the_organ_and_feels_nothing_away_from_it(panel, qtbot
     assert view.grab_picture() != frame
 
 
-def test_space_pauses_and_goes_on_and_reset_begins_anew(panel, qtbot):
+def test_space_pauses_and_goes_on_and_reset_starts_over(panel, qtbot):
     start_hand(panel, qtbot)
     qtbot.waitUntil(lambda: len(panel.plot.traces[-1]) > 3, timeout=LONG)
     panel.toggle()
@@ -381,6 +381,6 @@ def test_undo_in_the_middle_of_a_run_ends_it_and_shows_the_organ_of_before(splee
 
 def test_a_new_document_ends_the_run(spleen_window, qtbot):
     trial = feel(spleen_window, qtbot)
-    spleen_window.session.start_anew()
+    spleen_window.session.clear()
     assert not spleen_window.test_panel.running and not trial.run.running
     assert spleen_window.session.organ.surface is None

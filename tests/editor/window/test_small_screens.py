@@ -230,7 +230,7 @@ def test_enter_on_the_welcome_card_opens_the_organ_that_is_chosen(qtbot, window)
     settle(qtbot, window)
     assert window.session.organ.name == "simple tissue"
 
-    window.session.start_anew()
+    window.session.clear()
     kidney = welcome.shipped.buttons["kidney_stone"]
     kidney.setFocus()
     QTest.keyClick(kidney, Qt.Key.Key_Enter)

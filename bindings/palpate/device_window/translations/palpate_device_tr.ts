@@ -80,7 +80,7 @@
         <translation>Başla</translation>
     </message>
     <message>
-        <source>Begin anew</source>
+        <source>Begin again</source>
         <translation>Yeniden başla</translation>
     </message>
     <message>
@@ -412,7 +412,7 @@
         <translation>Aygıt gitti: kablosu çıkmış ya da susmuş. Takıp yeniden bağlanın.</translation>
     </message>
     <message>
-        <source>The device keeps this calibration. Measure again, or begin anew.</source>
+        <source>The device keeps this calibration. Measure again, or begin again.</source>
         <translation>Aygıt bu kalibrasyonu saklıyor. Yeniden ölçün ya da baştan başlayın.</translation>
     </message>
     <message>

@@ -346,7 +346,7 @@
         <translation>Eklemleri okunuyor; hiçbir şey itemez.</translation>
     </message>
     <message>
-        <source>Its program hung and was started anew. Clear the fault; if it comes again, flash it again.</source>
+        <source>Its program hung and was restarted. Clear the fault; if it comes again, flash it again.</source>
         <translation>Yazılımı takıldı ve yeniden başlatıldı. Arızayı silin; yinelenirse yazılımı yeniden yükleyin.</translation>
     </message>
     <message>

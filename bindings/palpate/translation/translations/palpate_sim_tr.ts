@@ -37,7 +37,7 @@
         <translation>Daha az derine ya da daha yavaş bastırın.</translation>
     </message>
     <message>
-        <source>Move more slowly. If it comes again, whoever made this organ has to make it more stable.</source>
+        <source>Move more slowly. If it happens again, the designer of this organ has to make it more stable.</source>
         <translation>Daha yavaş hareket edin. Yine olursa bu organı hazırlayan onu daha kararlı yapmalıdır.</translation>
     </message>
     <message>

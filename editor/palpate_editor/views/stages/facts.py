@@ -35,7 +35,7 @@ def write_label(text: str, role: str, parent: QWidget | None = None) -> QLabel:
 
 
 class Facts(QWidget):
-    """Rows of a name and its value; rows are made once and written anew after that."""
+    """Rows of a name and its value; rows are made once and written again after that."""
 
     def __init__(self, parent: QWidget | None = None):
         super().__init__(parent)

@@ -122,7 +122,7 @@ class ForcePlot(QWidget):
         self._draw_if_new()
 
     def clear(self) -> None:
-        """Forgets all runs but one that is going on, which begins anew."""
+        """Forgets all runs but one that is going on, which starts over."""
         running = self._timer.isActive() and self.traces
         self.traces = [ForceTrace(self.traces[-1].name)] if running else []
         self._rebuild_curves()

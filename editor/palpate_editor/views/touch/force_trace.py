@@ -58,7 +58,7 @@ class ForceTrace:
         self._count += 1
 
     def replace(self, time: ArrayLike, force: ArrayLike) -> None:
-        """All rows anew, from a record of the same run: every tick instead of every picture."""
+        """All rows again, from a record of the same run: every tick instead of every picture."""
         t, f = np.asarray(time, dtype=float), np.asarray(force, dtype=float)
         if t.ndim != 1 or f.shape != (len(t), 3):
             raise ValueError(f"a trace is (n,) and (n, 3), got {t.shape} and {f.shape}")

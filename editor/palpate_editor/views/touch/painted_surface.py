@@ -34,7 +34,7 @@ class Spot:
 
 
 class PaintedSurface:
-    """One surface; made anew when the organ gets another."""
+    """One surface; made again when the organ gets another."""
 
     def __init__(self, surface: Surface):
         self.surface = surface

@@ -31,7 +31,7 @@ class PlaceTool(QObject):
         view.setFocus()
 
     def give_back(self, view: Any) -> None:
-        """Whoever had the mouse before has it again."""
+        """The tool that had the mouse before has it again."""
         view.removeEventFilter(self)
         view.show_ring(None)
         if view.tool is self:
