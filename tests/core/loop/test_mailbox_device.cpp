@@ -80,7 +80,10 @@ TEST_CASE("a driver that fails ends the run with its own words, of which the fir
   device.tell(hand_at({0, 0, 0.05}));
   Loop loop(scene, device, {.on_fault = FaultResponse::end});
   loop.start();
-  while (loop.report().ticks < 5) std::this_thread::yield();
+  while (loop.report().ticks < 5) {
+    device.tell(hand_at({0, 0, 0.05}));  // on a slow machine it would else be silent by then
+    std::this_thread::yield();
+  }
 
   device.fail("the cable burnt");
   device.fail("and so did the rest");
