@@ -61,8 +61,9 @@ def draw_editor(app: QApplication, out: Path, folder: Path) -> None:
     settings = Settings(QSettings(str(folder / "settings.ini"), QSettings.Format.IniFormat))
     editor = Editor(app, settings, theme="dark", language="en", recovery_folder=folder)
     window = editor.window
-    window.resize(*SIZE)
     editor.show()
+    # the screen of no display is smaller, and the window has fitted itself into it
+    window.resize(*SIZE)
     window.files.open(PUBLISHED / "spleen.organ")
     wait(
         app, lambda: window.session.organ.surface is not None and window.context.assessor.is_current
@@ -105,6 +106,7 @@ def draw_player(app: QApplication, out: Path, folder: Path) -> None:
 
 if __name__ == "__main__":
     target = Path(sys.argv[1])
+    target.mkdir(parents=True, exist_ok=True)
     application, _ = open_application("en")
     with tempfile.TemporaryDirectory() as made_here:
         draw_editor(application, target / "editor.png", Path(made_here))
