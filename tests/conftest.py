@@ -64,6 +64,23 @@ def user_data(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.Monk
     return folder
 
 
+FEW_DIRECTIONS = 4
+"""Of the sky, in place of 96."""
+
+
+@pytest.fixture
+def rough_frames(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """No frame is refined, and folds are shaded roughly, unless a test is marked `fine`.
+
+    A processor that stands in for a graphics card spends most of its time on that.
+    """
+    from palpate.viewport import canvas, sky_light
+
+    if not request.node.get_closest_marker("fine"):
+        monkeypatch.setattr(sky_light, "DIRECTIONS", FEW_DIRECTIONS)
+        monkeypatch.setattr(canvas.Canvas, "refine", lambda *frame: False)
+
+
 @pytest.fixture
 def turkish(qapp):
     """Sentences of windows are Turkish during the test."""

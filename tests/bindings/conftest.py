@@ -8,19 +8,6 @@ from pathlib import Path
 
 import pytest
 
-FEW_DIRECTIONS = 4
-"""Of the sky, in place of 96."""
-
-
-@pytest.fixture
-def rough_frames(request, monkeypatch):
-    """No frame is refined, and folds are shaded roughly, unless a test is marked `fine`."""
-    from palpate.viewport import canvas, sky_light
-
-    if not request.node.get_closest_marker("fine"):
-        monkeypatch.setattr(sky_light, "DIRECTIONS", FEW_DIRECTIONS)
-        monkeypatch.setattr(canvas.Canvas, "refine", lambda *frame: False)
-
 
 @pytest.fixture
 def shown(qtbot, rough_frames):

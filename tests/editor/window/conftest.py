@@ -9,7 +9,6 @@ from pathlib import Path
 
 import pytest
 from palpate import translation
-from palpate.viewport import canvas, sky_light
 from palpate.viewport.gl_view import build_format
 from palpate_editor.app.settings import Settings
 from palpate_editor.views.editor import Editor
@@ -38,19 +37,9 @@ def end_widgets_in_the_window_thread(qapp: QApplication) -> Iterator[None]:
     gc.collect()
 
 
-FEW_DIRECTIONS = 4
-"""Of the sky, in place of 96."""
-
-
 @pytest.fixture(autouse=True)
-def rough_frames(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
-    """No frame is refined, and folds are shaded roughly, unless a test is marked `fine`.
-
-    On a processor that stands in for a graphics card it is half of what a window costs.
-    """
-    if not request.node.get_closest_marker("fine"):
-        monkeypatch.setattr(sky_light, "DIRECTIONS", FEW_DIRECTIONS)
-        monkeypatch.setattr(canvas.Canvas, "refine", lambda *frame: False)
+def draw_roughly(rough_frames: None) -> None:
+    """Half of what a window costs is how fine its frames are."""
 
 
 @pytest.fixture
