@@ -179,7 +179,7 @@ def test_the_unsaved_marker_is_told_of(session):
     assert seen == [False, True]
 
 
-def test_starting_anew_leaves_an_empty_document(session, tmp_path):
+def test_a_new_document_is_empty(session, tmp_path):
     session.save(tmp_path / "a.organ")
 
     session.clear()

@@ -172,7 +172,7 @@ class Press:
 
     def solve(self, matrix: sparse.csc_matrix, right: Floats) -> Floats:
         """A way downhill: conjugate gradients on the last factor, until they are close or meet a
-        direction in which the body gives way. Factorises anew where they are slow."""
+        direction in which the body gives way. Factorises again where they are slow."""
         diagonal = matrix.diagonal()
         found, left = np.zeros_like(right), right.copy()
         close = self.factor(left)

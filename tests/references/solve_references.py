@@ -11,7 +11,7 @@ Ten minutes of one processor. scikit-sparse is compiled against libsuitesparse-d
 libopenblas0-serial makes it an order of magnitude faster. Linear truth is P2 on the once refined
 mesh, neo-Hookean truth P2 on the mesh itself; the error of both is how much the linear answers of
 the two meshes differ. P1 on the mesh itself tells what a law costs, apart from what the mesh costs.
-core/ACCURACY.md is written anew afterwards, from what `palpate study accuracy` prints.
+core/ACCURACY.md is written again afterwards, from what `palpate study accuracy` prints.
 """
 
 from __future__ import annotations

@@ -117,7 +117,7 @@ TEST_CASE("twelve of twelve runs that end as they should leave no fault behind")
   }
 }
 
-TEST_CASE("a session that another host has taken over is greeted anew, and comes back") {
+TEST_CASE("a session that another host has taken over is greeted again, and comes back") {
   LateTransport transport(0.0, 0.0);
   SerialDevice device(transport);
   device.open();

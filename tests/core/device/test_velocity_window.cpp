@@ -94,7 +94,7 @@ TEST_CASE("where the motion is noise beyond the step, so is the speed: it cannot
   CHECK(largest > 3.0);  // [rad/s]
 }
 
-TEST_CASE("missing readings change nothing, a time twice is ignored, an earlier one begins anew") {
+TEST_CASE("missing readings change nothing, a time twice is ignored, an earlier one starts again") {
   VelocityWindow window(kStep);
 
   for (int k = 0; k < 60; ++k) {

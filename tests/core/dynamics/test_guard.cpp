@@ -129,7 +129,7 @@ TEST_CASE("a link out of its bounds for nine looks has been flung, for ten it ha
   state.position[2] = model.rest_position[2];
   CHECK_FALSE(look());
   fling(state);
-  for (int i = 0; i < 9; ++i) CHECK_FALSE(look());  // counted anew
+  for (int i = 0; i < 9; ++i) CHECK_FALSE(look());  // counted from zero
 }
 
 TEST_CASE("a link strained by more than 2 is an alarm where there is more energy than was given") {
@@ -184,7 +184,7 @@ TEST_CASE("energy that rises three looks in a row without work is an alarm, twic
 
   CHECK(look_at_energy(1.06) == AlarmKind::none);
   CHECK(look_at_energy(1.12) == AlarmKind::none);
-  CHECK(look_at_energy(1.10) == AlarmKind::none);  // it fell: the count begins anew
+  CHECK(look_at_energy(1.10) == AlarmKind::none);  // it fell: the count starts again
   CHECK(look_at_energy(1.16) == AlarmKind::none);
   CHECK(look_at_energy(1.22) == AlarmKind::none);
   CHECK(look_at_energy(1.28) == AlarmKind::energy);

@@ -50,7 +50,7 @@ TEST_CASE("a pause misses no tick, makes none up, and lets the run's time stand 
   CHECK(before == 201);
   CHECK_FALSE(loop.paused());
   CHECK(loop.report().ticks + loop.report().missed_ticks == 500);
-  // the pause of 120 ms itself is no lateness: what is due after it is due anew
+  // the pause of 120 ms itself is no lateness: what is due after it has a new due time
   CHECK(puppet.times[201] - puppet.times[200] < 0.1);
   REQUIRE(taken.count(EventKind::paused) == 1);
   for (const Event& event : taken.events) {

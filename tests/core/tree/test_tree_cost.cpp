@@ -90,8 +90,8 @@ TEST_CASE("a surface bent to a ring makes its tree dear by half, and a new one i
 
   tree.refit(bent);
   follow_for_a_round(tree, cost);
-  const AabbTree anew(bent, mesh.triangles);
+  const AabbTree rebuilt(bent, mesh.triangles);
 
   CHECK(cost.growth() >= TreeCost::kWorthRebuilding);
-  CHECK(compute_query_cost(anew) < 0.7 * compute_query_cost(tree));
+  CHECK(compute_query_cost(rebuilt) < 0.7 * compute_query_cost(tree));
 }

@@ -45,7 +45,7 @@ def folder(tmp_path, monkeypatch):
     return tmp_path
 
 
-def test_the_log_typed_anew_makes_the_same_organ(qtbot, window, spleen, folder, capsys):
+def test_the_log_typed_again_makes_the_same_organ(qtbot, window, spleen, folder, capsys):
     window.files.open(spleen)
     settle(qtbot, window)
     window.tasks.decimate(600)
