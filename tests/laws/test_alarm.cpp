@@ -9,6 +9,8 @@
 #include "palpate/sim/dynamics/guard.h"
 #include "palpate/sim/dynamics/stable_step.h"
 #include "palpate/sim/packed/private/packed.h"
+#include "palpate/sim/packed/simd_targets.h"
+#include "skip.h"
 
 using namespace palpate;
 using namespace palpate::laws;
@@ -104,6 +106,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a packed tissue raises the same alarms, at the same speed of growth") {
+  SKIP_UNLESS(!simd_targets().empty(), "this build has no vector code");
   for (const auto& [name, model, velocity] : make_scenes()) {
     CAPTURE(name);
     const double limit = 2.0 / find_top_mode(LinearTissue(model)).frequency;
@@ -123,6 +126,7 @@ TEST_CASE("a packed tissue raises the same alarms, at the same speed of growth")
 }
 
 TEST_CASE("what trembles by nothing but its rounding raises no alarm, however long and undamped") {
+  SKIP_UNLESS(!simd_targets().empty(), "this build has no vector code");
   TissueModel model = scenes::make_spring_organ(2);
   // as stiff for its mass as a hundred thousand particles are
   for (double& stiffness : model.springs.stiffness) stiffness *= 2000.0;

@@ -5,7 +5,9 @@
 #include "palpate/sim/dynamics/guard.h"
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/packed/private/packed.h"
+#include "palpate/sim/packed/simd_targets.h"
 #include "scenes/tissues.h"
+#include "skip.h"
 
 using namespace palpate;
 using namespace palpate::testing;
@@ -37,6 +39,7 @@ TEST_CASE("no explicit step and no look for alarms allocates") {
 }
 
 TEST_CASE("no packed step allocates") {
+  SKIP_UNLESS(!simd_targets().empty(), "this build has no vector code");
   TissueModel model = scenes::make_molecular_organ(1, {.damping_ratio = 0.2, .drag = 1.0});
   model.pressure = 100.0;
   const PackedModel packed = pack(model);

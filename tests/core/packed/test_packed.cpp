@@ -9,8 +9,10 @@
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/model/build_membrane.h"
 #include "palpate/sim/packed/private/packed.h"
+#include "palpate/sim/packed/simd_targets.h"
 #include "scenes/shells.h"
 #include "scenes/solids.h"
+#include "skip.h"
 
 using namespace palpate;
 
@@ -130,6 +132,7 @@ State run_packed(const PackedModel& packed, const TissueModel& model, const Load
 }  // namespace
 
 TEST_CASE("packed forces are the reference's to 1e-5 on every model kind and vector target") {
+  SKIP_UNLESS(!simd_targets().empty(), "this build has no vector code");
   const auto tissues = make_every_tissue();
   for (std::size_t t = 0; t < tissues.size(); ++t) {
     const TissueModel& model = tissues[t];
@@ -150,6 +153,7 @@ TEST_CASE("packed forces are the reference's to 1e-5 on every model kind and vec
 
 TEST_CASE(
     "an exact membrane of long triangles, whose terms cancel, keeps four digits when packed") {
+  SKIP_UNLESS(!simd_targets().empty(), "this build has no vector code");
   for (const AngleLaw law : {AngleLaw::gradient, AngleLaw::eq10}) {
     const TissueModel model = make_long_membrane(law);
     const Load load = make_load(model);
@@ -166,6 +170,7 @@ TEST_CASE(
 }
 
 TEST_CASE("after 0.1 s a packed tissue is where the reference is, to 1e-4 mm") {
+  SKIP_UNLESS(!simd_targets().empty(), "this build has no vector code");
   const auto tissues = make_every_tissue();
   for (std::size_t t = 0; t < tissues.size(); ++t) {
     const TissueModel& model = tissues[t];
@@ -191,6 +196,7 @@ TEST_CASE("after 0.1 s a packed tissue is where the reference is, to 1e-4 mm") {
 }
 
 TEST_CASE("a packed tissue without home and support keeps its momentum") {
+  SKIP_UNLESS(!simd_targets().empty(), "this build has no vector code");
   for (TissueModel model : {scenes::make_spring_organ(2, {.damping_ratio = 0.2}),
                             scenes::make_molecular_organ(2, {.damping_ratio = 0.2}),
                             scenes::make_shell_organ(2, {.damping_ratio = 0.2})}) {
@@ -214,6 +220,7 @@ TEST_CASE("a packed tissue without home and support keeps its momentum") {
 }
 
 TEST_CASE("a packed step is stable at 0.98 of the exact limit and not at 1.05") {
+  SKIP_UNLESS(!simd_targets().empty(), "this build has no vector code");
   const TissueModel model = scenes::make_oscillator_model(1e-3, 100.0);
   const double limit = 2.0 / std::sqrt(100.0 / 1e-3);
   State start(model);
@@ -227,6 +234,7 @@ TEST_CASE("a packed step is stable at 0.98 of the exact limit and not at 1.05") 
 }
 
 TEST_CASE("a packed run gives the same bits twice") {
+  SKIP_UNLESS(!simd_targets().empty(), "this build has no vector code");
   for (const TissueModel& model : {scenes::make_molecular_organ(2, {.damping_ratio = 0.2}),
                                    scenes::make_shell_organ(2, {.damping_ratio = 0.2})}) {
     const State start = shake(model, 1e-4, 0.02);
@@ -241,6 +249,7 @@ TEST_CASE("a packed run gives the same bits twice") {
 }
 
 TEST_CASE("collapsed triangles and links feel the reference's forces") {
+  SKIP_UNLESS(!simd_targets().empty(), "this build has no vector code");
   TissueModel model = scenes::make_molecular_organ(1, {.damping_ratio = 0.2});
   model.fixed.clear();
   State state = shake(model, 2e-4, 0.02);
@@ -260,6 +269,7 @@ TEST_CASE("collapsed triangles and links feel the reference's forces") {
 }
 
 TEST_CASE("a link of no length pulls nowhere when packed, and a held particle stays held") {
+  SKIP_UNLESS(!simd_targets().empty(), "this build has no vector code");
   TissueModel model = scenes::make_chain_model(3);
   State state(model);
   state.position[1] = state.position[0];
@@ -274,6 +284,7 @@ TEST_CASE("a link of no length pulls nowhere when packed, and a held particle st
 }
 
 TEST_CASE("every particle has a row of its own, and packing refuses an unknown target") {
+  SKIP_UNLESS(!simd_targets().empty(), "this build has no vector code");
   const TissueModel model = scenes::make_molecular_organ(2);
   const PackedModel packed = pack(model);
 

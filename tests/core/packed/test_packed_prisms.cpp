@@ -7,7 +7,9 @@
 #include "palpate/sim/dynamics/forces.h"
 #include "palpate/sim/dynamics/stable_step.h"
 #include "palpate/sim/packed/private/packed.h"
+#include "palpate/sim/packed/simd_targets.h"
 #include "scenes/shells.h"
+#include "skip.h"
 
 using namespace palpate;
 using doctest::Approx;
@@ -32,6 +34,7 @@ State run_packed(const PackedModel& packed, const TissueModel& model, const Stat
 }  // namespace
 
 TEST_CASE("a packed step of a shell measures the elastic energy that the reference computes") {
+  SKIP_UNLESS(!simd_targets().empty(), "this build has no vector code");
   for (const TissueModel& model : {scenes::make_shell_organ(2, {.damping_ratio = 0.2}),
                                    scenes::make_shell_organ(1), scenes::make_damped_prism()}) {
     const State state = shake(model, 3e-4, 0.05);
@@ -51,6 +54,7 @@ TEST_CASE("a packed step of a shell measures the elastic energy that the referen
 }
 
 TEST_CASE("a packed shell is stable at 0.95 of the exact limit and not at 1.05") {
+  SKIP_UNLESS(!simd_targets().empty(), "this build has no vector code");
   const TissueModel model = scenes::make_shell_organ(1);
   const double limit = 2.0 / std::sqrt(estimate_spectrum(model).stiffness);
   const State start = shake(model, 1e-7, 0.0);
@@ -64,6 +68,7 @@ TEST_CASE("a packed shell is stable at 0.95 of the exact limit and not at 1.05")
 }
 
 TEST_CASE("a packed prism tells a shear of a thousandth of its height to four digits") {
+  SKIP_UNLESS(!simd_targets().empty(), "this build has no vector code");
   // the difference of its diagonals is a two-thousandth of their lengths
   TissueModel model = scenes::make_damped_prism();
   model.home.clear();
@@ -85,6 +90,7 @@ TEST_CASE("a packed prism tells a shear of a thousandth of its height to four di
 }
 
 TEST_CASE("a diagonal of no length pulls nowhere when packed, as in the reference") {
+  SKIP_UNLESS(!simd_targets().empty(), "this build has no vector code");
   const TissueModel model = scenes::make_damped_prism();
   State state(model);
   state.position[5] = state.position[1];
