@@ -87,8 +87,9 @@ std::vector<Scene> make_scenes() {
 
 TEST_CASE(
     "below the limit no alarm is raised, above it one before the energy is 1e4 of the first") {
-  for (const auto& [name, model, velocity] : make_scenes()) {
-    CAPTURE(name);
+  for (const Scene& scene : make_scenes()) {
+    CAPTURE(scene.name);
+    const auto& [name, model, velocity] = scene;
     const double limit = 2.0 / find_top_mode(LinearTissue(model)).frequency;
     for (const double part : {0.5, 0.9, 0.98}) {
       CAPTURE(part);
@@ -107,8 +108,9 @@ TEST_CASE(
 
 TEST_CASE("a packed tissue raises the same alarms, at the same speed of growth") {
   SKIP_UNLESS(!simd_targets().empty(), "this build has no vector code");
-  for (const auto& [name, model, velocity] : make_scenes()) {
-    CAPTURE(name);
+  for (const Scene& scene : make_scenes()) {
+    CAPTURE(scene.name);
+    const auto& [name, model, velocity] = scene;
     const double limit = 2.0 / find_top_mode(LinearTissue(model)).frequency;
     for (const double part : {0.5, 0.9, 0.98}) {
       CAPTURE(part);

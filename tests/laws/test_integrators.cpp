@@ -65,8 +65,9 @@ TEST_CASE("every integrator converges with its order on a damped tissue in large
   State start(model);
   scenes::shake(model, 2e-3, 0.2, start);
 
-  for (const auto& [integrator, order] : kEvery) {
-    CAPTURE(std::string(integrator_name(integrator)));
+  for (const auto& each : kEvery) {
+    CAPTURE(std::string(integrator_name(each.integrator)));
+    const auto [integrator, order] = each;
     const int steps = integrator == Integrator::runge_kutta_4 ? 40 : order == 2 ? 100 : 400;
 
     const double measured = measure_order(model, load, start, integrator, 0.02, steps);
@@ -82,8 +83,9 @@ TEST_CASE("every integrator converges with its order on a solid of springs and v
   State start(model);
   scenes::shake(model, 1e-3, 0.1, start);
 
-  for (const auto& [integrator, order] : kEvery) {
-    CAPTURE(std::string(integrator_name(integrator)));
+  for (const auto& each : kEvery) {
+    CAPTURE(std::string(integrator_name(each.integrator)));
+    const auto [integrator, order] = each;
     const int steps = integrator == Integrator::runge_kutta_4 ? 10 : order == 2 ? 25 : 100;
 
     CHECK(measure_order(model, load, start, integrator, 0.005, steps) ==
@@ -98,8 +100,9 @@ TEST_CASE("every integrator converges to the same motion") {
   const State reference = run(model, Load(), Integrator::runge_kutta_4, 0.02, 1000, start);
   const double moved = scenes::max_difference(reference.position, start.position);
 
-  for (const auto& [integrator, order] : kEvery) {
-    CAPTURE(std::string(integrator_name(integrator)));
+  for (const auto& each : kEvery) {
+    CAPTURE(std::string(integrator_name(each.integrator)));
+    const auto [integrator, order] = each;
     const State end = run(model, Load(), integrator, 0.02, order == 1 ? 4000 : 500, start);
 
     CHECK(scenes::max_difference(end.position, reference.position) < 0.01 * moved);
@@ -113,8 +116,9 @@ TEST_CASE("every integrator follows an oscillator's cosine") {
   start.position[1].x() += 1e-3;
   const double third = 2.0 * std::numbers::pi / w / 3.0;  // of a period: the cosine is -1/2
 
-  for (const auto& [integrator, order] : kEvery) {
-    CAPTURE(std::string(integrator_name(integrator)));
+  for (const auto& each : kEvery) {
+    CAPTURE(std::string(integrator_name(each.integrator)));
+    const auto [integrator, order] = each;
     const State end = run(model, Load(), integrator, third, order == 1 ? 10000 : 200, start);
 
     CHECK(end.position[1].x() - 0.01 == Approx(-0.5e-3).epsilon(1e-3));

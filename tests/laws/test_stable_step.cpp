@@ -101,8 +101,9 @@ TEST_CASE("the spectrum of a chain is 4 k/m sin²: the largest by formula") {
 }
 
 TEST_CASE("the stable step lies between 0.6 and 1.0 of the exact limit on every tissue") {
-  for (const auto& [name, model] : make_every_tissue()) {
-    CAPTURE(name);
+  for (const auto& each : make_every_tissue()) {
+    CAPTURE(each.name);
+    const TissueModel& model = each.model;
     const LinearTissue tissue(model);
 
     const double dt = stable_step(model);
@@ -114,11 +115,12 @@ TEST_CASE("the stable step lies between 0.6 and 1.0 of the exact limit on every 
 }
 
 TEST_CASE("with a coupling on any one particle the stable step holds, and is above 0.6 still") {
-  for (const auto& [name, model] : make_every_tissue()) {
+  for (const auto& each : make_every_tissue()) {
+    const TissueModel& model = each.model;
     const LinearTissue tissue(model);
     const int count = static_cast<int>(tissue.particles.size());
     for (const double coupling : {30.0, 300.0, 3000.0}) {
-      CAPTURE(name);
+      CAPTURE(each.name);
       CAPTURE(coupling);
 
       const double dt = stable_step(model, coupling);
@@ -136,8 +138,9 @@ TEST_CASE("with a coupling on any one particle the stable step holds, and is abo
 }
 
 TEST_CASE("the spectrum with a coupling bounds that of every particle it may hold") {
-  for (const auto& [name, model] : make_every_tissue()) {
-    CAPTURE(name);
+  for (const auto& each : make_every_tissue()) {
+    CAPTURE(each.name);
+    const TissueModel& model = each.model;
     const LinearTissue tissue(model);
     const double coupling = 200.0;
     double largest = 0.0;

@@ -66,10 +66,11 @@ TEST_CASE("every table, every number and the authored document come back") {
   CHECK(first.content == second.content);
   CHECK(first.arrays == second.arrays);
   CHECK(first.arrays.size() == 35);
-  for (const auto& [name, array] : first.arrays) {
+  for (const auto& each : first.arrays) {
+    const std::string& name = each.first;
     CAPTURE(name);
     // so that none can be forgotten unseen; a linear solid has no other law beside it
-    CHECK(array.bytes.empty() == contains(name, "/elastic/"));
+    CHECK(each.second.bytes.empty() == contains(name, "/elastic/"));
   }
   CHECK(found.title == "Böbrek");
   CHECK(found.task == made.task);

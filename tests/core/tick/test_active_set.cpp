@@ -276,14 +276,14 @@ TEST_CASE("however deep, let go and pressed elsewhere: the force stays within wh
     bool molecular;
     double depth, share;  ///< [m], [-] of the largest force
   };
-  for (const auto& [molecular, depth, share] :
+  for (const Case& press :
        {Case{false, 0.5e-3, 2e-3}, Case{false, 1.5e-3, 2e-2}, Case{false, 4e-3, 2e-3},
         Case{true, 1.5e-3, 2e-3}, Case{true, 4e-3, 2e-2}}) {
-    CAPTURE(molecular);
-    CAPTURE(depth);
-    const Run full = follow(make_wall(molecular, 0.0), press_twice(depth));
-    const double allowed = share * full.largest;
-    const Run part = follow(make_wall(molecular, allowed), press_twice(depth));
+    CAPTURE(press.molecular);
+    CAPTURE(press.depth);
+    const Run full = follow(make_wall(press.molecular, 0.0), press_twice(press.depth));
+    const double allowed = press.share * full.largest;
+    const Run part = follow(make_wall(press.molecular, allowed), press_twice(press.depth));
     CHECK(compare(full, part, 0, 400) < allowed);     // press, hold
     CHECK(compare(full, part, 400, 900) < allowed);   // retreat, rest
     CHECK(compare(full, part, 900, 1400) < allowed);  // elsewhere
