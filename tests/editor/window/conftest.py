@@ -11,7 +11,10 @@ import pytest
 from palpate import translation
 from palpate.viewport.gl_view import build_format
 from palpate_editor.app.settings import Settings
+from palpate_editor.document import EMPTY
+from palpate_editor.edits import Decimate, decimate_organ
 from palpate_editor.views.editor import Editor
+from palpate_editor.views.tasks import ImportWork, Reading
 from palpate_editor.views.window import SIZE, MainWindow
 from patience import settle
 from PySide6.QtCore import QEvent, QLocale, QSettings, Qt
@@ -99,13 +102,27 @@ def spleen(shared_data: Callable[[str], Path]) -> Path:
     return shared_data("organs/VH_F_Spleen.glb")
 
 
+@pytest.fixture(scope="session")
+def coarse_spleen(shared_data: Callable[[str], Path]) -> tuple[Reading, Decimate]:
+    """What the window's workers make of a real organ, made once: both are values."""
+    path = shared_data("organs/VH_F_Spleen.glb")
+    reading = ImportWork(path)(lambda words, share: None)
+    assert reading.edit is not None, reading.problem
+    return reading, decimate_organ(reading.edit(EMPTY), 600)
+
+
 @pytest.fixture
-def spleen_window(qtbot, window: MainWindow, spleen: Path) -> MainWindow:
-    """A window with a real organ in it, decimated to 600 vertices and fixed at its lowest part."""
-    window.files.open(spleen)
-    settle(qtbot, window)
-    window.tasks.decimate(600)
-    settle(qtbot, window)
+def spleen_window(
+    qtbot, window: MainWindow, spleen: Path, coarse_spleen: tuple[Reading, Decimate]
+) -> MainWindow:
+    """A window with a real organ in it, decimated to 600 vertices and fixed at its lowest part.
+
+    It is given what its workers would make, and assesses what comes of all three edits.
+    """
+    reading, decimated = coarse_spleen
+    window.tasks.on_read(reading)
+    window.settings.add_recent(spleen)
+    assert window.context.apply(decimated)
     window.menu_actions.fix_lowest()
     settle(qtbot, window)
     return window
