@@ -9,7 +9,6 @@ from dataclasses import dataclass
 import numpy as np
 from palpate_meshes.generate.collapse import collapse
 from palpate_meshes.generate.field import Array, Field, Point
-from palpate_meshes.generate.mend import mend
 from palpate_meshes.generate.net import build_net, is_manifold
 from palpate_meshes.generate.opening import Opening, cut_open, place_rim
 from palpate_meshes.generate.relax import (
@@ -20,6 +19,7 @@ from palpate_meshes.generate.relax import (
     flip_edges,
     measure,
 )
+from palpate_meshes.generate.repair import repair_triangles
 
 ROUNDS = 40
 """Angles have settled after some thirty."""
@@ -109,7 +109,7 @@ def settle(points: Array, triangles: Array, field: Field) -> tuple[Array, Array]
     def put_back(p: Array, longest: float) -> Array:
         return step_to_surface(field, step_to_surface(field, p, longest), longest)
 
-    return mend(points, triangles, put_back)
+    return repair_triangles(points, triangles, put_back)
 
 
 def flip_all(points: Array, triangles: Array, passes: int) -> Array:

@@ -16,7 +16,7 @@ from palpate.device_window.arm_shapes import (
     build_stand,
     find_points,
 )
-from palpate.player.look import LOOKS, mix
+from palpate.player.style import ACCENTS, mix
 from palpate.render import Look, build_arrow
 from palpate.render.theme import FORCE, THEMES
 from palpate.viewport import View
@@ -94,7 +94,7 @@ class ArmScene:
 
     def show_forces(self, commanded: ArrayLike, applied: ArrayLike) -> None:
         """Arrows from the tip for forces [N]."""
-        look = Look(LOOKS[self._theme].accent, gloss=0.3, softness=0.0, seen_through=True,
+        look = Look(ACCENTS[self._theme].accent, gloss=0.3, softness=0.0, seen_through=True,
                     casts_shadow=False)  # fmt: skip
         self._show_arrow("commanded", commanded, 0.0032, look)
         solid = Look(FORCE, gloss=0.3, softness=0.0, seen_through=True, casts_shadow=False)
@@ -104,7 +104,7 @@ class ArmScene:
         """The pose [rad] that the arm is to be brought to; None for none."""
         self._goal = None if joints is None else np.asarray(joints, dtype=float)
         shape = None if self._goal is None else build_ghost(self.arm, self._goal)
-        look = Look(LOOKS[self._theme].accent, gloss=0.2, softness=0.0, seen_through=True,
+        look = Look(ACCENTS[self._theme].accent, gloss=0.2, softness=0.0, seen_through=True,
                     casts_shadow=False)  # fmt: skip
         self.view.show_part("ghost", shape, look)
 
@@ -120,12 +120,12 @@ class ArmScene:
         faint = mix(theme.backdrop, theme.faint, 0.55)
         plain = Look(faint, gloss=0.0, softness=0.0, casts_shadow=False)
         self.view.show_part("cage", build_cage(self.arm, LINE), plain)
-        accent = mix(theme.backdrop, LOOKS[self._theme].accent, 0.55)
+        accent = mix(theme.backdrop, ACCENTS[self._theme].accent, 0.55)
         look = Look(accent, gloss=0.0, softness=0.0, casts_shadow=False)
         self.view.show_part("box", build_box(palpate.Workspace(), LINE), look)
 
     def _look(self, name: str) -> Look:
-        colour = COLOURS.get(name, LOOKS[self._theme].warm)
+        colour = COLOURS.get(name, ACCENTS[self._theme].warm)
         return Look(colour, gloss=0.35, softness=0.0)
 
 

@@ -11,8 +11,8 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
-from palpate.device_window.look import Painted, applied_colour, pick
 from palpate.device_window.sentences import number, translate
+from palpate.device_window.style import Painted, applied_colour, pick
 
 SWEEP = 240.0
 """[degree] of a dial from the lower to the upper end."""
@@ -77,9 +77,9 @@ class Dial(Painted):
 
     def _needle(self, painter: QPainter, box: QRectF, angle: float, colour: QColor) -> None:
         middle, radius = box.center(), box.width() / 2
-        way = QPointF(math.cos(angle), -math.sin(angle))
+        direction = QPointF(math.cos(angle), -math.sin(angle))
         painter.setPen(QPen(colour, 2.5))
-        painter.drawLine(middle + way * (radius - 9), middle + way * (radius + 5))
+        painter.drawLine(middle + direction * (radius - 9), middle + direction * (radius + 5))
 
 
 class MotorBars(Painted):

@@ -9,7 +9,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
-from palpate.device_window.look import Painted, pick
+from palpate.device_window.style import Painted, pick
 
 DOT = 6.0
 """[px] radius."""

@@ -11,8 +11,8 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
-from palpate.device_window.look import Painted, applied_colour, commanded_colour, pick
 from palpate.device_window.sentences import number, say_axes, translate
+from palpate.device_window.style import Painted, applied_colour, commanded_colour, pick
 
 SPAN = 8.0
 """[s] that are shown."""

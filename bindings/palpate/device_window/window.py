@@ -19,16 +19,16 @@ from palpate.device_window.calibrate_page import CalibratePage
 from palpate.device_window.cards import Card
 from palpate.device_window.job import Job
 from palpate.device_window.lay_out import EDGE, Pages, lay_out
-from palpate.device_window.look import Painted, build_style
 from palpate.device_window.monitor_page import MonitorPage
 from palpate.device_window.mouse_hand import MouseHand
 from palpate.device_window.selftest_page import SelftestPage
 from palpate.device_window.sentences import translate
 from palpate.device_window.strip import Strip
+from palpate.device_window.style import Painted, build_style
 from palpate.device_window.top_bar import TopBar
 from palpate.player.cards import Banner, Notice
 from palpate.player.device_sentences import say_advice, say_state
-from palpate.player.look import build_palette
+from palpate.player.style import build_palette
 from palpate.translation.refusals import say_refusal
 from palpate.viewport import make_view
 from palpate.viewport.application import use_language

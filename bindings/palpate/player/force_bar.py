@@ -9,8 +9,8 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QFont, QFontMetricsF, QLinearGradient, QPainter, QPainterPath, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
-from palpate.player.look import LOOKS, PANEL, to_colour
 from palpate.player.sentences import format_number, translate
+from palpate.player.style import ACCENTS, PANEL, to_colour
 from palpate.render.theme import THEMES
 
 SMOOTHING = 0.35
@@ -57,7 +57,7 @@ class ForceBar(QWidget):
         self.range = choose_range(0.0, self.limit)
         self.update()
 
-    def use_look(self, theme: str, letter: float) -> None:
+    def use_style(self, theme: str, letter: float) -> None:
         """`letter` is the height of text [px]."""
         self._theme, self._letter = theme, letter
         self.update()
@@ -82,7 +82,7 @@ class ForceBar(QWidget):
 
     def _write_head(self, painter: QPainter, pad: float, m: float) -> float:
         """Caption, limit and number; returns where the column may begin."""
-        theme, look = THEMES[self._theme], LOOKS[self._theme]
+        theme, accents = THEMES[self._theme], ACCENTS[self._theme]
         y = pad + 0.8 * m
         self._write(painter, translate("Player", "Force"), QPointF(pad, y), 0.85 * m, theme.faint)
         number = format_number(self._shown, 2)
@@ -94,12 +94,12 @@ class ForceBar(QWidget):
         limit = format_number(self.limit, 1 if self.limit % 1 else 0)
         words = translate("Player", "limit %1 N").replace("%1", limit)
         near = self._shown > 0.8 * self.limit
-        colour = look.hot if near else theme.faint
+        colour = accents.hot if near else theme.faint
         self._write(painter, words, QPointF(pad, y + 3.9 * m), 0.85 * m, colour)
         return y + 5.0 * m
 
     def _draw_column(self, painter: QPainter, column: QRectF) -> None:
-        theme, look = THEMES[self._theme], LOOKS[self._theme]
+        theme, accents = THEMES[self._theme], ACCENTS[self._theme]
         shape = QPainterPath()
         shape.addRoundedRect(column, 7, 7)
         painter.fillPath(shape, to_colour(theme.text, 0.10))
@@ -108,9 +108,9 @@ class ForceBar(QWidget):
         gradient = QLinearGradient(
             column.bottomLeft(), QPointF(column.left(), column.bottom() - whole)
         )
-        for share, colour in ((0.0, look.accent), (0.5, look.accent), (0.8, look.warm)):
+        for share, colour in ((0.0, accents.accent), (0.5, accents.accent), (0.8, accents.warm)):
             gradient.setColorAt(share, to_colour(colour))
-        gradient.setColorAt(1.0, to_colour(look.hot))
+        gradient.setColorAt(1.0, to_colour(accents.hot))
         painter.save()
         painter.setClipPath(shape)
         filled = QRectF(column)
@@ -123,7 +123,7 @@ class ForceBar(QWidget):
             painter.fillRect(mark, to_colour(theme.text))
 
     def _draw_ticks(self, painter: QPainter, column: QRectF, m: float) -> None:
-        theme, look = THEMES[self._theme], LOOKS[self._theme]
+        theme, accents = THEMES[self._theme], ACCENTS[self._theme]
         step = choose_step(self.range)
         x = column.right() + 0.35 * m
         for k in range(math.floor(self.range / step + 1e-9) + 1):
@@ -133,7 +133,7 @@ class ForceBar(QWidget):
             self._write(painter, text, QPointF(x + 0.75 * m, y + 0.3 * m), 0.85 * m, theme.faint)
         if self.range >= self.limit:
             edge = QRectF(column.left(), column.top() - 1.0, x - column.left() + 0.4 * m, 2.0)
-            painter.fillRect(edge, to_colour(look.hot))
+            painter.fillRect(edge, to_colour(accents.hot))
 
     def _height(self, column: QRectF, force: float) -> float:
         """[px] where a force [N] stands in the column."""

@@ -88,11 +88,11 @@ class Overlays(QObject):
         self.pause.setVisible(board is None and bool(self.pause.label.text()))
         self.place()
 
-    def use_look(self, theme: str, letter: float) -> None:
+    def use_style(self, theme: str, letter: float) -> None:
         self._letter = letter
         # no wider than a letter: on a small screen the clock needs the room
         self.clock.rows.setContentsMargins(round(letter), 16, round(letter), 16)
-        self.force.use_look(theme, letter)
+        self.force.use_style(theme, letter)
         self.place()
 
     def say(self) -> None:

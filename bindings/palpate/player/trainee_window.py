@@ -15,9 +15,9 @@ from palpate import translation
 from palpate.command.verb import Report
 from palpate.player.boards import Board
 from palpate.player.device_watch import DeviceWatch
-from palpate.player.look import build_palette, build_style
 from palpate.player.overlays import Overlays
 from palpate.player.sentences import say_end, say_slow, translate
+from palpate.player.style import build_palette, build_style
 from palpate.render.authored_look import find_look
 from palpate.runs.live import Frame, LiveRun
 from palpate.runs.play import Play, describe_outcome, describe_play, describe_run
@@ -267,7 +267,7 @@ class TraineeWindow(QWidget):
         """Text grows with the window, so that it is read from where one stands."""
         letter = min(max(self.height() / 46, 13.0), 30.0)
         self.setStyleSheet(build_style(self.theme, letter))
-        self.over.use_look(self.theme, letter)
+        self.over.use_style(self.theme, letter)
 
     def _show_board(self, board: Board | None) -> None:
         self.over.show_board(board)

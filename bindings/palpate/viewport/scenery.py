@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 import palpate
 from palpate.render import Legend, Look, Renderer, Shape, build_arrow, build_sphere
 from palpate.render.theme import DARK, THEMES
+from palpate.viewport.appearance import ARROW, PAINTED, PLAIN, RIM, RING, TOOL
 from palpate.viewport.dents import Dents
-from palpate.viewport.looks import ARROW, PAINTED, PLAIN, RIM, RING, TOOL
 from palpate.viewport.ring import build_ring
 from palpate.viewport.sky_light import SkyLight
 from palpate.viewport.thing import Thing

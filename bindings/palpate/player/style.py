@@ -11,7 +11,7 @@ from palpate.render.theme import THEMES, Colour
 
 
 @dataclass(frozen=True)
-class Look:
+class Accents:
     """What pictures need no words for: signals and buttons."""
 
     accent: Colour
@@ -24,9 +24,9 @@ class Look:
     """Text on the accent."""
 
 
-LOOKS = {
-    "dark": Look((0.25, 0.78, 0.72), (0.98, 0.72, 0.25), (1.0, 0.38, 0.33), (0.03, 0.09, 0.09)),
-    "light": Look((0.00, 0.48, 0.46), (0.72, 0.42, 0.0), (0.80, 0.13, 0.10), (1.0, 1.0, 1.0)),
+ACCENTS = {
+    "dark": Accents((0.25, 0.78, 0.72), (0.98, 0.72, 0.25), (1.0, 0.38, 0.33), (0.03, 0.09, 0.09)),
+    "light": Accents((0.00, 0.48, 0.46), (0.72, 0.42, 0.0), (0.80, 0.13, 0.10), (1.0, 1.0, 1.0)),
 }
 PANEL = 0.66
 """[-] opacity of a card over the picture."""
@@ -51,7 +51,7 @@ def mix(a: Colour, b: Colour, share: float) -> Colour:
 
 def build_palette(name: str) -> QPalette:
     """For what the style sheet does not reach."""
-    theme, look = THEMES[name], LOOKS[name]
+    theme, accents = THEMES[name], ACCENTS[name]
     palette = QPalette()
     for role, colour in (
         (QPalette.ColorRole.Window, theme.corner),
@@ -60,8 +60,8 @@ def build_palette(name: str) -> QPalette:
         (QPalette.ColorRole.WindowText, theme.text),
         (QPalette.ColorRole.Text, theme.text),
         (QPalette.ColorRole.ButtonText, theme.text),
-        (QPalette.ColorRole.Highlight, look.accent),
-        (QPalette.ColorRole.HighlightedText, look.on_accent),
+        (QPalette.ColorRole.Highlight, accents.accent),
+        (QPalette.ColorRole.HighlightedText, accents.on_accent),
     ):
         palette.setColor(role, to_colour(colour))
     return palette
@@ -69,8 +69,8 @@ def build_palette(name: str) -> QPalette:
 
 def build_style(name: str, letter: float) -> str:
     """The style sheet, for text `letter` pixels high."""
-    theme, look = THEMES[name], LOOKS[name]
-    text, faint = as_css(theme.text), as_css(theme.faint)
+    theme, accents = THEMES[name], ACCENTS[name]
+    text, faint, accent = map(as_css, (theme.text, theme.faint, accents.accent))
     raised = as_css(mix(theme.panel, theme.text, 0.10), 0.9)
     over = as_css(mix(theme.panel, theme.text, 0.20), 0.95)
     return f"""
@@ -91,25 +91,25 @@ def build_style(name: str, letter: float) -> str:
     QLabel#body {{ color: {text}; font-size: {1.0 * letter:.0f}px; }}
     QLabel#keys {{ color: {faint}; font-size: {0.88 * letter:.0f}px; }}
     QFrame#notice {{ background: {as_css(theme.panel, 0.75)}; border-radius: 10px;
-        border: 1px solid {as_css(look.warm, 0.8)}; }}
-    QLabel#notice_text {{ color: {as_css(look.warm)}; font-size: {0.92 * letter:.0f}px;
+        border: 1px solid {as_css(accents.warm, 0.8)}; }}
+    QLabel#notice_text {{ color: {as_css(accents.warm)}; font-size: {0.92 * letter:.0f}px;
         font-weight: 600; }}
-    QFrame#alarm {{ background: {as_css(look.hot, 0.95)}; border-radius: 12px; }}
+    QFrame#alarm {{ background: {as_css(accents.hot, 0.95)}; border-radius: 12px; }}
     QLabel#alarm_text {{ color: white; font-size: {1.05 * letter:.0f}px; font-weight: 600; }}
     QFrame#warning {{ background: {as_css(theme.panel, 0.85)}; border-radius: 12px;
-        border: 1px solid {as_css(look.warm)}; }}
-    QLabel#warning_text {{ color: {as_css(look.warm)}; font-size: {letter:.0f}px; }}
+        border: 1px solid {as_css(accents.warm)}; }}
+    QLabel#warning_text {{ color: {as_css(accents.warm)}; font-size: {letter:.0f}px; }}
     QPushButton {{ color: {text}; background: {raised};
         border: 1px solid {as_css(theme.text, 0.08)}; border-radius: 10px;
         padding: {0.55 * letter:.0f}px {1.1 * letter:.0f}px;
         font-size: {letter:.0f}px; }}
     QPushButton:hover, QPushButton:focus {{ background: {over};
-        border: 1px solid {as_css(look.accent)}; }}
+        border: 1px solid {accent}; }}
     QPushButton#small {{ padding: {0.3 * letter:.0f}px {0.8 * letter:.0f}px;
         font-size: {0.85 * letter:.0f}px; }}
-    QPushButton#main {{ color: {as_css(look.on_accent)}; background: {as_css(look.accent)};
+    QPushButton#main {{ color: {as_css(accents.on_accent)}; background: {accent};
         font-weight: 600; border: 1px solid transparent; }}
     QPushButton#main:hover, QPushButton#main:focus {{ border: 1px solid {text}; }}
-    QPushButton:checked {{ border: 1px solid {as_css(look.accent)}; color: {as_css(look.accent)};
+    QPushButton:checked {{ border: 1px solid {accent}; color: {accent};
         font-weight: 600; }}
     """

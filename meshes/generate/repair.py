@@ -26,7 +26,7 @@ REACHES = (0.25, 0.08, 0.025)
 Settle = Callable[[Array, float], Array]
 
 
-def mend(points: Array, triangles: Array, settle: Settle) -> tuple[Array, Array]:
+def repair_triangles(points: Array, triangles: Array, settle: Settle) -> tuple[Array, Array]:
     """Moves corners of thin triangles along the surface while the worst around them gets better.
 
     Args:

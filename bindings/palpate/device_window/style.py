@@ -9,7 +9,7 @@ from pathlib import Path
 from PySide6.QtGui import QColor, QFont, QPainter
 from PySide6.QtWidgets import QWidget
 
-from palpate.player.look import LOOKS, as_css, mix, to_colour
+from palpate.player.style import ACCENTS, as_css, mix, to_colour
 from palpate.render.theme import FORCE, THEMES, Colour
 
 LETTER = 13
@@ -30,7 +30,7 @@ def window_colour(theme: str) -> Colour:
 
 def commanded_colour(theme: str) -> QColor:
     """Of what is asked of the motors, in plots and in 3D."""
-    return to_colour(LOOKS[theme].accent)
+    return to_colour(ACCENTS[theme].accent)
 
 
 def applied_colour(theme: str) -> QColor:
@@ -45,13 +45,13 @@ def pick(theme: str, name: str, opacity: float = 1.0) -> QColor:
 
 @cache
 def find_colours(theme: str) -> dict[str, Colour]:
-    colours, look, card = THEMES[theme], LOOKS[theme], card_colour(theme)
+    colours, accents, card = THEMES[theme], ACCENTS[theme], card_colour(theme)
     return {
         "text": colours.text,
         "faint": colours.faint,
-        "accent": look.accent,
-        "warm": look.warm,
-        "hot": look.hot,
+        "accent": accents.accent,
+        "warm": accents.warm,
+        "hot": accents.hot,
         "line": mix(card, colours.text, 0.16),
         "track": mix(card, colours.text, 0.10),
         "card": card,
@@ -82,14 +82,14 @@ class Painted(QWidget):
 
 
 def build_style(theme: str) -> str:
-    colours, look = THEMES[theme], LOOKS[theme]
+    colours, accents = THEMES[theme], ACCENTS[theme]
     text, faint, card = as_css(colours.text), as_css(colours.faint), card_colour(theme)
     line = as_css(mix(card, colours.text, 0.16))
     field = as_css(mix(card, colours.text, 0.07))
     over = as_css(mix(card, colours.text, 0.15))
     window = as_css(window_colour(theme))
     signs = SIGNS.as_posix()
-    accent, hot, warm = as_css(look.accent), as_css(look.hot), as_css(look.warm)
+    accent, hot, warm = as_css(accents.accent), as_css(accents.hot), as_css(accents.warm)
     return f"""
     QWidget#device {{ background: {window}; }}
     QScrollArea, QWidget#page {{ background: transparent; border: none; }}
@@ -106,10 +106,10 @@ def build_style(theme: str) -> str:
     QLabel#warn {{ color: {warm}; font-weight: 600; }}
     QLabel#pill {{ font-weight: 600; padding: 4px 12px; border-radius: 11px;
         background: {field}; color: {faint}; }}
-    QLabel#pill[tone="good"] {{ background: {as_css(look.accent, 0.18)}; color: {accent}; }}
-    QLabel#pill[tone="warm"] {{ background: {as_css(look.warm, 0.18)}; color: {warm}; }}
+    QLabel#pill[tone="good"] {{ background: {as_css(accents.accent, 0.18)}; color: {accent}; }}
+    QLabel#pill[tone="warm"] {{ background: {as_css(accents.warm, 0.18)}; color: {warm}; }}
     QLabel#pill[tone="bad"] {{ background: {hot}; color: white; }}
-    QFrame#alarm {{ background: {as_css(look.hot, 0.95)}; border-radius: 10px; }}
+    QFrame#alarm {{ background: {as_css(accents.hot, 0.95)}; border-radius: 10px; }}
     QLabel#alarm_text {{ color: white; font-size: 14px; font-weight: 600; }}
     QPushButton, QComboBox, QDoubleSpinBox {{ color: {text}; background: {field};
         border: 1px solid {line}; border-radius: 7px; padding: 6px 12px;
@@ -119,7 +119,7 @@ def build_style(theme: str) -> str:
     QPushButton:hover {{ background: {over}; }}
     QPushButton:disabled, QComboBox:disabled, QDoubleSpinBox:disabled {{
         color: {as_css(mix(colours.faint, card, 0.45))}; border: 1px solid {field}; }}
-    QPushButton#main {{ color: {as_css(look.on_accent)}; background: {accent};
+    QPushButton#main {{ color: {as_css(accents.on_accent)}; background: {accent};
         font-weight: 600; border: 1px solid {accent}; }}
     QPushButton#main:disabled {{ background: {field};
         color: {as_css(mix(colours.faint, card, 0.45))}; border: 1px solid {field}; }}
@@ -139,11 +139,11 @@ def build_style(theme: str) -> str:
     QCheckBox::indicator:checked {{ background: {accent}; border: 1px solid {accent};
         image: url({signs}/tick_{theme}.svg); }}
     QFrame#notice {{ background: {as_css(colours.panel, 0.75)}; border-radius: 8px;
-        border: 1px solid {as_css(look.warm, 0.8)}; }}
+        border: 1px solid {as_css(accents.warm, 0.8)}; }}
     QLabel#notice_text {{ color: {warm}; font-size: 12px; font-weight: 600; }}
     QComboBox QAbstractItemView {{ background: {as_css(card)}; color: {text};
         border: 1px solid {line}; selection-background-color: {accent};
-        selection-color: {as_css(look.on_accent)}; }}
+        selection-color: {as_css(accents.on_accent)}; }}
     QComboBox QLineEdit {{ color: {text}; background: transparent; border: none; }}
     QScrollBar:vertical {{ background: transparent; width: 8px; margin: 0; }}
     QScrollBar::handle:vertical {{ background: {over}; border-radius: 4px; min-height: 24px; }}
