@@ -38,8 +38,8 @@ def wait(app: QApplication, done: Callable[[], bool]) -> None:
 def find_place(seconds: float) -> np.ndarray:
     """[m] of the hand, around the middle of the workspace."""
     t = 2.0 * (MOVED - seconds)
-    way = [0.009 * np.cos(t), -0.012 * np.cos(0.7 * t), -0.014 * np.cos(1.45 * t)]
-    return np.asarray(palpate.Workspace().center) + way
+    offset = [0.009 * np.cos(t), -0.012 * np.cos(0.7 * t), -0.014 * np.cos(1.45 * t)]
+    return np.asarray(palpate.Workspace().center) + offset
 
 
 def draw_window(out: Path, theme: str = "dark") -> None:

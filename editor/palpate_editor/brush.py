@@ -110,16 +110,16 @@ def find_seeds(
 
 
 def compute_falloff(
-    vertices: np.ndarray, ids: np.ndarray, hit: np.ndarray, radius: float, softness: float = 1.0
+    vertices: np.ndarray, ids: np.ndarray, hit: np.ndarray, radius: float, falloff: float = 1.0
 ) -> np.ndarray:
     """[-] (k,) 1 in the middle of a brush down to 0 at its rim, smooth at both.
 
-    `softness` [-] is the share of the radius over which it falls: 0 for a hard rim.
+    `falloff` [-] is the share of the radius over which it falls: 0 for a hard rim.
     """
     distance = np.linalg.norm(vertices[ids] - hit, axis=1) / radius
-    if softness <= 0.0:
+    if falloff <= 0.0:
         return np.ones(len(ids))
-    fall = np.clip((1.0 - distance) / softness, 0.0, 1.0)
+    fall = np.clip((1.0 - distance) / falloff, 0.0, 1.0)
     return fall * fall * (3.0 - 2.0 * fall)
 
 

@@ -31,7 +31,7 @@ EDITS = (
     "palpate",
     "numpy",
 )
-DESK = (
+APP = (
     "palpate_editor.app",
     "palpate_editor.compile",
     "palpate_editor.check",
@@ -58,7 +58,7 @@ ARROWS = {
     "bindings/palpate": ("palpate", "numpy", "scipy", "matplotlib"),
     "editor/palpate_editor/document": DOCUMENT,
     "editor/palpate_editor/edits": EDITS,
-    "editor/palpate_editor/app": (*DESK, "PySide6.QtCore", "PySide6.QtGui"),
+    "editor/palpate_editor/app": (*APP, "PySide6.QtCore", "PySide6.QtGui"),
     "editor/palpate_editor/views": ("palpate_editor", "palpate", "numpy", *QT),
     "editor/palpate_editor": ("palpate_editor", "palpate_meshes", "palpate", "numpy"),
     "meshes/generate": (

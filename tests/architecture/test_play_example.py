@@ -60,8 +60,8 @@ def script(scene: palpate.Scene, tick: int) -> palpate.HapticSample:
     """The hand of the example."""
     rest = scene.tissue.rest_position
     top = rest[np.argmax(rest[:, 2])]
-    way = 256 - tick if tick < 512 else -256
-    height = (top[2] + scene.tool.radius) + way * 2.0**-17
+    step = 256 - tick if tick < 512 else -256
+    height = (top[2] + scene.tool.radius) + step * 2.0**-17
     return palpate.HapticSample(time=tick / scene.rate, position=(top[0], top[1], height))
 
 

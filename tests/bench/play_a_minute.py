@@ -39,7 +39,7 @@ PERIOD = 1.0 / 60.0
 """[s] of a screen."""
 MOUSE_MS = 16
 LATE = 200
-"""[us] behind its due time: somebody else had the processor."""
+"""[us] behind its due time: another program had the processor."""
 ROUND = 4.0
 """[s] in which the mouse goes around once; in every second of them it does something else."""
 

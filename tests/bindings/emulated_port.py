@@ -100,11 +100,11 @@ class EmulatedPort:
     def _must_wait(self) -> bool:
         return self.patient and self.core.drive().enabled and not self._stopping.is_set()
 
-    def _arrival(self, way: deque[tuple[float, bytes]]) -> float:
+    def _arrival(self, wire: deque[tuple[float, bytes]]) -> float:
         late = self._clock
         if self._clock < self._delayed_until:
             late = min(self._clock + self._delay, self._delayed_until)
-        return max(late, way[-1][0] if way else 0.0)
+        return max(late, wire[-1][0] if wire else 0.0)
 
     def _live_tick(self) -> None:
         self._clock += TICK

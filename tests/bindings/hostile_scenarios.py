@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Published files made to harm whoever opens them, each with words of the sentence it must meet."""
+"""Published files made to harm their readers, each with words of the sentence it must meet."""
 
 from __future__ import annotations
 

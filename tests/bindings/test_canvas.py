@@ -16,7 +16,7 @@ SIZE = (800, 600)
 
 
 @pytest.fixture
-def desk():
+def drawing():
     """A canvas and what it draws; skipped where a graphics card draws every frame in full."""
     context = create_context()
     with context:
@@ -45,8 +45,8 @@ def draw(made: Canvas, scenery: Scenery) -> float:
     return width / SIZE[0]
 
 
-def test_frames_shrink_step_by_step_while_they_take_too_long(desk, monkeypatch):
-    made, scenery = desk
+def test_frames_shrink_step_by_step_while_they_take_too_long(drawing, monkeypatch):
+    made, scenery = drawing
     show(scenery, 2)
     monkeypatch.setattr(canvas, "QUICK_TIME", 0.0)
 
@@ -57,8 +57,8 @@ def test_frames_shrink_step_by_step_while_they_take_too_long(desk, monkeypatch):
 
 
 @pytest.mark.parametrize("size", [(160, 120), (1281, 799), (2560, 1600)])
-def test_no_frame_is_ever_smaller_than_a_third_of_the_view(desk, monkeypatch, size):
-    made, scenery = desk
+def test_no_frame_is_ever_smaller_than_a_third_of_the_view(drawing, monkeypatch, size):
+    made, scenery = drawing
     show(scenery, 5)
     monkeypatch.setattr(canvas, "QUICK_TIME", 0.0)
     for _ in range(3):
@@ -69,8 +69,8 @@ def test_no_frame_is_ever_smaller_than_a_third_of_the_view(desk, monkeypatch, si
         assert 3 * drawn[0] >= size[0] and 3 * drawn[1] >= size[1]
 
 
-def test_a_frame_that_took_too_long_asks_for_a_pause(desk, monkeypatch):
-    made, scenery = desk
+def test_a_frame_that_took_too_long_asks_for_a_pause(drawing, monkeypatch):
+    made, scenery = drawing
     show(scenery, 2)
     monkeypatch.setattr(canvas, "QUICK_TIME", 1e9)
     draw(made, scenery)
@@ -81,8 +81,8 @@ def test_a_frame_that_took_too_long_asks_for_a_pause(desk, monkeypatch):
     assert 0.0 < made.pause <= canvas.MOST_PAUSE
 
 
-def test_frames_grow_step_by_step_while_there_is_time(desk, monkeypatch):
-    made, scenery = desk
+def test_frames_grow_step_by_step_while_there_is_time(drawing, monkeypatch):
+    made, scenery = drawing
     show(scenery, 2)
     monkeypatch.setattr(canvas, "QUICK_TIME", 1e9)
 
@@ -91,8 +91,8 @@ def test_frames_grow_step_by_step_while_there_is_time(desk, monkeypatch):
     assert sizes == pytest.approx([1 / 2, 2 / 3, 1.0, 1.0], rel=0.02)
 
 
-def test_the_first_frame_of_a_heavy_surface_is_small_and_a_light_ones_is_not(desk, monkeypatch):
-    made, scenery = desk
+def test_the_first_frame_of_a_heavy_surface_is_small_and_a_light_ones_is_not(drawing, monkeypatch):
+    made, scenery = drawing
     show(scenery, 2)
     monkeypatch.setattr(canvas, "QUICK_TIME", 1e9)
     draw(made, scenery)

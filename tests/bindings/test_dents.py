@@ -14,7 +14,7 @@ from palpate.viewport import canvas
 from palpate.viewport.dents import Dents
 from PySide6.QtCore import QPointF
 from surfaces import ellipsoid
-from windows import keep_picture, look, read_pixels
+from windows import grab, keep_picture, read_pixels
 
 ORGANS = Path(__file__).resolve().parents[2] / "meshes" / "published"
 # the kidney stone is not among them: nothing can dent it
@@ -78,10 +78,10 @@ def test_a_dent_of_3_mm_is_seen_on_every_shipped_organ(open_window, monkeypatch,
         fine = count_changed(rest, read_pixels(view.grab_picture()))
         keep_picture(window, f"dent_{organ}_{name}")
         view.move_surface(before)
-        quick = look(view)
+        quick = grab(view)
         view.move_surface(after)
         assert fine >= 200, name
-        assert count_changed(quick, look(view)) >= 200, name
+        assert count_changed(quick, grab(view)) >= 200, name
 
 
 BALL = ellipsoid((0.04, 0.04, 0.04), 4)

@@ -297,10 +297,10 @@ def pull_at_home(true_factors: np.ndarray, joints: np.ndarray = HOME_JOINTS) -> 
     before = palpate.find_calibration(palpate.Plant())
     jacobian = np.array(palpate.compute_jacobian(palpate.find_arm(before), joints))
     pulls = []
-    for way in np.eye(3):
-        torque = np.array([jacobian.T @ (force * way) for force in (0.3, 0.9)])
-        felt = np.linalg.solve(jacobian.T, (true_factors * torque).T).T @ way
-        pulls.append(Pull(way, joints, 255.0 * torque / before.torque_full, felt - 0.11))
+    for direction in np.eye(3):
+        torque = np.array([jacobian.T @ (force * direction) for force in (0.3, 0.9)])
+        felt = np.linalg.solve(jacobian.T, (true_factors * torque).T).T @ direction
+        pulls.append(Pull(direction, joints, 255.0 * torque / before.torque_full, felt - 0.11))
     return pulls
 
 

@@ -27,7 +27,7 @@ from palpate.device_window import DeviceWindow
 from PySide6.QtCore import QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
-from windows import LEFT, at, drag, keep_picture, look, read_pixels
+from windows import LEFT, at, drag, grab, keep_picture, read_pixels
 
 pytestmark = pytest.mark.window
 Mode = palpate.DeviceMode
@@ -349,7 +349,7 @@ def test_pictures_of_the_window_are_left_in_the_build_folder(open_device, qtbot,
     keep_picture(window, f"device_idle_{theme}")
     connect(window, qtbot)
     keep_picture(window, f"device_connected_{theme}")
-    dark = look(window)[2, 2].mean() < 100
+    dark = grab(window)[2, 2].mean() < 100
     assert dark == (theme == "dark")
     drawn = read_pixels(window.view.grab().toImage())
     orange = (drawn[..., 0] > 180) & (drawn[..., 2] < 110) & (drawn[..., 0] - drawn[..., 2] > 110)

@@ -9,11 +9,13 @@ from palpate.render import Camera, build_arrow
 from palpate.viewport import make_view
 from palpate.viewport.force_arrow import choose_radius, keep_in_sight
 from viewports import FACES, X, redness
-from windows import look
+from windows import grab
 
 SIZE = (1280, 800)
 FRAME = (60.0, 14.0, 1100.0, 760.0)
-WAYS = [np.array(way, float) for way in np.ndindex(3, 3, 3) if way != (1, 1, 1)]
+DIRECTIONS = [
+    np.array(direction, float) for direction in np.ndindex(3, 3, 3) if direction != (1, 1, 1)
+]
 
 
 def arrow_pixels(camera: Camera, tail, point) -> tuple[np.ndarray, np.ndarray]:
@@ -27,8 +29,8 @@ def arrow_pixels(camera: Camera, tail, point) -> tuple[np.ndarray, np.ndarray]:
 def test_every_arrow_lies_in_the_frame_and_before_the_eye(distance, length, start):
     camera = Camera(target=np.array([0.0, -0.02, 0.0]), distance=distance)
     left, top, right, bottom = FRAME
-    for way in WAYS:
-        vector = length * (way - 1.0) / np.linalg.norm(way - 1.0)
+    for direction in DIRECTIONS:
+        vector = length * (direction - 1.0) / np.linalg.norm(direction - 1.0)
 
         tail, point = keep_in_sight(camera, SIZE, FRAME, np.array(start), vector)
 
@@ -82,9 +84,9 @@ def test_the_arrow_is_drawn_near_and_far_for_small_and_large_forces(qtbot, zoom,
     view.show()
     qtbot.waitExposed(view)
     view.zoom(zoom)
-    plain = look(view)
+    plain = grab(view)
     view.show_force((0.0, -0.026, 0.0), (0.0, -newtons, 0.0))
-    seen = look(view)
+    seen = grab(view)
 
     changed = np.abs(seen - plain).sum(axis=-1) > 60
     rows, columns = np.nonzero(changed)
@@ -92,4 +94,4 @@ def test_the_arrow_is_drawn_near_and_far_for_small_and_large_forces(qtbot, zoom,
     assert rows.min() > 1 and rows.max() < 398 and columns.min() > 1 and columns.max() < 638
     assert (redness(seen)[changed] > 60).mean() > 0.5
     view.zoom(0.2)  # the camera moves, and the arrow with it
-    assert (redness(look(view)) > 100).sum() > 60
+    assert (redness(grab(view)) > 100).sum() > 60

@@ -22,7 +22,7 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from trainees import middle, press_and_wait, texts
-from windows import LEFT, look, move, turn_wheel
+from windows import LEFT, grab, move, turn_wheel
 
 KEY = Qt.Key
 PLAYER = Path(palpate.__file__).parent / "player"
@@ -272,10 +272,10 @@ def test_the_column_of_force_grows_up_to_the_limit_and_keeps_the_peak(open_windo
     assert choose_range(3.9, 5.0) == 5.0
     assert choose_range(9.0, 5.0) == 5.0
 
-    quiet = look(bar)
+    quiet = grab(bar)
     for _ in range(30):
         bar.show_force(3.0)
-    loud = look(bar)
+    loud = grab(bar)
     assert (np.abs(loud - quiet).sum(axis=-1) > 60).sum() > 500
     bar.show_force(0.0)
     assert bar.peak == 3.0

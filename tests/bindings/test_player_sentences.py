@@ -19,7 +19,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from trainees import press_and_wait, texts
-from windows import LEFT, keep_picture, look
+from windows import LEFT, grab, keep_picture
 
 KEY = Qt.Key
 PLAYER = Path(palpate.__file__).parent / "player"
@@ -138,7 +138,7 @@ def test_pictures_of_every_screen_are_left_in_the_build_folder(open_window, qtbo
     window.over.show_pause(False)
     window.view.grab_picture()
     keep_picture(window, f"player_press_{theme}")
-    dark = look(window)[4, 4].mean() < 100
+    dark = grab(window)[4, 4].mean() < 100
     assert dark == (theme == "dark")
     window.over.show_pause(True)
     keep_picture(window, f"player_paused_{theme}")

@@ -82,8 +82,8 @@ def test_pressing_takes_its_time(view, bench):
     bench.feel(10)
     assert bench.depth() < 0.0
 
-    way = bench.hand.press_depth - bench.depth()
-    bench.feel(round(1e3 * way / 0.05))
+    short = bench.hand.press_depth - bench.depth()
+    bench.feel(round(1e3 * short / 0.05))
     assert bench.depth() < bench.hand.press_depth
     bench.settle()
     assert bench.depth() == pytest.approx(bench.hand.press_depth, rel=0.05)
@@ -115,10 +115,10 @@ def test_what_is_held_is_pulled_along_in_the_plane_of_the_screen(view, bench):
     move(view, MIDDLE + QPoint(25, 10), RIGHT)
     bench.settle()
 
-    way = bench.position - start
-    assert abs(way @ forward) < 1e-8
+    moved = bench.position - start
+    assert abs(moved @ forward) < 1e-8
     pixel = view.pixel_size_at(bench.hand.goal)
-    assert np.linalg.norm(way) == pytest.approx(np.hypot(25, 10) * pixel, rel=1e-3)
+    assert np.linalg.norm(moved) == pytest.approx(np.hypot(25, 10) * pixel, rel=1e-3)
 
 
 def test_the_wheel_goes_deeper_and_higher_hovering_and_pressing(view, bench):

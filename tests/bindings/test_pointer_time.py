@@ -119,14 +119,14 @@ def test_a_stroke_over_a_convex_organ_keeps_contact_and_depth_all_the_way(
     open_bench, organ, height, deepest, rate
 ):
     bench = open_bench(palpate.scenario.read(ORGANS / f"{organ}.palpate").scene, (1280, 800))
-    way = find_stroke(bench, height)
-    normals = turn_towards(bench, way)
+    stroke = find_stroke(bench, height)
+    normals = turn_towards(bench, stroke)
     turned = np.degrees(np.arccos(np.clip(normals[0] @ normals[-1], -1.0, 1.0)))
     assert turned > 90.0
-    bench.hover(way[0].toPoint())
-    tell_mouse(bench.view, PRESS, way[0], LEFT, bench.time)
+    bench.hover(stroke[0].toPoint())
+    tell_mouse(bench.view, PRESS, stroke[0], LEFT, bench.time)
     while bench.hand.depth > deepest:
-        turn_wheel(bench.view, way[0].toPoint(), -1)
+        turn_wheel(bench.view, stroke[0].toPoint(), -1)
     bench.settle()
     chosen, begun = bench.hand.depth, bench.ticks
     assert bench.depth() == pytest.approx(chosen, rel=0.05)
@@ -136,8 +136,8 @@ def test_a_stroke_over_a_convex_organ_keeps_contact_and_depth_all_the_way(
     def go(at: QPointF):
         return lambda now: tell_mouse(bench.view, MOVE, at, LEFT, now)
 
-    count = len(way) - 1
-    moves = [(lasts * k / count, go(at)) for k, at in enumerate(way) if k]
+    count = len(stroke) - 1
+    moves = [(lasts * k / count, go(at)) for k, at in enumerate(stroke) if k]
     bench.play(rate, moves, lasts + 0.5)
 
     depths = np.array([bench.depth(np.array(s.position)) for s in bench.samples[begun::5]])
@@ -145,7 +145,7 @@ def test_a_stroke_over_a_convex_organ_keeps_contact_and_depth_all_the_way(
     assert depths.min() > 0.8 * chosen
     assert depths.max() < 1.2 * chosen
     there = bench.view.world_to_pixel(bench.hand.goal)
-    assert abs(there.x() - way[-1].x()) < 1.0
+    assert abs(there.x() - stroke[-1].x()) < 1.0
 
 
 def test_a_drag_past_the_rim_stays_on_the_organ(open_bench):

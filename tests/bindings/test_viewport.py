@@ -25,7 +25,7 @@ from viewports import (
     redness,
     silhouette,
 )
-from windows import look, read_pixels
+from windows import grab, read_pixels
 
 # ---------------------------------------------------------------- hosts and pictures
 
@@ -55,11 +55,11 @@ def test_pictures_are_opaque(view):
 
 def test_the_fine_picture_differs_from_the_quick_one_only_a_little(view):
     view.orbit(20, 0)
-    quick = look(view)
+    quick = grab(view)
     fine = read_pixels(view.grab_picture())
 
     assert np.abs(quick - fine).mean() < 25
-    assert np.array_equal(look(view), fine)
+    assert np.array_equal(grab(view), fine)
 
 
 def test_values_are_painted_with_a_legend_and_taken_away_again(view):
@@ -72,44 +72,44 @@ def test_values_are_painted_with_a_legend_and_taken_away_again(view):
     assert np.abs(painted - plain)[100:140, 140:180].mean() > 20
     view.show_values(None)
     assert not view.legend.isVisible()
-    assert redness(look(view))[SIZE[1] // 2, SIZE[0] // 2] > 50
+    assert redness(grab(view))[SIZE[1] // 2, SIZE[0] // 2] > 50
 
 
 def test_what_is_selected_is_orange(view):
-    before = count_orange(look(view))
+    before = count_orange(grab(view))
     view.show_selection((X[:, 1] < -0.01).astype(float))
-    during = count_orange(look(view))
+    during = count_orange(grab(view))
     view.show_selection(None)
 
     assert during > before + 500
-    assert count_orange(look(view)) == before
+    assert count_orange(grab(view)) == before
 
 
 def test_tool_arrow_and_ring_come_and_go(view):
-    plain = look(view)
+    plain = grab(view)
     view.show_tool((0.0, -0.028, 0.0), 0.003)
     view.show_force((0.0, -0.028, 0.0), (0.0, 0.0, 1.0))
     view.show_ring((0.0, -0.025, 0.0), (0, -1, 0), 0.008)
-    shown = look(view)
+    shown = grab(view)
 
     assert (np.abs(shown - plain).sum(axis=-1) > 30).sum() > 300
     view.show_tool(None)
     view.show_force(None)
     view.show_ring(None)
-    assert np.array_equal(look(view), plain)
+    assert np.array_equal(grab(view), plain)
 
 
 def test_a_force_of_nothing_is_no_arrow(view):
-    plain = look(view)
+    plain = grab(view)
     view.show_force((0.0, -0.028, 0.0), (0.0, 0.0, 0.0))
-    assert np.array_equal(look(view), plain)
+    assert np.array_equal(grab(view), plain)
 
 
 def test_the_surface_follows_its_new_positions(view):
-    left, *_ = silhouette(look(view))
+    left, *_ = silhouette(grab(view))
     view.move_surface(X + [0.01, 0.0, 0.0])
 
-    assert silhouette(look(view))[0] != left
+    assert silhouette(grab(view))[0] != left
     with pytest.raises(ValueError, match="shape of the surface shown"):
         view.move_surface(X[:-1])
 
@@ -133,29 +133,29 @@ def test_surfaces_that_cannot_be_drawn_are_refused_and_the_old_one_stays(view):
     ):
         with pytest.raises(ValueError):
             view.show_surface(vertices, faces)
-    assert redness(look(view))[SIZE[1] // 2, SIZE[0] // 2] > 50
+    assert redness(grab(view))[SIZE[1] // 2, SIZE[0] // 2] > 50
 
 
 def test_edges_are_drawn_where_they_are_wanted(view):
     view.wireframe = False
-    without = look(view)
+    without = grab(view)
     view.wireframe = True
 
     assert view.wireframe
-    assert not np.array_equal(look(view), without)
+    assert not np.array_equal(grab(view), without)
 
 
 def test_the_theme_turns_the_backdrop_light(view):
-    dark = look(view)[4, 4].mean()
+    dark = grab(view)[4, 4].mean()
     view.use_theme("light")
 
-    assert look(view)[4, 4].mean() > dark + 100
+    assert grab(view)[4, 4].mean() > dark + 100
 
 
 def test_text_over_the_picture_is_readable_after_a_frame(view):
     view.hud.show_rows([("Force", "1.23 N"), ("Time", "0:12")])
     view.hud.move(0, 0)
-    pixels = look(view)
+    pixels = grab(view)
 
     assert view.hud.isVisible()
     bright = pixels[: view.hud.height(), : view.hud.width()].min(axis=-1) > 200
@@ -242,12 +242,12 @@ def test_two_views_draw_beside_each_other(view, qtbot):
     for _ in range(3):
         view.orbit(1, 0)
         other.orbit(1, 0)
-        first, second = look(view), look(other)
+        first, second = grab(view), grab(other)
     assert second[4, 4].mean() > first[4, 4].mean() + 100
     other.deleteLater()
     QApplication.sendPostedEvents(None, 52)
     view.orbit(1, 0)
-    assert redness(look(view))[SIZE[1] // 2, SIZE[0] // 2] > 50
+    assert redness(grab(view))[SIZE[1] // 2, SIZE[0] // 2] > 50
 
 
 def test_a_machine_without_opengl_says_so_in_the_window(qtbot, monkeypatch):
@@ -260,7 +260,7 @@ def test_a_machine_without_opengl_says_so_in_the_window(qtbot, monkeypatch):
     view = FboView(window)
     view.resize(*SIZE)
     view.show_surface(X, FACES)
-    pixels = look(view)
+    pixels = grab(view)
 
     assert view.problem == "no OpenGL 3.3 context: install libegl1"
     text = QColor.fromRgbF(*view.scenery.theme.text)
@@ -276,7 +276,7 @@ def test_updates_at_screen_rate_leave_no_memory_behind(view):
     x = np.array(mesh.vertices)
     view.show_surface(x, mesh.triangles)
     normals = palpate.compute_vertex_normals(x, mesh.triangles)
-    look(view)
+    grab(view)
     view.move_surface(x, normals)
     tracemalloc.start()
     for _ in range(20):

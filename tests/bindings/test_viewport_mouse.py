@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from viewports import CORNER, MIDDLE_OF_VIEW, SIZE, silhouette
-from windows import LEFT, MIDDLE, RIGHT, at, drag, look, move, turn_wheel
+from windows import LEFT, MIDDLE, RIGHT, at, drag, grab, move, turn_wheel
 
 
 def test_a_left_drag_turns_and_the_surface_follows_the_mouse(view):
@@ -64,7 +64,7 @@ def test_the_wheel_comes_nearer_to_what_lies_under_the_pointer(view):
 def test_a_view_that_nobody_moved_stays_fitted_when_it_is_resized(view, qtbot):
     view.resize(200, 400)
     qtbot.wait(20)
-    left, top, right, bottom = silhouette(look(view))
+    left, top, right, bottom = silhouette(grab(view))
     assert left > 0 and right < 199 and right - left > 120
 
     drag(view, CORNER, QPoint(10, 0))

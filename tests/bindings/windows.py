@@ -26,12 +26,12 @@ def read_pixels(image: QImage) -> np.ndarray:
     return rows[:, : 3 * plain.width()].reshape(plain.height(), plain.width(), 3).astype(int)
 
 
-def look(widget: QWidget) -> np.ndarray:
+def grab(widget: QWidget) -> np.ndarray:
     return read_pixels(widget.grab().toImage())
 
 
 def keep_picture(widget: QWidget, name: str) -> None:
-    """Leaves a picture in the build folder for people to look at."""
+    """Leaves a picture in the build folder that people can open."""
     host = "x11" if QApplication.platformName() == "xcb" else "offscreen"
     folder = SCREENSHOTS / host
     folder.mkdir(parents=True, exist_ok=True)
@@ -43,13 +43,13 @@ def at(point: QPointF) -> QPoint:
 
 
 def drag(
-    widget: QWidget, start: QPoint, way: QPoint, button=LEFT, keys=Qt.KeyboardModifier.NoModifier
+    widget: QWidget, start: QPoint, shift: QPoint, button=LEFT, keys=Qt.KeyboardModifier.NoModifier
 ) -> None:
     """Presses, moves in a few steps, lets go."""
     QTest.mousePress(widget, button, keys, start)
     for k in range(1, 5):
-        move(widget, start + way * k / 4, button, keys)
-    QTest.mouseRelease(widget, button, keys, start + way)
+        move(widget, start + shift * k / 4, button, keys)
+    QTest.mouseRelease(widget, button, keys, start + shift)
 
 
 def move(

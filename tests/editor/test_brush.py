@@ -155,8 +155,8 @@ def test_falloff_is_one_in_the_middle_and_nothing_at_the_rim():
     soft = compute_falloff(x, ids, np.zeros(3), 1.0)
 
     assert soft.tolist() == [1.0, 0.5, 0.0]
-    assert compute_falloff(x, ids, np.zeros(3), 1.0, softness=0.0).tolist() == [1.0, 1.0, 1.0]
-    assert compute_falloff(x, ids, np.zeros(3), 1.0, softness=0.5).tolist() == [1.0, 1.0, 0.0]
+    assert compute_falloff(x, ids, np.zeros(3), 1.0, falloff=0.0).tolist() == [1.0, 1.0, 1.0]
+    assert compute_falloff(x, ids, np.zeros(3), 1.0, falloff=0.5).tolist() == [1.0, 1.0, 0.0]
 
 
 def test_linked_is_the_whole_piece_and_no_other():

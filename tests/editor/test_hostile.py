@@ -24,12 +24,12 @@ PROCESSOR_SECONDS = 10
 HANG = 120
 """[s] of wall clock, for a machine under any load; the processor's seconds are what counts."""
 
-LOOK = """
+SCRIPT = """
 import json, sys
 import palpate
 from palpate_editor.authoring import decimate, import_mesh, inspect_mesh, join_parts, read_mesh
 
-def look(path):
+def read_reports(path):
     yield inspect_mesh(join_parts(read_mesh(path)).mesh).as_dict()
     organ = import_mesh(path)
     yield organ.report.as_dict()
@@ -37,7 +37,7 @@ def look(path):
 
 reports, refusal = [], None
 try:
-    for report in look(sys.argv[1]):
+    for report in read_reports(sys.argv[1]):
         reports.append(report)
 except palpate.FileError as e:
     refusal = [e.file, e.where, e.found, e.expected]
@@ -52,12 +52,12 @@ def limit() -> None:
     resource.setrlimit(resource.RLIMIT_CPU, (PROCESSOR_SECONDS, PROCESSOR_SECONDS))
 
 
-def look(path: Path) -> dict:
+def read_with_limits(path: Path) -> dict:
     """What a program with limits sees in a file."""
     # every thread of a numerics library sets an address range aside, which is not memory used
     environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
     done = subprocess.run(
-        [sys.executable, "-c", LOOK, path],
+        [sys.executable, "-c", SCRIPT, path],
         capture_output=True,
         text=True,
         timeout=HANG,
@@ -80,7 +80,7 @@ def hostile_files() -> list[str]:
 def test_a_hostile_file_gives_a_report_or_a_sentence(name, shared_data):
     path = shared_data(f"hostile/{name}")
 
-    seen = look(path)
+    seen = read_with_limits(path)
 
     assert seen["reports"] or seen["refusal"]
     # a reader that never ran would refuse everything
@@ -96,7 +96,7 @@ def test_a_hostile_file_gives_a_report_or_a_sentence(name, shared_data):
 
 @pytest.mark.parametrize("name", ["VH_F_Kidney_L", "VH_F_Liver", "VH_M_Heart"])
 def test_a_large_organ_of_nested_parts_has_a_report_too(name, shared_data):
-    seen = look(shared_data(f"organs/{name}.glb"))
+    seen = read_with_limits(shared_data(f"organs/{name}.glb"))
 
     (report,) = seen["reports"]
     assert report["self_intersecting_faces"] > 1000

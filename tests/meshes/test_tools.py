@@ -62,16 +62,16 @@ def sample_shape(shape, count=150):
     out = random.normal(size=(count, 3))
     out /= np.linalg.norm(out, axis=1)[:, None]
     a = np.asarray(shape.a)
-    way = np.asarray(shape.a if shape.b is None else shape.b) - a
-    along = np.where(out @ way > 0.0, 1.0, 0.0)
+    axis_vector = np.asarray(shape.a if shape.b is None else shape.b) - a
+    along = np.where(out @ axis_vector > 0.0, 1.0, 0.0)
     # the flank too, not only the two ends
     half = count // 2
     if shape.b is not None:
-        axis = way / np.linalg.norm(way)
+        axis = axis_vector / np.linalg.norm(axis_vector)
         out[:half] -= (out[:half] @ axis)[:, None] * axis
         out[:half] /= np.linalg.norm(out[:half], axis=1)[:, None]
         along[:half] = random.random(half)
-    return a + along[:, None] * way + shape.radius * out
+    return a + along[:, None] * axis_vector + shape.radius * out
 
 
 @pytest.mark.parametrize("name", TOOLS)

@@ -29,8 +29,8 @@ def build_ellipsoid(semi_axes: tuple[float, float, float], n: int) -> tuple[Floa
     x, t = weld(np.vstack(points) / n, np.vstack(cells))
     layer = np.abs(x).sum(axis=1, keepdims=True)
     inside = layer[:, 0] > 0.0
-    way = np.sin(0.5 * np.pi * x[inside] / layer[inside])
-    x[inside] = layer[inside] * way / np.linalg.norm(way, axis=1, keepdims=True)
+    direction = np.sin(0.5 * np.pi * x[inside] / layer[inside])
+    x[inside] = layer[inside] * direction / np.linalg.norm(direction, axis=1, keepdims=True)
     return finish(x * np.array(semi_axes), t)
 
 

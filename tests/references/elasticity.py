@@ -171,25 +171,25 @@ class Press:
         return sparse.csc_matrix((values, *self.pattern), shape=(self.size, self.size))
 
     def solve(self, matrix: sparse.csc_matrix, right: Floats) -> Floats:
-        """A way downhill: conjugate gradients on the last factor, until they are close or meet a
-        direction in which the body gives way. Factorises again where they are slow."""
+        """A descent direction: conjugate gradients on the last factor, until they are close or
+        meet a direction in which the body gives way. Factorises again where they are slow."""
         diagonal = matrix.diagonal()
         found, left = np.zeros_like(right), right.copy()
         close = self.factor(left)
-        way, goal = close.copy(), CLOSE**2 * (left @ close)
+        step, goal = close.copy(), CLOSE**2 * (left @ close)
         reach = left @ close
         for _ in range(CG_MAX):
-            pull = matrix @ way + matrix.T @ way - diagonal * way
-            curve = way @ pull
+            pull = matrix @ step + matrix.T @ step - diagonal * step
+            curve = step @ pull
             if curve <= 0.0:
-                return found if found.any() else way
-            found += reach / curve * way
+                return found if found.any() else step
+            found += reach / curve * step
             left -= reach / curve * pull
             close = self.factor(left)
             before, reach = reach, left @ close
             if reach < goal:
                 return found
-            way = close + reach / before * way
+            step = close + reach / before * step
         try:
             self.factor = cholesky(matrix)
         except CholmodNotPositiveDefiniteError:
@@ -228,7 +228,7 @@ class Press:
             if after <= energy - 1e-4 * part * slope + 1e-12 * energy:
                 return there, self.body.forces(there, "neo_hookean")
             part *= 0.5
-        raise Diverged("no lower energy on the way")
+        raise Diverged("no lower energy along the step")
 
     def force(self, u: Floats, law: str) -> Floats:
         """What the moved nodes must be pushed with, [N]."""

@@ -15,7 +15,7 @@ HELD_PART = 0.2
 """Of the height: the surface triangles below are held."""
 
 FACING = 0.7
-"""Cosine between the way to a place and its normal, at least."""
+"""Cosine between the direction to a place and its normal, at least."""
 
 
 @dataclass(frozen=True)
@@ -68,18 +68,18 @@ class Subject:
 
     @cached_property
     def places(self) -> list[Place]:
-        return [find_place(self, name, way) for name, way in self.directions.items()]
+        return [find_place(self, name, direction) for name, direction in self.directions.items()]
 
 
-def find_place(subject: Subject, name: str, way: tuple[float, float, float]) -> Place:
-    """The patch round the surface vertex that way from the middle, of triangles that face it."""
+def find_place(subject: Subject, name: str, direction: tuple[float, float, float]) -> Place:
+    """The patch round the surface vertex in that direction, of triangles that face it."""
     x, faces = subject.x, subject.faces
     middle = 0.5 * (x[faces].reshape(-1, 3).min(axis=0) + x[faces].reshape(-1, 3).max(axis=0))
     normal = np.cross(x[faces[:, 1]] - x[faces[:, 0]], x[faces[:, 2]] - x[faces[:, 0]])
     normals = np.zeros_like(x)
     for corner in range(3):
         np.add.at(normals, faces[:, corner], normal)
-    ahead = np.array(way) / np.linalg.norm(way)
+    ahead = np.array(direction) / np.linalg.norm(direction)
     seen, looks = x[subject.surface] - middle, normals[subject.surface]
     slant = seen @ ahead / np.linalg.norm(seen, axis=1)
     slant[looks @ ahead < FACING * np.linalg.norm(looks, axis=1)] = -1.0

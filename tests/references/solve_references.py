@@ -176,7 +176,7 @@ def follow(
 def go(press: Press, u: Floats, unit: Floats, before: float, after: float) -> Floats:
     """Equilibrium at depth `after` from the one at `before`, in halves where it is too far."""
     if abs(after - before) < 1e-6:
-        raise Diverged(f"the way from {before:g} to {after:g} m is too hard")
+        raise Diverged(f"the step from {before:g} to {after:g} m is too hard")
     try:
         return press.balance(u + (after - before) * unit)
     except Diverged:

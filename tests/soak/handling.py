@@ -64,7 +64,7 @@ def write_hand(choose: random.Random, top: float, seconds: float) -> list[palpat
     return frames
 
 
-class Desk:
+class Operator:
     """A scene, a folder, and a hand that does something else every time."""
 
     def __init__(self, folder: Path, seed: int):

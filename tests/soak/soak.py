@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from handling import Desk, Outcome
+from handling import Operator, Outcome
 
 WARM_UP = 0.25
 """Share of the time after which memory must no longer grow."""
@@ -61,10 +61,10 @@ def take_sample(begun: float) -> Sample:
 def handle(minutes: float, diary: Diary, folder: Path) -> None:
     """Runs until the time is over or something ends as it should not."""
     begun = time.perf_counter()
-    desk = Desk(folder, diary.seed)
+    operator = Operator(folder, diary.seed)
     while time.perf_counter() - begun < 60.0 * minutes:
         try:
-            diary.outcomes.append(desk.run_once())
+            diary.outcomes.append(operator.run_once())
         except Exception as problem:
             diary.failure = f"run {len(diary.outcomes)}: {type(problem).__name__}: {problem}"
             return

@@ -45,7 +45,7 @@ def read_size(text: str) -> tuple[int, int]:
 
 
 def run_render(call: argparse.Namespace) -> Report:
-    look: dict[str, Any] = {
+    options: dict[str, Any] = {
         "size": call.size,
         "theme": call.theme,
         "azimuth": call.azimuth,
@@ -53,7 +53,7 @@ def run_render(call: argparse.Namespace) -> Report:
         "wireframe": not call.no_wireframe,
     }
     if call.file.suffix == ".prec":
-        moment = picture_of_record(call.out, call.file, call.time, look, scene_path=call.scene)
+        moment = picture_of_record(call.out, call.file, call.time, options, scene_path=call.scene)
         return {"picture": str(call.out), "time_s": moment}
     if call.time is not None:
         raise WrongCall(f"--time: {call.file} is no record (.prec), so it has only its rest")
@@ -64,7 +64,7 @@ def run_render(call: argparse.Namespace) -> Report:
         from palpate.render.authored_look import find_look
 
         made = palpate.scenario.read(call.file)
-        mesh, look["look"] = made.scene.tissue, find_look(made)
+        mesh, options["look"] = made.scene.tissue, find_look(made)
     elif call.file.suffix == ".json":
         mesh = read_scene(call.file).tissue
     else:
@@ -74,7 +74,7 @@ def run_render(call: argparse.Namespace) -> Report:
             f"a name ending in {call.file.suffix!r}",
             ".palpate (published), .json (scene), .prec (record) or .obj",
         )
-    picture_of_rest(call.out, mesh, call.file.stem, look)
+    picture_of_rest(call.out, mesh, call.file.stem, options)
     return {"picture": str(call.out), "time_s": None}
 
 

@@ -68,14 +68,14 @@ class Calibration:
 
     def read(self) -> Work:
         """What the device says while it is still, and what a simulated hand holds against [N]."""
-        link, way = self.link, self.way()
+        link, direction = self.link, self.unit_vector()
 
         def work() -> Reading:
             gather, held = Gather(), []
             for _ in range(round(STILL / SEEN)):
                 gather.add(link.run(SEEN))
                 if link.arm is not None:
-                    held.append(-float(np.asarray(link.arm.hand_force()) @ way))
+                    held.append(-float(np.asarray(link.arm.hand_force()) @ direction))
             return Reading(gather, float(np.mean(held)) if held else None)
 
         return work
@@ -133,10 +133,10 @@ class Calibration:
 
     @property
     def direction(self) -> str:
-        """Of the push that is under way or comes next."""
+        """Of the push that is made now or comes next."""
         return list(DIRECTIONS)[min(len(self._pulls), len(DIRECTIONS) - 1)]
 
-    def way(self) -> Array:
+    def unit_vector(self) -> Array:
         """(3,) unit, of the push."""
         return np.array(DIRECTIONS[self.direction])
 
@@ -153,13 +153,13 @@ class Calibration:
     def push(self) -> Work:
         """Leans the motors on the scale; at first they have to be switched on."""
         link, wanted, before = self.link, self.next_force, self._pushed
-        way = self.way()
+        direction = self.unit_vector()
         self._pushed = wanted
 
         def work() -> None:
             if link.status().mode is not palpate.DeviceMode.run:
                 power_up(link)
-            lean(link, before * way, wanted * way)
+            lean(link, before * direction, wanted * direction)
 
         return work
 
@@ -172,9 +172,14 @@ class Calibration:
             self._half = (gather.duty(), reading)
             return None
         duty, first = self._half
-        way = self.way()
+        direction = self.unit_vector()
         self._pulls.append(
-            Pull(way, gather.joints(), np.array([duty, gather.duty()]), np.array([first, reading]))
+            Pull(
+                direction,
+                gather.joints(),
+                np.array([duty, gather.duty()]),
+                np.array([first, reading]),
+            )
         )
         strong, self._half, self._pushed = self._pushed, None, 0.0
         if len(self._pulls) == len(DIRECTIONS):
@@ -182,7 +187,7 @@ class Calibration:
         link, last = self.link, self.stage is Stage.motors
 
         def work() -> None:
-            lean(link, strong * way, np.zeros(3))
+            lean(link, strong * direction, np.zeros(3))
             if last:
                 link.driver.enable(False)
 

@@ -111,7 +111,7 @@ def find_home_offset(calibration: palpate.Calibration, counts: ArrayLike) -> Arr
 
 @dataclass(frozen=True)
 class Pull:
-    """What a scale said while the motors pushed one way, weakly and then more strongly."""
+    """What a scale said while the motors pushed in one direction, weakly and then more strongly."""
 
     direction: Array
     """(3,) unit."""

@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 DIRECTIONS = {"right": (1.0, 0.0, 0.0), "away": (0.0, 1.0, 0.0), "up": (0.0, 0.0, 1.0)}
 """Of the pushes, in the arm's frame."""
 WEAK, STRONG = 0.3, 0.9
-"""[N] of the two pushes each way."""
+"""[N] of the two pushes in each direction."""
 LEAN, LEAN_STEPS = 1.0, 50
 """[s] in which a push grows, and in how many steps."""
 
@@ -33,8 +33,8 @@ def measure_pulls(link: Link, read: Reader) -> Iterator[Pull]:
     bring(link, POSES[0])
     power_up(link)
     strong = find_strong(link)
-    for name, way in DIRECTIONS.items():
-        direction = np.array(way)
+    for name, vector in DIRECTIONS.items():
+        direction = np.array(vector)
         duty, readings, joints, before = [], [], np.zeros(ARM), 0.0
         for force in (WEAK, strong):
             lean(link, before * direction, force * direction)

@@ -25,12 +25,12 @@ ROUND_TRIP = 20e-3
 PLAY = 2e-3
 """[m] that the tip may drift in a second while the motors carry the arm."""
 SEEN = 0.01
-"""[s] between two looks at a device."""
-LOOKS = 11
+"""[s] between two readings of a device."""
+READINGS = 11
 """At a force."""
 SILENCE = 0.03
 """[s]"""
-WAYS = (sentence("push right %1 N"), sentence("push away %1 N"), sentence("push up %1 N"))
+PUSHES = (sentence("push right %1 N"), sentence("push away %1 N"), sentence("push up %1 N"))
 
 
 @dataclass(frozen=True)
@@ -152,9 +152,9 @@ def check_motors(link: Link, test: Test) -> bool:
     drift = float(np.linalg.norm(link.run(1.0).tip - before))
     found = sentence("%1 mm in a second without a force", f"{1e3 * drift:.1f}")
     test.note(sentence("arm carried"), drift < PLAY, found)
-    for axis, way in enumerate(WAYS):
+    for axis, push in enumerate(PUSHES):
         for sign in (1.0, -1.0):
-            name = sentence(way.template, f"{sign * PUSH:+.1f}")
+            name = sentence(push.template, f"{sign * PUSH:+.1f}")
             check_push(link, test, sign * PUSH * np.eye(3)[axis], name)
     link.push()
     link.run(0.1)
@@ -165,13 +165,15 @@ def check_push(link: Link, test: Test, force: np.ndarray, name: Sentence) -> Non
     """What the duties stand for is what was asked, within 5 % and a step of each duty."""
     link.push(force)
     link.run(0.3)
-    looks = [link.run(SEEN) for _ in range(LOOKS)]
-    if is_silenced(looks[-1]):  # by this computer, which is busy: no fault of the device
+    readings = [link.run(SEEN) for _ in range(READINGS)]
+    if is_silenced(readings[-1]):  # by this computer, which is busy: no fault of the device
         link.driver.clear_fault()
         link.wait_for(palpate.DeviceMode.run, 2.0)
-        looks = [link.run(SEEN) for _ in range(LOOKS)]
+        readings = [link.run(SEEN) for _ in range(READINGS)]
     # the median: while a report is late the force is taken back
-    status = sorted(looks, key=lambda look: np.linalg.norm(look.force_applied - force))[LOOKS // 2]
+    status = sorted(readings, key=lambda one: np.linalg.norm(one.force_applied - force))[
+        READINGS // 2
+    ]
     calibration = link.driver.calibration()
     arm = palpate.find_arm(calibration)
     carried = palpate.compute_weight_torque(arm, status.joints)

@@ -181,7 +181,7 @@ class CalibratePage(Page):
         """A simulated hand knows what it holds against."""
         arm = run.link.arm
         if arm is not None and run.stage is Stage.forces and run.force:
-            self.scale.setValue(-float(np.asarray(arm.hand_force()) @ run.way()))
+            self.scale.setValue(-float(np.asarray(arm.hand_force()) @ run.unit_vector()))
 
     def _begin(self, work: Work) -> None:
         self.job = Job(work)

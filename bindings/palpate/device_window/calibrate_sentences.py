@@ -69,7 +69,7 @@ def say_step(run: Calibration | None) -> tuple[str, str]:
 
 
 def say_push(run: Calibration) -> tuple[str, str]:
-    way = say_direction(run.direction)
+    direction = say_direction(run.direction)
     if run.force:
         title = translate("Device", "It pushes %1 with %2")
         text = translate(
@@ -77,10 +77,10 @@ def say_push(run: Calibration) -> tuple[str, str]:
             "Hold it at home with the scale, against the push, and take over what the scale reads "
             "(1 N is 102 g).",
         )
-        return title.replace("%1", way).replace(
+        return title.replace("%1", direction).replace(
             "%2", f"{number(run.force, 2)}\N{NO-BREAK SPACE}N"
         ), text
-    title = translate("Device", "Force check: %1").replace("%1", way)
+    title = translate("Device", "Force check: %1").replace("%1", direction)
     return title, translate(
         "Device",
         "Hook a spring scale to the stylus at home. The motors come on and push this way, weakly "

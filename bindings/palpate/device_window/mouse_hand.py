@@ -67,8 +67,8 @@ class MouseHand:
         return False
 
     def _is_near(self, view: ViewBase, at: QPointF) -> bool:
-        way = view.world_to_pixel(self._scene.tip) - at
-        return (way.x() ** 2 + way.y() ** 2) ** 0.5 < NEAR
+        offset = view.world_to_pixel(self._scene.tip) - at
+        return (offset.x() ** 2 + offset.y() ** 2) ** 0.5 < NEAR
 
     def _go(self, place: np.ndarray) -> None:
         self._place = place

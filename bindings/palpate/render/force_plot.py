@@ -71,13 +71,13 @@ def plot_records(
     if theme not in THEMES:
         raise ValueError(f"theme must be one of {', '.join(THEMES)}, got {theme!r}")
     traces = {name: read_trace(record) for name, record in records.items()}
-    look, palette = THEMES[theme], RUN_COLOURS[theme]
+    shades, palette = THEMES[theme], RUN_COLOURS[theme]
     colours = {name: palette[i % len(palette)] for i, name in enumerate(traces)}
     figure = Figure(
         figsize=(size[0] / DPI, size[1] / DPI),
         dpi=DPI,
         layout="constrained",
-        facecolor=look.corner if theme == "dark" else look.panel,
+        facecolor=shades.corner if theme == "dark" else shades.panel,
     )
     canvas = FigureCanvasAgg(figure)
     figure.get_layout_engine().set(w_pad=0.12, h_pad=0.09, hspace=0.0)
@@ -86,19 +86,19 @@ def plot_records(
     top = figure.add_subplot(grid[0, 0])
     panels = [top, *(figure.add_subplot(grid[row, 0], sharex=top) for row in (1, 2, 3))]
     loop = figure.add_subplot(grid[:, 1])
-    plot_magnitude(panels[0], traces, colours, look)
-    plot_components(panels[1], traces, colours, look)
-    plot_depth(panels[2], traces, colours, look)
-    plot_contact(panels[3], traces, colours, look)
-    plot_loop(loop, traces, colours, look)
+    plot_magnitude(panels[0], traces, colours, shades)
+    plot_components(panels[1], traces, colours, shades)
+    plot_depth(panels[2], traces, colours, shades)
+    plot_contact(panels[3], traces, colours, shades)
+    plot_loop(loop, traces, colours, shades)
     for axes in (*panels, loop):
-        dress(axes, look)
+        dress(axes, shades)
     for axes in panels[:-1]:
         axes.tick_params(labelbottom=False)
     if title:
         figure.suptitle(
             title,
-            color=look.text,
+            color=shades.text,
             fontsize=15,
             fontweight="bold",
             x=0.0125,
@@ -112,7 +112,7 @@ Traces = Mapping[str, Trace]
 Colours = Mapping[str, Colour]
 
 
-def plot_magnitude(axes: Axes, traces: Traces, colours: Colours, look: Theme) -> None:
+def plot_magnitude(axes: Axes, traces: Traces, colours: Colours, shades: Theme) -> None:
     for name, trace in traces.items():
         force = trace.magnitude()
         peak = int(force.argmax())
@@ -126,10 +126,10 @@ def plot_magnitude(axes: Axes, traces: Traces, colours: Colours, look: Theme) ->
         axes.plot(trace.time[peak], force[peak], "o", color=colours[name], markersize=5)
     axes.set_ylabel("force [N]")
     axes.set_ylim(bottom=0.0)
-    write_key(axes, look, ncols=len(traces))
+    write_key(axes, shades, ncols=len(traces))
 
 
-def plot_components(axes: Axes, traces: Traces, colours: Colours, look: Theme) -> None:
+def plot_components(axes: Axes, traces: Traces, colours: Colours, shades: Theme) -> None:
     for name, trace in traces.items():
         for column, dashes in enumerate(AXIS_DASHES.values()):
             axes.plot(
@@ -141,21 +141,21 @@ def plot_components(axes: Axes, traces: Traces, colours: Colours, look: Theme) -
             )
     axes.set_ylabel("by axis [N]")
     keys = [
-        Line2D([], [], color=look.text, linewidth=1.2, linestyle=dashes, label=axis)
+        Line2D([], [], color=shades.text, linewidth=1.2, linestyle=dashes, label=axis)
         for axis, dashes in AXIS_DASHES.items()
     ]
-    write_key(axes, look, handles=keys, ncols=3)
+    write_key(axes, shades, handles=keys, ncols=3)
 
 
-def plot_depth(axes: Axes, traces: Traces, colours: Colours, look: Theme) -> None:
+def plot_depth(axes: Axes, traces: Traces, colours: Colours, shades: Theme) -> None:
     for name, trace in traces.items():
         axes.plot(trace.time, 1e3 * trace.depth, color=colours[name], linewidth=1.5)
-    axes.axhline(0.0, color=look.faint, linewidth=0.8)
+    axes.axhline(0.0, color=shades.faint, linewidth=0.8)
     axes.set_ylabel("depth [mm]")
-    say_if_untouched(axes, traces, look)
+    say_if_untouched(axes, traces, shades)
 
 
-def plot_contact(axes: Axes, traces: Traces, colours: Colours, look: Theme) -> None:
+def plot_contact(axes: Axes, traces: Traces, colours: Colours, shades: Theme) -> None:
     """A bar per run: thin where it touched, thick where it was attached."""
     for row, (name, trace) in enumerate(traces.items()):
         touching = find_spans(trace.time, trace.touching)
@@ -169,20 +169,20 @@ def plot_contact(axes: Axes, traces: Traces, colours: Colours, look: Theme) -> N
     axes.set_xlabel("time [s]        bars: thin touching, thick attached")
 
 
-def plot_loop(axes: Axes, traces: Traces, colours: Colours, look: Theme) -> None:
+def plot_loop(axes: Axes, traces: Traces, colours: Colours, shades: Theme) -> None:
     for name, trace in traces.items():
         felt = trace.touching | trace.attached
         depth = np.where(felt, 1e3 * trace.depth, np.nan)
         axes.plot(depth, trace.along_press(), color=colours[name], linewidth=1.5)
-    axes.axhline(0.0, color=look.faint, linewidth=0.8)
-    axes.axvline(0.0, color=look.faint, linewidth=0.8)
+    axes.axhline(0.0, color=shades.faint, linewidth=0.8)
+    axes.axvline(0.0, color=shades.faint, linewidth=0.8)
     axes.set_xlabel("depth of the tool [mm]")
     axes.set_ylabel("force out of the tissue [N]")
-    axes.set_title("force against indentation", color=look.text, fontsize=11)
-    say_if_untouched(axes, traces, look)
+    axes.set_title("force against indentation", color=shades.text, fontsize=11)
+    say_if_untouched(axes, traces, shades)
 
 
-def say_if_untouched(axes: Axes, traces: Traces, look: Theme) -> None:
+def say_if_untouched(axes: Axes, traces: Traces, shades: Theme) -> None:
     if all(np.isnan(trace.depth).all() for trace in traces.values()):
         axes.text(
             0.5,
@@ -191,15 +191,15 @@ def say_if_untouched(axes: Axes, traces: Traces, look: Theme) -> None:
             transform=axes.transAxes,
             ha="center",
             va="center",
-            color=look.faint,
+            color=shades.faint,
         )
 
 
-def write_key(axes: Axes, look: Theme, **key: Any) -> None:
+def write_key(axes: Axes, shades: Theme, **key: Any) -> None:
     """Above the panel, where no curve runs through it."""
     axes.legend(
         frameon=False,
-        labelcolor=look.text,
+        labelcolor=shades.text,
         fontsize=9,
         borderpad=0.2,
         borderaxespad=0.0,
@@ -209,14 +209,14 @@ def write_key(axes: Axes, look: Theme, **key: Any) -> None:
     )
 
 
-def dress(axes: Axes, look: Theme) -> None:
+def dress(axes: Axes, shades: Theme) -> None:
     """Colours of the theme and a quiet grid."""
     axes.set_facecolor("none")
-    axes.grid(True, color=look.faint, alpha=0.22, linewidth=0.7)
+    axes.grid(True, color=shades.faint, alpha=0.22, linewidth=0.7)
     axes.set_axisbelow(True)
-    axes.tick_params(colors=look.faint, labelcolor=look.text, labelsize=9, length=3)
-    axes.xaxis.label.set(color=look.text, fontsize=10)
-    axes.yaxis.label.set(color=look.text, fontsize=10)
+    axes.tick_params(colors=shades.faint, labelcolor=shades.text, labelsize=9, length=3)
+    axes.xaxis.label.set(color=shades.text, fontsize=10)
+    axes.yaxis.label.set(color=shades.text, fontsize=10)
     for side, spine in axes.spines.items():
         spine.set_visible(side in ("left", "bottom"))
-        spine.set_color(look.faint)
+        spine.set_color(shades.faint)

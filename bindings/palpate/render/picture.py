@@ -85,15 +85,15 @@ class Picture:
     """Rows and columns of samples per pixel, 1 to 4; edges get four times as many."""
 
 
-def draw_picture(vertices: ArrayLike, triangles: ArrayLike, **look: Any) -> NDArray[np.uint8]:
+def draw_picture(vertices: ArrayLike, triangles: ArrayLike, **options: Any) -> NDArray[np.uint8]:
     """Draws a picture, (h, w, 3), sRGB, the top row first.
 
-    `look` are the other fields of Picture. Raises ValueError where one of them is wrong and
+    `options` are the other fields of Picture. Raises ValueError where one of them is wrong and
     RenderError where this machine cannot draw.
     """
-    picture = Picture(vertices, triangles, **look)
+    picture = Picture(vertices, triangles, **options)
     x, faces = check_surface(picture)
-    check_look(picture)
+    check_options(picture)
     theme = THEMES[picture.theme]
     values = None if picture.values is None else as_column(picture.values, len(x), "values")
     legend = None
@@ -118,10 +118,10 @@ def draw_picture(vertices: ArrayLike, triangles: ArrayLike, **look: Any) -> NDAr
 
 
 def save_picture(
-    path: str | os.PathLike[str], vertices: ArrayLike, triangles: ArrayLike, **look: Any
+    path: str | os.PathLike[str], vertices: ArrayLike, triangles: ArrayLike, **options: Any
 ) -> None:
     """Draws a picture as draw_picture does and writes it as PNG. Raises OSError as well."""
-    write_png(path, draw_picture(vertices, triangles, **look))
+    write_png(path, draw_picture(vertices, triangles, **options))
 
 
 def write_png(path: str | os.PathLike[str], pixels: NDArray[np.uint8]) -> None:
@@ -257,7 +257,7 @@ def check_surface(picture: Picture) -> tuple[Array, NDArray[np.int32]]:
     return x, np.ascontiguousarray(faces, dtype=np.int32)
 
 
-def check_look(picture: Picture) -> None:
+def check_options(picture: Picture) -> None:
     """Raises ValueError for anything that is wrong beside the surface."""
     if picture.theme not in THEMES:
         raise ValueError(f"theme must be one of {', '.join(THEMES)}, got {picture.theme!r}")

@@ -263,21 +263,21 @@ def sample_of(row: Any) -> palpate.HapticSample:
 
 
 def picture_of_rest(
-    out: Path, organ: palpate.SurfaceMesh | palpate.TissueModel, title: str, look: dict[str, Any]
+    out: Path, organ: palpate.SurfaceMesh | palpate.TissueModel, title: str, options: dict[str, Any]
 ) -> None:
     """Draws a surface as it is."""
     from palpate.render import save_picture
 
     bare = isinstance(organ, palpate.SurfaceMesh)
     x = organ.vertices if bare else palpate.compute_surface(organ, organ.rest_position)
-    save_picture(out, np.asarray(x), np.asarray(organ.triangles), title=title, **look)
+    save_picture(out, np.asarray(x), np.asarray(organ.triangles), title=title, **options)
 
 
 def picture_of_record(
     out: Path,
     record_path: Path,
     time: float | None,
-    look: dict[str, Any],
+    options: dict[str, Any],
     title: str | None = None,
     scene_path: Path | None = None,
 ) -> float:
@@ -303,7 +303,7 @@ def picture_of_record(
         tool=(np.asarray(world.tool.position), scene.tool.radius),
         force=force[tick],
         title=title or name_scene(where),
-        **look,
+        **options,
     )
     return float(times[tick])
 

@@ -49,13 +49,13 @@ def save_chart(
         costs: Of measure_costs.
         groups: What bodies stand together in a row of panels -> their names.
     """
-    look = THEMES["light"]
+    theme = THEMES["light"]
     groups = {title: names for title, names in groups.items() if names}
     figure = Figure(
         figsize=(WIDTH / DPI, (KEYS + HEIGHT * len(groups)) / DPI),
         dpi=DPI,
         layout="constrained",
-        facecolor=look.panel,
+        facecolor=theme.panel,
     )
     canvas = FigureCanvasAgg(figure)
     figure.get_layout_engine().set(w_pad=0.15, h_pad=0.12)
@@ -67,14 +67,14 @@ def save_chart(
             for cost in costs:
                 if cost.reference in names:
                     plot_point(axes, cost, error(rows, cost), kinds, bodies)
-            axes.axvline(target, color=look.faint, linewidth=1.0, linestyle=(0, (4, 3)))
-            scale(axes, look)
+            axes.axvline(target, color=theme.faint, linewidth=1.0, linestyle=(0, (4, 3)))
+            scale(axes, theme)
             axes.set_xlabel(word)
-        panels[0].set_title(title, loc="left", color=look.text, fontsize=11, fontweight="bold")
+        panels[0].set_title(title, loc="left", color=theme.text, fontsize=11, fontweight="bold")
         panels[0].set_ylabel("processor seconds\nper second of tissue at 1 kHz")
-    write_keys(figure, kinds, bodies, look)
+    write_keys(figure, kinds, bodies, theme)
     figure.suptitle(
-        "What a model costs, and how far it is from finite elements", color=look.text,
+        "What a model costs, and how far it is from finite elements", color=theme.text,
         fontsize=15, fontweight="bold", x=0.012, ha="left",
     )  # fmt: skip
     file = io.BytesIO()
@@ -82,14 +82,14 @@ def save_chart(
     write_whole(path, file.getvalue())
 
 
-def scale(axes: Axes, look: Theme) -> None:
-    axes.axhline(1.0, color=look.faint, linewidth=1.0, linestyle=(0, (1, 2)))
+def scale(axes: Axes, theme: Theme) -> None:
+    axes.axhline(1.0, color=theme.faint, linewidth=1.0, linestyle=(0, (1, 2)))
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{100 * value:g} %"))
     axes.xaxis.set_minor_formatter(NullFormatter())
-    dress(axes, look)
+    dress(axes, theme)
 
 
 def chosen(rows: Sequence[Row], cost: Cost) -> list[Row]:
@@ -127,22 +127,22 @@ def plot_point(
     )
 
 
-def write_keys(figure: Figure, kinds: Sequence[str], bodies: Sequence[str], look: Theme) -> None:
+def write_keys(figure: Figure, kinds: Sequence[str], bodies: Sequence[str], theme: Theme) -> None:
     keys = [
         Line2D([], [], marker="s", linestyle="", color=COLOURS[i % len(COLOURS)], label=kind)
         for i, kind in enumerate(kinds)
     ]
     keys += [
-        Line2D([], [], marker=MARKERS[i % len(MARKERS)], linestyle="", color=look.text, label=body)
+        Line2D([], [], marker=MARKERS[i % len(MARKERS)], linestyle="", color=theme.text, label=body)
         for i, body in enumerate(bodies)
     ]
     keys.append(
         Line2D(
-            [], [], color=look.faint, linestyle=(0, (4, 3)), label="what a hand, an eye lets pass"
+            [], [], color=theme.faint, linestyle=(0, (4, 3)), label="what a hand, an eye lets pass"
         )
     )
-    keys.append(Line2D([], [], color=look.faint, linestyle=(0, (1, 2)), label="real time"))
+    keys.append(Line2D([], [], color=theme.faint, linestyle=(0, (1, 2)), label="real time"))
     figure.legend(
-        handles=keys, loc="outside lower left", ncols=4, frameon=False, labelcolor=look.text,
+        handles=keys, loc="outside lower left", ncols=4, frameon=False, labelcolor=theme.text,
         fontsize=9,
     )  # fmt: skip

@@ -22,9 +22,12 @@ SIZE = (1000, 720)
 
 def save_fit_plot(path: Path, curve: Curve, fit: Fit, title: str, theme: str = "light") -> None:
     """Raises OSError."""
-    look, colours = THEMES[theme], RUN_COLOURS[theme]
+    shades, colours = THEMES[theme], RUN_COLOURS[theme]
     figure = Figure(
-        figsize=(SIZE[0] / DPI, SIZE[1] / DPI), dpi=DPI, layout="constrained", facecolor=look.panel
+        figsize=(SIZE[0] / DPI, SIZE[1] / DPI),
+        dpi=DPI,
+        layout="constrained",
+        facecolor=shades.panel,
     )
     canvas = FigureCanvasAgg(figure)
     figure.get_layout_engine().set(w_pad=0.15, h_pad=0.12)
@@ -37,8 +40,8 @@ def save_fit_plot(path: Path, curve: Curve, fit: Fit, title: str, theme: str = "
     top.set_ylabel("force [N]")
     top.set_ylim(bottom=min(0.0, float(curve.force.min())))
     top.tick_params(labelbottom=False)
-    write_key(top, look, ncols=2)
-    below.axhline(0.0, color=look.faint, linewidth=0.8)
+    write_key(top, shades, ncols=2)
+    below.axhline(0.0, color=shades.faint, linewidth=0.8)
     below.vlines(depth, 0.0, 1e3 * (curve.force - fit.force), color=colours[1], linewidth=1.5)
     below.plot(depth, 1e3 * (curve.force - fit.force), "o", color=colours[1], markersize=4)
     reach = 1.15e3 * float(np.abs(curve.force - fit.force).max()) + 1e-9
@@ -46,13 +49,19 @@ def save_fit_plot(path: Path, curve: Curve, fit: Fit, title: str, theme: str = "
     below.set_ylabel("measured less\nfitted [mN]")
     below.set_title(
         f"left over: {1e3 * fit.residual:.3g} mN root mean square, R² {fit.explained:.4f}",
-        loc="left", color=look.text, fontsize=9,
+        loc="left", color=shades.text, fontsize=9,
     )  # fmt: skip
     below.set_xlabel("depth of the tip below the surface at rest [mm]")
     for axes in (top, below):
-        dress(axes, look)
+        dress(axes, shades)
     figure.suptitle(
-        title, color=look.text, fontsize=14, fontweight="bold", x=0.015, ha="left", parse_math=False
+        title,
+        color=shades.text,
+        fontsize=14,
+        fontweight="bold",
+        x=0.015,
+        ha="left",
+        parse_math=False,
     )
     file = io.BytesIO()
     canvas.print_png(file)

@@ -132,30 +132,30 @@ def find_way(press: Press, x: Points, right: Points) -> Points:
     """Newton's step, by the projected tangent where the exact one leads uphill."""
     for projection in (palpate.Projection.none, palpate.Projection.positive_semidefinite):
         try:
-            way = splu(stiffness_of(press, x, projection)).solve(right)
+            step = splu(stiffness_of(press, x, projection)).solve(right)
         except RuntimeError:  # exactly singular
             continue
-        if np.isfinite(way).all() and right @ way > 0.0:
-            return way.reshape(-1, 3)
-    raise Unbalanced("no way downhill")
+        if np.isfinite(step).all() and right @ step > 0.0:
+            return step.reshape(-1, 3)
+    raise Unbalanced("no direction lowers the energy")
 
 
-def search(press: Press, x: Points, way: Points, right: Points) -> tuple[Points, Points]:
-    """Goes as far along `way` as lowers the energy."""
+def search(press: Press, x: Points, step: Points, right: Points) -> tuple[Points, Points]:
+    """Goes as far along `step` as lowers the energy."""
     free = press.free()
     state = palpate.State(press.model)
     energy = measure_energy(press.model, state, x)
-    slope = float((right * way).sum())
+    slope = float((right * step).sum())
     part = 1.0
     while part > 1e-5:
         there = x.copy()
-        there[free] += part * way
+        there[free] += part * step
         after = measure_energy(press.model, state, there)
         # the last steps change less energy than its rounding
         if after <= energy - 1e-4 * part * slope + 1e-13 * abs(energy):
             return there, compute_pull(press.model, there)
         part *= 0.5
-    raise Unbalanced("no lower energy on the way")
+    raise Unbalanced("no lower energy along the step")
 
 
 def measure_energy(model: palpate.TissueModel, state: palpate.State, x: Points) -> float:

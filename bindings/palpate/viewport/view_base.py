@@ -117,9 +117,9 @@ class ViewBase(ViewEvents):
         """An arrow from `start` [m] for a force [N], kept in sight; None takes it away."""
         self._force = None
         if start is not None and vector is not None:
-            way = self.force_scale * np.asarray(vector, dtype=float)
-            if np.linalg.norm(way) >= SHORTEST_ARROW:
-                self._force = np.array(start, dtype=float), way
+            shown = self.force_scale * np.asarray(vector, dtype=float)
+            if np.linalg.norm(shown) >= SHORTEST_ARROW:
+                self._force = np.array(start, dtype=float), shown
         self.update()
 
     def show_ring(

@@ -36,13 +36,13 @@ class ViewEvents:
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         at = event.position()
         if self._dragged_from is not None and event.buttons() != Qt.MouseButton.NoButton:
-            way = at - self._dragged_from
+            moved = at - self._dragged_from
             self._dragged_from = at
             shifted = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
             if event.buttons() & Qt.MouseButton.MiddleButton or shifted:
-                self.pan(way.x(), way.y())
+                self.pan(moved.x(), moved.y())
             else:
-                self.orbit(way.x(), way.y())
+                self.orbit(moved.x(), moved.y())
         elif self.tool is None or not self.tool.move(self, event):
             self._dragged_from = None
         if event.buttons() == Qt.MouseButton.NoButton:

@@ -24,8 +24,8 @@ FIXED_SHARE: float = TABLES["surroundings"]["fix_lowest"]
 MATERIAL = MaterialPart(**TABLES["material"] | {"wall_thickness": None})
 MODEL = ModelPart(
     drag=TABLES["surroundings"]["drag"],
-    # the constants of the molecular model are kept beside those of the springs, for whoever
-    # chooses it; where both have one, the springs' counts
+    # the constants of the molecular model are kept beside those of the springs, which an
+    # organ may change to; where both have one, the springs' counts
     **TABLES["mms"] | TABLES["mss"],
 )
 FILL = FillPart()

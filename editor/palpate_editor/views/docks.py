@@ -94,13 +94,13 @@ class Docks(QObject):
             self.remember()
         docks = self.list_docked()
         docks = {name: dock for name, dock in docks.items() if name in self.wanted}
-        for way in (Qt.Orientation.Horizontal, Qt.Orientation.Vertical):
-            across = way == Qt.Orientation.Horizontal
+        for orientation in (Qt.Orientation.Horizontal, Qt.Orientation.Vertical):
+            across = orientation == Qt.Orientation.Horizontal
             sizes = [
                 self.wanted[name].width() if across else self.wanted[name].height()
                 for name in docks
             ]
-            self.window.resizeDocks(list(docks.values()), sizes, way)
+            self.window.resizeDocks(list(docks.values()), sizes, orientation)
 
     def list_docked(self) -> dict[str, QDockWidget]:
         """Those that stand in the window and can be seen; of tabs the one in front."""

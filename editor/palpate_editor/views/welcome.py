@@ -149,8 +149,10 @@ class Welcome(QFrame):
         narrow = width < LEAST_WIDTH
         sides = NARROW_SIDES if narrow else SIDES
         self.column.setContentsMargins(sides, 20, sides, 16)
-        way = QHBoxLayout.Direction.TopToBottom if narrow else QHBoxLayout.Direction.LeftToRight
-        self.row.setDirection(way)
+        direction = (
+            QHBoxLayout.Direction.TopToBottom if narrow else QHBoxLayout.Direction.LeftToRight
+        )
+        self.row.setDirection(direction)
         self.shipped.use_columns(1 if narrow else COLUMNS)
         self.setFixedWidth(width)
         # in a low window the organs matter more than the sign, and then their names than they do

@@ -63,8 +63,8 @@ def test_a_mesh_over_an_open_document_begins_one_without_a_file(qtbot, liver_win
     assert liver.read_bytes() == before
 
 
-@pytest.mark.parametrize("way", ["dropped", "opened", "chosen"])
-def test_a_mesh_over_unsaved_changes_asks_first(qtbot, liver_window, spleen, way):
+@pytest.mark.parametrize("action", ["dropped", "opened", "chosen"])
+def test_a_mesh_over_unsaved_changes_asks_first(qtbot, liver_window, spleen, action):
     window = liver_window
     window.context.apply(SetName("liver, changed"))
     changed = window.session.organ
@@ -72,7 +72,7 @@ def test_a_mesh_over_unsaved_changes_asks_first(qtbot, liver_window, spleen, way
         "dropped": lambda: window.files.drop([spleen]),
         "opened": lambda: window.files.open(spleen),
         "chosen": lambda: window.files.import_name(str(spleen)),
-    }[way]
+    }[action]
 
     begin()
     assert questions(window) == ["unsaved"]

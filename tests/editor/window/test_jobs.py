@@ -42,15 +42,15 @@ def end(qapp, jobs: Jobs) -> None:
     assert not isValid(jobs)
 
 
-@pytest.mark.parametrize("way", ["returns", "raises", "speaks"])
-def test_work_that_outlives_its_window_ends_unheard(qapp, uncaught, way):
+@pytest.mark.parametrize("ending", ["returns", "raises", "speaks"])
+def test_work_that_outlives_its_window_ends_unheard(qapp, uncaught, ending):
     jobs, listener, held = Jobs(), Listener(), threading.Event()
 
     def work(progress):
         assert held.wait(PATIENCE / 1000)
-        if way == "raises":
+        if ending == "raises":
             raise ValueError("late")
-        if way == "speaks":
+        if ending == "speaks":
             progress.said.emit("late", 0.5)
         return "late"
 

@@ -269,12 +269,12 @@ class BrushTool(QObject):
     def _paint_way(self, to: QPointF, spot: Spot | None) -> None:
         """Stamps between the last place of the mouse and this one, close enough to join."""
         start, self._last = self._last, to
-        way = to - start
-        length = math.hypot(way.x(), way.y())
+        shift = to - start
+        length = math.hypot(shift.x(), shift.y())
         gap = STAMP_GAP * (self.pixels(spot) if spot is not None else math.inf)
         count = min(MOST_STAMPS, max(1, math.ceil(length / max(gap, 1.0))))
         for k in range(1, count):
-            between = self.find_spot(start + way * (k / count))
+            between = self.find_spot(start + shift * (k / count))
             if between is not None:
                 self._stamp(between)
         if spot is not None:

@@ -70,8 +70,8 @@ class PaintedSurface:
             front_only=brush.front_only,
             connected=brush.connected,
         )
-        softness = 1.0 if brush.soft else 0.0
-        weights = compute_falloff(vertices, ids, spot.point, brush.radius, softness)
+        falloff = 1.0 if brush.soft else 0.0
+        weights = compute_falloff(vertices, ids, spot.point, brush.radius, falloff)
         # a brush smaller than a triangle means its nearest corner, which lies beyond the rim
         beyond = np.linalg.norm(vertices[ids] - spot.point, axis=1) >= brush.radius
         return ids, np.where(beyond, 1.0, weights)
