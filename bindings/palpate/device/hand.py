@@ -19,7 +19,7 @@ SETTLE = 1.0
 OVER = np.radians(0.5)
 """[rad] that a hand goes on pressing where a joint has its stop."""
 SEEN = 0.01
-"""[s] between two looks at a device."""
+"""[s] between two readings of a device."""
 
 
 class Gather:

@@ -23,7 +23,7 @@ from palpate.player.sentences import format_clock, say_notice, translate
 
 
 def build_label(name: str, parent: QWidget, wrap: bool = False) -> QLabel:
-    """A label whose look the style sheet knows by name; text is never taken for HTML."""
+    """A label that the style sheet knows by name; text is never taken for HTML."""
     label = QLabel(parent)
     label.setObjectName(name)
     label.setTextFormat(Qt.TextFormat.PlainText)

@@ -64,7 +64,7 @@ STEADIER = Advice(
 ALARMS = {
     AlarmKind.not_finite: Words("the tissue blew up: a position is not a number", SLOWER, STEADIER),
     AlarmKind.moved_far: Words(
-        "the tissue blew up: a point moved %1 mm between two looks, at most %2 mm is right",
+        "the tissue blew up: a point moved %1 mm between two checks, at most %2 mm is right",
         SLOWER,
         STEADIER,
         scale=1e3,

@@ -32,7 +32,7 @@ SHORTEST_ARROW = 1e-9
 ARROW_EDGE = 14
 """[px] that the arrow keeps from what it may not leave."""
 LIGHT_MS = 30
-"""[ms] between two looks at the sky, each of some 10 ms on a processor."""
+"""[ms] between two samples of the sky, each of some 10 ms on a processor."""
 
 
 class ViewBase(ViewEvents):

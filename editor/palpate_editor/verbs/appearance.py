@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The verb about looks: which an organ has, and giving it another."""
+"""The verb about appearance: which an organ has, and giving it another."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from palpate_editor.edits import SetAppearance
 from palpate_editor.verbs.files import ReadFile, apply, open_any
 
 PLAIN = "none"
-"""The word for plain tissue, without a look of its own."""
+"""The word for plain tissue, without an appearance of its own."""
 
 
 def read_argument(text: str) -> tuple[float, ...]:
@@ -81,7 +81,7 @@ def change(call: argparse.Namespace, organ: Organ) -> Organ:
     if style is None:
         known = find_style(organ.look)
         if known is None:
-            found = "plain tissue" if organ.look is None else "a look of its own"
+            found = "plain tissue" if organ.look is None else "an appearance of its own"
             raise Refusal(call.file, "--colour", found, "--style beside it")
         style = known.name
     if style == PLAIN and call.colour is not None:
@@ -94,7 +94,7 @@ def describe_appearance(report: Report) -> str:
     if report["look"] is None:
         line = "plain tissue"
     else:
-        line = f"{report['style'] or 'a look of its own'}, {report['colour']}"
+        line = f"{report['style'] or 'an appearance of its own'}, {report['colour']}"
     if report["out"]:
         return f"wrote {report['out']}: {line}"
     return f"{line}; styles: {', '.join(report['styles'])}"
@@ -103,7 +103,7 @@ def describe_appearance(report: Report) -> str:
 VERBS = [
     Verb(
         "appearance",
-        "say how an organ looks, or give it the look of a shipped one",
+        "say an organ's appearance, or give it that of a shipped one",
         "palpate appearance spleen.organ --style liver --colour '#7a2d25' -o spleen.organ",
         add_appearance,
         run_appearance,

@@ -19,7 +19,7 @@ class CommandTargets(Protocol):
     context: Context
     files: Files
     menu_actions: MenuActions
-    looks: Appearance
+    appearance: Appearance
     publishing: Publishing
     test_panel: TestPanel
 

@@ -17,7 +17,7 @@ from palpate_editor.views.translations import count, tr
 SOON = 500
 """[ms] work that is done by then shows no progress."""
 PICK_EVERY = 40
-"""[ms] between two looks at what is under the pointer."""
+"""[ms] between two checks of what is under the pointer."""
 SECOND = 1000
 STILL = 5.0
 """[1/s] fewer frames than that are a picture being refined, not a motion."""

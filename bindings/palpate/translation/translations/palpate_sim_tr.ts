@@ -9,7 +9,7 @@
         <translation>doku patladı: bir konum sayı değil</translation>
     </message>
     <message>
-        <source>the tissue blew up: a point moved %1 mm between two looks, at most %2 mm is right</source>
+        <source>the tissue blew up: a point moved %1 mm between two checks, at most %2 mm is right</source>
         <translation>doku patladı: bir nokta iki bakış arasında %1 mm yer değiştirdi, en çok %2 mm olmalı</translation>
     </message>
     <message>

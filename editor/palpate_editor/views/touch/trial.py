@@ -19,7 +19,7 @@ from palpate_editor.views.stage_bar import stage_title
 from palpate_editor.views.translations import fill, number, say, tr
 
 FRAME = 16
-"""[ms] between two looks at the loop."""
+"""[ms] between two readings of the loop's newest frame."""
 SMALLEST_FORCE = 0.01
 """[N] Less is noise of a tip that slides along, and gets no arrow."""
 ARROW, LONGEST = 0.25, 0.75
@@ -61,7 +61,7 @@ class Trial(QObject):
         view.force_scale = ARROW * diagonal
         self._most = LONGEST / ARROW
         self._timer = QTimer(self, interval=FRAME)
-        self._timer.timeout.connect(self._look)
+        self._timer.timeout.connect(self._poll)
 
     def start(self) -> None:
         self.run.start()
@@ -96,7 +96,7 @@ class Trial(QObject):
         self.view.show_force(None)
         self.view.hud.show_rows(())
 
-    def _look(self) -> None:
+    def _poll(self) -> None:
         frame = None if self.view.is_busy() else self.run.take_frame()
         if frame is not None:
             self._show(frame)
