@@ -3,13 +3,12 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from PySide6.QtWidgets import QScrollArea, QSizePolicy, QStackedWidget, QVBoxLayout, QWidget
 
 from palpate_editor.views.context import Context
 from palpate_editor.views.stage_bar import Verdict
 from palpate_editor.views.stages.stage_panel import StagePanel
+from palpate_editor.views.touch.tools import Tool
 
 SCROLL_BAR = 14
 """[px]"""
@@ -55,7 +54,7 @@ class StageDock(QWidget):
     def show_stage(self, stage: str) -> None:
         self.stack.setCurrentIndex(list(self.panels).index(stage))
 
-    def show_tool(self, tool: Any) -> None:
+    def show_tool(self, tool: Tool | None) -> None:
         """Shows a tool's options, or none."""
         if self.shown_options is not None:
             self.options.removeWidget(self.shown_options)

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QToolBar, QToolButton, QWidget
@@ -12,6 +10,7 @@ from PySide6.QtWidgets import QToolBar, QToolButton, QWidget
 from palpate_editor.views.context import Context
 from palpate_editor.views.icons import icon
 from palpate_editor.views.theme import Colours
+from palpate_editor.views.touch.tools import Tool
 from palpate_editor.views.translations import tr
 
 SIGNS = {"orbit": "orbit", "select": "select", "fix": "fix", "stiffness": "stiffness"}
@@ -23,11 +22,11 @@ class ToolStrip(QToolBar):
     chosen = Signal(object)
     """The tool, None for Orbit."""
 
-    def __init__(self, context: Context, tools: list[Any], parent: QWidget | None = None):
+    def __init__(self, context: Context, tools: list[Tool], parent: QWidget | None = None):
         super().__init__(tr("Tools"), parent)
         self.setObjectName("tool_strip")
         self.context, self.tools = context, tools
-        self.current: Any = None
+        self.current: Tool | None = None
         self.setOrientation(Qt.Orientation.Vertical)
         self.setMovable(False)
         self.setIconSize(QSize(24, 24))

@@ -39,6 +39,7 @@ from palpate_editor.views.status import Status
 from palpate_editor.views.tasks import Tasks
 from palpate_editor.views.tool_strip import ToolStrip
 from palpate_editor.views.touch import build_tools
+from palpate_editor.views.touch.tools import Tool
 from palpate_editor.views.translations import tr
 from palpate_editor.views.welcome import Welcome
 
@@ -203,7 +204,7 @@ class MainWindow(QMainWindow):
         self.show_history()
         self.show_assessment()
 
-    def on_tool(self, tool: object) -> None:
+    def on_tool(self, tool: Tool | None) -> None:
         self.stage_dock.show_tool(tool)
         self.display.refresh_values()
 

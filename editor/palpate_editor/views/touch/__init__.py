@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any
-
+from palpate_editor.views.context import Context
 from palpate_editor.views.touch.brush_keys import BrushKeys
 from palpate_editor.views.touch.brushes import FixTool, StiffnessTool
 from palpate_editor.views.touch.colours import show_painted
@@ -13,6 +12,7 @@ from palpate_editor.views.touch.live_costs import LiveCosts
 from palpate_editor.views.touch.select_tool import SelectTool
 from palpate_editor.views.touch.stroke import Brush
 from palpate_editor.views.touch.test_panel import TestPanel
+from palpate_editor.views.touch.tools import Tool
 
 __all__ = [
     "Brush",
@@ -27,7 +27,7 @@ __all__ = [
 ]
 
 
-def build_tools(context: Any) -> list[Any]:
+def build_tools(context: Context) -> list[Tool]:
     """The tools of a window in the order of its tool strip; the brushes share one size."""
     brush = Brush()
     fix, stiffness = FixTool(context, brush), StiffnessTool(context, brush)

@@ -4,18 +4,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
 
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction
 
+from palpate_editor.views.touch.tools import SizedTool
 from palpate_editor.views.translations import tr
 
 
 class BrushKeys(QObject):
     """Two actions that size whichever brush has the mouse, wherever the keyboard's focus is."""
 
-    def __init__(self, tools: Sequence[Any], parent: QObject | None = None):
+    def __init__(self, tools: Sequence[SizedTool], parent: QObject | None = None):
         super().__init__(parent)
         self.tools = tools
         self.actions = [

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import (
@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from palpate_editor.edits.paint import LEAST, MOST
 from palpate_editor.views.quantity_box import QuantityBox, QuantityRow
+from palpate_editor.views.touch.tools import PaintTool
 from palpate_editor.views.translations import count, tr
 
 STEPS = 200
@@ -41,7 +42,12 @@ class RatioSlider(QWidget):
     """A slider of even ratios, and the number to type beside it."""
 
     def __init__(
-        self, row: QuantityRow, low: float, high: float, take: Any, parent: QWidget | None = None
+        self,
+        row: QuantityRow,
+        low: float,
+        high: float,
+        take: Callable[[float], None],
+        parent: QWidget | None = None,
     ):
         super().__init__(parent)
         self.low, self.high, self.take = low, high, take
@@ -79,10 +85,10 @@ class RatioSlider(QWidget):
 class BrushOptions(QWidget):
     """What a brush tool shows on top of its stage."""
 
-    def __init__(self, tool: Any, parent: QWidget | None = None):
+    def __init__(self, tool: PaintTool, parent: QWidget | None = None):
         super().__init__(parent)
         self.setObjectName(f"{tool.name}_options")
-        self.tool, has_factor = tool, tool.paint.has_factor
+        self.tool, has_factor = tool, tool.has_factor
         form = QFormLayout(self)
         form.setContentsMargins(0, 0, 0, 0)
         form.setHorizontalSpacing(12)

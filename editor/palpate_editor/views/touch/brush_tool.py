@@ -4,16 +4,18 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
+from palpate.viewport import View
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QAction, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from palpate_editor.document import Organ
 from palpate_editor.edits import Edit
+from palpate_editor.views.context import Context
 from palpate_editor.views.touch.brush_keys import BrushKeys
 from palpate_editor.views.touch.brush_options import BrushOptions
 from palpate_editor.views.touch.colours import show_painted
@@ -36,7 +38,10 @@ NOTCH = 120.0
 Keys = Qt.KeyboardModifier
 
 
-class Paint(Protocol):
+Painted = TypeVar("Painted", bound=Stroke)
+
+
+class Paint(Protocol[Painted]):
     """What a brush puts on the organ."""
 
     name: str
@@ -47,12 +52,12 @@ class Paint(Protocol):
     def title(self) -> str: ...
     def hint(self) -> str: ...
 
-    def begin(self, organ: Organ, surface: PaintedSurface, brush: Brush, keys: Keys) -> Stroke:
+    def begin(self, organ: Organ, surface: PaintedSurface, brush: Brush, keys: Keys) -> Painted:
         """A stroke with these keys held down."""
 
-    def show_stroke(self, view: Any, stroke: Any) -> None: ...
+    def show_stroke(self, view: View, stroke: Painted) -> None: ...
 
-    def show_organ(self, view: Any, organ: Organ) -> None:
+    def show_organ(self, view: View, organ: Organ) -> None:
         """Colours the view with what the document says while the tool is in use."""
 
     def find_painted(self, organ: Organ) -> NDArray[np.bool_]:
@@ -71,10 +76,13 @@ class BrushTool(QObject):
     activated = Signal(bool)
     """It has the mouse now, or no longer."""
 
-    def __init__(self, context: Any, brush: Brush, paint: Paint, parent: QObject | None = None):
+    def __init__(
+        self, context: Context, brush: Brush, paint: Paint[Any], parent: QObject | None = None
+    ):
         super().__init__(parent or context)
         self.context, self.brush, self.paint = context, brush, paint
         self.name, self.shortcut = paint.name, paint.shortcut
+        self.has_factor = paint.has_factor
         self.keys: BrushKeys | None = None
         """Those of all brushes, where there is a menu for them."""
         self.active = False
@@ -200,7 +208,7 @@ class BrushTool(QObject):
 
     # ------------------------------------------------------------ events of the view
 
-    def press(self, view: Any, event: QMouseEvent) -> bool:
+    def press(self, view: View, event: QMouseEvent) -> bool:
         """Begins a stroke on the organ; beside it the view turns as ever."""
         del view
         if event.button() != Qt.MouseButton.LeftButton or self._stroke is not None:
@@ -215,17 +223,17 @@ class BrushTool(QObject):
         self.paint.show_stroke(self.context.view, self._stroke)
         return True
 
-    def move(self, view: Any, event: QMouseEvent) -> bool:
-        """Moves the ring, and paints along the way while a stroke lasts."""
+    def move(self, view: View, event: QMouseEvent) -> bool:
+        """Moves the ring, and paints along its path while a stroke lasts."""
         del view
         spot = self._show_ring(event.position())
         if self._stroke is None:
             return False
-        self._paint_way(event.position(), spot)
+        self._paint_path(event.position(), spot)
         self.paint.show_stroke(self.context.view, self._stroke)
         return True
 
-    def release(self, view: Any, event: QMouseEvent) -> bool:
+    def release(self, view: View, event: QMouseEvent) -> bool:
         """Ends the stroke: all of it is one edit."""
         del view
         if event.button() != Qt.MouseButton.LeftButton or self._stroke is None:
@@ -236,7 +244,7 @@ class BrushTool(QObject):
             self.show_organ(self.context.session.organ)
         return True
 
-    def wheel(self, view: Any, event: QWheelEvent) -> bool:
+    def wheel(self, view: View, event: QWheelEvent) -> bool:
         """Ctrl and the wheel: the size of the brush."""
         del view
         if not event.modifiers() & Qt.KeyboardModifier.ControlModifier:
@@ -245,7 +253,7 @@ class BrushTool(QObject):
         self._show_ring(event.position())
         return True
 
-    def key(self, view: Any, event: QKeyEvent) -> bool:
+    def key(self, view: View, event: QKeyEvent) -> bool:
         """[ and ] for the size, Escape to drop a stroke or to leave."""
         del view
         if event.type() != QEvent.Type.KeyPress:
@@ -262,11 +270,11 @@ class BrushTool(QObject):
             return True
         return False
 
-    def leave(self, view: Any) -> None:
+    def leave(self, view: View) -> None:
         """The mouse has left the view."""
         view.show_ring(None)
 
-    def _paint_way(self, to: QPointF, spot: Spot | None) -> None:
+    def _paint_path(self, to: QPointF, spot: Spot | None) -> None:
         """Stamps between the last place of the mouse and this one, close enough to join."""
         start, self._last = self._last, to
         shift = to - start

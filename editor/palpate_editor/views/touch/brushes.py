@@ -3,14 +3,14 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
+from palpate.viewport import View
 from PySide6.QtCore import QObject, Qt
 
 from palpate_editor.document import Organ
 from palpate_editor.edits import FixVertices, PaintStiffness
+from palpate_editor.views.context import Context
 from palpate_editor.views.touch.brush_tool import BrushTool, Keys
 from palpate_editor.views.touch.colours import show_fixed, show_painted, show_stiffness
 from palpate_editor.views.touch.painted_surface import PaintedSurface
@@ -41,10 +41,10 @@ class FixPaint:
         del surface, brush
         return FixStroke(organ.fixed, not keys & CONTROL)
 
-    def show_stroke(self, view: Any, stroke: FixStroke) -> None:
+    def show_stroke(self, view: View, stroke: FixStroke) -> None:
         show_fixed(view, stroke.values, None)
 
-    def show_organ(self, view: Any, organ: Organ) -> None:
+    def show_organ(self, view: View, organ: Organ) -> None:
         show_painted(view, organ)
 
     def find_painted(self, organ: Organ) -> NDArray[np.bool_]:
@@ -74,10 +74,10 @@ class StiffnessPaint:
         factor = 1.0 if keys & CONTROL else brush.factor
         return StiffnessStroke(organ.stiffness_scale, factor, brush.strength)
 
-    def show_stroke(self, view: Any, stroke: StiffnessStroke | SmoothStroke) -> None:
+    def show_stroke(self, view: View, stroke: StiffnessStroke | SmoothStroke) -> None:
         show_stiffness(view, stroke.values, always=True)
 
-    def show_organ(self, view: Any, organ: Organ) -> None:
+    def show_organ(self, view: View, organ: Organ) -> None:
         show_fixed(view, organ.fixed, None)
         show_stiffness(view, organ.stiffness_scale, always=True)
 
@@ -91,12 +91,12 @@ class StiffnessPaint:
 class FixTool(BrushTool):
     """Paints with FixPaint."""
 
-    def __init__(self, context: Any, brush: Brush, parent: QObject | None = None):
+    def __init__(self, context: Context, brush: Brush, parent: QObject | None = None):
         super().__init__(context, brush, FixPaint(), parent)
 
 
 class StiffnessTool(BrushTool):
     """Paints with StiffnessPaint."""
 
-    def __init__(self, context: Any, brush: Brush, parent: QObject | None = None):
+    def __init__(self, context: Context, brush: Brush, parent: QObject | None = None):
         super().__init__(context, brush, StiffnessPaint(), parent)

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from palpate.viewport import View
 
 from palpate_editor.document import Organ
 from palpate_editor.views.translations import tr
@@ -18,7 +18,7 @@ LEAST_TOP = 2.0
 """[-] stiffness factor at the end of the legend, so that an even organ is not all at one end."""
 
 
-def show_fixed(view: Any, fixed: NDArray[np.bool_], selected: NDArray[np.bool_] | None) -> None:
+def show_fixed(view: View, fixed: NDArray[np.bool_], selected: NDArray[np.bool_] | None) -> None:
     """Highlights fixed vertices, fainter where there is a selection beside them."""
     if selected is None:
         weights = fixed.astype(float)
@@ -27,7 +27,7 @@ def show_fixed(view: Any, fixed: NDArray[np.bool_], selected: NDArray[np.bool_] 
     view.show_selection(weights if weights.any() else None)
 
 
-def show_stiffness(view: Any, scale: NDArray[np.float64], always: bool = False) -> None:
+def show_stiffness(view: View, scale: NDArray[np.float64], always: bool = False) -> None:
     """Colours by stiffness factor; plain tissue where it is 1 everywhere, unless `always`."""
     if len(scale) == 0 or (not always and bool((scale == 1.0).all())):
         view.show_values(None)
@@ -36,7 +36,7 @@ def show_stiffness(view: Any, scale: NDArray[np.float64], always: bool = False) 
     view.show_values(scale, tr("stiffness factor"), (0.0, top))
 
 
-def show_painted(view: Any, organ: Organ) -> None:
+def show_painted(view: View, organ: Organ) -> None:
     """An organ at rest with all that was painted on it."""
     if organ.surface is None:
         return

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 from collections import deque
 from statistics import median
-from typing import Any
 
+import palpate
+from palpate.runs.live import Frame
 from palpate.translation.numbers import say_digits
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
@@ -137,16 +138,16 @@ class LiveCosts(QWidget):
         share = 1.0 / margin
         self._show("margin", f"{1e3 * step:.3f} ms {100 * share:4.0f} %", share)
 
-    def show_frame(self, frame: Any, rate: float) -> None:
-        """A palpate.runs.live.Frame of a loop of `rate` [Hz]."""
+    def show_frame(self, frame: Frame, rate: float) -> None:
+        """A frame of a loop of `rate` [Hz]."""
         self._costs.append(frame.cost)
         self._latenesses.append(frame.lateness)
         self._show_time("cost", median(self._costs), rate)
         self._show_time("lateness", median(self._latenesses), rate)
         self._show_missed(frame.missed_ticks, frame.tick + 1)
 
-    def show_report(self, report: Any, rate: float) -> None:
-        """What a whole run cost, a palpate.LoopReport of a loop of `rate` [Hz]."""
+    def show_report(self, report: palpate.LoopReport, rate: float) -> None:
+        """What a whole run cost of a loop of `rate` [Hz]."""
         for name, seconds in (("cost", report.cost), ("lateness", report.lateness)):
             self._show_time(name, seconds.median, rate)
         self._show_missed(report.missed_ticks, report.ticks)

@@ -3,9 +3,8 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
+from palpate.viewport import FboView, GLView, View, ViewTool
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
 
@@ -21,16 +20,16 @@ class PlaceTool(QObject):
         super().__init__(parent)
         self.radius = radius
         """[m] of the ring that shows where it would be."""
-        self.before: Any = None
+        self.before: ViewTool[GLView] | ViewTool[FboView] | None = None
 
-    def take(self, view: Any) -> None:
+    def take(self, view: View) -> None:
         """Has the mouse from now on, and the Escape key before any menu."""
         self.before = view.tool
         view.tool = self
         view.installEventFilter(self)
         view.setFocus()
 
-    def give_back(self, view: Any) -> None:
+    def give_back(self, view: View) -> None:
         """The tool that had the mouse before has it again."""
         view.removeEventFilter(self)
         view.show_ring(None)
@@ -44,7 +43,7 @@ class PlaceTool(QObject):
             return True
         return super().eventFilter(watched, event)
 
-    def press(self, view: Any, event: QMouseEvent) -> bool:
+    def press(self, view: View, event: QMouseEvent) -> bool:
         if event.button() != Qt.MouseButton.LeftButton:
             return False
         found = view.pick(event.position())
@@ -53,28 +52,28 @@ class PlaceTool(QObject):
         self.picked.emit(np.array(found.point))
         return True
 
-    def move(self, view: Any, event: QMouseEvent) -> bool:
+    def move(self, view: View, event: QMouseEvent) -> bool:
         self._show_ring(view, event.position())
         return False
 
-    def release(self, view: Any, event: QMouseEvent) -> bool:
+    def release(self, view: View, event: QMouseEvent) -> bool:
         del view, event
         return False
 
-    def wheel(self, view: Any, event: QWheelEvent) -> bool:
+    def wheel(self, view: View, event: QWheelEvent) -> bool:
         del view, event
         return False
 
-    def leave(self, view: Any) -> None:
+    def leave(self, view: View) -> None:
         view.show_ring(None)
 
-    def key(self, view: Any, event: QKeyEvent) -> bool:
+    def key(self, view: View, event: QKeyEvent) -> bool:
         if event.key() == Qt.Key.Key_Escape:
             self.left.emit()
             return True
         return False
 
-    def _show_ring(self, view: Any, at: QPointF) -> None:
+    def _show_ring(self, view: View, at: QPointF) -> None:
         found = view.pick(at)
         if found is None:
             view.show_ring(None)

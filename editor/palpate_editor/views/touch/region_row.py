@@ -3,20 +3,21 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable
 
 import numpy as np
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPushButton, QWidget
 
 from palpate_editor.document import Organ
 from palpate_editor.edits import RemoveRegion, SetRegion
+from palpate_editor.views.touch.tools import SelectionTool
 from palpate_editor.views.translations import tr
 
 
 class RegionRow(QWidget):
     """A list of names to choose from or type into, with buttons to keep and forget."""
 
-    def __init__(self, tool: Any, parent: QWidget | None = None):
+    def __init__(self, tool: SelectionTool, parent: QWidget | None = None):
         super().__init__(parent)
         self.tool = tool
         self.names = QComboBox(self)
@@ -43,7 +44,7 @@ class RegionRow(QWidget):
         tool.context.session.changed.connect(self._on_changed)
         tool.selection_changed.connect(self.show_use)
 
-    def _button(self, title: str, tip: str, slot: Any, name: str) -> QPushButton:
+    def _button(self, title: str, tip: str, slot: Callable[[], None], name: str) -> QPushButton:
         button = QPushButton(title, self)
         button.setObjectName(name)
         button.setProperty("small", True)

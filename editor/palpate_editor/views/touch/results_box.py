@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
+from palpate_editor.views.context import Context
 from palpate_editor.views.stages.facts import Fact, Facts
 from palpate_editor.views.touch.results import Outcome, keep_record
 from palpate_editor.views.touch.save_dialog import ask_save
@@ -17,7 +17,7 @@ from palpate_editor.views.translations import count, quantity, tr
 class ResultsBox(QWidget):
     """Numbers of one run."""
 
-    def __init__(self, context: Any, parent: QWidget | None = None):
+    def __init__(self, context: Context, parent: QWidget | None = None):
         super().__init__(parent)
         self.context = context
         self.outcome: Outcome | None = None

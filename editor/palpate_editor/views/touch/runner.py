@@ -7,19 +7,20 @@ import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import palpate
 from numpy.typing import NDArray
 from palpate.runs.cause import Cause, find_cause
+from palpate.runs.live import Frame
 from palpate.runs.press import Moments, Place, PressScript, find_place, find_top, write_script
-from palpate.viewport import PointerHand
+from palpate.viewport import FboView, GLView, PointerHand, ViewTool
 from PySide6.QtCore import QObject, Signal
 
 from palpate_editor.compile import is_built_alike
 from palpate_editor.document import Organ
 from palpate_editor.document.problems import Problem
+from palpate_editor.views.context import Context
 from palpate_editor.views.jobs import Progress
 from palpate_editor.views.touch.force_plot import ForcePlot
 from palpate_editor.views.touch.live_costs import LiveCosts
@@ -63,7 +64,7 @@ class Runner(QObject):
     """An Outcome."""
 
     def __init__(
-        self, context: Any, plot: ForcePlot, costs: LiveCosts, parent: QObject | None = None
+        self, context: Context, plot: ForcePlot, costs: LiveCosts, parent: QObject | None = None
     ):
         super().__init__(parent)
         self.context, self.plot, self.costs = context, plot, costs
@@ -72,7 +73,7 @@ class Runner(QObject):
         self.trial: Trial | None = None
         self._organ: Organ | None = None
         self._script: tuple[Place, Moments] | None = None
-        self._tool_before: Any = None
+        self._tool_before: ViewTool[GLView] | ViewTool[FboView] | None = None
         self._name, self._count = "", 0
         self._folder = tempfile.TemporaryDirectory(prefix="palpate-test-")
         context.session.changed.connect(self._on_changed)
@@ -178,7 +179,7 @@ class Runner(QObject):
         self.trial.start()
         self.changed.emit()
 
-    def _take_frame(self, frame: Any) -> None:
+    def _take_frame(self, frame: Frame) -> None:
         self.plot.add(frame.time, frame.force)
         self.costs.show_frame(frame, self.trial.scene.rate)
 

@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable
 
 from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QWidget
 
 from palpate_editor.views.quantity_box import QuantityBox, QuantityRow
 from palpate_editor.views.touch.region_row import RegionRow
+from palpate_editor.views.touch.tools import SelectionTool
 from palpate_editor.views.translations import count, tr
 
 FIRST_FACTOR = 3.0
@@ -17,7 +18,7 @@ FIRST_FACTOR = 3.0
 class SelectOptions(QWidget):
     """How many are selected, and buttons to fix, free and stiffen them."""
 
-    def __init__(self, tool: Any, parent: QWidget | None = None):
+    def __init__(self, tool: SelectionTool, parent: QWidget | None = None):
         super().__init__(parent)
         self.setObjectName("select_options")
         self.tool, self.value = tool, FIRST_FACTOR
@@ -47,7 +48,7 @@ class SelectOptions(QWidget):
         tool.selection_changed.connect(self.show_count)
         self.show_count()
 
-    def _button(self, title: str, tip: str, slot: Any) -> QPushButton:
+    def _button(self, title: str, tip: str, slot: Callable[[], None]) -> QPushButton:
         button = QPushButton(title, self)
         button.setToolTip(tip)
         button.clicked.connect(slot)

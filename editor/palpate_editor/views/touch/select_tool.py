@@ -3,11 +3,10 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 import palpate
 from numpy.typing import NDArray
+from palpate.viewport import View
 from PySide6.QtCore import QObject, QPoint, QRect, Qt, Signal
 from PySide6.QtGui import QAction, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication, QRubberBand, QWidget
@@ -15,6 +14,7 @@ from PySide6.QtWidgets import QApplication, QRubberBand, QWidget
 from palpate_editor.brush import select_linked
 from palpate_editor.document import Organ, Surface
 from palpate_editor.edits import FixVertices, PaintStiffness
+from palpate_editor.views.context import Context
 from palpate_editor.views.touch.colours import show_fixed, show_painted, show_stiffness
 from palpate_editor.views.touch.painted_surface import PaintedSurface, Spot
 from palpate_editor.views.touch.selection import find_in_rectangle
@@ -34,14 +34,14 @@ class SelectTool(QObject):
     left = Signal()
     selection_changed = Signal()
 
-    def __init__(self, context: Any, parent: QObject | None = None):
+    def __init__(self, context: Context, parent: QObject | None = None):
         super().__init__(parent or context)
         self.context = context
         self.active = False
         self.selected: NDArray[np.bool_] = np.zeros(context.session.organ.vertex_count, bool)
         self._keeper = keeper_of(context)
         self._painted: PaintedSurface | None = None
-        self._late: tuple[Surface, Any] | None = None
+        self._late: tuple[Surface, Qt.KeyboardModifier] | None = None
         """What waits for a thread to find what is seen: of which surface, with which keys."""
         self._start: QPoint | None = None
         self._band: QRubberBand | None = None
@@ -122,7 +122,7 @@ class SelectTool(QObject):
     # ------------------------------------------------------------ the selection
 
     def select(
-        self, ids: NDArray[np.intp], modifiers: Any = Qt.KeyboardModifier.NoModifier
+        self, ids: NDArray[np.intp], modifiers: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier
     ) -> None:
         """Takes these vertices; with Ctrl beside those selected, with Alt out of them."""
         chosen = np.zeros(len(self.selected), bool)
@@ -180,7 +180,7 @@ class SelectTool(QObject):
 
     # ------------------------------------------------------------ events of the view
 
-    def press(self, view: Any, event: QMouseEvent) -> bool:
+    def press(self, view: View, event: QMouseEvent) -> bool:
         """Begins a click or a rectangle."""
         if event.button() != Qt.MouseButton.LeftButton or self._find_painted() is None:
             return False
@@ -188,7 +188,7 @@ class SelectTool(QObject):
         self._band = QRubberBand(QRubberBand.Shape.Rectangle, view)
         return True
 
-    def move(self, view: Any, event: QMouseEvent) -> bool:
+    def move(self, view: View, event: QMouseEvent) -> bool:
         """Draws the rectangle."""
         del view
         if self._start is None:
@@ -199,7 +199,7 @@ class SelectTool(QObject):
             self._band.show()
         return True
 
-    def release(self, view: Any, event: QMouseEvent) -> bool:
+    def release(self, view: View, event: QMouseEvent) -> bool:
         """Ends it: takes the vertices meant."""
         if event.button() != Qt.MouseButton.LeftButton or self._start is None:
             return False
@@ -214,16 +214,16 @@ class SelectTool(QObject):
         self.select(ids, event.modifiers())
         return True
 
-    def wheel(self, view: Any, event: QWheelEvent) -> bool:
+    def wheel(self, view: View, event: QWheelEvent) -> bool:
         """The wheel is the camera's."""
         del view, event
         return False
 
-    def leave(self, view: Any) -> None:
+    def leave(self, view: View) -> None:
         """Nothing to take away."""
         del view
 
-    def key(self, view: Any, event: QKeyEvent) -> bool:
+    def key(self, view: View, event: QKeyEvent) -> bool:
         """Escape drops a rectangle, or leaves."""
         del view
         if event.key() != Qt.Key.Key_Escape:
@@ -248,7 +248,9 @@ class SelectTool(QObject):
         spot = Spot(found.triangle, np.array(found.weights), np.array(found.point), np.zeros(3))
         return self._painted.find_nearest(spot)
 
-    def _select_seen(self, view: Any, start: QPoint, end: QPoint, keys: Any) -> None:
+    def _select_seen(
+        self, view: View, start: QPoint, end: QPoint, keys: Qt.KeyboardModifier
+    ) -> None:
         """Takes what is seen in a rectangle; a little later where that is very much."""
         painted, camera = self._painted, view.camera
         pixels, depth = camera.project(painted.surface.vertices, (view.width(), view.height()))

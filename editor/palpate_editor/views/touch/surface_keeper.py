@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import palpate
@@ -12,6 +11,8 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
 from palpate_editor.document import Surface
+from palpate_editor.views.context import Context
+from palpate_editor.views.jobs import Progress
 from palpate_editor.views.touch.painted_surface import PaintedSurface
 from palpate_editor.views.touch.selection import keep_visible
 
@@ -25,7 +26,7 @@ class SurfaceKeeper(QObject):
     ready = Signal()
     """A large surface can be painted from now on."""
 
-    def __init__(self, context: Any):
+    def __init__(self, context: Context):
         super().__init__(context)
         self.context = context
         self._kept: PaintedSurface | None = None
@@ -53,7 +54,7 @@ class SurfaceKeeper(QObject):
             self.ready.emit()
 
 
-def keeper_of(context: Any) -> SurfaceKeeper:
+def keeper_of(context: Context) -> SurfaceKeeper:
     """The one of a context; made when it is first asked for."""
     return context.findChild(SurfaceKeeper) or SurfaceKeeper(context)
 
@@ -64,7 +65,7 @@ class PaintedWork:
 
     surface: Surface
 
-    def __call__(self, progress: Any) -> PaintedSurface:
+    def __call__(self, progress: Progress) -> PaintedSurface:
         del progress
         return PaintedSurface(self.surface)
 
@@ -77,7 +78,7 @@ class SeenWork:
     ids: NDArray[np.intp]
     eye: NDArray[np.float64]
 
-    def __call__(self, progress: Any = None) -> NDArray[np.intp]:
+    def __call__(self, progress: Progress | None = None) -> NDArray[np.intp]:
         del progress
         surface = self.painted.surface
         tree = palpate.AabbTree(surface.vertices, surface.triangles)

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import shlex
-from typing import Any
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
@@ -17,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from palpate_editor.document import Organ
+from palpate_editor.views.context import Context
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.stages.stage_panel import StagePanel
 from palpate_editor.views.theme import fixed_font
@@ -41,7 +41,7 @@ class TestPanel(StagePanel):
     run_changed = Signal(bool)
     """A run has begun, is paused, goes on or has ended; whether there is one."""
 
-    def __init__(self, context: Any, parent: QWidget | None = None):
+    def __init__(self, context: Context, parent: QWidget | None = None):
         self.plot, self.costs = ForcePlot(), LiveCosts()
         self._marked = False
         super().__init__(

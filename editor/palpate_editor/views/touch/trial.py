@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import palpate
 from palpate.runs.alarms import advise_design, say_alarm
 from palpate.runs.cause import Cause
-from palpate.runs.live import LiveRun
+from palpate.runs.live import Frame, LiveRun
 from palpate.translation.numbers import say_digits
+from palpate.viewport import View
 from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 
 from palpate_editor.document.constants import LAW_NAMES, find_constant
@@ -39,7 +39,7 @@ class Trial(QObject):
 
     def __init__(
         self,
-        view: Any,
+        view: View,
         scene: palpate.Scene,
         device: palpate.HapticDevice,
         record: Path,
@@ -105,7 +105,7 @@ class Trial(QObject):
         if not self.run.running or describe_end(self.run.report()) is not None:
             self.ended.emit(self.finish())
 
-    def _show(self, frame: Any) -> None:
+    def _show(self, frame: Frame) -> None:
         position = np.asarray(frame.position)
         moved = np.linalg.norm(position - self._rest, axis=1)
         self._top = max(self._top, round_up(float(moved.max(initial=0.0))))
@@ -123,7 +123,7 @@ class Trial(QObject):
             ]
         )
 
-    def _show_force(self, frame: Any, size: float) -> None:
+    def _show_force(self, frame: Frame, size: float) -> None:
         """The arrow begins at the tip's skin, not inside it, and stays in sight."""
         if size < SMALLEST_FORCE:
             self.view.show_force(None)
