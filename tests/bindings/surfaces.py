@@ -100,17 +100,23 @@ def press_frames(depth: float = 0.006) -> list[palpate.KeyFrame]:
     ]
 
 
-def run_frames(scene: palpate.Scene, frames: list[palpate.KeyFrame]) -> palpate.Record:
-    """The frames through tick() itself, with a hash every 100 ticks: a record without a loop."""
-    device = palpate.ScriptedDevice(frames)
-    world = palpate.World(scene)
+def run_frames(
+    scene: palpate.Scene,
+    frames: list[palpate.KeyFrame],
+    header: str = "{}",
+    hash_interval: int = 100,
+) -> palpate.Record:
+    """The frames through tick() itself, without a loop or a clock, and a hash of the whole state
+    every `hash_interval` ticks. Raises RuntimeError for an alarm.
+    """
+    device, world = palpate.ScriptedDevice(frames), palpate.World(scene)
     dt = 1.0 / scene.rate
-    samples, felt, hashes = [], [], []
-    for index in range(round(device.duration() * scene.rate)):
-        sample = device.read(index * dt)
-        command = palpate.tick(scene, sample, dt, world)
-        samples.append(sample)
-        felt.append(palpate.compute_felt(command, world))
-        if (index + 1) % 100 == 0:
-            hashes.append(palpate.StateHash(tick=index, hash=palpate.compute_hash(world)))
-    return palpate.Record(header="{}", hand=samples, felt=felt, hashes=hashes)
+    hand, felt, hashes = [], [], []
+    for tick in range(round(device.duration() * scene.rate)):
+        hand.append(device.read(tick * dt))
+        felt.append(palpate.compute_felt(palpate.tick(scene, hand[-1], dt, world), world))
+        if world.alarm.kind != palpate.AlarmKind.none:
+            raise RuntimeError(f"{world.alarm.kind.name} at {tick * dt:.3f} s")
+        if (tick + 1) % hash_interval == 0:
+            hashes.append(palpate.StateHash(tick=tick, hash=palpate.compute_hash(world)))
+    return palpate.Record(header=header, hand=hand, felt=felt, hashes=hashes)

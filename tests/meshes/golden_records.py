@@ -21,6 +21,9 @@ from palpate.runs.press import PressScript, find_top, write_script
 from palpate.runs.run import describe_arithmetic, follow_header, read_scene
 
 CHECKOUT = Path(__file__).resolve().parents[2]
+sys.path.append(str(CHECKOUT / "tests" / "bindings"))
+from surfaces import run_frames  # noqa: E402
+
 RECORDS = CHECKOUT / "tests" / "references" / "records"
 ORGANS = CHECKOUT / "meshes" / "published"
 HASH_INTERVAL = 50
@@ -66,20 +69,11 @@ def open_scene(golden: Golden) -> palpate.Scene:
 
 
 def make_record(golden: Golden) -> palpate.Record:
-    """Ticks one after the other, without a clock. Raises RuntimeError for an alarm."""
+    """Raises RuntimeError for an alarm."""
     scene = open_scene(golden)
-    frames, moments = write_script(find_top(scene), scene.tool.radius, PRESSES[golden.organ])
-    device, world, dt = palpate.ScriptedDevice(frames), palpate.World(scene), 1.0 / scene.rate
-    hand, felt, hashes = [], [], []
-    for tick in range(round(moments.end * scene.rate)):
-        hand.append(device.read(tick * dt))
-        felt.append(palpate.compute_felt(palpate.tick(scene, hand[-1], dt, world), world))
-        if world.alarm.kind != palpate.AlarmKind.none:
-            raise RuntimeError(f"{golden.path.name}: {world.alarm.kind.name} at {tick * dt:.3f} s")
-        if (tick + 1) % HASH_INTERVAL == 0:
-            hashes.append(palpate.StateHash(tick=tick, hash=palpate.compute_hash(world)))
+    frames, _ = write_script(find_top(scene), scene.tool.radius, PRESSES[golden.organ])
     header = json.dumps(describe_arithmetic(scene) | {"scene": f"{golden.organ}.palpate"})
-    return palpate.Record(header=header, hand=hand, felt=felt, hashes=hashes)
+    return run_frames(scene, frames, header, HASH_INTERVAL)
 
 
 def main() -> None:

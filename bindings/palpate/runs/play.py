@@ -23,7 +23,7 @@ from palpate.runs.run import (
     describe_costs,
     is_published,
     require_recordable,
-    run_until_fault,
+    run_device,
 )
 from palpate.runs.script_file import read_script_file
 from palpate.system.data_folder import find_record_folder
@@ -184,7 +184,7 @@ def play_headless(play: Play) -> Report:
     path = play.name_record()
     device = play.build_device()
     safety = play.find_safety(device)
-    costs = run_until_fault(play.scenario.scene, device, play.duration, path, play.path, safety)
+    costs = run_device(play.scenario.scene, device, play.duration, path, play.path, safety)
     state = describe_device(device)
     outcome = describe_outcome(costs)
     if outcome["outcome"] == DONE and 0 < costs.ticks == costs.unrendered_ticks:

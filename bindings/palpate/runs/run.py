@@ -87,24 +87,9 @@ def run_device(
 ) -> palpate.LoopReport:
     """Runs a device for a time [s] through the live 1 kHz loop and its recorder.
 
-    Raises RuntimeError where the loop did not end, the tissue raised an alarm or the device failed,
-    WrongCall for a time that no record holds.
+    A device that fails ends the run, and the report says so. Raises RuntimeError where the loop did
+    not end or the tissue raised an alarm, WrongCall for a time that no record holds.
     """
-    costs = run_until_fault(scene, device, duration, record_path, scene_path, safety)
-    if costs.fault != palpate.DeviceFault.none:
-        raise RuntimeError(f"the device failed: {costs.fault_reason}")
-    return costs
-
-
-def run_until_fault(
-    scene: palpate.Scene,
-    device: palpate.HapticDevice,
-    duration: float,
-    record_path: Path,
-    scene_path: Path,
-    safety: palpate.SafetyLimits | None = None,
-) -> palpate.LoopReport:
-    """As run_device, but a device that fails ends the run, and its report says so."""
     require_recordable(scene, duration)
     header = describe_build(scene, scene_path, record_path, device.name())
     options = palpate.LoopOptions(
@@ -156,6 +141,8 @@ def run_script(
     frames, moments = write_script(place, scene.tool.radius, script)
     device = palpate.ScriptedDevice(frames)
     costs = run_device(scene, device, moments.end, record_path, scene_path)
+    if costs.fault != palpate.DeviceFault.none:
+        raise RuntimeError(f"the device failed: {costs.fault_reason}")
     record = palpate.read_record(str(record_path))
     report = {
         **describe_costs(costs),
