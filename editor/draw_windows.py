@@ -92,8 +92,8 @@ def draw_player(app: QApplication, out: Path, folder: Path) -> None:
     path = PUBLISHED / "gallbladder.palpate"
     made = scenario.read(str(path))
     script = PressScript(DEPTH, hold=PATIENCE)
-    frames, moments = write_script(find_top(made.scene), made.scene.tool.radius, script)
-    play = Play(path, made, frames, duration=moments.end + TAIL, record=folder / "played.prec")
+    frames, times = write_script(find_top(made.scene), made.scene.tool.radius, script)
+    play = Play(path, made, frames, duration=times.end + TAIL, record=folder / "played.prec")
     window = TraineeWindow(play, "dark", "en")
     window.resize(*PLAYER_SIZE)
     window.show()

@@ -169,7 +169,7 @@ def draw(out: Path, summary: Report, runs: dict[str, Run], script: PressScript) 
     name = summary["organ"]
     title = f"{name}, {summary['vertices']} vertices: pressed {1e3 * script.depth:g} mm"
     record = out / summary["mss"]["record"]
-    picture_of_record(out / summary["picture"], record, runs["mss"].moments.held, {}, title)
+    picture_of_record(out / summary["picture"], record, runs["mss"].times.held, {}, title)
     plotted = {"mass-spring": runs["mss"], "molecular": runs["mms"]}
     plot_runs(out / summary["force_plot"], plotted, name)
 

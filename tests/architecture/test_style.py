@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Formatters decide, nobody discusses it: `./run format` mends what fails here."""
+"""Formatters decide, nobody discusses it: `./run format` repairs what fails here."""
 
 from __future__ import annotations
 

@@ -43,7 +43,7 @@ def press_through(
 ) -> DeviceRun:
     """Presses a scene from above with an "ideal" device, or a hand on the "plant"."""
     script = PressScript(depth, speed=0.02, hold=0.6)
-    frames, moments = write_script(find_top(scene), scene.tool.radius, script)
+    frames, times = write_script(find_top(scene), scene.tool.radius, script)
     frames = [palpate.KeyFrame(0.0, frames[0].position), *shift(frames, 0.8)]
     hand = palpate.ScriptedDevice(frames)
     device: palpate.HapticDevice = hand
@@ -57,11 +57,11 @@ def press_through(
     world = palpate.World(scene)
     rows = [
         step(scene, world, safe, device, k * DT, k * DT < host_dies_at)
-        for k in range(round((moments.end + 0.8) / DT))
+        for k in range(round((times.end + 0.8) / DT))
     ]
     time, at, asked, motor = (np.array(column) for column in zip(*rows, strict=True))
-    times = (moments.pressed + 0.8, moments.held + 0.8, moments.end + 0.8)
-    return DeviceRun(time, at, asked, motor, *times, safe.fault())
+    shifted = (times.pressed + 0.8, times.held + 0.8, times.end + 0.8)
+    return DeviceRun(time, at, asked, motor, *shifted, safe.fault())
 
 
 def shift(frames: list[palpate.KeyFrame], by: float) -> list[palpate.KeyFrame]:

@@ -54,9 +54,9 @@ def keep_substeps(parts: SceneFile, usual: palpate.Scene) -> palpate.Scene:
 
 def press(scene: palpate.Scene, pull: float = 4e-3) -> palpate.Alarm:
     """The alarm of a press of 4 mm and a pull, if it raises one."""
-    frames, moments = write_script(find_top(scene), scene.tool.radius, PressScript(4e-3, pull))
+    frames, times = write_script(find_top(scene), scene.tool.radius, PressScript(4e-3, pull))
     device, world, dt = palpate.ScriptedDevice(frames), palpate.World(scene), 1.0 / scene.rate
-    for tick in range(round(moments.end * scene.rate)):
+    for tick in range(round(times.end * scene.rate)):
         palpate.tick(scene, device.read(tick * dt), dt, world)
         if world.alarm:
             break

@@ -11,13 +11,13 @@ from palpate.runs.press import Place, PressScript, measure_press, write_script
 
 PLACE = Place(np.array([0.0, 0.0, 0.02]), np.array([0.0, 0.0, 1.0]))
 RADIUS, DEPTH = 3e-3, 6e-3
-MOMENTS = write_script(PLACE, RADIUS, PressScript(DEPTH))[1]
-TIME = np.arange(0.0, MOMENTS.end, 1e-3)
+TIMES = write_script(PLACE, RADIUS, PressScript(DEPTH))[1]
+TIME = np.arange(0.0, TIMES.end, 1e-3)
 
 
 def record_of(force: np.ndarray) -> SimpleNamespace:
     """A run whose tip follows the hand into the depth, with a force [N] along the normal."""
-    height = np.interp(TIME, [0.05, MOMENTS.pressed], [4e-3, -DEPTH])
+    height = np.interp(TIME, [0.05, TIMES.pressed], [4e-3, -DEPTH])
     position = PLACE.point + np.outer(height + RADIUS, PLACE.outward)
     touched = np.zeros(len(TIME), np.uint8)
     felt = {"force": np.outer(force, PLACE.outward), "position": position, "touched": touched}
@@ -25,18 +25,18 @@ def record_of(force: np.ndarray) -> SimpleNamespace:
 
 
 def press(force: np.ndarray) -> dict[str, float | None]:
-    return measure_press(record_of(force), PLACE, RADIUS, MOMENTS)
+    return measure_press(record_of(force), PLACE, RADIUS, TIMES)
 
 
 def test_the_stiffness_of_tissue_at_rest_is_its_force_over_the_depth():
-    found = press(np.where(MOMENTS.pressed <= TIME, 0.12, 0.0))
+    found = press(np.where(TIMES.pressed <= TIME, 0.12, 0.0))
 
     assert found["patch_stiffness_N_per_m"] == pytest.approx(0.12 / DEPTH)
     assert found["peak_force_N"] == pytest.approx(0.12)
 
 
 def test_tissue_that_creeps_to_rest_within_the_hold_has_the_stiffness_it_comes_to():
-    since = np.maximum(0.0, TIME - MOMENTS.pressed)
+    since = np.maximum(0.0, TIME - TIMES.pressed)
 
     found = press(0.12 + 0.5 * np.exp(-since / 0.03))
 
@@ -46,9 +46,9 @@ def test_tissue_that_creeps_to_rest_within_the_hold_has_the_stiffness_it_comes_t
 
 def test_an_organ_that_still_swings_as_a_whole_has_no_stiffness():
     """A solid on a small base showed 0.7 N/m or 20, by when the hold ended."""
-    swing = 0.02 * (1.0 + 0.8 * np.cos(2.0 * np.pi * (TIME - MOMENTS.held) / 0.25))
+    swing = 0.02 * (1.0 + 0.8 * np.cos(2.0 * np.pi * (TIME - TIMES.held) / 0.25))
 
-    found = press(np.where(MOMENTS.pressed <= TIME, swing, 0.12))
+    found = press(np.where(TIMES.pressed <= TIME, swing, 0.12))
 
     assert found["patch_stiffness_N_per_m"] is None
     assert found["peak_force_N"] == pytest.approx(0.12)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every problem is found at its stage, and every fix that is offered mends it."""
+"""Every problem is found at its stage, and every fix that is offered repairs it."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is wrong with a surface is counted rightly, and what can be mended is."""
+"""What is wrong with a surface is counted rightly, and what can be repaired is."""
 
 from __future__ import annotations
 

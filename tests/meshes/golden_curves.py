@@ -63,10 +63,10 @@ def press(name: str) -> Curve:
     what = PRESSES[name]
     scene = read_scene(ORGANS / f"{what.organ}.palpate")
     place = find_top(scene) if what.at is None else find_place(scene, np.array(what.at))
-    frames, moments = write_script(place, scene.tool.radius, what.script)
+    frames, times = write_script(place, scene.tool.radius, what.script)
     device, world, dt = palpate.ScriptedDevice(frames), palpate.World(scene), 1.0 / scene.rate
     force = []
-    for tick in range(round(moments.end * scene.rate)):
+    for tick in range(round(times.end * scene.rate)):
         force.append(np.array(palpate.tick(scene, device.read(tick * dt), dt, world).force))
         if world.alarm.kind != palpate.AlarmKind.none:
             raise RuntimeError(f"{name}: {world.alarm.kind.name} at {tick * dt:.3f} s")

@@ -100,8 +100,8 @@ def say_remedy(fault: int) -> str:
         ),
         3: translate(
             "Device",
-            "A sensor reads the end of its scale: a wire is off or shorted. Mend it, then clear "
-            "the fault.",
+            "A sensor reads the end of its scale: a wire is off or shorted. Repair it, then "
+            "clear the fault.",
         ),
         4: translate("Device", "The arm was thrown. Hold the stylus, then clear the fault."),
         5: translate("Device", "Let the motors cool for a minute, then clear the fault."),

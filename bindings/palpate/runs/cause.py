@@ -142,8 +142,8 @@ def rests_untouched(scene: palpate.Scene) -> bool:
 
 def bears_touch(scene: palpate.Scene, place: Place) -> bool:
     """Whether a light press and pull leave the tissue sound."""
-    frames, moments = write_script(place, scene.tool.radius, TOUCH)
-    return run_trial(scene, palpate.ScriptedDevice(frames), moments.end) not in BLOWN
+    frames, times = write_script(place, scene.tool.radius, TOUCH)
+    return run_trial(scene, palpate.ScriptedDevice(frames), times.end) not in BLOWN
 
 
 def change(scene: palpate.Scene, **fields: object) -> palpate.Scene:

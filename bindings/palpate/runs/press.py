@@ -45,7 +45,7 @@ class PressScript:
 
 
 @dataclass(frozen=True)
-class Moments:
+class PressTimes:
     """When a script does what [s]."""
 
     pressed: float
@@ -82,7 +82,7 @@ def find_place(scene: palpate.Scene, near: np.ndarray) -> Place:
 
 def write_script(
     place: Place, radius: float, script: PressScript
-) -> tuple[list[palpate.KeyFrame], Moments]:
+) -> tuple[list[palpate.KeyFrame], PressTimes]:
     """Key frames of the tip's centre for a ScriptedDevice, and when they do what."""
     frames: list[palpate.KeyFrame] = []
     now = 0.0
@@ -109,7 +109,7 @@ def write_script(
         go(script.pull, RAMP)
     go(max(CLEARANCE, 2 * script.pull), 0.2)
     go(max(CLEARANCE, 2 * script.pull), 0.1)
-    return frames, Moments(pressed, held, pulled, now)
+    return frames, PressTimes(pressed, held, pulled, now)
 
 
 def is_at_rest(force: np.ndarray) -> bool:
@@ -118,11 +118,11 @@ def is_at_rest(force: np.ndarray) -> bool:
 
 
 def measure_press(
-    record: palpate.Record, place: Place, radius: float, moments: Moments
+    record: palpate.Record, place: Place, radius: float, times: PressTimes
 ) -> dict[str, float | None]:
     """What a recorded script felt: peak of the press, peak of the pull, stiffness of the patch.
 
-    The hand's own time counts, so skipped ticks do not shift the moments. Stiffness is the mean
+    The hand's own time counts, so skipped ticks do not shift these times. Stiffness is the mean
     force of the last 100 ms of the hold over how deep the tip itself then stands below the surface
     at rest. It is None where the tip does not, and where the tissue has not come to rest: an organ
     that swings as a whole, as a solid does on a small base, answers with any force then, and the
@@ -132,13 +132,13 @@ def measure_press(
     force = np.linalg.norm(read_force(record), axis=1)
     centre = np.asarray(record.felt["position"], dtype=float)
     depth = (place.point - centre) @ place.outward + radius
-    pressing = time <= moments.held
-    settled = pressing & (time >= max(moments.pressed, moments.held - REST))
+    pressing = time <= times.held
+    settled = pressing & (time >= max(times.pressed, times.held - REST))
     stiffness = pull = None
     if settled.any() and depth[settled].mean() > 0.0 and is_at_rest(force[settled]):
         stiffness = float(force[settled].mean() / depth[settled].mean())
-    if moments.pulled is not None:
-        pull = float(force[(time > moments.held) & (depth < 0.0)].max(initial=0.0))
+    if times.pulled is not None:
+        pull = float(force[(time > times.held) & (depth < 0.0)].max(initial=0.0))
     return {
         "peak_force_N": float(force[pressing].max(initial=0.0)),
         "pull_force_N": pull,

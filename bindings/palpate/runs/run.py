@@ -19,7 +19,7 @@ from palpate.files.refusal import Refusal
 from palpate.runs.alarms import tell_alarm
 from palpate.runs.felt import read_force, read_rendered
 from palpate.runs.live import LiveRun, find_longest
-from palpate.runs.press import Moments, Place, PressScript, measure_press, write_script
+from palpate.runs.press import Place, PressScript, PressTimes, measure_press, write_script
 from palpate.scene.scene_file import hash_file, open_scene
 
 PUBLISHED, WORKING = ".palpate", ".organ"
@@ -32,7 +32,7 @@ class Run:
     """One live run of a script."""
 
     record: palpate.Record
-    moments: Moments
+    times: PressTimes
     report: Report
 
 
@@ -138,18 +138,18 @@ def run_script(
 
     Raises RuntimeError where the loop did not end, the tissue raised an alarm or the device failed.
     """
-    frames, moments = write_script(place, scene.tool.radius, script)
+    frames, times = write_script(place, scene.tool.radius, script)
     device = palpate.ScriptedDevice(frames)
-    costs = run_device(scene, device, moments.end, record_path, scene_path)
+    costs = run_device(scene, device, times.end, record_path, scene_path)
     if costs.fault != palpate.DeviceFault.none:
         raise RuntimeError(f"the device failed: {costs.fault_reason}")
     record = palpate.read_record(str(record_path))
     report = {
         **describe_costs(costs),
         "substeps": scene.substeps,
-        **measure_press(record, place, scene.tool.radius, moments),
+        **measure_press(record, place, scene.tool.radius, times),
     }
-    return Run(record, moments, report)
+    return Run(record, times, report)
 
 
 def open_record(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Mending what reading a file could not decide alone."""
+"""Repairing what reading a file could not decide alone."""
 
 from __future__ import annotations
 

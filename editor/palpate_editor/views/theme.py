@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How the window looks, dark and light: palettes on Fusion, one style sheet, one table of colours.
 
-Qt's own switch of the colour scheme does nothing on several platforms, so both looks are ours.
+Qt's own switch of the colour scheme does nothing on several platforms, so both schemes stand here.
 """
 
 from __future__ import annotations

@@ -282,7 +282,7 @@
 <context>
     <name>Device</name>
     <message>
-        <source>A sensor reads the end of its scale: a wire is off or shorted. Mend it, then clear the fault.</source>
+        <source>A sensor reads the end of its scale: a wire is off or shorted. Repair it, then clear the fault.</source>
         <translation>Bir algılayıcı ölçeğinin ucunu okuyor: bir kablo kopuk ya da kısa devre. Onarın, sonra arızayı silin.</translation>
     </message>
     <message>

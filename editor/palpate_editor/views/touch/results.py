@@ -11,7 +11,7 @@ import numpy as np
 import palpate
 from numpy.typing import NDArray
 from palpate.runs.felt import read_force
-from palpate.runs.press import Moments, Place, measure_press
+from palpate.runs.press import Place, PressTimes, measure_press
 from palpate.runs.run import describe_build
 
 from palpate_editor.document import Organ
@@ -45,12 +45,12 @@ class Outcome:
 
 
 def read_felt(
-    record: palpate.Record, radius: float, script: tuple[Place, Moments] | None
+    record: palpate.Record, radius: float, script: tuple[Place, PressTimes] | None
 ) -> dict[str, float | None]:
-    """What a record felt; with the place and moments of its script where it had one."""
+    """What a record felt; with the place and times of its script where it had one."""
     if script is not None:
-        place, moments = script
-        return measure_press(record, place, radius, moments)
+        place, times = script
+        return measure_press(record, place, radius, times)
     force = np.linalg.norm(read_force(record), axis=1)
     return {"peak_force_N": float(force.max(initial=0.0))}
 

@@ -13,7 +13,7 @@ import palpate
 from numpy.typing import NDArray
 from palpate.runs.cause import Cause, find_cause
 from palpate.runs.live import Frame
-from palpate.runs.press import Moments, Place, PressScript, find_place, find_top, write_script
+from palpate.runs.press import Place, PressScript, PressTimes, find_place, find_top, write_script
 from palpate.viewport import FboView, GLView, PointerHand, ViewTool
 from PySide6.QtCore import QObject, Signal
 
@@ -30,12 +30,12 @@ from palpate_editor.views.translations import say, tr
 
 
 @dataclass(frozen=True)
-class HandWish:
+class HandRequest:
     """A run with the mouse as the hand."""
 
 
 @dataclass(frozen=True)
-class PressWish:
+class PressRequest:
     """A run of a script."""
 
     script: PressScript
@@ -68,11 +68,11 @@ class Runner(QObject):
     ):
         super().__init__(parent)
         self.context, self.plot, self.costs = context, plot, costs
-        self.wish: HandWish | PressWish | None = None
+        self.request: HandRequest | PressRequest | None = None
         """What waits for the organ to be compiled, or runs."""
         self.trial: Trial | None = None
         self._organ: Organ | None = None
-        self._script: tuple[Place, Moments] | None = None
+        self._script: tuple[Place, PressTimes] | None = None
         self._tool_before: ViewTool[GLView] | ViewTool[FboView] | None = None
         self._name, self._count = "", 0
         self._folder = tempfile.TemporaryDirectory(prefix="palpate-test-")
@@ -87,7 +87,7 @@ class Runner(QObject):
     @property
     def waiting(self) -> bool:
         """Started, and the organ is still being compiled."""
-        return self.wish is not None and self.trial is None
+        return self.request is not None and self.trial is None
 
     @property
     def paused(self) -> bool:
@@ -95,13 +95,13 @@ class Runner(QObject):
 
     # ------------------------------------------------------------ what a person asks for
 
-    def start(self, wish: HandWish | PressWish) -> None:
+    def start(self, request: HandRequest | PressRequest) -> None:
         """Begins as soon as the organ is compiled; another run is ended first."""
         self.stop()
         if self.context.session.organ.surface is None:
             self.context.tell(tr("There is no organ to test yet: import a mesh file first."))
             return
-        self.wish = wish
+        self.request = request
         self.changed.emit()
         self._on_assessed()
 
@@ -119,49 +119,51 @@ class Runner(QObject):
         """Ends the run, or the wait for it."""
         if self.trial is not None:
             self._end(self.trial.finish())
-        elif self.wish is not None:
-            self.wish = None
+        elif self.request is not None:
+            self.request = None
             self.changed.emit()
 
     def reset(self) -> None:
         """The same run from the beginning, from rest."""
-        wish = self.wish
-        if wish is not None:
-            self.start(wish)
+        request = self.request
+        if request is not None:
+            self.start(request)
 
     # ------------------------------------------------------------ beginning
 
     def _on_assessed(self) -> None:
         found, organ = self.context.assessment, self.context.session.organ
-        if self.wish is None or self.trial is not None or found is None:
+        if self.request is None or self.trial is not None or found is None:
             return
         if found.organ is not organ:
             return
         if found.scene is None:
-            self.wish = None
+            self.request = None
             self.context.tell(describe_refusal(found.problems))
             self.changed.emit()
             return
-        self._begin(organ, found.scene, self.wish)
+        self._begin(organ, found.scene, self.request)
 
-    def _begin(self, organ: Organ, scene: palpate.Scene, wish: HandWish | PressWish) -> None:
+    def _begin(
+        self, organ: Organ, scene: palpate.Scene, request: HandRequest | PressRequest
+    ) -> None:
         self._count += 1
         duration, self._script = 0.0, None
-        if isinstance(wish, HandWish):
+        if isinstance(request, HandRequest):
             device = palpate.SurfacePointer(scene)
             self._name = tr("Hand {count}").format(count=self._count)
         else:
-            place = find_target(scene, wish.place)
-            frames, moments = write_script(place, scene.tool.radius, wish.script)
-            device, duration = palpate.ScriptedDevice(frames), moments.end
-            self._script = place, moments
+            place = find_target(scene, request.place)
+            frames, times = write_script(place, scene.tool.radius, request.script)
+            device, duration = palpate.ScriptedDevice(frames), times.end
+            self._script = place, times
             self._name = tr("Press {count}").format(count=self._count)
         record = Path(self._folder.name) / f"run{self._count}.prec"
         view = self.context.view
         try:
             self.trial = Trial(view, scene, device, record, duration, self)
         except OSError as problem:
-            self.wish = None
+            self.request = None
             self.context.refuse(problem)
             self.changed.emit()
             return
@@ -169,7 +171,7 @@ class Runner(QObject):
         self.trial.framed.connect(self._take_frame)
         self.trial.ended.connect(self._end)
         self._tool_before = view.tool
-        if isinstance(wish, HandWish):
+        if isinstance(request, HandRequest):
             view.tool = PointerHand(view, device, scene)
         self.plot.begin(self._name)
         self.costs.clear()
@@ -186,7 +188,7 @@ class Runner(QObject):
     # ------------------------------------------------------------ ending
 
     def _end(self, report: palpate.LoopReport) -> None:
-        trial, self.trial, self.wish = self.trial, None, None
+        trial, self.trial, self.request = self.trial, None, None
         view = self.context.view
         if isinstance(view.tool, PointerHand):
             view.tool = self._tool_before

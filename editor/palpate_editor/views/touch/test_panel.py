@@ -26,7 +26,7 @@ from palpate_editor.views.touch.place_tool import PlaceTool
 from palpate_editor.views.touch.press_form import PressForm, write_command
 from palpate_editor.views.touch.results import Outcome
 from palpate_editor.views.touch.results_box import ResultsBox
-from palpate_editor.views.touch.runner import HandWish, PressWish, Runner, find_target
+from palpate_editor.views.touch.runner import HandRequest, PressRequest, Runner, find_target
 from palpate_editor.views.translations import tr
 
 HAND, PRESS = 0, 1
@@ -163,14 +163,14 @@ class TestPanel(StagePanel):
             self.press()
         else:
             self._end_pick()
-            self.runner.start(HandWish())
+            self.runner.start(HandRequest())
 
     def press(self) -> None:
         """Begins the scripted press."""
         self._end_pick()
         self.tabs.setCurrentIndex(PRESS)
         form = self.press_form
-        self.runner.start(PressWish(form.script(), form.place))
+        self.runner.start(PressRequest(form.script(), form.place))
 
     def reset(self) -> None:
         """The same run from the beginning."""
