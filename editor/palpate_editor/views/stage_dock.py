@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from PySide6.QtCore import QEvent, QObject, QSize
 from PySide6.QtWidgets import QScrollArea, QSizePolicy, QStackedWidget, QVBoxLayout, QWidget
 
 from palpate_editor.views.context import Context
@@ -12,6 +13,25 @@ from palpate_editor.views.touch.tools import Tool
 
 SCROLL_BAR = 14
 """[px]"""
+
+
+class OptionsArea(QScrollArea):
+    """No higher than the options are, and lower where panel and options share a small screen."""
+
+    def __init__(self, parent: QWidget | None = None):
+        super().__init__(parent)
+        self.setWidgetResizable(True)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
+
+    def sizeHint(self) -> QSize:
+        """Of the options there are: QScrollArea keeps that of the first ones it was asked for."""
+        edge = 2 * self.frameWidth()
+        return self.widget().sizeHint() + QSize(edge, edge)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.LayoutRequest:
+            self.updateGeometry()
+        return super().eventFilter(watched, event)
 
 
 class StageDock(QWidget):
@@ -29,11 +49,8 @@ class StageDock(QWidget):
         self.options_holder = QWidget(self)
         self.options_holder.setLayout(self.options)
         self.options_holder.setAutoFillBackground(True)
-        # no higher than the options are, and lower where panel and options share a small screen
-        self.options_area = QScrollArea(self)
-        self.options_area.setWidgetResizable(True)
+        self.options_area = OptionsArea(self)
         self.options_area.setWidget(self.options_holder)
-        self.options_area.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         self.options_area.hide()
         column.addWidget(self.options_area)
         self.stack = QStackedWidget(self)

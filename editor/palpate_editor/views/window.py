@@ -210,6 +210,7 @@ class MainWindow(QMainWindow):
 
     def show_assessment(self) -> None:
         self.stage_dock.show_assessment()
+        self.fit_stages()
         for stage in STAGES:
             self.stage_bar.show_verdict(stage, self.stage_dock.verdict(stage))
 
@@ -247,6 +248,10 @@ class MainWindow(QMainWindow):
         self.tools.use_colours(colours)
         self.actions_by_name.use_colours(colours)
         self.stage_dock.show_assessment()
+        self.fit_stages()
+
+    def fit_stages(self) -> None:
+        """Keeps the dock of the stages wide enough; folded, it has what room there is."""
         if not self.docks.folded:
             self.stage_dock.fit()
 

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from hands import CONTROL, action, press
 from palpate_editor.views.theme import COLOURS
-from patience import settle
+from patience import PATIENCE, settle
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QImage
-from PySide6.QtWidgets import QApplication, QDockWidget, QToolBar
+from PySide6.QtWidgets import QApplication, QDockWidget, QLabel, QToolBar
 
 pytestmark = pytest.mark.window
 
@@ -168,3 +168,31 @@ def test_a_material_is_copied_and_pasted(qtbot, spleen_window):
     QApplication.clipboard().setText("a letter")
     action(window, "paste").trigger()
     assert "no material on the clipboard" in window.messages.text
+
+
+def test_a_tool_with_more_options_than_the_one_before_shows_all_of_them(qtbot, window):
+    window.files.open_shipped("spleen")
+    settle(qtbot, window)
+    window.show_stage("material")
+
+    for tool in ("select", "stiffness"):
+        window.tools.use(tool)
+        settle(qtbot, window)
+
+    area, holder = window.stage_dock.options_area, window.stage_dock.options_holder
+    qtbot.waitUntil(lambda: area.height() >= holder.sizeHint().height(), timeout=PATIENCE)
+
+
+def test_the_dock_of_the_stages_grows_with_what_its_panels_have_to_show(qtbot, window):
+    dock = window.stage_dock
+    window.resizeDocks([window.docks.docks["stage"]], [10], Qt.Orientation.Horizontal)
+    wide = QLabel(dock)
+    wide.setMinimumWidth(dock.width() + 40)
+    dock.panels["material"].layout().addWidget(wide)
+
+    window.files.open_shipped("spleen")
+    settle(qtbot, window)
+    window.show_stage("material")
+
+    room = dock.stack.currentWidget().viewport()
+    qtbot.waitUntil(lambda: room.width() >= wide.minimumWidth(), timeout=PATIENCE)
