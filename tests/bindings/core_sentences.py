@@ -38,6 +38,9 @@ TOLD = re.compile(
     re.DOTALL,
 )
 """Functions that give what was found, or what is wrong with it."""
+CHOSEN = re.compile(r"return \{[^{};]*, (?:true|false), (.*?)\};")
+"""A unit or an axis, whether it is guessed, and why."""
+PRINTED = re.compile(r'snprintf\(\w+, sizeof \w+, ("[^"]*")')
 NUMBER = r"-?\d+(?:\.\d+)?(?:e-?\d+)?"
 RANGE = re.compile(
     rf"{NUMBER} (?:to|or) {NUMBER}|{NUMBER} or more|(?:at most|at least|less than) {NUMBER}"
@@ -73,6 +76,9 @@ def read_file(path: Path) -> Iterator[str]:
         for told in re.findall(r"return (.*?);", body, re.DOTALL):
             yield from build_templates(told)
     yield from ADVICE.findall(source)
+    if path.stem == "units":
+        told = [*CHOSEN.findall(source), *PRINTED.findall(re.sub(r"%[.\d]*[a-z]", "%1", source))]
+        yield from (text for reason in told for text in build_templates(reason))
 
 
 def divide(template: str) -> Iterator[str]:

@@ -25,7 +25,7 @@ class QuickLink(Link):
 def build_quick(name: str) -> Link:
     """A plant whose time passes at once."""
     plant = build_link(name)
-    return QuickLink(plant.name, plant.driver, plant.arm, plant._hand)
+    return QuickLink(plant.name, plant.driver, plant.arm, plant._hand, note=plant.note)
 
 
 def build_spoilt(name: str) -> Link:

@@ -32,6 +32,8 @@ PLACED = ("Refusal", "EditRefusal", "FileError", "NotDurable", "BadValue")
 PLAIN = ("ValueError", "RuntimeError", "OSError", "WrongCall")
 TOLD = ("find_look_fault",)
 """Functions that give where, found and expected."""
+REASONS = ("unit_reason", "up_reason")
+"""Arguments that say why a unit or an axis was chosen."""
 KINDS = "KINDS"
 """The table of json_part.py that says what a field takes."""
 Scope = dict[str, list[ast.expr]]
@@ -62,6 +64,9 @@ def read_file(file: Path) -> Iterator[str]:
             if node.name in TOLD:
                 for told in find_told(node):
                     yield from (text for part in told[-2:] for text in build(part, scope))
+    for node in ast.walk(tree):
+        if isinstance(node, ast.keyword) and node.arg in REASONS:
+            yield from (text for text in build(node.value, constants) if text != "%1")
     for table in constants.get(KINDS, []):
         if isinstance(table, ast.Dict):
             rows = [row.elts[0] for row in table.values if isinstance(row, ast.Tuple)]

@@ -331,6 +331,7 @@ def test_the_window_changes_its_language_while_a_device_is_connected(open_device
     window = open_device()
     connect(window, qtbot)
 
+    assert "in this process" in texts(window)
     window.use_language("tr")
     window.follow()
 
@@ -339,6 +340,7 @@ def test_the_window_changes_its_language_while_a_device_is_connected(open_device
     assert "," in window.calibrate.scale.text()
     page = window.monitor
     assert page.widget().minimumSizeHint().width() <= page.viewport().width()
+    assert "bu süreçte" in texts(window)
     window.use_language("en")
     assert "Disconnect" in texts(window)
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 import palpate
+from palpate.command.sentence import Sentence, sentence
 from palpate.command.verb import Report
 from palpate.device.names import NATIVE, PLANT, find_port, name_port, require_device
 
@@ -35,13 +36,13 @@ class Link:
         arm: palpate.SimulatedArm | None = None,
         hand: palpate.PointerDevice | None = None,
         far_end: object = None,
-        note: str = "",
+        note: Sentence | str = "",
     ):
         """`arm` and `hand` are of a simulated device, whose time may pass as fast as the machine
         can; `far_end` is kept alive for as long as the link.
         """
         self.name, self.driver, self.arm, self.note = name, driver, arm, note
-        """`note` says what was done about latency."""
+        """`note` says what was done about latency; that of a port comes in English alone."""
         self._hand, self._far_end = hand, far_end
         self._loop: palpate.DeviceLoop | None = None
         self._lock = threading.Lock()
@@ -195,7 +196,7 @@ def build_link(name: str, origin: ArrayLike | None = None) -> Link:
     if name == NATIVE:
         pty = palpate.PtyDevice()
         port = palpate.SerialTransport(pty.path())
-        note = f"the firmware's code behind {pty.path()}"
+        note = sentence("the firmware's code behind %1", pty.path())
         return Link(name, palpate.SerialDevice(port, place), far_end=pty, note=note)
     port = palpate.SerialTransport(find_port(name))
     return Link(name, palpate.SerialDevice(port, place), note=port.latency_note())
@@ -206,7 +207,7 @@ def hold_plant(plant: palpate.Plant, options: palpate.NativeCoreOptions) -> Link
     hand = palpate.PointerDevice()
     hand.set(palpate.HapticSample(position=palpate.Workspace().center))
     arm = palpate.SimulatedArm(hand, palpate.Workspace().center, plant, options)
-    return Link(PLANT, arm.driver(), arm, hand, note="in this process")
+    return Link(PLANT, arm.driver(), arm, hand, note=sentence("in this process"))
 
 
 def list_devices() -> list[Report]:

@@ -17,7 +17,7 @@ def report_status(link: Link, status: palpate.DeviceStatus) -> Report:
     """Angles in degrees for people, times in ms, all else in SI units."""
     return {
         "device": link.name,
-        "latency": link.note,
+        "latency": str(link.note),
         "state": palpate.describe_status(status),
         "serial_number": status.serial_number,
         "firmware": ".".join(str(part) for part in status.release),

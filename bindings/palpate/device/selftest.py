@@ -89,7 +89,7 @@ def inspect_link(
         "device": link.name,
         "serial_number": status.serial_number,
         "firmware": ".".join(str(part) for part in status.release),
-        "latency": link.note,
+        "latency": str(link.note),
         "checks": [check.report() for check in test.checks],
         "ok": all(check.ok for check in test.checks),
     }

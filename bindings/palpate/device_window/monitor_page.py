@@ -8,11 +8,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDoubleSpinBox, QHBoxLayout, QWidget
 
 import palpate
+from palpate.command.sentence import Sentence
 from palpate.device.link import DRIVING, Link
 from palpate.device.poses import PLACES
 from palpate.device_window.cards import Facts, Page, build_button
 from palpate.device_window.gauges import Dial, Histogram, MotorBars
-from palpate.device_window.sentences import number, say_joint, translate
+from palpate.device_window.sentences import number, say, say_joint, translate
 from palpate.player.device_sentences import say_advice, say_state
 
 STIFFNESS = 80.0
@@ -103,8 +104,7 @@ class MonitorPage(Page):
         for button in (self.motors, self.spring, self.stop, self.wire):
             button.setChecked(False)
         arm = palpate.Arm()
-        self.note.setText("" if link is None else link.note)
-        self.note.setVisible(bool(self.note.text()))
+        self._say_note()
         if link is not None:
             arm = self._find_arm(link)
         low, high = np.degrees(arm.joint_min), np.degrees(arm.joint_max)
@@ -237,8 +237,14 @@ class MonitorPage(Page):
         if label.text() != text:
             label.setText(text)
 
+    def _say_note(self) -> None:
+        note = "" if self.link is None else self.link.note
+        self.note.setText(say(note) if isinstance(note, Sentence) else note)
+        self.note.setVisible(bool(note))
+
     def say(self) -> None:
         """Sets all texts."""
+        self._say_note()
         self.state_card.title.setText(translate("Device", "STATE"))
         self.motors.setText(translate("Device", "Motors on"))
         self.clear.setText(translate("Device", "Clear the fault"))

@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from palpate.translation.numbers import SpokenNumber
+from palpate.translation.refusals import say_refusal
 from PySide6.QtCore import QCoreApplication
 
 from palpate_editor.document import Phrase
@@ -21,11 +22,16 @@ def fill(template: str, **values: Any) -> str:
 def say(text: Any) -> Any:
     """A sentence of another room in the language of the program, where it knows how it was made."""
     if isinstance(text, Phrase):
-        values = {key: say(value) for key, value in text.values.items()}
+        values = {key: say_value(key, value) for key, value in text.values.items()}
         template = QCoreApplication.translate("phrases", text.template)
         return fill(template, **values) if values else template
     # names of constants are values of many sentences; any other text stays as it is
     return QCoreApplication.translate("constants", text) if isinstance(text, str) else text
+
+
+def say_value(key: str, value: Any) -> Any:
+    """What stands in a sentence: `why` is a sentence of the core."""
+    return say_refusal(value) if key == "why" and isinstance(value, str) else say(value)
 
 
 def say_title(title: str) -> str:

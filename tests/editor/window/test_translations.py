@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 import re
 import sys
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from string import Formatter
 
@@ -22,7 +22,7 @@ from palpate_editor.edits import EditError, PaintStiffness, SetConstant
 from palpate_editor.own_values import FORMAT, VERSION, OwnValue, read_own_values
 from palpate_editor.views.quantity_box import QuantityBox, write_number
 from palpate_editor.views.sentences import sentence_of
-from palpate_editor.views.translations import fill, number, quantity, say_problems
+from palpate_editor.views.translations import fill, number, quantity, say, say_problems
 from patience import settle
 from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QAbstractButton, QLabel
@@ -97,6 +97,21 @@ def test_a_phrase_within_a_phrase_is_translated_too(make_editor):
     assert "Henüz organ yok" in sentence_of(
         EditError(phrase("There is no organ yet: import a mesh file first."))
     )
+
+
+def test_why_a_unit_or_an_axis_was_chosen_is_said_in_turkish(qtbot, make_editor):
+    window = make_editor(language="tr").window
+    window.files.open_shipped("spleen")
+    settle(qtbot, window)
+    assert window.import_panel.unit_reason.text() == "Palpate ile gelir"
+
+    size = "120.4 units from corner to corner: above 60, so millimetres"
+    organ = replace(make_organ(), source=replace(make_organ().source, unit_reason=size))
+    window.import_panel.show_organ(organ)
+
+    why = "köşeden köşeye 120,4 birim: 60'ın üstünde, demek ki milimetre"
+    assert window.import_panel.unit_reason.text() == f"Tahmin: {why}"
+    assert say(phrase("{unit}, guessed ({why})", unit="mm", why=size)) == f"mm, tahmin ({why})"
 
 
 def test_the_window_is_turkish_and_back_with_the_same_organ(qtbot, make_editor):

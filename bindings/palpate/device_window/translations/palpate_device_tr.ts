@@ -536,6 +536,10 @@
         <translation>boşta</translation>
     </message>
     <message>
+        <source>in this process</source>
+        <translation>bu süreçte</translation>
+    </message>
+    <message>
         <source>joints at %1 degrees</source>
         <translation>eklemler %1 derecede</translation>
     </message>
@@ -622,6 +626,10 @@
     <message>
         <source>the fault clears</source>
         <translation>arıza siliniyor</translation>
+    </message>
+    <message>
+        <source>the firmware's code behind %1</source>
+        <translation>%1 arkasında aygıt yazılımının kodu</translation>
     </message>
     <message>
         <source>to the right</source>

@@ -304,6 +304,10 @@
         <translation>başkalarıyla kesişen %1 üçgen</translation>
     </message>
     <message>
+        <source>%1 units from corner to corner</source>
+        <translation>köşeden köşeye %1 birim</translation>
+    </message>
+    <message>
         <source>%1 with another SHA-256</source>
         <translation>SHA-256 değeri başka olan %1</translation>
     </message>
@@ -338,6 +342,18 @@
     <message>
         <source>%1: %2, expected a serial port that takes %3 bit/s</source>
         <translation>%1: %2; beklenen: %3 bit/s hızını alan bir seri kapı</translation>
+    </message>
+    <message>
+        <source>%1: 1 to 60, so centimetres</source>
+        <translation>%1: 1 ile 60 arası, demek ki santimetre</translation>
+    </message>
+    <message>
+        <source>%1: above 60, so millimetres</source>
+        <translation>%1: 60'ın üstünde, demek ki milimetre</translation>
+    </message>
+    <message>
+        <source>%1: below 1, so metres</source>
+        <translation>%1: 1'in altında, demek ki metre</translation>
     </message>
     <message>
         <source>%1: did not take the calibration: %2</source>
@@ -1004,6 +1020,10 @@
         <translation>%1 bayttan büyük diziler</translation>
     </message>
     <message>
+        <source>as asked</source>
+        <translation>istendiği gibi</translation>
+    </message>
+    <message>
         <source>as many of both</source>
         <translation>ikisinden eşit sayıda</translation>
     </message>
@@ -1528,6 +1548,10 @@
         <translation>bir bağın payları %1, %2</translation>
     </message>
     <message>
+        <source>ships with Palpate</source>
+        <translation>Palpate ile gelir</translation>
+    </message>
+    <message>
         <source>six different particles, 0 to %1</source>
         <translation>altı ayrı parçacık, 0 ile %1 arası</translation>
     </message>
@@ -1562,6 +1586,10 @@
     <message>
         <source>springs</source>
         <translation>yaylar</translation>
+    </message>
+    <message>
+        <source>stated by the file or its format</source>
+        <translation>dosya ya da biçimi belirtiyor</translation>
     </message>
     <message>
         <source>stored or deflated</source>
@@ -1622,6 +1650,10 @@
     <message>
         <source>the extension %1</source>
         <translation>%1 uzantısı</translation>
+    </message>
+    <message>
+        <source>the format states none; medical programs have z up</source>
+        <translation>biçim bir şey belirtmiyor; tıbbi programlarda z yukarıdır</translation>
     </message>
     <message>
         <source>the mesh the scene was made with</source>

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
+from palpate.translation.refusals import say_refusal
 from PySide6.QtWidgets import (
     QComboBox,
     QGridLayout,
@@ -161,7 +162,8 @@ class ImportPanel(StagePanel):
 
     @staticmethod
     def reason(guessed: bool, reason: str) -> str:
-        return tr("Guessed: {reason}").format(reason=reason) if guessed else reason
+        said = say_refusal(reason)
+        return tr("Guessed: {reason}").format(reason=said) if guessed else said
 
     def fill_parts(self, parts: Mapping[str, Part | None], chosen: tuple[str, ...]) -> None:
         self.chooser.show_parts(parts, chosen)
