@@ -63,31 +63,47 @@ class Strip(Painted):
         width = (self.width() - 2 * gap) / 3
         for axis, name in enumerate(names):
             box = QRectF(axis * (width + gap), head, width, self.height() - head - 4)
-            self._draw_frame(painter, box, name)
+            self._draw_frame(painter, box)
             if len(rows):
                 x = box.left() + box.width() * (1.0 - (now - rows[:, 0]) / SPAN)
                 self._draw_line(painter, box, x, rows[:, 1 + axis], commanded_colour(self.theme), 3)
                 self._draw_line(painter, box, x, rows[:, 4 + axis], applied_colour(self.theme), 1.3)
+            self._write_scale(painter, box, name)
         self._draw_key(painter)
         painter.end()
 
-    def _draw_frame(self, painter: QPainter, box: QRectF, name: str) -> None:
+    def _draw_frame(self, painter: QPainter, box: QRectF) -> None:
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(pick(self.theme, "track", 0.55))
         painter.drawRoundedRect(box, 6, 6)
         painter.setPen(QPen(pick(self.theme, "line"), 1.0))
         middle = box.center().y()
         painter.drawLine(QPointF(box.left(), middle), QPointF(box.right(), middle))
-        painter.setFont(self.letters(10))
-        painter.setPen(pick(self.theme, "faint"))
+
+    def _write_scale(self, painter: QPainter, box: QRectF, name: str) -> None:
+        """Over the lines, each text on a ground of its own, so that no line hides it."""
         inside = box.adjusted(6, 3, -6, -3)
         reach = number(self._reach, 2)
         top, left = Qt.AlignmentFlag.AlignTop, Qt.AlignmentFlag.AlignLeft
-        painter.drawText(inside, top | left, f"{reach} N")
-        painter.drawText(inside, Qt.AlignmentFlag.AlignBottom | left, f"\N{MINUS SIGN}{reach} N")
+        painter.setFont(self.letters(10))
+        faint = pick(self.theme, "faint")
+        self._write(painter, inside, top | left, f"{reach} N", faint)
+        low = Qt.AlignmentFlag.AlignBottom | left
+        self._write(painter, inside, low, f"\N{MINUS SIGN}{reach} N", faint)
         painter.setFont(self.letters(12, bold=True))
-        painter.setPen(pick(self.theme, "text"))
-        painter.drawText(inside, top | Qt.AlignmentFlag.AlignRight, name)
+        right = top | Qt.AlignmentFlag.AlignRight
+        self._write(painter, inside, right, name, pick(self.theme, "text"))
+
+    def _write(
+        self, painter: QPainter, box: QRectF, place: Qt.AlignmentFlag, text: str, colour: QColor
+    ) -> None:
+        ground = painter.boundingRect(box, place, text).adjusted(-3, 0, 3, 0)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(pick(self.theme, "card", 0.8))
+        painter.drawRoundedRect(ground, 3, 3)
+        painter.setPen(colour)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawText(box, place, text)
 
     def _draw_line(
         self,
