@@ -12,6 +12,9 @@ quadratic eigenproblem in dt, solved by a root finder around a sparse symmetric 
 
 from __future__ import annotations
 
+from functools import cache
+from pathlib import Path
+
 import numpy as np
 import palpate
 import pytest
@@ -124,21 +127,27 @@ def test_stable_step_lies_between_0_6_and_1_of_the_exact_limit(name, kind):
 @pytest.mark.parametrize("kind", BUILDERS)
 @pytest.mark.parametrize("name", ["ellipsoid", "sheet", "tube"])
 def test_stable_step_lies_between_0_6_and_1_on_generated_organs(name, kind):
-    generate = pytest.importorskip("palpate_meshes.generate")
-    mesh = palpate.SurfaceMesh(*getattr(generate, name)(vertices=600))
+    assert_between(BUILDERS[kind](generate_organ(name), MEMBRANE))
 
-    assert_between(BUILDERS[kind](mesh, MEMBRANE))
+
+@cache
+def generate_organ(name: str) -> palpate.SurfaceMesh:
+    generate = pytest.importorskip("palpate_meshes.generate")
+    return palpate.SurfaceMesh(*getattr(generate, name)(vertices=600))
 
 
 @pytest.mark.parametrize("kind", BUILDERS)
 @pytest.mark.parametrize("name", SHARED_ORGANS)
 def test_stable_step_lies_between_0_6_and_1_on_shared_organs(name, kind, shared_data):
-    path = shared_data(f"organs/VH_{name}.glb")
-    authoring = pytest.importorskip("palpate_editor.authoring")
-    organ = authoring.import_mesh(path, parts=SHARED_ORGANS[name]).mesh
-    mesh = authoring.decimate(organ, 600).mesh
+    mesh = decimate_organ(shared_data(f"organs/VH_{name}.glb"), tuple(SHARED_ORGANS[name]))
 
     assert_between(BUILDERS[kind](mesh, MEMBRANE))
+
+
+@cache
+def decimate_organ(path: Path, parts: tuple[str, ...]) -> palpate.SurfaceMesh:
+    authoring = pytest.importorskip("palpate_editor.authoring")
+    return authoring.decimate(authoring.import_mesh(path, parts=parts).mesh, 600).mesh
 
 
 @pytest.mark.parametrize("damping", [0.0, 0.1, 2.0])

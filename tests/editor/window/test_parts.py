@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from hands import click
 from palpate_editor.views.stages.parts_preview import MARK
+from palpate_editor.views.tasks import ImportWork
 from patience import settle
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QApplication
@@ -14,10 +15,17 @@ from PySide6.QtWidgets import QApplication
 pytestmark = pytest.mark.window
 
 
+@pytest.fixture(scope="module")
+def heart(shared_data):
+    """What the window's worker reads of a heart: a value, made once."""
+    path = shared_data("organs/VH_M_Heart.glb")
+    return ImportWork(path)(lambda words, share: None)
+
+
 @pytest.fixture
-def heart_window(qtbot, window, shared_data):
+def heart_window(qtbot, window, heart):
     """A heart whose 14 parts cannot be used together."""
-    window.files.open(shared_data("organs/VH_M_Heart.glb"))
+    window.tasks.on_read(heart)
     settle(qtbot, window)
     return window
 
