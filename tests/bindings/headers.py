@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 
 SKIPPED = re.compile(
@@ -35,8 +36,10 @@ class Type:
     types: list[Type] = field(default_factory=list)
 
 
+@cache
 def read_header(path: Path) -> Type:
-    """Everything a header declares, as one nameless type; namespaces are looked through."""
+    """Everything a header declares, as one nameless type; namespaces are looked through. The files
+    do not change while tests run, and nobody changes what was read."""
     text = path.read_text(encoding="utf-8")
     text = re.sub(r"//[^\n]*|/\*.*?\*/", "", text, flags=re.DOTALL)
     text = re.sub(r"^\s*#[^\n]*", "", text, flags=re.MULTILINE)

@@ -7,7 +7,7 @@ import json
 import os
 import subprocess
 import sys
-from pathlib import Path
+from functools import cache
 
 import numpy as np
 import palpate
@@ -29,57 +29,65 @@ import json, sys
 from palpate.runs.play import open_play
 from palpate.player import TraineeWindow
 from palpate.viewport.application import open_application
-app, code = open_application(sys.argv[2])
-window = TraineeWindow(open_play(__import__("pathlib").Path(sys.argv[1])), language=code)
-window.show()
-app.processEvents()
-free = window.screen().availableGeometry()
-said = []
-for show in (lambda: None, window.restart, window.open_menu, lambda: window._end("")):
-    show()
+found = {}
+for language in sys.argv[2:]:
+    app, code = open_application(language)
+    window = TraineeWindow(open_play(__import__("pathlib").Path(sys.argv[1])), language=code)
+    window.show()
     app.processEvents()
-    over = window.over
-    board = over.board()
-    notice = over.notice.geometry()
-    said.append({
-        "size": [window.width(), window.height()],
-        "screen": [free.width(), free.height()],
-        "notice": over.notice.isVisible() and window.view.rect().contains(notice),
-        "covered": board is not None and board.geometry().intersects(notice),
-        "board": board is None or window.view.rect().contains(board.geometry()),
-        "widest": window.minimumSizeHint().width(),
-    })
-window.close()
-print(json.dumps(said))
+    free = window.screen().availableGeometry()
+    said = found[language] = []
+    for show in (lambda: None, window.restart, window.open_menu, lambda: window._end("")):
+        show()
+        app.processEvents()
+        over = window.over
+        board = over.board()
+        notice = over.notice.geometry()
+        said.append({
+            "size": [window.width(), window.height()],
+            "screen": [free.width(), free.height()],
+            "notice": over.notice.isVisible() and window.view.rect().contains(notice),
+            "covered": board is not None and board.geometry().intersects(notice),
+            "board": board is None or window.view.rect().contains(board.geometry()),
+            "widest": window.minimumSizeHint().width(),
+        })
+    window.close()
+print(json.dumps(found))
 """
+LANGUAGES = ("en", "tr")
 
 
-def play_on_screen(scenario: Path, size: tuple[int, int], factor: float, language: str) -> list:
-    """The windows of one run, as they stand on a screen of another size."""
-    screen = {"name": "small", "x": 0, "y": 0, "width": size[0], "height": size[1]}
-    screen |= {"logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1}
-    config = scenario.with_suffix(".screens.json")
-    config.write_text(json.dumps({"screens": [screen]}))
-    env = os.environ | {
-        "QT_QPA_PLATFORM": f"offscreen:configfile={config}",
-        "QT_SCALE_FACTOR": str(factor),
-    }
-    ran = subprocess.run(
-        [sys.executable, "-c", PLAY_ON_A_SCREEN, scenario, language],
-        env=env,
-        capture_output=True,
-        text=True,
-    )
-    assert ran.returncode == 0, ran.stderr
-    return json.loads(ran.stdout)
+@pytest.fixture(scope="module")
+def play_on_screen(tmp_path_factory):
+    """play_on_screen(size, factor) gives, by language, the windows of one run as they stand on a
+    screen of another size; one program opens both."""
+    folder = tmp_path_factory.mktemp("screens")
+    scenario = publish(folder, task=LONG)
+
+    @cache
+    def play(size: tuple[int, int], factor: float) -> dict[str, list]:
+        screen = {"name": "small", "x": 0, "y": 0, "width": size[0], "height": size[1]}
+        screen |= {"logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1}
+        config = folder / "screens.json"
+        config.write_text(json.dumps({"screens": [screen]}))
+        env = os.environ | {
+            "QT_QPA_PLATFORM": f"offscreen:configfile={config}",
+            "QT_SCALE_FACTOR": str(factor),
+        }
+        words = [sys.executable, "-c", PLAY_ON_A_SCREEN, scenario, *LANGUAGES]
+        ran = subprocess.run(words, env=env, capture_output=True, text=True)
+        assert ran.returncode == 0, ran.stderr
+        return json.loads(ran.stdout)
+
+    return play
 
 
-@pytest.mark.parametrize("language", ["en", "tr"])
+@pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize(("size", "factor"), SCREENS)
 def test_the_window_fits_its_screen_and_shows_its_warning_on_every_board(
-    tmp_path, size, factor, language
+    play_on_screen, size, factor, language
 ):
-    for board in play_on_screen(publish(tmp_path, task=LONG), size, factor, language):
+    for board in play_on_screen(size, factor)[language]:
         assert board["screen"] == [round(pixels / factor) for pixels in size]
         assert all(np.array(board["size"]) <= board["screen"])
         assert board["widest"] <= board["screen"][0]
