@@ -84,7 +84,7 @@ class Job:
         self.qtbot.waitUntil(condition, timeout=PATIENCE)
 
 
-@pytest.fixture(params=["dark", "light"])
+@pytest.fixture(params=["dark", pytest.param("light", marks=pytest.mark.verify)])
 def job(request, qtbot, make_editor, checkout) -> Job:
     window = make_editor(theme=request.param, language="en").window
     window.activateWindow()
