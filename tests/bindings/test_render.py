@@ -19,6 +19,7 @@ from palpate.render import (
     describe_gl,
     draw_picture,
     open_context,
+    openness,
     save_picture,
     studio,
 )
@@ -31,6 +32,13 @@ QUICK = {"size": SIZE, "supersample": 1}
 TOOL = (np.array([0.0, -RADIUS, 0.0]), 0.004)
 """On the side of the ball that looks at a camera of azimuth -90 degrees."""
 FROM_FRONT = {"azimuth": -90.0, "elevation": 0.0}
+
+
+@pytest.fixture(autouse=True)
+def see_little_of_the_sky(request, monkeypatch):
+    """Half of what a picture costs is how much of the sky each vertex sees."""
+    if not request.node.get_closest_marker("fine"):
+        monkeypatch.setattr(openness, "DIRECTIONS", 8)
 
 
 @pytest.fixture(scope="module")
@@ -164,6 +172,7 @@ def test_selection_is_orange_and_grows_with_what_is_selected():
     assert 200 < some < more
 
 
+@pytest.mark.fine
 def test_the_inner_side_of_an_open_surface_is_shaded_and_paler_than_the_outer():
     x, triangles = bowl()
     look = {"azimuth": -90.0, "elevation": 50.0, "wireframe": False, **QUICK}
@@ -328,6 +337,7 @@ def test_what_casts_a_shadow_darkens_what_lies_behind_it(gl):
     renderer.release()
 
 
+@pytest.mark.fine
 def test_the_bottom_of_a_bowl_sees_less_sky_than_its_outside(gl):
     x, triangles = bowl()
     renderer = renderer_of(gl)
