@@ -4,12 +4,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import palpate
 import pytest
 from hands import child, click, log_of
-from palpate_editor.document import Surface
+from palpate_editor.document import Organ, Surface
 from palpate_editor.document.rules import TICK_SHARE
 from palpate_editor.views.assessment import Assessment
 from patience import settle
@@ -38,13 +39,17 @@ def punch(surface: Surface, count: int, wide: int) -> Surface:
     return Surface(surface.vertices[left], number[triangles[kept]])
 
 
+@cache
+def build_holed_organ() -> Organ:
+    whole = build_organ(vertices=2400)
+    surface = punch(whole.surface, 20, 1)
+    return replace(whole.with_surface(surface), imported=surface)
+
+
 @pytest.fixture
 def holed(qtbot, window):
     """A ball with twenty small holes and a wide one, in the Repair stage."""
-    whole = build_organ(vertices=2400)
-    surface = punch(whole.surface, 20, 1)
-    organ = replace(whole.with_surface(surface), imported=surface)
-    window.session.restore(organ, None)
+    window.session.restore(build_holed_organ(), None)
     window.show_stage("repair")
     settle(qtbot, window)
     return window

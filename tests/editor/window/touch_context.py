@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 from palpate.viewport import make_view
@@ -26,9 +27,15 @@ SIZE = (640, 480)
 
 def build_organ(radii=RADII, vertices: int = 600) -> Organ:
     """A plain ellipsoid, soft enough to be felt and held at the bottom third."""
-    x, triangles = ellipsoid(vertices, radii, bow=0.0, hollow=0.0, notches=0.0)
-    organ = replace(EMPTY.with_surface(Surface(x, triangles)), name="ball")
-    return replace(organ, fixed=x[:, 2] < -0.5 * radii[2])
+    surface = build_surface(radii, vertices)
+    organ = replace(EMPTY.with_surface(surface), name="ball")
+    return replace(organ, fixed=surface.vertices[:, 2] < -0.5 * radii[2])
+
+
+@cache
+def build_surface(radii: tuple[float, float, float], vertices: int) -> Surface:
+    """A value, so it is made once."""
+    return Surface(*ellipsoid(vertices, radii, bow=0.0, hollow=0.0, notches=0.0))
 
 
 @contextmanager
