@@ -49,7 +49,8 @@ class Fit:
 
     def misses_shape(self) -> bool:
         """Whether the model's curve has another shape, so that the intervals are too narrow."""
-        return self.durbin_watson < PATTERNED and self.residual > NOTICED * self.force.max()
+        noticed = self.residual > NOTICED * self.force.max()
+        return bool(self.durbin_watson < PATTERNED and noticed)
 
 
 class NotFitted(ValueError):
