@@ -110,11 +110,19 @@ def find_stroke(bench: Bench, height: float) -> list[QPointF]:
     return seen[4:-4]
 
 
+LIVER, KIDNEY, SPLEEN = ("liver", -0.3, 6e-3), ("kidney", 0.3, 6e-3), ("spleen", 0.0, 6e-3)
+
+
 @pytest.mark.parametrize(
-    ("organ", "height", "deepest"),
-    [("liver", -0.3, 6e-3), ("kidney", 0.3, 6e-3), ("spleen", 0.0, 6e-3)],
-)
-@pytest.mark.parametrize("rate", [10, 60])
+    ("rate", "organ", "height", "deepest"),
+    [
+        (10, *KIDNEY),
+        (10, *SPLEEN),
+        (60, *SPLEEN),
+        *(pytest.param(*row, marks=pytest.mark.verify)
+          for row in ((10, *LIVER), (60, *LIVER), (60, *KIDNEY))),
+    ],
+)  # fmt: skip
 def test_a_stroke_over_a_convex_organ_keeps_contact_and_depth_all_the_way(
     open_bench, organ, height, deepest, rate
 ):

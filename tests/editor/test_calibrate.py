@@ -25,7 +25,7 @@ DEPTH = np.linspace(5e-4, 5e-3, 10)
 @pytest.fixture(scope="module")
 def organ() -> Organ:
     return replace(
-        make_organ(vertices=400, imported=None),
+        make_organ(vertices=200, imported=None),
         name="test organ",
         material=MaterialPart(),
         model=ModelPart(stiffness=60.0, home_stiffness=3e5, drag=20.0),
