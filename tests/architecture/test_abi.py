@@ -11,7 +11,7 @@ import numpy as np
 import palpate
 import palpate.scenario
 import pytest
-from test_play_example import TICKS, make_scene
+from test_play_example import TICKS, build_player, make_scene
 from tree import CHECKOUT
 
 INCLUDE = CHECKOUT / "build/release/include"
@@ -51,20 +51,9 @@ def test_every_public_struct_has_one_layout_whatever_vectors_a_program_may_use(f
     assert lay_out(tmp_path / "wider", *flags.split()) == plain
 
 
-@pytest.fixture(scope="module")
-def prefix(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    target = tmp_path_factory.mktemp("prefix")
-    require("cmake", "--install", CHECKOUT / "build/release", "--prefix", target)
-    return target
-
-
-def play(prefix: Path, build: Path, flags: str, path: Path) -> np.ndarray:
+def play(flags: str, path: Path) -> np.ndarray:
     """Forces [N] of the example that plays a published file, compiled with these flags."""
-    require("cmake", "-S", CHECKOUT / "tests/examples/play_a_scenario", "-B", build, "-G", "Ninja",
-            "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_CXX_FLAGS={flags}",
-            f"-DCMAKE_PREFIX_PATH={prefix}")  # fmt: skip
-    require("cmake", "--build", build)
-    words = require(build / "play_a_scenario", path)
+    words = require(build_player(flags), path)
     return np.array([[float.fromhex(word) for word in line.split()]
                      for line in words.splitlines()])  # fmt: skip
 
@@ -72,16 +61,14 @@ def play(prefix: Path, build: Path, flags: str, path: Path) -> np.ndarray:
 @pytest.mark.parametrize(
     "flags", ["-march=native -O3", pytest.param("-mavx2", marks=pytest.mark.verify)]
 )
-def test_a_program_compiled_for_a_wider_machine_feels_the_forces_of_a_plain_one(
-    flags, prefix, tmp_path
-):
+def test_a_program_compiled_for_a_wider_machine_feels_the_forces_of_a_plain_one(flags, tmp_path):
     path = tmp_path / "dome.palpate"
     made = palpate.scenario.Scenario(scene=make_scene(), title="Kubbe", task="Press the dome.")
     palpate.scenario.write(path, made)
-    plain = play(prefix, tmp_path / "plain", "", path)
+    plain = play("", path)
     assert plain.shape == (TICKS, 3)
     assert plain[-1, 2] > 0.01
 
-    other = play(prefix, tmp_path / "wider", flags, path)
+    other = play(flags, path)
     # an inline function of a header may be compiled with other roundings
     np.testing.assert_allclose(other, plain, rtol=0.0, atol=1e-9 * plain.max())

@@ -8,7 +8,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from tree import CHECKOUT
+from tree import CHECKOUT, install
 
 EXAMPLE = CHECKOUT / "tests/examples/embed_palpate"
 ABSENT = ("ZLIB", "OpenSSL", "hwy", "CGAL", "assimp", "OpenMesh", "doctest", "pybind11", "Python")
@@ -90,10 +90,8 @@ def find_package(folder: Path, prefix: Path, wanted: str) -> subprocess.Complete
 
 
 @pytest.fixture(scope="module")
-def prefix(shared, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    target = tmp_path_factory.mktemp("prefix")
-    require("cmake", "--install", shared, "--prefix", target)
-    return target
+def prefix(shared) -> Path:
+    return install(shared, "embed-prefix")
 
 
 def test_a_shared_installation_is_found_by_its_part_and_its_version(prefix, tmp_path):
@@ -113,13 +111,13 @@ def test_a_part_that_was_not_built_or_does_not_exist_is_refused_in_a_sentence(pr
     assert "got component feelings, expected sim or scenario" in " ".join(unknown.stderr.split())
 
 
-def test_a_program_linked_with_the_shared_installation_presses_an_organ(prefix, tmp_path):
-    source = CHECKOUT / "tests/examples/press_an_organ"
-    require("cmake", "-S", source, "-B", tmp_path, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}",
+def test_a_program_linked_with_the_shared_installation_presses_an_organ(prefix):
+    source, build = CHECKOUT / "tests/examples/press_an_organ", CHECKOUT / "build/embed-linked"
+    require("cmake", "-S", source, "-B", build, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}",
             *(f"-DCMAKE_DISABLE_FIND_PACKAGE_{package}=ON" for package in ABSENT))  # fmt: skip
-    require("cmake", "--build", tmp_path)
+    require("cmake", "--build", build)
 
-    presses(tmp_path)
+    presses(build)
 
 
 def test_the_commands_of_the_guide_for_devices_name_targets_and_files_that_exist():

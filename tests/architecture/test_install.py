@@ -9,7 +9,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from tree import CHECKOUT
+from tree import CHECKOUT, install
 
 ABSENT = ("ZLIB", "OpenSSL", "hwy", "CGAL", "assimp", "OpenMesh", "doctest", "pybind11", "Python")
 OFF = ("RECORD_FILES", "SIMD", "SERIAL", "SCENARIO", "AUTHORING", "BINDINGS", "TESTS")
@@ -22,16 +22,14 @@ def run(*command: str | Path, **options) -> str:
 
 
 @pytest.fixture(scope="module")
-def prefix(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def prefix() -> Path:
     """Where palpate::sim was installed. Its build folder stays, so a second run is quick."""
     build = CHECKOUT / "build" / "eigen-alone"
-    target = tmp_path_factory.mktemp("prefix")
     run("cmake", "-S", CHECKOUT, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
         *(f"-DPALPATE_{option}=OFF" for option in OFF),
         *(f"-DCMAKE_DISABLE_FIND_PACKAGE_{package}=ON" for package in ABSENT))  # fmt: skip
     run("cmake", "--build", build)
-    run("cmake", "--install", build, "--prefix", target)
-    return target
+    return install(build, "eigen-alone-prefix")
 
 
 def test_an_installed_header_is_all_a_program_needs(prefix):
@@ -70,14 +68,15 @@ def test_the_version_header_is_that_of_the_project_and_of_the_library(prefix, tm
     assert run(tmp_path / "version") == f"{version} {version} {version}"
 
 
-def test_a_program_of_thirty_lines_presses_an_organ_and_prints_forces(prefix, tmp_path):
+def test_a_program_of_thirty_lines_presses_an_organ_and_prints_forces(prefix):
     source = CHECKOUT / "tests/examples/press_an_organ"
-    run("cmake", "-S", source, "-B", tmp_path, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+    build = CHECKOUT / "build/eigen-alone-program"
+    run("cmake", "-S", source, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
         f"-DCMAKE_PREFIX_PATH={prefix}",
         *(f"-DCMAKE_DISABLE_FIND_PACKAGE_{package}=ON" for package in ABSENT))  # fmt: skip
-    run("cmake", "--build", tmp_path)
+    run("cmake", "--build", build)
 
-    words = run(tmp_path / "press_an_organ", env={"PATH": os.environ["PATH"]})
+    words = run(build / "press_an_organ", env={"PATH": os.environ["PATH"]})
 
     forces = [float(force) for force in re.findall(r"mm: +(\S+) N", words)]
     assert len(forces) == 11

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 import subprocess
 from functools import cache
 from pathlib import Path
@@ -50,3 +51,15 @@ def read_code(name: str) -> str:
         return text if text.startswith('"') else "\n" * text.count("\n")
 
     return pattern.sub(keep_strings, read(name))
+
+
+def install(build: Path, name: str) -> Path:
+    """What a build folder installs, under a name in build/ that stays the same: what is compiled
+    against it is compiled again only where it has changed. Nothing of an earlier one is left."""
+    prefix = CHECKOUT / "build" / name
+    shutil.rmtree(prefix, ignore_errors=True)
+    done = subprocess.run(
+        ["cmake", "--install", build, "--prefix", prefix], capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return prefix
