@@ -5,27 +5,22 @@ from __future__ import annotations
 
 import csv
 import json
-import os
-import resource
-import subprocess
-import sys
-from pathlib import Path
 
 import numpy as np
 import palpate
 import pytest
 from data_folder import find_data
 from foreign_files import WRITERS
+from forks import End, run_in_forks
 from palpate_editor.authoring import import_mesh, inspect_mesh, join_parts, read_mesh
 from palpate_meshes.generate import ellipsoid
 
-MEMORY = 2_000_000_000
-PROCESSOR_SECONDS = 10
-HANG = 120
-"""[s] of wall clock, for a machine under any load; the processor's seconds are what counts."""
+LIMITS = {"memory": 2_000_000_000, "processor": 10, "wall": 120}
+"""[bytes], [s], and [s] for a machine under any load; the processor's seconds are what counts."""
+LARGE = ("VH_F_Kidney_L", "VH_F_Liver", "VH_M_Heart")
 
-SCRIPT = """
-import json, sys
+PREPARE = """
+import json
 import palpate
 from palpate_editor.authoring import decimate, import_mesh, inspect_mesh, join_parts, read_mesh
 
@@ -34,10 +29,11 @@ def read_reports(path):
     organ = import_mesh(path)
     yield organ.report.as_dict()
     yield inspect_mesh(decimate(organ.mesh, min(50, len(organ.mesh.vertices))).mesh).as_dict()
-
+"""
+EACH = """
 reports, refusal = [], None
 try:
-    for report in read_reports(sys.argv[1]):
+    for report in read_reports(file):
         reports.append(report)
 except palpate.FileError as e:
     refusal = [e.file, e.where, e.found, e.expected]
@@ -47,25 +43,21 @@ print(json.dumps({"reports": reports, "refusal": refusal}, allow_nan=False))
 """
 
 
-def limit() -> None:
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    resource.setrlimit(resource.RLIMIT_CPU, (PROCESSOR_SECONDS, PROCESSOR_SECONDS))
+@pytest.fixture(scope="module")
+def ends(tmp_path_factory) -> dict[str, End]:
+    """How a program with limits ended on each file."""
+    data = find_data()
+    files = [data / "hostile" / name for name in hostile_files()]
+    files += [data / f"organs/{name}.glb" for name in LARGE]
+    found = [file for file in files if file.exists()]
+    return run_in_forks(PREPARE, EACH, found, tmp_path_factory.mktemp("ends"), LIMITS)
 
 
-def read_with_limits(path: Path) -> dict:
-    """What a program with limits sees in a file."""
-    # every thread of a numerics library sets an address range aside, which is not memory used
-    environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
-    done = subprocess.run(
-        [sys.executable, "-c", SCRIPT, path],
-        capture_output=True,
-        text=True,
-        timeout=HANG,
-        preexec_fn=limit,
-        env=environment,
-    )
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)
+def read_end(end: End) -> dict:
+    """What the program saw in the file."""
+    code, out, err = end
+    assert code == 0, err
+    return json.loads(out)
 
 
 def hostile_files() -> list[str]:
@@ -77,10 +69,10 @@ def hostile_files() -> list[str]:
 
 
 @pytest.mark.parametrize("name", hostile_files())
-def test_a_hostile_file_gives_a_report_or_a_sentence(name, shared_data):
+def test_a_hostile_file_gives_a_report_or_a_sentence(name, shared_data, ends):
     path = shared_data(f"hostile/{name}")
 
-    seen = read_with_limits(path)
+    seen = read_end(ends[str(path)])
 
     assert seen["reports"] or seen["refusal"]
     # a reader that never ran would refuse everything
@@ -94,9 +86,9 @@ def test_a_hostile_file_gives_a_report_or_a_sentence(name, shared_data):
         assert report["triangles"] > 0
 
 
-@pytest.mark.parametrize("name", ["VH_F_Kidney_L", "VH_F_Liver", "VH_M_Heart"])
-def test_a_large_organ_of_nested_parts_has_a_report_too(name, shared_data):
-    seen = read_with_limits(shared_data(f"organs/{name}.glb"))
+@pytest.mark.parametrize("name", LARGE)
+def test_a_large_organ_of_nested_parts_has_a_report_too(name, shared_data, ends):
+    seen = read_end(ends[str(shared_data(f"organs/{name}.glb"))])
 
     (report,) = seen["reports"]
     assert report["self_intersecting_faces"] > 1000

@@ -6,11 +6,10 @@ from __future__ import annotations
 import csv
 import json
 import math
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from forks import End, run_in_forks
 from palpate.cli.main import main
 
 INSPECTED = {
@@ -189,38 +188,17 @@ def hostile_files() -> list[str]:
         return [row["file"] for row in csv.DictReader(lines)]
 
 
-INSPECT_EACH = """
-import json, os, resource, signal, sys
-from palpate.cli.main import main, run_main
-sys.argv, limits, files = sys.argv[:1], json.loads(sys.argv[1]), sys.argv[2:]
-main(["inspect", files[0], "--json"])  # all that is imported late stands before the first fork
-ends = {}
-for file in files[1:]:
-    places = [os.open(name, os.O_RDWR | os.O_CREAT | os.O_TRUNC) for name in ("out", "err")]
-    child = os.fork()
-    if child == 0:
-        os.dup2(places[0], 1)
-        os.dup2(places[1], 2)
-        resource.setrlimit(resource.RLIMIT_AS, (limits["bytes"], limits["bytes"]))
-        signal.alarm(limits["seconds"])
-        sys.argv[1:] = ["inspect", file, "--json"]
-        run_main()
-    code = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
-    ends[file] = [code, *(open(name, encoding="utf-8").read() for name in ("out", "err"))]
-print(json.dumps(ends))
-"""
+LIMITS = {"memory": MEMORY_LIMIT, "processor": 600, "wall": round(3 * TIME_LIMIT)}
 
 
 @pytest.fixture(scope="module")
-def inspected(shared_data, spleen, tmp_path_factory) -> dict[str, tuple[int, str, str]]:
-    """How `palpate inspect` ended on each hostile file, and what it wrote. Each is a process of
-    its own; all are forked from one that has imported what they need."""
-    limits = json.dumps({"bytes": MEMORY_LIMIT, "seconds": math.ceil(3 * TIME_LIMIT)})
-    files = [str(shared_data(f"hostile/{name}")) for name in hostile_files()]
-    words = [sys.executable, "-c", INSPECT_EACH, limits, str(spleen), *files]
-    folder = tmp_path_factory.mktemp("inspected")
-    done = subprocess.run(words, capture_output=True, text=True, check=True, cwd=folder)
-    return json.loads(done.stdout.splitlines()[-1])
+def inspected(shared_data, spleen, tmp_path_factory) -> dict[str, End]:
+    """How `palpate inspect` ended on each hostile file, and what it wrote."""
+    # all that is imported late stands before the first fork
+    prepare = f"from palpate.cli.main import main, run_main; main(['inspect', {str(spleen)!r}])"
+    each = "import sys; sys.argv = ['palpate', 'inspect', file, '--json']; run_main()"
+    files = [shared_data(f"hostile/{name}") for name in hostile_files()]
+    return run_in_forks(prepare, each, files, tmp_path_factory.mktemp("inspected"), LIMITS)
 
 
 @pytest.mark.parametrize("name", hostile_files() or ["(none found)"])
