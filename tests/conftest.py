@@ -65,7 +65,7 @@ def user_data(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.Monk
 
 
 FEW_DIRECTIONS = 4
-"""Of the sky, in place of 96."""
+"""Of the sky, in place of a hundred."""
 
 
 @pytest.fixture
@@ -79,6 +79,18 @@ def rough_frames(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch
     if not request.node.get_closest_marker("fine"):
         monkeypatch.setattr(sky_light, "DIRECTIONS", FEW_DIRECTIONS)
         monkeypatch.setattr(canvas.Canvas, "refine", lambda *frame: False)
+
+
+@pytest.fixture
+def little_sky(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Pictures are lit from few directions, unless a test is marked `fine`.
+
+    Half of what a picture costs is how much of the sky each vertex sees.
+    """
+    from palpate.render import openness
+
+    if not request.node.get_closest_marker("fine"):
+        monkeypatch.setattr(openness, "DIRECTIONS", 2 * FEW_DIRECTIONS)
 
 
 @pytest.fixture

@@ -21,6 +21,8 @@ from palpate.render.authored_look import find_look
 from palpate.scene.scene_parts import LookPart
 from round_surfaces import ball
 
+pytestmark = pytest.mark.usefixtures("little_sky")
+
 SIZE = (240, 200)
 PLAIN = Look(colour=(0.5, 0.2, 0.2))
 SPOTTED = Look(colour=(0.5, 0.2, 0.2), pattern=Pattern((0.9, 0.8, 0.7), 0.004, strength=0.9))

@@ -19,7 +19,6 @@ from palpate.render import (
     describe_gl,
     draw_picture,
     open_context,
-    openness,
     save_picture,
     studio,
 )
@@ -27,18 +26,13 @@ from palpate.render.colour_map import build_viridis
 from palpate.render.openness import Sky
 from round_surfaces import RADIUS, ball, bowl
 
+pytestmark = pytest.mark.usefixtures("little_sky")
+
 SIZE = (320, 240)
 QUICK = {"size": SIZE, "supersample": 1}
 TOOL = (np.array([0.0, -RADIUS, 0.0]), 0.004)
 """On the side of the ball that looks at a camera of azimuth -90 degrees."""
 FROM_FRONT = {"azimuth": -90.0, "elevation": 0.0}
-
-
-@pytest.fixture(autouse=True)
-def see_little_of_the_sky(request, monkeypatch):
-    """Half of what a picture costs is how much of the sky each vertex sees."""
-    if not request.node.get_closest_marker("fine"):
-        monkeypatch.setattr(openness, "DIRECTIONS", 8)
 
 
 @pytest.fixture(scope="module")

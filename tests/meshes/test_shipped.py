@@ -151,6 +151,7 @@ def test_the_list_says_where_everything_comes_from(capsys):
     assert [tool["name"] for tool in report["tools"]] == ["grasper", "laparoscope", "syringe"]
 
 
+@pytest.mark.usefixtures("little_sky")
 def test_the_verb_writes_files_to_edit_and_to_play_and_pictures(capsys, tmp_path):
     code, said = run(
         capsys, "organs", "kidney_stone", "--write", tmp_path, "--pictures", tmp_path / "pictures"
