@@ -255,7 +255,10 @@ void Loop::Impl::notice_device(long number) noexcept {
     motors = now;
   }
   DeviceFault found = safe.fault();
-  if (found == DeviceFault::none && now == MotorState::cut) found = DeviceFault::motors_cut;
+  // a device that has failed since it was last written to has its motors cut as well
+  if (found == DeviceFault::none && now == MotorState::cut) {
+    found = safe.failed() ? DeviceFault::device_failed : DeviceFault::motors_cut;
+  }
   if (found == fault.load(std::memory_order_relaxed)) return;
   fault_value.store(safe.fault_value(), std::memory_order_relaxed);
   fault.store(found, std::memory_order_release);

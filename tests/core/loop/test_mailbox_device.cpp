@@ -22,7 +22,37 @@ HapticSample hand_at(const Vec3& position, const Vec3& velocity = Vec3::Zero()) 
   return sample;
 }
 
+/// Fails right behind a write, before the loop asks what its motors do.
+class BrokenByWrite : public HapticDevice {
+ public:
+  HapticSample read(double time) noexcept override {
+    HapticSample sample = hand_at({0, 0, 0.05});
+    sample.time = time;
+    return sample;
+  }
+  void write(const HapticCommand&) noexcept override { failed_ = ++writes_ >= 20; }
+  std::string name() const override { return "box"; }
+  bool failed() const noexcept override { return failed_; }
+  MotorState motors() const noexcept override { return failed_ ? MotorState::cut : MotorState::on; }
+  std::string explain_fault() const override { return failed_ ? "box: the cable burnt" : ""; }
+
+ private:
+  int writes_ = 0;
+  std::atomic<bool> failed_{false};
+};
+
 }  // namespace
+
+TEST_CASE("a device that fails between two questions of the loop has failed, not cut its motors") {
+  const Scene scene = testing::press_scene();
+  BrokenByWrite device;
+  Loop loop(scene, device, {.on_fault = FaultResponse::end});
+  loop.start();
+  REQUIRE(loop.wait(60.0));
+
+  CHECK(loop.report().fault == DeviceFault::device_failed);
+  CHECK(loop.report().fault_reason == "box: the cable burnt");
+}
 
 TEST_CASE("a mailbox hands over the newest sample and the newest force") {
   MailboxDevice device("box");
