@@ -21,6 +21,12 @@ def colours_of(path: Path) -> np.ndarray:
     return rows[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(int)
 
 
+def cut_middle(picture):
+    """Its middle fifth, each way: a legend may push the organ a little aside."""
+    height, width = picture.shape[:2]
+    return picture[2 * height // 5 : 3 * height // 5, 2 * width // 5 : 3 * width // 5]
+
+
 @pytest.mark.parametrize("theme", ["dark", "light"])
 def test_every_stage_is_drawn(qtbot, make_editor, spleen, checkout, theme):
     folder = checkout / "build" / "screenshots"
@@ -43,7 +49,7 @@ def test_every_stage_is_drawn(qtbot, make_editor, spleen, checkout, theme):
         picture = colours_of(path)
         view = window.view.geometry().translated(window.centralWidget().pos())
         shown = picture[view.top() : view.bottom(), view.left() : view.right()]
-        corner, middle = shown[-6, 6], shown[shown.shape[0] // 2, shown.shape[1] // 2]
+        corner, middle = shown[-6, 6], cut_middle(shown)
         assert abs(corner - middle).max() > 40, "nothing stands in the middle of the viewport"
         assert (corner.mean() > 128) == (theme == "light")
 
