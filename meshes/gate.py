@@ -44,29 +44,29 @@ def find_count_faults(entry: Entry, mesh: palpate.SurfaceMesh) -> Iterator[str]:
         ("triangles", len(mesh.triangles), entry.triangles),
     ):
         if found != expected:
-            yield f"found {found} {what}, expected {expected}"
+            yield f"got {found} {what}, expected {expected}"
 
 
 def find_surface_faults(entry: Entry, mesh: palpate.SurfaceMesh) -> Iterator[str]:
     report = inspect_mesh(mesh)
     if report.shells != 1:
-        yield f"found {report.shells} pieces, expected one"
+        yield f"got {report.shells} pieces, expected one"
     if report.non_manifold_edges:
-        yield f"found {report.non_manifold_edges} edges with more than two triangles"
+        yield f"got {report.non_manifold_edges} edges with more than two triangles"
     euler = palpate.compute_euler_number(mesh.triangles)
     if euler != 2 - len(entry.border):
-        yield f"found an Euler number of {euler}, expected {2 - len(entry.border)}"
+        yield f"got an Euler number of {euler}, expected {2 - len(entry.border)}"
     if sorted(report.border_loops) != sorted(entry.border):
-        yield f"found border loops of {list(report.border_loops)}, expected {list(entry.border)}"
+        yield f"got border loops of {list(report.border_loops)}, expected {list(entry.border)}"
     if report.self_intersecting_faces != 0:
-        yield f"found {report.self_intersecting_faces} triangles that cross others"
+        yield f"got {report.self_intersecting_faces} triangles that cross others"
     if compute_closed_volume(mesh) <= 0.0 and entry.volume_ml is not None:
-        yield "found triangles that face inwards"
+        yield "got triangles that face inwards"
     angles = np.degrees(compute_angles(np.asarray(mesh.vertices), np.asarray(mesh.triangles)))
     if angles.min() < SMALLEST_ANGLE:
-        yield f"found an angle of {angles.min():.1f} degrees, expected {SMALLEST_ANGLE:g} or more"
+        yield f"got an angle of {angles.min():.1f} degrees, expected {SMALLEST_ANGLE:g} or more"
     if angles.max() > LARGEST_ANGLE:
-        yield f"found an angle of {angles.max():.1f} degrees, expected {LARGEST_ANGLE:g} or less"
+        yield f"got an angle of {angles.max():.1f} degrees, expected {LARGEST_ANGLE:g} or less"
 
 
 def find_shape_faults(entry: Entry, mesh: palpate.SurfaceMesh) -> Iterator[str]:

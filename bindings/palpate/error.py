@@ -8,15 +8,15 @@ from __future__ import annotations
 
 
 class FileError(OSError):
-    """A file that is refused: which file, where in it, what was found and what was expected."""
+    """A file that is refused: which file, where in it, what was got and what was expected."""
 
-    def __init__(self, file: str, where: str, found: str, expected: str):
+    def __init__(self, file: str, where: str, got: str, expected: str):
         place = f"{file}: {where}" if where else file
-        super().__init__(f"{place}: found {found}, expected {expected}")
-        self.file, self.where, self.found, self.expected = file, where, found, expected
+        super().__init__(f"{place}: got {got}, expected {expected}")
+        self.file, self.where, self.got, self.expected = file, where, got, expected
 
     def __reduce__(self) -> tuple[type[FileError], tuple[str, str, str, str]]:
-        return type(self), (self.file, self.where, self.found, self.expected)
+        return type(self), (self.file, self.where, self.got, self.expected)
 
 
 class NotDurable(FileError):

@@ -53,11 +53,11 @@ class PythonDevice(MailboxDevice):
         is found where the driver tells positions alone.
         """
         if not 0.0 < rate <= 10_000.0:
-            raise ValueError(f"rate [Hz]: found {rate:g}, expected more than 0, at most 10000")
+            raise ValueError(f"rate [Hz]: got {rate:g}, expected more than 0, at most 10000")
         for call in ("read", "write"):
             if not callable(getattr(driver, call, None)):
                 raise TypeError(
-                    f"{type(driver).__name__}: found no {call}(), expected a driver with read() "
+                    f"{type(driver).__name__}: got no {call}(), expected a driver with read() "
                     "and write(force)"
                 )
         super().__init__(name or f"{type(driver).__name__} in Python")
@@ -74,7 +74,7 @@ class PythonDevice(MailboxDevice):
         the second time.
         """
         if self._thread is not None:
-            raise RuntimeError(f"{self.name()}: found start() a second time, expected it once")
+            raise RuntimeError(f"{self.name()}: got start() a second time, expected it once")
         self._thread = threading.Thread(target=self._work, name=self.name(), daemon=True)
         self._thread.start()
         heard = self._heard.wait(timeout)
@@ -124,7 +124,7 @@ class PythonDevice(MailboxDevice):
             return told
         place = np.asarray(told, dtype=float)
         if place.shape != (3,):
-            raise ValueError(f"read(): found a shape of {place.shape}, expected a position (3,)")
+            raise ValueError(f"read(): got a shape of {place.shape}, expected a position (3,)")
         now = time.monotonic()
         speed = [window.add(now, x) for window, x in zip(self._speeds, place, strict=True)]
         return HapticSample(position=place, velocity=speed)

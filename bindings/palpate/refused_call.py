@@ -169,25 +169,25 @@ def find_fault(
     takes = ", ".join(known) or "no arguments"
     if len(given) > len(places):
         most = f"at most {len(places)}" if places else "none: they go by name"
-        return 0, f"found {len(given)} arguments by place, expected {most} ({takes})"
+        return 0, f"got {len(given)} arguments by place, expected {most} ({takes})"
     for name in named:
         if name not in known:
-            return 0, f"found an argument {name!r}, expected {takes}"
+            return 0, f"got an argument {name!r}, expected {takes}"
     values = {parameter.name: value for parameter, value in zip(places, given, strict=False)}
     for name in named:
         if name in values:
-            return 0, f"{name}: found twice, expected once"
+            return 0, f"{name}: got twice, expected once"
     values.update(named)
     for fitted, parameter in enumerate(parameters):
         if parameter.name not in values:
             if parameter.required:
                 return (
                     fitted,
-                    f"{parameter.name}: found nothing, expected {name_kind(parameter.kind)}",
+                    f"{parameter.name}: got nothing, expected {name_kind(parameter.kind)}",
                 )
         elif not fits(values[parameter.name], parameter.kind):
             found = describe(values[parameter.name])
-            return fitted, f"{parameter.name}: found {found}, expected {name_kind(parameter.kind)}"
+            return fitted, f"{parameter.name}: got {found}, expected {name_kind(parameter.kind)}"
     return None
 
 
@@ -198,7 +198,7 @@ def require_no_override(subclass: type) -> None:
         owner = next(base for base in subclass.__mro__ if name in vars(base))
         if owner.__module__ != "palpate._sim":
             raise TypeError(
-                f"{subclass.__name__}.{name}: found a method of a Python class, expected none: the "
+                f"{subclass.__name__}.{name}: got a method of a Python class, expected none: the "
                 f"haptic thread, which Python never enters, calls that of {compiled[0].__name__}; "
                 "to write a device in Python, hand its driver to a PythonDevice"
             )
@@ -223,4 +223,4 @@ def explain(name: str, text: str, given: tuple[Any, ...], named: Mapping[str, An
     takes = " or ".join(
         "(" + ", ".join(f"{p.name}: {name_kind(p.kind)}" for p in each) + ")" for each in parameters
     )
-    return TypeError(f"{called}: found ({found}), expected {takes}")
+    return TypeError(f"{called}: got ({found}), expected {takes}")

@@ -57,7 +57,7 @@ std::string describe_given(py::handle given) {
 }
 
 void refuse_type(const std::string& where, const std::string& found, const std::string& expected) {
-  throw py::type_error(where + ": found " + found + ", expected " + expected);
+  throw py::type_error(where + ": got " + found + ", expected " + expected);
 }
 
 const Numbers::Table& Numbers::read(const char* name, const std::string& shape) const {

@@ -17,9 +17,9 @@ void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(thrown);
   } catch (const NotDurable& e) {
-    raise("NotDurable", e.file, e.where, e.found, e.expected);
+    raise("NotDurable", e.file, e.where, e.got, e.expected);
   } catch (const FileError& e) {
-    raise("FileError", e.file, e.where, e.found, e.expected);
+    raise("FileError", e.file, e.where, e.got, e.expected);
   } catch (const DeviceError& e) {
     raise("DeviceError", e.what());
   }

@@ -28,7 +28,7 @@ namespace {
 static_assert(PYBIND11_VERSION_HEX >= 0x03010000, "the entry below is that of pybind11 3.1");
 using EntryPoint = PyObject* (*)(PyObject*, PyObject* const*, Py_ssize_t, PyObject*);
 
-constexpr const char* kUnmade = "found an object made by __new__ alone";
+constexpr const char* kUnmade = "got an object made by __new__ alone";
 
 /// What functions write to, by the class of the argument. tests/bindings/test_arguments.py compares
 /// them with the sources.
@@ -123,7 +123,7 @@ const char* find_written_part(const std::string& function, PyObject* const* args
 
 PyObject* refuse_part(const std::string& function, const char* type) {
   PyErr_Format(PyExc_ValueError,
-               "%s: found a %s that is part of a World, expected one that belongs to nothing else: "
+               "%s: got a %s that is part of a World, expected one that belongs to nothing else: "
                "ticks alone move what is in a World; copy.copy() gives one to work with",
                function.c_str(), type);
   return nullptr;
@@ -208,7 +208,7 @@ void refuse_pickle(py::handle type, const std::string& name) {
   type.attr("__reduce_ex__") = py::cpp_function(
       [name](const py::object&, int) -> py::object {
         throw py::type_error(name +
-                             ": found what runs, or holds what it cannot share, expected a value "
+                             ": got what runs, or holds what it cannot share, expected a value "
                              "to pickle: a Scene, a Record, a State, ...");
       },
       py::name("__reduce_ex__"), py::is_method(type), py::arg("protocol"),

@@ -102,8 +102,8 @@ ImportedScene decode_scene(const std::string& file, std::span<const char> bytes)
   Reader in(file, bytes);
   in.expect_magic();
   if (in.take<std::uint32_t>() != kStreamScene) {
-    const std::string where = in.take_text(), found = in.take_text(), expected = in.take_text();
-    throw FileError(file, where, found, expected);
+    const std::string where = in.take_text(), got = in.take_text(), expected = in.take_text();
+    throw FileError(file, where, got, expected);
   }
 
   ImportedScene scene;

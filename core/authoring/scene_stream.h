@@ -11,7 +11,7 @@ namespace palpate::authoring {
 // What palpate-read-mesh writes to its standard output, in the byte order of the machine:
 //
 //     stream  := magic status (scene | refusal) magic
-//     refusal := where found expected
+//     refusal := where got expected
 //     scene   := unit up notes parts          unit and up are empty where the file states none
 //     notes   := count text*
 //     parts   := count (name vertices triangles)*

@@ -51,12 +51,12 @@ Array read_array(const ArchiveReader& archive, const std::string& name, const Ar
 void check_array(const std::string& name, const Array& array) {
   const auto size = size_of(array.dtype, array.shape);
   if (!size || *size != array.bytes.size()) {
-    throw std::invalid_argument("container: " + name + ": found " +
+    throw std::invalid_argument("container: " + name + ": got " +
                                 std::to_string(array.bytes.size()) + " bytes, expected " +
                                 (size ? std::to_string(*size) : "a smaller shape"));
   }
   if (const auto number = find_not_finite(array)) {
-    throw std::invalid_argument("container: " + name + ": found number " + std::to_string(*number) +
+    throw std::invalid_argument("container: " + name + ": got number " + std::to_string(*number) +
                                 " that is infinite or not a number, expected finite numbers");
   }
 }

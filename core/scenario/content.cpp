@@ -88,20 +88,20 @@ void parse_scene(Fields fields, Scene& scene) {
 
 void check_text(const char* name, const std::string& text, std::size_t most) {
   if (text.size() <= most) return;
-  throw std::invalid_argument("scenario: " + std::string(name) + ": found " +
+  throw std::invalid_argument("scenario: " + std::string(name) + ": got " +
                               std::to_string(text.size()) + " bytes, expected at most " +
                               std::to_string(most));
 }
 
 void check_languages(const Scenario& scenario) {
   if (scenario.languages.size() > kMostLanguages) {
-    throw std::invalid_argument("scenario: languages: found " +
+    throw std::invalid_argument("scenario: languages: got " +
                                 std::to_string(scenario.languages.size()) + ", expected at most " +
                                 std::to_string(kMostLanguages));
   }
   for (const auto& [code, words] : scenario.languages) {
     if (const auto problem = find_language_problem(code)) {
-      throw std::invalid_argument("scenario: languages: found the code " + describe(Json(code)) +
+      throw std::invalid_argument("scenario: languages: got the code " + describe(Json(code)) +
                                   ", " + *problem + ", expected a code such as tr or pt-BR");
     }
     check_text(("languages." + code + ".title").c_str(), words.title, kMostTitleBytes);
@@ -140,7 +140,7 @@ Json parse_authored(const std::string& text) {
   try {
     return parse_object(text, "", "");
   } catch (const FileError& problem) {
-    throw std::invalid_argument("scenario: authored: found " + problem.found + ", expected " +
+    throw std::invalid_argument("scenario: authored: got " + problem.got + ", expected " +
                                 problem.expected);
   }
 }

@@ -8,7 +8,7 @@
 namespace palpate::scenario {
 
 /// Validates a scene as build_scene does, and that what is derived in it is what build_scene
-/// derives, which comes back. Throws std::invalid_argument: "where: found this, expected that".
+/// derives, which comes back. Throws std::invalid_argument: "where: got this, expected that".
 Scene check_built(const Scene& scene);
 
 /// Throws std::invalid_argument where a tissue has more rows than a file may hold.

@@ -83,7 +83,7 @@ std::string print(const Json& json, const std::string& where) {
   try {
     return json.dump();
   } catch (const Json::exception&) {
-    throw std::invalid_argument(where + ": found text that is not UTF-8, expected UTF-8");
+    throw std::invalid_argument(where + ": got text that is not UTF-8, expected UTF-8");
   }
 }
 

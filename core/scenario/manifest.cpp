@@ -127,7 +127,7 @@ Manifest parse_manifest(std::string_view text, const std::string& file, const st
     fields.refuse("format", describe(Json(manifest.format)), describe(Json(format)));
   }
   manifest.version = static_cast<int>(fields.whole("version", 1, std::numeric_limits<int>::max()));
-  // before anything else is looked at: a newer file may differ in all the rest
+  // before anything else is checked: a newer file may differ in all the rest
   if (manifest.version > newest_version) {
     fields.refuse(
         "version", std::to_string(manifest.version),
@@ -164,7 +164,7 @@ std::string print_manifest(const Manifest& manifest) {
     parse_manifest(text, "", manifest.format, manifest.version);
     return text;
   } catch (const FileError& problem) {
-    throw std::invalid_argument("container: " + problem.where + ": found " + problem.found +
+    throw std::invalid_argument("container: " + problem.where + ": got " + problem.got +
                                 ", expected " + problem.expected);
   }
 }

@@ -20,7 +20,7 @@ struct Range {
 
 std::span<const Range> list_ranges() noexcept;
 
-/// Throws std::invalid_argument: "scene.tool.radius [m]: found this, expected that".
+/// Throws std::invalid_argument: "scene.tool.radius [m]: got this, expected that".
 void check_ranges(const Scene& scene);
 
 }  // namespace palpate::scenario

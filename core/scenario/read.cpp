@@ -76,18 +76,16 @@ void find_around(const std::string& file, TissueModel& tissue) {
                     std::move(volumes.rest_volume), std::move(volumes.bulk), volumes.nodal_share);
 }
 
-/// The same sentence as a FileError: an argument is refused as "where: found this, expected that".
+/// The same sentence as a FileError: an argument is refused as "where: got this, expected that".
 [[noreturn]] void refuse(const std::string& file, const std::string& sentence) {
-  constexpr std::string_view kExpected = ", expected ";
-  const std::size_t expected = sentence.rfind(kExpected);
-  for (const std::string_view verb : {": found ", ": got "}) {
-    const std::size_t found = sentence.find(verb);
-    if (found == std::string::npos || expected == std::string::npos || expected < found) continue;
-    const std::size_t begin = found + verb.size();
-    throw FileError(file, sentence.substr(0, found), sentence.substr(begin, expected - begin),
-                    sentence.substr(expected + kExpected.size()));
+  constexpr std::string_view kGot = ": got ", kExpected = ", expected ";
+  const std::size_t got = sentence.find(kGot), expected = sentence.rfind(kExpected);
+  if (got == std::string::npos || expected == std::string::npos || expected < got) {
+    throw FileError(file, "", sentence, "a scene that can be built");
   }
-  throw FileError(file, "", sentence, "a scene that can be built");
+  const std::size_t begin = got + kGot.size();
+  throw FileError(file, sentence.substr(0, got), sentence.substr(begin, expected - begin),
+                  sentence.substr(expected + kExpected.size()));
 }
 
 }  // namespace

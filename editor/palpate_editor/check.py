@@ -169,7 +169,7 @@ def find_default_home(organ: Organ) -> float | None:
 
 def split_refusal(sentence: str) -> tuple[str, str, str]:
     """Where, found and expected of a refusal of the library."""
-    parts = re.fullmatch(r"(.*?):? *\b(?:found|got) (.*), expected (.*)", sentence, re.DOTALL)
+    parts = re.fullmatch(r"(.*?):? *\bgot (.*), expected (.*)", sentence, re.DOTALL)
     return parts.groups() if parts else ("model", sentence, "a tissue that can be built")
 
 

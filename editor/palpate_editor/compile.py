@@ -46,7 +46,7 @@ def compile_organ(
     is told its size before.
     """
     if organ.surface is None:
-        raise ValueError("organ: found no surface, expected an imported mesh")
+        raise ValueError("organ: got no surface, expected an imported mesh")
     tissue = build_organ(organ)
     if measured is not None and len(tissue.elastic.corners):
         measured(palpate.measure_response(tissue))

@@ -24,7 +24,7 @@ def fill_surface(surface: Surface, tetrahedra: int) -> palpate.SolidMesh:
     """About so many inside a surface. Raises ValueError where it is open or crosses itself."""
     if not LEAST_TETRAHEDRA <= tetrahedra <= MOST_TETRAHEDRA:
         raise ValueError(
-            f"fill.tetrahedra: found {tetrahedra}, expected a whole number of {LEAST_TETRAHEDRA} "
+            f"fill.tetrahedra: got {tetrahedra}, expected a whole number of {LEAST_TETRAHEDRA} "
             f"to {MOST_TETRAHEDRA}"
         )
     kept = filled.setdefault(surface, {})
@@ -75,9 +75,9 @@ def find_reach(organ: Organ) -> np.ndarray | None:
         return None
     if name not in organ.regions:
         known = ", ".join(map(repr, organ.regions)) or "this organ has none"
-        raise ValueError(f"fill.reach: found {name!r}, expected a region of the organ: {known}")
+        raise ValueError(f"fill.reach: got {name!r}, expected a region of the organ: {known}")
     if not organ.regions[name].size:
-        raise ValueError(f"fill.reach: found no vertex in {name!r}, expected at least one")
+        raise ValueError(f"fill.reach: got no vertex in {name!r}, expected at least one")
     return organ.regions[name]
 
 

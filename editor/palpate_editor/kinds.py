@@ -228,7 +228,7 @@ def build_kind(organ: Organ, kind: Kind) -> Report:
         tissue = build_organ(built)
     except ValueError as problem:
         where, found, expected = split_refusal(str(problem))
-        row["refusal"] = f"{where}: found {found}, expected {expected}"
+        row["refusal"] = f"{where}: got {found}, expected {expected}"
         row["cannot_represent"] = list(find_refused_limits(built))
         return row
     wall, stable_step = compare_with_wall(built, tissue), palpate.stable_step(tissue)

@@ -23,7 +23,7 @@ class PublishError(Exception):
 
     def __init__(self, problems: tuple[Problem, ...]):
         self.problems = problems
-        words = "; ".join(f"{p.where}: found {p.found}, expected {p.expected}" for p in problems)
+        words = "; ".join(f"{p.where}: got {p.found}, expected {p.expected}" for p in problems)
         super().__init__(words)
 
 

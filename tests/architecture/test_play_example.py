@@ -125,4 +125,4 @@ def test_the_program_refuses_a_damaged_file_in_a_sentence(player, published, tmp
 
     assert done.returncode == 1
     assert done.stdout == ""
-    assert f"{damaged}: found a damaged zip archive" in done.stderr
+    assert f"{damaged}: got a damaged zip archive" in done.stderr

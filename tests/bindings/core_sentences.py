@@ -47,7 +47,7 @@ RANGE = re.compile(
     rf"|between {NUMBER} and {NUMBER}|a size of {NUMBER} to {NUMBER}"
 )
 """What is said of many fields, each with numbers of its own."""
-WHOLE = re.compile(r"(?:^|.*?[: ])(?:found|got) (.*), expected (.*)", re.DOTALL)
+WHOLE = re.compile(r"(?:^|.*?[: ])got (.*), expected (.*)", re.DOTALL)
 """A sentence that says both."""
 ADVICE = re.compile(r'\? "(; [^"]*)"')
 

@@ -207,15 +207,15 @@ HOSTILE: dict[str, tuple[Make, str]] = {
     "an appended byte": (lambda good: good + b"\0", "damaged zip archive"),
     "a flipped bit in the manifest": (
         lambda good: flip(good, good.index(b'"arrays"') + 2),
-        "manifest.json: found damaged bytes",
+        "manifest.json: got damaged bytes",
     ),
     "a flipped bit in an array": (
         lambda good: flip(good, good.index(entries_of(good)[MASS])),
-        f"{MASS}: found damaged bytes",
+        f"{MASS}: got damaged bytes",
     ),
     "wrong hash": (
         lambda good: with_manifest(good, set_in(f"arrays|{MASS}|sha256", "0" * 64)),
-        f"{MASS}: found SHA-256",
+        f"{MASS}: got SHA-256",
     ),
     "hash of capitals": (
         lambda good: with_manifest(good, set_in(f"arrays|{MASS}|sha256", "A" * 64)),
@@ -227,7 +227,7 @@ HOSTILE: dict[str, tuple[Make, str]] = {
     ),
     "missing array": (
         lambda good: pack({n: d for n, d in entries_of(good).items() if n != MASS}),
-        f"{MASS}: found no such array",
+        f"{MASS}: got no such array",
     ),
     "array the manifest does not name": (
         lambda good: with_manifest(good, remove(f"arrays|{MASS}")),
@@ -250,7 +250,7 @@ HOSTILE: dict[str, tuple[Make, str]] = {
         "other characters",
     ),
     "endless name": (lambda good: renamed(good, MASS, "a" * 60000), "too long"),
-    "symlink": (with_linked_mass, f"{MASS}: found a link or a folder"),
+    "symlink": (with_linked_mass, f"{MASS}: got a link or a folder"),
     "folder": (lambda good: with_entry(good, "folder/", mode=0o40755, data=b""), "a folder"),
     "device": (lambda good: with_entry(good, "zero", mode=stat.S_IFCHR | 0o666), "a link"),
     "one name twice": (
@@ -282,12 +282,12 @@ HOSTILE: dict[str, tuple[Make, str]] = {
     ),
     "bomb of a manifest": (
         lambda good: with_text(good, b"{" + b" " * (1 << 28) + b"}", zipfile.ZIP_DEFLATED),
-        "manifest.json: found 268435458 bytes",
+        "manifest.json: got 268435458 bytes",
     ),
-    "a bomb that lies about its size": (lying_bomb, "scene/rest_areas: found"),
+    "a bomb that lies about its size": (lying_bomb, "scene/rest_areas: got"),
     "expensive JSON": (
         lambda good: with_text(good, expensive_json(4 << 20)),
-        "manifest.json.format: found nothing",
+        "manifest.json.format: got nothing",
     ),
     "deep JSON": (
         lambda good: with_text(good, b'{"a":' + b"[" * 1000000 + b"]" * 1000000 + b"}"),
@@ -310,22 +310,22 @@ HOSTILE: dict[str, tuple[Make, str]] = {
     "a list for a manifest": (lambda good: with_text(good, b"[1,2]"), "expected an object"),
     "another format": (
         lambda good: with_manifest(good, set_in("format", "organ")),
-        'found "organ", expected "palpate"',
+        'got "organ", expected "palpate"',
     ),
     "a newer version": (
         lambda good: with_manifest(good, set_in("version", 4)),
         "the file was made by a newer program",
     ),
-    "version 0": (lambda good: with_manifest(good, set_in("version", 0)), "version: found 0"),
+    "version 0": (lambda good: with_manifest(good, set_in("version", 0)), "version: got 0"),
     "version 1e300": (
         lambda good: with_manifest(good, set_in("version", 1e300)),
-        "version: found",
+        "version: got",
     ),
     "an unknown member": (
         lambda good: with_manifest(good, set_in("script", "rm -rf")),
         'unknown member "script"',
     ),
-    "NaN": (lambda good: with_number(good, MASS, 3, np.nan), f"{MASS}: found number 3"),
+    "NaN": (lambda good: with_number(good, MASS, 3, np.nan), f"{MASS}: got number 3"),
     "infinity": (lambda good: with_number(good, MASS, 0, -np.inf), "infinite or not a number"),
     "index out of range": (lambda good: with_number(good, ENDS, 9, 2**31 - 1), "bonds.ends: row 4"),
     "negative index": (
@@ -338,16 +338,16 @@ HOSTILE: dict[str, tuple[Make, str]] = {
     ),
     "negative shape": (
         lambda good: with_manifest(good, set_in(f"arrays|{MASS}|shape", [-1])),
-        "shape: found -1",
+        "shape: got -1",
     ),
     "shape of many dimensions": (
         lambda good: with_manifest(good, set_in(f"arrays|{MASS}|shape", [1] * 1000)),
-        "shape: found a list of 1000",
+        "shape: got a list of 1000",
     ),
     "many arrays": (lambda good: with_manifest(good, many_arrays), "expected at most 256"),
     "half a number": (
         lambda good: with_manifest(good, set_in(f"arrays|{MASS}|dtype", "<f2")),
-        "dtype: found",
+        "dtype: got",
     ),
     "an array shorter than its shape": (
         lambda good: with_manifest(good, set_in(f"arrays|{MASS}|shape", [1000])),
@@ -362,11 +362,11 @@ HOSTILE: dict[str, tuple[Make, str]] = {
     ),
     "a derived number of another tissue": (
         lambda good: with_manifest(good, set_in("content|scene|spectrum_stiffness", 1.0)),
-        "spectrum_stiffness: found 1",
+        "spectrum_stiffness: got 1",
     ),
     "masses near nothing": (
         lambda good: with_array(good, MASS, array_of(good, MASS) * 1e-300),
-        "scene/tissue/mass: row 0: found ",
+        "scene/tissue/mass: row 0: got ",
     ),
     "a crowd of entries": (lambda good: crowd(200000), "a directory of too many entries"),
     "a hidden crowd of entries": (

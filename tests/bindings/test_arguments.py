@@ -42,7 +42,7 @@ def test_a_mask_fixes_the_vertices_where_it_is_true():
 def test_a_mask_of_another_length_is_refused(build):
     options = palpate.SurfaceOptions(fixed=np.ones(15, bool))
 
-    with pytest.raises(ValueError, match="options.fixed: found a mask of 15 booleans, .* of 16"):
+    with pytest.raises(ValueError, match="options.fixed: got a mask of 15 booleans, .* of 16"):
         build(options)
 
 
@@ -51,12 +51,12 @@ def test_a_mask_of_a_model_has_one_entry_per_particle():
     model = palpate.TissueModel(rest_position=rest, mass=[1, 1, 1], fixed=[False, True, True])
 
     assert model.fixed.tolist() == [1, 2]
-    with pytest.raises(ValueError, match="fixed: found a mask of 2 booleans, expected indices, or"):
+    with pytest.raises(ValueError, match="fixed: got a mask of 2 booleans, expected indices, or"):
         palpate.TissueModel(rest_position=rest, mass=[1, 1, 1], fixed=[False, True])
 
 
 def test_rows_of_indices_take_no_mask():
-    with pytest.raises(TypeError, match=r"triangles: found bool of shape \(1, 3\), expected int"):
+    with pytest.raises(TypeError, match=r"triangles: got bool of shape \(1, 3\), expected int"):
         palpate.SurfaceMesh(np.zeros((3, 3)), [[True, False, True]])
 
 
@@ -66,91 +66,91 @@ def test_rows_of_indices_take_no_mask():
         (
             lambda: palpate.SurfaceOptions(fixed=np.array([0.0, 1.0])),
             TypeError,
-            "fixed: found float64 of shape (2,), expected integers of shape (n,)",
+            "fixed: got float64 of shape (2,), expected integers of shape (n,)",
         ),
         (
             lambda: palpate.build_topology([[0.0, 1.0, 2.0]]),
             TypeError,
-            "triangles: found float64 of shape (1, 3), expected integers of shape (n, 3)",
+            "triangles: got float64 of shape (1, 3), expected integers of shape (n, 3)",
         ),
         (
             lambda: palpate.build_topology(np.zeros((2, 4), int)),
             ValueError,
-            "triangles: found int64 of shape (2, 4), expected integers of shape (n, 3)",
+            "triangles: got int64 of shape (2, 4), expected integers of shape (n, 3)",
         ),
         (
             lambda: palpate.compute_diagonal("abc"),
             TypeError,
-            "vertices: found str 'abc', expected numbers of shape (n, 3)",
+            "vertices: got str 'abc', expected numbers of shape (n, 3)",
         ),
         (
             lambda: palpate.compute_diagonal([[1, 2], [3]]),
             TypeError,
-            "vertices: found list [[1, 2], [3]], expected numbers of shape (n, 3)",
+            "vertices: got list [[1, 2], [3]], expected numbers of shape (n, 3)",
         ),
         (
             lambda: palpate.compute_diagonal(np.zeros((4, 3), complex)),
             TypeError,
-            "vertices: found complex128 of shape (4, 3), expected numbers of shape (n, 3)",
+            "vertices: got complex128 of shape (4, 3), expected numbers of shape (n, 3)",
         ),
         (
             lambda: palpate.accumulate_gravity([1.0], (0, 0, -9.8), np.zeros((1, 3), "f4")),
             TypeError,
-            "f: found float32 of shape (1, 3), expected a writable C-ordered array of float64, "
+            "f: got float32 of shape (1, 3), expected a writable C-ordered array of float64, "
             "shape (n, 3)",
         ),
         (
             lambda: palpate.accumulate_gravity([1.0], (0, 0, -9.8), [[0.0, 0.0, 0.0]]),
             TypeError,
-            "f: found list [[0.0, 0.0, 0.0]], expected a writable C-ordered array of float64, "
+            "f: got list [[0.0, 0.0, 0.0]], expected a writable C-ordered array of float64, "
             "shape (n, 3)",
         ),
         (
             lambda: palpate.Material(density="heavy"),
             TypeError,
-            "Material: density: found str 'heavy', expected a number",
+            "Material: density: got str 'heavy', expected a number",
         ),
         (
             lambda: palpate.Material(densty=1.0),
             TypeError,
-            "Material: found an argument 'densty', expected density, young_modulus, "
+            "Material: got an argument 'densty', expected density, young_modulus, "
             "poisson_ratio, damping_ratio, wall_thickness",
         ),
         (
             lambda: palpate.Material(1000.0),
             TypeError,
-            "Material: found 1 arguments by place, expected none: they go by name (density, "
+            "Material: got 1 arguments by place, expected none: they go by name (density, "
             "young_modulus, poisson_ratio, damping_ratio, wall_thickness)",
         ),
         (
             lambda: palpate.HapticSample(position=(1, 2)),
             TypeError,
-            "HapticSample: position: found tuple (1, 2), expected numbers of shape (3,)",
+            "HapticSample: position: got tuple (1, 2), expected numbers of shape (3,)",
         ),
         (
             lambda: setattr(palpate.Material(), "density", None),
             TypeError,
-            "Material.density: found None, expected a number",
+            "Material.density: got None, expected a number",
         ),
         (
             lambda: setattr(palpate.HapticSample(), "position", np.zeros(4)),
             TypeError,
-            "HapticSample.position: found float64 of shape (4,), expected numbers of shape (3,)",
+            "HapticSample.position: got float64 of shape (4,), expected numbers of shape (3,)",
         ),
         (
             lambda: palpate.tick(organ_scene(1), palpate.HapticSample(), 1e-3),
             TypeError,
-            "tick: world: found nothing, expected World",
+            "tick: world: got nothing, expected World",
         ),
         (
             lambda: palpate.World(7),
             TypeError,
-            "World: scene: found int 7, expected Scene",
+            "World: scene: got int 7, expected Scene",
         ),
         (
             lambda: palpate.HapticSample(buttons=1.5),
             TypeError,
-            "HapticSample: buttons: found float 1.5, expected a whole number",
+            "HapticSample: buttons: got float 1.5, expected a whole number",
         ),
     ],
 )
@@ -171,7 +171,7 @@ def test_a_call_that_no_overload_takes_is_refused_on_one_line():
         with pytest.raises(TypeError) as caught:
             call()
         assert "\n" not in str(caught.value)
-        assert ": found " in str(caught.value) and "expected" in str(caught.value)
+        assert ": got " in str(caught.value) and "expected" in str(caught.value)
         assert "Supports" not in str(caught.value)
 
 
@@ -198,14 +198,14 @@ def test_an_object_made_by_new_alone_is_refused_by_every_method(name):
 def test_an_object_made_by_new_alone_is_refused_as_an_argument():
     raw = palpate.SurfaceMesh.__new__(palpate.SurfaceMesh)
 
-    with pytest.raises(TypeError, match="compute_area: found an object made by __new__ alone"):
+    with pytest.raises(TypeError, match="compute_area: got an object made by __new__ alone"):
         palpate.compute_area(raw)
     with pytest.raises(TypeError, match="made by __new__ alone"):
         palpate.Record(hand=[palpate.HapticSample.__new__(palpate.HapticSample)])
 
 
 def test_a_device_whose_read_python_would_override_is_refused_when_its_class_is_made():
-    with pytest.raises(TypeError, match="Mine.read: found a method of a Python class"):
+    with pytest.raises(TypeError, match="Mine.read: got a method of a Python class"):
 
         class Mine(palpate.PointerDevice):
             def read(self, time: float) -> palpate.HapticSample:
@@ -215,7 +215,7 @@ def test_a_device_whose_read_python_would_override_is_refused_when_its_class_is_
         def read(self, time: float) -> bytes:
             return b""
 
-    with pytest.raises(TypeError, match="Wire.read: found a method of a Python class"):
+    with pytest.raises(TypeError, match="Wire.read: got a method of a Python class"):
         type("Wire", (Reader, palpate.NativeCore), {})
 
 
@@ -261,18 +261,18 @@ def world() -> palpate.World:
 @pytest.mark.parametrize(
     ("call", "name"),
     [
-        (lambda w, m: palpate.step(m, palpate.Load(), 1e-4, w.tissue), "step: found a State"),
+        (lambda w, m: palpate.step(m, palpate.Load(), 1e-4, w.tissue), "step: got a State"),
         (
             lambda w, m: palpate.step(model=m, load=palpate.Load(), dt=1e-4, state=w.tissue),
-            "step: found a State",
+            "step: got a State",
         ),
-        (lambda w, m: palpate.release_tool(w.tool), "release_tool: found a ToolState"),
-        (lambda w, m: w.load.clear(), r"Load.clear: found a Load"),
-        (lambda w, m: w.load.add(palpate.Push()), r"Load.add: found a Load"),
-        (lambda w, m: w.tree.refit(m.rest_position), "AabbTree.refit: found a AabbTree"),
+        (lambda w, m: palpate.release_tool(w.tool), "release_tool: got a ToolState"),
+        (lambda w, m: w.load.clear(), r"Load.clear: got a Load"),
+        (lambda w, m: w.load.add(palpate.Push()), r"Load.add: got a Load"),
+        (lambda w, m: w.tree.refit(m.rest_position), "AabbTree.refit: got a AabbTree"),
         (
             lambda w, m: palpate.check(m, (0, 0, 0), palpate.State(m), 0.0, w.guard),
-            "check: found a Guard",
+            "check: got a Guard",
         ),
     ],
     ids=["step", "by name", "release", "clear", "add", "refit", "check"],

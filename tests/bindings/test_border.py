@@ -29,16 +29,16 @@ def test_a_refused_file_is_an_os_error_with_its_four_fields(tmp_path):
     error = caught.value
     assert isinstance(error, OSError)
     assert error.file == str(path)
-    assert error.found and error.expected
+    assert error.got and error.expected
     assert str(error).startswith(str(path))
-    assert f"found {error.found}, expected {error.expected}" in str(error)
+    assert f"got {error.got}, expected {error.expected}" in str(error)
 
 
 def test_a_file_error_made_in_python_is_no_other_than_one_from_cpp():
     error = palpate.FileError("liver.obj", "line 3", "two numbers", "three")
 
-    assert str(error) == "liver.obj: line 3: found two numbers, expected three"
-    assert (error.file, error.where, error.found, error.expected) == (
+    assert str(error) == "liver.obj: line 3: got two numbers, expected three"
+    assert (error.file, error.where, error.got, error.expected) == (
         "liver.obj", "line 3", "two numbers", "three")  # fmt: skip
 
 
@@ -46,7 +46,7 @@ def test_a_file_error_crosses_process_borders():
     error = pickle.loads(pickle.dumps(palpate.FileError("a.prec", "", "nothing", "a record")))
 
     assert type(error) is palpate.FileError
-    assert str(error) == "a.prec: found nothing, expected a record"
+    assert str(error) == "a.prec: got nothing, expected a record"
 
 
 def test_a_device_error_is_an_os_error():
@@ -81,7 +81,7 @@ def test_links_must_fit_the_points_they_pull_on():
     links = palpate.Links([(0, 5)], [0.01], [100.0], [0.0])
     x = np.zeros((2, 3))
 
-    with pytest.raises(ValueError, match="links.ends 0: found index 5, expected below 2"):
+    with pytest.raises(ValueError, match="links.ends 0: got index 5, expected below 2"):
         palpate.accumulate_link_forces(links, palpate.DampingLaw.axis, x, x, np.zeros((2, 3)))
 
 
@@ -94,7 +94,7 @@ def test_links_must_have_as_many_of_everything():
 
 
 def test_a_step_refuses_the_state_of_another_model():
-    with pytest.raises(ValueError, match="state: found 4 entries, expected 3"):
+    with pytest.raises(ValueError, match="state: got 4 entries, expected 3"):
         palpate.step(chain(3), palpate.Load(), 1e-4, palpate.State(chain(4)))
 
 
@@ -120,7 +120,7 @@ def test_a_push_on_a_triangle_that_is_not_there_is_refused():
     load = palpate.Load(1)
     load.add(palpate.Push(0, (1, 0, 0), (0, 0, 1)))
 
-    with pytest.raises(ValueError, match="push: found triangle 0, expected below 0"):
+    with pytest.raises(ValueError, match="push: got triangle 0, expected below 0"):
         palpate.step(model, load, 1e-4, palpate.State(model))
 
 

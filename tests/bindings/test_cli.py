@@ -67,7 +67,7 @@ def test_a_missing_file_exits_1_with_a_sentence_and_under_json_with_its_parts(
 
     assert main([*words, "--json"]) == 1
     error = json.loads(capsys.readouterr().out)["error"]
-    assert set(error) == {"file", "where", "found", "expected"}
+    assert set(error) == {"file", "where", "got", "expected"}
     assert error["file"].endswith(f"none.{suffix}")
 
 

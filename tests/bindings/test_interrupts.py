@@ -76,7 +76,7 @@ def test_python_hears_signals_every_ten_milliseconds_of_a_call():
 def test_a_simulated_device_lives_at_most_a_day_in_one_call(time):
     core = palpate.NativeCore()
 
-    with pytest.raises(ValueError, match=r"time \[s\]: found .*, expected at most a day after 0"):
+    with pytest.raises(ValueError, match=r"time \[s\]: got .*, expected at most a day after 0"):
         core.advance(time)
     with pytest.raises(ValueError, match="time"):
         core.read(time)
@@ -110,7 +110,7 @@ def test_counts_without_sense_are_refused_before_memory_is_taken():
         (lambda: palpate.Candidates(2_000_000_000), "capacity"),
         (lambda: palpate.ToolState(2_000_000_000), "capacity"),
     ):
-        with pytest.raises(ValueError, match=f"{name}: found 2000000000, expected 0 to 10000000"):
+        with pytest.raises(ValueError, match=f"{name}: got 2000000000, expected 0 to 10000000"):
             call()
     assert palpate.find_shells(4, [(0, 1, 2)]).tolist() == [0, 0, 0, -1]
 
@@ -118,7 +118,7 @@ def test_counts_without_sense_are_refused_before_memory_is_taken():
 def test_a_plant_moves_at_most_a_million_steps_in_one_call():
     plant = palpate.Plant()
 
-    with pytest.raises(ValueError, match=r"dt \[s\]: found 1e\+09, expected at most"):
+    with pytest.raises(ValueError, match=r"dt \[s\]: got 1e\+09, expected at most"):
         palpate.move_plant(
             plant, palpate.Drive(), palpate.HandTarget(), 1e9, palpate.PlantState(plant)
         )

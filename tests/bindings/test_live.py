@@ -184,7 +184,7 @@ def test_no_script_and_no_wait_for_a_device_lasts_longer_than_a_record(tmp_path,
 
     text = path.read_text().replace("8388.608", "8388.7")
     path.write_text(text)
-    with pytest.raises(Refusal, match=r"frames\[0\].time: found 8388.7 s, expected 0 to 8388.61"):
+    with pytest.raises(Refusal, match=r"frames\[0\].time: got 8388.7 s, expected 0 to 8388.61"):
         read_script_file(path)
     schema = (checkout / "bindings/palpate/schemas/script.schema.json").read_text()
     assert f'"maximum": {live.LONGEST}' in schema

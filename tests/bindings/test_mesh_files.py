@@ -98,7 +98,7 @@ def test_a_damaged_obj_is_refused_with_the_line_and_what_was_expected(write, lin
     with pytest.raises(palpate.FileError) as caught:
         palpate.read_mesh(path)
 
-    assert str(caught.value) == f"{path}: line 5: found {found}, expected {expected}"
+    assert str(caught.value) == f"{path}: line 5: got {found}, expected {expected}"
 
 
 # --- STL -----------------------------------------------------------------------------------------
@@ -159,13 +159,13 @@ def test_a_damaged_stl_is_refused_with_its_place(write):
     wrong[84 + 12 : 84 + 16] = struct.pack("<f", float("nan"))
 
     for name, content, words in (
-        ("short.stl", whole[:-30], "byte 80: found 1054 bytes, expected 1084 for its 20 triangles"),
-        ("tiny.stl", b"abc", "found 3 bytes, expected text, or at least 84 bytes"),
-        ("nan.stl", bytes(wrong), "corner 1: found [nan, "),
-        ("word.stl", "\n".join([*text[:4], "vortex 1", *text[5:]]), "line 5: found 'vortex 1'"),
-        ("two.stl", "\n".join([*text[:5], *text[6:]]), "line 7: found 2 corners, expected 3"),
-        ("cut.stl", "\n".join(text[:5]), "line 5: found the end within a facet"),
-        ("number.stl", "\n".join([*text[:4], "vertex 1 2 inf"]), "line 5: found 'vertex 1 2 inf'"),
+        ("short.stl", whole[:-30], "byte 80: got 1054 bytes, expected 1084 for its 20 triangles"),
+        ("tiny.stl", b"abc", "got 3 bytes, expected text, or at least 84 bytes"),
+        ("nan.stl", bytes(wrong), "corner 1: got [nan, "),
+        ("word.stl", "\n".join([*text[:4], "vortex 1", *text[5:]]), "line 5: got 'vortex 1'"),
+        ("two.stl", "\n".join([*text[:5], *text[6:]]), "line 7: got 2 corners, expected 3"),
+        ("cut.stl", "\n".join(text[:5]), "line 5: got the end within a facet"),
+        ("number.stl", "\n".join([*text[:4], "vertex 1 2 inf"]), "line 5: got 'vertex 1 2 inf'"),
     ):  # fmt: skip
         with pytest.raises(palpate.FileError) as caught:
             palpate.read_mesh(write(name, content))
@@ -230,7 +230,7 @@ def test_a_ply_that_ends_early_is_refused_with_the_place(write, order):
     header = whole.index(b"end_header\n") + len(b"end_header\n")
 
     for length in range(header, len(whole) - 1, 3):
-        with pytest.raises(palpate.FileError, match=r"found .*, expected .*(vertex|face|edge)"):
+        with pytest.raises(palpate.FileError, match=r"got .*, expected .*(vertex|face|edge)"):
             palpate.read_mesh(write("cut.ply", whole[:length]))
 
 
@@ -238,20 +238,20 @@ def test_a_damaged_ply_is_refused_with_the_line(write):
     whole = make_ply("ascii", FACES).decode()
 
     for old, new, words in (
-        ("ply\n", "plx\n", "line 1: found 'plx', expected ply"),
+        ("ply\n", "plx\n", "line 1: got 'plx', expected ply"),
         (
             "property double x",
             "property real x",
-            "line 5: found 'property real x', expected format",
+            "line 5: got 'property real x', expected format",
         ),
-        ("end_header", "end_of_header", "line 14: found 'end_of_header'"),
-        ("format ascii 1.0\n", "", "header: found no format, expected format ascii"),
+        ("end_header", "end_of_header", "line 14: got 'end_of_header'"),
+        ("format ascii 1.0\n", "", "header: got no format, expected format ascii"),
         ("double z", "double height", "expected an element vertex with x, y, z"),
         ("vertex_indices", "corners", "expected an element face with vertex_indices, vertex_index"),
-        ("1 0 200 0", "1 zero 200 0", "line 16: found '1 zero 200 0', expected a row of vertex"),
-        ("1 0 200 0", "1 nan 200 0", "vertex 2: found [1.0, nan, 0.0], expected three finite"),
-        ("3 0 3 2 7", "3 0 4 2 7", "face 4: found vertex [0, 4, 2], expected 0 to 3"),
-        ("3 0 3 2 7", "2 0 3 7", "face 4: found 2 corners, expected three or more"),
+        ("1 0 200 0", "1 zero 200 0", "line 16: got '1 zero 200 0', expected a row of vertex"),
+        ("1 0 200 0", "1 nan 200 0", "vertex 2: got [1.0, nan, 0.0], expected three finite"),
+        ("3 0 3 2 7", "3 0 4 2 7", "face 4: got vertex [0, 4, 2], expected 0 to 3"),
+        ("3 0 3 2 7", "2 0 3 7", "face 4: got 2 corners, expected three or more"),
     ):
         assert old in whole
         with pytest.raises(palpate.FileError) as caught:
@@ -275,14 +275,14 @@ def test_the_unit_says_what_the_numbers_are_in(write):
     path = write("mm.obj", TETRAHEDRON + "f 1 3 2\n")
 
     assert palpate.read_mesh(path, unit="mm").vertices.max() == 1e-3
-    with pytest.raises(ValueError, match="unit: found 'inch', expected one of m, cm, mm"):
+    with pytest.raises(ValueError, match="unit: got 'inch', expected one of m, cm, mm"):
         palpate.read_mesh(path, unit="inch")
 
 
 def test_other_files_and_files_without_a_surface_are_refused(write, tmp_path):
-    with pytest.raises(palpate.FileError, match="found the suffix '.glb', expected one of .obj"):
+    with pytest.raises(palpate.FileError, match="got the suffix '.glb', expected one of .obj"):
         palpate.read_mesh(write("organ.glb", b"glTF"))
-    with pytest.raises(palpate.FileError, match="found no faces, expected a surface"):
+    with pytest.raises(palpate.FileError, match="got no faces, expected a surface"):
         palpate.read_mesh(write("points.obj", TETRAHEDRON))
     with pytest.raises(FileNotFoundError):
         palpate.read_mesh(tmp_path / "none.stl")

@@ -164,7 +164,7 @@ def test_every_method_takes_the_same_parameters_in_the_same_order(name):
         expected = expected_parameters(f"{name}.", function)
         found = overloads(getattr(twin(name), bound))
         if expected not in found and (expected or bound != "__init__"):
-            wrong.append(f"{key}({', '.join(expected)}): found {found}")
+            wrong.append(f"{key}({', '.join(expected)}): got {found}")
 
     assert wrong == []
 

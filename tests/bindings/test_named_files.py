@@ -73,7 +73,7 @@ def test_the_mesh_that_a_scene_file_names_is_a_plain_file_or_refused(mesh, tmp_p
 
     said = refuse(["press", str(scene)], capsys)
 
-    assert "found" in said
+    assert "got" in said
 
 
 def test_a_file_larger_than_its_reader_allows_is_not_read(tmp_path):

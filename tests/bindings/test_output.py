@@ -81,7 +81,7 @@ def test_an_output_leaves_a_file_of_another_kind_alone(words, option, tmp_path, 
 
     said = capsys.readouterr().err
     assert code == 1
-    assert f"{file}: {option}: found another file, expected" in said
+    assert f"{file}: {option}: got another file, expected" in said
     assert "--force" in said
     assert file.read_bytes() == PRECIOUS
 

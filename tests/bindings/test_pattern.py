@@ -93,9 +93,9 @@ def test_what_files_say_of_a_look_is_what_is_drawn():
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        ({"colour": (0.5, 0.2)}, "look.colour: found [0.5, 0.2], expected three numbers of 0 to 1"),
-        ({"pattern_size": 0.0}, "look.pattern_size: found 0.0 m, expected a positive length"),
-        ({"roughness": 1.5}, "look.roughness: found 1.5, expected 0 to 1"),
+        ({"colour": (0.5, 0.2)}, "look.colour: got [0.5, 0.2], expected three numbers of 0 to 1"),
+        ({"pattern_size": 0.0}, "look.pattern_size: got 0.0 m, expected a positive length"),
+        ({"roughness": 1.5}, "look.roughness: got 1.5, expected 0 to 1"),
     ],
 )
 def test_what_nothing_can_look_like_is_refused(change, said):

@@ -244,9 +244,9 @@ HEAD = '{"format": "palpate script", "version": 1, "frames": '
         ("[" * 100_000, "not JSON"),
         ("[]", "no object"),
         ('{"format": "palpate scene", "version": 1}', '"palpate script"'),
-        ('{"format": "palpate script", "version": 2, "frames": []}', "version: found 2"),
+        ('{"format": "palpate script", "version": 2, "frames": []}', "version: got 2"),
         ('{"format": "palpate script", "version": true, "frames": []}', "version"),
-        (HEAD + '[], "more": 1}', "more: found an unknown field"),
+        (HEAD + '[], "more": 1}', "more: got an unknown field"),
         (HEAD + "[]}", "a list of 1 to"),
         (HEAD + "7}", "a list of 1 to"),
         (HEAD + '["a"]}', "an object"),
@@ -258,7 +258,7 @@ HEAD = '{"format": "palpate script", "version": 1, "frames": '
         (HEAD + '[{"time": 0, "position": [0, 0, Infinity]}]}', "finite numbers"),
         (HEAD + '[{"time": 0, "position": [0, 0, 0], "buttons": 256}]}', "0 to 255"),
         (HEAD + '[{"time": 0, "position": [0, 0, 0], "button": 1}]}', "an unknown field"),
-        (HEAD + f"[{FRAME}, {FRAME}]}}", "frames[1].time: found 0 s, expected more than 0 s"),
+        (HEAD + f"[{FRAME}, {FRAME}]}}", "frames[1].time: got 0 s, expected more than 0 s"),
     ],
 )
 def test_a_damaged_script_is_refused_with_a_sentence(tmp_path, text, sentence):
@@ -326,7 +326,7 @@ def test_a_working_file_is_not_pressed_but_sent_to_be_published(tmp_path, capsys
     code, _, err = call(capsys, "press", path)
 
     assert code == 1
-    assert "found a working file, expected what `palpate publish` makes of it" in err
+    assert "got a working file, expected what `palpate publish` makes of it" in err
 
 
 def test_a_record_is_not_replayed_on_a_published_file_that_has_changed(tmp_path, capsys):

@@ -151,7 +151,7 @@ def refuse_or_read(path: Path) -> None:
     try:
         palpate.read_record(path)
     except palpate.FileError as refused:
-        assert refused.found
+        assert refused.got
 
 
 def require_beginning(back: palpate.Record, truth: palpate.Record) -> None:

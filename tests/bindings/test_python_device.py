@@ -155,7 +155,7 @@ def test_a_driver_that_says_nothing_refuses_the_start():
 
 
 @pytest.mark.parametrize(
-    ("driver", "words"), [(object(), "found no read"), (Stylus, "")], ids=["nothing", "a class"]
+    ("driver", "words"), [(object(), "got no read"), (Stylus, "")], ids=["nothing", "a class"]
 )
 def test_what_is_no_driver_is_refused(driver, words):
     if not words:

@@ -128,7 +128,7 @@ def test_every_table_of_numbers_is_in_range_or_refused_with_its_name(good):
             try:
                 read(hostile_scenarios.with_number(good, name, 0, value))
             except palpate.FileError as refused:
-                assert refused.found
+                assert refused.got
                 assert refused.expected
             else:
                 assert RANGES[name][0] <= value <= RANGES[name][1], (name, value)
@@ -151,9 +151,9 @@ def test_what_hung_or_was_felt_as_nothing_is_no_scene_of_a_file(field, value, tm
     scene = organ_scene(0)
     setattr(scene, field, value)
 
-    with pytest.raises(ValueError, match=rf"scene\.{field}: found"):
+    with pytest.raises(ValueError, match=rf"scene\.{field}: got"):
         scenario.check_ranges(scene)
-    with pytest.raises(ValueError, match=rf"scene\.{field}: found"):
+    with pytest.raises(ValueError, match=rf"scene\.{field}: got"):
         scenario.write(tmp_path / "a.palpate", scenario.Scenario(scene=scene))
 
 
@@ -166,5 +166,5 @@ def test_a_tool_that_was_played_at_no_force_is_no_scene_of_a_file(part, field, v
     scene = palpate.Scene(tissue=tissue)
     setattr(getattr(scene, part), field, value)
 
-    with pytest.raises(ValueError, match=rf"scene\.{part}\.{field}: found"):
+    with pytest.raises(ValueError, match=rf"scene\.{part}\.{field}: got"):
         scenario.check_ranges(scene)

@@ -28,7 +28,7 @@ SYSTEM = (
     *(errno.EEXIST, errno.EBUSY, errno.EIO, errno.ENOTTY, errno.ENODEV),
 )
 FRAMES = {
-    "%1: found %2, expected %3", "%1: got %2, expected %3", "got %1, expected %2",
+    "%1: got %2, expected %3", "got %1, expected %2",
     *(f"{place} %1" for place in ("row", "line", "face", "byte", "vertex", "triangle")),
 }  # fmt: skip
 """What sentences are made of: what stands between, and places within a file."""
@@ -156,5 +156,5 @@ def test_what_nobody_translated_stays_as_it_is(turkish):
 def test_in_english_a_refusal_stays_as_it_is(qapp):
     translation.install(qapp, "en")
 
-    for sentence in ("a.obj: found 0 bytes, expected a mesh file", "b: part 'x', vertex 3: no"):
+    for sentence in ("a.obj: got 0 bytes, expected a mesh file", "b: part 'x', vertex 3: no"):
         assert say_refusal(sentence) == sentence

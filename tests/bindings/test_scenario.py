@@ -100,7 +100,7 @@ def test_arrays_of_any_layout_and_byte_order_are_taken():
 
 @pytest.mark.parametrize("dtype", ["?", "<f2", "<c16", "<u8", "O", "U3", "<M8[s]"])
 def test_other_types_are_refused_by_name(dtype):
-    with pytest.raises(ValueError, match=r"mask: found dtype .*, expected \|u1, <i4, <i8, <f4"):
+    with pytest.raises(ValueError, match=r"mask: got dtype .*, expected \|u1, <i4, <i8, <f4"):
         scenario.Container(format="organ", version=1, arrays={"mask": np.zeros(2, dtype)})
 
 
@@ -119,7 +119,7 @@ def test_bytes_are_the_same_for_the_same_contents():
 def test_what_could_not_be_read_is_not_written(tmp_path):
     bad = scenario.Container(format="organ", version=1, arrays={"a": [np.nan]})
 
-    with pytest.raises(ValueError, match="a: found number 0 that is infinite or not a number"):
+    with pytest.raises(ValueError, match="a: got number 0 that is infinite or not a number"):
         scenario.write_container(tmp_path / "a.organ", bad)
 
     assert list(tmp_path.iterdir()) == []
@@ -157,7 +157,7 @@ def test_a_scene_that_was_never_built_is_refused(tmp_path):
 
 
 def test_a_file_that_is_not_there_is_refused(tmp_path):
-    with pytest.raises(palpate.FileError, match=r"none\.palpate: found No such file"):
+    with pytest.raises(palpate.FileError, match=r"none\.palpate: got No such file"):
         scenario.read(tmp_path / "none.palpate")
 
 
@@ -172,7 +172,7 @@ def test_a_hole_of_a_terabyte_is_refused(tmp_path):
     with open(tmp_path / "hole.palpate", "wb") as file:
         file.truncate(1 << 40)
 
-    with pytest.raises(palpate.FileError, match="found 1099511627776 bytes, expected at most"):
+    with pytest.raises(palpate.FileError, match="got 1099511627776 bytes, expected at most"):
         scenario.read(tmp_path / "hole.palpate")
 
 
@@ -211,7 +211,7 @@ def test_a_good_file_is_read_within_the_limits(outcomes, name):
 def test_a_hostile_file_is_refused_in_a_sentence_within_the_limits(outcomes, name):
     assert outcomes[name].startswith("refused: FILE: ")
     assert HOSTILE[name][1] in outcomes[name]
-    assert ": found " in outcomes[name] and ", expected " in outcomes[name]
+    assert ": got " in outcomes[name] and ", expected " in outcomes[name]
     assert len(outcomes[name]) < 400
     assert "\n" not in outcomes[name]
 
@@ -222,7 +222,7 @@ def test_a_hostile_file_is_refused_in_turkish_too(outcomes, turkish, name):
 
 
 def test_a_large_file_that_is_wrong_at_its_very_end_is_refused_within_the_limits(outcomes):
-    assert "spectrum_damping: found 1e+09" in outcomes["large but for its last number"]
+    assert "spectrum_damping: got 1e+09" in outcomes["large but for its last number"]
 
 
 # --- kills -----------------------------------------------------------------------------------

@@ -105,7 +105,7 @@ def test_every_class_is_a_value_or_known_to_be_none():
 
 @pytest.mark.parametrize("name", sorted(NO_VALUES - set(NOT_MADE)))
 def test_what_is_no_value_says_that_it_cannot_be_pickled(name):
-    with pytest.raises(TypeError, match=f"{name}: found .* expected a value"):
+    with pytest.raises(TypeError, match=f"{name}: got .* expected a value"):
         pickle.dumps(make(name))
 
 
@@ -164,5 +164,5 @@ def test_a_state_from_pickle_can_be_stepped():
 
 
 def test_a_damaged_pickle_is_refused():
-    with pytest.raises(ValueError, match="pickle: found 1 members, expected 2"):
+    with pytest.raises(ValueError, match="pickle: got 1 members, expected 2"):
         palpate.Tool.__new__(palpate.Tool).__setstate__((1.0,))

@@ -130,7 +130,7 @@ def test_an_array_that_refuses_writing_is_not_written():
     f = np.zeros((3, 3))
     f.flags.writeable = False
 
-    with pytest.raises(TypeError, match="f: found float64 .*read-only, expected a writable"):
+    with pytest.raises(TypeError, match="f: got float64 .*read-only, expected a writable"):
         palpate.accumulate_gravity(model.mass, (0, 0, -9.81), f)
 
 
@@ -178,7 +178,7 @@ def test_structured_rows_share_memory_with_a_record():
 def test_structured_rows_are_matched_by_name():
     wrong = np.zeros(3, [("position", "f8", 3), ("time", "f8")])
 
-    with pytest.raises(ValueError, match="hand: found fields"):
+    with pytest.raises(ValueError, match="hand: got fields"):
         palpate.Record(hand=wrong)
 
 

@@ -20,35 +20,35 @@ MESH = palpate.SurfaceMesh(*ellipsoid(200))
     [
         (
             lambda: authoring.decimate(MESH, "many"),
-            "decimate: vertex_count: found str 'many', expected a whole number",
+            "decimate: vertex_count: got str 'many', expected a whole number",
         ),
         (
             lambda: authoring.decimate(np.zeros((3, 3)), 100),
-            "decimate: mesh: found float64 of shape (3, 3), expected SurfaceMesh",
+            "decimate: mesh: got float64 of shape (3, 3), expected SurfaceMesh",
         ),
         (
             lambda: authoring.fill_interior(MESH),
-            "fill_interior: cell_size: found nothing, expected a number",
+            "fill_interior: cell_size: got nothing, expected a number",
         ),
         (
             lambda: authoring.fill_holes(MESH, ["first"]),
-            "fill_holes: holes: found list ['first'], expected Sequence[a whole number]",
+            "fill_holes: holes: got list ['first'], expected Sequence[a whole number]",
         ),
         (
             lambda: authoring.join_parts(MESH),
-            "join_parts: scene: found SurfaceMesh(200 vertices, 396 triangles), expected",
+            "join_parts: scene: got SurfaceMesh(200 vertices, 396 triangles), expected",
         ),
         (
             lambda: authoring.inspect_mesh(surface=MESH),
-            "inspect_mesh: found an argument 'surface', expected mesh",
+            "inspect_mesh: got an argument 'surface', expected mesh",
         ),
         (
             lambda: _authoring.MeshReport.__new__(_authoring.MeshReport).vertices,
-            "MeshReport.vertices: found an object made by __new__ alone",
+            "MeshReport.vertices: got an object made by __new__ alone",
         ),
         (
             lambda: pickle.dumps(authoring.inspect_mesh(MESH)),
-            "MeshReport: found what runs, or holds what it cannot share",
+            "MeshReport: got what runs, or holds what it cannot share",
         ),
     ],
 )
@@ -62,7 +62,7 @@ def test_a_call_that_cannot_be_is_refused_in_one_sentence(call, sentence):
 
 
 def test_a_class_of_the_editor_is_known_to_a_refusal():
-    with pytest.raises(TypeError, match="join_parts: scene: found None, expected ImportedScene"):
+    with pytest.raises(TypeError, match="join_parts: scene: got None, expected ImportedScene"):
         authoring.join_parts(None)
 
 

@@ -151,14 +151,14 @@ def test_a_curve_of_another_shape_is_said_to_be_one(tmp_path, organ, capsys):
 @pytest.mark.parametrize(
     ("text", "options", "sentence"),
     [
-        ("depth,force\n1,2\n", [], "line 1: found depth without a unit"),
-        ("depth [mm],force [N]\n1,2\n", [], "found 1 points, expected at least 4"),
+        ("depth,force\n1,2\n", [], "line 1: got depth without a unit"),
+        ("depth [mm],force [N]\n1,2\n", [], "got 1 points, expected at least 4"),
         (
             "depth [mm],force [N]\n" + "".join(f"{d},{d}\n" for d in range(20, 90, 10)),
             [],
-            "found the tip comes to .* expected depths that the tool can reach",
+            "got the tip comes to .* expected depths that the tool can reach",
         ),
-        ("whole", ["--out", "fitted.json"], "fitted.json: found a name ending in '.json'"),
+        ("whole", ["--out", "fitted.json"], "fitted.json: got a name ending in '.json'"),
     ],
 )
 def test_a_bad_call_is_refused_in_a_sentence(tmp_path, organ, capsys, text, options, sentence):
@@ -184,4 +184,4 @@ def test_home_springs_that_are_not_there_cannot_be_fitted(tmp_path, organ, capsy
     call = ["calibrate", str(tmp_path / "bare.organ"), "--curve", str(curve), "--fit", "home"]
     assert main(call) == 1
 
-    assert "found no home springs, expected a constant above 0" in capsys.readouterr().err
+    assert "got no home springs, expected a constant above 0" in capsys.readouterr().err

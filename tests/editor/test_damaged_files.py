@@ -87,54 +87,54 @@ DAMAGED = {
     "half": (lambda good: good[: len(good) // 2], "damaged zip archive"),
     "a flipped bit": (lambda good: flip(good, len(good) // 2), "damaged|SHA-256"),
     "an entry more": (lambda good: with_entry(good, "extra"), "that the manifest does not name"),
-    "a newer version": (with_change("version", VERSION + 1), "a newer version|version: found"),
+    "a newer version": (with_change("version", VERSION + 1), "a newer version|version: got"),
     "another format": (with_change("format", "palpate"), "format"),
-    "no name": (lambda good: with_manifest(good, remove("content|name")), "name: found nothing"),
-    "a field nobody knows": (with_change("content|colour", "red"), "colour: found an unknown"),
+    "no name": (lambda good: with_manifest(good, remove("content|name")), "name: got nothing"),
+    "a field nobody knows": (with_change("content|colour", "red"), "colour: got an unknown"),
     "half a tetrahedron": (
         with_change("content|fill|tetrahedra", 1200.5),
-        "fill.tetrahedra: found 1200.5, expected a whole number",
+        "fill.tetrahedra: got 1200.5, expected a whole number",
     ),
-    "no share": (with_manifest_without_share, "fill: found no nodal_share"),
-    "a number for a region": (with_change("content|fill|reach", 3), "fill.reach: found 3"),
-    "text for a number": (with_change("content|model|drag", "fast"), 'model.drag: found "fast"'),
+    "no share": (with_manifest_without_share, "fill: got no nodal_share"),
+    "a number for a region": (with_change("content|fill|reach", 3), "fill.reach: got 3"),
+    "text for a number": (with_change("content|model|drag", "fast"), 'model.drag: got "fast"'),
     "a constant nobody knows": (with_change("content|model|pace", 1.0), "model.pace"),
-    "painted twice": (with_change("content|model|fixed", [1]), "model.fixed: found an unknown"),
+    "painted twice": (with_change("content|model|fixed", [1]), "model.fixed: got an unknown"),
     "no constant": (lambda good: with_manifest(good, remove("content|tool|radius")), "no radius"),
     "a colour that is none": (
         with_change("content|look", {**asdict(LOOK), "colour": [2.0, 0.0, 0.0]}),
-        "look.colour: found [2.0, 0.0, 0.0], expected three numbers of 0 to 1",
+        "look.colour: got [2.0, 0.0, 0.0], expected three numbers of 0 to 1",
     ),
-    "a list for a part": (with_change("content|hand", []), "hand: found [[]], expected an object"),
-    "a number for a name": (with_change("content|name", 5), "name: found 5, expected text"),
-    "a number for a source": (with_change("content|source", 5), "source: found 5"),
+    "a list for a part": (with_change("content|hand", []), "hand: got [[]], expected an object"),
+    "a number for a name": (with_change("content|name", 5), "name: got 5, expected text"),
+    "a number for a source": (with_change("content|source", 5), "source: got 5"),
     "half a source": (lambda good: with_manifest(good, remove("content|source|sha256")), "no sha"),
     "text for a truth": (with_change("content|source|up_guessed", "no"), "up_guessed"),
     "a half vertex": (with_change("content|decimation|vertices", 0.5), "a whole number"),
     "NaN in an array": (changed_array("surface/vertices", at((3, 1), np.nan)), "number 10"),
     "a corner too far": (
         changed_array("surface/triangles", at((7, 2), 60)),
-        "surface/triangles: found vertex numbers 0 to 60, expected 0 to 59",
+        "surface/triangles: got vertex numbers 0 to 60, expected 0 to 59",
     ),
     "a corner below zero": (
         changed_array("imported/triangles", at((0, 0), -1)),
-        "found vertex numbers -1 to 149",
+        "got vertex numbers -1 to 149",
     ),
-    "a vertex fixed twice": (changed_array("fixed", at((1,), 0)), "fixed: found other numbers"),
+    "a vertex fixed twice": (changed_array("fixed", at((1,), 0)), "fixed: got other numbers"),
     "a fixed vertex too far": (changed_array("fixed", at((4,), 60)), "ascending ones from 0 to 59"),
-    "a region twice": (with_change("content|regions", ["a", "a"]), "regions: found a name twice"),
-    "a region without a name": (with_change("content|regions", ["a"]), "regions/1: found an unkn"),
-    "a name without a region": (with_change("content|regions", ["a", "b", "c"]), "regions/2: foun"),
+    "a region twice": (with_change("content|regions", ["a", "a"]), "regions: got a name twice"),
+    "a region without a name": (with_change("content|regions", ["a"]), "regions/1: got an unkn"),
+    "a name without a region": (with_change("content|regions", ["a", "b", "c"]), "regions/2: got"),
     "a region beyond": (changed_array("regions/0", at((2,), 60)), "ascending ones from 0 to 59"),
     "too few factors": (changed_array("stiffness_scale", lambda v: v[:-1]), "shape (60)"),
     "whole factors": (
         changed_array("stiffness_scale", lambda v: v.astype(np.int64)),
-        "found <i8 of shape",
+        "got <i8 of shape",
     ),
     "flat vertices": (changed_array("surface/vertices", lambda v: v[:, :2].copy()), "shape (n, 3)"),
-    "no triangles": (without_array("surface/triangles"), "surface/triangles: found no such array"),
-    "no factors": (without_array("stiffness_scale"), "stiffness_scale: found no such array"),
-    "an array nobody knows": (extra_array, "paint: found an unknown array"),
+    "no triangles": (without_array("surface/triangles"), "surface/triangles: got no such array"),
+    "no factors": (without_array("stiffness_scale"), "stiffness_scale: got no such array"),
+    "an array nobody knows": (extra_array, "paint: got an unknown array"),
 }
 
 
@@ -150,7 +150,7 @@ def test_a_damaged_file_is_refused_in_a_sentence(tmp_path, good, name):
     sentence = str(refusal.value)
     assert any(word in sentence for word in (words.replace("[[]]", "[]")).split("|")), sentence
     assert sentence.startswith(str(path)) and "\n" not in sentence
-    assert ": found " in sentence and ", expected " in sentence
+    assert ": got " in sentence and ", expected " in sentence
 
 
 @pytest.mark.parametrize("name", DAMAGED)

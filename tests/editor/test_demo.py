@@ -160,7 +160,7 @@ def test_a_record_of_another_scene_is_refused(own, tmp_path, capsys):
     code = main(["replay", str(out / "mss.prec"), "--scene", str(out / "mms.scene.json"), "--json"])
 
     assert code == 1
-    assert "SHA-256" in json.loads(capsys.readouterr().out)["error"]["found"]
+    assert "SHA-256" in json.loads(capsys.readouterr().out)["error"]["got"]
 
 
 def test_a_mesh_the_demo_cannot_take_is_refused_with_a_sentence(tmp_path, capsys):

@@ -107,14 +107,14 @@ def as_read(content: dict[str, object]) -> dict[str, object]:
 @pytest.mark.parametrize(
     ("languages", "sentence"),
     [
-        ([], "languages: found [], expected an object"),
-        ({"TR": {"title": "", "task": ""}}, "languages: found the code 'TR', expected a code such"),
-        ({"tr": {"title": "", "task": 1}}, "languages.tr.task: found 1, expected text"),
-        ({"tr": {"title": ""}}, "languages.tr: found no task"),
-        ({"tr": {"title": "", "task": "", "voice": ""}}, "languages.tr.voice: found"),
+        ([], "languages: got [], expected an object"),
+        ({"TR": {"title": "", "task": ""}}, "languages: got the code 'TR', expected a code such"),
+        ({"tr": {"title": "", "task": 1}}, "languages.tr.task: got 1, expected text"),
+        ({"tr": {"title": ""}}, "languages.tr: got no task"),
+        ({"tr": {"title": "", "task": "", "voice": ""}}, "languages.tr.voice: got"),
         (
             {f"a{a}{b}": {} for a in "abcdefgh" for b in "abcdefg"},
-            "found 56 languages, expected at",
+            "got 56 languages, expected at",
         ),
     ],
 )

@@ -74,7 +74,7 @@ def test_a_count_that_fills_nothing_is_refused_with_the_range(spleen, count):
     with pytest.raises(EditError, match="a whole number of 100 to 40000"):
         SetConstant("fill", "tetrahedra", count)(spleen)
     if count == int(count):
-        with pytest.raises(ValueError, match="fill.tetrahedra: found .*100 to 40000"):
+        with pytest.raises(ValueError, match="fill.tetrahedra: got .*100 to 40000"):
             build_organ(replace(spleen, fill=FillPart(int(count))))
 
 
@@ -159,7 +159,7 @@ def test_a_response_too_large_for_memory_is_refused_before_it_is_solved(file, ca
 
     said = capsys.readouterr().err
     assert "its response takes 92.5 MB for 1603 of 1603 particles" in said
-    assert "linear solid: response: found 92.5" in said
+    assert "linear solid: response: got 92.5" in said
     assert "expected at most 67.1089 MB: fill with fewer tetrahedra, or limit the reach" in said
     assert read_organ(file).fill.tetrahedra == 600
 

@@ -36,7 +36,7 @@ try:
     for report in read_reports(file):
         reports.append(report)
 except palpate.FileError as e:
-    refusal = [e.file, e.where, e.found, e.expected]
+    refusal = [e.file, e.where, e.got, e.expected]
 except ValueError as e:
     refusal = ["", "", str(e), ""]
 print(json.dumps({"reports": reports, "refusal": refusal}, allow_nan=False))

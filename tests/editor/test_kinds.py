@@ -46,7 +46,7 @@ def test_every_kind_of_a_wall_is_built_and_says_what_it_cannot_represent(wall, c
     rows = {row["name"]: row for row in report["kinds"]}
     assert list(rows) == [kind.name for kind in TISSUE_KINDS]
     for filled in (rows.pop("solid"), rows.pop("linear_solid")):
-        assert filled["refusal"].startswith("material: wall_thickness: found 2 mm, expected none")
+        assert filled["refusal"].startswith("material: wall_thickness: got 2 mm, expected none")
     for row in rows.values():
         assert row["built"], row
         assert row["cannot_represent"]
@@ -92,7 +92,7 @@ def test_a_solid_says_why_its_surface_cannot_carry_it(tmp_path, capsys):
     for row in report["kinds"]:
         if row["built"]:
             continue
-        assert "material: wall_thickness: found none" in row["refusal"]
+        assert "material: wall_thickness: got none" in row["refusal"]
         name = SURFACE_KINDS[row["name"].split()[0]]
         small = [f for f in read_findings() if f.kind == name and f.depth is None]
         shares = sorted(100 * f.force for f in small if f.body in SOLIDS)
@@ -194,7 +194,7 @@ def test_a_stretch_bend_that_a_triangle_cannot_take_is_refused_with_triangle_and
 
     said = capsys.readouterr().err
     found = re.search(
-        r"triangle \d+: found K_btheta 50 N, which makes its tangent at rest indefinite, expected "
+        r"triangle \d+: got K_btheta 50 N, which makes its tangent at rest indefinite, expected "
         r"(\S+) to (\S+) N on this mesh",
         said,
     )

@@ -88,7 +88,7 @@ def test_what_has_errors_is_refused_with_all_of_them_and_leaves_the_old_file(tmp
         publish(bad, path)
 
     assert [p.where for p in refusal.value.problems] == ["material.density", "tool.radius", "title"]
-    assert "material.density: found -1 kg/m³" in str(refusal.value)
+    assert "material.density: got -1 kg/m³" in str(refusal.value)
     assert path.read_bytes() == before
 
 
@@ -110,8 +110,8 @@ def test_a_file_no_editor_made_has_nothing_to_open(tmp_path):
 @pytest.mark.parametrize(
     ("change", "words"),
     [({"version": 99}, "authored.version"), ({"version": "1"}, "authored.version"),
-     ({"version": True}, "authored.version"), ({"content": None}, "found null"),
-     ({"content": {}}, "found nothing")],
+     ({"version": True}, "authored.version"), ({"content": None}, "got null"),
+     ({"content": {}}, "got nothing")],
 )  # fmt: skip
 def test_a_document_that_was_meddled_with_is_refused(tmp_path, change, words):
     publish(SPLEEN, tmp_path / "a.palpate")
@@ -161,7 +161,7 @@ def test_publishing_what_is_not_ready_exits_1_with_the_list(tmp_path, capsys):
     assert report["problems"][0]["fix"] == "Title: dalak"
     assert not (tmp_path / "a.palpate").exists()
     assert main(["publish", str(tmp_path / "a.organ"), "-o", str(tmp_path / "a.palpate")]) == 1
-    assert "title: found no title" in capsys.readouterr().out
+    assert "title: got no title" in capsys.readouterr().out
 
 
 def test_a_scene_file_can_be_published_too(tmp_path, capsys):

@@ -35,7 +35,7 @@ def test_what_is_not_a_mesh_is_refused_in_words(name, content, found, tmp_path):
         join_parts(read_mesh(path))
 
     assert refusal.value.file == str(path)
-    assert found in refusal.value.found
+    assert found in refusal.value.got
     assert refusal.value.expected
 
 

@@ -73,7 +73,7 @@ def test_an_open_or_hollow_organ_is_no_solid_and_is_told_so(spleen):
     hollow = replace(spleen, material=replace(spleen.material, wall_thickness=2e-3))
     soft = replace(spleen, material=replace(spleen.material, poisson_ratio=0.2))
 
-    with pytest.raises(ValueError, match="fill: surface: found an open one, with 1 hole"):
+    with pytest.raises(ValueError, match="fill: surface: got an open one, with 1 hole"):
         compile_organ(opened)
     for organ, where in ((opened, "material.wall_thickness"), (hollow, "material: wall_thickness")):
         assert where in {p.where for p in assess(organ).errors}

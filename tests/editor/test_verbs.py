@@ -75,7 +75,7 @@ def test_a_part_the_file_does_not_have_is_refused_with_those_it_has(shared_data,
     assert main(["inspect", str(source), "--part", "hilum of nothing", "--json"]) == 1
 
     error = json.loads(capsys.readouterr().out)["error"]
-    assert "hilum of nothing" in error["found"] + error["where"]
+    assert "hilum of nothing" in error["got"] + error["where"]
 
 
 def test_the_unit_given_is_the_unit_used(shared_data, capsys):
@@ -211,6 +211,6 @@ def test_a_hostile_file_gives_a_report_or_a_sentence(name, shared_data, inspecte
         assert set(report) >= INSPECTED
         assert all(math.isfinite(length) for length in report["size_mm"])
     else:
-        assert set(report["error"]) == {"file", "where", "found", "expected"}
-        assert report["error"]["found"] and report["error"]["expected"]
+        assert set(report["error"]) == {"file", "where", "got", "expected"}
+        assert report["error"]["got"] and report["error"]["expected"]
     assert "Traceback" not in complained

@@ -209,7 +209,7 @@ def test_the_gate_says_what_is_wrong_in_sentences():
     )
 
     said = "\n".join(faults)
-    assert "found 1195 triangles, expected 1196" in said
+    assert "got 1195 triangles, expected 1196" in said
     assert "border loops of [3], expected []" in said
     assert "degrees" in said and "mm along x" in said and "ml" in said
     assert "no region by which the body holds it" in said

@@ -174,9 +174,9 @@ def test_the_verb_writes_one_organ_at_another_resolution(capsys, tmp_path):
 @pytest.mark.parametrize(
     ("words", "reason"),
     [
-        (["heart"], "found heart, expected one of simple_tissue"),
+        (["heart"], "got heart, expected one of simple_tissue"),
         (["spleen", "--vertices", "300"], "expected --out FILE"),
-        (["spleen", "--vertices", "5", "--out", "x.organ"], "--vertices: found"),
+        (["spleen", "--vertices", "5", "--out", "x.organ"], "--vertices: got"),
         (["--out", "x.organ"], "one NAME"),
     ],
 )

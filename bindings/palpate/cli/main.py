@@ -86,19 +86,19 @@ def run(verb: Verb, call: argparse.Namespace) -> int:
         print(make_harmless(f"palpate {verb.name}: {wrong}"), file=sys.stderr)
         return 2
     except (Refusal, FileError) as refusal:
-        fields = {key: getattr(refusal, key) for key in ("file", "where", "found", "expected")}
+        fields = {key: getattr(refusal, key) for key in ("file", "where", "got", "expected")}
         return refuse(call, str(refusal), fields)
     except (RuntimeError, DeviceError) as failure:  # a run that could not be brought to its end
-        fields = {"file": None, "where": "", "found": str(failure), "expected": "a run to its end"}
+        fields = {"file": None, "where": "", "got": str(failure), "expected": "a run to its end"}
         return refuse(call, str(failure), fields)
     except OSError as problem:  # a file that is missing, unreadable or cannot be written
         fields = {
             "file": str(problem.filename) if problem.filename else None,
             "where": "",
-            "found": problem.strerror or str(problem),
+            "got": problem.strerror or str(problem),
             "expected": "a file that can be read or a place that can be written",
         }
-        return refuse(call, f"{fields['file'] or 'file'}: {fields['found']}", fields)
+        return refuse(call, f"{fields['file'] or 'file'}: {fields['got']}", fields)
     if call.json:
         print(json.dumps(report, indent=2, allow_nan=False))
     else:

@@ -5,10 +5,10 @@ from __future__ import annotations
 
 
 class Refusal(Exception):
-    """Data that is refused: which file, where in it, what was found, what was expected."""
+    """Data that is refused: which file, where in it, what was got, what was expected."""
 
-    def __init__(self, file: object, where: str, found: str, expected: str):
+    def __init__(self, file: object, where: str, got: str, expected: str):
         self.file = str(file) if file is not None else None
-        self.where, self.found, self.expected = where, found, expected
+        self.where, self.got, self.expected = where, got, expected
         place = ": ".join(part for part in (self.file, where) if part)
-        super().__init__(f"{place or 'input'}: found {found}, expected {expected}")
+        super().__init__(f"{place or 'input'}: got {got}, expected {expected}")

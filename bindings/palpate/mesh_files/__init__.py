@@ -53,7 +53,7 @@ def read_mesh(path: str | os.PathLike[str], unit: str = "m") -> SurfaceMesh:
     """
     file = Path(path)
     if unit not in UNITS:
-        raise ValueError(f"unit: found {unit!r}, expected one of {', '.join(UNITS)}")
+        raise ValueError(f"unit: got {unit!r}, expected one of {', '.join(UNITS)}")
     reader = READERS.get(file.suffix.lower())
     if reader is None:
         raise FileError(

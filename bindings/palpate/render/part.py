@@ -66,7 +66,7 @@ def build_look(part: LookPart) -> Look:
     """
     fault = find_look_fault(part)
     if fault is not None:
-        raise ValueError(f"look.{fault[0]}: found {fault[1]}, expected {fault[2]}")
+        raise ValueError(f"look.{fault[0]}: got {fault[1]}, expected {fault[2]}")
     pattern = Pattern(
         colour=cast(Colour, part.pattern_colour),
         size=part.pattern_size,

@@ -20,7 +20,7 @@ def read_mesh_file(path: Path) -> palpate.SurfaceMesh:
     try:
         mesh = palpate.read_mesh(path)
     except palpate.FileError as problem:
-        raise Refusal(path, problem.where, problem.found, problem.expected) from None
+        raise Refusal(path, problem.where, problem.got, problem.expected) from None
     try:
         palpate.validate(mesh)
     except ValueError as problem:

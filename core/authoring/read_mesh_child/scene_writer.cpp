@@ -55,7 +55,7 @@ void write_refusal(const FileError& refusal, std::FILE* out) {
   put(kStreamMagic, out);
   put(kStreamRefusal, out);
   put_all(refusal.where, out);
-  put_all(refusal.found, out);
+  put_all(refusal.got, out);
   put_all(refusal.expected, out);
   end(out);
 }

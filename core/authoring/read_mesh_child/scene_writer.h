@@ -10,7 +10,7 @@ namespace palpate::authoring {
 /// Writes a scene in the form of scene_stream.h.
 void write_scene(const ImportedScene& scene, std::FILE* out);
 
-/// Writes where, found and expected of a refusal.
+/// Writes where, got and expected of a refusal.
 void write_refusal(const FileError& refusal, std::FILE* out);
 
 }  // namespace palpate::authoring

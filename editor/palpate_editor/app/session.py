@@ -101,7 +101,7 @@ class Session(QObject):
         """
         target = path or self.path
         if target is None:
-            raise ValueError("save: found no file yet, expected a path")
+            raise ValueError("save: got no file yet, expected a path")
         write_organ(target, self.organ)
         self.mark_saved(self.organ, target)
 

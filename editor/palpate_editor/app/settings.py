@@ -62,7 +62,7 @@ class Settings:
     @theme.setter
     def theme(self, theme: str) -> None:
         if theme not in THEMES:
-            raise ValueError(f"theme: found {theme!r}, expected one of {', '.join(THEMES)}")
+            raise ValueError(f"theme: got {theme!r}, expected one of {', '.join(THEMES)}")
         self._keep("theme", theme)
 
     @property

@@ -132,7 +132,7 @@ def unpack_organ(content: Any, arrays: Mapping[str, Any], version: int, file: st
             content, owned = MIGRATIONS[step](content, owned)
         return unpack(content, owned, file)
     except Refusal as refusal:
-        raise FileError(file, refusal.where, refusal.found, refusal.expected) from None
+        raise FileError(file, refusal.where, refusal.got, refusal.expected) from None
 
 
 def check_parts(content: Any, file: str) -> None:

@@ -1357,8 +1357,8 @@
         <translation>Organ henüz denenemez.</translation>
     </message>
     <message>
-        <source>The organ cannot be tested yet: found {found}, expected {expected}.</source>
-        <translation>Organ henüz denenemez: bulunan {found}, beklenen {expected}.</translation>
+        <source>The organ cannot be tested yet: got {got}, expected {expected}.</source>
+        <translation>Organ henüz denenemez: bulunan {got}, beklenen {expected}.</translation>
     </message>
     <message>
         <source>The organ has weight (9.81 m/s² downwards)</source>

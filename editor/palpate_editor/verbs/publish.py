@@ -44,7 +44,7 @@ def run_check(call: argparse.Namespace) -> Report:
 
 def describe_problems(problems: list[Report]) -> list[str]:
     lines = [
-        f"  {p['severity']:7} {p['where']}: found {p['found']}, expected {p['expected']}" + hint(p)
+        f"  {p['severity']:7} {p['where']}: got {p['found']}, expected {p['expected']}" + hint(p)
         for p in problems
     ]
     return lines or ["  no problems"]

@@ -73,17 +73,17 @@ TEST_CASE("a spring's stiffness is found from the forces it gave, and is 0 where
   CHECK(watch.add(at(61), Vec3::Zero()).isZero(0.0));
 }
 
-TEST_CASE("along ways that the hand has not gone there is no stiffness to tell of") {
+TEST_CASE("in directions that the hand has not moved there is no stiffness to tell of") {
   StiffnessWatch watch;
-  const Vec3 way = Vec3(1.0, 2.0, -0.5).normalized();
+  const Vec3 direction = Vec3(1.0, 2.0, -0.5).normalized();
   Mat3 found = Mat3::Zero();
   for (int k = 0; k < 40; ++k) {
-    const Vec3 at = 1e-3 * std::sin(0.1 * k) * way;
+    const Vec3 at = 1e-3 * std::sin(0.1 * k) * direction;
     found = watch.add(at, Vec3(-250.0 * at));
   }
 
-  CHECK(way.dot(found * way) == doctest::Approx(250.0).epsilon(0.02));
-  CHECK((found - 250.0 * way * way.transpose()).norm() < 5.0);
+  CHECK(direction.dot(found * direction) == doctest::Approx(250.0).epsilon(0.02));
+  CHECK((found - 250.0 * direction * direction.transpose()).norm() < 5.0);
 }
 
 TEST_CASE("a force that falls as the hand goes against it has no stiffness to answer") {

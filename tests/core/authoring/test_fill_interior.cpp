@@ -84,11 +84,11 @@ TEST_CASE("surfaces and sizes that cannot be filled are refused with a sentence"
   }
 
   CHECK(refusal(scenes::make_tube(0.015, 0.06, 20, 16), 0.01) ==
-        "fill: surface: found an open one, with 2 holes, expected a closed one: nothing says how "
+        "fill: surface: got an open one, with 2 holes, expected a closed one: nothing says how "
         "far the inside of an open one goes");
-  CHECK(refusal(inward, 0.01).find("fill: surface: found a volume of -") == 0);
+  CHECK(refusal(inward, 0.01).find("fill: surface: got a volume of -") == 0);
   CHECK(refusal(crossing, 0.01).find(" triangles that cross others") != std::string::npos);
-  CHECK(refusal(organ(), 0.0) == "fill: cell_size: found 0 m, expected a positive number");
-  CHECK(refusal(organ(), 1e-4).find("fill: cell_size: found 0.1 mm, which gives about ") == 0);
-  CHECK(refusal(organ(), std::nan("")).find("fill: cell_size: found nan m") == 0);
+  CHECK(refusal(organ(), 0.0) == "fill: cell_size: got 0 m, expected a positive number");
+  CHECK(refusal(organ(), 1e-4).find("fill: cell_size: got 0.1 mm, which gives about ") == 0);
+  CHECK(refusal(organ(), std::nan("")).find("fill: cell_size: got nan m") == 0);
 }

@@ -72,7 +72,7 @@ TEST_CASE("in free air the tool is where the hand is and the force is exactly ze
   for (int i = 0; i < 100; ++i) {
     const Vec3 hand = 0.05 * dice.vector(1.0).normalized() + dice.vector(0.003);
     const Vec3 felt = bench.move_hand(hand);
-    // a way that leads through the ball is another matter
+    // a path that leads through the ball is another matter
     if (bench.candidates.count > 0) {
       bench.state.placed = false;
       continue;
@@ -269,7 +269,7 @@ TEST_CASE("the same moves give the same bits") {
   }
 }
 
-TEST_CASE("candidates are all triangles in reach of the way, with their areas at rest") {
+TEST_CASE("candidates are all triangles in reach of the path, with their areas at rest") {
   Bench bench(make_ball());
   const Vec3 from(0, 0, 0.030), to(0.004, 0, 0.022);
 
@@ -296,7 +296,7 @@ TEST_CASE("candidates are all triangles in reach of the way, with their areas at
 }
 
 TEST_CASE(
-    "candidates chosen from the leaves near a way are those found, whatever else is in them") {
+    "candidates chosen from the leaves near a path are those found, whatever else is in them") {
   Bench bench(make_ball());
   Candidates chosen = bench.candidates;
   std::vector<int> leaves(bench.mesh.triangles.size());

@@ -15,7 +15,7 @@ TEST_CASE("a stepper of an explicit integrator is refused by name") {
   const TissueModel model = scenes::make_oscillator_model();
 
   CHECK_THROWS_WITH_AS(ImplicitStepper(model, Integrator::midpoint),
-                       "implicit stepper: integrator: found midpoint, expected an implicit one",
+                       "implicit stepper: integrator: got midpoint, expected an implicit one",
                        std::invalid_argument);
 }
 

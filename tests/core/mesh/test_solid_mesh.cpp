@@ -50,13 +50,13 @@ TEST_CASE("a solid that is none is refused, naming the first offender") {
     crowded.tetrahedra.push_back({0, 2, 1, static_cast<int>(crowded.vertices.size()) - 1});
   }
 
-  CHECK(refusal({{{0, 0, 0}}, {}}) == "solid: tetrahedra: found none, expected at least one");
+  CHECK(refusal({{{0, 0, 0}}, {}}) == "solid: tetrahedra: got none, expected at least one");
   CHECK(refusal({one_corner().vertices, {{0, 1, 2, 4}}}) ==
-        "solid: tetrahedra: row 0: found vertex 4, expected 0 to 3");
+        "solid: tetrahedra: row 0: got vertex 4, expected 0 to 3");
   CHECK(refusal(inverted) ==
-        "solid: tetrahedra: row 0: found a volume of -0.166667 m³, expected a positive one");
+        "solid: tetrahedra: row 0: got a volume of -0.166667 m³, expected a positive one");
   CHECK(refusal(loose) ==
-        "solid: vertices: row 4: found in no tetrahedron, expected every vertex in one");
+        "solid: vertices: row 4: got in no tetrahedron, expected every vertex in one");
   CHECK(refusal(crowded) ==
-        "solid: tetrahedra: row 2: found a face that two others have, expected at most one other");
+        "solid: tetrahedra: row 2: got a face that two others have, expected at most one other");
 }

@@ -32,16 +32,15 @@ TEST_CASE("two surfaces that touch in one vertex are valid") {
 }
 
 TEST_CASE("a mesh without triangles is refused") {
-  CHECK_THROWS_WITH_AS(validate(SurfaceMesh{}),
-                       "mesh: triangles: found none, expected at least one", std::invalid_argument);
+  CHECK_THROWS_WITH_AS(validate(SurfaceMesh{}), "mesh: triangles: got none, expected at least one",
+                       std::invalid_argument);
 }
 
 TEST_CASE("a vertex that is not finite is refused by its number") {
   SurfaceMesh mesh = make_square();
   mesh.vertices[3].y() = std::numeric_limits<double>::quiet_NaN();
 
-  CHECK_THROWS_WITH_AS(validate(mesh),
-                       "mesh: vertex 3: found (0, nan, 0) m, expected finite numbers",
+  CHECK_THROWS_WITH_AS(validate(mesh), "mesh: vertex 3: got (0, nan, 0) m, expected finite numbers",
                        std::invalid_argument);
 }
 
@@ -50,7 +49,7 @@ TEST_CASE("a vertex no triangle uses is refused by its number") {
   mesh.vertices.emplace_back(2, 2, 2);
 
   CHECK_THROWS_WITH_AS(validate(mesh),
-                       "mesh: vertex 4: found no triangle that uses it, expected at least one",
+                       "mesh: vertex 4: got no triangle that uses it, expected at least one",
                        std::invalid_argument);
 }
 
@@ -60,7 +59,7 @@ TEST_CASE("an index out of range is refused, below as above") {
     mesh.triangles[1][2] = index;
 
     const std::string message =
-        "mesh: triangle 1: found vertex " + std::to_string(index) + ", expected 0 to 3";
+        "mesh: triangle 1: got vertex " + std::to_string(index) + ", expected 0 to 3";
     CHECK_THROWS_WITH_AS(validate(mesh), message.c_str(), std::invalid_argument);
   }
 }
@@ -70,7 +69,7 @@ TEST_CASE("a triangle that uses a vertex twice is refused") {
   mesh.triangles.push_back({1, 2, 1});
 
   CHECK_THROWS_WITH_AS(validate(mesh),
-                       "mesh: triangle 2: found vertices 1, 2, 1, expected three different ones",
+                       "mesh: triangle 2: got vertices 1, 2, 1, expected three different ones",
                        std::invalid_argument);
 }
 
@@ -82,7 +81,7 @@ TEST_CASE("a triangle whose corners lie on a line or in a point is refused") {
   mesh.vertices[3] = mesh.vertices[2] = mesh.vertices[0];
   CHECK_THROWS_WITH_AS(
       validate(mesh),
-      "mesh: triangle 0: found height 0 m over a side of 1 m, expected a triangle with an area",
+      "mesh: triangle 0: got height 0 m over a side of 1 m, expected a triangle with an area",
       std::invalid_argument);
 }
 
@@ -99,7 +98,7 @@ TEST_CASE("an edge of three triangles is refused") {
   mesh.triangles.push_back({0, 2, 4});
 
   CHECK_THROWS_WITH_AS(validate(mesh),
-                       "mesh: triangle 2: found edge 0-2 already between triangles 0 and 1, "
+                       "mesh: triangle 2: got edge 0-2 already between triangles 0 and 1, "
                        "expected at most two triangles at an edge",
                        std::invalid_argument);
 }
@@ -109,7 +108,7 @@ TEST_CASE("neighbours that disagree on which side is outside are refused") {
   mesh.triangles[1] = {0, 3, 2};
 
   CHECK_THROWS_WITH_AS(validate(mesh),
-                       "mesh: triangle 1: found edge 2-0 run in the same direction as in triangle "
+                       "mesh: triangle 1: got edge 2-0 run in the same direction as in triangle "
                        "0, expected neighbours that agree on which side is outside, and two to an "
                        "edge at most",
                        std::invalid_argument);

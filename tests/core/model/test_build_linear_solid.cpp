@@ -77,12 +77,12 @@ TEST_CASE("a reach that is none is refused with a sentence") {
   const TissueModel model = scenes::make_linear_organ(2, 0.9);
 
   CHECK(find_refusal([&] { limit_reach(model, {}); }) ==
-        "reach: surface_vertices: found none, expected at least one");
+        "reach: surface_vertices: got none, expected at least one");
   CHECK(find_refusal([&] {
           limit_reach(model, {3, 27});
-        }) == "reach: surface_vertices: row 1: found vertex 27, expected 0 to 26");
+        }) == "reach: surface_vertices: row 1: got vertex 27, expected 0 to 26");
   CHECK(find_refusal([&] { limit_reach(scenes::make_solid_organ(2, 0.0), {0}); }) ==
-        "reach: model: found another law, expected a linear solid, as build_linear_solid makes it");
+        "reach: model: got another law, expected a linear solid, as build_linear_solid makes it");
 }
 
 TEST_CASE("a table of a linear solid that is not as it says is refused") {
@@ -94,27 +94,26 @@ TEST_CASE("a table of a linear solid that is not as it says is refused") {
   };
 
   CHECK(refusal_of([](TissueModel& m) { m.elastic.shear[3] = 0.0; }) ==
-        "model: elastic.shear: row 3: found 0 Pa, expected a positive number");
+        "model: elastic.shear: row 3: got 0 Pa, expected a positive number");
   CHECK(refusal_of([](TissueModel& m) { m.elastic.lame[2] = -1.0; }) ==
-        "model: elastic.lame: row 2: found -1 Pa, expected 0 or a positive number");
+        "model: elastic.lame: row 2: got -1 Pa, expected 0 or a positive number");
   CHECK(refusal_of([](TissueModel& m) { m.elastic.lame.pop_back(); }) ==
-        "model: elastic.lame: found 47 rows, expected 48");
+        "model: elastic.lame: got 47 rows, expected 48");
   CHECK(refusal_of([](TissueModel& m) {
           std::swap(m.elastic.corners[0][0], m.elastic.corners[0][1]);
-        }).find("model: elastic.corners: row 0: found a volume of -") == 0);
+        }).find("model: elastic.corners: row 0: got a volume of -") == 0);
   CHECK(refusal_of([](TissueModel& m) { m.elastic.nodal_share = 1.5; }) ==
-        "model: elastic.nodal_share: found 1.5, expected 0 to 1");
+        "model: elastic.nodal_share: got 1.5, expected 0 to 1");
   CHECK(refusal_of([](TissueModel& m) { m.elastic.damping_time = -1.0; }) ==
-        "model: elastic.damping_time: found -1 s, expected 0 or a positive number");
+        "model: elastic.damping_time: got -1 s, expected 0 or a positive number");
   CHECK(refusal_of([](TissueModel& m) {
           m.elastic.reach = {4, 4};
-        }) ==
-        "model: elastic.reach: row 1: found particle 4, expected ascending particles, 0 to 26");
+        }) == "model: elastic.reach: row 1: got particle 4, expected ascending particles, 0 to 26");
   CHECK(refusal_of([](TissueModel& m) {
           m.elastic.around[0] = 7;
-        }).find("model: elastic.around: found other tables") == 0);
+        }).find("model: elastic.around: got other tables") == 0);
   CHECK(refusal_of([](TissueModel& m) { m.pressure = 10.0; }) ==
-        "model: elastic: found a pressure beside it, expected no other law");
+        "model: elastic: got a pressure beside it, expected no other law");
   CHECK(refusal_of([](TissueModel& m) { m.springs = scenes::make_solid_organ(2, 0.0).springs; }) ==
-        "model: elastic: found springs beside it, expected no other law");
+        "model: elastic: got springs beside it, expected no other law");
 }

@@ -54,14 +54,14 @@ TEST_CASE("the mass of a vertex is in proportion to the area around it") {
 
 TEST_CASE("an open surface without a wall thickness is refused, and so is a solid inside out") {
   CHECK(find_refusal([] { build_mass_spring(kSheet, {}, 50.0); }) ==
-        "material: wall_thickness: found none for an open surface, expected the thickness of the "
+        "material: wall_thickness: got none for an open surface, expected the thickness of the "
         "wall [m], since what is open encloses no volume");
 
   SurfaceMesh inside_out = kSolid;
   for (Triangle& t : inside_out.triangles) std::swap(t[0], t[1]);
   CHECK(find_refusal([&] {
           build_mass_spring(inside_out, {}, 50.0);
-        }).find("mesh: volume: found -") == 0);
+        }).find("mesh: volume: got -") == 0);
 }
 
 TEST_CASE("there is one spring along every edge, at rest where the surface is") {
@@ -97,7 +97,7 @@ TEST_CASE("the membrane's spring stiffness is sqrt(3)/2 E h, and needs a wall") 
 
   CHECK(membrane_spring_stiffness(material) == Approx(17.3205));
   CHECK(find_refusal([] { membrane_spring_stiffness({}); }) ==
-        "material: wall_thickness: found none, expected the thickness of the membrane [m]");
+        "material: wall_thickness: got none, expected the thickness of the membrane [m]");
 }
 
 TEST_CASE("home springs are on for sheets and hollow organs, off for solids") {
@@ -210,21 +210,21 @@ TEST_CASE("what cannot be built is refused by name") {
   scale.stiffness_scale[4] = 0.0;
 
   CHECK(find_refusal([] { build_mass_spring(kSolid, {}, -1.0); }) ==
-        "mass-spring: stiffness: found -1 N/m, expected a positive number");
+        "mass-spring: stiffness: got -1 N/m, expected a positive number");
   CHECK(find_refusal([] { build_mass_spring({}, {}, 1.0); }).find("mesh: ") == 0);
   CHECK(find_refusal([] {
           build_mass_spring(kSolid, {.density = 0.0}, 1.0);
         }).find("material: density") == 0);
   CHECK(refuse_options({.fixed = {3, 162}}) ==
-        "options: fixed: row 1: found vertex 162, expected 0 to 161");
+        "options: fixed: row 1: got vertex 162, expected 0 to 161");
   CHECK(refuse_options({.home_stiffness = -1.0}) ==
-        "options: home_stiffness: found -1 N/m³, expected 0 or a positive number");
+        "options: home_stiffness: got -1 N/m³, expected 0 or a positive number");
   CHECK(refuse_options({.stiffness_scale = {1.0, 1.0}}) ==
-        "options: stiffness_scale: found 2 rows, expected none, or one per vertex: 162");
+        "options: stiffness_scale: got 2 rows, expected none, or one per vertex: 162");
   CHECK(refuse_options(scale) ==
-        "options: stiffness_scale: row 4: found 0, expected a positive number");
+        "options: stiffness_scale: row 4: got 0, expected a positive number");
   CHECK(refuse_options({.drag = -1.0}) ==
-        "options: drag: found -1 1/s, expected 0 or a positive number");
+        "options: drag: got -1 1/s, expected 0 or a positive number");
   CHECK(refuse_options({.pressure = std::numeric_limits<double>::infinity()}) ==
-        "options: pressure: found inf Pa, expected a finite number");
+        "options: pressure: got inf Pa, expected a finite number");
 }

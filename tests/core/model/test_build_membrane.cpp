@@ -172,7 +172,7 @@ TEST_CASE("a triangle with an angle below 0.05 degrees is refused by name") {
 TEST_CASE("a membrane without a wall thickness is refused") {
   const SurfaceMesh solid = scenes::make_ellipsoid({0.05, 0.035, 0.03}, 1);
   const std::string expected =
-      "material: wall_thickness: found none, expected the thickness of the wall [m]";
+      "material: wall_thickness: got none, expected the thickness of the wall [m]";
 
   CHECK(find_refusal([&] { build_membrane_molecular(solid, {}); }) == expected);
   CHECK(find_refusal([&] { build_membrane_springs(solid, {}); }) == expected);
@@ -325,8 +325,8 @@ TEST_CASE("angles of an equilateral triangle convert to K10 = 1.5 K_theta / l wi
 TEST_CASE("a bend stiffness that a law cannot take is refused") {
   CHECK(find_refusal([] {
           build_membrane_molecular(kSheet, make_wall(), 1e-4, AngleLaw::eq10);
-        }).find("membrane: bend_stiffness: found 0.0001 J, expected 0 under AngleLaw::eq10") == 0);
+        }).find("membrane: bend_stiffness: got 0.0001 J, expected 0 under AngleLaw::eq10") == 0);
   CHECK(find_refusal([] {
           build_membrane_molecular(kSheet, make_wall(), -1e-4);
-        }).find("membrane: bend_stiffness: found -0.0001 J") == 0);
+        }).find("membrane: bend_stiffness: got -0.0001 J") == 0);
 }

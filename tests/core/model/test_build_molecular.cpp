@@ -190,8 +190,8 @@ TEST_CASE("each end of the range is told with the triangle that sets it") {
                              {2.1, std::sqrt(0.99), 0}},
                             {{0, 1, 2}, {3, 4, 5}}};
 
-  CHECK(refuse_coupling(mesh, -10.0).find("mesh: triangle 0: found K_btheta -10 N") == 0);
-  CHECK(refuse_coupling(mesh, 1000.0).find("mesh: triangle 1: found K_btheta 1000 N") == 0);
+  CHECK(refuse_coupling(mesh, -10.0).find("mesh: triangle 0: got K_btheta -10 N") == 0);
+  CHECK(refuse_coupling(mesh, 1000.0).find("mesh: triangle 1: got K_btheta 1000 N") == 0);
 }
 
 TEST_CASE("local scales count in the admissible range") {
@@ -222,16 +222,16 @@ TEST_CASE("constants no coupling can make up for are refused by name") {
   };
 
   CHECK(refuse({.bond_stiffness = 0.0}) ==
-        "molecular: bond_stiffness: found 0 N/m, expected a positive number");
+        "molecular: bond_stiffness: got 0 N/m, expected a positive number");
   CHECK(refuse({.bond_stiffness = -5.0}) ==
-        "molecular: bond_stiffness: found -5 N/m, expected a positive number");
+        "molecular: bond_stiffness: got -5 N/m, expected a positive number");
   CHECK(refuse({.bend_stiffness = -1.0}).find("mesh: triangle") == 0);
   CHECK(refuse({.bend_stiffness = std::nan("")}) ==
-        "molecular: bend_stiffness: found nan J, expected a finite number");
+        "molecular: bend_stiffness: got nan J, expected a finite number");
   CHECK(refuse({.bend_stiffness = -1.0, .angle_law = AngleLaw::eq10}) ==
-        "molecular: bend_stiffness: found -1 N, expected 0 or a positive number");
+        "molecular: bend_stiffness: got -1 N, expected 0 or a positive number");
   CHECK(refuse({.stretch_coupling = 1e-3, .angle_law = AngleLaw::eq10}) ==
-        "molecular: stretch_coupling: found 0.001 N, expected 0 under AngleLaw::eq10, which has no "
+        "molecular: stretch_coupling: got 0.001 N, expected 0 under AngleLaw::eq10, which has no "
         "stretch-bend force");
   CHECK(refuse({.bend_stiffness = 10.0, .angle_law = AngleLaw::eq10}) == "");
 }

@@ -140,10 +140,10 @@ TEST_CASE("a wall too thick for its surface is refused at the triangle that woul
   CHECK_NOTHROW(build_shell(mesh, make_wall(5e-3)));
   const std::string refusal = find_refusal([&] { build_shell(mesh, make_wall(1.5e-2)); });
   CAPTURE(refusal);
-  CHECK(refusal.find("mesh: triangle 0: found an inner face, 8.66025 mm below, of ") == 0);
+  CHECK(refusal.find("mesh: triangle 0: got an inner face, 8.66025 mm below, of ") == 0);
   CHECK(refusal.find("expected at least 10 %: a thinner wall") != std::string::npos);
   CHECK(find_refusal([&] { build_shell(mesh, Material()); }) ==
-        "material: wall_thickness: found none, expected the thickness of the wall [m]");
+        "material: wall_thickness: got none, expected the thickness of the wall [m]");
 }
 
 TEST_CASE("prisms that cannot be are refused by column and row") {
@@ -162,10 +162,10 @@ TEST_CASE("prisms that cannot be are refused by column and row") {
           p.rest_difference[0][1] = NAN;
         }).find("model: prisms.rest_difference: row 0") == 0);
   CHECK(refuse([](Prisms& p) { p.shear_stiffness[2][0] = -1.0; }) ==
-        "model: prisms.shear_stiffness: row 2: found -1 N/m, expected 0 or a positive number");
+        "model: prisms.shear_stiffness: row 2: got -1 N/m, expected 0 or a positive number");
   CHECK(refuse([](Prisms& p) {
           p.shear_damping[2][0] = -1.0;
         }).find("model: prisms.shear_damping: row 2") == 0);
   CHECK(refuse([](Prisms& p) { p.shear_damping.pop_back(); }) ==
-        "model: prisms.shear_damping: found 7 rows, expected 8");
+        "model: prisms.shear_damping: got 7 rows, expected 8");
 }

@@ -89,15 +89,15 @@ TEST_CASE("what cannot be built as a solid is refused with the range") {
   };
 
   CHECK(refusal({.poisson_ratio = 0.2}) ==
-        "material: poisson_ratio: found 0.2, expected 0.25 to 0.49 for a solid");
+        "material: poisson_ratio: got 0.2, expected 0.25 to 0.49 for a solid");
   CHECK(refusal({.poisson_ratio = 0.5}) ==
-        "material: poisson_ratio: found 0.5, expected 0.25 to 0.49 for a solid");
+        "material: poisson_ratio: got 0.5, expected 0.25 to 0.49 for a solid");
   CHECK(refusal({.wall_thickness = 2e-3}) ==
-        "material: wall_thickness: found 2 mm, expected none: a solid is filled");
-  CHECK(refusal({}, {.nodal_share = 1.5}) == "options: nodal_share: found 1.5, expected 0 to 1");
+        "material: wall_thickness: got 2 mm, expected none: a solid is filled");
+  CHECK(refusal({}, {.nodal_share = 1.5}) == "options: nodal_share: got 1.5, expected 0 to 1");
   CHECK(refusal({}, {.stiffness_scale = {1.0}}) ==
-        "options: stiffness_scale: found 1 rows, expected none, or one per vertex: 8");
-  CHECK(refusal({}, {.fixed = {8}}) == "options: fixed: row 0: found vertex 8, expected 0 to 7");
+        "options: stiffness_scale: got 1 rows, expected none, or one per vertex: 8");
+  CHECK(refusal({}, {.fixed = {8}}) == "options: fixed: row 0: got vertex 8, expected 0 to 7");
 }
 
 TEST_CASE("stiffness painted on half a block makes that half stiffer and nothing else") {
@@ -154,7 +154,7 @@ TEST_CASE("a surface far from the tetrahedra is refused, naming the vertex") {
 
   const std::string refusal = find_refusal([&] { cover_with_skin(model, far); });
 
-  CHECK(refusal.find("skin: vertex 7: found outside by ") == 0);
+  CHECK(refusal.find("skin: vertex 7: got outside by ") == 0);
   CHECK(refusal.find("expected at most 1: fill with smaller cells") != std::string::npos);
 }
 
@@ -168,23 +168,23 @@ TEST_CASE("volumes and skins that do not fit are refused, naming table and row")
 
   CHECK(refusal([](TissueModel& m) {
           m.volumes.corners[3][1] = m.volumes.corners[3][0];
-        }).find("model: volumes.corners: row 3: found") == 0);
+        }).find("model: volumes.corners: row 3: got") == 0);
   CHECK(refusal([](TissueModel& m) { m.volumes.rest_volume[2] = 0.0; }) ==
-        "model: volumes.rest_volume: row 2: found 0 m³, expected a positive number");
+        "model: volumes.rest_volume: row 2: got 0 m³, expected a positive number");
   CHECK(refusal([](TissueModel& m) { m.volumes.bulk[1] = -1.0; }) ==
-        "model: volumes.bulk: row 1: found -1 Pa, expected 0 or a positive number");
+        "model: volumes.bulk: row 1: got -1 Pa, expected 0 or a positive number");
   CHECK(refusal([](TissueModel& m) { m.volumes.around[0] = 5; }).find("model: volumes.around") ==
         0);
   CHECK(refusal([](TissueModel& m) { m.volumes.nodal_share = 2.0; }) ==
-        "model: volumes.nodal_share: found 2, expected 0 to 1");
+        "model: volumes.nodal_share: got 2, expected 0 to 1");
   CHECK(refusal([](TissueModel& m) {
           std::swap(m.volumes.corners[0][0], m.volumes.corners[0][1]);
-        }).find("model: volumes.corners: row 0: found a volume of -") == 0);
+        }).find("model: volumes.corners: row 0: got a volume of -") == 0);
   CHECK(refusal([](TissueModel& m) { m.skin.weights[4][0] += 0.1; }) ==
-        "model: skin.weights: row 4: found a sum of 1.1, expected 1");
+        "model: skin.weights: row 4: got a sum of 1.1, expected 1");
   CHECK(refusal([](TissueModel& m) {
           m.skin.corners[4][0] = 100000;
-        }).find("model: skin.corners: row 4: found") == 0);
+        }).find("model: skin.corners: row 4: got") == 0);
   CHECK(refusal([](TissueModel& m) { m.pressure = 10.0; }) ==
-        "model: pressure: found 10 Pa on a skin, expected 0: a solid has no inside for a pressure");
+        "model: pressure: got 10 Pa on a skin, expected 0: a solid has no inside for a pressure");
 }

@@ -31,17 +31,17 @@ TEST_CASE("the default material and the ends of every range are accepted") {
 
 TEST_CASE("a material out of range is refused by field, number and range") {
   CHECK(find_refusal_after([](Material& m) { m.density = -1.0; }) ==
-        "material: density: found -1 kg/m³, expected a positive number");
+        "material: density: got -1 kg/m³, expected a positive number");
   CHECK(find_refusal_after([](Material& m) { m.young_modulus = 0.0; }) ==
-        "material: young_modulus: found 0 Pa, expected a positive number");
+        "material: young_modulus: got 0 Pa, expected a positive number");
   CHECK(find_refusal_after([](Material& m) { m.poisson_ratio = 0.51; }) ==
-        "material: poisson_ratio: found 0.51, expected 0 to 0.5");
+        "material: poisson_ratio: got 0.51, expected 0 to 0.5");
   CHECK(find_refusal_after([](Material& m) { m.poisson_ratio = -0.1; }) ==
-        "material: poisson_ratio: found -0.1, expected 0 to 0.5");
+        "material: poisson_ratio: got -0.1, expected 0 to 0.5");
   CHECK(find_refusal_after([](Material& m) { m.damping_ratio = -0.1; }) ==
-        "material: damping_ratio: found -0.1, expected 0 or a positive number");
+        "material: damping_ratio: got -0.1, expected 0 or a positive number");
   CHECK(find_refusal_after([](Material& m) { m.wall_thickness = 0.0; }) ==
-        "material: wall_thickness: found 0 m, expected a positive number, or none for a solid");
+        "material: wall_thickness: got 0 m, expected a positive number, or none for a solid");
 }
 
 TEST_CASE("no field of a material may be infinite or not a number") {

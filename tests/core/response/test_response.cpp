@@ -141,7 +141,7 @@ TEST_CASE("memory is said before anything is solved, and refused where it is too
   CHECK(size.bytes == 4u * 120 * 120);
   CHECK(response.compliance.size() * sizeof(float) == size.bytes);
   CHECK(find_refusal([&] { build_response(model, Vec3::Zero(), 57599); }) ==
-        "linear solid: response: found 0.0576 MB for 40 particles under pushes on 40, expected at "
+        "linear solid: response: got 0.0576 MB for 40 particles under pushes on 40, expected at "
         "most 0.057599 MB: fill with fewer tetrahedra, or limit the reach of pushes");
   CHECK(find_refusal([&] { build_response(model, Vec3::Zero(), 57600); }) == "");
 }
@@ -168,18 +168,18 @@ TEST_CASE("a body that is not held, or is no linear solid, has no response") {
   held.fixed.clear();
   held.home.assign(held.mass.size(), 1.0);
   const std::string expected =
-      "linear solid: fixed: found a body that can move without being strained, expected particles "
+      "linear solid: fixed: got a body that can move without being strained, expected particles "
       "held that do not lie on one line, or home springs";
 
   CHECK(find_refusal([&] { build_response(loose); }) == expected);
   CHECK(find_refusal([&] { build_response(hinged); }) == expected);
   CHECK(find_refusal([&] { build_response(held); }) == "");
   CHECK(find_refusal([] { build_response(scenes::make_solid_organ(2, 0.0)); }) ==
-        "linear solid: model: found no elastic tetrahedra, expected a model of build_linear_solid");
+        "linear solid: model: got no elastic tetrahedra, expected a model of build_linear_solid");
   held.fixed = {};
   for (int i = 0; i < particle_count(held); ++i) held.fixed.push_back(i);
   CHECK(find_refusal([&] { build_response(held); }) ==
-        "linear solid: reach: found no particle of the surface that moves, expected at least one");
+        "linear solid: reach: got no particle of the surface that moves, expected at least one");
 }
 
 TEST_CASE("what the tool may touch is where the whole will be once the tick has ended") {
@@ -237,7 +237,7 @@ TEST_CASE("a linear solid has no packed form, and packing it is refused") {
   const TissueModel model = build_linear_solid(scenes::make_round_block(2), {});
   CHECK_FALSE(has_packed_form(model));
   CHECK_THROWS_WITH_AS(pack(model),
-                       ("elastic: found " + std::to_string(model.elastic.corners.size()) +
+                       ("elastic: got " + std::to_string(model.elastic.corners.size()) +
                         " rows, expected none: linear solids have no packed form")
                            .c_str(),
                        std::invalid_argument);

@@ -68,7 +68,7 @@ TEST_CASE("a container comes back from its file as it was") {
 }
 
 TEST_CASE("equal containers are equal bytes") {
-  Container backwards{"organ", 3, R"( {"scale": 1e-1, "name":"liver"} )", {}, "somebody else"};
+  Container backwards{"organ", 3, R"( {"scale": 1e-1, "name":"liver"} )", {}, "another program"};
   const Container made = make_container();
   for (auto at = made.arrays.rbegin(); at != made.arrays.rend(); ++at) {
     backwards.arrays.insert(*at);
@@ -122,7 +122,7 @@ TEST_CASE("an array whose SHA-256 is another's is refused though every checksum 
 
   const std::string sentence = refusal([&] { unpack(scenario::pack_archive(files)); });
 
-  CHECK(contains(sentence, "a.organ: mesh/vertices: found SHA-256 "));
+  CHECK(contains(sentence, "a.organ: mesh/vertices: got SHA-256 "));
   CHECK(contains(sentence, "as the manifest says"));
 }
 
@@ -131,7 +131,7 @@ TEST_CASE("a newer version is refused with a word about newer programs") {
 
   const std::string sentence = refusal([&] { unpack(whole, 2); });
 
-  CHECK(contains(sentence, "manifest.json.version: found 3, expected 2 or older"));
+  CHECK(contains(sentence, "manifest.json.version: got 3, expected 2 or older"));
   CHECK(contains(sentence, "newer program"));
 }
 
@@ -144,8 +144,7 @@ TEST_CASE("a file of the other format is refused") {
 
   const std::string sentence = refusal([&] { unpack_container(whole, "a.palpate", "palpate", 3); });
 
-  CHECK(
-      contains(sentence, "a.palpate: manifest.json.format: found \"organ\", expected \"palpate\""));
+  CHECK(contains(sentence, "a.palpate: manifest.json.format: got \"organ\", expected \"palpate\""));
 }
 
 TEST_CASE("what a reader would refuse is not written") {
@@ -160,9 +159,9 @@ TEST_CASE("what a reader would refuse is not written") {
   CHECK(contains(refused([&](Container& c) {
                    c.arrays["a"] = make_floats({1.0, nan});
                  }),
-                 "a: found number 1 that is infinite or not a number"));
+                 "a: got number 1 that is infinite or not a number"));
   CHECK(contains(refused([&](Container& c) { c.arrays["a"] = make_floats({-infinity}); }),
-                 "a: found number 0 that is infinite"));
+                 "a: got number 0 that is infinite"));
   CHECK(contains(refused([](Container& c) { c.arrays["a"].shape = {3}; }), "expected 3"));
   CHECK(contains(refused([](Container& c) { c.arrays["a"].shape = {-1}; }), "a smaller shape"));
   CHECK(contains(refused([](Container& c) {
@@ -172,13 +171,13 @@ TEST_CASE("what a reader would refuse is not written") {
   CHECK(contains(refused([](Container& c) {
                    c.arrays["a"] = {Dtype::u1, {}, {7}};
                  }),
-                 "arrays.a.shape: found a list of 0"));
+                 "arrays.a.shape: got a list of 0"));
   CHECK(contains(refused([](Container& c) { c.content = "[]"; }), "expected an object"));
   CHECK(contains(refused([](Container& c) { c.content = "{\"a\":NaN}"; }), "not JSON"));
   CHECK(contains(refused([](Container& c) { c.content = "{\"a\":1e999}"; }), "too large"));
   CHECK(contains(refused([](Container& c) { c.content = "{\"a\":1,\"a\":1}"; }), "two members"));
   CHECK(contains(refused([](Container& c) { c.content = "{\"a\":\"\xff\"}"; }), "not JSON"));
-  CHECK(contains(refused([](Container& c) { c.version = 0; }), "version: found 0"));
+  CHECK(contains(refused([](Container& c) { c.version = 0; }), "version: got 0"));
   for (const char* name : {"", "/a", "../a", "a/../b", "a//b", "a/", "A", "a\\b", ".a", "a b",
                            "manifest.json", "\xc3\xa9"}) {
     CAPTURE(name);
@@ -212,7 +211,7 @@ TEST_CASE("what is not a file is refused, and nothing is left behind where writi
       "no/such/folder.organ"));
   std::filesystem::create_directory(folder.file("taken"));
   CHECK(contains(refusal([&] { write_container(folder.file("taken"), make_container()); }),
-                 "taken: found "));
+                 "taken: got "));
   CHECK(folder.count() == 1);
 }
 

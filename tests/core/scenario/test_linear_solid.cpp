@@ -75,12 +75,12 @@ TEST_CASE("what is felt of a linear solid that comes back is the same to the bit
 }
 
 TEST_CASE("a damaged table of a linear solid is refused, table and row named") {
-  CHECK(contains(refuse_with("corners", 4, 4200), "elastic/corners: row 1: found particle 4200"));
-  CHECK(contains(refuse_with("corners", 4, -1), "elastic/corners: row 1: found particle -1"));
-  CHECK(contains(refuse_with("lame", 3, -2.0), "elastic.lame: row 3: found -2 Pa"));
-  CHECK(contains(refuse_with("shear", 0, 0.0), "elastic/shear: row 0: found 0, expected"));
-  CHECK(contains(refuse_with("reach", 0, 4200), "elastic.reach: row 0: found particle 4200"));
-  CHECK(contains(refuse_with("reach", 1, 0), "elastic.reach: row 1: found particle 0"));
+  CHECK(contains(refuse_with("corners", 4, 4200), "elastic/corners: row 1: got particle 4200"));
+  CHECK(contains(refuse_with("corners", 4, -1), "elastic/corners: row 1: got particle -1"));
+  CHECK(contains(refuse_with("lame", 3, -2.0), "elastic.lame: row 3: got -2 Pa"));
+  CHECK(contains(refuse_with("shear", 0, 0.0), "elastic/shear: row 0: got 0, expected"));
+  CHECK(contains(refuse_with("reach", 0, 4200), "elastic.reach: row 0: got particle 4200"));
+  CHECK(contains(refuse_with("reach", 1, 0), "elastic.reach: row 1: got particle 0"));
 }
 
 TEST_CASE("a linear solid that nothing holds is refused as a file, as it is as a scene") {
@@ -96,5 +96,5 @@ TEST_CASE("a linear solid that nothing holds is refused as a file, as it is as a
     refusal = problem.what();
   }
 
-  CHECK(contains(refusal, "linear solid: fixed: found a body that can move"));
+  CHECK(contains(refusal, "linear solid: fixed: got a body that can move"));
 }

@@ -163,26 +163,26 @@ TEST_CASE(
 }
 
 TEST_CASE("an index that is out of range is refused, table and row named") {
-  CHECK(contains(refuse_with("springs/ends", 7, 4200), "springs.ends: row 3: found "));
-  CHECK(contains(refuse_with("bonds/ends", 0, -1), "bonds.ends: row 0: found "));
-  CHECK(contains(refuse_with("angles/corners", 5, 42), "angles.corners: row 1: found "));
-  CHECK(contains(refuse_with("triangles", 3, 42), "triangles: row 1: found "));
-  CHECK(contains(refuse_with("fixed", 0, -5), "fixed: row 0: found particle -5"));
-  CHECK(contains(refuse_with("volumes/corners", 1, 42), "corners: row 0: found particle 42"));
-  CHECK(contains(refuse_with("volumes/corners", 1, -1), "corners: row 0: found particle -1"));
-  CHECK(contains(refuse_with("skin/corners", 9, 42), "skin.corners: row 2: found "));
+  CHECK(contains(refuse_with("springs/ends", 7, 4200), "springs.ends: row 3: got "));
+  CHECK(contains(refuse_with("bonds/ends", 0, -1), "bonds.ends: row 0: got "));
+  CHECK(contains(refuse_with("angles/corners", 5, 42), "angles.corners: row 1: got "));
+  CHECK(contains(refuse_with("triangles", 3, 42), "triangles: row 1: got "));
+  CHECK(contains(refuse_with("fixed", 0, -5), "fixed: row 0: got particle -5"));
+  CHECK(contains(refuse_with("volumes/corners", 1, 42), "corners: row 0: got particle 42"));
+  CHECK(contains(refuse_with("volumes/corners", 1, -1), "corners: row 0: got particle -1"));
+  CHECK(contains(refuse_with("skin/corners", 9, 42), "skin.corners: row 2: got "));
 }
 
 TEST_CASE("numbers no tissue has are refused") {
-  CHECK(contains(refuse_with("mass", 2, -1.0), "mass: row 2: found -1, expected"));
+  CHECK(contains(refuse_with("mass", 2, -1.0), "mass: row 2: got -1, expected"));
   CHECK(contains(refuse_with("springs/stiffness", 0, -1.0), "springs.stiffness: row 0"));
   CHECK(contains(refuse_with("home", 1, -1.0), "home: row 1"));
   CHECK(contains(refuse_with("volumes/rest_volume", 0, 0.0), "volumes/rest_volume: row 0"));
-  CHECK(contains(refuse_with("volumes/bulk", 0, -2.0), "volumes.bulk: row 0: found -2 Pa"));
-  CHECK(contains(refuse_with("skin/weights", 8, 0.5), "skin.weights: row 2: found a sum of 0.5"));
+  CHECK(contains(refuse_with("volumes/bulk", 0, -2.0), "volumes.bulk: row 0: got -2 Pa"));
+  CHECK(contains(refuse_with("skin/weights", 8, 0.5), "skin.weights: row 2: got a sum of 0.5"));
   CHECK(contains(refuse_with("angles/rest_cosine", 0, 2.0), "angles/rest_cosine: row 0"));
-  CHECK(contains(refuse_with("mass", 2, 1e-300), "mass: row 2: found 1e-300, expected"));
-  CHECK(contains(refuse_with("rest_position", 60, 1e200), "rest_position: row 20: found 1e+200"));
+  CHECK(contains(refuse_with("mass", 2, 1e-300), "mass: row 2: got 1e-300, expected"));
+  CHECK(contains(refuse_with("rest_position", 60, 1e200), "rest_position: row 20: got 1e+200"));
 }
 
 TEST_CASE("derived numbers that are not those of the tissue are refused") {
@@ -191,7 +191,7 @@ TEST_CASE("derived numbers that are not those of the tissue are refused") {
   std::memcpy(changed.arrays.at("scene/rest_areas").bytes.data(), &area, sizeof(area));
 
   CHECK(contains(refusal([&] { scenario::unpack(changed, "file"); }),
-                 "scene.rest_areas: row 0: found 1, expected "));
+                 "scene.rest_areas: row 0: got 1, expected "));
 }
 
 TEST_CASE("a table that is missing, too much, or of another shape is refused") {
@@ -203,9 +203,9 @@ TEST_CASE("a table that is missing, too much, or of another shape is refused") {
   type.arrays.at("scene/tissue/mass").dtype = Dtype::i8;
 
   CHECK(refusal([&] { scenario::unpack(missing, "file"); }) ==
-        "file: scene/tissue/mass: found no such array, expected one; it may be empty");
+        "file: scene/tissue/mass: got no such array, expected one; it may be empty");
   CHECK(contains(refusal([&] { scenario::unpack(extra, "file"); }), "no known table"));
-  CHECK(contains(refusal([&] { scenario::unpack(shape, "file"); }), "found shape (3, 42)"));
+  CHECK(contains(refusal([&] { scenario::unpack(shape, "file"); }), "got shape (3, 42)"));
   CHECK(contains(refusal([&] { scenario::unpack(type, "file"); }), "expected (n) of <f8"));
 }
 
@@ -218,24 +218,24 @@ TEST_CASE("more rows than any tissue that ticks are refused before they are work
   position = {Dtype::f8, {count, 3}, Bytes(static_cast<std::size_t>(24 * count))};
 
   CHECK(contains(refusal([&] { scenario::unpack(changed, "file"); }),
-                 "rest_position: found 20001 rows, expected at most 20000"));
+                 "rest_position: got 20001 rows, expected at most 20000"));
 }
 
 TEST_CASE("a number, a text or a choice in the manifest that is none is refused by name") {
   CHECK(contains(refuse_content("\"rate\":800.0", "\"rate\":\"fast\""),
-                 "content.scene.rate: found \"fast\", expected a number"));
+                 "content.scene.rate: got \"fast\", expected a number"));
   CHECK(contains(refuse_content("\"rate\":800.0", "\"rate\":-1"),
-                 "scene.rate: found -1, expected 1 to 20000 Hz"));
-  CHECK(contains(refuse_content("\"rate\":800.0,", ""), "content.scene.rate: found nothing"));
+                 "scene.rate: got -1, expected 1 to 20000 Hz"));
+  CHECK(contains(refuse_content("\"rate\":800.0,", ""), "content.scene.rate: got nothing"));
   CHECK(contains(refuse_content("\"rate\"", "\"pace\":1,\"rate\""), "unknown member \"pace\""));
   CHECK(contains(refuse_content("\"isotropic\"", "\"sticky\""),
-                 "damping_law: found \"sticky\", expected one of axis, isotropic"));
+                 "damping_law: got \"sticky\", expected one of axis, isotropic"));
   CHECK(contains(refuse_content("\"radius\":0.004", "\"radius\":0"), "tool.radius"));
-  CHECK(contains(refuse_content("[0.1,-0.2,-9.81]", "[0.1,-0.2]"), "gravity: found a list of 2"));
+  CHECK(contains(refuse_content("[0.1,-0.2,-9.81]", "[0.1,-0.2]"), "gravity: got a list of 2"));
   CHECK(contains(refuse_content("[0.1,-0.2,-9.81]", "[0.1,-0.2,[]]"), "gravity"));
   CHECK(contains(refuse_content("\"substeps\":", "\"substeps\":0.5,\"unused\":"), "substeps"));
   CHECK(contains(refuse_content("\"substeps\":", "\"substeps\":0,\"unused\":"), "substeps"));
-  CHECK(contains(refuse_content("\"title\":", "\"title\":7,\"unused\":"), "title: found 7"));
+  CHECK(contains(refuse_content("\"title\":", "\"title\":7,\"unused\":"), "title: got 7"));
   CHECK(contains(refuse_content("\"authored\":", "\"authored\":[],\"unused\":"), "authored"));
 }
 
@@ -250,14 +250,14 @@ TEST_CASE("languages that are none, are unknown in form or hold anything but wor
     }
   }
 
-  CHECK(contains(refuse_languages("[]"), "content.languages: found a list of 0, expected an obj"));
-  CHECK(contains(refuse_languages("{\"TR\":{}}"), "found the code \"TR\", which does not begin"));
-  CHECK(contains(refuse_languages("{\"tr\":7}"), "languages.tr: found 7, expected an object"));
-  CHECK(contains(refuse_languages("{\"tr\":{}}"), "languages.tr.title: found nothing"));
-  CHECK(contains(refuse_languages("{\"tr\":{\"title\":\"\",\"task\":1}}"), "tr.task: found 1"));
+  CHECK(contains(refuse_languages("[]"), "content.languages: got a list of 0, expected an obj"));
+  CHECK(contains(refuse_languages("{\"TR\":{}}"), "got the code \"TR\", which does not begin"));
+  CHECK(contains(refuse_languages("{\"tr\":7}"), "languages.tr: got 7, expected an object"));
+  CHECK(contains(refuse_languages("{\"tr\":{}}"), "languages.tr.title: got nothing"));
+  CHECK(contains(refuse_languages("{\"tr\":{\"title\":\"\",\"task\":1}}"), "tr.task: got 1"));
   CHECK(contains(refuse_languages("{\"tr\":{\"title\":\"\",\"task\":\"\",\"tas\":1}}"),
                  "unknown member \"tas\""));
-  CHECK(contains(refuse_languages("{" + many + "}"), "found 52 languages, expected at most 50"));
+  CHECK(contains(refuse_languages("{" + many + "}"), "got 52 languages, expected at most 50"));
 }
 
 TEST_CASE("a scenario that could not be read is not written") {
@@ -267,21 +267,21 @@ TEST_CASE("a scenario that could not be read is not written") {
     return bad_argument([&] { scenario::pack_container(scenario::pack(made)); });
   };
 
-  CHECK(contains(refused([](Scenario& s) { s.title.assign(201, 'a'); }), "title: found 201 bytes"));
+  CHECK(contains(refused([](Scenario& s) { s.title.assign(201, 'a'); }), "title: got 201 bytes"));
   CHECK(contains(refused([](Scenario& s) { s.task = "\xff"; }), "not UTF-8"));
-  CHECK(contains(refused([](Scenario& s) { s.authored = "{"; }), "authored: found text that is"));
+  CHECK(contains(refused([](Scenario& s) { s.authored = "{"; }), "authored: got text that is"));
   CHECK(contains(refused([](Scenario& s) { s.scene.rest_areas.clear(); }), "rest_areas"));
   CHECK(contains(refused([](Scenario& s) { s.scene.spectrum_stiffness *= 0.5; }), "spectrum"));
   CHECK(contains(refused([](Scenario& s) { s.scene = Scene{}; }), "result of build_scene"));
   CHECK(contains(refused([](Scenario& s) { s.scene.tissue.mass[0] = 0.0; }), "mass: row 0"));
   CHECK(contains(refused([](Scenario& s) { s.authored_arrays["../up"] = {}; }), "the name"));
-  CHECK(contains(refused([](Scenario& s) { s.languages["TR"] = {}; }), "found the code \"TR\""));
+  CHECK(contains(refused([](Scenario& s) { s.languages["TR"] = {}; }), "got the code \"TR\""));
   CHECK(contains(refused([](Scenario& s) { s.languages["tr"].title.assign(201, 'a'); }),
-                 "languages.tr.title: found 201 bytes"));
+                 "languages.tr.title: got 201 bytes"));
   CHECK(contains(refused([](Scenario& s) {
                    for (char a = 'a'; a <= 'z'; ++a) {
                      s.languages[{a, 'a'}] = s.languages[{a, 'b'}] = {};
                    }
                  }),
-                 "languages: found 52, expected at most 50"));
+                 "languages: got 52, expected at most 50"));
 }

@@ -295,7 +295,7 @@ TEST_CASE("blocks that unpack to more than any writer makes are refused before t
 
     const std::string text = refusal(folder, bytes);
 
-    // a stream that is none, but nobody has looked: of the first block, and of no other
+    // a stream that is none, but nothing has checked: of the first block, and of no other
     CHECK(text.find("block 0 at byte") != std::string::npos);
     CHECK(text.find("expected at least a 256th") != std::string::npos);
   }
@@ -321,7 +321,7 @@ TEST_CASE("a newer version is refused with a sentence that says so") {
 
   const std::string text = refusal(folder, bytes);
 
-  CHECK(text.find("version: found 2, expected 1") != std::string::npos);
+  CHECK(text.find("version: got 2, expected 1") != std::string::npos);
   CHECK(text.find("newer") != std::string::npos);
 }
 

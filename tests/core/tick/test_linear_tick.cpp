@@ -65,7 +65,7 @@ TEST_CASE("a linear solid runs from its response, unless the reference is asked 
   CHECK(reference.response == nullptr);
   CHECK(!has_packed_form(scene.tissue));
   CHECK(find_refusal([&] { pack(scene.tissue); }) ==
-        "elastic: found 750 rows, expected none: linear solids have no packed form");
+        "elastic: got 750 rows, expected none: linear solids have no packed form");
   Scene springs;
   springs.kernel = Kernel::response;
   springs.tissue = scenes::make_solid_organ(2, 0.0);

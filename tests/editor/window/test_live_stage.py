@@ -290,7 +290,7 @@ def test_an_organ_that_cannot_be_compiled_is_refused_with_the_reason(panel, qtbo
     panel.toggle()
     qtbot.waitUntil(lambda: not panel.runner.waiting, timeout=LONG)
     assert not panel.running
-    assert len(told) == 1 and told[0].startswith("The organ cannot be tested yet: found ")
+    assert len(told) == 1 and told[0].startswith("The organ cannot be tested yet: got ")
     assert "50 N" in told[0] and ", expected " in told[0]
 
 

@@ -364,12 +364,8 @@
         <translation>%1: uzantı .obj ya da .stl olmalı, verilen '%2'</translation>
     </message>
     <message>
-        <source>%1: found %2, expected %3</source>
-        <translation>%1: bulunan: %2; beklenen: %3</translation>
-    </message>
-    <message>
         <source>%1: got %2, expected %3</source>
-        <translation>%1: verilen: %2; beklenen: %3</translation>
+        <translation>%1: bulunan: %2; beklenen: %3</translation>
     </message>
     <message>
         <source>%1: has no calibration</source>

@@ -17,9 +17,9 @@ std::string write_text(const Parts&... parts) {
 
 /// Throws std::invalid_argument with the sentence every refusal of an argument has: where, what
 /// was found there, what was expected.
-[[noreturn]] inline void refuse(const std::string& where, const std::string& found,
+[[noreturn]] inline void refuse(const std::string& where, const std::string& got,
                                 const std::string& expected) {
-  throw std::invalid_argument(where + ": found " + found + ", expected " + expected);
+  throw std::invalid_argument(where + ": got " + got + ", expected " + expected);
 }
 
 }  // namespace palpate

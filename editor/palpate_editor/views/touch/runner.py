@@ -260,6 +260,6 @@ def describe_refusal(problems: Sequence[Problem]) -> str:
     red = [p for p in problems if p.severity == "error" and p.stage != "publish"]
     if not red:
         return tr("The organ cannot be tested yet.")
-    return tr("The organ cannot be tested yet: found {found}, expected {expected}.").format(
-        found=say(red[0].found), expected=say(red[0].expected)
+    return tr("The organ cannot be tested yet: got {got}, expected {expected}.").format(
+        got=say(red[0].found), expected=say(red[0].expected)
     )
