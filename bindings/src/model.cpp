@@ -146,7 +146,7 @@ void bind_prisms(py::module_& m) {
               [](const Prisms& self) { return write_text(self.corners.size(), " prisms"); });
 }
 
-/// As validate() would refuse it anyway, but before a table is looked at by index.
+/// As validate() would refuse it anyway, but before a table is read by index.
 TissueModel make_model(const Numbers& rest_position, const Numbers& mass, const Integers& fixed,
                        const Links& springs, const Links& bonds, const Angles& angles,
                        const Prisms& prisms, const Volumes& volumes, const Elastic& elastic,

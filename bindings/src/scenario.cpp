@@ -245,7 +245,7 @@ void bind_scenario_type(py::module_& m) {
       .def_readwrite("task", &Scenario::task, "What the trainee is asked to do, in words.")
       .def_readonly("scene", &Scenario::scene, "The scene, ready to tick.")
       .def_readwrite("authored", &Scenario::authored,
-                     "JSON: the designer's document, which only the editor looks into.")
+                     "JSON: the designer's document, which only the editor reads.")
       .def_readonly("version", &Scenario::version,
                     "Filled by the reader: of the format, as the file had it.")
       .def_readonly("written_by", &Scenario::written_by,

@@ -23,9 +23,9 @@ constexpr int kSmoothRounds = 24;
 constexpr int kTradeRounds[] = {15, 20};
 
 /// Rounds that only work on the worst triangles left.
-constexpr int kMendRounds = 12;
+constexpr int kRepairRounds = 12;
 
-/// Of the path to the middle of the neighbours: all of it overshoots where everybody moves.
+/// Of the path to the middle of the neighbours: all of it overshoots where all of them move.
 constexpr double kStep = 0.6;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -242,7 +242,7 @@ void run_rounds(const BorderLines& lines, const SourceSurface& source, bool guar
                 SurfaceMesh& mesh) {
   const std::size_t allowed = guarded ? count_crossings(mesh) : 0;
   Moving moving(lines, source, mesh);
-  for (int round = 0; round < kSmoothRounds + kMendRounds; ++round) {
+  for (int round = 0; round < kSmoothRounds + kRepairRounds; ++round) {
     for (int pass = 0; pass < kFlipsPerRound; ++pass) {
       if ((guarded ? flip_guarded(allowed, mesh) : flip_edges(mesh)) == 0) break;
     }

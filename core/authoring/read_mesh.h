@@ -10,8 +10,8 @@
 
 namespace palpate::authoring {
 
-/// One named part of a scene: its node's transforms applied, mirrored winding mended. Still a list
-/// of triangles as the file had it: vertices may be doubled, neighbours may disagree.
+/// One named part of a scene: its node's transforms applied, mirrored winding turned back. Still a
+/// list of triangles as the file had it: vertices may be doubled, neighbours may disagree.
 struct ImportedPart {
   std::string name;
   SurfaceMesh mesh;  ///< in units and axes of the file

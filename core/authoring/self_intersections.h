@@ -9,13 +9,13 @@
 
 namespace palpate::authoring {
 
-/// Pairs of triangles whose boxes overlap that are looked at before giving up: some seconds of
+/// Pairs of triangles whose boxes overlap that are checked before giving up: some seconds of
 /// work. The worst real organ seen (33 nested parts, 164,000 triangles) needs a tenth of it.
 inline constexpr std::int64_t kPairBudget = 30'000'000;
 
 /// Triangles that cross or overlap another one, ascending; triangles that only share a corner or
 /// an edge, as neighbours do, do not count. Predicates are exact. Works on any list of triangles,
-/// manifold or not. nullopt where more than `pair_budget` pairs would have to be looked at.
+/// manifold or not. nullopt where more than `pair_budget` pairs would have to be checked.
 std::optional<std::vector<int>> find_self_intersecting_faces(
     const SurfaceMesh& mesh, std::int64_t pair_budget = kPairBudget);
 

@@ -47,7 +47,7 @@ void require(bool done) {
 }
 
 /// Whether an end record at `end` would send libzip to a directory too large to be read. libzip
-/// looks for end records wherever a comment could have put one, so each of them counts.
+/// searches end records wherever a comment could have put one, so each of them counts.
 bool has_absurd_directory(std::span<const std::uint8_t> bytes, std::size_t end) {
   const std::uint8_t* at = bytes.data() + end;
   if (end >= kLocatorBytes &&

@@ -14,7 +14,7 @@ struct zip;
 
 namespace palpate::scenario {
 
-/// An archive in memory that is opened, looked through, and read entry by entry. Throws FileError
+/// An archive in memory that is opened, listed, and read entry by entry. Throws FileError
 /// for what is no plain archive of plain files; see CONTAINER.md.
 class ArchiveReader {
  public:

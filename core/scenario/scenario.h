@@ -36,7 +36,7 @@ struct Scenario {
   std::string title;            ///< UTF-8
   std::string task;             ///< what the trainee is asked to do, in words, UTF-8
   Scene scene;                  ///< as build_scene made it
-  std::string authored = "{}";  ///< JSON: the designer's document, which only the editor looks into
+  std::string authored = "{}";  ///< JSON: the designer's document, which only the editor reads
   Arrays authored_arrays;       ///< what belongs to it
   int version = 0;              ///< filled by the reader: of the format, as the file had it
   std::string written_by;       ///< filled by the reader: which program and version wrote the file

@@ -12,7 +12,7 @@
 namespace palpate {
 namespace {
 
-constexpr std::uint64_t kStep = SimAvr::kTick / 20;  ///< [cycles] between looks at pins and wire
+constexpr std::uint64_t kStep = SimAvr::kTick / 20;  ///< [cycles] between reads of pins and wire
 constexpr double kStepTime = static_cast<double>(kStep) / SimAvr::kFrequency;  ///< [s]
 
 std::vector<std::uint8_t> build_eeprom(const Plant& plant) {

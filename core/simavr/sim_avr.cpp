@@ -109,7 +109,7 @@ void SimAvr::hang_main_loop() {
   std::copy(jump_to_itself, jump_to_itself + 2, at);
 }
 
-void SimAvr::mend_main_loop() {
+void SimAvr::restore_main_loop() {
   std::copy(chip_->patched, chip_->patched + 2, chip_->avr->flash + chip_->patched_at);
 }
 

@@ -69,7 +69,7 @@ class SimAvr {
   /// Puts an endless loop under the main loop's feet, as an error in it would.
   void hang_main_loop();
   /// Takes the endless loop out again, for the program after the reset.
-  void mend_main_loop();
+  void restore_main_loop();
 
   void start_profile();
   SimAvrProfile profile() const;

@@ -240,29 +240,29 @@ TEST_CASE("single leaps, as a bad sample now and then is one, are borne") {
 
 // Joint 1 under torque flickers as a live one would not, while others go to and fro by 100 counts.
 // Returns how far one of them went [counts] until the device noticed, or 20000.
-static int find_way_of_a_stuck_joint(Bench& bench, bool both) {
+static int find_travel_beside_a_stuck_joint(Bench& bench, bool both) {
   bench.power_up();
-  int way = 0;
-  for (; bench.host.state.mode == PALPATE_RUN && way < 20000; way += 5) {
-    const int at = way % 200;
+  int travel = 0;
+  for (; bench.host.state.mode == PALPATE_RUN && travel < 20000; travel += 5) {
+    const int at = travel % 200;
     const auto counts = static_cast<std::uint16_t>(500 + (at < 100 ? at : 200 - at));
     bench.board.adc[0] = counts;
     if (both) bench.board.adc[2] = counts;
-    bench.board.adc[1] = static_cast<std::uint16_t>(512 + way % 2);
+    bench.board.adc[1] = static_cast<std::uint16_t>(512 + travel % 2);
     bench.drive(1, 0, 20000, 0);
   }
-  return way;
+  return travel;
 }
 
 TEST_CASE("a sensor stuck in its middle is found once both others went 512 counts, or one 8192") {
   Bench bench;
-  const int both = find_way_of_a_stuck_joint(bench, true);
+  const int both = find_travel_beside_a_stuck_joint(bench, true);
   CHECK(both > 500);
   CHECK(both < 650);
   check_latched(bench, PALPATE_FAULT_SENSOR);
 
   Bench other;
-  const int one = find_way_of_a_stuck_joint(other, false);
+  const int one = find_travel_beside_a_stuck_joint(other, false);
   CHECK(one > 8150);
   CHECK(one < 9000);
   check_latched(other, PALPATE_FAULT_SENSOR);

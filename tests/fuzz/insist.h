@@ -6,7 +6,7 @@
 
 namespace palpate::fuzz {
 
-/// Ends the process where a claim does not hold: that is what a fuzzer looks for.
+/// Ends the process where a claim does not hold: that is what a fuzzer searches for.
 inline void insist(bool holds, const char* claim) {
   if (holds) return;
   std::fprintf(stderr, "not so: %s\n", claim);

@@ -175,7 +175,7 @@ struct Flicks {
 };
 
 /// Flicks a 1.5 mm tip at `places` places from 6 mm outside to 12 mm inside at `speed` [m/s],
-/// holds it there for 20 ms, and looks after every tick whether the tool is inside.
+/// holds it there for 20 ms, and checks after every tick whether the tool is inside.
 Flicks flick(const Scene& scene, int places, double speed) {
   const Vec3Array normals =
       compute_vertex_normals(scene.tissue.rest_position, scene.tissue.triangles);

@@ -46,14 +46,14 @@ Swing swing(const Plant& plant, double stiffness, int ticks, double seconds,
   std::deque<Vec3> late(static_cast<std::size_t>(ticks), Vec3::Zero());
   Swing swing;
   for (int k = 0; k < seconds / kTick; ++k) {
-    const Vec3 way = rest - compute_tip(arm, state.joints);
-    late.push_back(per_torque * (compute_jacobian(arm, state.joints).transpose() * way) *
+    const Vec3 offset = rest - compute_tip(arm, state.joints);
+    late.push_back(per_torque * (compute_jacobian(arm, state.joints).transpose() * offset) *
                    stiffness);
     move_plant(plant, {late.front(), true}, hand, kTick, state);
     late.pop_front();
-    if (k * kTick < 1.0) swing.early = std::max(swing.early, way.norm());
-    if (k * kTick >= seconds - 1.0) swing.late = std::max(swing.late, way.norm());
-    if (way.norm() > 0.03) return {swing.early, 1.0};  // gone
+    if (k * kTick < 1.0) swing.early = std::max(swing.early, offset.norm());
+    if (k * kTick >= seconds - 1.0) swing.late = std::max(swing.late, offset.norm());
+    if (offset.norm() > 0.03) return {swing.early, 1.0};  // gone
   }
   return swing;
 }

@@ -152,13 +152,14 @@ TEST_CASE("a packet of waves travels with l sqrt(k/m) cos(q l / 2)") {
     State state = make_packet(model, phase, 100.0, 20.0);
     const double start = find_middle(offsets(model, state));
     // the packet holds phases a few hundredths off, slower or faster by a quarter of their square
-    const double way = 100.0, speed = kRate * std::cos(0.5 * phase), duration = way / speed;
+    const double distance = 100.0, speed = kRate * std::cos(0.5 * phase),
+                 duration = distance / speed;
 
     for (int s = 0; s < 4000; ++s) {
       step(model, Load(), duration / 4000, Integrator::runge_kutta_4, state);
     }
 
-    CHECK(find_middle(offsets(model, state)) - start == Approx(way).epsilon(0.01));
+    CHECK(find_middle(offsets(model, state)) - start == Approx(distance).epsilon(0.01));
   }
 }
 

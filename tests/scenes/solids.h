@@ -25,21 +25,21 @@ inline SolidMesh make_block(const Vec3& sides, const std::array<int, 3>& cells) 
       }
     }
   }
-  // the six ways from one corner of a cell to the one opposite, an axis at a time
-  constexpr std::array<std::array<int, 3>, 6> kWays = {
+  // the six paths from one corner of a cell to the one opposite, an axis at a time
+  constexpr std::array<std::array<int, 3>, 6> kPaths = {
       {{{0, 1, 2}}, {{1, 2, 0}}, {{2, 0, 1}}, {{0, 2, 1}}, {{2, 1, 0}}, {{1, 0, 2}}}};
   for (int k = 0; k < nz; ++k) {
     for (int j = 0; j < ny; ++j) {
       for (int i = 0; i < nx; ++i) {
-        for (std::size_t way = 0; way < kWays.size(); ++way) {
+        for (std::size_t path = 0; path < kPaths.size(); ++path) {
           std::array<int, 3> at = {i, j, k};
           std::array<int, 4> corners{};
           corners[0] = number(i, j, k);
           for (std::size_t s = 0; s < 3; ++s) {
-            ++at[static_cast<std::size_t>(kWays[way][s])];
+            ++at[static_cast<std::size_t>(kPaths[path][s])];
             corners[s + 1] = number(at[0], at[1], at[2]);
           }
-          if (way >= 3) std::swap(corners[2], corners[3]);
+          if (path >= 3) std::swap(corners[2], corners[3]);
           solid.tetrahedra.push_back(corners);
         }
       }

@@ -10,7 +10,7 @@
 namespace palpate {
 namespace {
 
-constexpr std::size_t kRing = 1024;  // of what is under way
+constexpr std::size_t kRing = 1024;  // of what is in transit
 constexpr double kSlack = 1e-9;      // [s] that times are rounded by
 
 void require_share(const char* field, double value) {
@@ -155,7 +155,7 @@ void FaultyTransport::pass(double time, Parcel parcel, Channel& channel) noexcep
 
 /// Brings up what has come, frame by frame, and takes down what is due.
 void FaultyTransport::pump(double time) noexcept {
-  if (time < now_) {  // a new run: what is under way arrives in it
+  if (time < now_) {  // a new run: what is in transit arrives in it
     for (Channel* channel : {&up_, &down_}) {
       for (std::size_t i = 0; i < channel->count; ++i)
         channel->ring[(channel->first + i) % kRing].due = time;

@@ -62,7 +62,7 @@ class FaultyDevice : public HapticDevice {
   std::atomic<double> now_{0.0};
   HapticSample last_, held_;
   bool holding_ = false;
-  std::vector<Late> samples_, commands_;  ///< rings of what is under way
+  std::vector<Late> samples_, commands_;  ///< rings of what is in transit
   std::size_t next_sample_ = 0, next_command_ = 0;
 };
 

@@ -17,7 +17,7 @@ namespace palpate {
 namespace {
 
 constexpr double kTick = 1e-3;       // [s] of the device
-constexpr int kStepsPerTick = 20;    // at which it looks at its wire
+constexpr int kStepsPerTick = 20;    // at which it reads its wire
 constexpr std::size_t kRing = 8192;  // bytes on their way; a power of two
 
 /// Bytes that are on their way, each with the time it arrives. Full, it loses the newest.

@@ -77,7 +77,7 @@ struct SerialDevice::Impl {
 
 /// Angles of the newest report, and what the hand does by them: v = J dq/dt, the joints' speeds by
 /// windows that adapt to what a count is. Between two counts a joint goes on as it went, never out
-/// of what the count leaves open: steps of 0.3 mm would be blows to the tissue, and this smooths
+/// of what the count leaves open: steps of 0.3 mm would be impacts on the tissue, and this smooths
 /// them without being late.
 void SerialDevice::Impl::take_report(double time) noexcept {
   const Calibration* calibration = link.calibration();

@@ -20,7 +20,7 @@ class TreeCost {
   /// From now on, against what this tree costs now.
   explicit TreeCost(const AabbTree& tree) noexcept;
 
-  /// Looks at the next part; call it once after every refit of the same tree.
+  /// Measures the next part; call it once after every refit of the same tree.
   void follow(const AabbTree& tree) noexcept;
 
   /// [-] The cost over that at the start, as the last whole round found it; 1 before that.

@@ -88,14 +88,14 @@ class Embree : public Peer {
     rtcInitIntersectContext(&context);
     for (std::size_t q = 0; q < count; ++q) {
       const Point from = work.from[q].cast<float>();
-      const Point way = work.to[q].cast<float>() - from;
+      const Point along = work.to[q].cast<float>() - from;
       RTCRayHit ray{};
-      ray.ray = {from.x(), from.y(), from.z(), 0.0f, way.x(), way.y(),
-                 way.z(),  0.0f,     1.0f,     ~0u,  0,       0};
+      ray.ray = {from.x(),  from.y(), from.z(), 0.0f, along.x(), along.y(),
+                 along.z(), 0.0f,     1.0f,     ~0u,  0,         0};
       ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
       rtcIntersect1(scene_, &context, &ray);
       const bool hit = ray.hit.geomID != RTC_INVALID_GEOMETRY_ID;
-      answers[q] = hit ? double(ray.ray.tfar) * double(way.norm()) : -1.0;
+      answers[q] = hit ? double(ray.ray.tfar) * double(along.norm()) : -1.0;
     }
   }
   void closest(const Workload& work, std::size_t count, std::vector<double>& answers) override {

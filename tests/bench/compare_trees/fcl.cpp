@@ -48,11 +48,12 @@ class Fcl : public Peer {
 
   void segment(const Workload& work, std::size_t count, std::vector<double>& answers) override {
     for (std::size_t q = 0; q < count; ++q) {
-      const Vec3 way = work.to[q] - work.from[q];
+      const Vec3 along = work.to[q] - work.from[q];
       fcl::Transform3d pose = fcl::Transform3d::Identity();
-      pose.linear() = Quaternion::FromTwoVectors(Vec3::UnitZ(), way).toRotationMatrix();
+      pose.linear() = Quaternion::FromTwoVectors(Vec3::UnitZ(), along).toRotationMatrix();
       pose.translation() = 0.5 * (work.from[q] + work.to[q]);
-      const fcl::CollisionObjectd capsule(std::make_shared<fcl::Capsuled>(1e-9, way.norm()), pose);
+      const fcl::CollisionObjectd capsule(std::make_shared<fcl::Capsuled>(1e-9, along.norm()),
+                                          pose);
       fcl::CollisionRequestd request;
       fcl::CollisionResultd result;
       answers[q] = fcl::collide(surface_.get(), &capsule, request, result) > 0 ? 0.0 : -1.0;

@@ -100,7 +100,7 @@ TEST_CASE("what the arm cannot reach has no joints") {
   CHECK_FALSE(is_within(arm, {70.0 * kDegree, 0.5, 0.5}));   // too far to the right
 }
 
-TEST_CASE("the Jacobian is the tip's derivative and has the determinant of the book") {
+TEST_CASE("the Jacobian is the tip's derivative and its determinant r L1 L2 cos(q2 - q3)") {
   const Arm arm;
   constexpr double kStep = 1e-6;
 

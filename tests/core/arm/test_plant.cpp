@@ -51,7 +51,7 @@ TEST_CASE("the mass matrix has the kinetic energy of the arm cut into small piec
   }
 }
 
-TEST_CASE("the tip feels as heavy as the design of the device says: 55 to 210 g") {
+TEST_CASE("the tip is felt with a mass of 55 to 210 g along every axis of the workspace") {
   const Plant plant;
   const Arm arm = find_arm(plant);
 

@@ -311,8 +311,8 @@ TEST_CASE("the round trip, the reports' rate and the clocks' drift are measured"
   CHECK(status.damaged_frames == 0);
   CHECK(status.round_trip_median >= 2e-3);  // a millisecond each way
   CHECK(status.round_trip_median <= 5e-3);
-  CHECK(std::abs(status.clock_drift - 500e-6) < 75e-6);  // as fine as a look each millisecond is
-  CHECK(status.jitter_p99 < 1.1e-3);                     // looked at once a millisecond
+  CHECK(std::abs(status.clock_drift - 500e-6) < 75e-6);  // as fine as a reading each millisecond is
+  CHECK(status.jitter_p99 < 1.1e-3);                     // read once a millisecond
 }
 
 TEST_CASE("a host that answers when the report has come is up to a millisecond less late") {
@@ -320,7 +320,7 @@ TEST_CASE("a host that answers when the report has come is up to a millisecond l
     DeviceBench bench;
     bench.device.open();
     bench.run(1e-3, kNothing);
-    bench.time += phase;  // of the device's millisecond in which the host looks
+    bench.time += phase;  // of the device's millisecond in which the host reads
     bench.run(1.2, kNothing);
     return bench.status().round_trip_median;
   };

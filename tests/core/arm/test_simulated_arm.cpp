@@ -28,7 +28,7 @@ TEST_CASE("a script moves the simulated arm, which is where the script is but fo
   CHECK(hand.last_command.force == Vec3::Zero());
 }
 
-TEST_CASE("a force yields the hand: it gives way by force over stiffness") {
+TEST_CASE("a force moves the hand by force over stiffness") {
   ScriptedDevice hand({{0.0, Vec3::Zero()}});
   Plant plant;
   plant.dry_friction.setZero();

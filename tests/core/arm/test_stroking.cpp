@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What looks for leaping and stuck sensors must leave a hand alone that strokes fast, as in a
+// What watches for leaping and stuck sensors must leave a hand alone that strokes fast, as in a
 // palpation: sideways, to and from the body, in circles, and about the arm's own axis, where only
 // the yaw moves while the other two joints push.
 #include <doctest/doctest.h>

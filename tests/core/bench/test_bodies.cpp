@@ -22,7 +22,7 @@ TissueModel make_damped_solid(double nodal_share) {
   return scenes::make_solid_organ(4, nodal_share, {.damping_ratio = 0.2, .drag = 2.0});
 }
 
-/// [m] The largest way between both forms after some steps from the same push.
+/// [m] The largest distance between both forms after some steps from the same push.
 double compare_steps(const TissueModel& model) {
   State ours(model), naive(model);
   const auto top = static_cast<std::size_t>(model.triangles.front()[0]);
@@ -67,12 +67,12 @@ TEST_CASE("a naive response goes where that of floats goes") {
     naive.step(scene.tissue, world.load, 0.2, y);
   }
 
-  double way = 0.0;
+  double moved = 0.0;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    way = std::max(way, (y[i] - scene.tissue.rest_position[i]).norm());
+    moved = std::max(moved, (y[i] - scene.tissue.rest_position[i]).norm());
     CHECK((x[i] - y[i]).norm() < 1e-8);
   }
-  CHECK(way > 5e-4);
+  CHECK(moved > 5e-4);
 }
 
 TEST_CASE("a body is pressed from outside, never at a particle within it") {

@@ -104,7 +104,7 @@ TEST_CASE("a step of the force arrives at no more than the slew limit") {
   CHECK(safe.limited_count() == 3);
 }
 
-TEST_CASE("a pause saves up no slew for a blow") {
+TEST_CASE("a pause saves up no slew for a jump of the force") {
   Puppet puppet;
   SafeDevice safe(puppet, {.force_max = 5.0, .slew_max = 500.0, .ramp_time = 0.01});
   double time = 0.0;
@@ -141,7 +141,7 @@ TEST_CASE("a sample that is not finite latches: the hand stays and the force is 
   }
 }
 
-TEST_CASE("every number of a sample is looked at") {
+TEST_CASE("every number of a sample is checked") {
   const auto faults = [](auto poison) {
     Puppet puppet;
     poison(puppet.hand);

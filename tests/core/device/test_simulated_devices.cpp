@@ -151,9 +151,9 @@ TEST_CASE("a pointer's hand does not hurry after ticks that were missed") {
   punctual.set(sample);
   late.set(sample);
 
-  const double way = punctual.read(1.5e-3).position.z();
-  CHECK(way > 0.0);
-  CHECK(late.read(0.020).position.z() == way);
+  const double height = punctual.read(1.5e-3).position.z();
+  CHECK(height > 0.0);
+  CHECK(late.read(0.020).position.z() == height);
 }
 
 TEST_CASE("a pointer's hand is never faster than 1 m/s, however far the pointer jumps") {

@@ -12,7 +12,7 @@
 using namespace palpate;
 using namespace palpate::testing;
 
-TEST_CASE("no explicit step and no look for alarms allocates") {
+TEST_CASE("no explicit step and no check for alarms allocates") {
   TissueModel model = scenes::make_molecular_organ(1, {.damping_ratio = 0.2, .drag = 1.0});
   model.home.assign(model.mass.size(), 1.0);
   model.pressure = 100.0;

@@ -128,7 +128,7 @@ TEST_CASE("link forces sum to zero, exert no torque and turn with the body") {
   }
 }
 
-TEST_CASE("a home spring pulls by h times the way home") {
+TEST_CASE("a home spring pulls by h times the displacement from home") {
   const std::vector<double> home = {5.0};
   const Vec3Array rest = {{0, 0, 0}}, x = {{0.002, 0, -0.001}};
   Vec3Array f(1, Vec3::Zero());

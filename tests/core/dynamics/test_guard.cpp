@@ -13,9 +13,9 @@ using doctest::Approx;
 
 namespace {
 
-/// Looks at a tissue that `change` has done something to since the last look.
+/// Checks a tissue that `change` has done something to since the last check.
 template <class Change>
-Alarm look_after(const TissueModel& model, Change change, int steps = 1) {
+Alarm check_after(const TissueModel& model, Change change, int steps = 1) {
   State state(model);
   state.time = 0.25;
   Guard guard(model, Vec3::Zero(), state);
@@ -23,14 +23,14 @@ Alarm look_after(const TissueModel& model, Change change, int steps = 1) {
   return check(model, Vec3::Zero(), state, 0.0, guard, steps);
 }
 
-/// What the last of `looks` says of a tissue that stays as `change` has made it.
+/// What the last of `checks` says of a tissue that stays as `change` has made it.
 template <class Change>
-Alarm look_again(const TissueModel& model, Change change, int looks) {
+Alarm check_again(const TissueModel& model, Change change, int checks) {
   State state(model);
   Guard guard(model, Vec3::Zero(), state);
   change(state);
   Alarm alarm;
-  for (int i = 0; i < looks; ++i) alarm = check(model, Vec3::Zero(), state, 0.0, guard, 100);
+  for (int i = 0; i < checks; ++i) alarm = check(model, Vec3::Zero(), state, 0.0, guard, 100);
   return alarm;
 }
 
@@ -39,7 +39,7 @@ Alarm look_again(const TissueModel& model, Change change, int looks) {
 TEST_CASE("a tissue at rest raises no alarm, and none is false") {
   const TissueModel model = scenes::make_molecular_organ(1);
 
-  const Alarm alarm = look_after(model, [](State&) {});
+  const Alarm alarm = check_after(model, [](State&) {});
 
   CHECK_FALSE(alarm);
   CHECK(alarm.kind == AlarmKind::none);
@@ -48,8 +48,8 @@ TEST_CASE("a tissue at rest raises no alarm, and none is false") {
 TEST_CASE("what is not finite is found in positions and in velocities, with its particle") {
   const TissueModel model = scenes::make_chain_model(5);
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), double(INFINITY)}) {
-    const Alarm position = look_after(model, [&](State& s) { s.position[3].y() = bad; });
-    const Alarm velocity = look_after(model, [&](State& s) { s.velocity[2].z() = bad; });
+    const Alarm position = check_after(model, [&](State& s) { s.position[3].y() = bad; });
+    const Alarm velocity = check_after(model, [&](State& s) { s.velocity[2].z() = bad; });
 
     CHECK(position.kind == AlarmKind::not_finite);
     CHECK(position.index == 3);
@@ -64,7 +64,7 @@ TEST_CASE("a particle may move 0.3 of the shortest rest length in a step, farthe
   model.springs.rest_length[1] = 0.008;
   model.springs.stiffness = {1e-9, 1e-9};  // no energy worth an alarm
   // with a fifth more energy than was given: no alarm of energy, and none was given
-  const auto look = [&](double by, double part, int steps = 1) {
+  const auto check_move = [&](double by, double part, int steps = 1) {
     State state(model);
     state.velocity[1] = {0.1, 0, 0};  // 5 microjoules
     Guard guard(model, Vec3::Zero(), state);
@@ -73,15 +73,15 @@ TEST_CASE("a particle may move 0.3 of the shortest rest length in a step, farthe
     return check(model, Vec3::Zero(), state, 0.0, guard, steps);
   };
 
-  CHECK_FALSE(look(0.0023, 1.2));
-  const Alarm alarm = look(0.0025, 1.2);
+  CHECK_FALSE(check_move(0.0023, 1.2));
+  const Alarm alarm = check_move(0.0025, 1.2);
   CHECK(alarm.kind == AlarmKind::moved_far);
   CHECK(alarm.index == 1);
   CHECK(alarm.value == Approx(0.0025));
   CHECK(alarm.limit == Approx(0.0024));
-  CHECK_FALSE(look(0.0025, 1.2, 2));  // two steps between looks
-  CHECK_FALSE(look(0.0025, 1.0));     // it snapped, with the energy it had
-  CHECK_FALSE(look(0.1, 1.0));
+  CHECK_FALSE(check_move(0.0025, 1.2, 2));  // two steps between checks
+  CHECK_FALSE(check_move(0.0025, 1.0));     // it snapped, with the energy it had
+  CHECK_FALSE(check_move(0.1, 1.0));
 }
 
 TEST_CASE("a link may be strained by 9 and pressed to a twentieth, springs counted before bonds") {
@@ -92,15 +92,15 @@ TEST_CASE("a link may be strained by 9 and pressed to a twentieth, springs count
     return [part](State& s) { s.position[3].x() = s.position[2].x() + 0.01 * part; };
   };
 
-  CHECK_FALSE(look_again(model, stretch(9.9), 30));
-  const Alarm far = look_again(model, stretch(10.1), 10);
+  CHECK_FALSE(check_again(model, stretch(9.9), 30));
+  const Alarm far = check_again(model, stretch(10.1), 10);
   CHECK(far.kind == AlarmKind::overstretched);
   CHECK(far.index == 2);
   CHECK(far.value == Approx(9.1));
   CHECK(far.limit == 9.0);
 
-  CHECK_FALSE(look_again(model, stretch(0.06), 10));
-  const Alarm near = look_again(model, stretch(0.04), 10);
+  CHECK_FALSE(check_again(model, stretch(0.06), 10));
+  const Alarm near = check_again(model, stretch(0.04), 10);
   CHECK(near.kind == AlarmKind::collapsed);
   CHECK(near.index == 2);
   CHECK(near.value == Approx(0.04));
@@ -108,28 +108,28 @@ TEST_CASE("a link may be strained by 9 and pressed to a twentieth, springs count
   const auto stretch_all = [](State& s) {
     for (int i = 1; i < 4; ++i) s.position[i].x() *= 7.0;
   };
-  const Alarm bond = look_again(model, stretch_all, 10);
+  const Alarm bond = check_again(model, stretch_all, 10);
   CHECK(bond.kind == AlarmKind::overstretched);
   CHECK(bond.index == 3);
 }
 
-TEST_CASE("a link out of its bounds for nine looks has been flung, for ten it has blown up") {
+TEST_CASE("a link out of its bounds for nine checks has been flung, for ten it has blown up") {
   TissueModel model = scenes::make_chain_model(3);
   model.springs.stiffness.assign(2, 1e-9);
   const auto fling = [](State& s) { s.position[2].x() = s.position[1].x() + 0.11; };
   State state(model);
   Guard guard(model, Vec3::Zero(), state);
-  const auto look = [&] { return check(model, Vec3::Zero(), state, 0.0, guard, 100); };
+  const auto check_next = [&] { return check(model, Vec3::Zero(), state, 0.0, guard, 100); };
 
-  CHECK_FALSE(look_again(model, fling, 9));
-  CHECK(look_again(model, fling, 10).kind == AlarmKind::overstretched);
+  CHECK_FALSE(check_again(model, fling, 9));
+  CHECK(check_again(model, fling, 10).kind == AlarmKind::overstretched);
 
   fling(state);
-  for (int i = 0; i < 9; ++i) CHECK_FALSE(look());
+  for (int i = 0; i < 9; ++i) CHECK_FALSE(check_next());
   state.position[2] = model.rest_position[2];
-  CHECK_FALSE(look());
+  CHECK_FALSE(check_next());
   fling(state);
-  for (int i = 0; i < 9; ++i) CHECK_FALSE(look());  // counted from zero
+  for (int i = 0; i < 9; ++i) CHECK_FALSE(check_next());  // counted from zero
 }
 
 TEST_CASE("a link strained by more than 2 is an alarm where there is more energy than was given") {
@@ -172,7 +172,7 @@ TEST_CASE("energy from nowhere is an alarm at once when it is half as much again
   CHECK(alarm.limit == Approx(7.5e-6));
 }
 
-TEST_CASE("energy that rises three looks in a row without work is an alarm, twice is not") {
+TEST_CASE("energy that rises three checks in a row without work is an alarm, twice is not") {
   const TissueModel model = scenes::make_chain_model(3);
   State state(model);
   state.velocity[1] = {0.1, 0, 0};
@@ -244,7 +244,7 @@ TEST_CASE("work that damping has long taken does not make the alarm deaf") {
 TEST_CASE("trembling below 1 mm/s of the whole tissue is no alarm") {
   const TissueModel model = scenes::make_chain_model(3);
   const auto tremble = [&](double speed) {
-    return look_after(model, [speed](State& s) {
+    return check_after(model, [speed](State& s) {
       for (int i = 1; i < 3; ++i) s.velocity[i] = {speed, 0, 0};
     });
   };
@@ -253,9 +253,9 @@ TEST_CASE("trembling below 1 mm/s of the whole tissue is no alarm") {
   CHECK(tremble(1e-2).kind == AlarmKind::energy);
 }
 
-TEST_CASE("under Eq 10, which has no energy, geometry alone is looked at") {
+TEST_CASE("under Eq 10, which has no energy, geometry alone is checked") {
   const TissueModel model = scenes::make_molecular_organ(1, {}, AngleLaw::eq10);
 
-  CHECK_FALSE(look_after(model, [](State& s) { s.velocity[30] = {5.0, 0, 0}; }));
-  CHECK(look_after(model, [](State& s) { s.position[30] *= 1.5; }).kind == AlarmKind::moved_far);
+  CHECK_FALSE(check_after(model, [](State& s) { s.velocity[30] = {5.0, 0, 0}; }));
+  CHECK(check_after(model, [](State& s) { s.position[30] *= 1.5; }).kind == AlarmKind::moved_far);
 }

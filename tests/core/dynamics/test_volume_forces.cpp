@@ -208,7 +208,7 @@ TEST_CASE("near nu = 0.5 averaged volumes bend more easily than single ones, whi
   CHECK(soften(1.0) > 1.3 * soften(0.0));
 }
 
-TEST_CASE("a tetrahedron that stays inside out raises the alarm after ten looks") {
+TEST_CASE("a tetrahedron that stays inside out raises the alarm after ten checks") {
   const TissueModel model = build_solid(
       {{{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}, {0, 0, 0.01}}, {{0, 1, 2, 3}}}, Material{});
   State state(model);
@@ -216,10 +216,10 @@ TEST_CASE("a tetrahedron that stays inside out raises the alarm after ten looks"
   Guard guard(model, Vec3::Zero(), state);
 
   Alarm alarm;
-  int looks = 0;
-  for (; !alarm && looks < 20; ++looks) alarm = check(model, Vec3::Zero(), state, 0.0, guard);
+  int checks = 0;
+  for (; !alarm && checks < 20; ++checks) alarm = check(model, Vec3::Zero(), state, 0.0, guard);
 
-  CHECK(looks == 10);
+  CHECK(checks == 10);
   CHECK(alarm.kind == AlarmKind::inverted);
   CHECK(alarm.index == 0);
   CHECK(alarm.value == Approx(-1.0));

@@ -86,12 +86,12 @@ TEST_CASE("a tissue that collapses gets another tree, cheaper, and feels the sam
     different += tick(scene, sample, 1e-3, rebuilt).force != expected;
     touched += rebuilt.tool.touching;
     if (!wants_tree(rebuilt)) continue;
-    const double dear = compute_query_cost(rebuilt.tree);
+    const double before = compute_query_cost(rebuilt.tree);
     BuiltTree built = build_over(surface_position(rebuilt), scene.tissue.triangles);
     exchange_tree(built, rebuilt);
     ++rebuilds;
     CHECK_FALSE(wants_tree(rebuilt));
-    CHECK(compute_query_cost(rebuilt.tree) < 0.9 * dear);
+    CHECK(compute_query_cost(rebuilt.tree) < 0.9 * before);
     CHECK(internals(rebuilt).tree_cost.growth() == 1.0);
     check_queries(rebuilt);
   }

@@ -154,7 +154,7 @@ TEST_CASE("the image of the chip: a hung main loop ends in the watchdog's reset,
     print("hung main loop", baud, off);
     CHECK(off < 5.0);  // by the guard, which does not wait for the watchdog
     bench.wait(18.0 - off);
-    bench.chip.mend_main_loop();
+    bench.chip.restore_main_loop();
     bench.wait(60);
     bench.host.info = {};
     bench.say(bench.host.hello());

@@ -60,7 +60,7 @@ void advance(const Scene& scene, World& world, int begin, int end, Run& run) {
   }
 }
 
-/// Where the hand is from tick `at` on [m], on a straight way from the key before.
+/// Where the hand is from tick `at` on [m], on a straight path from the key before.
 struct Key {
   int at;
   double x, z;

@@ -81,7 +81,7 @@ std::vector<int> list_candidates(const World& world) {
   return {all.begin(), all.begin() + world.candidates.count};
 }
 
-/// Triangles that come within reach of the way looked along, one by one.
+/// Triangles that come within reach of the path, one by one.
 std::vector<int> find_by_force(const Scene& scene, std::span<const Vec3> x, const Vec3& from,
                                const Vec3& to) {
   std::vector<int> found;
@@ -172,7 +172,7 @@ TEST_CASE("no triangle within the tool's reach is missed, and no box is behind b
     }
     CHECK(in_reach > 100);
     CHECK(behind > 50);
-    // a press at 0.1 m/s is followed closely enough to look at few boxes
+    // a press at 0.1 m/s is followed closely enough to visit few boxes
     CHECK(most < 3.0 * c.scene.tool.radius);
   }
 }

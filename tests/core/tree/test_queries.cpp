@@ -85,7 +85,7 @@ void check_is_closest(const Vec3& p, const SurfacePoint& s, const Corners& k) {
   REQUIRE(std::abs(s.distance - (p - s.point).norm()) <= rounding);
 }
 
-/// A long-double crossing of a way with a triangle [MollerTrumbore97]: -1 where it misses, the
+/// A long-double crossing of a segment with a triangle [MollerTrumbore97]: -1 where it misses, the
 /// parameter where it hits, NaN where it is too close to an edge or an end to say.
 long double cross_in_long_double(const Vec3& from, const Vec3& to, const Corners& k) {
   using Long = Eigen::Matrix<long double, 3, 1>;
@@ -194,7 +194,7 @@ TEST_CASE("the triangles in a ball equal brute force") {
   });
 }
 
-TEST_CASE("the first triangle on a way equals brute force") {
+TEST_CASE("the first triangle on a segment equals brute force") {
   int hits = 0, asked = 0;
   for_each_soup([&](const Soup& soup, const AabbTree& tree, const Vec3Array& x) {
     Dice dice(24);
@@ -217,7 +217,7 @@ TEST_CASE("the first triangle on a way equals brute force") {
   CHECK(hits < 9 * asked / 10);
 }
 
-TEST_CASE("a way hits what an independent crossing in long double says it hits") {
+TEST_CASE("a segment hits what an independent crossing in long double says it hits") {
   int hits = 0, misses = 0;
   for_each_soup([&](const Soup& soup, const AabbTree& tree, const Vec3Array& x) {
     Dice dice(25);
@@ -251,7 +251,7 @@ TEST_CASE("a way hits what an independent crossing in long double says it hits")
   CHECK(misses > 100);
 }
 
-TEST_CASE("a way is stopped from both sides, at its ends too, and by nothing beyond them") {
+TEST_CASE("a segment is stopped from both sides, at its ends too, and by nothing beyond them") {
   const Vec3Array x = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
   const std::vector<Triangle> triangles = {{0, 1, 2}};
   const AabbTree tree(x, triangles);
@@ -269,7 +269,7 @@ TEST_CASE("a way is stopped from both sides, at its ends too, and by nothing bey
   CHECK_FALSE(find_ray_hit(tree, x, {1, 1, 2}, {0, 0, 0}));
 }
 
-TEST_CASE("no way slips between triangles that share an edge or a corner") {
+TEST_CASE("no segment slips between triangles that share an edge or a corner") {
   // aimed at edges and corners of a closed fan of thin triangles, from every side
   const int spokes = 17;
   Soup soup{"fan", {Vec3(0.013, -0.007, 0.003)}, {}};

@@ -44,7 +44,7 @@ TEST_CASE("what has no extent costs one visit") {
   CHECK(cost.growth() == 1.0);
 }
 
-TEST_CASE("a round of small looks finds the growth that one look at everything finds") {
+TEST_CASE("a round of small measurements finds the growth that one of everything finds") {
   const Soup soup = make_plain_soup(5000);
   AabbTree tree(soup.x, soup.triangles);
   const double before = compute_query_cost(tree);
@@ -65,7 +65,7 @@ TEST_CASE("a round of small looks finds the growth that one look at everything f
   CHECK(cost.growth() == doctest::Approx(compute_query_cost(tree) / before));
 }
 
-TEST_CASE("moving, growing and shrinking as a whole make no tree dearer") {
+TEST_CASE("moving, growing and shrinking as a whole make no tree costlier") {
   const SurfaceMesh mesh = scenes::make_ellipsoid({0.03, 0.02, 0.01}, 3);
   AabbTree tree(mesh.vertices, mesh.triangles);
   TreeCost cost(tree);
@@ -78,7 +78,8 @@ TEST_CASE("moving, growing and shrinking as a whole make no tree dearer") {
   CHECK(cost.growth() == doctest::Approx(1.0).epsilon(1e-3));
 }
 
-TEST_CASE("a surface bent to a ring makes its tree dear by half, and a new one is cheap again") {
+TEST_CASE(
+    "a surface bent to a ring makes its tree cost half as much again, and a new one is cheap") {
   const SurfaceMesh mesh = scenes::make_ellipsoid({0.01, 0.01, 0.06}, 4);
   AabbTree tree(mesh.vertices, mesh.triangles);
   TreeCost cost(tree);

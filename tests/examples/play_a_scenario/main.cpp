@@ -29,10 +29,10 @@ class ScriptedHand : public HapticDevice {
 
   HapticSample read(double time) noexcept override {
     const long tick = std::lround(time * rate_);
-    const long way = tick < 512 ? 256 - tick : -256;
+    const long step = tick < 512 ? 256 - tick : -256;
     HapticSample sample;
     sample.time = time;
-    sample.position = touch_ + Vec3(0.0, 0.0, double(way) * 0x1p-17);
+    sample.position = touch_ + Vec3(0.0, 0.0, double(step) * 0x1p-17);
     return sample;
   }
   void write(const HapticCommand&) noexcept override {}

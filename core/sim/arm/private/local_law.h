@@ -16,7 +16,7 @@ namespace palpate {
 class StiffnessWatch {
  public:
   /// `force` [N] answers a hand at `position` [m]. Returns the symmetric stiffness [N/m], zero
-  /// where nothing is felt, and along every way that the hand has not gone.
+  /// where nothing is felt, and along every direction in which the hand has not gone.
   Mat3 add(const Vec3& position, const Vec3& force) noexcept;
   void clear() noexcept { *this = StiffnessWatch{}; }
 

@@ -14,7 +14,7 @@ constexpr double kAskAgain = 50e-3;    // [s] until a question counts as lost
 constexpr double kStoreAgain = 3.0;    // [s] that the device may take to write its EEPROM
 constexpr double kQuiet = 0.1;         // [s] without a report: the device was reset, or is gone
 constexpr double kGone = 1.0;          // [s] without a report: it is gone
-constexpr double kAway = 20e-3;        // [s] most that counts as silence between two looks
+constexpr double kAway = 20e-3;        // [s] most that counts as silence between two reads
 constexpr double kShortest = 0.75e-3;  // [s] between two commands, whatever the host's rate
 constexpr double kTripBin = 0.25e-3;   // [s] of DeviceStatus::round_trips
 constexpr int kZerosNeeded = 3;        // commands before the motors may be switched on
@@ -74,7 +74,7 @@ void SerialLink::take_frame(double time) noexcept {
     case PALPATE_ANSWER:
       return take_answer();
     default:
-      return;  // of a newer protocol, perhaps: not ours to judge
+      return;  // perhaps of a newer protocol, which this driver does not know
   }
 }
 

@@ -5,7 +5,7 @@
 
 namespace palpate {
 
-/// The part of validate() that looks at the table of prisms.
+/// The part of validate() that checks the table of prisms.
 /// Throws std::invalid_argument, naming column, row, what was found and what was expected.
 void check_prisms(const TissueModel& model);
 
