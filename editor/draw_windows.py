@@ -92,7 +92,9 @@ def draw_player(app: QApplication, out: Path, folder: Path) -> None:
     path = PUBLISHED / "gallbladder.palpate"
     made = scenario.read(str(path))
     script = PressScript(DEPTH, hold=PATIENCE)
-    frames, times = write_script(find_top(made.scene), made.scene.tool.radius, script)
+    frames, times = write_script(
+        find_top(made.scene), made.scene.instruments[0].tool.radius, script
+    )
     play = Play(path, made, frames, duration=times.end + TAIL, record=folder / "played.prec")
     window = TraineeWindow(play, "dark", "en")
     window.resize(*PLAYER_SIZE)

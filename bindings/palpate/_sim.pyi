@@ -1810,11 +1810,14 @@ class ToolState:
             """[-] Unit, from there to the tool's centre. Shape (3,), a view."""
         @direction.setter
         def direction(self, value: ArrayLike) -> None: ...
+        @property
+        def body(self) -> int:
+            """Whose triangle."""
         def __copy__(self) -> ToolState.Carrier:
             """A copy of its own."""
         def __deepcopy__(self, memo: dict[int, object]) -> ToolState.Carrier:
             """A copy of its own."""
-        def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+        def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
         def __setstate__(self, arg0: tuple) -> None: ...
         def __repr__(self) -> str:
             """The value on one line."""
@@ -2031,6 +2034,7 @@ def bound_contact_stiffness(
     mass: ArrayLike,
     state: ToolState,
     scratch: NDArray[np.float64],
+    body: int = ...,
 ) -> float:
     """Largest extra eigenvalue [1/s²] that contacts and holds may add to M⁻¹K: max over
     particles of sum k_t w / m. scratch holds one number per particle.
@@ -2257,46 +2261,26 @@ class Kernel(enum.Enum):
     packed = 1
     response = 2
 
-class Scene:
-    """A tissue, a tool, and how the hand is coupled to it: all that a tick needs and never
-    changes.
-    """
+class SoftBody:
+    """A tissue and how it is moved."""
     def __init__(
         self,
         *,
         tissue: TissueModel | None = ...,
-        tool: Tool = ...,
-        coupling: Coupling = ...,
-        hold_stiffness: float = ...,
-        gravity: ArrayLike = ...,
-        rate: float = ...,
         substeps: int = ...,
         substeps_max: int = ...,
         force_error: float = ...,
         kernel: Kernel = ...,
         simd_target: str = ...,
     ) -> None:
-        """Copies its parts. build_scene makes it ready for ticks.
+        """Copies its tissue.
 
         Arguments are the fields of these names, with their shapes and units.
         """
     tissue: TissueModel
     """The tissue; assigned, and copied, once."""
-    tool: Tool
-    """The tip of the instrument."""
-    coupling: Coupling
-    """The hand's spring."""
-    hold_stiffness: float
-    """[N/m] between tool and patch while attached."""
-    @property
-    def gravity(self) -> NDArray[np.float64]:
-        """[m/s²]; shape (3,), a view."""
-    @gravity.setter
-    def gravity(self, value: ArrayLike) -> None: ...
-    rate: float
-    """[Hz]"""
     substeps: int
-    """Tissue steps per tick without contact; build_scene chooses when 0."""
+    """Steps per tick without contact; build_scene chooses when 0."""
     substeps_max: int
     """Contact may raise them to this; build_scene chooses when 0."""
     force_error: float
@@ -2321,39 +2305,87 @@ class Scene:
     @property
     def response(self) -> Response:
         """Under the response kernel, filled in by build_scene; else None."""
+    def __copy__(self) -> SoftBody:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> SoftBody:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """What it is, on one line."""
+
+class Instrument:
+    """A tool, and how the hand that moves it is coupled to it."""
+    def __init__(
+        self, *, tool: Tool = ..., coupling: Coupling = ..., hold_stiffness: float = ...
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
+    tool: Tool
+    """The tip."""
+    coupling: Coupling
+    """The hand's spring."""
+    hold_stiffness: float
+    """[N/m] between tool and patch while attached."""
+    def __copy__(self) -> Instrument:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Instrument:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class Scene:
+    """Tissues and the instruments that touch them: all that a tick needs and never changes.
+    Each instrument has a hand of its own.
+    """
+    def __init__(
+        self,
+        *,
+        bodies: Sequence[SoftBody] = ...,
+        instruments: Sequence[Instrument] = ...,
+        gravity: ArrayLike = ...,
+        rate: float = ...,
+    ) -> None:
+        """Copies its parts: one body and one instrument unless others are given. build_scene
+        makes it ready for ticks.
+
+        Arguments are the fields of these names, with their shapes and units.
+        """
+    @property
+    def bodies(self) -> tuple:
+        """The tissues, a tuple."""
+    @property
+    def instruments(self) -> tuple:
+        """A tuple; each has a hand of its own."""
+    @property
+    def gravity(self) -> NDArray[np.float64]:
+        """[m/s²]; shape (3,), a view."""
+    @gravity.setter
+    def gravity(self, value: ArrayLike) -> None: ...
+    rate: float
+    """[Hz]"""
     def __copy__(self) -> Scene:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> Scene:
         """A copy of its own."""
     def __getstate__(
         self, /
-    ) -> tuple[
-        TissueModel,
-        Tool,
-        Coupling,
-        float,
-        NDArray[np.float64],
-        float,
-        int,
-        int,
-        float,
-        Kernel,
-        str,
-        bool,
-    ]: ...
+    ) -> tuple[list[SoftBody], list[Instrument], NDArray[np.float64], float, bool]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """What it is, on one line."""
+
+def make_scene(tissue: TissueModel) -> Scene:
+    """A scene of one tissue, which is copied, and one instrument with the usual values."""
 
 def build_scene(scene: Scene) -> Scene:
     """Checks a scene once and fills in what is derived from it. Raises ValueError naming the
     field, what it got and what was expected.
     """
 
-class World:
-    """A running scene. Everything a tick needs is allocated here, once."""
-    def __init__(self, scene: Scene) -> None:
-        """The scene at rest."""
+class SoftState:
+    """A soft body of a running scene, after every tick."""
     @property
     def tissue(self) -> State:
         """The tissue after the last tick; read-only."""
@@ -2361,26 +2393,33 @@ class World:
     def tree(self) -> AabbTree:
         """The boxes around its surface; read-only."""
     @property
-    def candidates(self) -> Candidates:
-        """What the tool may touch in this tick; read-only."""
-    @property
-    def tool(self) -> ToolState:
-        """Where the tool is; read-only."""
-    @property
     def load(self) -> Load:
-        """What the tool does to the tissue; read-only."""
+        """What all tools do to the tissue; read-only."""
     @property
     def guard(self) -> Guard:
         """The memory of the alarm; read-only."""
     @property
-    def alarm(self) -> Alarm:
-        """The first alarm; from then on the force is zero and the tissue stands still."""
-    @property
-    def tick_count(self) -> int:
-        """How many ticks have been run."""
-    @property
     def substeps(self) -> int:
         """Of the last tick."""
+    @property
+    def skin(self) -> NDArray[np.float64]:
+        """[m] the vertices of the skin, shape (n, 3), after every tick; empty where there is
+        none; a view.
+        """
+    def __copy__(self) -> SoftState:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> SoftState:
+        """A copy of its own."""
+    def __repr__(self) -> str:
+        """What it is, on one line."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
+
+class InstrumentState:
+    """An instrument of a running scene, and the hand that moves it."""
+    @property
+    def tool(self) -> ToolState:
+        """Where the tool is; read-only."""
     @property
     def attach_pressed(self) -> bool:
         """Whether the attach button was, in the last tick."""
@@ -2392,11 +2431,56 @@ class World:
         """[m] where the tool is drawn to: the hand, unless that jumped. Shape (3,), a view."""
     @hand.setter
     def hand(self, value: ArrayLike) -> None: ...
+    def __copy__(self) -> InstrumentState:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> InstrumentState:
+        """A copy of its own."""
+    def __repr__(self) -> str:
+        """What it is, on one line."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
+
+class ContactPair:
+    """What an instrument may touch of a body, and what it does to it."""
     @property
-    def skin(self) -> NDArray[np.float64]:
-        """[m] the vertices of the skin, shape (n, 3), after every tick; empty where there is
-        none; a view.
-        """
+    def candidates(self) -> Candidates:
+        """What the tool may touch in this tick; read-only."""
+    @property
+    def load(self) -> Load:
+        """What the tool did in the last substep; read-only."""
+    def __copy__(self) -> ContactPair:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> ContactPair:
+        """A copy of its own."""
+    def __repr__(self) -> str:
+        """What it is, on one line."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
+
+class World:
+    """A running scene. Everything a tick needs is allocated here, once."""
+    def __init__(self, scene: Scene) -> None:
+        """The scene at rest."""
+    @property
+    def bodies(self) -> tuple:
+        """As Scene.bodies, a tuple; read-only."""
+    @property
+    def instruments(self) -> tuple:
+        """As Scene.instruments, a tuple; read-only."""
+    @property
+    def pairs(self) -> tuple:
+        """Every instrument with every body, a tuple; read-only."""
+    def pair(self, instrument: int, body: int) -> object:
+        """An instrument with a body; read-only."""
+    @property
+    def alarm(self) -> Alarm:
+        """The first alarm; from then on the forces fade and all tissue stands still."""
+    @property
+    def alarm_body(self) -> int:
+        """Whose tissue raised it; -1 for what is of no body."""
+    @property
+    def tick_count(self) -> int:
+        """How many ticks have been run."""
     def __copy__(self) -> World:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> World:
@@ -2406,22 +2490,33 @@ class World:
     def __reduce_ex__(self, protocol: int) -> object:
         """Raises TypeError: not to be pickled."""
 
-def surface_position(world: object) -> NDArray[np.float64]:
+def surface_position(body: object) -> NDArray[np.float64]:
     """[m] The vertices of the surface, shape (n, 3): the skin's, or the particles where there
     is none; a view, read-only.
     """
 
+@overload
 def tick(scene: Scene, sample: HapticSample, dt: float, world: World) -> HapticCommand:
-    """One haptic tick of dt [s]: from where the hand is to the force it must feel, the mean
+    """tick(*args, **kwargs)
+
+    One haptic tick of dt [s]: from where the hand is to the force it must feel, the mean
     over the substeps. The live loop, the replay of a record and the tests all call this
     function.
 
+    One haptic tick with a sample and a command for each instrument.
+
     Args:
         dt: [s]
+        samples: a structured array with the fields of HapticSample, shape (k,), or a list of
+            these
     """
 
-def compute_felt(command: HapticCommand, world: World) -> Felt:
-    """What a record keeps of a tick, lateness left at 0."""
+@overload
+def tick(
+    scene: Scene, samples: Sequence[HapticSample], dt: float, world: World
+) -> list[HapticCommand]: ...
+def compute_felt(command: HapticCommand, world: World, instrument: int = ...) -> Felt:
+    """What a record keeps of a tick, lateness left at 0; command is that of the instrument."""
 
 def compute_hash(world: World) -> list[int]:
     """128 bits over positions, velocities and the tool: equal worlds, equal hashes."""
@@ -2432,6 +2527,15 @@ def place_tool(
     """Puts a tool that is nowhere yet where the hand is, and returns whether it is in the
     scene. A hand that begins inside the tissue has no tool until it has come out, and as far
     as three quarters of the tool's radius [m].
+
+    Args:
+        x: [m] shape (n, 3), positions
+        hand_position: [m] shape (3,)
+        radius: [m]
+    """
+
+def has_room(tree: AabbTree, x: ArrayLike, hand_position: ArrayLike, radius: float) -> bool:
+    """Whether place_tool would put a tool there.
 
     Args:
         x: [m] shape (n, 3), positions
@@ -2825,7 +2929,7 @@ class SurfacePointer(HapticDevice):
     at 50 mm/s, and a press that was over before it was heard of lasts as long as the window
     says.
     """
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene, body: int = ..., instrument: int = ...) -> None:
         """The surface and the tool are those of a scene."""
     def post(self, target: PointerTarget) -> None:
         """One calling thread. Raises ValueError for a number that is not finite."""
@@ -3920,6 +4024,23 @@ class LoopOptions:
     def __repr__(self) -> str:
         """The value on one line."""
 
+class BodySnapshot:
+    """A body as a reader sees it."""
+    @property
+    def position(self) -> NDArray[np.float64]:
+        """[m] of the vertices of the surface, shape (n, 3); a view."""
+    @property
+    def substeps(self) -> int:
+        """Of that tick."""
+    def __copy__(self) -> BodySnapshot:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> BodySnapshot:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
 class Snapshot:
     """What a reader outside the haptic thread sees: the world as it was at most 8 ms ago."""
     @property
@@ -3929,8 +4050,8 @@ class Snapshot:
     def time(self) -> float:
         """[s]"""
     @property
-    def position(self) -> NDArray[np.float64]:
-        """[m], shape (n, 3); a view."""
+    def bodies(self) -> tuple:
+        """As Scene.bodies, a tuple."""
     @property
     def sample(self) -> HapticSample:
         """What the device said."""
@@ -3957,9 +4078,6 @@ class Snapshot:
     def lateness(self) -> float:
         """[s] of the last tick."""
     @property
-    def substeps(self) -> int:
-        """Of that tick."""
-    @property
     def missed_ticks(self) -> int:
         """Skipped so far."""
     def __copy__(self) -> Snapshot:
@@ -3969,18 +4087,7 @@ class Snapshot:
     def __getstate__(
         self, /
     ) -> tuple[
-        object,
-        object,
-        object,
-        object,
-        object,
-        object,
-        object,
-        object,
-        object,
-        object,
-        object,
-        object,
+        object, object, object, object, object, object, object, object, object, object, object
     ]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:

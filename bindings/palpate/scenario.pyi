@@ -116,7 +116,7 @@ class Scenario:
     def scene(self) -> Scene:
         """The scene, ready to tick."""
     authored: str
-    """JSON: the designer's document, which only the editor looks into."""
+    """JSON: the designer's document, which only the editor reads."""
     @property
     def version(self) -> int:
         """Filled by the reader: of the format, as the file had it."""

@@ -123,20 +123,39 @@ void require_fit(const ToolState& tool, std::size_t triangles) {
 }
 
 void require_built(const Scene& scene) {
-  if (scene.substeps < 1 || scene.rest_areas.size() != scene.tissue.triangles.size()) {
+  bool built = !scene.bodies.empty() && !scene.instruments.empty();
+  for (const SoftBody& body : scene.bodies) {
+    built = built && body.substeps >= 1 && body.rest_areas.size() == body.tissue.triangles.size();
+  }
+  if (!built) {
     refuse("scene", "one whose derived fields are empty", "the result of build_scene(scene)");
   }
 }
 
+void require_index(const char* name, int index, std::size_t count) {
+  if (index < 0 || static_cast<std::size_t>(index) >= count) {
+    refuse(name, std::to_string(index), "0 to " + std::to_string(count - 1));
+  }
+}
+
+void require_fit(const SoftBody& body, const SoftState& state) {
+  require_fit(body.tissue, state.tissue);
+  require_count("world.tree", state.tree.triangles().size(), body.tissue.triangles.size());
+  require_count("world.skin", state.skin.size(), body.tissue.skin.corners.size());
+  require_fit(body.tissue, state.guard);
+  require_pushes(state.load.pushes(), body.tissue.triangles.size());
+}
+
 void require_fit(const Scene& scene, const World& world) {
   require_built(scene);
-  require_fit(scene.tissue, world.tissue);
-  require_count("world.tree", world.tree.triangles().size(), scene.tissue.triangles.size());
-  require_count("world.skin", world.skin.size(), scene.tissue.skin.corners.size());
-  require_fit(scene.tissue, world.guard);
-  require_fit(world.candidates, scene.tissue.triangles.size());
-  require_fit(world.tool, scene.tissue.triangles.size());
-  require_pushes(world.load.pushes(), scene.tissue.triangles.size());
+  require_count("world.bodies", world.bodies.size(), scene.bodies.size());
+  require_count("world.instruments", world.instruments.size(), scene.instruments.size());
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    require_fit(scene.bodies[b], world.bodies[b]);
+    for (std::size_t i = 0; i < world.instruments.size(); ++i) {
+      require_fit(world.pair(i, b).candidates, scene.bodies[b].tissue.triangles.size());
+    }
+  }
 }
 
 // used by more files than this

@@ -33,8 +33,11 @@ void require_fit(const TissueModel& model, const Guard& guard);
 void require_fit(const AabbTree& tree, std::span<const Vec3> x);
 void require_fit(const Candidates& candidates, std::size_t triangles);
 void require_fit(const ToolState& tool, std::size_t triangles);
+/// 0 to below `count`.
+void require_index(const char* name, int index, std::size_t count);
 /// A scene that build_scene has filled in.
 void require_built(const Scene& scene);
+void require_fit(const SoftBody& body, const SoftState& state);
 void require_fit(const Scene& scene, const World& world);
 
 }  // namespace palpate::bindings

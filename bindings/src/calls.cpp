@@ -14,7 +14,7 @@
 /// pybind11 gives all its functions the same entry. Here it is wrapped, so that for every function,
 /// method and property alike
 /// - an argument that no overload takes is refused in one sentence (palpate/refused_call.py);
-/// - what belongs to a running World, or to the tissue of a Scene, is shown read-only, as a tick
+/// - what belongs to a running World, or to the tissue of a SoftBody, is shown read-only, as a tick
 ///   has copies of its own of much of it and would not heed what is written there; a function that
 ///   would write to it is refused.
 /// An object whose __init__ was never called is refused wherever it is used. The words of every
@@ -41,6 +41,7 @@ constexpr std::array kWrites = {
     Write{"Load.add", "Load"},
     Write{"Load.clear", "Load"},
     Write{"attach_tool", "ToolState"},
+    Write{"balance_tool", "Candidates"},
     Write{"balance_tool", "Load"},
     Write{"balance_tool", "ToolState"},
     Write{"check", "Guard"},
@@ -75,7 +76,9 @@ bool is_part(PyObject* object) { return parts().count(object) > 0; }
 /// An array may not be written to; a struct shows what is in it likewise, while it lives.
 void show_as_part(PyObject* result) {
   const py::handle value(result);
-  if (py::hasattr(value, "flags") && py::hasattr(value, "dtype")) {
+  if (py::isinstance<py::tuple>(value)) {
+    for (const py::handle element : value.cast<py::tuple>()) show_as_part(element.ptr());
+  } else if (py::hasattr(value, "flags") && py::hasattr(value, "dtype")) {
     value.attr("flags").attr("writeable") = false;
   } else if (py::detail::get_type_info(Py_TYPE(result)) != nullptr &&
              parts().insert(result).second) {
@@ -197,9 +200,9 @@ void wrap(py::handle member, const Bound& as, const py::list& fields = py::list(
   throw py::type_error(std::string(kUnmade) + ", expected one made by calling its class");
 }
 
-/// Of a World everything, of a Scene its tissue.
+/// Of a World everything, of a SoftBody its tissue.
 bool shows_parts(const std::string& type, const std::string& member) {
-  return type == "World" || (type == "Scene" && member == "tissue");
+  return type == "World" || (type == "SoftBody" && member == "tissue");
 }
 
 /// A sentence in place of what pickle says of a class that is no value.

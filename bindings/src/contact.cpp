@@ -34,6 +34,7 @@ py::dtype row_dtype<ToolState::Hold>() {
       .field("weights", &ToolState::Hold::weights)
       .field("stiffness", &ToolState::Hold::stiffness)
       .field("offset", &ToolState::Hold::offset)
+      .field("body", &ToolState::Hold::body)
       .dtype();
 }
 
@@ -130,9 +131,10 @@ void bind_tool(py::module_& m) {
   def_vector(carrier, "point", &ToolState::Carrier::point, "[m] where that was.");
   def_vector(carrier, "direction", &ToolState::Carrier::direction,
              "[-] Unit, from there to the tool's centre.");
+  carrier.def_readonly("body", &ToolState::Carrier::body, "Whose triangle.");
   def_value(carrier, &ToolState::Carrier::triangle, &ToolState::Carrier::weights,
-            &ToolState::Carrier::point, &ToolState::Carrier::direction);
-  def_repr(carrier, {"triangle", "weights", "point", "direction"});
+            &ToolState::Carrier::point, &ToolState::Carrier::direction, &ToolState::Carrier::body);
+  def_repr(carrier, {"triangle", "weights", "point", "direction", "body"});
   state.def(py::init([](int capacity) { return ToolState(to_count(capacity, "capacity")); }),
             "capacity"_a = 0, "Room for so many holds.");
   def_vector(state, "position", &ToolState::position, "[m]");
@@ -247,8 +249,8 @@ void bind_balance(py::module_& m) {
   m.def(
       "balance_tool",
       [](const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
-         const Candidates& candidates, const Integers& triangles, const Numbers& x,
-         ToolState& state, Load& load) {
+         Candidates& candidates, const Integers& triangles, const Numbers& x, ToolState& state,
+         Load& load) {
         const Surface surface(triangles, x);
         require_fit(candidates, surface.triangles.size());
         require_fit(state, surface.triangles.size());
@@ -275,7 +277,8 @@ void bind_balance(py::module_& m) {
   m.def(
       "bound_contact_stiffness",
       [](const Tool& tool, const Candidates& candidates, const Integers& triangles,
-         const Numbers& x, const Numbers& mass, const ToolState& state, const NumbersOut& scratch) {
+         const Numbers& x, const Numbers& mass, const ToolState& state, const NumbersOut& scratch,
+         int body) {
         const Surface surface(triangles, x);
         require_fit(candidates, surface.triangles.size());
         require_fit(state, surface.triangles.size());
@@ -284,9 +287,10 @@ void bind_balance(py::module_& m) {
         const auto room = entries_out(scratch, "scratch");
         require_count("scratch", room.size(), surface.x.size());
         return bound_contact_stiffness(tool, candidates, surface.triangles, surface.x, masses,
-                                       state, room);
+                                       state, room, body);
       },
       "tool"_a, "candidates"_a, "triangles"_a, "x"_a, "mass"_a, "state"_a, "scratch"_a,
+      "body"_a = 0,
       "Largest extra eigenvalue [1/s²] that contacts and holds may add to M⁻¹K: max over particles "
       "of sum k_t w / m. scratch holds one number per particle.");
 }

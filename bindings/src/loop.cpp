@@ -95,11 +95,14 @@ void bind_surface_pointer(py::module_& m) {
       "thread, which moves the hand. How often the window finds time to post makes no difference "
       "to what is felt: the hand goes over the surface at rest at 250 mm/s at most and into it at "
       "50 mm/s, and a press that was over before it was heard of lasts as long as the window says.")
-      .def(py::init([](const Scene& scene) {
+      .def(py::init([](const Scene& scene, int body, int instrument) {
              require_built(scene);
-             return std::make_unique<SurfacePointer>(scene);
+             require_index("body", body, scene.bodies.size());
+             require_index("instrument", instrument, scene.instruments.size());
+             return std::make_unique<SurfacePointer>(scene, body, instrument);
            }),
-           "scene"_a, "The surface and the tool are those of a scene.")
+           "scene"_a, "body"_a = 0, "instrument"_a = 0,
+           "The surface and the tool are those of a scene.")
       .def("post", &SurfacePointer::post, "target"_a,
            "One calling thread. Raises ValueError for a number that is not finite.");
 }
@@ -221,12 +224,29 @@ void bind_options(py::module_& m) {
 }
 
 void bind_snapshot(py::module_& m) {
+  py::class_<BodySnapshot> body(m, "BodySnapshot", "A body as a reader sees it.");
+  def_view(body, "position", &BodySnapshot::position,
+           "[m] of the vertices of the surface, shape (n, 3); a view.");
+  body.def_readonly("substeps", &BodySnapshot::substeps, "Of that tick.");
+  def_value(body, &BodySnapshot::position, &BodySnapshot::substeps);
+  def_repr(body, {"substeps"});
+
   py::class_<Snapshot> snapshot(
       m, "Snapshot",
       "What a reader outside the haptic thread sees: the world as it was at most 8 ms ago.");
   snapshot.def_readonly("tick", &Snapshot::tick, "Number of the tick it shows.")
       .def_readonly("time", &Snapshot::time, "[s]");
-  def_view(snapshot, "position", &Snapshot::position, "[m], shape (n, 3); a view.");
+  snapshot.def_property_readonly(
+      "bodies",
+      [](const py::object& self) {
+        std::vector<BodySnapshot>& bodies = self.cast<Snapshot&>().bodies;
+        py::tuple shown(bodies.size());
+        for (std::size_t b = 0; b < bodies.size(); ++b) {
+          shown[b] = py::cast(&bodies[b], py::return_value_policy::reference_internal, self);
+        }
+        return shown;
+      },
+      "As Scene.bodies, a tuple.");
   snapshot.def_readonly("sample", &Snapshot::sample, "What the device said.");
   def_vector(snapshot, "tool_position", &Snapshot::tool_position, "[m]");
   def_vector(snapshot, "force", &Snapshot::force,
@@ -235,12 +255,11 @@ void bind_snapshot(py::module_& m) {
       .def_readonly("motors", &Snapshot::motors, "Of the device.")
       .def_readonly("cost", &Snapshot::cost, "[s] of the last tick.")
       .def_readonly("lateness", &Snapshot::lateness, "[s] of the last tick.")
-      .def_readonly("substeps", &Snapshot::substeps, "Of that tick.")
       .def_readonly("missed_ticks", &Snapshot::missed_ticks, "Skipped so far.");
-  def_value(snapshot, &Snapshot::tick, &Snapshot::time, &Snapshot::position, &Snapshot::sample,
+  def_value(snapshot, &Snapshot::tick, &Snapshot::time, &Snapshot::bodies, &Snapshot::sample,
             &Snapshot::tool_position, &Snapshot::force, &Snapshot::touching, &Snapshot::motors,
-            &Snapshot::cost, &Snapshot::lateness, &Snapshot::substeps, &Snapshot::missed_ticks);
-  def_repr(snapshot, {"tick", "time", "touching", "force", "tool_position", "substeps"});
+            &Snapshot::cost, &Snapshot::lateness, &Snapshot::missed_ticks);
+  def_repr(snapshot, {"tick", "time", "touching", "force", "tool_position"});
 }
 
 void bind_report(py::module_& m) {

@@ -17,9 +17,9 @@ namespace {
 
 Scene without_dashpots_in(const Scene& scene) {
   Scene plain = scene;
-  plain.tissue = without_dashpots(scene.tissue);
+  plain.bodies[0].tissue = without_dashpots(scene.bodies[0].tissue);
   // without damping fewer substeps are needed, but the same are taken, so that rows compare
-  plain.spectrum_damping = 0.0;
+  plain.bodies[0].spectrum_damping = 0.0;
   return plain;
 }
 
@@ -53,8 +53,8 @@ std::vector<BenchRow> time_active_work(const std::string& work, const Scene& mas
 
 std::vector<BenchRow> time_tree_work(const std::string& work, const Scene& mass_spring,
                                      const Scene&, const BenchOptions& options) {
-  return {work == "refit" ? time_refit(mass_spring.tissue, options)
-                          : time_query(work, mass_spring.tissue, options)};
+  return {work == "refit" ? time_refit(mass_spring.bodies[0].tissue, options)
+                          : time_query(work, mass_spring.bodies[0].tissue, options)};
 }
 
 const std::vector<Work>& works() {
@@ -77,8 +77,9 @@ const std::vector<Work>& works() {
 }
 
 void check(const Scene& mass_spring, const Scene& molecular, const BenchOptions& options) {
-  if (mass_spring.tissue.springs.ends.empty() || molecular.tissue.bonds.ends.empty() ||
-      mass_spring.tissue.triangles != molecular.tissue.triangles) {
+  if (mass_spring.bodies[0].tissue.springs.ends.empty() ||
+      molecular.bodies[0].tissue.bonds.ends.empty() ||
+      mass_spring.bodies[0].tissue.triangles != molecular.bodies[0].tissue.triangles) {
     throw std::invalid_argument(
         "run_bench: expected a mass-spring and a molecular scene on the same surface");
   }
@@ -126,7 +127,7 @@ std::vector<BenchRow> run_bench(const Scene& mass_spring, const Scene& molecular
     if (std::find(names.begin(), names.end(), name) == names.end()) continue;
     if (!is_wanted(name, options)) continue;
     for (BenchRow& row : time(name, mass_spring, molecular, options)) {
-      row.vertices = particle_count(mass_spring.tissue);
+      row.vertices = particle_count(mass_spring.bodies[0].tissue);
       rows.push_back(std::move(row));
     }
   }

@@ -18,11 +18,11 @@ namespace {
 
 /// What the works of this tissue are called.
 std::string find_kind(const Scene& scene) {
-  const TissueModel& tissue = scene.tissue;
+  const TissueModel& tissue = scene.bodies[0].tissue;
   const bool one_surface = tissue.skin.corners.empty() && !tissue.triangles.empty();
   if (one_surface && !tissue.prisms.corners.empty()) return "shell";
   if (one_surface && !tissue.volumes.corners.empty()) return "solid";
-  if (one_surface && scene.response) return "linear";
+  if (one_surface && scene.bodies[0].response) return "linear";
   throw std::invalid_argument(
       "run_body_bench: expected a scene of a shell, or of a solid or linear solid without a skin");
 }
@@ -35,7 +35,7 @@ std::vector<BenchRow> run_body_bench(const Scene& scene, const BenchOptions& opt
   std::vector<BenchRow> rows;
   const auto add = [&](std::vector<BenchRow> made) {
     for (BenchRow& row : made) {
-      row.vertices = particle_count(scene.tissue);
+      row.vertices = particle_count(scene.bodies[0].tissue);
       rows.push_back(std::move(row));
     }
   };

@@ -196,15 +196,17 @@ void NaiveTree::collect(std::span<const Vec3> x, const Node& node, const Vec3& c
 
 void find_naively(const Scene& scene, const HapticSample& sample, NaiveTree& tree,
                   World& world) noexcept {
-  tree.refit(world.tissue.position);
-  world.candidates.count = tree.find_in_sphere(
-      world.tissue.position, world.tool.position,
-      scene.tool.radius + kCandidateMargin + (sample.position - world.tool.position).norm(),
-      world.candidates.triangles);
-  for (int i = 0; i < world.candidates.count; ++i) {
+  tree.refit(world.bodies[0].tissue.position);
+  world.pairs[0].candidates.count =
+      tree.find_in_sphere(world.bodies[0].tissue.position, world.instruments[0].tool.position,
+                          scene.instruments[0].tool.radius + kCandidateMargin +
+                              (sample.position - world.instruments[0].tool.position).norm(),
+                          world.pairs[0].candidates.triangles);
+  for (int i = 0; i < world.pairs[0].candidates.count; ++i) {
     const auto slot = static_cast<std::size_t>(i);
-    world.candidates.areas[slot] =
-        scene.rest_areas[static_cast<std::size_t>(world.candidates.triangles[slot])];
+    world.pairs[0].candidates.areas[slot] =
+        scene.bodies[0]
+            .rest_areas[static_cast<std::size_t>(world.pairs[0].candidates.triangles[slot])];
   }
 }
 

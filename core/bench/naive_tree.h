@@ -54,8 +54,8 @@ class NaiveTree {
   std::span<const Triangle> triangles_;
 };
 
-/// What a first program's tick begins with: the whole tree refitted, and world.candidates found in
-/// it for the tool on its way to the hand.
+/// What a first program's tick begins with: the whole tree refitted, and world.pairs[0].candidates
+/// found in it for the tool on its way to the hand.
 void find_naively(const Scene& scene, const HapticSample& sample, NaiveTree& tree,
                   World& world) noexcept;
 

@@ -42,7 +42,7 @@ Place find_press_place(const TissueModel& tissue) {
 
 HapticSample hold_at(const Scene& scene, const Place& place, double height) {
   HapticSample sample;
-  sample.position = place.point + (scene.tool.radius + height) * place.outward;
+  sample.position = place.point + (scene.instruments[0].tool.radius + height) * place.outward;
   return sample;
 }
 
@@ -51,7 +51,8 @@ int afford(int wanted, int least, double work_each, double affordable) {
 }
 
 double count_work(const Scene& scene, const World& world) {
-  return double(scene.tissue.mass.size()) * std::max(world.substeps, scene.substeps);
+  return double(scene.bodies[0].tissue.mass.size()) *
+         std::max(world.bodies[0].substeps, scene.bodies[0].substeps);
 }
 
 Vec3Array press_and_hold(const std::string& work, const Scene& scene, const Place& place,
@@ -64,11 +65,12 @@ Vec3Array press_and_hold(const std::string& work, const Scene& scene, const Plac
     felt.push_back(tick(scene, hold_at(scene, place, above - kPressDepth), dt, world).force);
   }
   // without dashpots it may bounce
-  for (int i = 0; i < ticks && world.load.push_count == 0; ++i) {
+  for (int i = 0; i < ticks && world.bodies[0].load.push_count == 0; ++i) {
     felt.push_back(tick(scene, hold_at(scene, place, -kPressDepth), dt, world).force);
   }
   if (world.alarm) throw std::logic_error("bench: " + work + ": the held press blew up");
-  if (world.load.push_count == 0) throw std::logic_error("bench: " + work + ": touches nothing");
+  if (world.bodies[0].load.push_count == 0)
+    throw std::logic_error("bench: " + work + ": touches nothing");
   return felt;
 }
 

@@ -49,13 +49,13 @@ std::string describe(const PackedKernel& kernel, double error) {
 
 BenchRow time_active_step(const std::string& work, const Scene& scene,
                           const BenchOptions& options) {
-  const Place place = find_press_place(scene.tissue);
+  const Place place = find_press_place(scene.bodies[0].tissue);
   World full(scene);
   const Vec3Array forces = press_and_hold(work, scene, place, full, kSlowly);
   Scene sleeping = scene;
-  sleeping.force_error = kAllowedError * largest_norm(forces);
+  sleeping.bodies[0].force_error = kAllowedError * largest_norm(forces);
   World world(sleeping);
-  PackedKernel* const kernel = find_packed(world);
+  PackedKernel* const kernel = find_packed(world.bodies[0]);
   if (!kernel) throw std::logic_error("bench: " + work + ": no vector code here");
   const double error =
       compare_forces(forces, press_and_hold(work, sleeping, place, world, kSlowly));
@@ -63,14 +63,16 @@ BenchRow time_active_step(const std::string& work, const Scene& scene,
     throw std::logic_error("bench: " + work + ": the force is off by " + std::to_string(error) +
                            " of the press, expected at most " + std::to_string(kAllowedError));
   }
-  const double dt = 1.0 / scene.rate / world.substeps;
+  const double dt = 1.0 / scene.rate / world.bodies[0].substeps;
   BenchRow row = time_against(
-      options, 1, [&] { step(*kernel->model, world.load, dt, kernel->state); },
-      [&] { step_naively(scene.tissue, full.load, dt, full.tissue); });
+      options, 1, [&] { step(*kernel->model, world.bodies[0].load, dt, kernel->state); },
+      [&] {
+        step_naively(scene.bodies[0].tissue, full.bodies[0].load, dt, full.bodies[0].tissue);
+      });
   row.work = work;
-  row.elements = static_cast<double>(scene.tissue.springs.ends.size());
+  row.elements = static_cast<double>(scene.bodies[0].tissue.springs.ends.size());
   const double awake = double(kernel->state.slices.count) / kernel->model->slice_count;
-  row.share_of_bound = awake * bound_step(scene.tissue) / row.median;
+  row.share_of_bound = awake * bound_step(scene.bodies[0].tissue) / row.median;
   row.simd_target = simd_target(*kernel->model);
   row.physics = describe(*kernel, error);
   return row;

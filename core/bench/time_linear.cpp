@@ -41,8 +41,8 @@ double count_rows(const TissueModel& tissue, const Load& load) {
 /// three for each displacement, read and written.
 double bound_settling(const Scene& scene, const Load& load) {
   if (simd_targets().empty()) return 0.0;
-  const double width = 3.0 * scene.response->size.moved;
-  const double numbers = width * count_rows(scene.tissue, load);
+  const double width = 3.0 * scene.bodies[0].response->size.moved;
+  const double numbers = width * count_rows(scene.bodies[0].tissue, load);
   const double operations = 2.0 * numbers + 3.0 * width;
   const double bytes = 4.0 * numbers + 20.0 * width;
   const Limits limits = measure_limits(simd_targets().front(), static_cast<std::size_t>(bytes));
@@ -60,45 +60,48 @@ World press(const std::string& work, const Scene& scene, const Place& place) {
 void tick_naively(const Scene& scene, const HapticSample& sample, double dt, NaiveTree& tree,
                   NaiveResponse& response, World& world) {
   find_naively(scene, sample, tree, world);
-  for (int s = 0; s < world.substeps; ++s) {
-    balance_tool(scene.tool, scene.coupling, sample.position, world.candidates,
-                 scene.tissue.triangles, world.tissue.position, world.tool, world.load);
-    const double share =
-        choose_linear_share(scene, dt / world.substeps, *find_response(world), world);
-    response.step(scene.tissue, world.load, share, world.tissue.position);
+  for (int s = 0; s < world.bodies[0].substeps; ++s) {
+    balance_tool(scene.instruments[0].tool, scene.instruments[0].coupling, sample.position,
+                 world.pairs[0].candidates, scene.bodies[0].tissue.triangles,
+                 world.bodies[0].tissue.position, world.instruments[0].tool, world.bodies[0].load);
+    const double share = choose_linear_share(scene, 0, dt / world.bodies[0].substeps,
+                                             *find_response(world.bodies[0]), world);
+    response.step(scene.bodies[0].tissue, world.bodies[0].load, share,
+                  world.bodies[0].tissue.position);
   }
 }
 
 /// [m] How far tissue and tool of both forms are apart after some ticks from the same world.
 double compare_ticks(const Scene& scene, const HapticSample& sample, World ours, World naive) {
-  NaiveTree tree(naive.tissue.position, scene.tissue.triangles);
-  NaiveResponse response(*scene.response);
-  response.follow(find_response(naive)->state);
+  NaiveTree tree(naive.bodies[0].tissue.position, scene.bodies[0].tissue.triangles);
+  NaiveResponse response(*scene.bodies[0].response);
+  response.follow(find_response(naive.bodies[0])->state);
   for (int i = 0; i < 5; ++i) {
     tick(scene, sample, 1.0 / scene.rate, ours);
     tick_naively(scene, sample, 1.0 / scene.rate, tree, response, naive);
   }
-  return std::max(largest_difference(ours.tissue.position, naive.tissue.position),
-                  (ours.tool.position - naive.tool.position).norm());
+  return std::max(
+      largest_difference(ours.bodies[0].tissue.position, naive.bodies[0].tissue.position),
+      (ours.instruments[0].tool.position - naive.instruments[0].tool.position).norm());
 }
 
 BenchRow time_world(const std::string& work, const Scene& scene, const HapticSample& sample,
                     World world, const BenchOptions& options) {
   World naive = world;
-  naive.tool.lanes = {};  // which knows no vectors
+  naive.pairs[0].candidates.lanes = {};  // which knows no vectors
   require_agreement(work, compare_ticks(scene, sample, world, naive), kTickAgreement);
-  NaiveTree tree(naive.tissue.position, scene.tissue.triangles);
-  NaiveResponse response(*scene.response);
-  response.follow(find_response(naive)->state);
+  NaiveTree tree(naive.bodies[0].tissue.position, scene.bodies[0].tissue.triangles);
+  NaiveResponse response(*scene.bodies[0].response);
+  response.follow(find_response(naive.bodies[0])->state);
   const double dt = 1.0 / scene.rate;
   BenchRow row = time_against(
       options, 1, [&] { tick(scene, sample, dt, world); },
       [&] { tick_naively(scene, sample, dt, tree, response, naive); });
   row.work = work;
-  row.substeps = world.substeps;
-  row.share_of_bound = bound_settling(scene, world.load) / row.median;
+  row.substeps = world.bodies[0].substeps;
+  row.share_of_bound = bound_settling(scene, world.bodies[0].load) / row.median;
   if (!simd_targets().empty()) row.simd_target = simd_targets().front();
-  row.physics = std::to_string(world.load.push_count) +
+  row.physics = std::to_string(world.bodies[0].load.push_count) +
                 " contacts, refit, candidates, depth of the press, response in float; naive has a "
                 "textbook tree, moves everything in every substep and checks no depth";
   return row;
@@ -108,15 +111,17 @@ BenchRow time_world(const std::string& work, const Scene& scene, const HapticSam
 
 BenchRow time_linear_step(const std::string& work, const Scene& scene,
                           const BenchOptions& options) {
-  const World world = press(work, scene, find_press_place(scene.tissue));
-  ResponseState ours(*scene.response);
-  NaiveResponse naive(*scene.response);
-  Vec3Array x = scene.tissue.rest_position, y = x;
+  const World world = press(work, scene, find_press_place(scene.bodies[0].tissue));
+  ResponseState ours(*scene.bodies[0].response);
+  NaiveResponse naive(*scene.bodies[0].response);
+  Vec3Array x = scene.bodies[0].tissue.rest_position, y = x;
   const auto step_ours = [&] {
-    relax(*scene.response, scene.tissue, world.load, kShare, ours);
-    settle(*scene.response, scene.tissue, ours, x);
+    relax(*scene.bodies[0].response, scene.bodies[0].tissue, world.bodies[0].load, kShare, ours);
+    settle(*scene.bodies[0].response, scene.bodies[0].tissue, ours, x);
   };
-  const auto step_naively = [&] { naive.step(scene.tissue, world.load, kShare, y); };
+  const auto step_naively = [&] {
+    naive.step(scene.bodies[0].tissue, world.bodies[0].load, kShare, y);
+  };
   for (int s = 0; s < kAgreementSteps; ++s) {
     step_ours();
     step_naively();
@@ -124,17 +129,17 @@ BenchRow time_linear_step(const std::string& work, const Scene& scene,
   require_agreement(work, largest_difference(x, y), kStepAgreement);
   BenchRow row = time_against(options, 1, step_ours, step_naively);
   row.work = work;
-  row.elements = scene.response->size.moved;
-  row.share_of_bound = bound_settling(scene, world.load) / row.median;
+  row.elements = scene.bodies[0].response->size.moved;
+  row.share_of_bound = bound_settling(scene, world.bodies[0].load) / row.median;
   if (!simd_targets().empty()) row.simd_target = simd_targets().front();
-  row.physics = std::to_string(world.load.push_count) +
+  row.physics = std::to_string(world.bodies[0].load.push_count) +
                 " contacts held, damping, gravity; quasi-static, the response in float";
   return row;
 }
 
 std::vector<BenchRow> time_linear_ticks(const std::string& work, const Scene& scene,
                                         const BenchOptions& options) {
-  const Place place = find_press_place(scene.tissue);
+  const Place place = find_press_place(scene.bodies[0].tissue);
   std::vector<BenchRow> rows;
   World hovering(scene);
   const HapticSample above = hold_at(scene, place, kAirHeight);

@@ -134,8 +134,8 @@ double bound_step(const TissueModel& model) {
 }
 
 BenchRow time_step(const std::string& work, const Scene& scene, const BenchOptions& options) {
-  const TissueModel& model = scene.tissue;
-  const double dt = 1.0 / scene.rate / scene.substeps;
+  const TissueModel& model = scene.bodies[0].tissue;
+  const double dt = 1.0 / scene.rate / scene.bodies[0].substeps;
   Load load;
   load.gravity = {0.0, 0.0, -9.81};
   const State start = shake(model);

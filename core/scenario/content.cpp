@@ -24,19 +24,19 @@ Json print_tissue(const TissueModel& tissue) {
 }
 
 Json print_scene(const Scene& scene) {
-  const auto& [radius, tool_stiffness] = scene.tool;
-  const auto& [coupling_stiffness, force_max] = scene.coupling;
-  Json printed = {{"tissue", print_tissue(scene.tissue)},
+  const auto& [radius, tool_stiffness] = scene.instruments[0].tool;
+  const auto& [coupling_stiffness, force_max] = scene.instruments[0].coupling;
+  Json printed = {{"tissue", print_tissue(scene.bodies[0].tissue)},
                   {"tool", {{"radius", radius}, {"stiffness", tool_stiffness}}},
                   {"coupling", {{"stiffness", coupling_stiffness}, {"force_max", force_max}}},
-                  {"hold_stiffness", scene.hold_stiffness},
+                  {"hold_stiffness", scene.instruments[0].hold_stiffness},
                   {"gravity", {scene.gravity.x(), scene.gravity.y(), scene.gravity.z()}},
                   {"rate", scene.rate},
-                  {"substeps", scene.substeps},
-                  {"substeps_max", scene.substeps_max},
-                  {"spectrum_stiffness", scene.spectrum_stiffness},
-                  {"spectrum_damping", scene.spectrum_damping}};
-  if (scene.force_error > 0.0) printed["force_error"] = scene.force_error;
+                  {"substeps", scene.bodies[0].substeps},
+                  {"substeps_max", scene.bodies[0].substeps_max},
+                  {"spectrum_stiffness", scene.bodies[0].spectrum_stiffness},
+                  {"spectrum_damping", scene.bodies[0].spectrum_damping}};
+  if (scene.bodies[0].force_error > 0.0) printed["force_error"] = scene.bodies[0].force_error;
   return printed;
 }
 
@@ -66,23 +66,24 @@ Vec3 parse_vector(Fields& fields, const char* name) {
 
 void parse_scene(Fields fields, Scene& scene) {
   constexpr std::int64_t kMostInt = std::numeric_limits<int>::max();
-  parse_tissue(fields.object("tissue"), scene.tissue);
+  parse_tissue(fields.object("tissue"), scene.bodies[0].tissue);
   Fields tool = fields.object("tool");
-  scene.tool = {.radius = tool.number("radius"), .stiffness = tool.number("stiffness")};
+  scene.instruments[0].tool = {.radius = tool.number("radius"),
+                               .stiffness = tool.number("stiffness")};
   tool.finish();
   Fields coupling = fields.object("coupling");
-  scene.coupling = {.stiffness = coupling.number("stiffness"),
-                    .force_max = coupling.number("force_max")};
+  scene.instruments[0].coupling = {.stiffness = coupling.number("stiffness"),
+                                   .force_max = coupling.number("force_max")};
   coupling.finish();
-  scene.hold_stiffness = fields.number("hold_stiffness");
+  scene.instruments[0].hold_stiffness = fields.number("hold_stiffness");
   scene.gravity = parse_vector(fields, "gravity");
   scene.rate = fields.number("rate");
   // at least 1: 0 would have build_scene choose, perhaps otherwise than it did
-  scene.substeps = static_cast<int>(fields.whole("substeps", 1, kMostInt));
-  scene.substeps_max = static_cast<int>(fields.whole("substeps_max", 1, kMostInt));
-  scene.force_error = fields.number_or("force_error", 0.0);
-  scene.spectrum_stiffness = fields.number("spectrum_stiffness");
-  scene.spectrum_damping = fields.number("spectrum_damping");
+  scene.bodies[0].substeps = static_cast<int>(fields.whole("substeps", 1, kMostInt));
+  scene.bodies[0].substeps_max = static_cast<int>(fields.whole("substeps_max", 1, kMostInt));
+  scene.bodies[0].force_error = fields.number_or("force_error", 0.0);
+  scene.bodies[0].spectrum_stiffness = fields.number("spectrum_stiffness");
+  scene.bodies[0].spectrum_damping = fields.number("spectrum_damping");
   fields.finish();
 }
 

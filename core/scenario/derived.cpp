@@ -43,23 +43,24 @@ void check_counts(const TissueModel& tissue) {
 }
 
 Scene check_built(const Scene& scene) {
-  check_counts(scene.tissue);
+  check_counts(scene.bodies[0].tissue);
   check_ranges(scene);
-  if (scene.substeps < 1 || scene.substeps_max < 1) {
+  if (scene.bodies[0].substeps < 1 || scene.bodies[0].substeps_max < 1) {
     refuse("scene.substeps", "0", "the result of build_scene");
   }
   Scene built = build_scene(scene);
-  if (scene.rest_areas.size() != built.rest_areas.size()) {
-    refuse("scene.rest_areas", write_text(scene.rest_areas.size(), " rows"),
-           write_text(built.rest_areas.size(), ", one per triangle"));
+  if (scene.bodies[0].rest_areas.size() != built.bodies[0].rest_areas.size()) {
+    refuse("scene.rest_areas", write_text(scene.bodies[0].rest_areas.size(), " rows"),
+           write_text(built.bodies[0].rest_areas.size(), ", one per triangle"));
   }
-  for (std::size_t t = 0; t < built.rest_areas.size(); ++t) {
-    compare(write_text("scene.rest_areas: row ", t), scene.rest_areas[t], built.rest_areas[t],
-            kAreaError);
+  for (std::size_t t = 0; t < built.bodies[0].rest_areas.size(); ++t) {
+    compare(write_text("scene.rest_areas: row ", t), scene.bodies[0].rest_areas[t],
+            built.bodies[0].rest_areas[t], kAreaError);
   }
-  compare("scene.spectrum_stiffness", scene.spectrum_stiffness, built.spectrum_stiffness,
-          kSpectrumError);
-  compare("scene.spectrum_damping", scene.spectrum_damping, built.spectrum_damping, kSpectrumError);
+  compare("scene.spectrum_stiffness", scene.bodies[0].spectrum_stiffness,
+          built.bodies[0].spectrum_stiffness, kSpectrumError);
+  compare("scene.spectrum_damping", scene.bodies[0].spectrum_damping,
+          built.bodies[0].spectrum_damping, kSpectrumError);
   return built;
 }
 

@@ -65,6 +65,11 @@ bool holds(const Range& range, double value) noexcept {
   refuse(where, write_text(value), write_text(range.least, " to ", range.most, " ", range.unit));
 }
 
+/// A file has one tissue and one instrument.
+void check_count(const char* name, std::size_t count) {
+  if (count != 1) refuse(name, write_text(count), "1, which is what a file holds");
+}
+
 void check_number(const char* name, double value) {
   const Range& range = find_range(name);
   if (!holds(range, value)) refuse_number(range, name, value);
@@ -90,19 +95,21 @@ void check_table(const std::string& name, const std::vector<Row>& table) {
 std::span<const Range> list_ranges() noexcept { return kRanges; }
 
 void check_ranges(const Scene& scene) {
-  check_number("scene.tool.radius", scene.tool.radius);
-  check_number("scene.tool.stiffness", scene.tool.stiffness);
-  check_number("scene.coupling.stiffness", scene.coupling.stiffness);
-  check_number("scene.coupling.force_max", scene.coupling.force_max);
-  check_number("scene.hold_stiffness", scene.hold_stiffness);
+  check_count("scene.bodies", scene.bodies.size());
+  check_count("scene.instruments", scene.instruments.size());
+  check_number("scene.tool.radius", scene.instruments[0].tool.radius);
+  check_number("scene.tool.stiffness", scene.instruments[0].tool.stiffness);
+  check_number("scene.coupling.stiffness", scene.instruments[0].coupling.stiffness);
+  check_number("scene.coupling.force_max", scene.instruments[0].coupling.force_max);
+  check_number("scene.hold_stiffness", scene.instruments[0].hold_stiffness);
   for (const double g : scene.gravity) check_number("scene.gravity", g);
   check_number("scene.rate", scene.rate);
-  check_number("scene.force_error", scene.force_error);
-  check_number("scene.tissue.nodal_share", scene.tissue.volumes.nodal_share);
-  check_number("scene.tissue.elastic_nodal_share", scene.tissue.elastic.nodal_share);
-  check_number("scene.tissue.elastic_damping_time", scene.tissue.elastic.damping_time);
-  check_number("scene.tissue.pressure", scene.tissue.pressure);
-  check_number("scene.tissue.drag", scene.tissue.drag);
+  check_number("scene.force_error", scene.bodies[0].force_error);
+  check_number("scene.tissue.nodal_share", scene.bodies[0].tissue.volumes.nodal_share);
+  check_number("scene.tissue.elastic_nodal_share", scene.bodies[0].tissue.elastic.nodal_share);
+  check_number("scene.tissue.elastic_damping_time", scene.bodies[0].tissue.elastic.damping_time);
+  check_number("scene.tissue.pressure", scene.bodies[0].tissue.pressure);
+  check_number("scene.tissue.drag", scene.bodies[0].tissue.drag);
   visit_tables(scene, [](const std::string& name, const auto& table) {
     using Row = typename std::decay_t<decltype(table)>::value_type;
     if constexpr (std::is_same_v<typename RowOf<Row>::Number, double>) {

@@ -12,8 +12,8 @@ namespace palpate::scenario {
 /// What a number of a scene may be, both ends included. Far wider than any organ needs; beyond it
 /// a run would stand still, never end, or be felt as nothing.
 struct Range {
-  const char*
-      name;  ///< as in the file: of a number scene.tool.radius, of a table scene/tissue/mass
+  const char* name;  ///< as in the file: of a number scene.instruments[0].tool.radius, of a table
+                     ///< scene/tissue/mass
   const char* unit;
   double least, most;
 };

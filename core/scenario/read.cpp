@@ -100,12 +100,12 @@ Scenario unpack(Container container, const std::string& file) {
     take_table(container.arrays, name, file, table);
   });
   take_authored(container.arrays, file, scenario.authored_arrays);
-  find_around(file, scenario.scene.tissue);
+  find_around(file, scenario.scene.bodies[0].tissue);
   try {
     const Scene built = check_built(scenario.scene);
     scenario.scene.identity = built.identity;
-    scenario.scene.kernel = built.kernel;
-    scenario.scene.response = built.response;
+    scenario.scene.bodies[0].kernel = built.bodies[0].kernel;
+    scenario.scene.bodies[0].response = built.bodies[0].response;
   } catch (const std::invalid_argument& problem) {
     refuse(file, problem.what());
   }

@@ -73,9 +73,9 @@ template <class SomeScene, class Visit>
 void visit_tables(SomeScene& scene, Visit visit) {
   // kernel and vector target belong to the machine a scene runs on, and a response is solved for
   // again: no file has them
-  auto& [tissue, tool, coupling, hold_stiffness, gravity, rate, substeps, substeps_max, force_error,
-         kernel, simd_target, identity, rest_areas, spectrum_stiffness, spectrum_damping,
-         response] = scene;
+  auto& [bodies, instruments, gravity, rate, identity] = scene;
+  auto& [tissue, substeps, substeps_max, force_error, kernel, simd_target, rest_areas,
+         spectrum_stiffness, spectrum_damping, response] = bodies.front();
   auto& [rest_position, mass, fixed, springs, bonds, angles, prisms, volumes, elastic, skin, home,
          pressure, triangles, drag, damping_law, angle_law] = tissue;
   const std::string t = "scene/tissue/";

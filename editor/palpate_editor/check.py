@@ -123,10 +123,10 @@ def build(
         refusal = split_refusal(str(problem))
         allowed = find_coupling_range(organ)
         return None, TissueFacts(refusal=refusal, coupling_range=allowed, default_home=home)
-    tissue = scene.tissue
+    tissue = scene.bodies[0].tissue
     stable_step = palpate.stable_step(tissue)
     return scene, TissueFacts(
-        substeps=scene.substeps,
+        substeps=scene.bodies[0].substeps,
         stable_step=stable_step,
         margin=compute_stability_margin(scene, stable_step),
         total_mass=palpate.compute_total_mass(tissue),
@@ -190,7 +190,7 @@ def find_coupling_range(organ: Organ) -> tuple[float, float] | None:
         scene = compile_organ(replace(organ, model=model))
     except ValueError:
         return None
-    angles = scene.tissue.angles
+    angles = scene.bodies[0].tissue.angles
     shares = np.asarray(angles.stretch_coupling) / hair
     low, high = -np.inf, np.inf
     for row, share in enumerate(shares):
@@ -234,14 +234,14 @@ def describe_problem(problem: Problem) -> Report:
 
 
 def describe_model(scene: palpate.Scene) -> str:
-    tissue = scene.tissue
+    tissue = scene.bodies[0].tissue
     links = len(tissue.springs.ends) + len(tissue.bonds.ends)
     tetrahedra = len(palpate.list_tetrahedra(tissue))
     solid = f"{tetrahedra} tetrahedra, " if tetrahedra else ""
-    if scene.response is not None:
-        moves = f"a response of {1e-6 * scene.response.size.bytes:.1f} MB"
+    if scene.bodies[0].response is not None:
+        moves = f"a response of {1e-6 * scene.bodies[0].response.size.bytes:.1f} MB"
     else:
-        moves = f"{scene.substeps} substeps"
+        moves = f"{scene.bodies[0].substeps} substeps"
     return (
         f"{len(tissue.mass)} particles, {links} links, {solid}total mass "
         f"{1e3 * palpate.compute_total_mass(tissue):.1f} g, {moves}"

@@ -84,5 +84,5 @@ def compute_stability_margin(scene: palpate.Scene, stable_step: float | None = N
     At least 1: the substeps are chosen so, and contact raises them as it needs (scene.cpp).
     `stable_step` [s] is that of the tissue, where it is known.
     """
-    longest = palpate.stable_step(scene.tissue) if stable_step is None else stable_step
-    return float(longest * scene.rate * scene.substeps)
+    longest = palpate.stable_step(scene.bodies[0].tissue) if stable_step is None else stable_step
+    return float(longest * scene.rate * scene.bodies[0].substeps)

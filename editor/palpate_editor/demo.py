@@ -184,7 +184,9 @@ def hand_over(out: Path, organ: Organ, script: PressScript, say: Say) -> Report:
 
     scene = compile_organ(organ)
     hand = out / "press.script.json"
-    write_script_file(hand, write_script(find_top(scene), scene.tool.radius, script)[0])
+    write_script_file(
+        hand, write_script(find_top(scene), scene.instruments[0].tool.radius, script)[0]
+    )
     record = out / "play.prec"
     played = run_elsewhere(
         "play", published, "--headless", "--device", f"script:{hand}", "--record", record
@@ -223,7 +225,7 @@ def touch(
     write_whole(scene_path.with_name(f"{kind}.replay.json"), print_json(replay))
     report = {
         **run.report,
-        "total_mass_g": 1e3 * palpate.compute_total_mass(scene.tissue),
+        "total_mass_g": 1e3 * palpate.compute_total_mass(scene.bodies[0].tissue),
         "scene": scene_path.name,
         "record": record.name,
         "replay": f"{kind}.replay.json",

@@ -60,15 +60,17 @@ def make_scene() -> palpate.Scene:
         palpate.MolecularConstants(bond_stiffness=300.0, bend_stiffness=1e-3),
         palpate.SurfaceOptions(fixed=border),
     )
-    return palpate.build_scene(palpate.Scene(tissue=tissue, gravity=(0.0, 0.0, -9.81)))
+    return palpate.build_scene(
+        palpate.Scene(bodies=[palpate.SoftBody(tissue=tissue)], gravity=(0.0, 0.0, -9.81))
+    )
 
 
 def script(scene: palpate.Scene, tick: int) -> palpate.HapticSample:
     """The hand of the example."""
-    rest = scene.tissue.rest_position
+    rest = scene.bodies[0].tissue.rest_position
     top = rest[np.argmax(rest[:, 2])]
     step = 256 - tick if tick < 512 else -256
-    height = (top[2] + scene.tool.radius) + step * 2.0**-17
+    height = (top[2] + scene.instruments[0].tool.radius) + step * 2.0**-17
     return palpate.HapticSample(time=tick / scene.rate, position=(top[0], top[1], height))
 
 

@@ -43,7 +43,7 @@ def press_through(
 ) -> DeviceRun:
     """Presses a scene from above with an "ideal" device, or a hand on the "plant"."""
     script = PressScript(depth, speed=0.02, hold=0.6)
-    frames, times = write_script(find_top(scene), scene.tool.radius, script)
+    frames, times = write_script(find_top(scene), scene.instruments[0].tool.radius, script)
     frames = [palpate.KeyFrame(0.0, frames[0].position), *shift(frames, 0.8)]
     hand = palpate.ScriptedDevice(frames)
     device: palpate.HapticDevice = hand

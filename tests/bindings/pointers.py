@@ -34,8 +34,10 @@ class Bench:
         self.device = palpate.SurfacePointer(scene)
         self.hand = view.tool = PointerHand(view, self.device, scene)
         self.world = palpate.World(scene)
-        self.x = palpate.compute_surface(scene.tissue, scene.tissue.rest_position)
-        self.faces = np.array(scene.tissue.triangles)
+        self.x = palpate.compute_surface(
+            scene.bodies[0].tissue, scene.bodies[0].tissue.rest_position
+        )
+        self.faces = np.array(scene.bodies[0].tissue.triangles)
         self.tree = palpate.AabbTree(self.x, self.faces)
         self.ticks = 0
         self.samples: list[palpate.HapticSample] = []
@@ -60,7 +62,7 @@ class Bench:
             command = palpate.tick(self.scene, sample, 1.0 / self.scene.rate, self.world)
             self.samples.append(sample)
             self.forces.append(np.array(command.force))
-            self.touching.append(self.world.tool.touching)
+            self.touching.append(self.world.instruments[0].tool.touching)
             self.ticks += 1
         return self.forces[-1]
 
@@ -80,7 +82,7 @@ class Bench:
     def depth(self, position: np.ndarray | None = None) -> float:
         """[m] of a tip below the surface at rest."""
         p = self.position if position is None else position
-        radius = self.scene.tool.radius
+        radius = self.scene.instruments[0].tool.radius
         near = palpate.find_closest_point(self.tree, self.x, p)
         corners = self.x[self.faces[near.triangle]]
         normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])

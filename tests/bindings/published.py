@@ -23,8 +23,8 @@ def publish(folder: Path, title: str = TITLE, task: str = TASK, subdivisions: in
 def publish_unstable(folder: Path) -> Path:
     """An organ that blows up as soon as it is touched: its substeps are far too few."""
     scene = organ_scene(2, stiffness=400.0)
-    scene.rate = 1000.0 / (4.0 * scene.substeps)
-    scene.substeps = scene.substeps_max = 1
+    scene.rate = 1000.0 / (4.0 * scene.bodies[0].substeps)
+    scene.bodies[0].substeps = scene.bodies[0].substeps_max = 1
     path = folder / "unstable.palpate"
     scenario.write(path, scenario.Scenario(scene=scene, title="Unstable"))
     return path

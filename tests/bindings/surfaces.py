@@ -85,7 +85,7 @@ def organ_scene(subdivisions: int = 2, stiffness: float = 50.0) -> palpate.Scene
     """A hollow ellipsoid of 3 x 2.5 x 2 cm, ready for ticks."""
     mesh = ellipsoid((0.03, 0.025, 0.02), subdivisions)
     return palpate.build_scene(
-        palpate.Scene(tissue=palpate.build_mass_spring(mesh, MEMBRANE, stiffness))
+        palpate.make_scene(palpate.build_mass_spring(mesh, MEMBRANE, stiffness))
     )
 
 

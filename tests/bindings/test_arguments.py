@@ -232,22 +232,25 @@ def test_a_device_may_be_given_more_in_python():
 
 @pytest.mark.parametrize("kernel", list(palpate.Kernel)[:2])
 def test_what_belongs_to_a_world_is_read_only(kernel):
-    raw = palpate.Scene(tissue=organ_scene(1).tissue, kernel=kernel)
+    raw = palpate.Scene(
+        bodies=[palpate.SoftBody(tissue=organ_scene(1).bodies[0].tissue, kernel=kernel)]
+    )
     scene = palpate.build_scene(raw)
     world = palpate.World(scene)
 
+    body, instrument, built = world.bodies[0], world.instruments[0], scene.bodies[0].tissue
     for array in (
-        world.tissue.position, world.tissue.velocity, world.tool.position, world.hand,
-        world.load.gravity, world.guard.last_position,
-        scene.tissue.mass, scene.tissue.springs.stiffness, raw.tissue.rest_position,
+        body.tissue.position, body.tissue.velocity, instrument.tool.position, instrument.hand,
+        body.load.gravity, body.guard.last_position, world.pairs[0].load.gravity,
+        built.mass, built.springs.stiffness, raw.bodies[0].tissue.rest_position,
     ):  # fmt: skip
         with pytest.raises(ValueError, match="read-only"):
             array[:] = 1.0
     for change in (
-        lambda: setattr(world.tissue, "time", 1.0),
-        lambda: setattr(world, "hand", (1, 2, 3)),
-        lambda: setattr(scene.tissue, "pressure", 1.0),
-        lambda: setattr(scene.tissue.volumes, "nodal_share", 1.0),
+        lambda: setattr(world.bodies[0].tissue, "time", 1.0),
+        lambda: setattr(world.instruments[0], "hand", (1, 2, 3)),
+        lambda: setattr(scene.bodies[0].tissue, "pressure", 1.0),
+        lambda: setattr(scene.bodies[0].tissue.volumes, "nodal_share", 1.0),
     ):
         with pytest.raises(AttributeError, match="part of a Scene or a World"):
             change()
@@ -261,24 +264,32 @@ def world() -> palpate.World:
 @pytest.mark.parametrize(
     ("call", "name"),
     [
-        (lambda w, m: palpate.step(m, palpate.Load(), 1e-4, w.tissue), "step: got a State"),
         (
-            lambda w, m: palpate.step(model=m, load=palpate.Load(), dt=1e-4, state=w.tissue),
+            lambda w, m: palpate.step(m, palpate.Load(), 1e-4, w.bodies[0].tissue),
             "step: got a State",
         ),
-        (lambda w, m: palpate.release_tool(w.tool), "release_tool: got a ToolState"),
-        (lambda w, m: w.load.clear(), r"Load.clear: got a Load"),
-        (lambda w, m: w.load.add(palpate.Push()), r"Load.add: got a Load"),
-        (lambda w, m: w.tree.refit(m.rest_position), "AabbTree.refit: got a AabbTree"),
         (
-            lambda w, m: palpate.check(m, (0, 0, 0), palpate.State(m), 0.0, w.guard),
+            lambda w, m: palpate.step(
+                model=m, load=palpate.Load(), dt=1e-4, state=w.bodies[0].tissue
+            ),
+            "step: got a State",
+        ),
+        (
+            lambda w, m: palpate.release_tool(w.instruments[0].tool),
+            "release_tool: got a ToolState",
+        ),
+        (lambda w, m: w.bodies[0].load.clear(), r"Load.clear: got a Load"),
+        (lambda w, m: w.bodies[0].load.add(palpate.Push()), r"Load.add: got a Load"),
+        (lambda w, m: w.bodies[0].tree.refit(m.rest_position), "AabbTree.refit: got a AabbTree"),
+        (
+            lambda w, m: palpate.check(m, (0, 0, 0), palpate.State(m), 0.0, w.bodies[0].guard),
             "check: got a Guard",
         ),
     ],
     ids=["step", "by name", "release", "clear", "add", "refit", "check"],
 )
 def test_no_function_moves_what_belongs_to_a_world(world, call, name):
-    model = organ_scene(1).tissue
+    model = organ_scene(1).bodies[0].tissue
     before = palpate.compute_hash(world)
 
     with pytest.raises(ValueError, match=name + " that is part of a World, expected one that"):
@@ -288,13 +299,15 @@ def test_no_function_moves_what_belongs_to_a_world(world, call, name):
 
 
 def test_what_belongs_to_a_world_is_read_by_functions_and_copied(world):
-    model = organ_scene(1).tissue
-    state = copy.copy(world.tissue)
+    model = organ_scene(1).bodies[0].tissue
+    state = copy.copy(world.bodies[0].tissue)
 
-    palpate.step(model, world.load, 1e-4, state)
-    palpate.check(model, (0, 0, 0), world.tissue, 0.0, palpate.Guard(model, (0, 0, 0), state))
+    palpate.step(model, world.bodies[0].load, 1e-4, state)
+    palpate.check(
+        model, (0, 0, 0), world.bodies[0].tissue, 0.0, palpate.Guard(model, (0, 0, 0), state)
+    )
 
-    assert state.time == 1e-4 and world.tissue.time == 0.0
+    assert state.time == 1e-4 and world.bodies[0].tissue.time == 0.0
 
 
 BINDINGS = Path(palpate.__file__).parents[1] / "src"
@@ -322,7 +335,7 @@ def read(path: Path) -> str:
 
 
 def test_what_belongs_to_nobody_else_is_written_to():
-    model = organ_scene(1).tissue.__copy__()
+    model = organ_scene(1).bodies[0].tissue.__copy__()
     state = palpate.State(model)
 
     model.mass[:] *= 2.0
@@ -330,14 +343,16 @@ def test_what_belongs_to_nobody_else_is_written_to():
     model.pressure = 5.0
     state.position[0] = (1, 2, 3)
 
-    assert (palpate.build_scene(palpate.Scene(tissue=model)).tissue.springs.stiffness == 7.0).all()
+    assert (
+        palpate.build_scene(palpate.make_scene(model)).bodies[0].tissue.springs.stiffness == 7.0
+    ).all()
     assert state.position[0].tolist() == [1, 2, 3]
 
 
 def test_a_part_that_is_gone_leaves_no_trace_on_what_comes_after():
     for _ in range(50):
         world = palpate.World(organ_scene(1))
-        assert not world.tissue.position.flags.writeable
+        assert not world.bodies[0].tissue.position.flags.writeable
         del world
         state = palpate.State(chain(3))
         state.position[:] = 0.0

@@ -147,17 +147,19 @@ def test_the_shipped_organs_run_with_the_constants_and_particles_of_their_publis
     for mesh in meshes.read_shipped(["gallbladder", "spleen"]):
         published = palpate.scenario.read(meshes.find_published() / f"{mesh.name}.palpate").scene
         mass_spring, molecular = mesh.build()
-        same = molecular if len(published.tissue.bonds.ends) else mass_spring
+        same = molecular if len(published.bodies[0].tissue.bonds.ends) else mass_spring
 
-        assert same.substeps == published.substeps
-        assert len(same.tissue.fixed) == len(published.tissue.fixed)
-        assert same.tool.radius == published.tool.radius
+        assert same.bodies[0].substeps == published.bodies[0].substeps
+        assert len(same.bodies[0].tissue.fixed) == len(published.bodies[0].tissue.fixed)
+        assert same.instruments[0].tool.radius == published.instruments[0].tool.radius
         for name in ("mass", "home"):
-            ours = np.sort(np.asarray(getattr(same.tissue, name)))
-            theirs = np.sort(np.asarray(getattr(published.tissue, name)))
+            ours = np.sort(np.asarray(getattr(same.bodies[0].tissue, name)))
+            theirs = np.sort(np.asarray(getattr(published.bodies[0].tissue, name)))
             assert np.allclose(ours, theirs, rtol=1e-9)
         # estimated by iterations, which another order of particles ends elsewhere
-        assert same.spectrum_stiffness == pytest.approx(published.spectrum_stiffness, rel=1e-3)
+        assert same.bodies[0].spectrum_stiffness == pytest.approx(
+            published.bodies[0].spectrum_stiffness, rel=1e-3
+        )
 
 
 def test_renumbering_brings_neighbours_together_and_changes_nothing_else():
@@ -253,7 +255,7 @@ def test_frames_are_drawn_of_the_organ_as_it_is_pressed(monkeypatch):
     path = meshes.find_published() / "simple_tissue.palpate"
     scene = palpate.scenario.read(path).scene
 
-    moved = frames.press(scene) - np.asarray(scene.tissue.rest_position)
+    moved = frames.press(scene) - np.asarray(scene.bodies[0].tissue.rest_position)
     times = frames.measure_frames(scene, path)
 
     assert -moved[:, 2].min() > 1e-3

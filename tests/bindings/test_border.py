@@ -135,7 +135,7 @@ def test_a_tree_refuses_positions_it_was_not_built_over():
 
 
 def test_ticks_want_a_scene_that_has_been_built():
-    raw = palpate.Scene(tissue=organ_scene(1).tissue)
+    raw = palpate.make_scene(organ_scene(1).bodies[0].tissue)
 
     with pytest.raises(ValueError, match="build_scene"):
         palpate.World(raw)

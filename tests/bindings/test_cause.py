@@ -43,18 +43,23 @@ def keep_substeps(parts: SceneFile, usual: palpate.Scene) -> palpate.Scene:
     """A scene with the substeps of another, as a file whose constants were edited has them."""
     return palpate.build_scene(
         palpate.Scene(
-            tissue=build_tissue(parts, MESH),
-            tool=usual.tool,
-            coupling=usual.coupling,
-            substeps=usual.substeps,
-            substeps_max=usual.substeps_max,
+            bodies=[
+                palpate.SoftBody(
+                    tissue=build_tissue(parts, MESH),
+                    substeps=usual.bodies[0].substeps,
+                    substeps_max=usual.bodies[0].substeps_max,
+                )
+            ],
+            instruments=list(usual.instruments),
         )
     )
 
 
 def press(scene: palpate.Scene, pull: float = 4e-3) -> palpate.Alarm:
     """The alarm of a press of 4 mm and a pull, if it raises one."""
-    frames, times = write_script(find_top(scene), scene.tool.radius, PressScript(4e-3, pull))
+    frames, times = write_script(
+        find_top(scene), scene.instruments[0].tool.radius, PressScript(4e-3, pull)
+    )
     device, world, dt = palpate.ScriptedDevice(frames), palpate.World(scene), 1.0 / scene.rate
     for tick in range(round(times.end * scene.rate)):
         palpate.tick(scene, device.read(tick * dt), dt, world)
@@ -97,7 +102,7 @@ def test_what_of_a_tissue_needs_more_substeps_than_there_are_is_named(parts, key
 
     check_named(scene, cause, OPTIONS[key])
     found = find_cause(scene, press(scene))
-    assert found.limit == usual.substeps_max < found.found
+    assert found.limit == usual.bodies[0].substeps_max < found.found
 
 
 @pytest.mark.parametrize("pressure", [1e4, 1e5, -1e4, -1e5])
@@ -127,7 +132,7 @@ def test_a_contact_stiffness_that_makes_energy_is_named_with_one_that_does_not(s
 
 def test_a_grip_that_is_too_stiff_for_the_steps_is_named():
     scene = compile_scene(SOUND, MESH)
-    scene.hold_stiffness = 1e9  # no file may have it, a program may
+    scene.instruments[0].hold_stiffness = 1e9  # no file may have it, a program may
 
     check_named(scene, "grip", "--grip")
 
@@ -135,9 +140,9 @@ def test_a_grip_that_is_too_stiff_for_the_steps_is_named():
 @pytest.mark.parametrize("stiffness", [1e4, 1e6, 1e15])
 def test_no_coupling_is_so_stiff_that_the_tissue_blows_up(stiffness):
     scene = compile_scene(SOUND, MESH)
-    coupling = copy.copy(scene.coupling)
+    coupling = copy.copy(scene.instruments[0].coupling)
     coupling.stiffness = stiffness
-    scene.coupling = coupling
+    scene.instruments[0].coupling = coupling
 
     assert not press(scene)
 

@@ -25,13 +25,13 @@ DENT = 3e-3
 
 def press_until_dented(scene: palpate.Scene, place: Place) -> tuple[np.ndarray, np.ndarray]:
     """[m] The surface at rest, and pressed so far that what moved most has moved by DENT."""
-    rest = palpate.compute_surface(scene.tissue, scene.tissue.rest_position)
+    rest = palpate.compute_surface(scene.bodies[0].tissue, scene.bodies[0].tissue.rest_position)
     world = palpate.World(scene)
     for k in range(2000):
-        height = scene.tool.radius + 4e-3 - 5e-5 * k
+        height = scene.instruments[0].tool.radius + 4e-3 - 5e-5 * k
         sample = palpate.HapticSample(position=place.point + place.outward * height)
         palpate.tick(scene, sample, 1.0 / scene.rate, world)
-        now = palpate.compute_surface(scene.tissue, world.tissue.position)
+        now = palpate.compute_surface(scene.bodies[0].tissue, world.bodies[0].tissue.position)
         moved = np.linalg.norm(now - rest, axis=1).max()
         if moved >= DENT:
             return rest, rest + (now - rest) * (DENT / moved)

@@ -26,10 +26,12 @@ def test_hovering_is_exactly_nothing():
     force = tick_at(scene, world, 0.03, count=20)
 
     assert force.tolist() == [0.0, 0.0, 0.0]
-    assert not world.tool.touching
+    assert not world.instruments[0].tool.touching
     assert world.tick_count == 20
     # a float cannot tell a rest length from the distance of two rest positions
-    assert np.allclose(world.tissue.position, scene.tissue.rest_position, rtol=0.0, atol=1e-8)
+    assert np.allclose(
+        world.bodies[0].tissue.position, scene.bodies[0].tissue.rest_position, rtol=0.0, atol=1e-8
+    )
 
 
 def test_the_pressed_organ_pushes_the_hand_out_and_gives_way():
@@ -40,13 +42,15 @@ def test_the_pressed_organ_pushes_the_hand_out_and_gives_way():
     for z in np.linspace(0.03, 0.018, 120):
         force = tick_at(scene, world, z)
 
-    assert 0.05 < force[2] < scene.coupling.force_max
-    assert world.tool.touching
-    assert world.tissue.position[:, 2].max() < 0.0199
-    assert world.load.push_count == len(world.load.pushes()) > 0
-    pushed = world.load.pushes()["force"].sum(axis=0)
-    at_tool = scene.coupling.stiffness * (world.tool.position - (0.0, 0.0, 0.018))
-    assert pushed == pytest.approx(-(at_tool + world.tool.residual), abs=1e-9)
+    assert 0.05 < force[2] < scene.instruments[0].coupling.force_max
+    assert world.instruments[0].tool.touching
+    assert world.bodies[0].tissue.position[:, 2].max() < 0.0199
+    assert world.bodies[0].load.push_count == len(world.bodies[0].load.pushes()) > 0
+    pushed = world.bodies[0].load.pushes()["force"].sum(axis=0)
+    at_tool = scene.instruments[0].coupling.stiffness * (
+        world.instruments[0].tool.position - (0.0, 0.0, 0.018)
+    )
+    assert pushed == pytest.approx(-(at_tool + world.instruments[0].tool.residual), abs=1e-9)
 
 
 def test_the_attach_button_holds_the_tissue_until_it_is_let_go():
@@ -57,12 +61,12 @@ def test_the_attach_button_holds_the_tissue_until_it_is_let_go():
 
     for z in np.linspace(0.021, 0.03, 180):
         force = tick_at(scene, world, z, buttons=palpate.ATTACH_BUTTON)
-    held, pulled = world.tool.hold_count, force[2]
+    held, pulled = world.instruments[0].tool.hold_count, force[2]
     force = tick_at(scene, world, 0.03, count=500)
 
     assert held > 0
     assert pulled < -0.05
-    assert world.tool.hold_count == 0
+    assert world.instruments[0].tool.hold_count == 0
     assert force.tolist() == [0.0, 0.0, 0.0]
 
 
@@ -87,19 +91,22 @@ def test_two_organs_are_felt_differently():
 
 
 def test_build_scene_fills_in_what_is_derived():
-    raw = palpate.Scene(tissue=palpate.build_mass_spring(sheet(6, 0.05), MEMBRANE, 50.0))
+    raw = palpate.make_scene(palpate.build_mass_spring(sheet(6, 0.05), MEMBRANE, 50.0))
 
     scene = palpate.build_scene(raw)
 
-    assert raw.substeps == 0
-    assert scene.substeps >= 1
-    assert scene.substeps_max >= scene.substeps
-    assert scene.rest_areas.sum() == pytest.approx(0.05**2)
-    assert 1.0 / (scene.rate * scene.substeps) <= palpate.stable_step(scene.tissue)
+    assert raw.bodies[0].substeps == 0
+    assert scene.bodies[0].substeps >= 1
+    assert scene.bodies[0].substeps_max >= scene.bodies[0].substeps
+    assert scene.bodies[0].rest_areas.sum() == pytest.approx(0.05**2)
+    assert 1.0 / (scene.rate * scene.bodies[0].substeps) <= palpate.stable_step(
+        scene.bodies[0].tissue
+    )
 
 
 def test_a_scene_that_cannot_be_is_refused():
-    raw = palpate.Scene(tissue=organ_scene(1).tissue, coupling=palpate.Coupling(stiffness=-1.0))
+    raw = palpate.make_scene(organ_scene(1).bodies[0].tissue)
+    raw.instruments[0].coupling.stiffness = -1.0
 
     with pytest.raises(ValueError, match="coupling.stiffness"):
         palpate.build_scene(raw)
@@ -107,21 +114,36 @@ def test_a_scene_that_cannot_be_is_refused():
 
 def test_contact_by_hand_balances_as_in_a_tick():
     scene = organ_scene()
-    x, triangles = scene.tissue.rest_position, scene.tissue.triangles
+    x, triangles = scene.bodies[0].tissue.rest_position, scene.bodies[0].tissue.triangles
     tree = palpate.AabbTree(x, triangles)
     candidates = palpate.Candidates(len(triangles))
     state, load = palpate.ToolState(len(triangles)), palpate.Load(2 * len(triangles))
     over, hand = np.array([0.0, 0.0, 0.03]), np.array([0.0, 0.0, 0.022])
 
-    assert palpate.place_tool(tree, x, over, scene.tool.radius, state)
-    palpate.find_candidates(tree, x, scene.tool, over, hand, scene.rest_areas, candidates)
+    assert palpate.place_tool(tree, x, over, scene.instruments[0].tool.radius, state)
+    palpate.find_candidates(
+        tree, x, scene.instruments[0].tool, over, hand, scene.bodies[0].rest_areas, candidates
+    )
     for _ in range(2):  # from afar the first balance ends where the contacts begin
         force = palpate.balance_tool(
-            scene.tool, scene.coupling, hand, candidates, triangles, x, state, load
+            scene.instruments[0].tool,
+            scene.instruments[0].coupling,
+            hand,
+            candidates,
+            triangles,
+            x,
+            state,
+            load,
         )
     scratch = np.zeros(len(x))
     bound = palpate.bound_contact_stiffness(
-        scene.tool, candidates, triangles, x, scene.tissue.mass, state, scratch
+        scene.instruments[0].tool,
+        candidates,
+        triangles,
+        x,
+        scene.bodies[0].tissue.mass,
+        state,
+        scratch,
     )
 
     assert candidates.count > 4
@@ -168,7 +190,7 @@ def test_a_bench_times_every_work_of_two_scenes():
     mesh = ellipsoid((0.03, 0.025, 0.02), 1)
     constants = palpate.MolecularConstants(bond_stiffness=50.0)
     scenes = [
-        palpate.build_scene(palpate.Scene(tissue=tissue))
+        palpate.build_scene(palpate.make_scene(tissue))
         for tissue in (
             palpate.build_mass_spring(mesh, MEMBRANE, 50.0),
             palpate.build_molecular(mesh, MEMBRANE, constants),

@@ -74,9 +74,9 @@ def test_a_run_is_followed_by_frames_that_get_newer_and_belong_to_the_caller():
 
 def test_a_pause_costs_no_tick_and_its_force_is_zero():
     # so thick that a press lies on it without a bounce
-    tissue = copy.copy(organ_scene(1).tissue)
+    tissue = copy.copy(organ_scene(1).bodies[0].tissue)
     tissue.drag = 200.0
-    scene = palpate.build_scene(palpate.Scene(tissue=tissue))
+    scene = palpate.build_scene(palpate.make_scene(tissue))
     run = LiveRun(scene, script(), options=options())
 
     during = run_with_pauses(run, (0.1, 0.2))

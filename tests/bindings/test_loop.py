@@ -143,14 +143,14 @@ def test_a_snapshot_is_a_copy_that_the_loop_leaves_alone():
         while not (loop.take_snapshot() and loop.snapshot().tick > 150):
             loop.wait(0.01)
         first = loop.snapshot()
-        kept = first.position.copy()
+        kept = first.bodies[0].position.copy()
         while not (loop.take_snapshot() and loop.snapshot().tick > first.tick + 20):
             loop.wait(0.01)
         second = loop.snapshot()
 
-    assert np.array_equal(first.position, kept)
+    assert np.array_equal(first.bodies[0].position, kept)
     assert second.tick > first.tick
-    assert not np.array_equal(first.position, second.position)
+    assert not np.array_equal(first.bodies[0].position, second.bodies[0].position)
 
 
 def test_a_loop_keeps_its_scene_device_and_log_alive():

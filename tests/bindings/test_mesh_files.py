@@ -292,6 +292,6 @@ def test_a_surface_that_was_read_can_be_felt(write):
     mesh = palpate.read_mesh(write("organ.stl", binary_stl(ellipsoid((0.03, 0.02, 0.02), 1))))
     wall = palpate.Material(damping_ratio=0.2, wall_thickness=2e-3)
 
-    scene = palpate.build_scene(palpate.Scene(tissue=palpate.build_membrane_springs(mesh, wall)))
+    scene = palpate.build_scene(palpate.make_scene(palpate.build_membrane_springs(mesh, wall)))
 
     assert palpate.World(scene).tick_count == 0

@@ -344,7 +344,8 @@ def test_a_record_is_not_replayed_on_a_published_file_that_has_changed(tmp_path,
 def test_a_replay_on_another_vector_target_names_the_target_as_the_cause(tmp_path, capsys):
     path, record = publish(tmp_path), tmp_path / "foreign.prec"
     scene = scenario.read(path).scene
-    scene.kernel = palpate.Kernel.reference  # rounds otherwise than any vector target does
+    # rounds otherwise than any vector target does
+    scene.bodies[0].kernel = palpate.Kernel.reference
     made = run_frames(scene, press_frames())
     header = describe_build(scenario.read(path).scene, path, record, "script")
     made.header = json.dumps(header | {"vector_target": "AVX9"})

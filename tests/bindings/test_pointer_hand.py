@@ -16,7 +16,7 @@ from windows import LEFT, RIGHT, drag, move, turn_wheel
 SCENE = organ_scene(2)
 MIDDLE = QPoint(160, 120)
 BESIDE = QPoint(3, 3)
-RADIUS = SCENE.tool.radius
+RADIUS = SCENE.instruments[0].tool.radius
 
 
 @pytest.fixture
@@ -24,7 +24,7 @@ def view(qtbot):
     made = make_view()
     qtbot.addWidget(made)
     made.resize(320, 240)
-    made.show_surface(SCENE.tissue.rest_position, SCENE.tissue.triangles)
+    made.show_surface(SCENE.bodies[0].tissue.rest_position, SCENE.bodies[0].tissue.triangles)
     made.show()
     qtbot.waitExposed(made)
     return made
@@ -38,7 +38,7 @@ def bench(view):
 def test_the_hand_begins_above_the_organ_and_touches_nothing(bench):
     assert bench.hand.grip is Grip.hovering
     assert bench.settle().tolist() == [0.0, 0.0, 0.0]
-    assert not bench.world.tool.touching
+    assert not bench.world.instruments[0].tool.touching
 
 
 def test_hovering_carries_the_tip_along_the_surface_without_touching_it(view, bench):
@@ -69,7 +69,7 @@ def test_the_left_button_presses_until_it_is_let_go(view, bench):
 
     assert bench.hand.grip is Grip.pressing
     assert bench.hand.depth == pytest.approx(bench.hand.press_depth)
-    assert bench.world.tool.touching
+    assert bench.world.instruments[0].tool.touching
     assert force @ outward > 0.0
     QTest.mouseRelease(view, LEFT, Qt.KeyboardModifier.NoModifier, MIDDLE)
     assert bench.hand.grip is Grip.hovering
@@ -143,13 +143,13 @@ def test_one_can_stroke_the_surface_at_a_depth_set_with_the_wheel(view, bench):
     bench.hover(MIDDLE)
     turn_wheel(view, MIDDLE, 8)
     bench.settle()
-    assert bench.world.tool.touching
+    assert bench.world.instruments[0].tool.touching
     deep = bench.depth()
 
     move(view, MIDDLE + QPoint(12, 6))
     bench.settle()
     assert bench.depth() == pytest.approx(deep, rel=0.05)
-    assert bench.world.tool.touching
+    assert bench.world.instruments[0].tool.touching
 
 
 @pytest.mark.parametrize(
@@ -166,7 +166,9 @@ def test_right_or_ctrl_takes_hold_and_pulls_until_it_lets_go(view, bench, button
 
     turn_wheel(view, MIDDLE, -12)
     bench.feel(300)
-    moved = np.asarray(bench.world.tissue.position) - np.asarray(SCENE.tissue.rest_position)
+    moved = np.asarray(bench.world.bodies[0].tissue.position) - np.asarray(
+        SCENE.bodies[0].tissue.rest_position
+    )
     QTest.mouseRelease(view, button, keys, MIDDLE)
 
     assert bench.hand.grip is Grip.hovering
@@ -214,7 +216,10 @@ def test_depths_have_an_end(view, bench):
     for _ in range(500):
         turn_wheel(view, MIDDLE, 5)
     bench.settle()
-    assert bench.hand.depth < palpate.compute_diagonal(np.asarray(SCENE.tissue.rest_position)) / 2
+    assert (
+        bench.hand.depth
+        < palpate.compute_diagonal(np.asarray(SCENE.bodies[0].tissue.rest_position)) / 2
+    )
 
 
 def test_a_far_jump_goes_around_the_organ_and_touches_nothing(view, bench):

@@ -33,8 +33,8 @@ def open_bench(qtbot):
 
     def open_it(scene: palpate.Scene, size=(320, 240)) -> Bench:
         view.resize(*size)
-        x = palpate.compute_surface(scene.tissue, scene.tissue.rest_position)
-        view.show_surface(x, scene.tissue.triangles)
+        x = palpate.compute_surface(scene.bodies[0].tissue, scene.bodies[0].tissue.rest_position)
+        view.show_surface(x, scene.bodies[0].tissue.triangles)
         view.show()
         qtbot.waitExposed(view)
         return Bench(view, scene)
@@ -168,7 +168,7 @@ def test_a_drag_past_the_rim_stays_on_the_organ(open_bench):
     bench.settle()
 
     assert bench.view.pick(at) is None
-    assert bench.world.tool.touching
+    assert bench.world.instruments[0].tool.touching
     assert bench.depth() == pytest.approx(bench.hand.depth, rel=0.1)
 
 

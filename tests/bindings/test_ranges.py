@@ -42,9 +42,9 @@ def build_tissue(kind: str) -> palpate.TissueModel:
 )
 def good(request, tmp_path_factory) -> bytes:
     path = tmp_path_factory.mktemp("good") / "good.palpate"
-    scene = palpate.build_scene(palpate.Scene(tissue=build_tissue(request.param)))
+    scene = palpate.build_scene(palpate.make_scene(build_tissue(request.param)))
     if request.param == "mass-spring":
-        scene.force_error = 1e-3
+        scene.bodies[0].force_error = 1e-3
     scenario.write(path, scenario.Scenario(scene=palpate.build_scene(scene), title="Good"))
     return path.read_bytes()
 
@@ -149,7 +149,7 @@ def test_the_page_and_the_code_have_the_same_ranges(checkout):
 )
 def test_what_hung_or_was_felt_as_nothing_is_no_scene_of_a_file(field, value, tmp_path):
     scene = organ_scene(0)
-    setattr(scene, field, value)
+    setattr(scene.instruments[0] if field == "hold_stiffness" else scene, field, value)
 
     with pytest.raises(ValueError, match=rf"scene\.{field}: got"):
         scenario.check_ranges(scene)
@@ -163,8 +163,8 @@ def test_what_hung_or_was_felt_as_nothing_is_no_scene_of_a_file(field, value, tm
 )
 def test_a_tool_that_was_played_at_no_force_is_no_scene_of_a_file(part, field, value):
     tissue = palpate.build_mass_spring(ellipsoid((0.03, 0.025, 0.02), 0), MEMBRANE, 50.0)
-    scene = palpate.Scene(tissue=tissue)
-    setattr(getattr(scene, part), field, value)
+    scene = palpate.make_scene(tissue)
+    setattr(getattr(scene.instruments[0], part), field, value)
 
     with pytest.raises(ValueError, match=rf"scene\.{part}\.{field}: got"):
         scenario.check_ranges(scene)

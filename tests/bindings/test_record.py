@@ -156,9 +156,12 @@ def test_a_replay_takes_the_kernel_and_the_vector_target_of_the_record():
         organ_scene(), {"kernel": "packed", "vector_target": "of another machine"}
     )
 
-    assert plain.kernel is palpate.Kernel.reference
-    assert (packed.kernel, packed.simd_target) == (palpate.Kernel.packed, targets[-1])
-    assert (foreign.kernel, foreign.simd_target) == (palpate.Kernel.packed, "")
+    assert plain.bodies[0].kernel is palpate.Kernel.reference
+    assert (packed.bodies[0].kernel, packed.bodies[0].simd_target) == (
+        palpate.Kernel.packed,
+        targets[-1],
+    )
+    assert (foreign.bodies[0].kernel, foreign.bodies[0].simd_target) == (palpate.Kernel.packed, "")
     record = run_frames(packed, press_frames())
     assert palpate.replay(packed, record).equal
     assert not palpate.replay(plain, record).equal

@@ -43,7 +43,7 @@ def molecular_scene(subdivisions: int = 1) -> palpate.Scene:
     )
     mesh = ellipsoid((0.05, 0.035, 0.02), subdivisions)
     return palpate.build_scene(
-        palpate.Scene(tissue=palpate.build_molecular(mesh, material, constants))
+        palpate.make_scene(palpate.build_molecular(mesh, material, constants))
     )
 
 
@@ -150,7 +150,7 @@ def test_a_scene_that_was_read_ticks_with_the_same_bits(scene, tmp_path):
 
 
 def test_a_scene_that_was_never_built_is_refused(tmp_path):
-    scene = palpate.Scene(tissue=organ_scene(1).tissue)
+    scene = palpate.make_scene(organ_scene(1).bodies[0].tissue)
 
     with pytest.raises(ValueError, match="the result of build_scene"):
         scenario.write(tmp_path / "a.palpate", scenario.Scenario(scene=scene))

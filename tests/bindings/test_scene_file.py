@@ -73,9 +73,9 @@ def test_an_opened_scene_ticks_with_its_own_constants(organ, tmp_path):
 
     _, compiled = open_scene(tmp_path / "a.json")
 
-    assert np.all(np.asarray(compiled.tissue.springs.stiffness) == 70.0)
-    assert compiled.tool.radius == 0.002
-    assert compiled.substeps >= 1
+    assert np.all(np.asarray(compiled.bodies[0].tissue.springs.stiffness) == 70.0)
+    assert compiled.instruments[0].tool.radius == 0.002
+    assert compiled.bodies[0].substeps >= 1
 
 
 def change(data: dict, path: str, value: object) -> None:
@@ -189,7 +189,7 @@ def test_every_number_of_a_scene_file_changes_what_is_compiled(organ, part, name
 
     def values(scene: SceneFile) -> list:
         s = compile_scene(scene, mesh)
-        t = s.tissue
+        t = s.bodies[0].tissue
         return [
             list(t.mass),
             list(t.bonds.stiffness),
@@ -199,11 +199,11 @@ def test_every_number_of_a_scene_file_changes_what_is_compiled(organ, part, name
             np.asarray(t.angles.stretch_coupling).tolist(),
             t.pressure,
             t.drag,
-            s.tool.radius,
-            s.tool.stiffness,
-            s.coupling.stiffness,
-            s.coupling.force_max,
-            s.hold_stiffness,
+            s.instruments[0].tool.radius,
+            s.instruments[0].tool.stiffness,
+            s.instruments[0].coupling.stiffness,
+            s.instruments[0].coupling.force_max,
+            s.instruments[0].hold_stiffness,
             s.rate,
         ]
 
@@ -217,7 +217,7 @@ def test_a_force_error_is_compiled_for_walls_and_refused_without_home_springs(or
         compile_scene(scene, mesh)
 
     wall = replace(scene, material=MaterialPart(wall_thickness=0.004))
-    assert compile_scene(wall, mesh).force_error == 2e-3
+    assert compile_scene(wall, mesh).bodies[0].force_error == 2e-3
 
 
 @pytest.mark.parametrize(

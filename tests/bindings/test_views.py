@@ -43,7 +43,7 @@ def test_an_array_shows_what_a_step_has_done():
 def test_an_array_keeps_what_it_shows_alive():
     mass = palpate.build_mass_spring(ellipsoid((0.03, 0.03, 0.03), 2), MEMBRANE, 50.0).mass
     stiffness = chain(50).springs.stiffness
-    position = palpate.World(organ_scene(1)).tissue.position
+    position = palpate.World(organ_scene(1)).bodies[0].tissue.position
     gc.collect()
     rubbish = [np.full(5000, 7.0) for _ in range(50)]
 
@@ -79,10 +79,10 @@ def test_a_mesh_copies_what_it_is_made_of():
         lambda: chain(3).springs.ends,
         lambda: chain(3).fixed,
         lambda: palpate.build_topology(sheet(3, 0.02).triangles).edges,
-        lambda: palpate.World(organ_scene(1)).tree.order(),
-        lambda: palpate.World(organ_scene(1)).tree.triangles(),
-        lambda: palpate.World(organ_scene(1)).tool.holds,
-        lambda: palpate.World(organ_scene(1)).load.storage,
+        lambda: palpate.World(organ_scene(1)).bodies[0].tree.order(),
+        lambda: palpate.World(organ_scene(1)).bodies[0].tree.triangles(),
+        lambda: palpate.World(organ_scene(1)).instruments[0].tool.holds,
+        lambda: palpate.World(organ_scene(1)).bodies[0].load.storage,
     ],
     ids=["triangles", "ends", "fixed", "edges", "order", "tree", "holds", "pushes"],
 )
@@ -136,13 +136,13 @@ def test_an_array_that_refuses_writing_is_not_written():
 
 def test_a_scene_takes_its_tissue_once_so_views_of_it_stay_good():
     scene = palpate.Scene()
-    scene.tissue = chain(3)
-    mass = scene.tissue.mass
+    scene.bodies[0].tissue = chain(3)
+    mass = scene.bodies[0].tissue.mass
 
-    with pytest.raises(ValueError, match="scene.tissue"):
-        scene.tissue = chain(200)
+    with pytest.raises(ValueError, match="soft body: tissue"):
+        scene.bodies[0].tissue = chain(200)
 
-    assert np.shares_memory(mass, scene.tissue.mass)
+    assert np.shares_memory(mass, scene.bodies[0].tissue.mass)
     assert not mass.flags.writeable
 
 

@@ -56,9 +56,15 @@ def test_asked_for_substeps_are_taken_where_the_tissue_needs_fewer():
     organ = make_organ("spleen", 300)
     usual = compile_organ(organ)
 
-    more = compile_organ(SetConstant("hand", "substeps", usual.substeps + 5.0)(organ))
+    more = compile_organ(SetConstant("hand", "substeps", usual.bodies[0].substeps + 5.0)(organ))
     fewer = compile_organ(SetConstant("hand", "substeps", 0.0)(organ))
 
-    assert (more.substeps, more.substeps_max) == (usual.substeps + 5, usual.substeps_max + 5)
-    assert (fewer.substeps, fewer.substeps_max) == (usual.substeps, usual.substeps_max)
+    assert (more.bodies[0].substeps, more.bodies[0].substeps_max) == (
+        usual.bodies[0].substeps + 5,
+        usual.bodies[0].substeps_max + 5,
+    )
+    assert (fewer.bodies[0].substeps, fewer.bodies[0].substeps_max) == (
+        usual.bodies[0].substeps,
+        usual.bodies[0].substeps_max,
+    )
     assert type(SetConstant("hand", "substeps", 7.0)(organ).hand.substeps) is int

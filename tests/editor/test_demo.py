@@ -62,7 +62,7 @@ def check_published(out: Path, summary: dict) -> None:
     published = out / summary["published"]
     assert (published.name, published.suffix) == (summary["published"], ".palpate")
     assert hashlib.sha256(published.read_bytes()).hexdigest() == summary["published_sha256"]
-    assert len(palpate.scenario.read(published).scene.tissue.mass) == summary["vertices"]
+    assert len(palpate.scenario.read(published).scene.bodies[0].tissue.mass) == summary["vertices"]
     assert open_organ(out / summary["working"]).title == open_organ(published).title != ""
     assert summary["play"]["replay_equal"] is True
     assert (out / summary["play"]["record"]).is_file()

@@ -95,7 +95,7 @@ def test_the_memory_is_told_before_anything_is_solved_and_no_more_where_nothing_
     found = assess(SetReach(REACH)(spleen), measured=told.append)
     assess(replace(found.organ, title="Spleen"), before=found, measured=told.append)
 
-    assert [size.bytes for size in told] == [found.scene.response.size.bytes]
+    assert [size.bytes for size in told] == [found.scene.bodies[0].response.size.bytes]
 
 
 def test_another_region_is_another_tissue(spleen):
@@ -104,7 +104,7 @@ def test_another_region_is_another_tissue(spleen):
 
     again = assess(replace(found.organ, regions=fewer), before=found)
 
-    assert again.scene.response.size.pushed < found.scene.response.size.pushed
+    assert again.scene.bodies[0].response.size.pushed < found.scene.bodies[0].response.size.pushed
 
 
 def test_a_reach_that_is_gone_is_an_error_with_the_regions_there_are(spleen):

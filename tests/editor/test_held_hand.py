@@ -58,7 +58,7 @@ def hold(scene: palpate.Scene, place: Place, depth: float) -> np.ndarray:
     world, dt, force = palpate.World(scene), 1.0 / scene.rate, []
     for tick in range(round((0.2 + HOLD) * scene.rate)):
         part = min(1.0, tick * dt / 0.2)
-        height = scene.tool.radius + CLEARANCE - part * (CLEARANCE + depth)
+        height = scene.instruments[0].tool.radius + CLEARANCE - part * (CLEARANCE + depth)
         sample = palpate.HapticSample(time=tick * dt, position=place.point + height * place.outward)
         command = palpate.tick(scene, sample, dt, world)
         assert not world.alarm
@@ -75,9 +75,13 @@ def test_a_hand_held_still_in_a_real_organ_feels_a_force_that_settles(organ, kin
     for coupling, depth in holds:
         scene = palpate.build_scene(
             palpate.Scene(
-                tissue=tissue,
-                tool=palpate.Tool(radius=3e-3, stiffness=3e7),
-                coupling=palpate.Coupling(stiffness=coupling, force_max=20.0),
+                bodies=[palpate.SoftBody(tissue=tissue)],
+                instruments=[
+                    palpate.Instrument(
+                        tool=palpate.Tool(radius=3e-3, stiffness=3e7),
+                        coupling=palpate.Coupling(stiffness=coupling, force_max=20.0),
+                    )
+                ],
             )
         )
 

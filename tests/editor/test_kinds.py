@@ -122,7 +122,7 @@ def test_a_solid_says_what_the_study_found_of_its_nodal_share(share, kind, also)
     solid = [f for f in small if f.body in SOLIDS]
     deep = [f for f in read_findings() if f.kind == kind and f.depth and f.depth > 0.0]
 
-    mesh, strains, _ = find_solid_limits(organ, compile_organ(organ).tissue, None)
+    mesh, strains, _ = find_solid_limits(organ, compile_organ(organ).bodies[0].tissue, None)
 
     low, high = (100 * (f - 1) for f in (min(f.least for f in solid), max(f.most for f in solid)))
     assert f"too coarse, {low:.0f} to {high:.0f} % under a small patch" in mesh
@@ -145,7 +145,7 @@ def test_constants_from_tissue_come_back_and_are_built(wall, capsys):
 
     organ = read_organ(wall)
     assert (organ.model.kind, organ.model.constants) == ("molecular", "tissue")
-    built = compile_organ(organ).tissue
+    built = compile_organ(organ).bodies[0].tissue
     material = palpate.Material(
         density=organ.material.density,
         young_modulus=4e4,

@@ -54,7 +54,7 @@ def published(said, organ_file) -> Path:
 
 
 def test_its_memory_is_said_when_it_is_built(said, published):
-    size = palpate.measure_response(scenario.read(published).scene.tissue)
+    size = palpate.measure_response(scenario.read(published).scene.bodies[0].tissue)
 
     assert said["response_bytes"] == size.bytes > 1e6
     assert f"a response of {1e-6 * size.bytes:.1f} MB" in said["description"]
@@ -77,10 +77,10 @@ def test_a_published_linear_solid_is_pressed_in_the_live_loop_and_replayed(
 def test_a_published_linear_solid_comes_back_with_its_response(published):
     scene = scenario.read(published).scene
 
-    assert scene.kernel is palpate.Kernel.response
-    assert len(scene.tissue.elastic.corners) > 1000
-    assert scene.response.compliance.shape == (3 * scene.response.size.pushed,
-                                               3 * scene.response.size.moved)  # fmt: skip
+    assert scene.bodies[0].kernel is palpate.Kernel.response
+    assert len(scene.bodies[0].tissue.elastic.corners) > 1000
+    assert scene.bodies[0].response.compliance.shape == (3 * scene.bodies[0].response.size.pushed,
+                                               3 * scene.bodies[0].response.size.moved)  # fmt: skip
 
 
 def test_a_press_that_is_too_deep_for_it_is_told(published, capsys):

@@ -39,9 +39,15 @@ def test_a_published_organ_ticks_as_it_was_compiled(tmp_path):
     compiled = compile_organ(SPLEEN)
     assert (found.title, found.task) == ("Press the spleen", "Bas ve bırak.")
     for name in ("rest_position", "mass", "fixed", "home"):
-        one, other = getattr(found.scene.tissue, name), getattr(compiled.tissue, name)
+        one, other = (
+            getattr(found.scene.bodies[0].tissue, name),
+            getattr(compiled.bodies[0].tissue, name),
+        )
         assert np.asarray(one).tobytes() == np.asarray(other).tobytes(), name
-    one, other = found.scene.tissue.springs.stiffness, compiled.tissue.springs.stiffness
+    one, other = (
+        found.scene.bodies[0].tissue.springs.stiffness,
+        compiled.bodies[0].tissue.springs.stiffness,
+    )
     assert np.asarray(one).tobytes() == np.asarray(other).tobytes()
     assert report["bytes"] == (tmp_path / "spleen.palpate").stat().st_size
     assert report["vertices"] == 60
@@ -172,8 +178,11 @@ def test_a_scene_file_can_be_published_too(tmp_path, capsys):
     run(capsys, "publish", scene, "--title", "A", "-o", tmp_path / "a.palpate")
 
     assert mesh.is_file()
-    one = scenario.read(str(tmp_path / "a.palpate")).scene.tissue
-    assert np.asarray(one.mass).tobytes() == np.asarray(compile_organ(SPLEEN).tissue.mass).tobytes()
+    one = scenario.read(str(tmp_path / "a.palpate")).scene.bodies[0].tissue
+    assert (
+        np.asarray(one.mass).tobytes()
+        == np.asarray(compile_organ(SPLEEN).bodies[0].tissue.mass).tobytes()
+    )
 
 
 @pytest.mark.parametrize(

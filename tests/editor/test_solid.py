@@ -107,7 +107,7 @@ def test_a_filled_spleen_is_published_pressed_in_the_live_loop_and_replayed(tmp_
     again = run(capsys, "replay", record)
 
     assert made["tetrahedra"] > 1000
-    assert len(scenario.read(file).scene.tissue.volumes.corners) == made["tetrahedra"]
+    assert len(scenario.read(file).scene.bodies[0].tissue.volumes.corners) == made["tetrahedra"]
     assert press["peak_force_N"] > 0.2
     assert again["equal"]
 

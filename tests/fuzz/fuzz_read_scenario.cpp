@@ -23,11 +23,12 @@ constexpr int kNewestVersion = 1 << 20;  // unpack() refuses no version, so neit
 /// What is accepted must also run. A scene may ask for many substeps; that is slow, not wrong.
 void run_ticks(const Scene& scene) {
   constexpr int kFewSubsteps = 50;
-  if (scene.substeps_max > kFewSubsteps) return;
+  if (scene.bodies[0].substeps_max > kFewSubsteps) return;
   World world(scene);
   HapticSample hand;
   for (int i = 0; i < 3; ++i) {
-    hand.position = scene.tissue.rest_position.front() + Vec3(0.0, 0.0, 0.002 - 0.001 * i);
+    hand.position =
+        scene.bodies[0].tissue.rest_position.front() + Vec3(0.0, 0.0, 0.002 - 0.001 * i);
     tick(scene, hand, 1.0 / scene.rate, world);
   }
 }

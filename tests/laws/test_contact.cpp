@@ -72,11 +72,11 @@ Scene make_organ(int n, double radius, double k_a) {
   options.drag = 30.0;
   const Material wall{.density = 1000.0, .damping_ratio = 0.03, .wall_thickness = 0.002};
   Scene scene;
-  scene.kernel = scenes::kernel_under_test();
-  scene.tissue =
+  scene.bodies[0].kernel = scenes::kernel_under_test();
+  scene.bodies[0].tissue =
       build_mass_spring(make_geodesic({0.0165, 0.0165, 0.030}, n), wall, 0.866 * 60.0, options);
-  scene.tool = {.radius = radius, .stiffness = k_a};
-  scene.coupling = {.stiffness = 400.0, .force_max = 5.0};
+  scene.instruments[0].tool = {.radius = radius, .stiffness = k_a};
+  scene.instruments[0].coupling = {.stiffness = 400.0, .force_max = 5.0};
   return build_scene(std::move(scene));
 }
 
@@ -98,8 +98,9 @@ Held press_and_hold(const Scene& scene, Play play) {
   World world(scene);
   const Vec3 out = Vec3(1.0, 0.21, 0.13).normalized();
   // where the tip first touches, from outside inwards
-  const auto first = find_closest_point(world.tree, world.tissue.position, 0.030 * out);
-  const Vec3 start = first->point + scene.tool.radius * out;
+  const auto first =
+      find_closest_point(world.bodies[0].tree, world.bodies[0].tissue.position, 0.030 * out);
+  const Vec3 start = first->point + scene.instruments[0].tool.radius * out;
   Held held;
   double last = 0.0, before = 0.0;
   for (int i = 0; i < 700; ++i) {
@@ -126,45 +127,48 @@ Held press_and_hold(const Scene& scene) {
 /// The tick as it must not be: closest points found once and held over the substeps, everything
 /// else alike, so that only this difference is heard.
 Vec3 tick_with_frozen_contacts(const Scene& scene, const Vec3& hand, World& world) {
-  const auto& triangles = scene.tissue.triangles;
-  const auto& x = world.tissue.position;
-  const double r = scene.tool.radius, K = scene.coupling.stiffness;
-  world.tree.refit(x);
-  if (!place_tool(world.tree, x, hand, r, world.tool)) return Vec3::Zero();
-  find_candidates(world.tree, x, scene.tool, world.tool.position, hand, scene.rest_areas,
-                  world.candidates);
+  const auto& triangles = scene.bodies[0].tissue.triangles;
+  const auto& x = world.bodies[0].tissue.position;
+  const double r = scene.instruments[0].tool.radius, K = scene.instruments[0].coupling.stiffness;
+  world.bodies[0].tree.refit(x);
+  if (!place_tool(world.bodies[0].tree, x, hand, r, world.instruments[0].tool)) return Vec3::Zero();
+  find_candidates(world.bodies[0].tree, x, scene.instruments[0].tool,
+                  world.instruments[0].tool.position, hand, scene.bodies[0].rest_areas,
+                  world.pairs[0].candidates);
   std::vector<Vec3> weights;
-  for (int i = 0; i < world.candidates.count; ++i) {
-    const auto& [a, b, c] = triangles[world.candidates.triangles[i]];
-    weights.push_back(find_closest_on_triangle(world.tool.position, x[a], x[b], x[c]).weights);
+  for (int i = 0; i < world.pairs[0].candidates.count; ++i) {
+    const auto& [a, b, c] = triangles[world.pairs[0].candidates.triangles[i]];
+    weights.push_back(
+        find_closest_on_triangle(world.instruments[0].tool.position, x[a], x[b], x[c]).weights);
   }
   Vec3 felt = Vec3::Zero();
-  Vec3& p = world.tool.position;
-  for (int s = 0; s < scene.substeps_max; ++s) {
+  Vec3& p = world.instruments[0].tool.position;
+  for (int s = 0; s < scene.bodies[0].substeps_max; ++s) {
     for (int newton = 0; newton <= 3; ++newton) {
       Vec3 residual = K * (hand - p);
       Mat3 jacobian = K * Mat3::Identity();
-      world.load.clear();
-      for (int i = 0; i < world.candidates.count; ++i) {
-        const int t = world.candidates.triangles[i];
+      world.bodies[0].load.clear();
+      for (int i = 0; i < world.pairs[0].candidates.count; ++i) {
+        const int t = world.pairs[0].candidates.triangles[i];
         const auto& [a, b, c] = triangles[t];
         const Vec3 arm = p - (weights[i][0] * x[a] + weights[i][1] * x[b] + weights[i][2] * x[c]);
         const double depth = r - arm.norm();
         if (depth <= 0.0 || arm.dot((x[b] - x[a]).cross(x[c] - x[a])) < 0.0) continue;
-        const double k = scene.tool.stiffness * world.candidates.areas[i];
+        const double k = scene.instruments[0].tool.stiffness * world.pairs[0].candidates.areas[i];
         const double z = std::max(kBarrierFloor, 1.0 - depth / r);
         const Vec3 n = arm.normalized();
         residual += k * depth / z * n;
         jacobian += k / (z * z) * n * n.transpose();
-        world.load.add({t, weights[i], -k * depth / z * n});
+        world.bodies[0].load.add({t, weights[i], -k * depth / z * n});
       }
       if (newton == 3) break;
       p += jacobian.llt().solve(residual);
     }
-    step(scene.tissue, world.load, kTick / scene.substeps_max, world.tissue);
+    step(scene.bodies[0].tissue, world.bodies[0].load, kTick / scene.bodies[0].substeps_max,
+         world.bodies[0].tissue);
     felt += K * (p - hand);
   }
-  return felt / scene.substeps_max;
+  return felt / scene.bodies[0].substeps_max;
 }
 
 struct Flicks {
@@ -177,15 +181,15 @@ struct Flicks {
 /// Flicks a 1.5 mm tip at `places` places from 6 mm outside to 12 mm inside at `speed` [m/s],
 /// holds it there for 20 ms, and checks after every tick whether the tool is inside.
 Flicks flick(const Scene& scene, int places, double speed) {
-  const Vec3Array normals =
-      compute_vertex_normals(scene.tissue.rest_position, scene.tissue.triangles);
-  const int count = particle_count(scene.tissue);
+  const Vec3Array normals = compute_vertex_normals(scene.bodies[0].tissue.rest_position,
+                                                   scene.bodies[0].tissue.triangles);
+  const int count = particle_count(scene.bodies[0].tissue);
   Flicks flicks;
   for (int place = 0; place < places; ++place) {
     // spread over the organ and off the vertices: aimed at corners, edges and faces alike
     const auto vertex = static_cast<std::size_t>((place * 7919L) % count);
     const Vec3& n = normals[vertex];
-    const Vec3 start = scene.tissue.rest_position[vertex] + 0.006 * n +
+    const Vec3 start = scene.bodies[0].tissue.rest_position[vertex] + 0.006 * n +
                        3e-4 * Vec3(scenes::scatter(3u * static_cast<unsigned>(place)),
                                    scenes::scatter(3u * static_cast<unsigned>(place) + 1),
                                    scenes::scatter(3u * static_cast<unsigned>(place) + 2));
@@ -196,9 +200,10 @@ Flicks flick(const Scene& scene, int places, double speed) {
       const Vec3 hand = start - std::min(0.018, speed * kTick * i) * n;
       const Vec3 force = tick(scene, hand_at(hand), kTick, world).force;
       flicks.most_force = std::max(flicks.most_force, force.norm());
-      touched = touched || world.tool.touching;
-      const bool inside = compute_winding_number(scene.tissue.triangles, world.tissue.position,
-                                                 world.tool.position) > 0.5;
+      touched = touched || world.instruments[0].tool.touching;
+      const bool inside =
+          compute_winding_number(scene.bodies[0].tissue.triangles, world.bodies[0].tissue.position,
+                                 world.instruments[0].tool.position) > 0.5;
       crossed = crossed || inside;
     }
     flicks.alarms += static_cast<bool>(world.alarm);

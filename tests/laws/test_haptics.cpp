@@ -77,9 +77,9 @@ std::vector<Organ> make_organs() {
 
 Scene make_scene(const Organ& organ, double coupling) {
   Scene scene;
-  scene.kernel = scenes::kernel_under_test();
-  scene.tissue = organ.tissue;
-  scene.coupling.stiffness = coupling;
+  scene.bodies[0].kernel = scenes::kernel_under_test();
+  scene.bodies[0].tissue = organ.tissue;
+  scene.instruments[0].coupling.stiffness = coupling;
   return build_scene(std::move(scene));
 }
 
@@ -152,7 +152,7 @@ double find_limit(const LinearTissue& tissue, const Organ& organ, double couplin
 /// The scene with a single substep of `dt` [s], whatever the tissue needs.
 Scene with_one_substep(Scene scene, double dt) {
   scene.rate = 1.0 / dt;
-  scene.substeps = scene.substeps_max = 1;
+  scene.bodies[0].substeps = scene.bodies[0].substeps_max = 1;
   return scene;
 }
 
@@ -210,7 +210,7 @@ TEST_CASE("with its substeps removed a tissue diverges where the prediction says
     const Scene scene = make_scene(organ, 200.0);
     const LinearTissue linear(organ.tissue);
     const double at_rest = find_limit(linear, organ, 0.0);
-    const double touched = find_limit(linear, organ, scene.coupling.stiffness);
+    const double touched = find_limit(linear, organ, scene.instruments[0].coupling.stiffness);
     Alarm alarm;
 
     hold(with_one_substep(scene, 1.1 * at_rest), organ, 0.005, 0.0, alarm);

@@ -63,7 +63,7 @@ def press(name: str) -> Curve:
     what = PRESSES[name]
     scene = read_scene(ORGANS / f"{what.organ}.palpate")
     place = find_top(scene) if what.at is None else find_place(scene, np.array(what.at))
-    frames, times = write_script(place, scene.tool.radius, what.script)
+    frames, times = write_script(place, scene.instruments[0].tool.radius, what.script)
     device, world, dt = palpate.ScriptedDevice(frames), palpate.World(scene), 1.0 / scene.rate
     force = []
     for tick in range(round(times.end * scene.rate)):

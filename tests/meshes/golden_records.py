@@ -71,7 +71,9 @@ def open_scene(golden: Golden) -> palpate.Scene:
 def make_record(golden: Golden) -> palpate.Record:
     """Raises RuntimeError for an alarm."""
     scene = open_scene(golden)
-    frames, _ = write_script(find_top(scene), scene.tool.radius, PRESSES[golden.organ])
+    frames, _ = write_script(
+        find_top(scene), scene.instruments[0].tool.radius, PRESSES[golden.organ]
+    )
     header = json.dumps(describe_arithmetic(scene) | {"scene": f"{golden.organ}.palpate"})
     return run_frames(scene, frames, header, HASH_INTERVAL)
 

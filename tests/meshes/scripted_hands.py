@@ -35,7 +35,7 @@ def open_organ_scene(name: str) -> palpate.Scene:
 
 def find_scattered_place(scene: palpate.Scene, number: int) -> Place:
     """One of many places all over an organ, always the same."""
-    x = palpate.compute_surface(scene.tissue, scene.tissue.rest_position)
+    x = palpate.compute_surface(scene.bodies[0].tissue, scene.bodies[0].tissue.rest_position)
     return find_place(scene, x[number * 7919 % len(x)])
 
 
@@ -45,7 +45,7 @@ def run_hand(scene: palpate.Scene, frames: list[palpate.KeyFrame]) -> Felt:
     for tick in range(round(frames[-1].time * scene.rate)):
         command = palpate.tick(scene, device.read(tick * dt), dt, felt.world)
         felt.force.append(float(np.linalg.norm(command.force)))
-        felt.held.append(felt.world.tool.hold_count > 0)
+        felt.held.append(felt.world.instruments[0].tool.hold_count > 0)
         if felt.alarm != palpate.AlarmKind.none:
             break
     return felt
@@ -53,7 +53,7 @@ def run_hand(scene: palpate.Scene, frames: list[palpate.KeyFrame]) -> Felt:
 
 def press(scene: palpate.Scene, place: Place, depth: float, speed: float = 0.03) -> Felt:
     script = PressScript(depth, speed=speed, hold=0.1)
-    return run_hand(scene, write_script(place, scene.tool.radius, script)[0])
+    return run_hand(scene, write_script(place, scene.instruments[0].tool.radius, script)[0])
 
 
 def pull(
@@ -71,7 +71,7 @@ def pull(
     def go(above: float, duration: float, attached: bool = False) -> None:
         frame = palpate.KeyFrame()
         frame.time = frames[-1].time + duration if frames else 0.0
-        frame.position = place.point + (scene.tool.radius + above) * place.outward
+        frame.position = place.point + (scene.instruments[0].tool.radius + above) * place.outward
         frame.buttons = int(attached)
         frames.append(frame)
 

@@ -44,7 +44,10 @@ def test_a_tip_that_is_a_quarter_wider_is_seen(monkeypatch):
 
     def read_wider(path):
         scene = palpate.scenario.read(path).scene
-        scene.tool = palpate.Tool(radius=1.25 * scene.tool.radius, stiffness=scene.tool.stiffness)
+        scene.instruments[0].tool = palpate.Tool(
+            radius=1.25 * scene.instruments[0].tool.radius,
+            stiffness=scene.instruments[0].tool.stiffness,
+        )
         return scene
 
     monkeypatch.setattr("golden_curves.read_scene", read_wider)

@@ -26,7 +26,10 @@ def find_ends(places, **script) -> dict[int, str]:
 
 def test_a_wall_that_snaps_through_ends_no_press_and_feels_as_with_four_times_the_substeps():
     scene, finer = open_organ_scene("gallbladder"), open_organ_scene("gallbladder")
-    finer.substeps, finer.substeps_max = 4 * scene.substeps, 4 * scene.substeps_max
+    finer.bodies[0].substeps, finer.bodies[0].substeps_max = (
+        4 * scene.bodies[0].substeps,
+        4 * scene.bodies[0].substeps_max,
+    )
     place = find_place(scene, np.array([20.06e-3, 2.55e-3, 40.53e-3]))
 
     coarse, fine = (press(s, place, depth=8e-3) for s in (scene, palpate.build_scene(finer)))
@@ -74,7 +77,10 @@ def check_pull(name: str, place_number: int | None, hold: float) -> None:
     released = int(np.flatnonzero(held)[-1])
     load = force[released - 40 : released + 1].max()
     slipped = released < len(held) - AFTER
-    assert not slipped or load == pytest.approx(scene.coupling.force_max), (name, place_number)
+    assert not slipped or load == pytest.approx(scene.instruments[0].coupling.force_max), (
+        name,
+        place_number,
+    )
     assert not slipped or name == RIGID or place_number is not None
     assert np.diff(force[released - 40 :]).min() > -0.1 * max(load, 0.1)
 
@@ -114,7 +120,7 @@ def test_a_hand_that_pulls_on_and_on_slips_off(name):
     assert felt.alarm == NONE
     slipped = int(np.flatnonzero(held)[-1])
     assert slipped < len(held) - AFTER - 200  # before it is let go
-    assert force.max() <= scene.coupling.force_max * (1 + 1e-9)
-    assert force[slipped - 40] > 0.8 * scene.coupling.force_max
+    assert force.max() <= scene.instruments[0].coupling.force_max * (1 + 1e-9)
+    assert force[slipped - 40] > 0.8 * scene.instruments[0].coupling.force_max
     assert force[slipped + 1 :].max() < 1e-3
     assert np.diff(force[slipped - 40 : slipped + 1]).min() > -0.1 * force[slipped - 40]

@@ -65,7 +65,10 @@ def test_the_shipped_files_open_and_are_the_organs_of_the_catalogue(name):
     made = make_organ(name)
     for vertices, faces in (
         (organ.surface.vertices, organ.surface.triangles),
-        (np.asarray(scene.tissue.rest_position), np.asarray(scene.tissue.triangles)),
+        (
+            np.asarray(scene.bodies[0].tissue.rest_position),
+            np.asarray(scene.bodies[0].tissue.triangles),
+        ),
     ):
         assert np.array_equal(vertices, x) and np.array_equal(faces, triangles)
     for part in ("material", "model", "tool", "look"):
@@ -73,14 +76,14 @@ def test_the_shipped_files_open_and_are_the_organs_of_the_catalogue(name):
     assert {n: r.tolist() for n, r in organ.regions.items()} == {
         n: r.tolist() for n, r in made.regions.items()
     }
-    assert np.array_equal(np.asarray(scene.tissue.fixed), np.flatnonzero(made.fixed))
+    assert np.array_equal(np.asarray(scene.bodies[0].tissue.fixed), np.flatnonzero(made.fixed))
 
 
 @pytest.mark.parametrize("name", ORGANS)
 def test_a_shipped_scenario_is_played_and_pushes_back(capsys, tmp_path, name):
     path, press = PUBLISHED / f"{name}.palpate", tmp_path / "press.json"
     scene = read_scene(path)
-    place, radius = find_top(scene), scene.tool.radius
+    place, radius = find_top(scene), scene.instruments[0].tool.radius
     heights = ((0.0, radius + 2e-3), (0.2, radius - 2e-3), (0.3, radius + 2e-3))
     write_script_file(
         press,
@@ -125,18 +128,20 @@ def test_a_solid_feels_like_its_young_s_modulus_under_the_tip(tmp_path, name):
 def test_a_stone_does_not_give_at_all_and_pushes_back():
     scene = read_scene(PUBLISHED / "kidney_stone.palpate")
     place, world = find_top(scene), palpate.World(scene)
-    rest = np.array(world.tissue.position)
+    rest = np.array(world.bodies[0].tissue.position)
     sample = palpate.HapticSample()
 
     for k in range(400):
         sample.time = 1e-3 * k
         # from above it to 3 mm deep, in 0.3 s
-        sample.position = place.point + place.outward * (scene.tool.radius - 1e-5 * min(k, 300))
+        sample.position = place.point + place.outward * (
+            scene.instruments[0].tool.radius - 1e-5 * min(k, 300)
+        )
         command = palpate.tick(scene, sample, 1e-3, world)
 
-    assert np.array_equal(np.array(world.tissue.position), rest)
+    assert np.array_equal(np.array(world.bodies[0].tissue.position), rest)
     assert np.dot(command.force, place.outward) > 0.5
-    assert scene.substeps == 1
+    assert scene.bodies[0].substeps == 1
 
 
 def test_the_list_says_where_everything_comes_from(capsys):
@@ -159,7 +164,7 @@ def test_the_verb_writes_files_to_edit_and_to_play_and_pictures(capsys, tmp_path
 
     assert code == 0, said.err
     assert open_organ(tmp_path / "kidney_stone.organ").vertex_count == 120
-    assert len(read_scene(tmp_path / "kidney_stone.palpate").tissue.mass) == 120
+    assert len(read_scene(tmp_path / "kidney_stone.palpate").bodies[0].tissue.mass) == 120
     assert imread(tmp_path / "pictures" / "kidney_stone.png").shape[:2] == (960, 1280)
 
 
@@ -240,4 +245,4 @@ def test_every_tissue_has_a_look_the_renderer_takes():
 def test_the_laws_take_every_organ_of_either_kind():
     for name in ("simple_tissue", "spleen"):
         scene = read_scene(PUBLISHED / f"{name}.palpate")
-        assert palpate.stable_step(scene.tissue) > 0.0
+        assert palpate.stable_step(scene.bodies[0].tissue) > 0.0

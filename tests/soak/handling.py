@@ -70,7 +70,7 @@ class Operator:
     def __init__(self, folder: Path, seed: int):
         self.folder, self.choose = folder, random.Random(seed)
         self.scene = build_scene()
-        self.top = float(self.scene.tissue.rest_position[:, 2].max())
+        self.top = float(self.scene.bodies[0].tissue.rest_position[:, 2].max())
         self.saves = 0
 
     def run_once(self) -> Outcome:

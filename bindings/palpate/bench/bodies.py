@@ -66,9 +66,7 @@ def make_builder(name: str, kind: str) -> Callable[[], palpate.Scene]:
             built = builders[kind](reference, NODAL_SHARE)
         else:
             built = models.build_shell(reference)
-        scene = palpate.Scene()
-        scene.tissue = built.model
-        return palpate.build_scene(scene)
+        return palpate.build_scene(palpate.make_scene(built.model))
 
     return build
 

@@ -37,8 +37,8 @@ class Frames:
 
 def measure_frames(scene: palpate.Scene, published: Path) -> Frames:
     """Draws the organ of a scene, at rest and pressed in turn. Raises RenderError."""
-    shapes = [np.asarray(scene.tissue.rest_position), press(scene)]
-    triangles = np.asarray(scene.tissue.triangles)
+    shapes = [np.asarray(scene.bodies[0].tissue.rest_position), press(scene)]
+    triangles = np.asarray(scene.bodies[0].tissue.triangles)
     look = find_look(palpate.scenario.read(published)) or Look()
     with open_context() as context:
         renderer = Renderer(context)
@@ -65,10 +65,10 @@ def press(scene: palpate.Scene) -> NDArray[np.float64]:
     """[m] (n, 3) the organ after a press from above."""
     world, place = palpate.World(scene), find_top(scene)
     for k in range(1, PRESS_TICKS + 1):
-        height = scene.tool.radius - DEPTH * k / PRESS_TICKS
+        height = scene.instruments[0].tool.radius - DEPTH * k / PRESS_TICKS
         sample = palpate.HapticSample(position=place.point + height * place.outward)
         palpate.tick(scene, sample, 1.0 / scene.rate, world)
-    return np.array(world.tissue.position)
+    return np.array(world.bodies[0].tissue.position)
 
 
 def open_screen(context: Any) -> Any:

@@ -60,7 +60,7 @@ def measure_loop(mesh: BenchMesh, scene: palpate.Scene, duration: float) -> Repo
 
 
 def script_presses(scene: palpate.Scene, duration: float) -> palpate.ScriptedDevice:
-    place, radius = find_top(scene), scene.tool.radius
+    place, radius = find_top(scene), scene.instruments[0].tool.radius
     above = place.point + (radius + LIFT) * place.outward
     below = place.point + (radius - DEPTH) * place.outward
     frames = []

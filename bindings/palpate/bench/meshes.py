@@ -77,7 +77,7 @@ def read_published(path: Path) -> BenchMesh:
     from palpate.scene.authored import read_constants
 
     scenario = palpate.scenario.read(path)
-    tissue = scenario.scene.tissue
+    tissue = scenario.scene.bodies[0].tissue
     mesh = palpate.SurfaceMesh(np.array(tissue.rest_position), np.array(tissue.triangles))
     scene = read_constants(path, scenario)
     scale = np.asarray(scenario.authored_arrays.get("stiffness_scale", ()), dtype=float)

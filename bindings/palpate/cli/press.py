@@ -54,7 +54,9 @@ def run_press(call: argparse.Namespace) -> Report:
     place: Place = find_top(scene) if call.at is None else find_place(scene, call.at)
     script = PressScript(call.depth, call.pull, call.speed, call.hold)
     if call.script:
-        write_script_file(call.script, write_script(place, scene.tool.radius, script)[0])
+        write_script_file(
+            call.script, write_script(place, scene.instruments[0].tool.radius, script)[0]
+        )
     with tempfile.TemporaryDirectory() as folder:
         path = call.record or Path(folder) / "press.prec"
         run = run_script(scene, place, script, path, call.scene)

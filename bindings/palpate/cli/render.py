@@ -64,9 +64,9 @@ def run_render(call: argparse.Namespace) -> Report:
         from palpate.render.authored_look import find_look
 
         made = palpate.scenario.read(call.file)
-        mesh, options["look"] = made.scene.tissue, find_look(made)
+        mesh, options["look"] = made.scene.bodies[0].tissue, find_look(made)
     elif call.file.suffix == ".json":
-        mesh = read_scene(call.file).tissue
+        mesh = read_scene(call.file).bodies[0].tissue
     else:
         raise Refusal(
             call.file,

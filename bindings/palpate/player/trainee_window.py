@@ -66,8 +66,10 @@ class TraineeWindow(QWidget):
         self.view = make_view(self)
         self.view.wireframe = False
         self.view.use_look(find_look(play.scenario))
-        self._rest = palpate.compute_surface(self.scene.tissue, self.scene.tissue.rest_position)
-        self.view.show_surface(self._rest, self.scene.tissue.triangles)
+        self._rest = palpate.compute_surface(
+            self.scene.bodies[0].tissue, self.scene.bodies[0].tissue.rest_position
+        )
+        self.view.show_surface(self._rest, self.scene.bodies[0].tissue.triangles)
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.addWidget(self.view)
@@ -176,7 +178,7 @@ class TraineeWindow(QWidget):
     def _show(self, frame: Frame) -> None:
         self._time = frame.time
         self.view.move_surface(frame.position)
-        self.view.show_tool(frame.tool_position, self.scene.tool.radius)
+        self.view.show_tool(frame.tool_position, self.scene.instruments[0].tool.radius)
         self.view.force_scale = ARROW * self.view.scenery.radius / self.over.force.range
         self.view.show_force(frame.tool_position, frame.force)
         self._force = float(np.linalg.norm(frame.force))

@@ -51,7 +51,7 @@ def find_cause(scene: palpate.Scene, alarm: palpate.Alarm) -> Cause | None:
     """The first that alone explains the alarm, from the tissue at rest to the tool; None where the
     scene does not tell. Takes some seconds of ticks at most.
     """
-    if alarm.kind in NEVER_ASKED or scene.response is not None:
+    if alarm.kind in NEVER_ASKED or scene.bodies[0].response is not None:
         return None
     return (
         find_unstable_part(scene)
@@ -76,14 +76,16 @@ def count_substeps(scene: palpate.Scene, stiffness: float, damping: float) -> in
 
 def find_unstable_part(scene: palpate.Scene) -> Cause | None:
     """What of the tissue needs more substeps than there can be."""
-    stiffness, damping = scene.spectrum_stiffness, scene.spectrum_damping
+    stiffness, damping = scene.bodies[0].spectrum_stiffness, scene.bodies[0].spectrum_damping
     needed = count_substeps(scene, stiffness, 0.0)
-    if needed > scene.substeps_max:
-        return Cause(find_stiffest_part(scene.tissue), needed, scene.substeps_max)
+    if needed > scene.bodies[0].substeps_max:
+        return Cause(
+            find_stiffest_part(scene.bodies[0].tissue), needed, scene.bodies[0].substeps_max
+        )
     needed = count_substeps(scene, stiffness, damping)
-    if needed > scene.substeps_max:
-        name = "drag" if scene.tissue.drag > 0.5 * damping else "damping"
-        return Cause(name, needed, scene.substeps_max)
+    if needed > scene.bodies[0].substeps_max:
+        name = "drag" if scene.bodies[0].tissue.drag > 0.5 * damping else "damping"
+        return Cause(name, needed, scene.bodies[0].substeps_max)
     return None
 
 
@@ -133,7 +135,7 @@ def run_trial(scene: palpate.Scene, device: palpate.HapticDevice, lasts: float) 
 
 def rests_untouched(scene: palpate.Scene) -> bool:
     """Whether the tissue raises no alarm with nobody near it."""
-    x = np.asarray(scene.tissue.rest_position)
+    x = np.asarray(scene.bodies[0].tissue.rest_position)
     away = palpate.KeyFrame()
     away.position = np.minimum(x.max(axis=0) + 10.0 * np.ptp(x, axis=0) + 1.0, 9.0)
     hand = palpate.ScriptedDevice([away])
@@ -142,29 +144,44 @@ def rests_untouched(scene: palpate.Scene) -> bool:
 
 def bears_touch(scene: palpate.Scene, place: Place) -> bool:
     """Whether a light press and pull leave the tissue sound."""
-    frames, times = write_script(place, scene.tool.radius, TOUCH)
+    frames, times = write_script(place, scene.instruments[0].tool.radius, TOUCH)
     return run_trial(scene, palpate.ScriptedDevice(frames), times.end) not in BLOWN
 
 
-def change(scene: palpate.Scene, **fields: object) -> palpate.Scene:
-    """A scene that differs in what its spectrum does not depend on."""
+def change_body(scene: palpate.Scene, **fields: object) -> palpate.Scene:
+    """A scene whose body differs in what its spectrum does not depend on."""
     other = copy.copy(scene)
     for name, value in fields.items():
-        setattr(other, name, value)
+        setattr(other.bodies[0], name, value)
+    return other
+
+
+def change_instrument(scene: palpate.Scene, **fields: object) -> palpate.Scene:
+    other = copy.copy(scene)
+    for name, value in fields.items():
+        setattr(other.instruments[0], name, value)
     return other
 
 
 def drop_pressure(scene: palpate.Scene) -> palpate.Scene:
-    slack = copy.copy(scene.tissue)
+    body = scene.bodies[0]
+    slack = copy.copy(body.tissue)
     slack.pressure = 0.0
-    kept = ("tool", "coupling", "hold_stiffness", "gravity", "rate", "substeps", "substeps_max")
-    fields = {name: getattr(scene, name) for name in (*kept, "force_error", "kernel")}
-    return palpate.build_scene(palpate.Scene(tissue=slack, **fields))
+    kept = ("substeps", "substeps_max", "force_error", "kernel")
+    fields = {name: getattr(body, name) for name in kept}
+    return palpate.build_scene(
+        palpate.Scene(
+            bodies=[palpate.SoftBody(tissue=slack, **fields)],
+            instruments=list(scene.instruments),
+            gravity=scene.gravity,
+            rate=scene.rate,
+        )
+    )
 
 
 def find_restless_part(scene: palpate.Scene) -> Cause | None:
     """What moves the tissue though nothing touches it: pressure or Eq 10."""
-    tissue = scene.tissue
+    tissue = scene.bodies[0].tissue
     has_eq10 = tissue.angle_law == palpate.AngleLaw.eq10 and len(tissue.angles.corners) > 0
     if not (tissue.pressure or has_eq10) or rests_untouched(scene):
         return None
@@ -183,10 +200,10 @@ def find_hard_part(scene: palpate.Scene) -> Cause | None:
         for value in hard.list_trials(scene):
             if bears_touch(hard.put(scene, value), place):
                 return Cause(hard.name, hard.get(scene), value)
-    most = FINER * scene.substeps
-    finer = change(scene, substeps=most, substeps_max=max(most, scene.substeps_max))
+    most = FINER * scene.bodies[0].substeps
+    finer = change_body(scene, substeps=most, substeps_max=max(most, scene.bodies[0].substeps_max))
     if bears_touch(finer, place):
-        return Cause("finer", scene.substeps, most)
+        return Cause("finer", scene.bodies[0].substeps, most)
     return None
 
 
@@ -211,16 +228,22 @@ class Hard:
 
 
 def put_contact(scene: palpate.Scene, value: float) -> palpate.Scene:
-    return change(scene, tool=palpate.Tool(radius=scene.tool.radius, stiffness=value))
+    tool = palpate.Tool(radius=scene.instruments[0].tool.radius, stiffness=value)
+    return change_instrument(scene, tool=tool)
 
 
 HARD = (
-    Hard("contact", palpate.Tool().stiffness, lambda scene: scene.tool.stiffness, put_contact),
+    Hard(
+        "contact",
+        palpate.Tool().stiffness,
+        lambda scene: scene.instruments[0].tool.stiffness,
+        put_contact,
+    ),
     Hard(
         "grip",
-        palpate.Scene().hold_stiffness,
-        lambda scene: scene.hold_stiffness,
-        lambda scene, value: change(scene, hold_stiffness=value),
+        palpate.Instrument().hold_stiffness,
+        lambda scene: scene.instruments[0].hold_stiffness,
+        lambda scene, value: change_instrument(scene, hold_stiffness=value),
     ),
 )
 """The coupling is not among them: a tool without mass passes on no more than the contact does, and

@@ -135,14 +135,14 @@ class LiveRun:
         return Frame(
             now.tick,
             now.time,
-            now.position,
+            now.bodies[0].position,
             np.array(now.tool_position),
             np.array(now.force),
             now.touching,
             now.motors,
             now.cost,
             now.lateness,
-            now.substeps,
+            now.bodies[0].substeps,
             now.missed_ticks,
             now.sample,
         )

@@ -126,7 +126,7 @@ class Play:
 
     def force_limit(self) -> float:
         """[N] More than this no device is sent."""
-        return min(self.scenario.scene.coupling.force_max, self.limit)
+        return min(self.scenario.scene.instruments[0].coupling.force_max, self.limit)
 
 
 def find_driver(device: palpate.HapticDevice) -> palpate.SerialDevice | None:
@@ -146,7 +146,7 @@ def describe_device(device: palpate.HapticDevice) -> str | None:
 
 def find_middle(scene: palpate.Scene) -> NDArray[np.float64]:
     """[m] (3,) of the tissue: there lies the middle of the arm's workspace."""
-    x = scene.tissue.rest_position
+    x = scene.bodies[0].tissue.rest_position
     return 0.5 * (x.min(axis=0) + x.max(axis=0))
 
 

@@ -59,8 +59,8 @@ class PressTimes:
 
 def find_top(scene: palpate.Scene) -> Place:
     """Where a ray from above meets the surface over its centroid, or its highest vertex."""
-    x = palpate.compute_surface(scene.tissue, scene.tissue.rest_position)
-    triangles = np.asarray(scene.tissue.triangles)
+    x = palpate.compute_surface(scene.bodies[0].tissue, scene.bodies[0].tissue.rest_position)
+    triangles = np.asarray(scene.bodies[0].tissue.triangles)
     middle = x[triangles].mean(axis=(0, 1))
     above = np.array([middle[0], middle[1], x[:, 2].max() + 0.01])
     tree = palpate.AabbTree(x, triangles)
@@ -71,8 +71,8 @@ def find_top(scene: palpate.Scene) -> Place:
 
 def find_place(scene: palpate.Scene, near: np.ndarray) -> Place:
     """The surface point closest to `near` [m] and the smooth outward normal there."""
-    x = palpate.compute_surface(scene.tissue, scene.tissue.rest_position)
-    triangles = np.asarray(scene.tissue.triangles)
+    x = palpate.compute_surface(scene.bodies[0].tissue, scene.bodies[0].tissue.rest_position)
+    triangles = np.asarray(scene.bodies[0].tissue.triangles)
     tree = palpate.AabbTree(x, triangles)
     found = palpate.find_closest_point(tree, x, np.asarray(near, dtype=float))
     normals = np.asarray(palpate.compute_vertex_normals(x, triangles))

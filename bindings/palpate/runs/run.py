@@ -50,12 +50,14 @@ def describe_build(
 
 def describe_arithmetic(scene: palpate.Scene) -> dict[str, str]:
     """What decides how a scene's ticks round here: program, kernel and vector target."""
-    targets = palpate.simd_targets() if scene.kernel == palpate.Kernel.packed else []
-    unpacked = scene.kernel == palpate.Kernel.packed and not targets
+    targets = palpate.simd_targets() if scene.bodies[0].kernel == palpate.Kernel.packed else []
+    unpacked = scene.bodies[0].kernel == palpate.Kernel.packed and not targets
     return {
         "palpate": version("palpate"),
-        "kernel": (palpate.Kernel.reference if unpacked else scene.kernel).name,
-        "vector_target": (scene.simd_target or targets[0]) if targets else platform.machine(),
+        "kernel": (palpate.Kernel.reference if unpacked else scene.bodies[0].kernel).name,
+        "vector_target": (scene.bodies[0].simd_target or targets[0])
+        if targets
+        else platform.machine(),
     }
 
 
@@ -138,7 +140,7 @@ def run_script(
 
     Raises RuntimeError where the loop did not end, the tissue raised an alarm or the device failed.
     """
-    frames, times = write_script(place, scene.tool.radius, script)
+    frames, times = write_script(place, scene.instruments[0].tool.radius, script)
     device = palpate.ScriptedDevice(frames)
     costs = run_device(scene, device, times.end, record_path, scene_path)
     if costs.fault != palpate.DeviceFault.none:
@@ -146,8 +148,8 @@ def run_script(
     record = palpate.read_record(str(record_path))
     report = {
         **describe_costs(costs),
-        "substeps": scene.substeps,
-        **measure_press(record, place, scene.tool.radius, times),
+        "substeps": scene.bodies[0].substeps,
+        **measure_press(record, place, scene.instruments[0].tool.radius, times),
     }
     return Run(record, times, report)
 
@@ -199,9 +201,9 @@ def require_finite(path: Path, record: palpate.Record) -> None:
 def follow_header(scene: palpate.Scene, header: dict[str, Any]) -> palpate.Scene:
     """The scene under the kernel and vector target of a record, as far as this machine has them."""
     if str(header.get("kernel", "")).startswith("reference"):
-        scene.kernel = palpate.Kernel.reference
+        scene.bodies[0].kernel = palpate.Kernel.reference
     elif header.get("vector_target") in palpate.simd_targets():
-        scene.simd_target = header["vector_target"]
+        scene.bodies[0].simd_target = header["vector_target"]
     return scene
 
 
@@ -279,15 +281,17 @@ def picture_of_record(
     else:
         tick = int(np.searchsorted(times, time).clip(0, len(times) - 1))
     world = pose_at(scene, record, tick)
-    x = np.asarray(palpate.surface_position(world))
-    moved = x - palpate.compute_surface(scene.tissue, scene.tissue.rest_position)
+    x = np.asarray(palpate.surface_position(world.bodies[0]))
+    moved = x - palpate.compute_surface(
+        scene.bodies[0].tissue, scene.bodies[0].tissue.rest_position
+    )
     save_picture(
         out,
         x,
-        np.asarray(scene.tissue.triangles),
+        np.asarray(scene.bodies[0].tissue.triangles),
         values=1e3 * np.linalg.norm(moved, axis=1),
         legend="displacement [mm]",
-        tool=(np.asarray(world.tool.position), scene.tool.radius),
+        tool=(np.asarray(world.instruments[0].tool.position), scene.instruments[0].tool.radius),
         force=force[tick],
         title=title or name_scene(where),
         **options,

@@ -149,29 +149,31 @@ def compile_scene(
     """A scene that ticks, of its own tissue or of one that is built. Raises ValueError."""
     if len(scene.hand.gravity) != 3:
         raise ValueError(f"hand.gravity: got {len(scene.hand.gravity)} numbers, expected 3")
-    compiled = palpate.Scene()
-    compiled.tissue = build_tissue(scene, mesh) if tissue is None else tissue
-    tool = palpate.Tool()
-    tool.radius, tool.stiffness = scene.tool.radius, scene.tool.stiffness
-    compiled.tool = tool
-    coupling = palpate.Coupling()
-    coupling.stiffness, coupling.force_max = scene.hand.coupling, scene.hand.force_max
-    compiled.coupling = coupling
-    compiled.hold_stiffness = scene.hand.hold_stiffness
-    compiled.gravity = list(scene.hand.gravity)
-    compiled.rate = scene.hand.rate
-    compiled.force_error = scene.hand.force_error
+    hand = scene.hand
+    body = palpate.SoftBody(
+        tissue=build_tissue(scene, mesh) if tissue is None else tissue,
+        force_error=hand.force_error,
+    )
+    instrument = palpate.Instrument(
+        tool=palpate.Tool(radius=scene.tool.radius, stiffness=scene.tool.stiffness),
+        coupling=palpate.Coupling(stiffness=hand.coupling, force_max=hand.force_max),
+        hold_stiffness=hand.hold_stiffness,
+    )
+    compiled = palpate.Scene(
+        bodies=[body], instruments=[instrument], gravity=list(hand.gravity), rate=hand.rate
+    )
     palpate.scenario.check_ranges(compiled)
-    return raise_substeps(palpate.build_scene(compiled), scene.hand.substeps)
+    built = palpate.build_scene(compiled)
+    raise_substeps(built.bodies[0], hand.substeps)
+    return built
 
 
-def raise_substeps(scene: palpate.Scene, least: int) -> palpate.Scene:
-    """A built scene with that many substeps in the air, and as many more in contact as it had."""
-    more = least - scene.substeps
+def raise_substeps(body: palpate.SoftBody, least: int) -> None:
+    """Gives a built body that many substeps in the air, and as many more in contact as it had."""
+    more = least - body.substeps
     if more > 0:
-        scene.substeps_max += more
-        scene.substeps += more
-    return scene
+        body.substeps_max += more
+        body.substeps += more
 
 
 def read_scene_and_mesh(path: Path) -> tuple[SceneFile, palpate.SurfaceMesh]:

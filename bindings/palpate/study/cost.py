@@ -39,9 +39,7 @@ def measure_costs(references: Iterable[Reference], kinds: Iterable[Kind] = KINDS
 
 
 def measure_cost(reference: Reference, kind: Kind, model: palpate.TissueModel) -> Cost:
-    scene = palpate.Scene()
-    scene.tissue = model
-    scene = palpate.build_scene(scene)
+    scene = palpate.build_scene(palpate.make_scene(model))
     world = palpate.World(scene)
     sample = palpate.HapticSample()
     sample.position = reference.vertices.max(axis=0) + 0.1
@@ -60,6 +58,6 @@ def measure_cost(reference: Reference, kind: Kind, model: palpate.TissueModel) -
         float(np.median(spans)),
         min(spans),
         max(spans),
-        scene.substeps,
-        scene.kernel.name,
+        scene.bodies[0].substeps,
+        scene.bodies[0].kernel.name,
     )

@@ -49,7 +49,7 @@ def measure_indentation(
     while found[-1][0] < deepest:
         # by how much the tool lags behind the hand is known from the step before
         before, force = found[-1]
-        lag = force / before / scene.coupling.stiffness if before > 0.0 else 0.0
+        lag = force / before / scene.instruments[0].coupling.stiffness if before > 0.0 else 0.0
         hand = probe.hand + deepest / STOPS * (1.0 + lag)
         if hand <= FARTHEST * deepest:
             probe.go(hand)
@@ -76,7 +76,9 @@ class Probe:
         self.go(0.0)
 
     def tick(self) -> None:
-        tip = self.place.point + self.place.outward * (self.scene.tool.radius - self.hand)
+        tip = self.place.point + self.place.outward * (
+            self.scene.instruments[0].tool.radius - self.hand
+        )
         self.sample.position = tip
         palpate.tick(self.scene, self.sample, 1.0 / self.scene.rate, self.world)
         alarm = self.world.alarm
@@ -100,10 +102,12 @@ class Probe:
             lag = 0.0
             for _ in range(count):
                 self.tick()
-                off = np.asarray(self.world.tool.position) - np.asarray(self.sample.position)
+                off = np.asarray(self.world.instruments[0].tool.position) - np.asarray(
+                    self.sample.position
+                )
                 # the mean over a while: what still swings has its middle there
                 lag += float(off @ self.place.outward) / count
-            force = self.scene.coupling.stiffness * lag
+            force = self.scene.instruments[0].coupling.stiffness * lag
             if before is not None and abs(force - before) <= SETTLED * abs(force) + 1e-9:
                 break
             before = force

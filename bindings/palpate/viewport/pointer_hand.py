@@ -53,10 +53,12 @@ class PointerHand(QObject):
     def __init__(self, view: ViewBase, device: palpate.SurfacePointer, scene: palpate.Scene):
         super().__init__(view)  # type: ignore[arg-type]  # the mixin of a QWidget
         self._view, self._device = view, device
-        self._x = palpate.compute_surface(scene.tissue, scene.tissue.rest_position)
-        self._triangles = np.array(scene.tissue.triangles)
+        self._x = palpate.compute_surface(
+            scene.bodies[0].tissue, scene.bodies[0].tissue.rest_position
+        )
+        self._triangles = np.array(scene.bodies[0].tissue.triangles)
         self._tree = palpate.AabbTree(self._x, self._triangles)
-        self._radius = scene.tool.radius
+        self._radius = scene.instruments[0].tool.radius
         reach = palpate.compute_diagonal(self._x) / 2
         self.press_depth = min(max(0.08 * reach, SMALLEST_PRESS), LARGEST_PRESS)
         """[m] how deep the left button presses."""

@@ -3,25 +3,54 @@
 
 #include "palpate/sim/contact/balance_tool.h"
 #include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/contact/private/touched_surface.h"
 
 namespace palpate {
 
+namespace {
+
+double sum_forces(std::span<const Push> pushes) noexcept {
+  double sum = 0.0;
+  for (const Push& push : pushes) sum += push.force.norm();
+  return sum;
+}
+
 /// Hold i gets the share |f_i| / sum |f| of the stiffness: what is pressed hardest is held best.
+void add_holds(std::span<const Push> pushes, int body, std::span<const Triangle> triangles,
+               std::span<const Vec3> x, double stiffness, double sum, ToolState& state) noexcept {
+  for (const Push& push : pushes) {
+    if (state.hold_count == static_cast<int>(state.holds.size())) return;
+    const Vec3 point =
+        compute_point(triangles[static_cast<std::size_t>(push.triangle)], push.weights, x);
+    state.holds[static_cast<std::size_t>(state.hold_count++)] = {
+        push.triangle, push.weights, stiffness * (push.force.norm() / sum), state.position - point,
+        body};
+  }
+}
+
+}  // namespace
+
+bool attach_tool(std::span<const TouchedSurface> surfaces, double stiffness,
+                 ToolState& state) noexcept {
+  if (state.hold_count > 0) return true;
+  double sum = 0.0;
+  for (const TouchedSurface& surface : surfaces) sum += sum_forces(surface.load->pushes());
+  if (!(sum > 0.0)) return false;
+  for (std::size_t b = 0; b < surfaces.size(); ++b) {
+    add_holds(surfaces[b].load->pushes(), static_cast<int>(b), surfaces[b].triangles, surfaces[b].x,
+              stiffness, sum, state);
+  }
+  return true;
+}
+
 bool attach_tool(const Load& contacts, std::span<const Triangle> triangles, std::span<const Vec3> x,
                  double stiffness, ToolState& state) noexcept {
   if (state.hold_count > 0) return true;
   const auto pushes =
       contacts.pushes().first(std::min(contacts.pushes().size(), state.holds.size()));
-  double sum = 0.0;
-  for (const Push& push : pushes) sum += push.force.norm();
+  const double sum = sum_forces(pushes);
   if (!(sum > 0.0)) return false;
-
-  for (const Push& push : pushes) {
-    const Vec3 point =
-        compute_point(triangles[static_cast<std::size_t>(push.triangle)], push.weights, x);
-    state.holds[static_cast<std::size_t>(state.hold_count++)] = {
-        push.triangle, push.weights, stiffness * (push.force.norm() / sum), state.position - point};
-  }
+  add_holds(pushes, 0, triangles, x, stiffness, sum, state);
   return true;
 }
 
@@ -49,7 +78,7 @@ double add_row_sums(const Triangle& t, const Vec3& weights, double stiffness,
 double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
                                std::span<const Triangle> triangles, std::span<const Vec3> x,
                                std::span<const double> mass, const ToolState& state,
-                               std::span<double> scratch) noexcept {
+                               std::span<double> scratch, int body) noexcept {
   const std::span<const int> near(candidates.triangles.data(),
                                   static_cast<std::size_t>(candidates.count));
   const std::span<const ToolState::Hold> holds(state.holds.data(),
@@ -64,6 +93,7 @@ double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
     for (const int i : triangle(t)) scratch[static_cast<std::size_t>(i)] = 0.0;
   }
   for (const ToolState::Hold& hold : holds) {
+    if (hold.body != body) continue;
     for (const int i : triangle(hold.triangle)) scratch[static_cast<std::size_t>(i)] = 0.0;
   }
   double largest = 0.0;
@@ -77,6 +107,7 @@ double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
     }
   }
   for (const ToolState::Hold& hold : holds) {
+    if (hold.body != body) continue;
     largest = std::max(largest, add_row_sums(triangle(hold.triangle), hold.weights, hold.stiffness,
                                              mass, scratch));
   }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/contact/private/touched_surface.h"
 #include "palpate/sim/tree/private/box.h"
 
 namespace palpate {
@@ -28,30 +29,36 @@ struct Touch {
 /// All that balance_tool only reads.
 struct Surroundings {
   const Tool& tool;
-  const Candidates& candidates;
-  std::span<const Triangle> triangles;
-  std::span<const Vec3> x;
+  std::span<const TouchedSurface> surfaces;
   std::span<const ToolState::Hold> holds;
-  ContactLanes& lanes;
-
-  const Triangle& triangle(int t) const noexcept { return triangles[static_cast<std::size_t>(t)]; }
-  const Vec3& corner(int t, std::size_t c) const noexcept {
-    return x[static_cast<std::size_t>(triangle(t)[c])];
-  }
 };
+
+const Triangle& get_triangle(const TouchedSurface& surface, int t) noexcept {
+  return surface.triangles[static_cast<std::size_t>(t)];
+}
+
+const Vec3& get_corner(const TouchedSurface& surface, int t, std::size_t c) noexcept {
+  return surface.x[static_cast<std::size_t>(get_triangle(surface, t)[c])];
+}
+
+/// [m] The point of a triangle of one of the surfaces.
+Vec3 compute_point_of(const Surroundings& around, int body, int t, const Vec3& weights) noexcept {
+  const TouchedSurface& surface = around.surfaces[static_cast<std::size_t>(body)];
+  return compute_point(get_triangle(surface, t), weights, surface.x);
+}
 
 Vec3 limit(const Vec3& v, double most) noexcept {
   const double length = v.norm();
   return length > most ? Vec3(v * (most / length)) : v;
 }
 
-void fill_lane(const Surroundings& around, std::size_t candidate, std::size_t lane) noexcept {
-  const int t = around.candidates.triangles[candidate];
-  ContactLanes& lanes = around.lanes;
+void fill_lane(const TouchedSurface& surface, std::size_t candidate, std::size_t lane) noexcept {
+  const int t = surface.candidates->triangles[candidate];
+  ContactLanes& lanes = surface.candidates->lanes;
   lanes.triangle[lane] = t;
-  lanes.rest_area[lane] = around.candidates.areas[candidate];
+  lanes.rest_area[lane] = surface.candidates->areas[candidate];
   for (std::size_t c = 0; c < 3; ++c) {
-    const Vec3& corner = around.corner(t, c);
+    const Vec3& corner = get_corner(surface, t, c);
     for (std::size_t k = 0; k < 3; ++k) {
       lanes.corners[3 * c + k][lane] = corner[static_cast<Eigen::Index>(k)];
     }
@@ -59,14 +66,16 @@ void fill_lane(const Surroundings& around, std::size_t candidate, std::size_t la
 }
 
 /// Takes the candidates into lanes that have part in boxes within `reach` [m] of p.
-void fill_lanes(const Surroundings& around, const Vec3& p, double reach) noexcept {
-  ContactLanes& lanes = around.lanes;
+void fill_lanes(const TouchedSurface& surface, const Vec3& p, double reach) noexcept {
+  const Candidates& candidates = *surface.candidates;
+  ContactLanes& lanes = surface.candidates->lanes;
   std::size_t count = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(around.candidates.count); ++i) {
-    const int t = around.candidates.triangles[i];
-    const Box box = bound_triangle(around.corner(t, 0), around.corner(t, 1), around.corner(t, 2));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(candidates.count); ++i) {
+    const int t = candidates.triangles[i];
+    const Box box = bound_triangle(get_corner(surface, t, 0), get_corner(surface, t, 1),
+                                   get_corner(surface, t, 2));
     if (compute_squared_distance(p, box.low, box.high) < reach * reach) {
-      fill_lane(around, i, count++);
+      fill_lane(surface, i, count++);
     }
   }
   lanes.count = static_cast<int>(count);
@@ -82,13 +91,13 @@ void fill_lanes(const Surroundings& around, const Vec3& p, double reach) noexcep
 
 /// Contacts at p of all lanes; once for each p. The tool's steps within a substep are far shorter
 /// than its radius, so that the lanes filled at its beginning mostly do for all.
-void find_in_lanes(const Surroundings& around, const Vec3& p) noexcept {
-  ContactLanes& lanes = around.lanes;
-  const double radius = around.tool.radius;
-  if (!((p - lanes.filled_at).norm() + radius <= lanes.reach)) fill_lanes(around, p, 1.5 * radius);
+void find_in_lanes(const Tool& tool, const TouchedSurface& surface, const Vec3& p) noexcept {
+  ContactLanes& lanes = surface.candidates->lanes;
+  const double radius = tool.radius;
+  if (!((p - lanes.filled_at).norm() + radius <= lanes.reach)) fill_lanes(surface, p, 1.5 * radius);
   if (lanes.found && lanes.centre == p) return;
   lanes.centre = p;
-  lanes.find(lanes, radius, around.tool.stiffness);
+  lanes.find(lanes, radius, tool.stiffness);
   lanes.found = true;
 }
 
@@ -102,36 +111,47 @@ Contact read_lane(const ContactLanes& lanes, std::size_t lane) noexcept {
 
 /// Calls `take(triangle, contact)` for every contact in force with the centre at p.
 template <class Take>
-void for_each_contact(const Surroundings& around, const Vec3& p, Take take) noexcept {
-  if (around.lanes.find != nullptr) {
-    find_in_lanes(around, p);
-    for (std::size_t lane = 0; lane < static_cast<std::size_t>(around.lanes.count); ++lane) {
-      if (around.lanes.force[lane] > 0.0) {
-        take(around.lanes.triangle[lane], read_lane(around.lanes, lane));
-      }
+void for_each_contact(const Tool& tool, const TouchedSurface& surface, const Vec3& p,
+                      Take take) noexcept {
+  const Candidates& candidates = *surface.candidates;
+  const ContactLanes& lanes = candidates.lanes;
+  if (lanes.find != nullptr) {
+    find_in_lanes(tool, surface, p);
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(lanes.count); ++lane) {
+      if (lanes.force[lane] > 0.0) take(lanes.triangle[lane], read_lane(lanes, lane));
     }
     return;
   }
   Contact contact;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(around.candidates.count); ++i) {
-    const int t = around.candidates.triangles[i];
-    if (find_contact(around.tool, around.candidates.areas[i], p, around.corner(t, 0),
-                     around.corner(t, 1), around.corner(t, 2), contact)) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(candidates.count); ++i) {
+    const int t = candidates.triangles[i];
+    if (find_contact(tool, candidates.areas[i], p, get_corner(surface, t, 0),
+                     get_corner(surface, t, 1), get_corner(surface, t, 2), contact)) {
       take(t, contact);
     }
   }
 }
 
+/// Calls `take(body, triangle, contact)` for those of all surfaces, one surface after the other.
+template <class Take>
+void for_each_contact(const Surroundings& around, const Vec3& p, Take take) noexcept {
+  for (std::size_t b = 0; b < around.surfaces.size(); ++b) {
+    for_each_contact(
+        around.tool, around.surfaces[b], p,
+        [&](int t, const Contact& contact) noexcept { take(static_cast<int>(b), t, contact); });
+  }
+}
+
 /// [N] k (y + offset - p) on the tool, with y the patch's point.
 Vec3 compute_pull(const Surroundings& around, const ToolState::Hold& hold, const Vec3& p) noexcept {
-  const Vec3 y = compute_point(around.triangle(hold.triangle), hold.weights, around.x);
+  const Vec3 y = compute_point_of(around, hold.body, hold.triangle, hold.weights);
   return hold.stiffness * (y + hold.offset - p);
 }
 
 Touch compute_touch(const Surroundings& around, const Vec3& p) noexcept {
   Touch touch;
   touch.smallest_distance = around.tool.radius;
-  for_each_contact(around, p, [&](int, const Contact& contact) noexcept {
+  for_each_contact(around, p, [&](int, int, const Contact& contact) noexcept {
     const Vec3& n = contact.direction;
     touch.force += contact.force * n;
     touch.stiffness += contact.stiffness * (n * n.transpose());
@@ -151,7 +171,7 @@ Vec3 shorten(const Surroundings& around, const Vec3& p, const Touch& touch, Vec3
   if (step.norm() <= 0.5 * (touch.smallest_distance - kClearance * around.tool.radius)) return step;
   step = limit(step, 0.5 * around.tool.radius);
   double part = 1.0;
-  for_each_contact(around, p, [&](int, const Contact& contact) noexcept {
+  for_each_contact(around, p, [&](int, int, const Contact& contact) noexcept {
     const double approach = -step.dot(contact.direction);
     const double room = 0.5 * (contact.distance - kClearance * around.tool.radius);
     if (approach > 0.0) part = std::min(part, std::max(0.0, room) / approach);
@@ -189,7 +209,8 @@ Vec3 take_newton_step(const Surroundings& around, const Coupling& coupling, cons
   const Vec3 residual = limit(coupling.stiffness * to_hand, coupling.force_max) + touch.force;
   const Mat3 jacobian = coupling.stiffness * Mat3::Identity() + touch.stiffness;
   const Vec3 step = shorten(around, p, touch, jacobian.llt().solve(residual));
-  return p + keep_near_way(around.candidates, p, step);
+  // all surfaces were searched along the same path
+  return p + keep_near_way(*around.surfaces.front().candidates, p, step);
 }
 
 /// The step of a tool that rides on the motion of the nearest surface, along their common normal:
@@ -198,27 +219,31 @@ Vec3 take_newton_step(const Surroundings& around, const Coupling& coupling, cons
 Vec3 ride(const Surroundings& around, const ToolState& state) noexcept {
   const ToolState::Carrier& carrier = state.carrier;
   if (carrier.triangle < 0) return Vec3::Zero();
-  const Vec3 now = compute_point(around.triangle(carrier.triangle), carrier.weights, around.x);
+  const Vec3 now = compute_point_of(around, carrier.body, carrier.triangle, carrier.weights);
   return carrier.direction * std::max(0.0, (now - carrier.point).dot(carrier.direction));
 }
 
-/// Writes what the tool does to the tissue; returns the sum of forces on the tool.
-Vec3 write_pushes(const Surroundings& around, ToolState& state, Load& load) noexcept {
+/// Writes what the tool does to the surfaces; returns the sum of forces on the tool.
+Vec3 write_pushes(const Surroundings& around, ToolState& state) noexcept {
   Vec3 sum = Vec3::Zero();
   double nearest = std::numeric_limits<double>::infinity();
   state.carrier.triangle = -1;
-  for_each_contact(around, state.position, [&](int t, const Contact& contact) noexcept {
+  state.touching = false;
+  for_each_contact(around, state.position, [&](int body, int t, const Contact& contact) noexcept {
     const Vec3 force = contact.force * contact.direction;
-    if (load.add({t, contact.weights, -force})) sum += force;
+    Load& load = *around.surfaces[static_cast<std::size_t>(body)].load;
+    if (load.add({t, contact.weights, -force})) {
+      sum += force;
+      state.touching = true;
+    }
     if (contact.distance >= nearest) return;
     nearest = contact.distance;
-    state.carrier = {t, contact.weights,
-                     compute_point(around.triangle(t), contact.weights, around.x),
-                     contact.direction};
+    state.carrier = {t, contact.weights, compute_point_of(around, body, t, contact.weights),
+                     contact.direction, body};
   });
-  state.touching = load.push_count > 0;
   for (const ToolState::Hold& hold : around.holds) {
     const Vec3 force = compute_pull(around, hold, state.position);
+    Load& load = *around.surfaces[static_cast<std::size_t>(hold.body)].load;
     if (load.add({hold.triangle, hold.weights, -force})) sum += force;
   }
   return sum;
@@ -242,32 +267,38 @@ Vec3 write_pushes(const Surroundings& around, ToolState& state, Load& load) noex
 /// the pushes instead would belong to no stored energy, and would jump whenever a triangle comes
 /// into contact. ToolState::residual is that difference.
 Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
-                  const Candidates& candidates, std::span<const Triangle> triangles,
-                  std::span<const Vec3> x, ToolState& state, Load& load) noexcept {
-  const Surroundings around{tool,
-                            candidates,
-                            triangles,
-                            x,
-                            {state.holds.data(), static_cast<std::size_t>(state.hold_count)},
-                            state.lanes};
-  state.lanes.reach = -1.0;  // the tissue has moved since they were filled
-  load.clear();
+                  std::span<const TouchedSurface> surfaces, ToolState& state) noexcept {
+  const Surroundings around{
+      tool, surfaces, {state.holds.data(), static_cast<std::size_t>(state.hold_count)}};
+  bool near = state.hold_count > 0;
+  for (const TouchedSurface& surface : surfaces) {
+    surface.candidates->lanes.reach = -1.0;  // the tissue has moved since they were filled
+    surface.load->clear();
+    near = near || surface.candidates->count > 0;
+  }
   if (!state.placed) {
     state.position = hand_position;
     state.placed = true;
   }
   // nothing anywhere near the path: no need to go it in steps
-  if (candidates.count == 0 && state.hold_count == 0) state.position = hand_position;
+  if (!near) state.position = hand_position;
 
   state.position += ride(around, state);
   for (int i = 0; i < kNewtonSteps; ++i) {
     state.position = take_newton_step(around, coupling, hand_position, state.position);
   }
-  const Vec3 touch = write_pushes(around, state, load);
+  const Vec3 touch = write_pushes(around, state);
   const Vec3 felt =
       limit(coupling.stiffness * (state.position - hand_position), coupling.force_max);
   state.residual = touch - felt;
   return felt;
+}
+
+Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
+                  Candidates& candidates, std::span<const Triangle> triangles,
+                  std::span<const Vec3> x, ToolState& state, Load& load) noexcept {
+  const TouchedSurface surface{&candidates, triangles, x, &load};
+  return balance_tool(tool, coupling, hand_position, {&surface, 1}, state);
 }
 
 }  // namespace palpate

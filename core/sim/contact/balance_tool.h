@@ -24,7 +24,7 @@ struct Coupling {
 /// the pushes on the tissue sum to -(force + residual). Where nothing touches the tool is at the
 /// hand and the force is exactly zero.
 Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
-                  const Candidates& candidates, std::span<const Triangle> triangles,
+                  Candidates& candidates, std::span<const Triangle> triangles,
                   std::span<const Vec3> x, ToolState& state, Load& load) noexcept;
 
 /// Fastens the tool to the patch it touches, shares weighted by contact force; `stiffness` [N/m]
@@ -37,9 +37,10 @@ void release_tool(ToolState& state) noexcept;
 
 /// Largest extra eigenvalue [1/s²] that contacts and holds may add to M⁻¹K: the row-sum bound
 /// max over particles of sum k_t w / m [contact: substeps]. For choosing this tick's substeps.
+/// `body` tells which holds are on this surface.
 double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
                                std::span<const Triangle> triangles, std::span<const Vec3> x,
                                std::span<const double> mass, const ToolState& state,
-                               std::span<double> scratch) noexcept;
+                               std::span<double> scratch, int body = 0) noexcept;
 
 }  // namespace palpate

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/sim/contact/contact_lanes.h"
 #include "palpate/sim/contact/tool.h"
 #include "palpate/sim/tree/aabb_tree.h"
 
@@ -16,7 +17,9 @@ struct Candidates {
   int count = 0;
   Vec3 from = Vec3::Zero();  ///< [m] the path they were looked for along
   Vec3 to = Vec3::Zero();    ///< [m]
+  ContactLanes lanes;        ///< balance_tool's vector code and its work space; may be empty
 };
+static_assert(alignof(Candidates) == 8);
 
 /// How far tissue and tool may close in on each other within one tick beside the tool's own path
 /// [m].

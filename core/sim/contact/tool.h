@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "palpate/sim/contact/contact_lanes.h"
+#include <vector>
+
+#include "palpate/sim/base/types.h"
 
 namespace palpate {
 
@@ -19,6 +21,7 @@ struct ToolState {
     Vec3 weights = Vec3::Zero();  ///< barycentric
     double stiffness = 0.0;       ///< [N/m]
     Vec3 offset = Vec3::Zero();   ///< [m] tool minus patch point when it was attached
+    int body = 0;                 ///< whose triangle: which of the surfaces that may be touched
   };
 
   /// The surface nearest to the tool after the last substep; the tool rides on its motion.
@@ -27,6 +30,7 @@ struct ToolState {
     Vec3 weights = Vec3::Zero();    ///< barycentric, of the closest point
     Vec3 point = Vec3::Zero();      ///< [m] where that was
     Vec3 direction = Vec3::Zero();  ///< unit, from there to the tool's centre
+    int body = 0;                   ///< whose triangle
   };
 
   explicit ToolState(int capacity = 0) : holds(static_cast<std::size_t>(capacity)) {}
@@ -37,7 +41,6 @@ struct ToolState {
   int hold_count = 0;            ///< 0 when nothing is attached
   Carrier carrier;
   bool touching = false;         ///< any contact in force in the last substep
-  ContactLanes lanes;            ///< balance_tool's vector code and its work space; may be empty
   Vec3 residual = Vec3::Zero();  ///< [N] left between hand and tissue after the last substep
 };
 static_assert(alignof(ToolState) == 8);

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "palpate/sim/base/private/duration_histogram.h"
 #include "palpate/sim/base/private/realtime.h"
@@ -23,6 +24,13 @@ namespace {
 
 constexpr double kSnapshotInterval = 8e-3;  // [s] twice as often as a screen wants one
 constexpr double kHashInterval = 1.0;       // [s]
+
+const Scene& with_one_instrument(const Scene& scene) {
+  if (scene.instruments.size() == 1) return scene;
+  throw std::invalid_argument("loop: scene.instruments: got " +
+                              std::to_string(scene.instruments.size()) +
+                              ", expected one, as there is one device");
+}
 
 const LoopOptions& validated(const LoopOptions& options) {
   const auto refuse = [](const std::string& field, double found, const std::string& expected) {
@@ -52,7 +60,7 @@ Percentiles percentiles_of(const DurationHistogram& d) {
 struct Loop::Impl {
   Impl(const Scene& scene_in, HapticDevice& device_in, const LoopOptions& options_in,
        TickLog* log_in)
-      : scene(scene_in),
+      : scene(with_one_instrument(scene_in)),
         device(device_in),
         options(validated(options_in)),
         log(log_in),
@@ -63,7 +71,11 @@ struct Loop::Impl {
         safe(device, options.safety),
         pace(safe, scene.rate, std::llround(1e9 * options.spin)),
         snapshots(PendingSnapshot(world)),
-        reader(world) {}
+        reader(world) {
+    for (const SoftState& body : world.bodies) {
+      trees.push_back(std::make_unique<TreeBuilder>(body));
+    }
+  }
 
   void run() noexcept;
   void run_ticks() noexcept;
@@ -74,6 +86,7 @@ struct Loop::Impl {
   void notice_device(long number) noexcept;
   void count_force() noexcept;
   void publish() noexcept;
+  void serve_trees() noexcept;
   void log_hash(long number) noexcept {
     catch_up(scene, world);
     log->push(StateHash{number, compute_hash(world)});
@@ -91,7 +104,7 @@ struct Loop::Impl {
 
   // the haptic thread's own while it runs
   World world;
-  TreeBuilder trees{world};
+  std::vector<std::unique_ptr<TreeBuilder>> trees;  // per body
   SafeDevice safe;
   Pace pace;
   HapticSample sample;
@@ -195,7 +208,7 @@ void Loop::Impl::rest(std::int64_t index) noexcept {
 void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
   const std::int64_t begun = read_clock();
   const long number = world.tick_count;
-  const int held = world.tool.hold_count;
+  const int held = world.instruments[0].tool.hold_count;
 
   sample = safe.read(double(index) * dt);
   const HapticCommand command = tick(scene, sample, dt, world);
@@ -203,9 +216,9 @@ void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
   spent = read_clock() - begun;
 
   if (skipped > 0) tell(number, EventKind::missed_ticks, static_cast<std::int32_t>(skipped));
-  if (held == 0 && world.tool.hold_count > 0) {
-    tell(number, EventKind::attached, world.tool.hold_count);
-  } else if (held > 0 && world.tool.hold_count == 0) {
+  if (held == 0 && world.instruments[0].tool.hold_count > 0) {
+    tell(number, EventKind::attached, world.instruments[0].tool.hold_count);
+  } else if (held > 0 && world.instruments[0].tool.hold_count == 0) {
     tell(number, EventKind::released, held);
   }
   notice_alarm(number);
@@ -216,8 +229,17 @@ void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
   costs.add(spent);
   ticks.store(number + 1, std::memory_order_relaxed);
   if (number % snapshot_ticks == 0) publish();
-  if (trees.will_ask(world)) catch_up(scene, world);
-  if (const auto told = trees.serve(world)) tell(told->tick, told->kind, told->index, told->value);
+  serve_trees();
+}
+
+/// Lets the trees of bodies be built anew where that is worth it.
+void Loop::Impl::serve_trees() noexcept {
+  for (std::size_t b = 0; b < trees.size(); ++b) {
+    if (trees[b]->will_ask(world, b)) catch_up(scene.bodies[b], world.bodies[b]);
+    const auto told = trees[b]->serve(b, world);
+    // no answer depends on it, and an event has no room for the number of the body
+    if (told && trees.size() == 1) tell(told->tick, told->kind, told->index, told->value);
+  }
 }
 
 /// Leaves the tick in the log, and once a second the world's hash.
@@ -276,7 +298,7 @@ void Loop::Impl::count_force() noexcept {
   if (size > peak_force.load(std::memory_order_relaxed)) {
     peak_force.store(size, std::memory_order_relaxed);
   }
-  if (!world.tool.touching && world.tool.hold_count == 0) return;
+  if (!world.instruments[0].tool.touching && world.instruments[0].tool.hold_count == 0) return;
   const long count = touch_ticks.fetch_add(1, std::memory_order_relaxed) + 1;
   touch_force_sum += size;
   touch_force.store(touch_force_sum / double(count), std::memory_order_relaxed);

@@ -65,7 +65,8 @@ static_assert(alignof(LoopReport) == 8);
 class Loop {
  public:
   /// `scene` and `device` must outlive the loop; `log` may be null; its
-  /// reader (session/record.h) is any one other thread.
+  /// reader (session/record.h) is any one other thread. Throws std::invalid_argument for a scene
+  /// whose instruments are not one, as the device is, and for options beyond their ranges.
   Loop(const Scene& scene, HapticDevice& device, const LoopOptions& options = {},
        TickLog* log = nullptr);
   Loop(Scene&&, HapticDevice&, const LoopOptions& = {}, TickLog* = nullptr) = delete;

@@ -75,10 +75,10 @@ class RecordedTrees {
     for (; next_ < exchanges_.size(); ++next_) {
       const Event& exchange = exchanges_[next_];
       if (exchange.tick - exchange.index == world.tick_count) {
-        built_ = build_over(surface_position(world), world.tree.triangles());
+        built_ = build_over(surface_position(world.bodies[0]), world.bodies[0].tree.triangles());
       }
       if (exchange.tick != world.tick_count) return;
-      exchange_tree(built_, world);
+      exchange_tree(built_, world.bodies[0]);
     }
   }
 
@@ -89,6 +89,11 @@ class RecordedTrees {
 };
 
 ReplayReport replay(const Scene& scene, const Record& record) {
+  if (scene.instruments.size() != 1) {
+    throw std::invalid_argument("replay: got a scene of " +
+                                std::to_string(scene.instruments.size()) +
+                                " instruments, expected one, as a record has one hand");
+  }
   validate(record);
   ReplayReport report;
   report.ticks = static_cast<long>(record.hand.size());

@@ -48,21 +48,33 @@ class Hash {
   std::uint64_t count_ = 0;
 };
 
-}  // namespace
-
-std::array<std::uint64_t, 2> compute_hash(const World& world) noexcept {
-  Hash hash;
-  for (const Vec3& x : world.tissue.position) hash.add(x);
-  for (const Vec3& v : world.tissue.velocity) hash.add(v);
-  hash.add(world.tool.position);
-  hash.add(static_cast<std::uint64_t>(world.tool.placed));
-  hash.add(static_cast<std::uint64_t>(world.alarm.kind));
-  for (int h = 0; h < world.tool.hold_count; ++h) {
-    const ToolState::Hold& hold = world.tool.holds[static_cast<std::size_t>(h)];
+/// A record of one body has no numbers of bodies in its hashes.
+void add_holds(const ToolState& tool, bool with_body, Hash& hash) noexcept {
+  for (int h = 0; h < tool.hold_count; ++h) {
+    const ToolState::Hold& hold = tool.holds[static_cast<std::size_t>(h)];
+    if (with_body) hash.add(static_cast<std::uint64_t>(hold.body));
     hash.add(static_cast<std::uint64_t>(hold.triangle));
     hash.add(hold.weights);
     hash.add(hold.offset);
     hash.add(hold.stiffness);
+  }
+}
+
+}  // namespace
+
+std::array<std::uint64_t, 2> compute_hash(const World& world) noexcept {
+  Hash hash;
+  for (const SoftState& body : world.bodies) {
+    for (const Vec3& x : body.tissue.position) hash.add(x);
+    for (const Vec3& v : body.tissue.velocity) hash.add(v);
+  }
+  for (const InstrumentState& instrument : world.instruments) {
+    hash.add(instrument.tool.position);
+    hash.add(static_cast<std::uint64_t>(instrument.tool.placed));
+  }
+  hash.add(static_cast<std::uint64_t>(world.alarm.kind));
+  for (const InstrumentState& instrument : world.instruments) {
+    add_holds(instrument.tool, world.bodies.size() > 1, hash);
   }
   return hash.finish();
 }

@@ -32,14 +32,19 @@ double compute_winding_number(std::span<const Triangle> triangles, std::span<con
   return half_angles / (2.0 * std::numbers::pi);
 }
 
+bool has_room(const AabbTree& tree, std::span<const Vec3> x, const Vec3& hand_position,
+              double radius) noexcept {
+  if (find_closest_point(tree, x, hand_position, kClear * radius)) return false;
+  const bool in_box = (hand_position.array() >= tree.low().array()).all() &&
+                      (hand_position.array() <= tree.high().array()).all();
+  return !in_box || compute_winding_number(tree.triangles(), x, hand_position) < 0.5;
+}
+
 bool place_tool(const AabbTree& tree, std::span<const Vec3> x, const Vec3& hand_position,
                 double radius, ToolState& tool) noexcept {
   if (tool.placed) return true;
-  const bool in_box = (hand_position.array() >= tree.low().array()).all() &&
-                      (hand_position.array() <= tree.high().array()).all();
   tool.position = hand_position;
-  tool.placed = !find_closest_point(tree, x, hand_position, kClear * radius) &&
-                (!in_box || compute_winding_number(tree.triangles(), x, hand_position) < 0.5);
+  tool.placed = has_room(tree, x, hand_position, radius);
   return tool.placed;
 }
 

@@ -17,6 +17,10 @@ namespace palpate {
 bool place_tool(const AabbTree& tree, std::span<const Vec3> x, const Vec3& hand_position,
                 double radius, ToolState& tool) noexcept;
 
+/// Whether a tool may be put there: outside of the surface, and no deeper in it than that.
+bool has_room(const AabbTree& tree, std::span<const Vec3> x, const Vec3& hand_position,
+              double radius) noexcept;
+
 /// How often the surface goes round `p`: 1 inside of a closed surface, 0 outside, and for an open
 /// one what is in between: the share of all directions from `p` that the surface covers.
 double compute_winding_number(std::span<const Triangle> triangles, std::span<const Vec3> x,

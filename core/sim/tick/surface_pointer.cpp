@@ -43,11 +43,11 @@ double share_of(double dt) noexcept { return 1.0 - std::exp(-dt / kGlideTime); }
 
 }  // namespace
 
-SurfacePointer::SurfacePointer(const Scene& scene)
-    : x_(compute_surface(scene.tissue, scene.tissue.rest_position)),
-      normals_(compute_vertex_normals(x_, scene.tissue.triangles)),
-      tree_(x_, scene.tissue.triangles),
-      radius_(scene.tool.radius),
+SurfacePointer::SurfacePointer(const Scene& scene, std::size_t body, std::size_t instrument)
+    : x_(compute_surface(scene.bodies.at(body).tissue, scene.bodies[body].tissue.rest_position)),
+      normals_(compute_vertex_normals(x_, scene.bodies[body].tissue.triangles)),
+      tree_(x_, scene.bodies[body].tissue.triangles),
+      radius_(scene.instruments.at(instrument).tool.radius),
       gestures_(kGestures) {
   base_ = *std::max_element(x_.begin(), x_.end(),
                             [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });

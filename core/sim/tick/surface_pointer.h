@@ -40,7 +40,8 @@ struct PointerTarget {
 class SurfacePointer : public HapticDevice {
  public:
   /// The surface and the tool are those of a scene, which need not outlive the hand.
-  explicit SurfacePointer(const Scene& scene);
+  /// Throws std::out_of_range for a body or an instrument that it does not have.
+  explicit SurfacePointer(const Scene& scene, std::size_t body = 0, std::size_t instrument = 0);
 
   /// One calling thread. Throws std::invalid_argument for a number that is not finite.
   void post(const PointerTarget& target);

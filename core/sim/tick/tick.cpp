@@ -22,98 +22,202 @@ namespace {
 /// impact of a jump would tear the tissue.
 constexpr double kFastestHand = 3.0;
 
-Vec3 follow_hand(const Vec3& hand, double dt, const World& world) noexcept {
-  if (!world.tool.placed) return hand;
-  const Vec3 travel = hand - world.hand;
+Vec3 follow_hand(const Vec3& hand, double dt, const InstrumentState& instrument) noexcept {
+  if (!instrument.tool.placed) return hand;
+  const Vec3 travel = hand - instrument.hand;
   const double most = kFastestHand * dt;
-  return travel.norm() > most ? Vec3(world.hand + travel * (most / travel.norm())) : hand;
+  return travel.norm() > most ? Vec3(instrument.hand + travel * (most / travel.norm())) : hand;
+}
+
+/// place_tool() with every tissue of the scene.
+bool place_among_bodies(const Vec3& hand, double radius, const World& world,
+                        ToolState& tool) noexcept {
+  if (tool.placed) return true;
+  tool.position = hand;
+  tool.placed = std::ranges::all_of(world.bodies, [&](const SoftState& body) noexcept {
+    return has_room(body.tree, surface_position(body), hand, radius);
+  });
+  return tool.placed;
+}
+
+/// Draws a tool to its hand, finds what it may touch on the path there, and follows the button.
+void read_hand(const Scene& scene, const HapticSample& sample, double dt, std::size_t i,
+               World& world) noexcept {
+  const Instrument& instrument = scene.instruments[i];
+  InstrumentState& state = world.instruments[i];
+  HandMotion& motion = workspace(world).hands[i];
+  const bool was_placed = state.tool.placed;
+  motion.hand = follow_hand(sample.position, dt, state);
+  motion.travel = was_placed ? (motion.hand - state.hand).norm() : 0.0;
+  motion.felt.setZero();
+  if (place_among_bodies(motion.hand, instrument.tool.radius, world, state.tool)) {
+    for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+      find_touchable(scene, i, b, motion.hand, world);
+    }
+    follow_button(scene, i, sample.buttons, dt, world);
+  }
+  // a tool that has just appeared may touch already, and nothing is known of what that stores
+  motion.stored_energy =
+      was_placed ? bound_stored_energy(instrument.tool, instrument.coupling, motion.hand,
+                                       state.tool, list_surfaces(scene, i, world))
+                 : std::numeric_limits<double>::infinity();
+  state.hand = motion.hand;
+}
+
+/// Every tool moves to where its hand and the tissues as they stand balance.
+void balance_instruments(const Scene& scene, World& world) noexcept {
+  for (std::size_t i = 0; i < world.instruments.size(); ++i) {
+    ToolState& tool = world.instruments[i].tool;
+    if (!tool.placed) continue;
+    HandMotion& motion = workspace(world).hands[i];
+    motion.felt += balance_tool(scene.instruments[i].tool, scene.instruments[i].coupling,
+                                motion.hand, list_surfaces(scene, i, world), tool);
+  }
+}
+
+/// What the instruments do to a body in a step that is as long as a substep.
+void take_load(std::size_t body, World& world) noexcept {
+  Load& load = world.bodies[body].load;
+  load.clear();
+  for (std::size_t i = 0; i < world.instruments.size(); ++i) {
+    for (const Push& push : world.pair(i, body).load.pushes()) load.add(push);
+  }
+}
+
+/// Substep s of `finest`: the bodies whose turn it is go a step. One that takes longer steps stands
+/// still between them, and the force on it is the mean over the substeps.
+void move_bodies(const Scene& scene, double dt, int s, int finest, World& world) noexcept {
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    SoftState& state = world.bodies[b];
+    const int substeps_per_step = finest / state.substeps;
+    if (substeps_per_step == 1) {
+      take_load(b, world);
+    } else {
+      MeanLoad& mean = internals(state).mean_load;
+      for (std::size_t i = 0; i < world.instruments.size(); ++i) {
+        mean.add(world.pair(i, b).load.pushes());
+      }
+      if ((s + 1) % substeps_per_step != 0) continue;
+      mean.take(substeps_per_step, state.load);
+    }
+    workspace(world).work[b] += move_tissue(scene, b, dt / state.substeps, s + 1 == finest, world);
+  }
+}
+
+void raise(const Alarm& alarm, int body, World& world) noexcept {
+  if (!alarm || world.alarm) return;
+  world.alarm = alarm;
+  world.alarm_body = body;
+}
+
+/// Checks every body, and what is to be felt.
+void end_bodies(const Scene& scene, World& world) noexcept {
+  const Workspace& work = workspace(world);
+  // a contact that makes energy would count as a hand that gives it
+  double most_work = 0.0;
+  for (const HandMotion& motion : work.hands) most_work += motion.stored_energy;
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    const Alarm alarm = end_moving(scene, b, std::min(work.work[b], most_work), world);
+    raise(alarm, static_cast<int>(b), world);
+  }
+  for (const HandMotion& motion : work.hands) {
+    if (motion.felt.allFinite()) continue;
+    raise({AlarmKind::not_finite, -1, motion.felt.norm(), 0.0, world.bodies[0].tissue.time}, -1,
+          world);
+  }
+}
+
+void let_go(World& world) noexcept {
+  for (InstrumentState& instrument : world.instruments) {
+    release_tool(instrument.tool);
+    instrument.tool.touching = false;
+  }
 }
 
 /// Back to the last tick in which nothing was wrong, and no further [motion: alarm].
 void stand_still(const Scene& scene, World& world) noexcept {
-  std::copy(world.guard.last_position.begin(), world.guard.last_position.end(),
-            world.tissue.position.begin());
-  move_skin(scene.tissue.skin, world.tissue.position, world.skin);
-  std::fill(world.tissue.velocity.begin(), world.tissue.velocity.end(), Vec3::Zero());
-  if (PackedKernel* packed = find_packed(world)) packed->lag.behind = false;
-  release_tool(world.tool);
-  world.tool.touching = false;
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    SoftState& state = world.bodies[b];
+    std::copy(state.guard.last_position.begin(), state.guard.last_position.end(),
+              state.tissue.position.begin());
+    move_skin(scene.bodies[b].tissue.skin, state.tissue.position, state.skin);
+    std::fill(state.tissue.velocity.begin(), state.tissue.velocity.end(), Vec3::Zero());
+    if (PackedKernel* packed = find_packed(state)) packed->lag.behind = false;
+  }
+  let_go(world);
 }
 
 /// [s] in which the force of the last tick before an alarm is taken back: dropped at once it would
 /// be felt as a knock.
 constexpr double kFadeTime = 0.02;
 
-/// The force after an alarm: f_n = f_0 (1 - n / N), N the whole ticks of kFadeTime.
-HapticCommand fade_out(const Scene& scene, World& world) noexcept {
-  if (world.fade_ticks++ == 0) world.fade_from = world.last_force;
+/// The forces after an alarm: f_n = f_0 (1 - n / N), N the whole ticks of kFadeTime.
+void fade_out(const Scene& scene, World& world, std::span<HapticCommand> commands) noexcept {
+  const bool first = world.fade_ticks++ == 0;
   const double rate = scene.rate > 0.0 && std::isfinite(scene.rate) ? scene.rate : 1000.0;
   const double ticks = std::max(1.0, std::floor(kFadeTime * rate));
-  world.last_force = world.fade_from * std::max(0.0, 1.0 - world.fade_ticks / ticks);
-  return {.force = world.last_force};
+  for (InstrumentState& instrument : world.instruments) {
+    if (first) instrument.fade_from = instrument.last_force;
+    instrument.last_force = instrument.fade_from * std::max(0.0, 1.0 - world.fade_ticks / ticks);
+  }
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    commands[i] = {};
+    if (i < world.instruments.size()) commands[i].force = world.instruments[i].last_force;
+  }
 }
 
 }  // namespace
 
-HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
-                   World& world) noexcept {
+void tick(const Scene& scene, std::span<const HapticSample> samples, double dt, World& world,
+          std::span<HapticCommand> commands) noexcept {
   ++world.tick_count;
-  if (world.alarm) return fade_out(scene, world);
-  world.alarm = check_input(scene, sample, dt, world);
+  if (world.alarm) return fade_out(scene, world, commands);
+  raise(check_input(scene, samples, commands.size(), dt, world), -1, world);
   if (world.alarm) {
-    release_tool(world.tool);
-    world.tool.touching = false;
-    return fade_out(scene, world);
+    let_go(world);
+    return fade_out(scene, world, commands);
   }
 
-  const std::span<const Vec3> surface = surface_position(world);
-  follow_tissue(scene, world);
-  const Vec3 hand = follow_hand(sample.position, dt, world);
-  const bool was_placed = world.tool.placed;
-  const double travel = was_placed ? (hand - world.hand).norm() : 0.0;
-  if (place_tool(world.tree, surface, hand, scene.tool.radius, world.tool)) {
-    find_touchable(scene, hand, world);
-    follow_button(scene, sample.buttons, dt, world);
-  }
-  world.substeps = choose_substeps(scene, travel, dt, world);
-  world.hand = hand;
-  // a tool that has just appeared may touch already, and nothing is known of what that stores
-  const double most_work =
-      was_placed ? bound_stored_energy(scene.tool, scene.coupling, hand, world.tool, world.load)
-                 : std::numeric_limits<double>::infinity();
-  const double substep = dt / world.substeps;
-  begin_moving(scene, world);
+  const std::size_t bodies = world.bodies.size(), instruments = world.instruments.size();
+  for (std::size_t b = 0; b < bodies; ++b) follow_tissue(scene, b, world);
+  for (std::size_t i = 0; i < instruments; ++i) read_hand(scene, samples[i], dt, i, world);
+  const int finest = choose_substeps(scene, dt, world);
+  for (std::size_t b = 0; b < bodies; ++b) begin_moving(scene, b, world);
 
   // Which triangles may be touched is settled once per tick. Where and how hard they are touched
   // changes with every substep: held over the tick, it would buzz on the hand and diverge.
-  Vec3 felt = Vec3::Zero();
-  double work = 0.0;
-  for (int s = 0; s < world.substeps; ++s) {
-    if (world.tool.placed) {
-      felt += balance_tool(scene.tool, scene.coupling, hand, world.candidates,
-                           scene.tissue.triangles, surface, world.tool, world.load);
-    }
-    work += move_tissue(scene, substep, s + 1 == world.substeps, world);
+  std::ranges::fill(workspace(world).work, 0.0);
+  for (int s = 0; s < finest; ++s) {
+    balance_instruments(scene, world);
+    move_bodies(scene, dt, s, finest, world);
   }
-  // a contact that makes energy would count as a hand that gives it
-  world.alarm = end_moving(scene, std::min(work, most_work), world);
-  if (!world.alarm && !felt.allFinite()) {
-    world.alarm = {AlarmKind::not_finite, -1, felt.norm(), 0.0, world.tissue.time};
-  }
+  end_bodies(scene, world);
   if (world.alarm) {
     stand_still(scene, world);
-    return fade_out(scene, world);
+    return fade_out(scene, world, commands);
   }
-  world.last_force = felt / world.substeps;
-  return {.force = world.last_force};
+  for (std::size_t i = 0; i < instruments; ++i) {
+    const HandMotion& motion = workspace(world).hands[i];
+    world.instruments[i].last_force = motion.felt / finest;
+    commands[i] = {.force = world.instruments[i].last_force};
+  }
 }
 
-Felt compute_felt(const HapticCommand& command, const World& world) noexcept {
+HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
+                   World& world) noexcept {
+  HapticCommand command;
+  tick(scene, {&sample, 1}, dt, world, {&command, 1});
+  return command;
+}
+
+Felt compute_felt(const HapticCommand& command, const World& world,
+                  std::size_t instrument) noexcept {
+  const ToolState& tool = world.instruments[instrument].tool;
   Felt felt;
   felt.force = command.force.cast<float>();
-  felt.position = world.tool.position.cast<float>();
-  felt.touched = static_cast<std::uint8_t>((world.tool.touching ? kTouching : 0) |
-                                           (world.tool.hold_count > 0 ? kAttached : 0));
+  felt.position = tool.position.cast<float>();
+  felt.touched = static_cast<std::uint8_t>((tool.touching ? kTouching : 0) |
+                                           (tool.hold_count > 0 ? kAttached : 0));
   return felt;
 }
 

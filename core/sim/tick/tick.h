@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "palpate/sim/device/device.h"
 #include "palpate/sim/tick/tick_log.h"
@@ -10,24 +11,30 @@
 
 namespace palpate {
 
-/// One haptic tick of dt [s]: from where the hand is to the force it must feel, the mean over the
-/// substeps. The live loop, the replay of a record and the tests all call this function, so a
-/// recorded session gives back the very same forces. Does not allocate, lock, log or throw.
+/// One haptic tick of dt [s]: from where the hands are to the forces they must feel, the mean over
+/// the substeps. `samples` and `commands` have one entry for each instrument. The live loop, the
+/// replay of a record and the tests all call this function, so a recorded session gives back the
+/// very same forces. Does not allocate, lock, log or throw.
 ///
-/// The tool is drawn to the hand, which is followed at up to 3 m/s. It appears there with the first
-/// sample outside the tissue (place_tool.h). Pressing the attach button fastens it to what it
+/// A tool is drawn to its hand, which is followed at up to 3 m/s. It appears there with the first
+/// sample outside all tissue (place_tool.h). Pressing the attach button fastens it to what it
 /// touched last, letting go releases it.
 ///
 /// What cannot be used is an alarm too (check_input.h). After an alarm the tissue stands still as
-/// it was before the tick that raised it, and the force fades from that of the tick before to zero
+/// it was before the tick that raised it, and the forces fade from those of the tick before to zero
 /// within 20 ms.
+void tick(const Scene& scene, std::span<const HapticSample> samples, double dt, World& world,
+          std::span<HapticCommand> commands) noexcept;
+
+/// The same for a scene of one instrument.
 HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,
                    World& world) noexcept;
 
-/// What a record keeps of a tick, lateness left at 0.
-Felt compute_felt(const HapticCommand& command, const World& world) noexcept;
+/// What a record keeps of a tick, lateness left at 0; `command` is that of the instrument.
+Felt compute_felt(const HapticCommand& command, const World& world,
+                  std::size_t instrument = 0) noexcept;
 
-/// 128 bits over positions, velocities and the tool: equal worlds, equal hashes. Nothing of the
+/// 128 bits over positions, velocities and the tools: equal worlds, equal hashes. Nothing of the
 /// world may be behind (catch_up).
 std::array<std::uint64_t, 2> compute_hash(const World& world) noexcept;
 

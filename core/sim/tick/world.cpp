@@ -20,24 +20,30 @@ namespace {
 constexpr double kPatience = 0.05;
 
 const Scene& validated(const Scene& scene) {
-  if (scene.substeps < 1 || scene.substeps_max < scene.substeps ||
-      scene.rest_areas.size() != scene.tissue.triangles.size()) {
+  bool built = !scene.bodies.empty() && !scene.instruments.empty();
+  for (const SoftBody& body : scene.bodies) {
+    built = built && body.substeps >= 1 && body.substeps_max >= body.substeps &&
+            body.rest_areas.size() == body.tissue.triangles.size();
+  }
+  if (!built) {
     throw std::invalid_argument(
         "world: got a scene whose derived fields are not filled in, expected one from build_scene");
   }
-  const bool linear = !scene.tissue.elastic.corners.empty();
-  if (linear && scene.kernel != Kernel::reference && !scene.response) {
-    throw std::invalid_argument(
-        "world: got a linear solid without its response, expected a scene from build_scene");
+  for (const SoftBody& body : scene.bodies) {
+    const bool linear = !body.tissue.elastic.corners.empty();
+    if (linear && body.kernel != Kernel::reference && !body.response) {
+      throw std::invalid_argument(
+          "world: got a linear solid without its response, expected a scene from build_scene");
+    }
   }
   return scene;
 }
 
-TissueKernel choose_kernel(const Scene& scene, const World& world) {
-  if (scene.kernel == Kernel::reference) return ReferenceKernel();
-  if (!scene.tissue.elastic.corners.empty()) return ResponseKernel(scene, world.tree);
-  if (simd_targets().empty() || !has_packed_form(scene.tissue)) return ReferenceKernel();
-  return PackedKernel(scene, world.tissue, world.load);
+TissueKernel choose_kernel(const Scene& scene, const SoftBody& body, const SoftState& state) {
+  if (body.kernel == Kernel::reference) return ReferenceKernel();
+  if (!body.tissue.elastic.corners.empty()) return ResponseKernel(body, state.tree);
+  if (simd_targets().empty() || !has_packed_form(body.tissue)) return ReferenceKernel();
+  return PackedKernel(scene, body, state);
 }
 
 /// [-] No vertex of a skin goes farther than a particle times this.
@@ -51,8 +57,18 @@ double find_skin_gain(const Skin& skin) {
   return most;
 }
 
-std::size_t count_surface(const Scene& scene) {
-  return static_cast<std::size_t>(surface_count(scene.tissue));
+std::size_t count_surface(const SoftBody& body) {
+  return static_cast<std::size_t>(surface_count(body.tissue));
+}
+
+int count_triangles(const SoftBody& body) noexcept {
+  return static_cast<int>(body.tissue.triangles.size());
+}
+
+int count_triangles(const Scene& scene) noexcept {
+  int count = 0;
+  for (const SoftBody& body : scene.bodies) count += count_triangles(body);
+  return count;
 }
 
 }  // namespace
@@ -63,66 +79,106 @@ NearList::NearList(std::size_t most_particles, std::size_t most_skin)
       particle_last_at(most_particles, -1),
       skin_last_at(most_skin, -1) {}
 
-PackedKernel::PackedKernel(const Scene& scene, const State& tissue, const Load& load)
-    : near(tissue.position.size(), scene.tissue.skin.corners.size()),
-      broad_candidates(scene.tissue.triangles.size()),
-      last_read_at(count_surface(scene), -1),
-      skin_gain(find_skin_gain(scene.tissue.skin)) {
-  const bool sleeps = scene.force_error > 0.0;
+PackedKernel::PackedKernel(const Scene& scene, const SoftBody& body, const SoftState& soft)
+    : near(soft.tissue.position.size(), body.tissue.skin.corners.size()),
+      broad_candidates(body.tissue.triangles.size()),
+      last_read_at(count_surface(body), -1),
+      skin_gain(find_skin_gain(body.tissue.skin)) {
+  const bool sleeps = body.force_error > 0.0;
   model = std::make_shared<const PackedModel>(
-      pack(scene.tissue, scene.simd_target, sleeps ? PackedOrder::patches : PackedOrder::bands));
-  state = PackedState(*model, scene.tissue, tissue);
+      pack(body.tissue, body.simd_target, sleeps ? PackedOrder::patches : PackedOrder::bands));
+  state = PackedState(*model, body.tissue, soft.tissue);
   if (!sleeps) return;
-  active = ActiveSet(*model, scene.tissue, load, tissue,
-                     derive_active_rule(scene.tissue, scene.tool.radius, scene.force_error),
+  active = ActiveSet(*model, body.tissue, soft.load, soft.tissue,
+                     derive_active_rule(body.tissue, find_largest_radius(scene), body.force_error),
                      std::max(1, static_cast<int>(std::lround(kPatience * scene.rate))), state);
   in_tree.assign(static_cast<std::size_t>(model->slice_count), 0);
 }
 
-ResponseKernel::ResponseKernel(const Scene& scene, const AabbTree& tree)
-    : response(scene.response),
+ResponseKernel::ResponseKernel(const SoftBody& body, const AabbTree& tree)
+    : response(body.response),
       state(*response),
-      near(scene.tissue.rest_position.size(), scene.tissue.skin.corners.size()),
-      deepest(compute_shallow_depths(scene.tissue, tree)) {}
+      near(body.tissue.rest_position.size(), body.tissue.skin.corners.size()),
+      deepest(compute_shallow_depths(body.tissue, tree)) {}
 
-WorldInternals::WorldInternals(const Scene& scene, const World& world)
-    : kernel(choose_kernel(scene, world)),
-      tree_cost(world.tree),
-      spectrum(scene.tissue, scene.spectrum_stiffness),
-      chosen_stiffness(scene.spectrum_stiffness),
-      surface_mass(compute_surface_mass(scene.tissue)),
-      vertex_scratch(count_surface(scene), 0.0) {}
+BodyInternals::BodyInternals(const Scene& scene, const SoftBody& body, const SoftState& state)
+    : kernel(choose_kernel(scene, body, state)),
+      tree_cost(state.tree),
+      spectrum(body.tissue, body.spectrum_stiffness),
+      chosen_stiffness(body.spectrum_stiffness),
+      wanted_substeps(body.substeps),
+      surface_mass(compute_surface_mass(body.tissue)),
+      vertex_scratch(count_surface(body), 0.0) {
+  if (scene.bodies.size() > 1) mean_load = MeanLoad(body.tissue.triangles, count_surface(body));
+}
 
-// every triangle may be touched and held at once, so no capacity can ever run out
-World::World(const Scene& scene)
-    : scene_identity(scene.identity),
-      tissue(validated(scene).tissue),
-      skin(scene.tissue.skin.corners.size()),
-      tree(compute_surface(scene.tissue, scene.tissue.rest_position), scene.tissue.triangles),
-      guard(scene.tissue, scene.gravity, tissue),
-      substeps(scene.substeps),
-      tool(static_cast<int>(scene.tissue.triangles.size())),
-      candidates(static_cast<int>(scene.tissue.triangles.size())),
-      load(2 * static_cast<int>(scene.tissue.triangles.size())) {
+// every triangle may be touched and held by every instrument at once, so no capacity can run out
+SoftState::SoftState(const Scene& scene, const SoftBody& body)
+    : tissue(body.tissue),
+      skin(body.tissue.skin.corners.size()),
+      tree(compute_surface(body.tissue, body.tissue.rest_position), body.tissue.triangles),
+      guard(body.tissue, scene.gravity, tissue),
+      load(2 * count_triangles(body) * static_cast<int>(scene.instruments.size())),
+      substeps(body.substeps) {
   load.gravity = scene.gravity;
-  move_skin(scene.tissue.skin, tissue.position, skin);
-  internals_ = OwnedInternals(*this, scene);
-  if (const PackedKernel* packed = find_packed(*this)) {
-    tool.lanes =
-        ContactLanes(static_cast<int>(scene.tissue.triangles.size()), simd_target(*packed->model));
-  }
+  move_skin(body.tissue.skin, tissue.position, skin);
+  internals_ = Owned(BodyInternals(scene, body, *this));
 }
 
-World::OwnedInternals::OwnedInternals() noexcept = default;
-World::OwnedInternals::OwnedInternals(const World& world, const Scene& scene)
-    : internals_(std::make_unique<WorldInternals>(scene, world)) {}
-World::OwnedInternals::OwnedInternals(const OwnedInternals& other)
-    : internals_(std::make_unique<WorldInternals>(*other.internals_)) {}
-World::OwnedInternals::OwnedInternals(OwnedInternals&& other) noexcept = default;
-World::OwnedInternals& World::OwnedInternals::operator=(const OwnedInternals& other) {
-  return *this = OwnedInternals(other);
+World::World(const Scene& scene) : scene_identity(validated(scene).identity) {
+  bodies.reserve(scene.bodies.size());
+  for (const SoftBody& body : scene.bodies) bodies.emplace_back(scene, body);
+  const ToolState tool(count_triangles(scene));
+  instruments.resize(scene.instruments.size(), InstrumentState{.tool = tool});
+  pairs.reserve(instruments.size() * bodies.size());
+  for (std::size_t i = 0; i < instruments.size(); ++i) {
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      const int count = count_triangles(scene.bodies[b]);
+      pairs.push_back({Candidates(count), Load(2 * count)});
+      if (const PackedKernel* packed = find_packed(bodies[b])) {
+        pairs.back().candidates.lanes = ContactLanes(count, simd_target(*packed->model));
+      }
+    }
+  }
+  workspace_ = Owned(Workspace(*this));
 }
-World::OwnedInternals& World::OwnedInternals::operator=(OwnedInternals&& other) noexcept = default;
-World::OwnedInternals::~OwnedInternals() = default;
+
+Workspace::Workspace(const World& world)
+    : hands(world.instruments.size()),
+      surfaces(world.bodies.size()),
+      work(world.bodies.size(), 0.0),
+      wanted(world.bodies.size(), 1),
+      cost(world.bodies.size(), 0.0) {}
+
+std::span<const TouchedSurface> list_surfaces(const Scene& scene, std::size_t instrument,
+                                              World& world) noexcept {
+  std::vector<TouchedSurface>& surfaces = workspace(world).surfaces;
+  for (std::size_t b = 0; b < surfaces.size(); ++b) {
+    ContactPair& pair = world.pair(instrument, b);
+    surfaces[b] = {&pair.candidates, scene.bodies[b].tissue.triangles,
+                   surface_position(world.bodies[b]), &pair.load};
+  }
+  return surfaces;
+}
+
+template <class Hidden>
+Owned<Hidden>::Owned() noexcept = default;
+template <class Hidden>
+Owned<Hidden>::Owned(Hidden hidden) : hidden_(std::make_unique<Hidden>(std::move(hidden))) {}
+template <class Hidden>
+Owned<Hidden>::Owned(const Owned& other) : hidden_(std::make_unique<Hidden>(*other.hidden_)) {}
+template <class Hidden>
+Owned<Hidden>::Owned(Owned&& other) noexcept = default;
+template <class Hidden>
+Owned<Hidden>& Owned<Hidden>::operator=(const Owned& other) {
+  return *this = Owned(other);
+}
+template <class Hidden>
+Owned<Hidden>& Owned<Hidden>::operator=(Owned&& other) noexcept = default;
+template <class Hidden>
+Owned<Hidden>::~Owned() = default;
+
+template class Owned<BodyInternals>;
+template class Owned<Workspace>;
 
 }  // namespace palpate

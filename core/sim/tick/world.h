@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "palpate/sim/contact/find_candidates.h"
 #include "palpate/sim/dynamics/guard.h"
@@ -13,73 +14,104 @@
 
 namespace palpate {
 
-struct WorldInternals;
+/// Something that only the functions of a tick know, copied with what owns it.
+template <class Hidden>
+class Owned {
+ public:
+  Owned() noexcept;
+  explicit Owned(Hidden hidden);
+  Owned(const Owned& other);
+  Owned(Owned&& other) noexcept;
+  Owned& operator=(const Owned& other);
+  Owned& operator=(Owned&& other) noexcept;
+  ~Owned();
+  Hidden& get() const noexcept { return *hidden_; }
 
-/// A running scene. Everything a tick needs is allocated here, once. In brackets the function of
-/// the tick that writes a field (tick.cpp); what only the kernels and their buffers know is hidden.
+ private:
+  std::unique_ptr<Hidden> hidden_;
+};
+
+struct BodyInternals;
+struct Workspace;
+
+// In brackets the function of the tick that writes a field (tick.cpp).
+
+/// A soft body of a running scene, after every tick, whichever kernel moves it.
+struct SoftState {
+  SoftState(const Scene& scene, const SoftBody& body);
+
+  State tissue;      ///< (move_tissue, end_moving)
+  Vec3Array skin;    ///< [m] the vertices of the skin; empty without one (move_tissue, end_moving)
+  AabbTree tree;     ///< where not all is followed, of boxes up to two rounds old (follow_tissue)
+  Guard guard;       ///< (end_moving)
+  Stretch stretch;   ///< (end_moving)
+  Load load;         ///< of the last step: what all instruments do (balance_instruments)
+  int substeps = 0;  ///< of the last tick (choose_substeps)
+
+ private:
+  friend BodyInternals& internals(SoftState& body) noexcept;
+  friend const BodyInternals& internals(const SoftState& body) noexcept;
+  Owned<BodyInternals> internals_;
+};
+static_assert(alignof(SoftState) == 8);
+
+/// An instrument of a running scene, and the hand that moves it.
+struct InstrumentState {
+  Vec3 hand = Vec3::Zero();        ///< [m] where the tool is drawn to (read_hands)
+  ToolState tool;                  ///< (read_hands, follow_button, balance_instruments)
+  bool attach_pressed = false;     ///< (follow_button)
+  int release_ticks = 0;           ///< until a hold that fades is gone; 0 without (follow_button)
+  double release_load = 0.0;       ///< [N] of the fading holds when they began to (follow_button)
+  Vec3 last_force = Vec3::Zero();  ///< [N] of the last tick (tick, fade_out)
+  Vec3 fade_from = Vec3::Zero();   ///< [N] the force before the alarm (fade_out)
+};
+static_assert(alignof(InstrumentState) == 8);
+
+/// What an instrument may touch of a body, and what it does to it.
+struct ContactPair {
+  Candidates candidates;  ///< (find_touchable)
+  Load load;  ///< of the last substep; the body's own has its gravity (balance_instruments)
+};
+
+/// A running scene. Everything a tick needs is allocated here, once.
 struct World {
   /// Throws std::invalid_argument for a scene that is not from build_scene.
   explicit World(const Scene& scene);
 
   std::uint64_t scene_identity = 0;  ///< of the scene that it was made for, and ticks with
   long tick_count = 0;               ///< (tick)
-  /// Whether tick() keeps all of tissue, skin and tree up to date. Forces are the same to the bit
-  /// without, and a large tissue takes half the time: its packed form is then the truth, and
+  /// Whether tick() keeps all of tissues, skins and trees up to date. Forces are the same to the
+  /// bit without, and a large tissue takes half the time: its packed form is then the truth, and
   /// readers of tissue or skin call catch_up() first (follow_tissue.h). Nothing is ever behind
   /// under another kernel, or where parts of the tissue may sleep.
   bool follows_all = true;
 
-  // the tissue, after every tick, whichever kernel moves it
-  State tissue;      ///< (move_tissue, end_moving)
-  Vec3Array skin;    ///< [m] the vertices of the skin; empty without one (move_tissue, end_moving)
-  AabbTree tree;     ///< where not all is followed, of boxes up to two rounds old (follow_tissue)
-  Guard guard;       ///< (end_moving)
-  Stretch stretch;   ///< (end_moving)
-  int substeps = 0;  ///< (choose_substeps)
+  std::vector<SoftState> bodies;             ///< as Scene::bodies
+  std::vector<InstrumentState> instruments;  ///< as Scene::instruments
+  std::vector<ContactPair> pairs;            ///< every instrument with every body: pair()
 
-  // the tool and the hand
-  Vec3 hand = Vec3::Zero();     ///< [m] where the tool is drawn to (follow_hand)
-  ToolState tool;               ///< (place_tool, follow_button, balance_tool)
-  Candidates candidates;        ///< (find_touchable)
-  Load load;                    ///< (balance_tool)
-  bool attach_pressed = false;  ///< (follow_button)
-  int release_ticks = 0;        ///< until a hold that fades is gone; 0 without (follow_button)
-  double release_load = 0.0;    ///< [N] of the fading holds when they began to (follow_button)
-
-  // what the hand feels
-  /// The first alarm; from then on the force fades and the tissue stands still (check_input,
+  /// The first alarm; from then on forces fade and all tissue stands still (check_input,
   /// end_moving).
   Alarm alarm;
-  Vec3 last_force = Vec3::Zero();  ///< [N] of the last tick (tick, fade_out)
-  Vec3 fade_from = Vec3::Zero();   ///< [N] the force before the alarm (fade_out)
-  int fade_ticks = 0;              ///< since the alarm (fade_out)
+  int alarm_body = -1;  ///< whose tissue raised it; -1 for what is of no body
+  int fade_ticks = 0;   ///< since the alarm (fade_out)
+
+  ContactPair& pair(std::size_t instrument, std::size_t body) noexcept {
+    return pairs[instrument * bodies.size() + body];
+  }
+  const ContactPair& pair(std::size_t instrument, std::size_t body) const noexcept {
+    return pairs[instrument * bodies.size() + body];
+  }
 
  private:
-  friend WorldInternals& internals(World& world) noexcept;
-  friend const WorldInternals& internals(const World& world) noexcept;
-
-  /// Copied with the world.
-  class OwnedInternals {
-   public:
-    OwnedInternals() noexcept;
-    explicit OwnedInternals(const World& world, const Scene& scene);
-    OwnedInternals(const OwnedInternals& other);
-    OwnedInternals(OwnedInternals&& other) noexcept;
-    OwnedInternals& operator=(const OwnedInternals& other);
-    OwnedInternals& operator=(OwnedInternals&& other) noexcept;
-    ~OwnedInternals();
-    WorldInternals& get() const noexcept { return *internals_; }
-
-   private:
-    std::unique_ptr<WorldInternals> internals_;
-  };
-  OwnedInternals internals_;
+  friend Workspace& workspace(World& world) noexcept;
+  Owned<Workspace> workspace_;
 };
 static_assert(alignof(World) == 8);
 
 /// [m] The vertices of the surface: the skin's, or the particles where there is none.
-inline std::span<const Vec3> surface_position(const World& world) noexcept {
-  return world.skin.empty() ? world.tissue.position : world.skin;
+inline std::span<const Vec3> surface_position(const SoftState& body) noexcept {
+  return body.skin.empty() ? body.tissue.position : body.skin;
 }
 
 }  // namespace palpate

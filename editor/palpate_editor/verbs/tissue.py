@@ -147,7 +147,7 @@ def run_material(call: argparse.Namespace) -> Report:
         write_organ(call.out, organ)
     else:
         write_scene(call.out, organ, call.file if call.file.suffix == ".obj" else None)
-    tissue = compiled.tissue
+    tissue = compiled.bodies[0].tissue
     named = ("material", "model", "fill", "tool", "hand")
     parts = {name: asdict(getattr(organ, name)) for name in named}
     parts["model"] |= {"fixed": len(tissue.fixed), "stiffness_scale": None}
@@ -159,11 +159,13 @@ def run_material(call: argparse.Namespace) -> Report:
         "bonds": len(tissue.bonds.ends),
         "angles": 3 * len(tissue.angles.corners),
         "tetrahedra": len(palpate.list_tetrahedra(tissue)),
-        "response_bytes": compiled.response.size.bytes if compiled.response else None,
+        "response_bytes": compiled.bodies[0].response.size.bytes
+        if compiled.bodies[0].response
+        else None,
         "fixed": len(tissue.fixed),
         "total_mass_g": 1e3 * palpate.compute_total_mass(tissue),
         "stable_step_ms": 1e3 * palpate.stable_step(tissue),
-        "substeps": compiled.substeps,
+        "substeps": compiled.bodies[0].substeps,
         "description": describe_model(compiled),
     }
 

@@ -44,11 +44,14 @@ def build_scene(body: Body, dt: float, contact: float, force_error: float = 0.0)
     )
     return palpate.build_scene(
         palpate.Scene(
-            tissue=tissue,
-            tool=palpate.Tool(radius=RADIUS, stiffness=contact),
-            coupling=palpate.Coupling(stiffness=COUPLING, force_max=FORCE_MAX),
+            bodies=[palpate.SoftBody(tissue=tissue, force_error=force_error)],
+            instruments=[
+                palpate.Instrument(
+                    tool=palpate.Tool(radius=RADIUS, stiffness=contact),
+                    coupling=palpate.Coupling(stiffness=COUPLING, force_max=FORCE_MAX),
+                )
+            ],
             rate=1.0 / dt,
-            force_error=force_error,
         )
     )
 
@@ -67,12 +70,12 @@ class Tissue:
 
     def positions(self) -> np.ndarray:
         if self.world.alarm:
-            return np.full_like(self.world.tissue.position, np.nan)
-        return np.array(self.world.tissue.position)
+            return np.full_like(self.world.bodies[0].tissue.position, np.nan)
+        return np.array(self.world.bodies[0].tissue.position)
 
     def contacts(self) -> int:
-        self.substeps.append(self.world.substeps)
-        return self.world.load.push_count
+        self.substeps.append(self.world.bodies[0].substeps)
+        return self.world.bodies[0].load.push_count
 
 
 if __name__ == "__main__":

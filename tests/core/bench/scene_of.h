@@ -10,7 +10,7 @@ namespace palpate {
 /// A tissue and nothing chosen beside it.
 inline Scene scene_of(TissueModel tissue) {
   Scene scene;
-  scene.tissue = std::move(tissue);
+  scene.bodies[0].tissue = std::move(tissue);
   return build_scene(std::move(scene));
 }
 

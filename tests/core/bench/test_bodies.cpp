@@ -56,20 +56,21 @@ TEST_CASE("the naive step of a wall of prisms moves every particle as the kernel
 TEST_CASE("a naive response goes where that of floats goes") {
   const Scene scene = scene_of(scenes::make_linear_organ(4, 0.9, 0.2));
   World world(scene);
-  bench::press_and_hold("linear_step", scene, bench::find_press_place(scene.tissue), world);
-  ResponseState ours(*scene.response);
-  bench::NaiveResponse naive(*scene.response);
-  Vec3Array x = scene.tissue.rest_position, y = x;
+  bench::press_and_hold("linear_step", scene, bench::find_press_place(scene.bodies[0].tissue),
+                        world);
+  ResponseState ours(*scene.bodies[0].response);
+  bench::NaiveResponse naive(*scene.bodies[0].response);
+  Vec3Array x = scene.bodies[0].tissue.rest_position, y = x;
 
   for (int s = 0; s < 30; ++s) {
-    relax(*scene.response, scene.tissue, world.load, 0.2, ours);
-    settle(*scene.response, scene.tissue, ours, x);
-    naive.step(scene.tissue, world.load, 0.2, y);
+    relax(*scene.bodies[0].response, scene.bodies[0].tissue, world.bodies[0].load, 0.2, ours);
+    settle(*scene.bodies[0].response, scene.bodies[0].tissue, ours, x);
+    naive.step(scene.bodies[0].tissue, world.bodies[0].load, 0.2, y);
   }
 
   double moved = 0.0;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    moved = std::max(moved, (y[i] - scene.tissue.rest_position[i]).norm());
+    moved = std::max(moved, (y[i] - scene.bodies[0].tissue.rest_position[i]).norm());
     CHECK((x[i] - y[i]).norm() < 1e-8);
   }
   CHECK(moved > 5e-4);
@@ -100,7 +101,7 @@ TEST_CASE("every kind of body has its rows, with positive figures") {
     CHECK(rows.front().work == kind + "_step");
     for (const bench::BenchRow& row : rows) {
       CHECK(row.work.starts_with(kind));
-      CHECK(row.vertices == static_cast<int>(scene.tissue.mass.size()));
+      CHECK(row.vertices == static_cast<int>(scene.bodies[0].tissue.mass.size()));
       CHECK(row.median > 0.0);
       CHECK(row.ratio_to_naive > 0.0);
       CHECK(row.elements > 0.0);

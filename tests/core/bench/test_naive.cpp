@@ -62,7 +62,7 @@ TEST_CASE("the bench has one row for every piece of work, with positive figures"
   REQUIRE(rows.size() == expected.size());
   for (std::size_t r = 0; r < rows.size(); ++r) {
     CHECK(rows[r].work == expected[r]);
-    CHECK(rows[r].vertices == static_cast<int>(mass_spring.tissue.mass.size()));
+    CHECK(rows[r].vertices == static_cast<int>(mass_spring.bodies[0].tissue.mass.size()));
     CHECK(rows[r].median > 0.0);
     CHECK(rows[r].ratio_to_naive > 0.0);
     CHECK(!rows[r].physics.empty());

@@ -15,9 +15,9 @@ inline Scene collapse_scene() {
   }
   options.home_stiffness = 1e3;
   Scene scene;
-  scene.kernel = scenes::kernel_under_test();
+  scene.bodies[0].kernel = scenes::kernel_under_test();
   scene.gravity = Vec3(0.0, 0.0, -30.0);
-  scene.tissue = build_mass_spring(mesh, {.wall_thickness = 0.003}, 100.0, options);
+  scene.bodies[0].tissue = build_mass_spring(mesh, {.wall_thickness = 0.003}, 100.0, options);
   return build_scene(std::move(scene));
 }
 

@@ -126,7 +126,7 @@ TEST_CASE("another thread sees whole snapshots that only get newer") {
   const Scene scene = press_scene();
   Puppet puppet = make_puppet(0.005, 0.6);
   Loop loop(scene, puppet, {.duration = 0.6});
-  CHECK(loop.snapshot().position == scene.tissue.rest_position);
+  CHECK(loop.snapshot().bodies[0].position == scene.bodies[0].tissue.rest_position);
 
   loop.start();
   long last = -1, taken = 0;
@@ -138,7 +138,8 @@ TEST_CASE("another thread sees whole snapshots that only get newer") {
     }
     const Snapshot& snapshot = loop.snapshot();
     newer = newer && snapshot.tick >= last;
-    whole = whole && snapshot.position.size() == scene.tissue.rest_position.size();
+    whole =
+        whole && snapshot.bodies[0].position.size() == scene.bodies[0].tissue.rest_position.size();
     touched = touched || snapshot.touching;
     last = snapshot.tick;
     ++taken;
@@ -225,8 +226,8 @@ TEST_CASE("a device that says something that is not a number is cut off, told an
 
 TEST_CASE("a tissue that blows up is told, and its force is gone") {
   Scene scene = press_scene();
-  scene.rate = 1000.0 / (4.0 * scene.substeps);
-  scene.substeps = scene.substeps_max = 1;
+  scene.rate = 1000.0 / (4.0 * scene.bodies[0].substeps);
+  scene.bodies[0].substeps = scene.bodies[0].substeps_max = 1;
   Puppet puppet = make_puppet(0.004, 2.0);
   TickLog log;
   Loop loop(scene, puppet, {.duration = 3.0}, &log);

@@ -43,24 +43,24 @@ inline Prisms make_prism(const TissueModel& tissue) {
 /// particles, a tetrahedron, and a skin whose every vertex rides on the particle of its number.
 inline Scene make_full_scene() {
   Scene scene;
-  scene.tissue = scenes::make_molecular_organ(1, {.damping_ratio = 0.2, .drag = 2.0});
-  scene.tissue.springs = scenes::make_spring_organ(1).springs;
-  scene.tissue.prisms = make_prism(scene.tissue);
-  scene.tissue.home.assign(scene.tissue.mass.size(), 20.0);
-  const Vec3Array& x = scene.tissue.rest_position;
+  scene.bodies[0].tissue = scenes::make_molecular_organ(1, {.damping_ratio = 0.2, .drag = 2.0});
+  scene.bodies[0].tissue.springs = scenes::make_spring_organ(1).springs;
+  scene.bodies[0].tissue.prisms = make_prism(scene.bodies[0].tissue);
+  scene.bodies[0].tissue.home.assign(scene.bodies[0].tissue.mass.size(), 20.0);
+  const Vec3Array& x = scene.bodies[0].tissue.rest_position;
   std::array<int, 4> corners = {0, 1, 2, 4};
   double volume = compute_volume(x[0], x[1], x[2], x[4]);
   if (volume < 0.0) std::swap(corners[2], corners[3]);
-  const int n = particle_count(scene.tissue);
-  scene.tissue.volumes = build_volumes(n, {corners}, {std::abs(volume)}, {50.0}, 0.25);
+  const int n = particle_count(scene.bodies[0].tissue);
+  scene.bodies[0].tissue.volumes = build_volumes(n, {corners}, {std::abs(volume)}, {50.0}, 0.25);
   for (int i = 0; i < n; ++i) {
-    scene.tissue.skin.corners.push_back({i, (i + 1) % n, (i + 2) % n, (i + 3) % n});
-    scene.tissue.skin.weights.push_back({1.0, 0.0, 0.0, 0.0});
+    scene.bodies[0].tissue.skin.corners.push_back({i, (i + 1) % n, (i + 2) % n, (i + 3) % n});
+    scene.bodies[0].tissue.skin.weights.push_back({1.0, 0.0, 0.0, 0.0});
   }
-  scene.tissue.damping_law = DampingLaw::isotropic;
-  scene.tool = {.radius = 0.004, .stiffness = 2.5e7};
-  scene.coupling = {.stiffness = 700.0, .force_max = 3.0};
-  scene.hold_stiffness = 450.0;
+  scene.bodies[0].tissue.damping_law = DampingLaw::isotropic;
+  scene.instruments[0].tool = {.radius = 0.004, .stiffness = 2.5e7};
+  scene.instruments[0].coupling = {.stiffness = 700.0, .force_max = 3.0};
+  scene.instruments[0].hold_stiffness = 450.0;
   scene.gravity = {0.1, -0.2, -9.81};
   scene.rate = 800.0;
   return build_scene(std::move(scene));

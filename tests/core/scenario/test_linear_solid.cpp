@@ -16,7 +16,8 @@ namespace {
 Scenario make_linear_scenario() {
   Scenario made;
   made.title = "Linear";
-  made.scene.tissue = limit_reach(scenes::make_covered_linear_organ(3, 0.25, 0.2), {0, 1, 2, 3, 4});
+  made.scene.bodies[0].tissue =
+      limit_reach(scenes::make_covered_linear_organ(3, 0.25, 0.2), {0, 1, 2, 3, 4});
   made.scene.gravity = {0.0, 0.0, -9.81};
   made.scene = build_scene(std::move(made.scene));
   return made;
@@ -44,7 +45,8 @@ TEST_CASE("a linear solid comes back with every number, and its response is solv
 
   const Scenario found = scenario::unpack(scenario::pack(made), "file");
 
-  const Elastic &one = made.scene.tissue.elastic, &other = found.scene.tissue.elastic;
+  const Elastic &one = made.scene.bodies[0].tissue.elastic,
+                &other = found.scene.bodies[0].tissue.elastic;
   CHECK(other.corners == one.corners);
   CHECK(other.lame == one.lame);
   CHECK(other.shear == one.shear);
@@ -52,9 +54,9 @@ TEST_CASE("a linear solid comes back with every number, and its response is solv
   CHECK(other.reach == one.reach);
   CHECK(other.nodal_share == 0.25);
   CHECK(other.damping_time == one.damping_time);
-  CHECK(found.scene.kernel == Kernel::response);
-  CHECK(found.scene.response->compliance == made.scene.response->compliance);
-  CHECK(found.scene.response->sag == made.scene.response->sag);
+  CHECK(found.scene.bodies[0].kernel == Kernel::response);
+  CHECK(found.scene.bodies[0].response->compliance == made.scene.bodies[0].response->compliance);
+  CHECK(found.scene.bodies[0].response->sag == made.scene.bodies[0].response->sag);
 }
 
 TEST_CASE("what is felt of a linear solid that comes back is the same to the bit") {

@@ -33,7 +33,7 @@ TEST_CASE("a file of every version ever released is kept and still plays") {
     HapticSample hand;
     double force = 0.0;
     for (int i = 0; i <= 1000; ++i) {  // from 2 mm above the top to 5 mm inside
-      hand.position.z() = 0.03 + kept.scene.tool.radius + 0.002 - 7e-6 * i;
+      hand.position.z() = 0.03 + kept.scene.instruments[0].tool.radius + 0.002 - 7e-6 * i;
       force = tick(kept.scene, hand, 1.0 / kept.scene.rate, world).force.z();
     }
 

@@ -34,7 +34,8 @@ std::vector<std::uint64_t> felt_bits(const Scene& scene) {
   std::vector<std::uint64_t> bits;
   for (int i = 0; i < 400; ++i) {
     HapticSample hand;
-    hand.position = {0.001, 0.002, 0.03 + scene.tool.radius + 0.001 - 2e-5 * std::min(i, 300)};
+    hand.position = {0.001, 0.002,
+                     0.03 + scene.instruments[0].tool.radius + 0.001 - 2e-5 * std::min(i, 300)};
     hand.buttons = i > 250 ? kAttachButton : 0;
     const Vec3 force = tick(scene, hand, 1.0 / scene.rate, world).force;
     for (const double number : force) bits.push_back(std::bit_cast<std::uint64_t>(number));
@@ -78,12 +79,12 @@ TEST_CASE("every table, every number and the authored document come back") {
   CHECK(found.authored == made.authored);
   CHECK(found.authored_arrays == made.authored_arrays);
   CHECK(found.scene.gravity == made.scene.gravity);
-  CHECK(found.scene.substeps == made.scene.substeps);
-  CHECK(found.scene.spectrum_stiffness == made.scene.spectrum_stiffness);
-  CHECK(found.scene.rest_areas == made.scene.rest_areas);
-  CHECK(found.scene.tissue.damping_law == DampingLaw::isotropic);
-  CHECK(found.scene.tissue.volumes.nodal_share == 0.25);
-  CHECK(found.scene.tissue.volumes.around == made.scene.tissue.volumes.around);
+  CHECK(found.scene.bodies[0].substeps == made.scene.bodies[0].substeps);
+  CHECK(found.scene.bodies[0].spectrum_stiffness == made.scene.bodies[0].spectrum_stiffness);
+  CHECK(found.scene.bodies[0].rest_areas == made.scene.bodies[0].rest_areas);
+  CHECK(found.scene.bodies[0].tissue.damping_law == DampingLaw::isotropic);
+  CHECK(found.scene.bodies[0].tissue.volumes.nodal_share == 0.25);
+  CHECK(found.scene.bodies[0].tissue.volumes.around == made.scene.bodies[0].tissue.volumes.around);
 }
 
 TEST_CASE("title and task in further languages come back, and a file without them is as before") {
@@ -128,38 +129,38 @@ TEST_CASE("the code of a language is two or three small letters, and parts behin
 
 TEST_CASE("the pressure of an organ without a skin comes back") {
   Scenario made = make_scenario();
-  made.scene.tissue.skin = {};
-  made.scene.tissue.pressure = 100.0;
+  made.scene.bodies[0].tissue.skin = {};
+  made.scene.bodies[0].tissue.pressure = 100.0;
   made.scene = build_scene(made.scene);
 
-  CHECK(scenario::unpack(scenario::pack(made), "file").scene.tissue.pressure == 100.0);
+  CHECK(scenario::unpack(scenario::pack(made), "file").scene.bodies[0].tissue.pressure == 100.0);
 }
 
 TEST_CASE("substeps a designer has chosen stay as they were chosen") {
   Scenario made = make_scenario();
-  made.scene.substeps += 3;
-  made.scene.substeps_max = made.scene.substeps;
+  made.scene.bodies[0].substeps += 3;
+  made.scene.bodies[0].substeps_max = made.scene.bodies[0].substeps;
 
   const Scenario found = scenario::unpack(scenario::pack(made), "file");
 
-  CHECK(found.scene.substeps == made.scene.substeps);
-  CHECK(found.scene.substeps_max == made.scene.substeps_max);
+  CHECK(found.scene.bodies[0].substeps == made.scene.bodies[0].substeps);
+  CHECK(found.scene.bodies[0].substeps_max == made.scene.bodies[0].substeps_max);
 }
 
 TEST_CASE(
     "the error of the force that a scene allows is kept, and is none where no file says one") {
   Scenario made = make_scenario();
-  CHECK(scenario::unpack(scenario::pack(made), "file").scene.force_error == 0.0);
+  CHECK(scenario::unpack(scenario::pack(made), "file").scene.bodies[0].force_error == 0.0);
 
-  made.scene.tissue.home.assign(made.scene.tissue.mass.size(), 5.0);
+  made.scene.bodies[0].tissue.home.assign(made.scene.bodies[0].tissue.mass.size(), 5.0);
   // solids and shells are moved whole
-  made.scene.tissue.volumes = {};
-  made.scene.tissue.skin = {};
-  made.scene.tissue.prisms = {};
-  made.scene.substeps = made.scene.substeps_max = 0;
-  made.scene.force_error = 2e-3;
+  made.scene.bodies[0].tissue.volumes = {};
+  made.scene.bodies[0].tissue.skin = {};
+  made.scene.bodies[0].tissue.prisms = {};
+  made.scene.bodies[0].substeps = made.scene.bodies[0].substeps_max = 0;
+  made.scene.bodies[0].force_error = 2e-3;
   made.scene = build_scene(made.scene);
-  CHECK(scenario::unpack(scenario::pack(made), "file").scene.force_error == 2e-3);
+  CHECK(scenario::unpack(scenario::pack(made), "file").scene.bodies[0].force_error == 2e-3);
 }
 
 TEST_CASE("an index that is out of range is refused, table and row named") {
@@ -270,10 +271,12 @@ TEST_CASE("a scenario that could not be read is not written") {
   CHECK(contains(refused([](Scenario& s) { s.title.assign(201, 'a'); }), "title: got 201 bytes"));
   CHECK(contains(refused([](Scenario& s) { s.task = "\xff"; }), "not UTF-8"));
   CHECK(contains(refused([](Scenario& s) { s.authored = "{"; }), "authored: got text that is"));
-  CHECK(contains(refused([](Scenario& s) { s.scene.rest_areas.clear(); }), "rest_areas"));
-  CHECK(contains(refused([](Scenario& s) { s.scene.spectrum_stiffness *= 0.5; }), "spectrum"));
+  CHECK(contains(refused([](Scenario& s) { s.scene.bodies[0].rest_areas.clear(); }), "rest_areas"));
+  CHECK(contains(refused([](Scenario& s) { s.scene.bodies[0].spectrum_stiffness *= 0.5; }),
+                 "spectrum"));
   CHECK(contains(refused([](Scenario& s) { s.scene = Scene{}; }), "result of build_scene"));
-  CHECK(contains(refused([](Scenario& s) { s.scene.tissue.mass[0] = 0.0; }), "mass: row 0"));
+  CHECK(contains(refused([](Scenario& s) { s.scene.bodies[0].tissue.mass[0] = 0.0; }),
+                 "mass: row 0"));
   CHECK(contains(refused([](Scenario& s) { s.authored_arrays["../up"] = {}; }), "the name"));
   CHECK(contains(refused([](Scenario& s) { s.languages["TR"] = {}; }), "got the code \"TR\""));
   CHECK(contains(refused([](Scenario& s) { s.languages["tr"].title.assign(201, 'a'); }),

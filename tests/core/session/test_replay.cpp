@@ -143,7 +143,7 @@ TEST_CASE("a loop with a recorder, a reader and a tree built meanwhile replays t
   long seen = 0;
   std::thread reader([&] {
     while (loop.running()) {
-      seen += loop.take_snapshot() && loop.snapshot().position.size() == 162;
+      seen += loop.take_snapshot() && loop.snapshot().bodies[0].position.size() == 162;
       seen += loop.report().ticks < 0;
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
@@ -220,7 +220,7 @@ TEST_CASE("a force, a tool or a hash that differs by one bit is a difference") {
 TEST_CASE("another scene is another run") {
   Scene scene = press_scene();
   const Record record = press_record(scene);
-  scene.coupling.stiffness *= 1.01;
+  scene.instruments[0].coupling.stiffness *= 1.01;
 
   CHECK_FALSE(replay(scene, record).equal);
 }
@@ -228,17 +228,17 @@ TEST_CASE("another scene is another run") {
 TEST_CASE(
     "each kernel and vector target replays its own record to the bit, and the others' nearly") {
   std::vector<Scene> scenes(1, press_scene());
-  scenes[0].kernel = Kernel::reference;
+  scenes[0].bodies[0].kernel = Kernel::reference;
   for (const std::string& target : simd_targets()) {
     scenes.push_back(scenes[0]);
-    scenes.back().kernel = Kernel::packed;
-    scenes.back().simd_target = target;
+    scenes.back().bodies[0].kernel = Kernel::packed;
+    scenes.back().bodies[0].simd_target = target;
   }
   for (const Scene& made_with : scenes) {
-    CAPTURE(made_with.simd_target);
+    CAPTURE(made_with.bodies[0].simd_target);
     const Record record = press_record(made_with);
     for (const Scene& run_with : scenes) {
-      CAPTURE(run_with.simd_target);
+      CAPTURE(run_with.bodies[0].simd_target);
       const ReplayReport report = replay(run_with, record);
 
       CHECK(report.equal == (&made_with == &run_with));

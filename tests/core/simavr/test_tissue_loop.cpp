@@ -85,7 +85,7 @@ void write_forces(const Forces& felt, const std::string& path) {
 TEST_CASE(
     "the gallbladder is pressed through driver, wire and image as an ideal device presses it") {
   const Scene scene = scenario::read(PALPATE_MESHES "/gallbladder.palpate").scene;
-  const Vec3 point = find_top(scene.tissue);
+  const Vec3 point = find_top(scene.bodies[0].tissue);
   Forces felt;
   press_ideal(scene, point, felt);
 

@@ -19,8 +19,8 @@ inline Scene press_scene() {
   }
   options.home_stiffness = 4e5;
   Scene scene;
-  scene.kernel = scenes::kernel_under_test();
-  scene.tissue = build_mass_spring(mesh, {.wall_thickness = 0.003}, 100.0, options);
+  scene.bodies[0].kernel = scenes::kernel_under_test();
+  scene.bodies[0].tissue = build_mass_spring(mesh, {.wall_thickness = 0.003}, 100.0, options);
   return build_scene(std::move(scene));
 }
 

@@ -28,13 +28,13 @@ Scene make_wall(bool molecular, double force_error) {
   options.home_stiffness = 1e6;
   options.drag = 60.0;
   Scene scene;
-  scene.tissue =
+  scene.bodies[0].tissue =
       molecular
           ? build_molecular(
                 mesh, material,
                 {.bond_stiffness = 20.0, .bend_stiffness = 1e-5, .stretch_coupling = 5e-3}, options)
           : build_mass_spring(mesh, material, 20.0, options);
-  scene.force_error = force_error;
+  scene.bodies[0].force_error = force_error;
   return build_scene(std::move(scene));
 }
 
@@ -126,7 +126,7 @@ TEST_CASE("the force of an active set is that of the full solve, within what the
       CAPTURE(allowed);
       const Scene full = make_wall(molecular, 0.0), part = make_wall(molecular, allowed);
       World of_full(full), of_part(part);
-      REQUIRE(find_packed(of_part)->active.on);
+      REQUIRE(find_packed(of_part.bodies[0])->active.on);
       Run a, b;
       advance(full, of_full, 0, 1300, a);
       advance(part, of_part, 0, 1300, b);
@@ -144,35 +144,37 @@ TEST_CASE("particles sleep until displacement reaches them, and again when they 
   SKIP_UNLESS(can_sleep(), "this build has no vector code");
   const Scene scene = make_wall(false, 1e-3);
   World world(scene);
-  CHECK(find_packed(world)->state.slices.count == 0);  // nothing has touched it yet
+  CHECK(find_packed(world.bodies[0])->state.slices.count == 0);  // nothing has touched it yet
 
   Run run;
   advance(scene, world, 0, 380, run);
-  const int pressed = find_packed(world)->state.slices.count;
+  const int pressed = find_packed(world.bodies[0])->state.slices.count;
   CHECK(pressed > 0);
-  CHECK(pressed < find_packed(world)->model->slice_count / 2);
+  CHECK(pressed < find_packed(world.bodies[0])->model->slice_count / 2);
 
   advance(scene, world, 380, 1100, run);
   advance(scene, world, 1100, 2500, run);
-  CHECK(find_packed(world)->state.slices.count == 0);
-  for (const Vec3& v : world.tissue.velocity) CHECK(v == Vec3::Zero());
+  CHECK(find_packed(world.bodies[0])->state.slices.count == 0);
+  for (const Vec3& v : world.bodies[0].tissue.velocity) CHECK(v == Vec3::Zero());
 }
 
 TEST_CASE("nothing within two decay lengths of the tool ever sleeps while it touches") {
   SKIP_UNLESS(can_sleep(), "this build has no vector code");
   const Scene scene = make_wall(false, 0.05);  // so much that nobody else would wake
   World world(scene);
-  const ActiveRule rule = derive_active_rule(scene.tissue, scene.tool.radius, scene.force_error);
+  const ActiveRule rule = derive_active_rule(
+      scene.bodies[0].tissue, scene.instruments[0].tool.radius, scene.bodies[0].force_error);
   Run run;
   for (int i = 0; i < 900; ++i) {
     advance(scene, world, i, i + 1, run);
-    if (!world.tool.touching) continue;
-    const Vec3& foot =
-        scene.tissue.rest_position[static_cast<std::size_t>(find_packed(world)->near.particles[0])];
-    for (std::size_t p = 0; p < scene.tissue.mass.size(); ++p) {
-      if ((scene.tissue.rest_position[p] - foot).norm() > 2.0 * rule.decay) continue;
-      const int slice = find_packed(world)->model->row[p] / find_packed(world)->model->width;
-      CHECK(find_packed(world)->active.awake[static_cast<std::size_t>(slice)] == 1);
+    if (!world.instruments[0].tool.touching) continue;
+    const Vec3& foot = scene.bodies[0].tissue.rest_position[static_cast<std::size_t>(
+        find_packed(world.bodies[0])->near.particles[0])];
+    for (std::size_t p = 0; p < scene.bodies[0].tissue.mass.size(); ++p) {
+      if ((scene.bodies[0].tissue.rest_position[p] - foot).norm() > 2.0 * rule.decay) continue;
+      const int slice =
+          find_packed(world.bodies[0])->model->row[p] / find_packed(world.bodies[0])->model->width;
+      CHECK(find_packed(world.bodies[0])->active.awake[static_cast<std::size_t>(slice)] == 1);
     }
   }
   CHECK(run.largest > 0.1);
@@ -186,7 +188,7 @@ TEST_CASE("the same hand wakes and puts to sleep the same particles, to the bit"
   advance(scene, first, 0, 1300, a);
   advance(scene, second, 0, 1300, b);
   CHECK(a.forces == b.forces);
-  CHECK(find_packed(first)->active.awake == find_packed(second)->active.awake);
+  CHECK(find_packed(first.bodies[0])->active.awake == find_packed(second.bodies[0])->active.awake);
   CHECK(compute_hash(first) == compute_hash(second));
 }
 
@@ -197,22 +199,24 @@ TEST_CASE("what sleeps stands still: it takes up momentum, and gives no energy")
   Run run;
   advance(scene, world, 0, 380, run);
   for (int i = 0; i < 400; ++i) {
-    const Vec3Array before = world.tissue.position;
-    const std::vector<unsigned char> awake = find_packed(world)->active.awake;
+    const Vec3Array before = world.bodies[0].tissue.position;
+    const std::vector<unsigned char> awake = find_packed(world.bodies[0])->active.awake;
     advance(scene, world, 380, 381, run);
     for (std::size_t p = 0; p < before.size(); ++p) {
-      const auto slice = static_cast<std::size_t>(find_packed(world)->model->row[p] /
-                                                  find_packed(world)->model->width);
-      if (awake[slice] == 0 && find_packed(world)->active.awake[slice] == 0) {
-        CHECK(world.tissue.position[p] == before[p]);
-        CHECK(world.tissue.velocity[p] == Vec3::Zero());
+      const auto slice = static_cast<std::size_t>(find_packed(world.bodies[0])->model->row[p] /
+                                                  find_packed(world.bodies[0])->model->width);
+      if (awake[slice] == 0 && find_packed(world.bodies[0])->active.awake[slice] == 0) {
+        CHECK(world.bodies[0].tissue.position[p] == before[p]);
+        CHECK(world.bodies[0].tissue.velocity[p] == Vec3::Zero());
       }
     }
   }
   // the alarm's energy is that of the whole tissue, asleep or not
-  const Energy energy = compute_energy(scene.tissue, Vec3::Zero(), world.tissue);
-  CHECK(find_packed(world)->measure.kinetic + find_packed(world)->measure.elastic +
-            find_packed(world)->state.asleep_energy ==
+  const Energy energy =
+      compute_energy(scene.bodies[0].tissue, Vec3::Zero(), world.bodies[0].tissue);
+  CHECK(find_packed(world.bodies[0])->measure.kinetic +
+            find_packed(world.bodies[0])->measure.elastic +
+            find_packed(world.bodies[0])->state.asleep_energy ==
         doctest::Approx(energy.total()).epsilon(1e-3));
 }
 
@@ -221,12 +225,13 @@ TEST_CASE("a tissue that sags under gravity moves until it has found its rest, a
   Scene scene = make_wall(false, 1e-3);
   scene.gravity = {0, 0, -9.81};
   World world(scene);
-  CHECK(find_packed(world)->state.slices.count == find_packed(world)->model->slice_count);
+  CHECK(find_packed(world.bodies[0])->state.slices.count ==
+        find_packed(world.bodies[0])->model->slice_count);
   HapticSample far;
   far.position = {0, 0, 0.1};
   for (int i = 0; i < 1500; ++i) tick(scene, far, 1e-3, world);
-  CHECK(find_packed(world)->state.slices.count == 0);
-  CHECK(world.tissue.position[5].z() < scene.tissue.rest_position[5].z());
+  CHECK(find_packed(world.bodies[0])->state.slices.count == 0);
+  CHECK(world.bodies[0].tissue.position[5].z() < scene.bodies[0].tissue.rest_position[5].z());
   CHECK_FALSE(world.alarm);
 }
 
@@ -237,9 +242,9 @@ TEST_CASE("the tree of a partly sleeping tissue has the boxes of one refitted wh
   Run run;
   for (int i = 0; i < 1300; i += 50) {
     advance(scene, world, i, i + 50, run);
-    AabbTree part = world.tree, whole = world.tree;
-    part.refit_moving(world.tissue.position);
-    whole.refit(world.tissue.position);
+    AabbTree part = world.bodies[0].tree, whole = world.bodies[0].tree;
+    part.refit_moving(world.bodies[0].tissue.position);
+    whole.refit(world.bodies[0].tissue.position);
     for (std::size_t n = 0; n < whole.nodes().size(); ++n) {
       CHECK(part.nodes()[n].low == whole.nodes()[n].low);
       CHECK(part.nodes()[n].high == whole.nodes()[n].high);
@@ -249,8 +254,8 @@ TEST_CASE("the tree of a partly sleeping tissue has the boxes of one refitted wh
 
 TEST_CASE("a smaller error of the force asks for a lower threshold, at the same reach") {
   const Scene scene = make_wall(false, 0.0);
-  const ActiveRule coarse = derive_active_rule(scene.tissue, 3e-3, 1e-2);
-  const ActiveRule fine = derive_active_rule(scene.tissue, 3e-3, 1e-3);
+  const ActiveRule coarse = derive_active_rule(scene.bodies[0].tissue, 3e-3, 1e-2);
+  const ActiveRule fine = derive_active_rule(scene.bodies[0].tissue, 3e-3, 1e-3);
 
   CHECK(coarse.threshold == doctest::Approx(10.0 * fine.threshold));
   CHECK(coarse.reach == fine.reach);
@@ -262,10 +267,10 @@ TEST_CASE("a smaller error of the force asks for a lower threshold, at the same 
 
 TEST_CASE("a tissue without home springs cannot sleep, and a force error is refused by name") {
   Scene scene = make_wall(false, 0.0);
-  scene.force_error = -1.0;
+  scene.bodies[0].force_error = -1.0;
   CHECK_THROWS_WITH_AS(build_scene(scene), doctest::Contains("force_error"), std::invalid_argument);
-  scene.force_error = 1e-3;
-  scene.tissue.home.clear();
+  scene.bodies[0].force_error = 1e-3;
+  scene.bodies[0].tissue.home.clear();
   CHECK_THROWS_WITH_AS(build_scene(scene), doctest::Contains("home springs"),
                        std::invalid_argument);
 }
@@ -321,7 +326,7 @@ TEST_CASE("a tool that pulls along the wall is felt within what is allowed") {
 TEST_CASE("what stands off at the rule's ring is felt by what is allowed, and not much less") {
   const Scene scene = make_wall(false, 0.0);
   constexpr double kAllowed = 1e-4, kHome = 1e6;
-  const ActiveRule rule = derive_active_rule(scene.tissue, 3e-3, kAllowed);
+  const ActiveRule rule = derive_active_rule(scene.bodies[0].tissue, 3e-3, kAllowed);
   const double depth = rule.decay;
   const double off = std::sqrt(rule.product_limit_per_depth * depth);
   // the ring that such a tool moves by as much, found by halving
@@ -342,25 +347,25 @@ TEST_CASE("more sleeps under a deep tool than under one that might do anything")
   SKIP_UNLESS(can_sleep(), "this build has no vector code");
   const Scene scene = make_wall(false, 1e-4);
   World any(scene), deep(scene);
-  find_packed(any)->active.product_limit_per_depth = 0.0;
+  find_packed(any.bodies[0])->active.product_limit_per_depth = 0.0;
   Run run;
   long awake_under_any = 0, awake_under_deep = 0;
   for (int i = 0; i < 400; ++i) {
     advance(scene, any, i, i + 1, run);
     advance(scene, deep, i, i + 1, run);
-    awake_under_any += find_packed(any)->state.slices.count;
-    awake_under_deep += find_packed(deep)->state.slices.count;
+    awake_under_any += find_packed(any.bodies[0])->state.slices.count;
+    awake_under_deep += find_packed(deep.bodies[0])->state.slices.count;
   }
   CHECK(awake_under_deep < 0.8 * awake_under_any);
 
   // as deep as it is, and a tenth of a second after it has gone it counts no more
-  CHECK(find_packed(deep)->active.depth > 1e-3);
-  CHECK(find_packed(deep)->active.depth < 4e-3);
-  CHECK(find_packed(deep)->active.product_limit ==
-        doctest::Approx(find_packed(deep)->active.product_limit_per_depth *
-                        find_packed(deep)->active.depth));
+  CHECK(find_packed(deep.bodies[0])->active.depth > 1e-3);
+  CHECK(find_packed(deep.bodies[0])->active.depth < 4e-3);
+  CHECK(find_packed(deep.bodies[0])->active.product_limit ==
+        doctest::Approx(find_packed(deep.bodies[0])->active.product_limit_per_depth *
+                        find_packed(deep.bodies[0])->active.depth));
   advance(scene, deep, 400, 1100, run);
-  CHECK(find_packed(deep)->active.product_limit == 0.0f);
+  CHECK(find_packed(deep.bodies[0])->active.product_limit == 0.0f);
 }
 
 TEST_CASE("the depth of a tool counts only where tissue has been seen at rest without it") {
@@ -371,10 +376,10 @@ TEST_CASE("the depth of a tool counts only where tissue has been seen at rest wi
   Run run;
   advance(scene, world, 0, 380, run);  // what sags is pressed before it has settled
   CHECK(run.largest > 0.05);
-  CHECK(find_packed(world)->active.depth == 0.0);
+  CHECK(find_packed(world.bodies[0])->active.depth == 0.0);
   advance(scene, world, 900, 2500, run);
-  CHECK(find_packed(world)->state.slices.count == 0);
+  CHECK(find_packed(world.bodies[0])->state.slices.count == 0);
   advance(scene, world, 0, 380, run);
-  CHECK(find_packed(world)->active.depth > 1e-3);
-  CHECK(find_packed(world)->active.depth < 4e-3);
+  CHECK(find_packed(world.bodies[0])->active.depth > 1e-3);
+  CHECK(find_packed(world.bodies[0])->active.depth < 4e-3);
 }

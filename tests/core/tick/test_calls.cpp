@@ -45,8 +45,8 @@ TEST_CASE("ten thousand ticks with contact, pulling and jumps allocate nothing a
     tick(scene, sample, 1e-3, world);
     compute_felt({}, world);
     if (i % 1000 == 0) compute_hash(world);
-    touched += world.tool.touching;
-    attached += world.tool.hold_count > 0;
+    touched += world.instruments[0].tool.touching;
+    attached += world.instruments[0].tool.hold_count > 0;
   }
   const Calls after = count_calls_of_this_thread();
 

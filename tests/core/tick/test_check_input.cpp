@@ -63,14 +63,20 @@ std::vector<Fault> list_faults() {
   add("far", TickInput::position, [](Press& p) { p.sample.position.x() = -1e300; });
   for (const double bad : {kNan, kInfinity, 0.0, -1e-3}) {
     add("dt", TickInput::dt, [=](Press& p) { p.dt = bad; });
-    add("radius", TickInput::tool_radius, [=](Press& p) { p.scene.tool.radius = bad; });
-    add("k_A", TickInput::tool_stiffness, [=](Press& p) { p.scene.tool.stiffness = bad; });
-    add("K", TickInput::coupling_stiffness, [=](Press& p) { p.scene.coupling.stiffness = bad; });
-    add("F", TickInput::coupling_force_max, [=](Press& p) { p.scene.coupling.force_max = bad; });
-    add("hold", TickInput::hold_stiffness, [=](Press& p) { p.scene.hold_stiffness = bad; });
+    add("radius", TickInput::tool_radius,
+        [=](Press& p) { p.scene.instruments[0].tool.radius = bad; });
+    add("k_A", TickInput::tool_stiffness,
+        [=](Press& p) { p.scene.instruments[0].tool.stiffness = bad; });
+    add("K", TickInput::coupling_stiffness,
+        [=](Press& p) { p.scene.instruments[0].coupling.stiffness = bad; });
+    add("F", TickInput::coupling_force_max,
+        [=](Press& p) { p.scene.instruments[0].coupling.force_max = bad; });
+    add("hold", TickInput::hold_stiffness,
+        [=](Press& p) { p.scene.instruments[0].hold_stiffness = bad; });
   }
-  add("substeps", TickInput::substeps, [](Press& p) { p.scene.substeps = 0; });
-  add("substeps_max", TickInput::substeps_max, [](Press& p) { p.scene.substeps_max = 0; });
+  add("substeps", TickInput::substeps, [](Press& p) { p.scene.bodies[0].substeps = 0; });
+  add("substeps_max", TickInput::substeps_max,
+      [](Press& p) { p.scene.bodies[0].substeps_max = 0; });
   return faults;
 }
 
@@ -81,14 +87,14 @@ TEST_CASE("what a tick cannot use is an alarm that names it, and the force fades
     CAPTURE(fault.name);
     Press press;
     const double before = press.last.norm();
-    const Vec3Array at = press.world.tissue.position;
+    const Vec3Array at = press.world.bodies[0].tissue.position;
 
     fault.apply(press);
     const Vec3 first = press.go();
 
     CHECK(press.world.alarm.kind == AlarmKind::invalid_input);
     CHECK(press.world.alarm.index == static_cast<int>(fault.input));
-    CHECK(press.world.alarm.time == press.world.tissue.time);
+    CHECK(press.world.alarm.time == press.world.bodies[0].tissue.time);
     CHECK((first - 0.95 * press.last).norm() <= 1e-12 * before);
     double last = first.norm();
     for (int i = 2; i <= 25; ++i) {
@@ -99,7 +105,7 @@ TEST_CASE("what a tick cannot use is an alarm that names it, and the force fades
       if (i == 20) CHECK(now == 0.0);
     }
     CHECK(last == 0.0);
-    CHECK(press.world.tissue.position == at);
+    CHECK(press.world.bodies[0].tissue.position == at);
   }
 }
 
@@ -121,7 +127,7 @@ TEST_CASE("a force that fades never grows again, whatever the samples then are")
 
 TEST_CASE("the world of another scene is refused, also where all counts are the same") {
   const Scene one = press_scene(), same_counts = press_scene();
-  const Scene other = build_scene({.tissue = scenes::make_spring_organ(1)});
+  const Scene other = build_scene(make_scene(scenes::make_spring_organ(1)));
   HapticSample hand;
   hand.position = Vec3(0, 0, 0.5);
   for (const Scene* wrong : {&same_counts, &other}) {
@@ -139,7 +145,7 @@ TEST_CASE("the world of another scene is refused, also where all counts are the 
 TEST_CASE("a scene whose tissue was exchanged after it was built is refused") {
   Scene scene = press_scene();
   World world(scene);
-  scene.tissue = scenes::make_spring_organ(1);
+  scene.bodies[0].tissue = scenes::make_spring_organ(1);
 
   tick(scene, {}, 1e-3, world);
 

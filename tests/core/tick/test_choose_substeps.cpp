@@ -22,8 +22,8 @@ struct Pull {
   /// Where links weigh more than home springs.
   static Scene make_soft() {
     Scene soft = press_scene();
-    for (double& home : soft.tissue.home) home *= 0.1;
-    soft.substeps = soft.substeps_max = 0;
+    for (double& home : soft.bodies[0].tissue.home) home *= 0.1;
+    soft.bodies[0].substeps = soft.bodies[0].substeps_max = 0;
     return build_scene(std::move(soft));
   }
 
@@ -47,45 +47,48 @@ TEST_CASE("a tissue that is stretched gets more substeps, and gives them back at
   Pull pull(0.065);
   double stiffest = 0.0;
   for (int i = 0; i < 2000; ++i) {
-    const Stretch before = pull.world.stretch;
-    const double now = bound_stiffness(internals(pull.world).spectrum, before);
+    const Stretch before = pull.world.bodies[0].stretch;
+    const double now = bound_stiffness(internals(pull.world.bodies[0]).spectrum, before);
     tick(pull.scene, pull.hand(i), 1e-3, pull.world);
     // at the very next tick, and by no less than it takes
-    CHECK(now <= 1.2 * internals(pull.world).chosen_stiffness);
-    CHECK(now >= internals(pull.world).chosen_stiffness / 1.2);
-    stiffest = std::max(stiffest, internals(pull.world).chosen_stiffness);
+    CHECK(now <= 1.2 * internals(pull.world.bodies[0]).chosen_stiffness);
+    CHECK(now >= internals(pull.world.bodies[0]).chosen_stiffness / 1.2);
+    stiffest = std::max(stiffest, internals(pull.world.bodies[0]).chosen_stiffness);
   }
   REQUIRE_FALSE(pull.world.alarm);
-  CHECK(stiffest > 1.2 * pull.scene.spectrum_stiffness);
-  CHECK(internals(pull.world).chosen_stiffness == pull.scene.spectrum_stiffness);
-  CHECK(pull.world.substeps == pull.scene.substeps);
+  CHECK(stiffest > 1.2 * pull.scene.bodies[0].spectrum_stiffness);
+  CHECK(internals(pull.world.bodies[0]).chosen_stiffness ==
+        pull.scene.bodies[0].spectrum_stiffness);
+  CHECK(pull.world.bodies[0].substeps == pull.scene.bodies[0].substeps);
 }
 
 TEST_CASE("a tissue that is hardly stretched keeps the substeps it rests with") {
   Pull pull(0.001);
   for (int i = 0; i < 1000; ++i) {
     tick(pull.scene, pull.hand(i), 1e-3, pull.world);
-    CHECK(internals(pull.world).chosen_stiffness == pull.scene.spectrum_stiffness);
+    CHECK(internals(pull.world.bodies[0]).chosen_stiffness ==
+          pull.scene.bodies[0].spectrum_stiffness);
   }
 }
 
 TEST_CASE("in the air a stretched tissue has as many substeps as its stiffness needs") {
   Scene scene = press_scene();
-  scene.substeps = 8;
+  scene.bodies[0].substeps = 8;
   // so that eight are just enough
-  scene.spectrum_damping = 0.0;
-  const double rest = scene.spectrum_stiffness;
+  scene.bodies[0].spectrum_damping = 0.0;
+  const double rest = scene.bodies[0].spectrum_stiffness;
   scene.rate = 1.0 / (8 * 0.74 * 2.0 / std::sqrt(rest));
   World world(scene);
-  world.stretch.longest = 2.5;
-  const double stiffer = bound_stiffness(internals(world).spectrum, world.stretch) / rest;
+  world.bodies[0].stretch.longest = 2.5;
+  const double stiffer =
+      bound_stiffness(internals(world.bodies[0]).spectrum, world.bodies[0].stretch) / rest;
   REQUIRE(stiffer > 1.2);
 
   HapticSample hand;
   hand.position = {0, 0, 0.06};
   tick(scene, hand, 1.0 / scene.rate, world);
 
-  CHECK(world.substeps == static_cast<int>(std::ceil(8.0 * std::sqrt(stiffer))));
+  CHECK(world.bodies[0].substeps == static_cast<int>(std::ceil(8.0 * std::sqrt(stiffer))));
 }
 
 TEST_CASE("substeps that follow the stretch are the same in every run of the same hand") {
@@ -95,9 +98,9 @@ TEST_CASE("substeps that follow the stretch are the same in every run of the sam
     const Vec3 a = tick(first.scene, first.hand(i), 1e-3, first.world).force;
     const Vec3 b = tick(second.scene, second.hand(i), 1e-3, second.world).force;
     CHECK(a == b);
-    CHECK(first.world.substeps == second.world.substeps);
-    most = std::max(most, first.world.substeps);
+    CHECK(first.world.bodies[0].substeps == second.world.bodies[0].substeps);
+    most = std::max(most, first.world.bodies[0].substeps);
   }
-  CHECK(most > first.scene.substeps);
+  CHECK(most > first.scene.bodies[0].substeps);
   CHECK(compute_hash(first.world) == compute_hash(second.world));
 }

@@ -28,7 +28,8 @@ struct Pull {
 Pull pull_up(const Scene& scene, double depth, double height, double speed) {
   double top = -1.0;
   Vec3 place = Vec3::Zero();
-  for (const Vec3& x : compute_surface(scene.tissue, scene.tissue.rest_position)) {
+  for (const Vec3& x :
+       compute_surface(scene.bodies[0].tissue, scene.bodies[0].tissue.rest_position)) {
     if (x.z() > top) place = x, top = x.z();
   }
   World world(scene);
@@ -38,17 +39,20 @@ Pull pull_up(const Scene& scene, double depth, double height, double speed) {
   const auto go = [&](double from, double to, int ticks, std::uint8_t buttons) {
     for (int i = 1; i <= ticks; ++i) {
       const double above = from + (to - from) * i / ticks;
-      sample.position = place + (scene.tool.radius + above) * Vec3::UnitZ();
+      sample.position = place + (scene.instruments[0].tool.radius + above) * Vec3::UnitZ();
       sample.buttons = buttons;
-      const bool held = world.tool.hold_count > 0 && world.release_ticks == 0;
+      const bool held =
+          world.instruments[0].tool.hold_count > 0 && world.instruments[0].release_ticks == 0;
       const double force = tick(scene, sample, 1e-3, world).force.norm();
-      if (held && world.release_ticks > 0) {
-        pull.slip = (world.hand - world.tool.position).norm() -
-                    scene.coupling.force_max / scene.coupling.stiffness;
+      if (held && world.instruments[0].release_ticks > 0) {
+        pull.slip =
+            (world.instruments[0].hand - world.instruments[0].tool.position).norm() -
+            scene.instruments[0].coupling.force_max / scene.instruments[0].coupling.stiffness;
       }
-      if (world.release_ticks > 0) pull.largest_drop = std::max(pull.largest_drop, last - force);
+      if (world.instruments[0].release_ticks > 0)
+        pull.largest_drop = std::max(pull.largest_drop, last - force);
       pull.largest_force = std::max(pull.largest_force, force);
-      pull.longest = std::max(pull.longest, world.stretch.longest);
+      pull.longest = std::max(pull.longest, world.bodies[0].stretch.longest);
       last = force;
     }
   };
@@ -57,7 +61,7 @@ Pull pull_up(const Scene& scene, double depth, double height, double speed) {
   pull.largest_force = 0.0;
   go(-depth, height, static_cast<int>(1e3 * (depth + height) / speed), kAttachButton);
   go(height, height, 500, kAttachButton);
-  pull.held_to_the_end = world.tool.hold_count > 0;
+  pull.held_to_the_end = world.instruments[0].tool.hold_count > 0;
   pull.alarm = world.alarm.kind;
   return pull;
 }
@@ -68,8 +72,8 @@ Scene molecular_scene(AngleLaw law) {
   options.home_stiffness = 4e5;
   options.drag = 8.0;
   Scene scene;
-  scene.kernel = scenes::kernel_under_test();
-  scene.tissue =
+  scene.bodies[0].kernel = scenes::kernel_under_test();
+  scene.bodies[0].tissue =
       build_molecular(mesh, {.damping_ratio = 0.3, .wall_thickness = 0.003},
                       {.bond_stiffness = 20.0, .bend_stiffness = 1e-5, .angle_law = law}, options);
   return build_scene(std::move(scene));
@@ -79,21 +83,21 @@ Scene molecular_scene(AngleLaw law) {
 
 TEST_CASE("a hand that pulls as hard as it can slips off once it has gone on by a tip's radius") {
   Scene scene = press_scene();
-  scene.coupling.force_max = 1.0;  // long before the tissue gives any reason
+  scene.instruments[0].coupling.force_max = 1.0;  // long before the tissue gives any reason
 
   const Pull on_and_on = pull_up(scene, 0.003, 0.060, 0.05);
 
   CHECK(on_and_on.alarm == AlarmKind::none);
   CHECK_FALSE(on_and_on.held_to_the_end);
-  CHECK(on_and_on.largest_force == Approx(scene.coupling.force_max));
-  CHECK(on_and_on.slip == Approx(scene.tool.radius).epsilon(0.02));
-  CHECK(on_and_on.longest < 1.0 + 0.75 * find_strain_limit(scene.tissue));
-  CHECK(on_and_on.largest_drop < 0.08 * scene.coupling.force_max);
+  CHECK(on_and_on.largest_force == Approx(scene.instruments[0].coupling.force_max));
+  CHECK(on_and_on.slip == Approx(scene.instruments[0].tool.radius).epsilon(0.02));
+  CHECK(on_and_on.longest < 1.0 + 0.75 * find_strain_limit(scene.bodies[0].tissue));
+  CHECK(on_and_on.largest_drop < 0.08 * scene.instruments[0].coupling.force_max);
 }
 
 TEST_CASE("a pull at the largest force of the hand that goes no farther is held") {
   Scene scene = press_scene();
-  scene.coupling.force_max = 1.0;
+  scene.instruments[0].coupling.force_max = 1.0;
   const double where_it_slips = [&] {
     double height = 0.005;
     while (pull_up(scene, 0.003, height, 0.05).held_to_the_end) height += 0.001;
@@ -103,7 +107,7 @@ TEST_CASE("a pull at the largest force of the hand that goes no farther is held"
   const Pull held = pull_up(scene, 0.003, where_it_slips - 0.001, 0.05);
 
   CHECK(held.held_to_the_end);
-  CHECK(held.largest_force == Approx(scene.coupling.force_max));
+  CHECK(held.largest_force == Approx(scene.instruments[0].coupling.force_max));
 }
 
 TEST_CASE("a grip bears links three times as long where energy tells a pull from a blow-up") {
@@ -118,7 +122,7 @@ TEST_CASE("a grip bears links three times as long where energy tells a pull from
 
 TEST_CASE("under Eq 10, which has no energy, a grip lets go before a link is three times as long") {
   const Scene scene = molecular_scene(AngleLaw::eq10);
-  REQUIRE(find_strain_limit(scene.tissue) == kLargestStrain);
+  REQUIRE(find_strain_limit(scene.bodies[0].tissue) == kLargestStrain);
 
   for (const double speed : {0.05, 0.3, 1.0}) {
     const Pull slipped = pull_up(scene, 0.003, 0.060, speed);
@@ -133,11 +137,11 @@ TEST_CASE("under Eq 10, which has no energy, a grip lets go before a link is thr
 TEST_CASE("a grip of a linear solid lets go before it has been moved too far, however fast") {
   for (const bool covered : {true, false}) {
     Scene scene;
-    scene.kernel = scenes::kernel_under_test();
-    scene.tissue = covered ? scenes::make_covered_linear_organ(5, 0.9, 0.2)
-                           : scenes::make_linear_organ(5, 0.9, 0.2);
+    scene.bodies[0].kernel = scenes::kernel_under_test();
+    scene.bodies[0].tissue = covered ? scenes::make_covered_linear_organ(5, 0.9, 0.2)
+                                     : scenes::make_linear_organ(5, 0.9, 0.2);
     scene = build_scene(std::move(scene));
-    if (!scene.response) continue;  // the reference kernel has the rules of other tissues
+    if (!scene.bodies[0].response) continue;  // the reference kernel has the rules of other tissues
     for (const double speed : {0.05, 0.3, 1.0, 3.0}) {
       const Pull slipped = pull_up(scene, 0.003, 0.060, speed);
 
@@ -145,7 +149,7 @@ TEST_CASE("a grip of a linear solid lets go before it has been moved too far, ho
       CAPTURE(speed);
       CHECK(slipped.alarm == AlarmKind::none);
       CHECK_FALSE(slipped.held_to_the_end);
-      CHECK(slipped.largest_force < scene.coupling.force_max);
+      CHECK(slipped.largest_force < scene.instruments[0].coupling.force_max);
       CHECK(slipped.largest_drop < 0.08 * slipped.largest_force);
     }
   }

@@ -31,8 +31,8 @@ Case make_case(std::string name, TissueModel tissue) {
   for (const Vec3& x : compute_surface(tissue, tissue.rest_position)) {
     if (x.z() > made.top.z()) made.top = x;
   }
-  made.scene.kernel = Kernel::packed;
-  made.scene.tissue = std::move(tissue);
+  made.scene.bodies[0].kernel = Kernel::packed;
+  made.scene.bodies[0].tissue = std::move(tissue);
   made.scene = build_scene(std::move(made.scene));
   return made;
 }
@@ -54,7 +54,7 @@ std::vector<Case> make_cases() {
 
 /// Comes down, presses, slides aside and pulls, then flicks through at 3 m/s and away.
 HapticSample hand_at(const Case& c, int tick) {
-  const double radius = c.scene.tool.radius;
+  const double radius = c.scene.instruments[0].tool.radius;
   const double height[] = {4e-3, -2e-3, -2e-3, 5e-3, 2e-3};
   HapticSample sample;
   const int phase = std::min(tick / 60, 4);
@@ -77,16 +77,16 @@ World caught_up(const Scene& scene, const World& world) {
 }
 
 std::vector<int> list_candidates(const World& world) {
-  const auto& all = world.candidates.triangles;
-  return {all.begin(), all.begin() + world.candidates.count};
+  const auto& all = world.pairs[0].candidates.triangles;
+  return {all.begin(), all.begin() + world.pairs[0].candidates.count};
 }
 
 /// Triangles that come within reach of the path, one by one.
 std::vector<int> find_by_force(const Scene& scene, std::span<const Vec3> x, const Vec3& from,
                                const Vec3& to) {
   std::vector<int> found;
-  for (std::size_t t = 0; t < scene.tissue.triangles.size(); ++t) {
-    const auto& [a, b, c] = scene.tissue.triangles[t];
+  for (std::size_t t = 0; t < scene.bodies[0].tissue.triangles.size(); ++t) {
+    const auto& [a, b, c] = scene.bodies[0].tissue.triangles[t];
     bool near = false;
     for (int i = 0; i <= 8 && !near; ++i) {
       const Vec3 p = from + i / 8.0 * (to - from);
@@ -94,7 +94,7 @@ std::vector<int> find_by_force(const Scene& scene, std::span<const Vec3> x, cons
           find_closest_on_triangle(p, x[static_cast<std::size_t>(a)],
                                    x[static_cast<std::size_t>(b)], x[static_cast<std::size_t>(c)])
               .distance;
-      near = distance <= scene.tool.radius + kCandidateMargin;
+      near = distance <= scene.instruments[0].tool.radius + kCandidateMargin;
     }
     if (near) found.push_back(static_cast<int>(t));
   }
@@ -133,11 +133,12 @@ TEST_CASE(
       const Vec3 force = tick(c.scene, sample, 1e-3, whole).force;
       REQUIRE(tick(c.scene, sample, 1e-3, part).force == force);
       REQUIRE(list_candidates(part) == list_candidates(whole));
-      REQUIRE(part.substeps == whole.substeps);
+      REQUIRE(part.bodies[0].substeps == whole.bodies[0].substeps);
       REQUIRE(compute_hash(caught_up(c.scene, part)) == compute_hash(whole));
-      touched += part.tool.touching;
-      held += part.tool.hold_count > 0;
-      lagged += is_behind(part) && part.tissue.position != whole.tissue.position;
+      touched += part.instruments[0].tool.touching;
+      held += part.instruments[0].tool.hold_count > 0;
+      lagged += is_behind(part.bodies[0]) &&
+                part.bodies[0].tissue.position != whole.bodies[0].tissue.position;
     }
     CHECK_FALSE(whole.alarm);
     CHECK(touched > 50);
@@ -156,16 +157,17 @@ TEST_CASE("no triangle within the tool's reach is missed, and no box is behind b
     double most = 0.0;
     for (int i = 0; i < kTicks; ++i) {
       World before = caught_up(c.scene, world);
-      before.tree.refit(surface_position(before));
-      const double bound = bound_lag(world);
-      REQUIRE(holds_within(world.tree, before.tree, bound));
-      behind += !holds_within(world.tree, before.tree, 1e-7);
+      before.bodies[0].tree.refit(surface_position(before.bodies[0]));
+      const double bound = bound_lag(world.bodies[0]);
+      REQUIRE(holds_within(world.bodies[0].tree, before.bodies[0].tree, bound));
+      behind += !holds_within(world.bodies[0].tree, before.bodies[0].tree, 1e-7);
       if (i < 250) most = std::max(most, bound);
 
       tick(c.scene, hand_at(c, i), 1e-3, world);
 
-      const std::vector<int> near = find_by_force(c.scene, surface_position(before),
-                                                  world.candidates.from, world.candidates.to);
+      const std::vector<int> near =
+          find_by_force(c.scene, surface_position(before.bodies[0]), world.pairs[0].candidates.from,
+                        world.pairs[0].candidates.to);
       const std::vector<int> found = list_candidates(world);
       REQUIRE(std::ranges::includes(found, near));
       in_reach += !near.empty();
@@ -173,7 +175,7 @@ TEST_CASE("no triangle within the tool's reach is missed, and no box is behind b
     CHECK(in_reach > 100);
     CHECK(behind > 50);
     // a press at 0.1 m/s is followed closely enough to visit few boxes
-    CHECK(most < 3.0 * c.scene.tool.radius);
+    CHECK(most < 3.0 * c.scene.instruments[0].tool.radius);
   }
 }
 
@@ -184,12 +186,14 @@ TEST_CASE("a world may begin and end to follow all at any tick, and get another 
   for (int i = 0; i < kTicks; ++i) {
     turning.follows_all = i % 40 >= 33;
     if (i % 37 == 0) {
-      BuiltTree built = build_over(surface_position(turning), c.scene.tissue.triangles);
-      exchange_tree(built, turning);
+      BuiltTree built =
+          build_over(surface_position(turning.bodies[0]), c.scene.bodies[0].tissue.triangles);
+      exchange_tree(built, turning.bodies[0]);
     }
     World exact = caught_up(c.scene, turning);
-    exact.tree.refit(surface_position(exact));
-    REQUIRE(holds_within(turning.tree, exact.tree, bound_lag(turning)));
+    exact.bodies[0].tree.refit(surface_position(exact.bodies[0]));
+    REQUIRE(
+        holds_within(turning.bodies[0].tree, exact.bodies[0].tree, bound_lag(turning.bodies[0])));
     const HapticSample sample = hand_at(c, i);
     const Vec3 force = tick(c.scene, sample, 1e-3, whole).force;
     REQUIRE(tick(c.scene, sample, 1e-3, turning).force == force);
@@ -200,9 +204,9 @@ TEST_CASE("a world may begin and end to follow all at any tick, and get another 
 TEST_CASE("what blows up raises the same alarm and stands at the same place, followed or not") {
   SKIP_UNLESS(!simd_targets().empty(), "this build has no vector code");
   Scene scene = press_scene();
-  scene.kernel = Kernel::packed;
-  const double rate = scene.rate / (4.0 * scene.substeps);
-  scene.substeps = scene.substeps_max = 1;
+  scene.bodies[0].kernel = Kernel::packed;
+  const double rate = scene.rate / (4.0 * scene.bodies[0].substeps);
+  scene.bodies[0].substeps = scene.bodies[0].substeps_max = 1;
   scene.rate = rate;
   World whole(scene), part(scene);
   part.follows_all = false;
@@ -219,8 +223,8 @@ TEST_CASE("what blows up raises the same alarm and stands at the same place, fol
   CHECK(part.alarm.index == whole.alarm.index);
   CHECK(part.alarm.value == whole.alarm.value);
   catch_up(scene, part);
-  CHECK(part.tissue.position == whole.tissue.position);
-  CHECK(part.tissue.velocity == whole.tissue.velocity);
+  CHECK(part.bodies[0].tissue.position == whole.bodies[0].tissue.position);
+  CHECK(part.bodies[0].tissue.velocity == whole.bodies[0].tissue.velocity);
 }
 
 TEST_CASE("following in turn and catching up allocate nothing and take no lock") {
@@ -243,8 +247,8 @@ TEST_CASE("following in turn and catching up allocate nothing and take no lock")
 TEST_CASE("where parts sleep, and under the reference kernel, nothing is ever behind") {
   for (const bool sleeps : {false, true}) {
     Scene scene = press_scene();
-    scene.kernel = sleeps ? Kernel::packed : Kernel::reference;
-    scene.force_error = sleeps ? 1e-4 : 0.0;
+    scene.bodies[0].kernel = sleeps ? Kernel::packed : Kernel::reference;
+    scene.bodies[0].force_error = sleeps ? 1e-4 : 0.0;
     scene = build_scene(std::move(scene));
     World whole(scene), part(scene);
     part.follows_all = false;
@@ -252,8 +256,8 @@ TEST_CASE("where parts sleep, and under the reference kernel, nothing is ever be
     for (int i = 0; i < 200; ++i) {
       const HapticSample sample = hand.read(1e-3 * i);
       REQUIRE(tick(scene, sample, 1e-3, part).force == tick(scene, sample, 1e-3, whole).force);
-      if (lags(part)) continue;
-      REQUIRE_FALSE(is_behind(part));
+      if (lags(part, part.bodies[0])) continue;
+      REQUIRE_FALSE(is_behind(part.bodies[0]));
       REQUIRE(compute_hash(part) == compute_hash(whole));
     }
   }

@@ -21,10 +21,10 @@ constexpr double kDamping = 0.2;
 Scene linear_scene(bool covered, Kernel kernel = Kernel::packed, const Vec3& gravity = {0, 0, 0},
                    double damping = kDamping) {
   Scene scene;
-  scene.kernel = kernel;
+  scene.bodies[0].kernel = kernel;
   scene.gravity = gravity;
-  scene.tissue = covered ? scenes::make_covered_linear_organ(5, 0.9, damping)
-                         : scenes::make_linear_organ(5, 0.9, damping);
+  scene.bodies[0].tissue = covered ? scenes::make_covered_linear_organ(5, 0.9, damping)
+                                   : scenes::make_linear_organ(5, 0.9, damping);
   return build_scene(std::move(scene));
 }
 
@@ -48,10 +48,11 @@ HapticCommand move(const Scene& scene, double from, double to, int ticks, World&
 /// [m] The height at which the tool touches.
 double find_touch(const Scene& scene) {
   double top = 0.0;
-  for (const Vec3& x : compute_surface(scene.tissue, scene.tissue.rest_position)) {
+  for (const Vec3& x :
+       compute_surface(scene.bodies[0].tissue, scene.bodies[0].tissue.rest_position)) {
     top = std::max(top, x.z());
   }
-  return top + scene.tool.radius;
+  return top + scene.instruments[0].tool.radius;
 }
 
 }  // namespace
@@ -59,20 +60,20 @@ double find_touch(const Scene& scene) {
 TEST_CASE("a linear solid runs from its response, unless the reference is asked for") {
   const Scene scene = linear_scene(true), reference = linear_scene(true, Kernel::reference);
 
-  CHECK(scene.kernel == Kernel::response);
-  CHECK(scene.response->size.bytes > 0);
-  CHECK(reference.kernel == Kernel::reference);
-  CHECK(reference.response == nullptr);
-  CHECK(!has_packed_form(scene.tissue));
-  CHECK(find_refusal([&] { pack(scene.tissue); }) ==
+  CHECK(scene.bodies[0].kernel == Kernel::response);
+  CHECK(scene.bodies[0].response->size.bytes > 0);
+  CHECK(reference.bodies[0].kernel == Kernel::reference);
+  CHECK(reference.bodies[0].response == nullptr);
+  CHECK(!has_packed_form(scene.bodies[0].tissue));
+  CHECK(find_refusal([&] { pack(scene.bodies[0].tissue); }) ==
         "elastic: got 750 rows, expected none: linear solids have no packed form");
   Scene springs;
-  springs.kernel = Kernel::response;
-  springs.tissue = scenes::make_solid_organ(2, 0.0);
+  springs.bodies[0].kernel = Kernel::response;
+  springs.bodies[0].tissue = scenes::make_solid_organ(2, 0.0);
   CHECK(find_refusal([&] { build_scene(springs); }).find("that is no linear solid") !=
         std::string::npos);
   Scene stripped = scene;
-  stripped.response.reset();
+  stripped.bodies[0].response.reset();
   CHECK(find_refusal([&] { World world(stripped); }) ==
         "world: got a linear solid without its response, expected a scene from build_scene");
 }
@@ -85,7 +86,7 @@ TEST_CASE("a linear solid is pressed in, pushes back, and comes back, with its s
 
     const double shallow = move(scene, touch + 0.005, touch - 0.003, 200, world).force.z();
     const double deep = move(scene, touch - 0.003, touch - 0.006, 200, world).force.z();
-    const double tip = world.tool.position.z();
+    const double tip = world.instruments[0].tool.position.z();
     move(scene, touch - 0.006, touch + 0.01, 200, world);
     const HapticCommand away = move(scene, touch + 0.01, touch + 0.01, 100, world);
 
@@ -94,8 +95,9 @@ TEST_CASE("a linear solid is pressed in, pushes back, and comes back, with its s
     CHECK(deep > 1.5 * shallow);
     CHECK(tip < touch - 0.004);
     CHECK(away.force == Vec3::Zero());
-    CHECK(world.substeps == 1);
-    CHECK(scenes::max_difference(world.tissue.position, scene.tissue.rest_position) < 1e-9);
+    CHECK(world.bodies[0].substeps == 1);
+    CHECK(scenes::max_difference(world.bodies[0].tissue.position,
+                                 scene.bodies[0].tissue.rest_position) < 1e-9);
   }
 }
 
@@ -117,7 +119,7 @@ TEST_CASE("a press held still is what the swinging reference comes to rest in" *
   CHECK(!one.alarm);
   CHECK(b.force.z() > 0.03);
   CHECK((a.force - b.force).norm() < 2e-3 * b.force.norm());
-  CHECK(scenes::max_difference(one.skin, other.skin) < 2e-5);
+  CHECK(scenes::max_difference(one.bodies[0].skin, other.bodies[0].skin) < 2e-5);
 }
 
 TEST_CASE("a held press does not tremble") {
@@ -140,7 +142,7 @@ TEST_CASE("a held press does not tremble") {
 
 TEST_CASE("the force does not depend on how stiff the contact is, within its own yielding") {
   Scene soft = linear_scene(true), hard = soft;
-  hard.tool.stiffness *= 30.0;
+  hard.instruments[0].tool.stiffness *= 30.0;
   World one(soft), other(hard);
   const double touch = find_touch(soft);
 
@@ -167,7 +169,8 @@ TEST_CASE("a tissue that is held is pulled, and let go without a kick") {
   CHECK(std::abs(kick - pull) < 0.1 * std::abs(pull));
   move(scene, touch + 0.004, touch + 0.004, 200, world);
   CHECK(!world.alarm);
-  CHECK(scenes::max_difference(world.tissue.position, scene.tissue.rest_position) < 1e-9);
+  CHECK(scenes::max_difference(world.bodies[0].tissue.position,
+                               scene.bodies[0].tissue.rest_position) < 1e-9);
 }
 
 TEST_CASE("a press beyond 15 % of the thickness raises the alarm, one short of it does not") {
@@ -196,20 +199,21 @@ TEST_CASE("a flick does not pass a linear solid") {
   move(scene, touch + 0.01, touch - 0.012, 8, world);  // 2.75 m/s
   const HapticCommand held = move(scene, touch - 0.012, touch - 0.012, 5, world);
 
-  CHECK(world.tool.touching);
+  CHECK(world.instruments[0].tool.touching);
   CHECK(held.force.z() > 0.3);
   CHECK(held.force.z() < 5.01);
 }
 
 TEST_CASE("out of reach a linear solid is felt and does not give") {
   Scene scene;
-  scene.tissue = scenes::make_covered_linear_organ(5, 0.9, kDamping);
+  scene.bodies[0].tissue = scenes::make_covered_linear_organ(5, 0.9, kDamping);
   int bottom = 0;
-  const Vec3Array rest = compute_surface(scene.tissue, scene.tissue.rest_position);
+  const Vec3Array rest =
+      compute_surface(scene.bodies[0].tissue, scene.bodies[0].tissue.rest_position);
   for (int v = 0; v < static_cast<int>(rest.size()); ++v) {
     if (rest[v].x() > rest[bottom].x()) bottom = v;
   }
-  scene.tissue = limit_reach(std::move(scene.tissue), {bottom});
+  scene.bodies[0].tissue = limit_reach(std::move(scene.bodies[0].tissue), {bottom});
   scene = build_scene(std::move(scene));
   World world(scene);
   const double touch = find_touch(scene);
@@ -217,7 +221,7 @@ TEST_CASE("out of reach a linear solid is felt and does not give") {
   const HapticCommand felt = move(scene, touch + 0.001, touch - 0.003, 200, world);
 
   CHECK(felt.force.z() > 0.3);
-  CHECK(scenes::max_difference(world.skin, rest) == 0.0);
+  CHECK(scenes::max_difference(world.bodies[0].skin, rest) == 0.0);
 }
 
 TEST_CASE("ticks of a linear solid allocate nothing and take no lock") {

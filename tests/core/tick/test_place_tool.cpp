@@ -79,6 +79,6 @@ TEST_CASE("a hand that leaves the organ it began in, at a metre a second, tears 
   }
 
   CHECK_FALSE(world.alarm);
-  CHECK(world.tool.placed);
+  CHECK(world.instruments[0].tool.placed);
   CHECK(strongest < 0.5);  // [N] of a tool that begins by touching
 }

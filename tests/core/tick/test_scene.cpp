@@ -20,7 +20,7 @@ namespace {
 
 std::string refusal(const std::function<void(Scene&)>& spoil) {
   Scene scene = press_scene();
-  scene.substeps = scene.substeps_max = 0;
+  scene.bodies[0].substeps = scene.bodies[0].substeps_max = 0;
   spoil(scene);
   try {
     build_scene(std::move(scene));
@@ -38,40 +38,41 @@ bool names(const std::string& text, const char* word) {
 
 TEST_CASE("a built scene has as many substeps as its tissue needs at rest") {
   Scene scene = press_scene();
-  const double needed = 1e-3 / stable_step(scene.tissue);
+  const double needed = 1e-3 / stable_step(scene.bodies[0].tissue);
 
-  CHECK(scene.substeps == std::max(1, static_cast<int>(std::ceil(needed))));
+  CHECK(scene.bodies[0].substeps == std::max(1, static_cast<int>(std::ceil(needed))));
 
-  scene.substeps = scene.substeps_max = 0;
+  scene.bodies[0].substeps = scene.bodies[0].substeps_max = 0;
   scene.rate = 100.0;
-  CHECK(build_scene(scene).substeps == static_cast<int>(std::ceil(10.0 * needed)));
+  CHECK(build_scene(scene).bodies[0].substeps == static_cast<int>(std::ceil(10.0 * needed)));
 }
 
 TEST_CASE("contact may raise the substeps by a third, and always to thirty-two") {
   Scene scene = press_scene();
   for (const auto& [substeps, most] : {std::pair(1, 32), {12, 32}, {24, 32}, {27, 36}, {30, 40}}) {
-    scene.substeps = substeps;
-    scene.substeps_max = 0;
-    CHECK(build_scene(scene).substeps_max == most);
+    scene.bodies[0].substeps = substeps;
+    scene.bodies[0].substeps_max = 0;
+    CHECK(build_scene(scene).bodies[0].substeps_max == most);
   }
 }
 
 TEST_CASE("a scene's own substeps are kept") {
   Scene scene = press_scene();
-  scene.substeps = 7;
-  scene.substeps_max = 7;
+  scene.bodies[0].substeps = 7;
+  scene.bodies[0].substeps_max = 7;
 
   scene = build_scene(std::move(scene));
 
-  CHECK(scene.substeps == 7);
-  CHECK(scene.substeps_max == 7);
+  CHECK(scene.bodies[0].substeps == 7);
+  CHECK(scene.bodies[0].substeps_max == 7);
 }
 
 TEST_CASE("the rest areas of a built scene sum to its surface") {
   const Scene scene = press_scene();
-  const SurfaceMesh mesh{scene.tissue.rest_position, scene.tissue.triangles};
+  const SurfaceMesh mesh{scene.bodies[0].tissue.rest_position, scene.bodies[0].tissue.triangles};
 
-  const double sum = std::accumulate(scene.rest_areas.begin(), scene.rest_areas.end(), 0.0);
+  const double sum =
+      std::accumulate(scene.bodies[0].rest_areas.begin(), scene.bodies[0].rest_areas.end(), 0.0);
 
   CHECK(sum == doctest::Approx(compute_area(mesh)));
 }
@@ -79,24 +80,27 @@ TEST_CASE("the rest areas of a built scene sum to its surface") {
 TEST_CASE("a scene that cannot run is refused by the name of the field") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
 
-  CHECK(names(refusal([](Scene& s) { s.tool.radius = 0.0; }), "tool.radius"));
-  CHECK(names(refusal([&](Scene& s) { s.tool.stiffness = nan; }), "tool.stiffness"));
-  CHECK(names(refusal([](Scene& s) { s.coupling.stiffness = -1; }), "coupling.stiffness"));
-  CHECK(names(refusal([](Scene& s) { s.coupling.force_max = 0; }), "coupling.force_max"));
-  CHECK(names(refusal([](Scene& s) { s.hold_stiffness = 0; }), "hold_stiffness"));
+  CHECK(names(refusal([](Scene& s) { s.instruments[0].tool.radius = 0.0; }), "tool.radius"));
+  CHECK(names(refusal([&](Scene& s) { s.instruments[0].tool.stiffness = nan; }), "tool.stiffness"));
+  CHECK(names(refusal([](Scene& s) { s.instruments[0].coupling.stiffness = -1; }),
+              "coupling.stiffness"));
+  CHECK(names(refusal([](Scene& s) { s.instruments[0].coupling.force_max = 0; }),
+              "coupling.force_max"));
+  CHECK(names(refusal([](Scene& s) { s.instruments[0].hold_stiffness = 0; }), "hold_stiffness"));
   CHECK(names(refusal([&](Scene& s) { s.gravity.y() = nan; }), "gravity"));
   CHECK(names(refusal([](Scene& s) { s.rate = 0; }), "rate"));
-  CHECK(names(refusal([](Scene& s) { s.substeps = -1; }), "substeps"));
-  CHECK(names(refusal([](Scene& s) { s.substeps = 5, s.substeps_max = 4; }), "substeps_max"));
-  CHECK(names(refusal([](Scene& s) { s.tissue.mass[3] = -1; }), "mass"));
-  CHECK(names(refusal([](Scene& s) { s.tissue.triangles.clear(); }), "triangles"));
+  CHECK(names(refusal([](Scene& s) { s.bodies[0].substeps = -1; }), "substeps"));
+  CHECK(names(refusal([](Scene& s) { s.bodies[0].substeps = 5, s.bodies[0].substeps_max = 4; }),
+              "substeps_max"));
+  CHECK(names(refusal([](Scene& s) { s.bodies[0].tissue.mass[3] = -1; }), "mass"));
+  CHECK(names(refusal([](Scene& s) { s.bodies[0].tissue.triangles.clear(); }), "triangles"));
   CHECK(names(refusal([](Scene& s) { s.rate = 1e-3; }), "substeps"));
   CHECK(refusal([](Scene&) {}) == "");
 }
 
 TEST_CASE("a world wants a scene that was built") {
   Scene scene;
-  scene.tissue = press_scene().tissue;
+  scene.bodies[0].tissue = press_scene().bodies[0].tissue;
 
   CHECK_THROWS_AS(World{scene}, std::invalid_argument);
 }

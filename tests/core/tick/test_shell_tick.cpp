@@ -16,16 +16,16 @@ namespace {
 /// A wall of prisms around a hollow of 100 x 70 x 60 mm, held at its base.
 Scene shell_scene(Kernel kernel = scenes::kernel_under_test()) {
   Scene scene;
-  scene.kernel = kernel;
-  scene.tissue = scenes::make_shell_organ(2, {.damping_ratio = 0.2, .drag = 3.0});
+  scene.bodies[0].kernel = kernel;
+  scene.bodies[0].tissue = scenes::make_shell_organ(2, {.damping_ratio = 0.2, .drag = 3.0});
   return build_scene(std::move(scene));
 }
 
 /// [m] Where the tip touches the top.
 double find_touch(const Scene& scene) {
   double top = 0.0;
-  for (const Vec3& x : scene.tissue.rest_position) top = std::max(top, x.z());
-  return top + scene.tool.radius;
+  for (const Vec3& x : scene.bodies[0].tissue.rest_position) top = std::max(top, x.z());
+  return top + scene.instruments[0].tool.radius;
 }
 
 /// Goes from `from` to `to` [m] above where the tip first touches, in as many ticks.
@@ -46,8 +46,8 @@ TEST_CASE("a scene with a shell keeps the packed kernel, and its ticks run on it
   const Scene scene = shell_scene(Kernel::packed);
   const World world(scene);
 
-  CHECK(scene.kernel == Kernel::packed);
-  CHECK((find_packed(world) != nullptr) == !simd_targets().empty());
+  CHECK(scene.bodies[0].kernel == Kernel::packed);
+  CHECK((find_packed(world.bodies[0]) != nullptr) == !simd_targets().empty());
 }
 
 TEST_CASE("a shell is pressed in, pushes back, and comes back") {
@@ -63,7 +63,8 @@ TEST_CASE("a shell is pressed in, pushes back, and comes back") {
   CHECK(shallow > 0.03);
   CHECK(deep > 1.5 * shallow);
   CHECK(away.force == Vec3::Zero());
-  CHECK(scenes::max_difference(world.tissue.position, scene.tissue.rest_position) < 1e-4);
+  CHECK(scenes::max_difference(world.bodies[0].tissue.position,
+                               scene.bodies[0].tissue.rest_position) < 1e-4);
 }
 
 TEST_CASE("both kernels make the same of a press on a shell") {
@@ -76,7 +77,8 @@ TEST_CASE("both kernels make the same of a press on a shell") {
 
   CHECK(b.force.z() > 0.05);
   CHECK((a.force - b.force).norm() < 1e-4 * b.force.norm());
-  CHECK(scenes::max_difference(one.tissue.position, other.tissue.position) < 1e-6);
+  CHECK(scenes::max_difference(one.bodies[0].tissue.position, other.bodies[0].tissue.position) <
+        1e-6);
 }
 
 TEST_CASE("ticks of a shell allocate nothing and take no lock") {
@@ -94,8 +96,8 @@ TEST_CASE("ticks of a shell allocate nothing and take no lock") {
 
 TEST_CASE("no part of a shell may sleep: a force error is refused by name") {
   Scene scene = shell_scene();
-  scene.tissue.home.assign(scene.tissue.mass.size(), 10.0);
-  scene.force_error = 1e-3;
+  scene.bodies[0].tissue.home.assign(scene.bodies[0].tissue.mass.size(), 10.0);
+  scene.bodies[0].force_error = 1e-3;
 
   CHECK_THROWS_WITH_AS(build_scene(scene), doctest::Contains("walls of prisms are moved whole"),
                        std::invalid_argument);

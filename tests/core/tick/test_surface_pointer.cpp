@@ -23,7 +23,7 @@ PointerTarget over_pole(double time, double depth, bool pressing) {
 
 /// [m] of the tip's lowest point below the pole, at rest over it.
 double depth_of(const HapticSample& hand, const Scene& scene) {
-  return kPole + scene.tool.radius - hand.position.z();
+  return kPole + scene.instruments[0].tool.radius - hand.position.z();
 }
 
 }  // namespace
@@ -51,7 +51,8 @@ TEST_CASE("a pointer's hand presses at 50 mm/s and goes over the surface at 250 
     fastest = std::max(fastest, last.velocity.norm());
   }
   CHECK(fastest < 0.26);
-  CHECK(last.position.x() == doctest::Approx(0.030 + scene.tool.radius - 0.005).epsilon(0.01));
+  CHECK(last.position.x() ==
+        doctest::Approx(0.030 + scene.instruments[0].tool.radius - 0.005).epsilon(0.01));
 }
 
 TEST_CASE("a press that was over before it was heard of lasts as long as the window says") {

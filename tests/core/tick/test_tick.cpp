@@ -46,9 +46,9 @@ TEST_CASE("a hand that touches nothing feels exactly nothing and moves nothing")
   const HapticCommand command = stay(scene, world, hand_at({0, 0, 0.0231}), 100);
 
   CHECK(command.force == Vec3::Zero());
-  CHECK_FALSE(world.tool.touching);
-  CHECK(scenes::max_difference(world.tissue.position, scene.tissue.rest_position) <=
-        scenes::rest_tolerance());
+  CHECK_FALSE(world.instruments[0].tool.touching);
+  CHECK(scenes::max_difference(world.bodies[0].tissue.position,
+                               scene.bodies[0].tissue.rest_position) <= scenes::rest_tolerance());
   CHECK(world.tick_count == 100);
 }
 
@@ -63,12 +63,12 @@ TEST_CASE("pressing down is felt as a push up, harder the deeper") {
   CHECK(forces[100] == Vec3::Zero());
   CHECK(forces[499].z() > 0.05);
   CHECK(forces[499].z() > 2.0 * forces[250].z());
-  CHECK(world.tool.touching);
+  CHECK(world.instruments[0].tool.touching);
 }
 
 TEST_CASE("the force on the hand is at most that of the coupling") {
   Scene scene = press_scene();
-  scene.coupling.force_max = 0.1;
+  scene.instruments[0].coupling.force_max = 0.1;
   World world(scene);
 
   const std::vector<Vec3> forces = run(scene, world, press_script(0.010, 0.5), 500);
@@ -99,11 +99,12 @@ TEST_CASE("another hand, a moved particle or another hold give another hash") {
   const auto hash = compute_hash(world);
   REQUIRE(compute_hash(other) == hash);
 
-  REQUIRE(other.tool.hold_count > 0);
-  --other.tool.hold_count;
+  REQUIRE(other.instruments[0].tool.hold_count > 0);
+  --other.instruments[0].tool.hold_count;
   CHECK(compute_hash(other) != hash);
-  ++other.tool.hold_count;
-  other.tissue.velocity[7].y() = std::nextafter(other.tissue.velocity[7].y(), 1.0);
+  ++other.instruments[0].tool.hold_count;
+  other.bodies[0].tissue.velocity[7].y() =
+      std::nextafter(other.bodies[0].tissue.velocity[7].y(), 1.0);
   CHECK(compute_hash(other) != hash);
 }
 
@@ -114,12 +115,12 @@ TEST_CASE("a hand that begins inside the organ has no tool until it has come out
   const HapticCommand inside = stay(scene, world, hand_at({0, 0, 0.015}), 50);
 
   CHECK(inside.force == Vec3::Zero());
-  CHECK_FALSE(world.tool.placed);
-  CHECK(scenes::max_difference(world.tissue.position, scene.tissue.rest_position) <=
-        scenes::rest_tolerance());
+  CHECK_FALSE(world.instruments[0].tool.placed);
+  CHECK(scenes::max_difference(world.bodies[0].tissue.position,
+                               scene.bodies[0].tissue.rest_position) <= scenes::rest_tolerance());
 
   CHECK(stay(scene, world, hand_at({0, 0, 0.03}), 1).force == Vec3::Zero());
-  CHECK(world.tool.placed);
+  CHECK(world.instruments[0].tool.placed);
   CHECK(stay(scene, world, hand_at({0, 0, 0.021}), 400).force.z() > 0.0);
 }
 
@@ -128,15 +129,15 @@ TEST_CASE("the attach button fastens what is touched, pulling is felt, letting g
   World world(scene);
   stay(scene, world, hand_at({0, 0, 0.0235}), 1);
   stay(scene, world, hand_at({0, 0, 0.0205}), 200);
-  REQUIRE(world.tool.touching);
+  REQUIRE(world.instruments[0].tool.touching);
 
   stay(scene, world, hand_at({0, 0, 0.0205}, kAttachButton), 1);
-  CHECK(world.tool.hold_count > 0);
+  CHECK(world.instruments[0].tool.hold_count > 0);
   const HapticCommand pulled = stay(scene, world, hand_at({0, 0, 0.0285}, kAttachButton), 300);
   CHECK(pulled.force.z() < -0.05);
 
   CHECK(stay(scene, world, hand_at({0, 0, 0.0285}), 60).force == Vec3::Zero());
-  CHECK(world.tool.hold_count == 0);
+  CHECK(world.instruments[0].tool.hold_count == 0);
   CHECK_FALSE(world.alarm);
 }
 
@@ -149,7 +150,7 @@ TEST_CASE("letting go of a pull fades over 30 ms: no tick takes more than a fift
   stay(scene, world, hand_at({0, 0, 0.0205}, kAttachButton), 1);
   const double load = stay(scene, world, high, 400).force.norm();
   REQUIRE(load > 0.05);
-  REQUIRE(world.tool.hold_count > 0);
+  REQUIRE(world.instruments[0].tool.hold_count > 0);
 
   double last = load, largest_drop = 0.0;
   for (int t = 0; t < 60; ++t) {
@@ -160,7 +161,7 @@ TEST_CASE("letting go of a pull fades over 30 ms: no tick takes more than a fift
 
   CHECK(largest_drop < 0.2 * load);
   CHECK(last == 0.0);
-  CHECK(world.tool.hold_count == 0);
+  CHECK(world.instruments[0].tool.hold_count == 0);
   CHECK_FALSE(world.alarm);
 }
 
@@ -171,28 +172,28 @@ TEST_CASE("pressing the attach button in the air fastens nothing, then or later"
   stay(scene, world, hand_at({0, 0, 0.03}, kAttachButton), 10);
   stay(scene, world, hand_at({0, 0, 0.021}, kAttachButton), 400);
 
-  CHECK(world.tool.touching);
-  CHECK(world.tool.hold_count == 0);
+  CHECK(world.instruments[0].tool.touching);
+  CHECK(world.instruments[0].tool.hold_count == 0);
 }
 
 TEST_CASE("substeps are few in the air, never fall near the tissue, and stay within their bounds") {
   const Scene scene = press_scene();
   World world(scene);
   stay(scene, world, hand_at({0, 0, 0.04}), 10);
-  CHECK(world.substeps == scene.substeps);
+  CHECK(world.bodies[0].substeps == scene.bodies[0].substeps);
 
   stay(scene, world, hand_at({0, 0, 0.0235}), 10);
-  CHECK(world.substeps >= 3);
+  CHECK(world.bodies[0].substeps >= 3);
   for (int i = 0; i < 800; ++i) {
-    const int before = world.substeps;
+    const int before = world.bodies[0].substeps;
     tick(scene, hand_at({0, 0, 0.0235 - 1e-5 * std::min(i, 800 - i)}), 1e-3, world);
-    CHECK(world.substeps >= before);
-    CHECK(world.substeps <= scene.substeps_max);
+    CHECK(world.bodies[0].substeps >= before);
+    CHECK(world.bodies[0].substeps <= scene.bodies[0].substeps_max);
   }
-  CHECK(world.substeps > 3);
+  CHECK(world.bodies[0].substeps > 3);
 
   stay(scene, world, hand_at({0, 0, 0.04}), 20);
-  CHECK(world.substeps == scene.substeps);
+  CHECK(world.bodies[0].substeps == scene.bodies[0].substeps);
 }
 
 TEST_CASE("a hand faster than 3 m/s is followed at that speed and felt only where the tool is") {
@@ -202,10 +203,10 @@ TEST_CASE("a hand faster than 3 m/s is followed at that speed and felt only wher
 
   const HapticCommand command = stay(scene, world, hand_at({0, 0, 0.10}), 1);
 
-  CHECK(world.tool.position.z() == doctest::Approx(0.053));
+  CHECK(world.instruments[0].tool.position.z() == doctest::Approx(0.053));
   CHECK(command.force == Vec3::Zero());
   stay(scene, world, hand_at({0, 0, 0.10}), 16);
-  CHECK(world.tool.position == Vec3(0, 0, 0.10));
+  CHECK(world.instruments[0].tool.position == Vec3(0, 0, 0.10));
 }
 
 TEST_CASE("letting go of a hard pull is no alarm") {
@@ -219,7 +220,8 @@ TEST_CASE("letting go of a hard pull is no alarm") {
   stay(scene, world, hand_at({0, 0, 0.0405}), 1500);
 
   CHECK_FALSE(world.alarm);
-  CHECK((world.tissue.position[5] - scene.tissue.rest_position[5]).norm() < 1e-4);
+  CHECK((world.bodies[0].tissue.position[5] - scene.bodies[0].tissue.rest_position[5]).norm() <
+        1e-4);
 }
 
 TEST_CASE("a hand that jumps through the organ in one tick leaves its tool on this side") {
@@ -232,14 +234,14 @@ TEST_CASE("a hand that jumps through the organ in one tick leaves its tool on th
   }
 
   CHECK_FALSE(world.alarm);
-  CHECK(compute_winding_number(scene.tissue.triangles, world.tissue.position, world.tool.position) <
-        0.5);
+  CHECK(compute_winding_number(scene.bodies[0].tissue.triangles, world.bodies[0].tissue.position,
+                               world.instruments[0].tool.position) < 0.5);
 }
 
 TEST_CASE("a tissue that blows up stands still from then on and the force is zero for good") {
   Scene scene = press_scene();
-  scene.substeps = scene.substeps_max = 1;
-  scene.rate = 1000.0 / (4.0 * press_scene().substeps);
+  scene.bodies[0].substeps = scene.bodies[0].substeps_max = 1;
+  scene.rate = 1000.0 / (4.0 * press_scene().bodies[0].substeps);
   const double dt = 1.0 / scene.rate;
   World world(scene);
   for (int i = 0; i < 2000 && !world.alarm; ++i) {
@@ -247,13 +249,13 @@ TEST_CASE("a tissue that blows up stands still from then on and the force is zer
   }
   REQUIRE(world.alarm);
   const Alarm alarm = world.alarm;
-  const Vec3Array frozen = world.tissue.position;
+  const Vec3Array frozen = world.bodies[0].tissue.position;
 
   for (int i = 0; i < 10; ++i) {
     CHECK(tick(scene, hand_at({0, 0, 0.019}), dt, world).force == Vec3::Zero());
   }
 
-  CHECK(world.tissue.position == frozen);
+  CHECK(world.bodies[0].tissue.position == frozen);
   CHECK(std::all_of(frozen.begin(), frozen.end(), [](const Vec3& x) { return x.allFinite(); }));
   CHECK(world.alarm.kind == alarm.kind);
   CHECK(world.alarm.time == alarm.time);
@@ -267,8 +269,8 @@ TEST_CASE("gravity makes a tissue sag, and the weight is not felt by a hand in t
   const HapticCommand command = stay(scene, world, hand_at({0, 0, 0.04}), 300);
 
   CHECK(command.force == Vec3::Zero());
-  CHECK(world.tissue.position[5].z() <= scene.tissue.rest_position[5].z());
-  CHECK(world.tissue.position != scene.tissue.rest_position);
+  CHECK(world.bodies[0].tissue.position[5].z() <= scene.bodies[0].tissue.rest_position[5].z());
+  CHECK(world.bodies[0].tissue.position != scene.bodies[0].tissue.rest_position);
   CHECK_FALSE(world.alarm);
 }
 
@@ -281,7 +283,7 @@ TEST_CASE("what a record keeps of a tick is its force, its tool and what it touc
   const Felt felt = compute_felt(command, world);
 
   CHECK(felt.force == command.force.cast<float>());
-  CHECK(felt.position == world.tool.position.cast<float>());
+  CHECK(felt.position == world.instruments[0].tool.position.cast<float>());
   CHECK(felt.touched == 1);
   stay(scene, world, hand_at({0, 0, 0.020}, kAttachButton), 1);
   CHECK(compute_felt(command, world).touched == 3);

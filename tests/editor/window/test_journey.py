@@ -56,7 +56,7 @@ def test_a_mesh_becomes_a_published_scenario_by_mouse_and_keys(qtbot, window, sp
     settle(qtbot, window)
     published = scenario.read(str(tmp_path / "spleen.palpate"))
     assert published.title == "Palpate the spleen"
-    assert len(published.scene.tissue.mass) == 600
+    assert len(published.scene.bodies[0].tissue.mass) == 600
     assert "palpate publish" in log_of(window)
 
 

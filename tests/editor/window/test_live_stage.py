@@ -337,7 +337,7 @@ def scene_that_blows_up(organ) -> palpate.Scene:
     """The organ with far fewer substeps than it needs."""
     stiff = replace(organ, model=replace(organ.model, stiffness=4000.0))
     scene = compile_organ(stiff)
-    scene.substeps = scene.substeps_max = 1
+    scene.bodies[0].substeps = scene.bodies[0].substeps_max = 1
     return scene
 
 

@@ -354,7 +354,7 @@ def test_a_solid_is_filled_as_its_designer_says(panel, qtbot):
 
     assert panel.facts.words()["Tetrahedra"] != before
     assert "--tetrahedra=1500" in window.log.log.toPlainText()
-    assert panel.context.assessment.scene.tissue.volumes.nodal_share == 0.5
+    assert panel.context.assessment.scene.bodies[0].tissue.volumes.nodal_share == 0.5
     type_into(child(panel, "fill.tetrahedra"), "12.5")
     assert "Tetrahedra must be a whole number of 100 to 40000" in window.messages.text
     window.session.history.undo()

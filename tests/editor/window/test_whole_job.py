@@ -228,7 +228,7 @@ def play(job: Job, published: Path, outcome, folder: Path, capsys) -> None:
     made = scenario.read(str(published))
     assert (made.title, made.task) == ("The spleen", "Find the hard place.")
     scene = made.scene
-    frames, _ = write_script(find_top(scene), scene.tool.radius, PressScript(6e-3))
+    frames, _ = write_script(find_top(scene), scene.instruments[0].tool.radius, PressScript(6e-3))
     write_script_file(folder / "press.json", frames)
     words = ["play", str(published), "--device", f"script:{folder / 'press.json'}", "--headless"]
     assert main([*words, "--record", str(folder / "played.prec"), "--json"]) == 0

@@ -45,7 +45,8 @@ class ScriptedHand : public HapticDevice {
 
 void play(const Scene& scene) {
   World world(scene);
-  ScriptedHand hand(find_highest(scene.tissue.rest_position), scene.tool.radius, scene.rate);
+  ScriptedHand hand(find_highest(scene.bodies[0].tissue.rest_position),
+                    scene.instruments[0].tool.radius, scene.rate);
   SafeDevice device(hand);  // ramp, slew and energy limits stand between a tick and any device
   for (int i = 0; i < 1000; ++i) {
     const HapticSample sample = device.read(i / scene.rate);

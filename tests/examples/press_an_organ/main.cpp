@@ -20,10 +20,10 @@ int main() {
     dome.triangles.push_back({i, i + n + 1, i + n});
   }
   const Material wall{.wall_thickness = 0.004};
-  const Scene scene = build_scene({.tissue = build_mass_spring(dome, wall, 600.0)});
+  const Scene scene = build_scene(make_scene(build_mass_spring(dome, wall, 600.0)));
 
   // from 5 mm above the top to 5 mm inside, in 2 s; a device of metal would stand in its place
-  const double touch = 0.03 + scene.tool.radius;
+  const double touch = 0.03 + scene.instruments[0].tool.radius;
   ScriptedDevice hand({{0.0, {0, 0, touch + 0.005}}, {2.0, {0, 0, touch - 0.005}}});
   SafeDevice device(hand);  // what any hand is to feel goes through its limits
 

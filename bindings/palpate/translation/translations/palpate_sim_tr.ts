@@ -1056,6 +1056,18 @@
         <translation>dokunmak için en az bir tane</translation>
     </message>
     <message>
+        <source>at least one to touch with</source>
+        <translation>dokunmak için kullanılacak en az bir tane</translation>
+    </message>
+    <message>
+        <source>1, which is what a file holds</source>
+        <translation>bir dosyanın içerdiği gibi 1</translation>
+    </message>
+    <message>
+        <source>scene: %1</source>
+        <translation>sahne: %1</translation>
+    </message>
+    <message>
         <source>at least the substeps the tissue needs</source>
         <translation>en az dokunun gerektirdiği alt adımlar</translation>
     </message>

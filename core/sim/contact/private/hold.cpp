@@ -11,31 +11,50 @@ double measure_slip(const Coupling& coupling, const Vec3& hand_position,
   return std::max(0.0, (hand_position - state.position).norm() - reach);
 }
 
-double measure_held_load(const ToolState& state, const Load& load) noexcept {
-  // the pushes of holds come last
-  const std::span<const Push> pushes = load.pushes();
-  const auto held = std::min(pushes.size(), static_cast<std::size_t>(state.hold_count));
+namespace {
+
+std::span<const ToolState::Hold> holds_of(const ToolState& state) noexcept {
+  return {state.holds.data(), static_cast<std::size_t>(state.hold_count)};
+}
+
+/// How many pushes of holds there are on a surface: its last.
+std::size_t count_held(const ToolState& state, std::size_t body,
+                       std::span<const Push> pushes) noexcept {
+  const auto on_it = [&](const ToolState::Hold& hold) noexcept {
+    return hold.body == static_cast<int>(body);
+  };
+  return std::min(pushes.size(),
+                  static_cast<std::size_t>(std::ranges::count_if(holds_of(state), on_it)));
+}
+
+}  // namespace
+
+double measure_held_load(const ToolState& state,
+                         std::span<const TouchedSurface> surfaces) noexcept {
   double sum = 0.0;
-  for (const Push& push : pushes.last(held)) sum += push.force.norm();
+  for (std::size_t b = 0; b < surfaces.size(); ++b) {
+    const std::span<const Push> pushes = surfaces[b].load->pushes();
+    for (const Push& push : pushes.last(count_held(state, b, pushes))) sum += push.force.norm();
+  }
   return sum;
 }
 
 /// The spring of the hand holds K d²/2, or F (d - F/(2K)) where it is limited to F; a hold f²/(2k).
 /// A contact's force grows with its depth, which is at most the radius: f r is more than it holds.
 double bound_stored_energy(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
-                           const ToolState& state, const Load& load) noexcept {
+                           const ToolState& state,
+                           std::span<const TouchedSurface> surfaces) noexcept {
   const double length = (hand_position - state.position).norm();
   const double pull = std::min(coupling.stiffness * length, coupling.force_max);
   double energy = pull * (length - 0.5 * pull / coupling.stiffness);
-  // the pushes of holds come last
-  const std::span<const Push> pushes = load.pushes();
-  const auto held = std::min(pushes.size(), static_cast<std::size_t>(state.hold_count));
-  for (const Push& push : pushes.first(pushes.size() - held)) {
-    energy += push.force.norm() * tool.radius;
-  }
-  for (std::size_t h = 0; h < held; ++h) {
-    const Push& push = pushes[pushes.size() - held + h];
-    energy += 0.5 * push.force.squaredNorm() / state.holds[h].stiffness;
+  for (std::size_t b = 0; b < surfaces.size(); ++b) {
+    const std::span<const Push> pushes = surfaces[b].load->pushes();
+    std::size_t next = pushes.size() - count_held(state, b, pushes);
+    for (const Push& push : pushes.first(next)) energy += push.force.norm() * tool.radius;
+    for (const ToolState::Hold& hold : holds_of(state)) {
+      if (hold.body != static_cast<int>(b) || next == pushes.size()) continue;
+      energy += 0.5 * pushes[next++].force.squaredNorm() / hold.stiffness;
+    }
   }
   return energy;
 }

@@ -14,16 +14,16 @@ BuiltTree build_over(std::span<const Vec3> surface, std::span<const Triangle> tr
   return {std::move(tree), cost};
 }
 
-bool wants_tree(const World& world) noexcept {
-  return !world.alarm && internals(world).tree_cost.growth() >= TreeCost::kWorthRebuilding;
+bool wants_tree(const SoftState& body) noexcept {
+  return internals(body).tree_cost.growth() >= TreeCost::kWorthRebuilding;
 }
 
-void exchange_tree(BuiltTree& built, World& world) noexcept {
-  std::swap(world.tree, built.tree);
-  std::swap(internals(world).tree_cost, built.cost);
-  world.tree.refit(surface_position(world));
+void exchange_tree(BuiltTree& built, SoftState& body) noexcept {
+  std::swap(body.tree, built.tree);
+  std::swap(internals(body).tree_cost, built.cost);
+  body.tree.refit(surface_position(body));
   // the new tree follows nothing yet; the next tick tells it what moves
-  if (PackedKernel* packed = find_packed(world)) {
+  if (PackedKernel* packed = find_packed(body)) {
     packed->lag.next = 0;
     std::ranges::fill(packed->in_tree, static_cast<unsigned char>(0));
   }

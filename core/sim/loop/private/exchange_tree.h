@@ -15,12 +15,12 @@ struct BuiltTree {
 /// A tree built over these positions [m] of the surface. Allocates.
 BuiltTree build_over(std::span<const Vec3> surface, std::span<const Triangle> triangles);
 
-/// Whether the queries of the world's tree have become so costly that another is worth building.
-bool wants_tree(const World& world) noexcept;
+/// Whether the queries of a body's tree have become so costly that another is worth building.
+bool wants_tree(const SoftState& body) noexcept;
 
-/// Between two ticks: the world goes on with this tree, which gets the old one and is to be freed
+/// Between two ticks: the body goes on with this tree, which gets the old one and is to be freed
 /// where that harms nobody. The surface may have moved on since it was built. No answer to a query
 /// depends on the shape of the tree, so forces stay the same to the bit, only sooner had.
-void exchange_tree(BuiltTree& built, World& world) noexcept;
+void exchange_tree(BuiltTree& built, SoftState& body) noexcept;
 
 }  // namespace palpate

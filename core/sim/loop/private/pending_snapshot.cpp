@@ -11,48 +11,59 @@
 
 namespace palpate {
 
-PendingSnapshot::PendingSnapshot(const World& world) {
-  if (const PackedKernel* packed = find_packed(world)) {
-    displacement.resize(packed->state.displacement.size());
+PendingSnapshot::PendingSnapshot(const World& world) : packed(world.bodies.size()) {
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    const SoftState& body = world.bodies[b];
+    if (const PackedKernel* kernel = find_packed(body)) {
+      packed[b].displacement.resize(kernel->state.displacement.size());
+    }
+    const std::span<const Vec3> surface = surface_position(body);
+    seen.bodies.push_back({{surface.begin(), surface.end()}, body.substeps});
   }
-  const std::span<const Vec3> surface = surface_position(world);
-  seen.position.assign(surface.begin(), surface.end());
-  seen.substeps = world.substeps;
 }
 
 void note_world(const World& world, const HapticSample& sample, PendingSnapshot& pending) noexcept {
+  const ToolState& tool = world.instruments[0].tool;
   pending.seen.tick = world.tick_count - 1;
   pending.seen.time = sample.time;
   pending.seen.sample = sample;
-  pending.seen.tool_position = world.tool.position;
-  pending.seen.touching = world.tool.touching;
-  pending.seen.substeps = world.substeps;
-  // after an alarm the packed tissue is not where the world stands still
-  pending.packed = lags(world) && is_behind(world);
-  if (pending.packed) {
-    std::ranges::copy(find_packed(world)->state.displacement, pending.displacement.begin());
-  } else {
-    std::ranges::copy(surface_position(world), pending.seen.position.begin());
+  pending.seen.tool_position = tool.position;
+  pending.seen.touching = tool.touching;
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    const SoftState& body = world.bodies[b];
+    pending.seen.bodies[b].substeps = body.substeps;
+    // after an alarm the packed tissue is not where the world stands still
+    pending.packed[b].in_use = lags(world, body) && is_behind(body);
+    if (pending.packed[b].in_use) {
+      std::ranges::copy(find_packed(body)->state.displacement,
+                        pending.packed[b].displacement.begin());
+    } else {
+      std::ranges::copy(surface_position(body), pending.seen.bodies[b].position.begin());
+    }
   }
 }
 
+SnapshotReader::Unpacked::Unpacked(const SoftState& body)
+    : model(find_packed(body) ? find_packed(body)->model : nullptr),
+      slices(model ? model->slice_count : 0),
+      particles(body.skin.empty() ? 0 : body.tissue.position.size()) {}
+
 SnapshotReader::SnapshotReader(const World& world)
-    : model_(find_packed(world) ? find_packed(world)->model : nullptr),
-      slices_(model_ ? model_->slice_count : 0),
-      particles_(world.skin.empty() ? 0 : world.tissue.position.size()),
-      snapshot_(PendingSnapshot(world).seen) {}
+    : unpacked_(world.bodies.begin(), world.bodies.end()), snapshot_(PendingSnapshot(world).seen) {}
 
 void SnapshotReader::read(const Scene& scene, const PendingSnapshot& pending) {
-  if (!pending.packed) {
-    snapshot_ = pending.seen;
-    return;
-  }
-  Vec3Array position = std::move(snapshot_.position);
-  Vec3Array& to = particles_.empty() ? position : particles_;
-  unpack_positions(*model_, scene.tissue, pending.displacement, slices_.span(), to);
-  if (!particles_.empty()) move_skin(scene.tissue.skin, particles_, position);
+  std::vector<BodySnapshot> bodies = std::move(snapshot_.bodies);
   snapshot_ = pending.seen;
-  snapshot_.position = std::move(position);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (!pending.packed[b].in_use) continue;
+    const TissueModel& tissue = scene.bodies[b].tissue;
+    Unpacked& unpacked = unpacked_[b];
+    Vec3Array& to = unpacked.particles.empty() ? bodies[b].position : unpacked.particles;
+    unpack_positions(*unpacked.model, tissue, pending.packed[b].displacement,
+                     unpacked.slices.span(), to);
+    if (!unpacked.particles.empty()) move_skin(tissue.skin, unpacked.particles, bodies[b].position);
+    std::swap(snapshot_.bodies[b].position, bodies[b].position);
+  }
 }
 
 }  // namespace palpate

@@ -7,16 +7,20 @@
 
 namespace palpate {
 
-/// What the haptic thread leaves for a snapshot. Where a world lags (follow_tissue.h) that is how
-/// the packed tissue lies in memory: its reader unpacks it, in a thread that has time for
-/// that.
+/// What the haptic thread leaves for a snapshot. Where a body lags (follow_tissue.h) that is how
+/// the packed tissue lies in memory: its reader unpacks it, in a thread that has time for that.
 struct PendingSnapshot {
-  PendingSnapshot() = default;
-  explicit PendingSnapshot(const World& world);  ///< with room for all of its surface
+  /// The displacements of a body that is packed.
+  struct Packed {
+    CacheAligned<float> displacement;  ///< [m] as PackedState::displacement
+    bool in_use = false;               ///< they tell, and the positions do not
+  };
 
-  Snapshot seen;                     ///< its positions left as they were where displacements tell
-  CacheAligned<float> displacement;  ///< [m] as PackedState::displacement
-  bool packed = false;               ///< the displacements tell
+  PendingSnapshot() = default;
+  explicit PendingSnapshot(const World& world);  ///< with room for all of its surfaces
+
+  Snapshot seen;               ///< positions left as they were where displacements tell
+  std::vector<Packed> packed;  ///< per body
 };
 
 /// Haptic thread: notes the world after a tick with this sample. Does not allocate.
@@ -30,9 +34,15 @@ class SnapshotReader {
   const Snapshot& snapshot() const noexcept { return snapshot_; }
 
  private:
-  std::shared_ptr<const PackedModel> model_;
-  PackedList slices_;
-  Vec3Array particles_;  // [m] under a skin
+  /// What it takes to unpack a body.
+  struct Unpacked {
+    explicit Unpacked(const SoftState& body);
+    std::shared_ptr<const PackedModel> model;
+    PackedList slices;
+    Vec3Array particles;  // [m] under a skin
+  };
+
+  std::vector<Unpacked> unpacked_;  // per body
   Snapshot snapshot_;
 };
 

@@ -9,9 +9,9 @@
 
 namespace palpate {
 
-TreeBuilder::TreeBuilder(const World& world)
-    : surface_(surface_position(world).size()),
-      triangles_(world.tree.triangles().begin(), world.tree.triangles().end()),
+TreeBuilder::TreeBuilder(const SoftState& body)
+    : surface_(surface_position(body).size()),
+      triangles_(body.tree.triangles().begin(), body.tree.triangles().end()),
       thread_([this] { work(); }) {}
 
 TreeBuilder::~TreeBuilder() {
@@ -25,21 +25,23 @@ void TreeBuilder::call_worker() noexcept {
   calls_.notify_one();
 }
 
-bool TreeBuilder::will_ask(const World& world) const noexcept {
-  return turn_.load(std::memory_order_acquire) == Turn::free && wants_tree(world);
+bool TreeBuilder::will_ask(const World& world, std::size_t body) const noexcept {
+  return turn_.load(std::memory_order_acquire) == Turn::free && !world.alarm &&
+         wants_tree(world.bodies[body]);
 }
 
-std::optional<Event> TreeBuilder::serve(World& world) noexcept {
+std::optional<Event> TreeBuilder::serve(std::size_t body, World& world) noexcept {
+  SoftState& state = world.bodies[body];
   const Turn turn = turn_.load(std::memory_order_acquire);
-  if (turn == Turn::free && wants_tree(world) && !is_behind(world)) {
-    std::ranges::copy(surface_position(world), surface_.begin());
+  if (will_ask(world, body) && !is_behind(state)) {
+    std::ranges::copy(surface_position(state), surface_.begin());
     asked_at_ = world.tick_count;
-    growth_ = internals(world).tree_cost.growth();
+    growth_ = internals(state).tree_cost.growth();
     turn_.store(Turn::asked, std::memory_order_release);
     call_worker();
   }
   if (turn != Turn::ready) return std::nullopt;
-  exchange_tree(built_, world);
+  exchange_tree(built_, state);
   turn_.store(Turn::returned, std::memory_order_release);
   call_worker();
   const auto age = static_cast<std::int32_t>(world.tick_count - asked_at_);

@@ -17,17 +17,17 @@ namespace palpate {
 /// the other with a lock, and the haptic thread neither allocates nor frees.
 class TreeBuilder {
  public:
-  /// For worlds with these triangles and vertices of their surface.
-  explicit TreeBuilder(const World& world);
+  /// For bodies with these triangles and vertices of their surface.
+  explicit TreeBuilder(const SoftState& body);
   ~TreeBuilder();  ///< waits for a tree that is being built
 
-  /// Haptic thread: whether serve() would now have a tree built, were the world's surface up to
-  /// date (catch_up).
-  bool will_ask(const World& world) const noexcept;
+  /// Haptic thread: whether serve() would now have a tree built, were the body's surface up to date
+  /// (catch_up).
+  bool will_ask(const World& world, std::size_t body) const noexcept;
 
   /// Haptic thread, between two ticks: takes over a tree that is ready, and says what a record
-  /// keeps of that; or has one built where the world's own has become costly.
-  std::optional<Event> serve(World& world) noexcept;
+  /// keeps of that; or has one built where the body's own has become costly.
+  std::optional<Event> serve(std::size_t body, World& world) noexcept;
 
  private:
   enum class Turn { free, asked, ready, returned, failed };

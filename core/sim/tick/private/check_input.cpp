@@ -45,45 +45,71 @@ Alarm check_sample(const HapticSample& sample) noexcept {
 }
 
 /// The world was made for this scene: its arrays have the lengths that kernels index by.
+bool belong_together(const SoftBody& body, const SoftState& state) noexcept {
+  const TissueModel& tissue = body.tissue;
+  return tissue.rest_position.size() == state.tissue.position.size() &&
+         tissue.skin.corners.size() == state.skin.size() &&
+         tissue.triangles.size() == state.tree.triangles().size() &&
+         body.rest_areas.size() == tissue.triangles.size();
+}
+
 bool belong_together(const Scene& scene, const World& world) noexcept {
-  const TissueModel& tissue = scene.tissue;
-  return scene.identity == world.scene_identity &&
-         tissue.rest_position.size() == world.tissue.position.size() &&
-         tissue.skin.corners.size() == world.skin.size() &&
-         tissue.triangles.size() == world.tree.triangles().size() &&
-         scene.rest_areas.size() == tissue.triangles.size();
+  return scene.identity == world.scene_identity && scene.bodies.size() == world.bodies.size() &&
+         scene.instruments.size() == world.instruments.size() &&
+         std::ranges::equal(scene.bodies, world.bodies,
+                            [](const SoftBody& body, const SoftState& state) noexcept {
+                              return belong_together(body, state);
+                            });
+}
+
+Alarm check_instrument(const Instrument& instrument) noexcept {
+  for (const auto& [input, value] : {
+           std::pair(TickInput::tool_radius, instrument.tool.radius),
+           std::pair(TickInput::tool_stiffness, instrument.tool.stiffness),
+           std::pair(TickInput::coupling_stiffness, instrument.coupling.stiffness),
+           std::pair(TickInput::coupling_force_max, instrument.coupling.force_max),
+           std::pair(TickInput::hold_stiffness, instrument.hold_stiffness),
+       }) {
+    if (!is_positive(value)) return find_invalid(input, value, 0.0);
+  }
+  return {};
+}
+
+Alarm check_body(const SoftBody& body) noexcept {
+  if (body.substeps < 1) return find_invalid(TickInput::substeps, body.substeps, 1.0);
+  if (body.substeps_max < body.substeps) {
+    return find_invalid(TickInput::substeps_max, body.substeps_max, body.substeps);
+  }
+  return {};
 }
 
 Alarm check_scene(const Scene& scene, const World& world) noexcept {
   if (!belong_together(scene, world)) {
     return find_invalid(TickInput::scene, double(scene.identity), double(world.scene_identity));
   }
-  for (const auto& [input, value] : {
-           std::pair(TickInput::tool_radius, scene.tool.radius),
-           std::pair(TickInput::tool_stiffness, scene.tool.stiffness),
-           std::pair(TickInput::coupling_stiffness, scene.coupling.stiffness),
-           std::pair(TickInput::coupling_force_max, scene.coupling.force_max),
-           std::pair(TickInput::hold_stiffness, scene.hold_stiffness),
-       }) {
-    if (!is_positive(value)) return find_invalid(input, value, 0.0);
+  for (const Instrument& instrument : scene.instruments) {
+    if (const Alarm alarm = check_instrument(instrument)) return alarm;
   }
   const double gravity = find_worst(scene.gravity);
   if (!std::isfinite(gravity)) return find_invalid(TickInput::gravity, gravity, kLargest);
-  if (scene.substeps < 1) return find_invalid(TickInput::substeps, scene.substeps, 1.0);
-  if (scene.substeps_max < scene.substeps) {
-    return find_invalid(TickInput::substeps_max, scene.substeps_max, scene.substeps);
+  for (const SoftBody& body : scene.bodies) {
+    if (const Alarm alarm = check_body(body)) return alarm;
   }
   return {};
 }
 
 }  // namespace
 
-Alarm check_input(const Scene& scene, const HapticSample& sample, double dt,
-                  const World& world) noexcept {
+Alarm check_input(const Scene& scene, std::span<const HapticSample> samples,
+                  std::size_t command_count, double dt, const World& world) noexcept {
   Alarm alarm = check_scene(scene, world);
   if (!alarm && !is_positive(dt)) alarm = find_invalid(TickInput::dt, dt, 0.0);
-  if (!alarm) alarm = check_sample(sample);
-  if (alarm) alarm.time = world.tissue.time;
+  for (const std::size_t count : {samples.size(), command_count}) {
+    if (alarm || count == world.instruments.size()) continue;
+    alarm = find_invalid(TickInput::samples, double(count), double(world.instruments.size()));
+  }
+  for (std::size_t i = 0; i < samples.size() && !alarm; ++i) alarm = check_sample(samples[i]);
+  if (alarm) alarm.time = world.bodies.front().tissue.time;
   return alarm;
 }
 

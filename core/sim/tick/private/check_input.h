@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
+
 #include "palpate/sim/device/device.h"
 #include "palpate/sim/tick/world.h"
 
@@ -23,6 +25,7 @@ enum class TickInput {
   gravity,             ///< [m/s²] finite
   substeps,            ///< at least 1
   substeps_max,        ///< at least substeps
+  samples,             ///< one for each instrument, and as many commands
 };
 
 /// [m] No hand is farther from where its device has its origin.
@@ -30,7 +33,7 @@ inline constexpr double kFarthestHand = 1e3;
 
 /// Whether a tick can use what it is given; `value` is what it got. A scene is a plain struct that
 /// a program may change after build_scene has checked it, and a sample comes from any device.
-Alarm check_input(const Scene& scene, const HapticSample& sample, double dt,
-                  const World& world) noexcept;
+Alarm check_input(const Scene& scene, std::span<const HapticSample> samples,
+                  std::size_t command_count, double dt, const World& world) noexcept;
 
 }  // namespace palpate

@@ -34,7 +34,7 @@ constexpr double kStiffening = 1.2;
 double find_limit(double w2, double c) noexcept { return (std::sqrt(c * c + 4.0 * w2) - c) / w2; }
 
 /// Takes note of a tissue that stretch has made stiffer, or that has come back.
-void follow_stretch(const Stretch& stretch, WorldInternals& work) noexcept {
+void follow_stretch(const Stretch& stretch, BodyInternals& work) noexcept {
   const double now = bound_stiffness(work.spectrum, stretch), rest = work.spectrum.rest;
   if (now > kStiffening * work.chosen_stiffness) work.chosen_stiffness = now;
   if (now * kStiffening < work.chosen_stiffness) {
@@ -42,12 +42,12 @@ void follow_stretch(const Stretch& stretch, WorldInternals& work) noexcept {
   }
 }
 
-/// Substeps in the air: the scene's own at rest, more by as much as the limit has come down. At
-/// rest dt/stable_step() of them are needed, of which scene.substeps is the next whole number.
-double count_free_substeps(const Scene& scene, double dt, const WorldInternals& work) noexcept {
-  const double fewest = scene.substeps, rest = work.spectrum.rest;
+/// Substeps in the air: the body's own at rest, more by as much as the limit has come down. At
+/// rest dt/stable_step() of them are needed, of which body.substeps is the next whole number.
+double count_free_substeps(const SoftBody& body, double dt, const BodyInternals& work) noexcept {
+  const double fewest = body.substeps, rest = work.spectrum.rest;
   if (!(work.chosen_stiffness > rest)) return fewest;
-  const double c = scene.spectrum_damping;
+  const double c = body.spectrum_damping;
   const double limit = find_limit(work.chosen_stiffness, c);
   if (!(rest > 0.0)) return std::max(fewest, std::ceil(dt / (kStepShare * limit)));
   const double rest_limit = find_limit(rest, c);
@@ -56,42 +56,106 @@ double count_free_substeps(const Scene& scene, double dt, const WorldInternals& 
 }
 
 /// How many substeps contact asks for to be stable, with the contacts' part k/m of the spectrum:
-/// w² <= w0² + max k/m.
-double count_stable_substeps(const Scene& scene, double dt, World& world) noexcept {
-  WorldInternals& work = internals(world);
-  const double contact = bound_contact_stiffness(
-      scene.tool, world.candidates, scene.tissue.triangles, surface_position(world),
-      work.surface_mass, world.tool, work.vertex_scratch);
+/// w² <= w0² + max k/m, summed over the instruments.
+double count_stable_substeps(const Scene& scene, std::size_t body, double dt,
+                             World& world) noexcept {
+  const SoftBody& soft = scene.bodies[body];
+  BodyInternals& work = internals(world.bodies[body]);
+  double contact = 0.0;
+  for (std::size_t i = 0; i < world.instruments.size(); ++i) {
+    contact += bound_contact_stiffness(scene.instruments[i].tool, world.pair(i, body).candidates,
+                                       soft.tissue.triangles, surface_position(world.bodies[body]),
+                                       work.surface_mass, world.instruments[i].tool,
+                                       work.vertex_scratch, static_cast<int>(body));
+  }
   if (!(contact > 0.0)) return 1.0;
-  const double limit = find_limit(work.chosen_stiffness + contact, scene.spectrum_damping);
+  const double limit = find_limit(work.chosen_stiffness + contact, soft.spectrum_damping);
   return std::ceil(dt / (kStepShare * limit));
 }
 
 /// How many substeps an impact asks for: a particle far lighter than the hand leaves it at up to
 /// twice its speed, more where neighbours push with it, and must not fly past them in one substep.
-double count_impact_substeps(double travel, const World& world) noexcept {
-  return std::ceil(3.0 * travel / (kLongestMove * world.guard.shortest_rest_length));
+double count_impact_substeps(double travel, const SoftState& state) noexcept {
+  return std::ceil(3.0 * travel / (kLongestMove * state.guard.shortest_rest_length));
+}
+
+/// The smallest divisor of `finest` that is at least `wanted`.
+int find_divisor(int finest, int wanted) noexcept {
+  for (int n = wanted; n < finest; ++n) {
+    if (finest % n == 0) return n;
+  }
+  return finest;
 }
 
 }  // namespace
 
+bool is_near(const World& world, std::size_t instrument, std::size_t body) noexcept {
+  if (world.pair(instrument, body).candidates.count > 0) return true;
+  const ToolState& tool = world.instruments[instrument].tool;
+  for (int h = 0; h < tool.hold_count; ++h) {
+    if (tool.holds[static_cast<std::size_t>(h)].body == static_cast<int>(body)) return true;
+  }
+  return false;
+}
+
 /// Near the tissue substeps only rise: a step that is long while a contact closes and short while
 /// it opens, or the other way round, is no longer symplectic and pumps a bouncing contact up. They
 /// are taken back one by one once the tool is away, while the tissue calms.
-int choose_substeps(const Scene& scene, double travel, double dt, World& world) noexcept {
-  WorldInternals& work = internals(world);
-  if (const ResponseKernel* kernel = find_response(world)) {
-    return count_linear_substeps(scene, travel, dt, *kernel, world);
+int count_substeps(const Scene& scene, std::size_t body, double dt, World& world) noexcept {
+  const SoftBody& soft = scene.bodies[body];
+  SoftState& state = world.bodies[body];
+  BodyInternals& work = internals(state);
+  if (const ResponseKernel* kernel = find_response(state)) {
+    return count_linear_substeps(scene, body, dt, *kernel, world);
   }
-  follow_stretch(world.stretch, work);
-  const double fewest = count_free_substeps(scene, dt, work);
-  double wanted = std::max(fewest, double(world.substeps - 1));
-  if (world.candidates.count > 0 || world.tool.hold_count > 0) {
-    wanted =
-        std::max({kFewestInContact, fewest, static_cast<double>(world.substeps),
-                  count_stable_substeps(scene, dt, world), count_impact_substeps(travel, world)});
+  follow_stretch(state.stretch, work);
+  bool near = false;
+  double travel = 0.0;
+  for (std::size_t i = 0; i < world.instruments.size(); ++i) {
+    if (!is_near(world, i, body)) continue;
+    near = true;
+    travel = std::max(travel, workspace(world).hands[i].travel);
   }
-  return static_cast<int>(std::clamp(wanted, double(scene.substeps), double(scene.substeps_max)));
+  const double fewest = count_free_substeps(soft, dt, work);
+  double wanted = std::max(fewest, double(work.wanted_substeps - 1));
+  if (near) {
+    wanted = std::max({kFewestInContact, fewest, static_cast<double>(work.wanted_substeps),
+                       count_stable_substeps(scene, body, dt, world),
+                       count_impact_substeps(travel, state)});
+  }
+  return static_cast<int>(std::clamp(wanted, double(soft.substeps), double(soft.substeps_max)));
+}
+
+void make_divisors(std::span<const double> cost, std::span<int> substeps) noexcept {
+  const int most = *std::ranges::max_element(substeps);
+  const auto sum_up = [&](int finest) noexcept {
+    double sum = 0.0;
+    for (std::size_t b = 0; b < substeps.size(); ++b) {
+      sum += cost[b] * find_divisor(finest, substeps[b]);
+    }
+    return sum;
+  };
+  int best = most;
+  double least = sum_up(most);
+  for (int finest = most + 1; finest <= most + most / 4; ++finest) {
+    if (const double sum = sum_up(finest); sum < least) {
+      least = sum;
+      best = finest;
+    }
+  }
+  for (int& n : substeps) n = find_divisor(best, n);
+}
+
+int choose_substeps(const Scene& scene, double dt, World& world) noexcept {
+  Workspace& work = workspace(world);
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    work.wanted[b] = count_substeps(scene, b, dt, world);
+    internals(world.bodies[b]).wanted_substeps = work.wanted[b];
+    work.cost[b] = static_cast<double>(scene.bodies[b].tissue.rest_position.size());
+  }
+  if (world.bodies.size() > 1) make_divisors(work.cost, work.wanted);
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) world.bodies[b].substeps = work.wanted[b];
+  return *std::ranges::max_element(work.wanted);
 }
 
 }  // namespace palpate

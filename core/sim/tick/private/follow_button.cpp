@@ -28,71 +28,93 @@ constexpr double kStrainHeld = 0.75, kShortestHeld = 0.1, kSmallestHeld = 0.1;
 constexpr double kDeepestHeld = 0.9;
 
 /// The tissue could not be pulled much farther without an alarm.
-bool is_near_alarm(const Scene& scene, const World& world) noexcept {
-  if (const ResponseKernel* kernel = find_response(world)) {
-    return measure_deepest_share(scene, *kernel, world) > kDeepestHeld;
+bool is_near_alarm(const SoftBody& body, const SoftState& state) noexcept {
+  if (const ResponseKernel* kernel = find_response(state)) {
+    return measure_deepest_share(body, *kernel, state) > kDeepestHeld;
   }
-  const double longest = 1.0 + kStrainHeld * find_strain_limit(scene.tissue);
-  return world.stretch.longest > longest || world.stretch.shortest < kShortestHeld ||
-         world.stretch.smallest_volume < kSmallestHeld;
+  const double longest = 1.0 + kStrainHeld * find_strain_limit(body.tissue);
+  return state.stretch.longest > longest || state.stretch.shortest < kShortestHeld ||
+         state.stretch.smallest_volume < kSmallestHeld;
 }
 
-bool is_out_of_grip(const Scene& scene, const World& world) noexcept {
-  return measure_slip(scene.coupling, world.hand, world.tool) > kSlipInRadii * scene.tool.radius;
+/// An instrument that holds, and the surfaces it may touch.
+struct Grip {
+  const Instrument& instrument;
+  InstrumentState& state;
+  std::span<const TouchedSurface> surfaces;
+
+  std::span<ToolState::Hold> holds() const noexcept {
+    return {state.tool.holds.data(), static_cast<std::size_t>(state.tool.hold_count)};
+  }
+};
+
+bool holds_near_alarm(const Scene& scene, const World& world, const Grip& grip) noexcept {
+  int checked = -1;
+  for (const ToolState::Hold& hold : grip.holds()) {
+    if (hold.body == checked) continue;  // those of a body follow one another
+    checked = hold.body;
+    const auto b = static_cast<std::size_t>(hold.body);
+    if (is_near_alarm(scene.bodies[b], world.bodies[b])) return true;
+  }
+  return false;
 }
 
-void begin_release(double dt, World& world) noexcept {
-  world.release_ticks = std::max(1, static_cast<int>(std::lround(kReleaseTime / dt)));
-  world.release_load = measure_held_load(world.tool, world.load);
+bool is_out_of_grip(const Grip& grip) noexcept {
+  return measure_slip(grip.instrument.coupling, grip.state.hand, grip.state.tool) >
+         kSlipInRadii * grip.instrument.tool.radius;
+}
+
+void begin_release(double dt, const Grip& grip) noexcept {
+  grip.state.release_ticks = std::max(1, static_cast<int>(std::lround(kReleaseTime / dt)));
+  grip.state.release_load = measure_held_load(grip.state.tool, grip.surfaces);
 }
 
 /// The part of its stiffness that a hold keeps so as to carry F [N] in the next tick. Its length is
 /// then what it is and by how much the hand's spring K shortens as it comes down to F:
 ///
 ///     k' = F / (sum |f| / k + (|h - p| - F/K))
-double find_part(const Scene& scene, const World& world, double force) noexcept {
+double find_part(const Grip& grip, double force) noexcept {
   double stiffness = 0.0;
-  for (int h = 0; h < world.tool.hold_count; ++h) {
-    stiffness += world.tool.holds[static_cast<std::size_t>(h)].stiffness;
-  }
-  const double reach = (world.hand - world.tool.position).norm();
-  const double carried = measure_held_load(world.tool, world.load) +
-                         stiffness * std::max(0.0, reach - force / scene.coupling.stiffness);
+  for (const ToolState::Hold& hold : grip.holds()) stiffness += hold.stiffness;
+  const double reach = (grip.state.hand - grip.state.tool.position).norm();
+  const double carried =
+      measure_held_load(grip.state.tool, grip.surfaces) +
+      stiffness * std::max(0.0, reach - force / grip.instrument.coupling.stiffness);
   return carried > force ? force / carried : 1.0;
 }
 
 /// Let go at once the holds would kick hand and tissue: what they carry falls linearly
 /// [contact: release]. If it were their stiffness, nearly all of the load would be left to the last
 /// ticks, for where the tissue is softer than the holds it stretches them as they soften.
-void fade_holds(const Scene& scene, double dt, World& world) noexcept {
-  const double left = (world.release_ticks - 1) / std::max(1.0, std::round(kReleaseTime / dt));
-  const double part = find_part(scene, world, left * world.release_load);
-  for (int h = 0; h < world.tool.hold_count; ++h) {
-    world.tool.holds[static_cast<std::size_t>(h)].stiffness *= part;
-  }
-  if (--world.release_ticks == 0) release_tool(world.tool);
+void fade_holds(double dt, const Grip& grip) noexcept {
+  const double left = (grip.state.release_ticks - 1) / std::max(1.0, std::round(kReleaseTime / dt));
+  const double part = find_part(grip, left * grip.state.release_load);
+  for (ToolState::Hold& hold : grip.holds()) hold.stiffness *= part;
+  if (--grip.state.release_ticks == 0) release_tool(grip.state.tool);
 }
 
 }  // namespace
 
 /// A button pressed while holds fade counts once they are gone; one that has been down since they
 /// took hold must come up first.
-void follow_button(const Scene& scene, std::uint8_t buttons, double dt, World& world) noexcept {
+void follow_button(const Scene& scene, std::size_t instrument, std::uint8_t buttons, double dt,
+                   World& world) noexcept {
+  InstrumentState& state = world.instruments[instrument];
+  const Grip grip{scene.instruments[instrument], state, list_surfaces(scene, instrument, world)};
   const bool pressed = (buttons & kAttachButton) != 0;
-  const bool holds = world.tool.hold_count > 0 && world.release_ticks == 0;
-  if (holds && (!pressed || is_out_of_grip(scene, world) || is_near_alarm(scene, world))) {
-    begin_release(dt, world);
+  const bool holds = state.tool.hold_count > 0 && state.release_ticks == 0;
+  if (holds && (!pressed || is_out_of_grip(grip) || holds_near_alarm(scene, world, grip))) {
+    begin_release(dt, grip);
   }
-  if (world.release_ticks > 0) {
-    fade_holds(scene, dt, world);
-    world.attach_pressed = world.attach_pressed && pressed;
+  if (state.release_ticks > 0) {
+    fade_holds(dt, grip);
+    state.attach_pressed = state.attach_pressed && pressed;
     return;
   }
-  if (pressed && !world.attach_pressed) {
-    attach_tool(world.load, scene.tissue.triangles, surface_position(world), scene.hold_stiffness,
-                world.tool);
+  if (pressed && !state.attach_pressed) {
+    attach_tool(grip.surfaces, grip.instrument.hold_stiffness, state.tool);
   }
-  world.attach_pressed = pressed;
+  state.attach_pressed = pressed;
 }
 
 }  // namespace palpate

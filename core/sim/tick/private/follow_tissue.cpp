@@ -18,16 +18,11 @@ constexpr double kLeastShare = 1.0 / 64.0;
 /// [m] More than any rounding of positions.
 constexpr double kRounding = 1e-12;
 
-/// The packed kernel of a world of which only a part is followed, or null.
-PackedKernel* find_lagging(World& world) noexcept {
-  return lags(world) ? find_packed(world) : nullptr;
-}
-
-/// Part of a round that keeps the boxes from being behind by more than the tool's radius: they are
-/// up to two rounds old, and the tissue goes on moving as in the last tick.
+/// Part of a round that keeps the boxes from being behind by more than the radius of a tool: they
+/// are up to two rounds old, and the tissue goes on moving as in the last tick.
 double choose_share(const Scene& scene, const PackedKernel& kernel) noexcept {
   const double move = kernel.skin_gain * kernel.measure.largest_move;
-  const double share = 2.0 * move / scene.tool.radius;
+  const double share = 2.0 * move / find_smallest_radius(scene);
   return share < 1.0 ? std::max(kLeastShare, share) : 1.0;
 }
 
@@ -42,26 +37,26 @@ struct Part {
 
 /// A round is every slice unpacked, then every vertex of the skin moved, then every step of a
 /// refit: each reads what the one before it has written since the round began.
-void do_parts(const Scene& scene, std::size_t begin, std::size_t end, const PackedKernel& kernel,
-              World& world) noexcept {
+void do_parts(const SoftBody& body, std::size_t begin, std::size_t end, const PackedKernel& kernel,
+              SoftState& state) noexcept {
   const auto slices = static_cast<std::size_t>(kernel.model->slice_count);
-  const std::size_t skin = world.skin.size(), steps = world.tree.refit_step_count();
+  const std::size_t skin = state.skin.size(), steps = state.tree.refit_step_count();
   const Part unpacked(begin, end, 0, slices), moved(begin, end, slices, skin);
   const Part refitted(begin, end, slices + skin, steps);
   unpack_positions(
-      *kernel.model, scene.tissue, kernel.state.displacement,
+      *kernel.model, body.tissue, kernel.state.displacement,
       kernel.state.slices.span().subspan(unpacked.begin, unpacked.end - unpacked.begin),
-      world.tissue.position);
+      state.tissue.position);
   for (std::size_t v = moved.begin; v < moved.end; ++v) {
-    world.skin[v] = place_on_skin(scene.tissue.skin, v, world.tissue.position);
+    state.skin[v] = place_on_skin(body.tissue.skin, v, state.tissue.position);
   }
-  world.tree.refit_steps(surface_position(world), refitted.begin, refitted.end);
+  state.tree.refit_steps(surface_position(state), refitted.begin, refitted.end);
 }
 
-void follow_in_turn(const Scene& scene, PackedKernel& kernel, World& world) noexcept {
-  const std::size_t all = static_cast<std::size_t>(kernel.model->slice_count) + world.skin.size() +
-                          world.tree.refit_step_count();
-  const double share = choose_share(scene, kernel);
+void follow_in_turn(const SoftBody& body, double share, PackedKernel& kernel,
+                    SoftState& state) noexcept {
+  const std::size_t all = static_cast<std::size_t>(kernel.model->slice_count) + state.skin.size() +
+                          state.tree.refit_step_count();
   Lag& lag = kernel.lag;
   if (share == 1.0) {
     lag.next = 0;
@@ -69,7 +64,7 @@ void follow_in_turn(const Scene& scene, PackedKernel& kernel, World& world) noex
   }
   const auto count = static_cast<std::size_t>(std::ceil(share * static_cast<double>(all)));
   const std::size_t end = std::min(lag.next + count, all);
-  do_parts(scene, lag.next, end, kernel, world);
+  do_parts(body, lag.next, end, kernel, state);
   lag.next = end;
   if (end < all) return;
   lag.next = 0;
@@ -78,87 +73,102 @@ void follow_in_turn(const Scene& scene, PackedKernel& kernel, World& world) noex
 }
 
 /// Brings the corners of the triangles up to date, each once in a tick.
-void read_corners(const Scene& scene, std::span<const int> triangles, PackedKernel& kernel,
-                  World& world) noexcept {
-  const Skin& skin = scene.tissue.skin;
+void read_corners(const TissueModel& tissue, std::span<const int> triangles, long tick,
+                  PackedKernel& kernel, SoftState& state) noexcept {
+  const Skin& skin = tissue.skin;
   const auto read = [&](int particle) noexcept {
-    unpack_particle(*kernel.model, scene.tissue, kernel.state, static_cast<std::size_t>(particle),
-                    world.tissue);
+    unpack_particle(*kernel.model, tissue, kernel.state, static_cast<std::size_t>(particle),
+                    state.tissue);
   };
   for (const int t : triangles) {
-    for (const int i : scene.tissue.triangles[static_cast<std::size_t>(t)]) {
+    for (const int i : tissue.triangles[static_cast<std::size_t>(t)]) {
       const auto v = static_cast<std::size_t>(i);
-      if (kernel.last_read_at[v] == world.tick_count) continue;
-      kernel.last_read_at[v] = world.tick_count;
+      if (kernel.last_read_at[v] == tick) continue;
+      kernel.last_read_at[v] = tick;
       if (skin.corners.empty()) {
         read(i);
       } else {
         for (const int particle : skin.corners[v]) read(particle);
-        world.skin[v] = place_on_skin(skin, v, world.tissue.position);
+        state.skin[v] = place_on_skin(skin, v, state.tissue.position);
       }
     }
   }
 }
 
+/// A hand that is not in the scene yet may be anywhere.
+bool all_placed(const World& world) noexcept {
+  return std::ranges::all_of(world.instruments, [](const InstrumentState& instrument) noexcept {
+    return instrument.tool.placed;
+  });
+}
+
 }  // namespace
 
-bool lags(const World& world) noexcept {
-  const PackedKernel* kernel = find_packed(world);
+bool lags(const World& world, const SoftState& state) noexcept {
+  const PackedKernel* kernel = find_packed(state);
   return !world.follows_all && kernel && !kernel->active.on;
 }
 
-bool is_behind(const World& world) noexcept {
-  const PackedKernel* kernel = find_packed(world);
+bool is_behind(const SoftState& state) noexcept {
+  const PackedKernel* kernel = find_packed(state);
   return kernel && kernel->lag.behind;
 }
 
-double bound_lag(const World& world) noexcept {
-  const PackedKernel* kernel = find_packed(world);
+double bound_lag(const SoftState& state) noexcept {
+  const PackedKernel* kernel = find_packed(state);
   return kernel ? kernel->lag.moved - kernel->lag.at_last_round + kRounding : 0.0;
 }
 
-void catch_up(const Scene& scene, World& world) noexcept {
-  PackedKernel* kernel = find_packed(world);
+void catch_up(const SoftBody& body, SoftState& state) noexcept {
+  PackedKernel* kernel = find_packed(state);
   if (!kernel || !kernel->lag.behind) return;
-  unpack(*kernel->model, scene.tissue, kernel->state, world.tissue);
-  move_skin(scene.tissue.skin, world.tissue.position, world.skin);
+  unpack(*kernel->model, body.tissue, kernel->state, state.tissue);
+  move_skin(body.tissue.skin, state.tissue.position, state.skin);
   kernel->lag.behind = false;
 }
 
-void follow_tissue(const Scene& scene, World& world) noexcept {
-  TreeCost& cost = internals(world).tree_cost;
-  // a hand that is not in the scene yet may be anywhere
-  PackedKernel* lagging = world.tool.placed ? find_lagging(world) : nullptr;
-  if (lagging) {
-    follow_in_turn(scene, *lagging, world);
-    cost.follow(world.tree);
+void catch_up(const Scene& scene, World& world) noexcept {
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) catch_up(scene.bodies[b], world.bodies[b]);
+}
+
+void follow_tissue(const Scene& scene, std::size_t body, World& world) noexcept {
+  SoftState& state = world.bodies[body];
+  TreeCost& cost = internals(state).tree_cost;
+  PackedKernel* packed = find_packed(state);
+  if (lags(world, state) && all_placed(world)) {
+    follow_in_turn(scene.bodies[body], choose_share(scene, *packed), *packed, state);
+    cost.follow(state.tree);
     return;
   }
-  catch_up(scene, world);
-  PackedKernel* packed = find_packed(world);
+  catch_up(scene.bodies[body], state);
   if (packed && packed->active.on) {
-    world.tree.refit_moving(world.tissue.position);
+    state.tree.refit_moving(state.tissue.position);
   } else {
-    world.tree.refit(surface_position(world));
+    state.tree.refit(surface_position(state));
   }
-  cost.follow(world.tree);
+  cost.follow(state.tree);
   if (packed) packed->lag = {};
 }
 
-void find_touchable(const Scene& scene, const Vec3& hand, World& world) noexcept {
-  PackedKernel* kernel = find_lagging(world);
-  if (!kernel) {
-    find_candidates(world.tree, surface_position(world), scene.tool, world.tool.position, hand,
-                    scene.rest_areas, world.candidates);
+void find_touchable(const Scene& scene, std::size_t instrument, std::size_t body, const Vec3& hand,
+                    World& world) noexcept {
+  SoftState& state = world.bodies[body];
+  Candidates& candidates = world.pair(instrument, body).candidates;
+  const Tool& tool = scene.instruments[instrument].tool;
+  const Vec3& from = world.instruments[instrument].tool.position;
+  const std::vector<double>& areas = scene.bodies[body].rest_areas;
+  if (!lags(world, state)) {
+    find_candidates(state.tree, surface_position(state), tool, from, hand, areas, candidates);
     return;
   }
-  const double reach = scene.tool.radius + kCandidateMargin + bound_lag(world);
-  const int found = find_leaves_near_segment(world.tree, world.tool.position, hand, reach,
-                                             kernel->broad_candidates);
-  const auto broad = std::span(kernel->broad_candidates).first(static_cast<std::size_t>(found));
-  read_corners(scene, broad, *kernel, world);
-  choose_candidates(world.tree, surface_position(world), scene.tool, world.tool.position, hand,
-                    scene.rest_areas, broad, world.candidates);
+  PackedKernel& kernel = *find_packed(state);
+  const double reach = tool.radius + kCandidateMargin + bound_lag(state);
+  const int found =
+      find_leaves_near_segment(state.tree, from, hand, reach, kernel.broad_candidates);
+  const auto broad = std::span(kernel.broad_candidates).first(static_cast<std::size_t>(found));
+  read_corners(scene.bodies[body].tissue, broad, world.tick_count, kernel, state);
+  choose_candidates(state.tree, surface_position(state), tool, from, hand, areas, broad,
+                    candidates);
 }
 
 }  // namespace palpate

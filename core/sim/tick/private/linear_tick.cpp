@@ -8,6 +8,7 @@
 #include "palpate/sim/dynamics/private/alarms.h"
 #include "palpate/sim/model/volumes.h"
 #include "palpate/sim/response/private/relax.h"
+#include "palpate/sim/tick/private/choose_substeps.h"
 #include "palpate/sim/tree/queries.h"
 
 namespace palpate {
@@ -41,12 +42,10 @@ Vec3Array compute_normals(const TissueModel& tissue, const Vec3Array& x) {
 /// [-] How many times as stiff as the tissue the contacts are, from above: with K_c = sum of
 /// k_t w_t w_tᵀ over contacts and holds, the largest eigenvalue of G K_c is at most its trace, and
 /// that at most the sum of k_t w_tv c_v over vertices, c_v their own compliance, for w_t sums to 1.
-double bound_contact_share(const Scene& scene, const ResponseKernel& kernel,
+double bound_contact_share(const Scene& scene, std::size_t body, const ResponseKernel& kernel,
                            World& world) noexcept {
-  const std::vector<Triangle>& triangles = scene.tissue.triangles;
-  WorldInternals& work = internals(world);
-  bound_contact_stiffness(scene.tool, world.candidates, triangles, surface_position(world),
-                          work.surface_mass, world.tool, work.vertex_scratch);
+  const std::vector<Triangle>& triangles = scene.bodies[body].tissue.triangles;
+  BodyInternals& work = internals(world.bodies[body]);
   double sum = 0.0;
   const auto take = [&](int triangle) noexcept {
     for (const int vertex : triangles[static_cast<std::size_t>(triangle)]) {
@@ -55,11 +54,19 @@ double bound_contact_share(const Scene& scene, const ResponseKernel& kernel,
       work.vertex_scratch[v] = 0.0;
     }
   };
-  for (int c = 0; c < world.candidates.count; ++c) {
-    take(world.candidates.triangles[static_cast<std::size_t>(c)]);
-  }
-  for (int h = 0; h < world.tool.hold_count; ++h) {
-    take(world.tool.holds[static_cast<std::size_t>(h)].triangle);
+  for (std::size_t i = 0; i < world.instruments.size(); ++i) {
+    const Candidates& candidates = world.pair(i, body).candidates;
+    const ToolState& tool = world.instruments[i].tool;
+    bound_contact_stiffness(scene.instruments[i].tool, candidates, triangles,
+                            surface_position(world.bodies[body]), work.surface_mass, tool,
+                            work.vertex_scratch, static_cast<int>(body));
+    for (int c = 0; c < candidates.count; ++c) {
+      take(candidates.triangles[static_cast<std::size_t>(c)]);
+    }
+    for (int h = 0; h < tool.hold_count; ++h) {
+      const ToolState::Hold& hold = tool.holds[static_cast<std::size_t>(h)];
+      if (hold.body == static_cast<int>(body)) take(hold.triangle);
+    }
   }
   return sum;
 }
@@ -73,23 +80,24 @@ double choose_share(double dt, double contact, double damping_time) noexcept {
 }
 
 /// [m] of a vertex of the surface from where it was at rest.
-double measure_displacement(const TissueModel& tissue, const World& world, int vertex) noexcept {
+double measure_displacement(const TissueModel& tissue, const SoftState& state,
+                            int vertex) noexcept {
   const auto v = static_cast<std::size_t>(vertex);
   const Vec3Array& rest = tissue.rest_position;
-  if (tissue.skin.corners.empty()) return (world.tissue.position[v] - rest[v]).norm();
+  if (tissue.skin.corners.empty()) return (state.tissue.position[v] - rest[v]).norm();
   const auto& [a, b, c, d] = tissue.skin.corners[v];
   const auto& w = tissue.skin.weights[v];
-  return (world.skin[v] - (w[0] * rest[a] + w[1] * rest[b] + w[2] * rest[c] + w[3] * rest[d]))
+  return (state.skin[v] - (w[0] * rest[a] + w[1] * rest[b] + w[2] * rest[c] + w[3] * rest[d]))
       .norm();
 }
 
 /// What is pushed farthest of where it may be, farther than `worst` [-] of that.
-Alarm find_deepest(const Scene& scene, const ResponseKernel& kernel, const World& world,
+Alarm find_deepest(const SoftBody& body, const ResponseKernel& kernel, const SoftState& state,
                    double worst) noexcept {
   Alarm alarm;
-  for (const Push& push : world.load.pushes()) {
-    for (const int v : scene.tissue.triangles[static_cast<std::size_t>(push.triangle)]) {
-      const double displacement = measure_displacement(scene.tissue, world, v);
+  for (const Push& push : state.load.pushes()) {
+    for (const int v : body.tissue.triangles[static_cast<std::size_t>(push.triangle)]) {
+      const double displacement = measure_displacement(body.tissue, state, v);
       const double limit = kernel.deepest[static_cast<std::size_t>(v)];
       if (!(displacement > worst * limit)) continue;
       worst = displacement / limit;
@@ -97,6 +105,18 @@ Alarm find_deepest(const Scene& scene, const ResponseKernel& kernel, const World
     }
   }
   return alarm;
+}
+
+/// An instrument lets go of the body.
+bool is_released(const World& world, std::size_t body) noexcept {
+  for (const InstrumentState& instrument : world.instruments) {
+    if (instrument.release_ticks == 0) continue;
+    for (int h = 0; h < instrument.tool.hold_count; ++h) {
+      const ToolState::Hold& hold = instrument.tool.holds[static_cast<std::size_t>(h)];
+      if (hold.body == static_cast<int>(body)) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -113,53 +133,67 @@ std::vector<double> compute_shallow_depths(const TissueModel& tissue, const Aabb
   return depths;
 }
 
-int count_linear_substeps(const Scene& scene, double travel, double dt,
+int count_linear_substeps(const Scene& scene, std::size_t body, double dt,
                           const ResponseKernel& kernel, World& world) noexcept {
-  if (world.candidates.count == 0 && world.tool.hold_count == 0) return 1;
+  bool near = false;
+  double radii = 0.0;
+  for (std::size_t i = 0; i < world.instruments.size(); ++i) {
+    if (!is_near(world, i, body)) continue;
+    near = true;
+    radii = std::max(radii, kSubstepsPerRadius * workspace(world).hands[i].travel /
+                                scene.instruments[i].tool.radius);
+  }
+  if (!near) return 1;
   const double tau = kernel.response->damping_time;
-  const double contact = bound_contact_share(scene, kernel, world);
-  const double most = scene.substeps_max;
+  const double contact = bound_contact_share(scene, body, kernel, world);
+  const double most = scene.bodies[body].substeps_max;
   const double damped = tau > 0.0 ? std::ceil(dt / tau * (1.0 + contact)) : most;
-  const double impact = std::ceil(kSubstepsPerRadius * travel / scene.tool.radius);
+  const double impact = std::ceil(radii);
   const double wanted = std::max({kFewestInContact, damped, impact});
   return static_cast<int>(std::min(wanted, most));
 }
 
-double choose_linear_share(const Scene& scene, double dt, const ResponseKernel& kernel,
-                           World& world) noexcept {
-  return choose_share(dt, bound_contact_share(scene, kernel, world), kernel.response->damping_time);
+double choose_linear_share(const Scene& scene, std::size_t body, double dt,
+                           const ResponseKernel& kernel, World& world) noexcept {
+  return choose_share(dt, bound_contact_share(scene, body, kernel, world),
+                      kernel.response->damping_time);
 }
 
-void move_linear(const Scene& scene, double dt, ResponseKernel& kernel, World& world) noexcept {
+void move_linear(const Scene& scene, std::size_t body, double dt, ResponseKernel& kernel,
+                 World& world) noexcept {
   const Response& response = *kernel.response;
-  relax(response, scene.tissue, world.load, choose_linear_share(scene, dt, kernel, world),
+  const TissueModel& tissue = scene.bodies[body].tissue;
+  SoftState& state = world.bodies[body];
+  relax(response, tissue, state.load, choose_linear_share(scene, body, dt, kernel, world),
         kernel.state);
-  place_near(response, scene.tissue, kernel.state, kernel.near.particles_in_use(),
-             world.tissue.position);
-  world.tissue.time += dt;
+  place_near(response, tissue, kernel.state, kernel.near.particles_in_use(), state.tissue.position);
+  state.tissue.time += dt;
 }
 
-double measure_deepest_share(const Scene& scene, const ResponseKernel& kernel,
-                             const World& world) noexcept {
-  const Alarm deepest = find_deepest(scene, kernel, world, 0.0);
+double measure_deepest_share(const SoftBody& body, const ResponseKernel& kernel,
+                             const SoftState& state) noexcept {
+  const Alarm deepest = find_deepest(body, kernel, state, 0.0);
   return deepest ? deepest.value / deepest.limit : 0.0;
 }
 
-Alarm end_linear(const Scene& scene, ResponseKernel& kernel, World& world) noexcept {
-  settle(*kernel.response, scene.tissue, kernel.state, world.tissue.position);
-  move_skin(scene.tissue.skin, world.tissue.position, world.skin);
-  Alarm alarm = check_particles(world.tissue, world.guard, 1);
+Alarm end_linear(const Scene& scene, std::size_t body, ResponseKernel& kernel,
+                 World& world) noexcept {
+  const SoftBody& soft = scene.bodies[body];
+  SoftState& state = world.bodies[body];
+  settle(*kernel.response, soft.tissue, kernel.state, state.tissue.position);
+  move_skin(soft.tissue.skin, state.tissue.position, state.skin);
+  Alarm alarm = check_particles(state.tissue, state.guard, 1);
   // a grip that is let go has gone as far as it may, and fades
-  if (!alarm && world.release_ticks == 0) {
-    const Alarm deep = find_deepest(scene, kernel, world, 1.0);
-    world.guard.strained_checks = deep ? world.guard.strained_checks + 1 : 0;
-    if (world.guard.strained_checks >= kDeepChecks) alarm = deep;
+  if (!alarm && !is_released(world, body)) {
+    const Alarm deep = find_deepest(soft, kernel, state, 1.0);
+    state.guard.strained_checks = deep ? state.guard.strained_checks + 1 : 0;
+    if (state.guard.strained_checks >= kDeepChecks) alarm = deep;
   }
   if (alarm) {
-    alarm.time = world.tissue.time;
+    alarm.time = state.tissue.time;
   } else {
-    std::copy(world.tissue.position.begin(), world.tissue.position.end(),
-              world.guard.last_position.begin());
+    std::copy(state.tissue.position.begin(), state.tissue.position.end(),
+              state.guard.last_position.begin());
   }
   return alarm;
 }

@@ -11,22 +11,24 @@ namespace palpate {
 /// normal; infinite where nothing does. `tree` of the surface at rest.
 std::vector<double> compute_shallow_depths(const TissueModel& tissue, const AabbTree& tree);
 
-/// How many substeps the coming tick of dt [s] has; `travel` [m] is how far the hand has come.
-int count_linear_substeps(const Scene& scene, double travel, double dt,
+/// How many substeps the coming tick of dt [s] asks for; the hands in the workspace of the world.
+int count_linear_substeps(const Scene& scene, std::size_t body, double dt,
                           const ResponseKernel& kernel, World& world) noexcept;
 
 /// [-] of the path to where the pushes hold it, which the tissue goes in a substep of dt [s].
-double choose_linear_share(const Scene& scene, double dt, const ResponseKernel& kernel,
-                           World& world) noexcept;
+double choose_linear_share(const Scene& scene, std::size_t body, double dt,
+                           const ResponseKernel& kernel, World& world) noexcept;
 
-/// One substep of dt [s] under world.load; only what the tool may touch is brought up to date.
-void move_linear(const Scene& scene, double dt, ResponseKernel& kernel, World& world) noexcept;
+/// One substep of dt [s] under the body's load; only what a tool may touch is brought up to date.
+void move_linear(const Scene& scene, std::size_t body, double dt, ResponseKernel& kernel,
+                 World& world) noexcept;
 
 /// [-] How far the farthest vertex that is pushed or pulled has gone of how far it may.
-double measure_deepest_share(const Scene& scene, const ResponseKernel& kernel,
-                             const World& world) noexcept;
+double measure_deepest_share(const SoftBody& body, const ResponseKernel& kernel,
+                             const SoftState& state) noexcept;
 
-/// Brings all of world.tissue up to date and checks that the press is still shallow.
-Alarm end_linear(const Scene& scene, ResponseKernel& kernel, World& world) noexcept;
+/// Brings all of the tissue up to date and checks that the press is still shallow.
+Alarm end_linear(const Scene& scene, std::size_t body, ResponseKernel& kernel,
+                 World& world) noexcept;
 
 }  // namespace palpate

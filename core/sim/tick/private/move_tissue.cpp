@@ -61,33 +61,57 @@ void add_near(const TissueModel& tissue, int triangle, long tick, NearList& near
   }
 }
 
-/// Lists what the tool may touch or holds.
-void list_near(const TissueModel& tissue, const World& world, NearList& near) noexcept {
+/// A body, and what moves it in a tick.
+struct Moved {
+  Moved(const Scene& scene_in, std::size_t body_in, World& world_in) noexcept
+      : scene(scene_in),
+        index(body_in),
+        body(scene.bodies[body_in]),
+        world(world_in),
+        state(world.bodies[body_in]) {}
+
+  const Scene& scene;
+  std::size_t index;
+  const SoftBody& body;
+  World& world;
+  SoftState& state;
+};
+
+/// Lists what the tools may touch or hold.
+void list_near(const Moved& moved, NearList& near) noexcept {
+  const TissueModel& tissue = moved.body.tissue;
+  const World& world = moved.world;
+  const auto index = static_cast<int>(moved.index);
   near.clear();
-  for (int c = 0; c < world.candidates.count; ++c) {
-    add_near(tissue, world.candidates.triangles[static_cast<std::size_t>(c)], world.tick_count,
-             near);
+  for (std::size_t i = 0; i < world.instruments.size(); ++i) {
+    const Candidates& candidates = world.pair(i, moved.index).candidates;
+    const ToolState& tool = world.instruments[i].tool;
+    for (int c = 0; c < candidates.count; ++c) {
+      add_near(tissue, candidates.triangles[static_cast<std::size_t>(c)], world.tick_count, near);
+    }
+    for (int h = 0; h < tool.hold_count; ++h) {
+      const ToolState::Hold& hold = tool.holds[static_cast<std::size_t>(h)];
+      if (hold.body == index) add_near(tissue, hold.triangle, world.tick_count, near);
+    }
+    if (tool.carrier.body == index) {
+      add_near(tissue, tool.carrier.triangle, world.tick_count, near);
+    }
   }
-  for (int h = 0; h < world.tool.hold_count; ++h) {
-    add_near(tissue, world.tool.holds[static_cast<std::size_t>(h)].triangle, world.tick_count,
-             near);
-  }
-  add_near(tissue, world.tool.carrier.triangle, world.tick_count, near);
 }
 
-/// Brings particles up to date where the tool may touch.
-void unpack_near(const TissueModel& tissue, const PackedKernel& kernel, World& world) noexcept {
+/// Brings particles up to date where a tool may touch.
+void unpack_near(const TissueModel& tissue, const PackedKernel& kernel, SoftState& state) noexcept {
   for (const int particle : kernel.near.particles_in_use()) {
     unpack_particle(*kernel.model, tissue, kernel.state, static_cast<std::size_t>(particle),
-                    world.tissue);
+                    state.tissue);
   }
 }
 
 /// And the skin on them.
-void move_near_skin(const TissueModel& tissue, const NearList& near, World& world) noexcept {
+void move_near_skin(const TissueModel& tissue, const NearList& near, SoftState& state) noexcept {
   for (const int vertex : near.skin_in_use()) {
     const auto v = static_cast<std::size_t>(vertex);
-    world.skin[v] = place_on_skin(tissue.skin, v, world.tissue.position);
+    state.skin[v] = place_on_skin(tissue.skin, v, state.tissue.position);
   }
 }
 
@@ -106,80 +130,87 @@ void choose_in_tree(PackedKernel& kernel, AabbTree& tree) noexcept {
 
 // --- begin, step and end of each kernel ----------------------------------------------------------
 
-void begin(ReferenceKernel&, const Scene&, World&) noexcept {}
+void begin(ReferenceKernel&, const Moved&) noexcept {}
 
-double step_kernel(ReferenceKernel&, const Scene& scene, double dt, bool, World& world) noexcept {
-  step(scene.tissue, world.load, dt, world.tissue);
-  move_skin(scene.tissue.skin, world.tissue.position, world.skin);
-  return dt * compute_push_power(world.load.pushes(), scene.tissue, world.tissue.velocity);
+double step_kernel(ReferenceKernel&, const Moved& moved, double dt, bool) noexcept {
+  const TissueModel& tissue = moved.body.tissue;
+  SoftState& state = moved.state;
+  step(tissue, state.load, dt, state.tissue);
+  move_skin(tissue.skin, state.tissue.position, state.skin);
+  return dt * compute_push_power(state.load.pushes(), tissue, state.tissue.velocity);
 }
 
-Alarm end(ReferenceKernel&, const Scene& scene, double work, World& world) noexcept {
-  world.stretch = measure_stretch(scene.tissue, world.tissue.position);
-  return check(scene.tissue, scene.gravity, world.tissue, work, world.guard, world.substeps);
+Alarm end(ReferenceKernel&, const Moved& moved, double work) noexcept {
+  const TissueModel& tissue = moved.body.tissue;
+  SoftState& state = moved.state;
+  state.stretch = measure_stretch(tissue, state.tissue.position);
+  return check(tissue, moved.scene.gravity, state.tissue, work, state.guard, state.substeps);
 }
 
-void begin(PackedKernel& kernel, const Scene& scene, World& world) noexcept {
-  list_near(scene.tissue, world, kernel.near);
+void begin(PackedKernel& kernel, const Moved& moved) noexcept {
+  list_near(moved, kernel.near);
   if (!kernel.active.on) return;
-  wake_near(*kernel.model, scene.tissue, kernel.near.particles_in_use(), kernel.active,
+  wake_near(*kernel.model, moved.body.tissue, kernel.near.particles_in_use(), kernel.active,
             kernel.state);
-  choose_in_tree(kernel, world.tree);
+  choose_in_tree(kernel, moved.state.tree);
 }
 
-double step_kernel(PackedKernel& kernel, const Scene& scene, double dt, bool last,
-                   World& world) noexcept {
-  step(*kernel.model, world.load, dt, kernel.state, last ? &kernel.measure : nullptr);
-  unpack_near(scene.tissue, kernel, world);
-  move_near_skin(scene.tissue, kernel.near, world);
-  return dt * compute_push_power(world.load.pushes(), scene.tissue, world.tissue.velocity);
+double step_kernel(PackedKernel& kernel, const Moved& moved, double dt, bool last) noexcept {
+  const TissueModel& tissue = moved.body.tissue;
+  SoftState& state = moved.state;
+  step(*kernel.model, state.load, dt, kernel.state, last ? &kernel.measure : nullptr);
+  unpack_near(tissue, kernel, state);
+  move_near_skin(tissue, kernel.near, state);
+  return dt * compute_push_power(state.load.pushes(), tissue, state.tissue.velocity);
 }
 
-Alarm end(PackedKernel& kernel, const Scene& scene, double work, World& world) noexcept {
-  world.stretch = kernel.measure.stretch;
-  world.tissue.time = kernel.state.time;
+Alarm end(PackedKernel& kernel, const Moved& moved, double work) noexcept {
+  SoftState& state = moved.state;
+  state.stretch = kernel.measure.stretch;
+  state.tissue.time = kernel.state.time;
   kernel.lag.behind = true;
   kernel.lag.moved += kWiden * kernel.skin_gain * kernel.measure.largest_move;
-  if (!lags(world) || needs_check(kernel.measure, world.guard, world.substeps)) {
-    catch_up(scene, world);
+  if (!lags(moved.world, state) || needs_check(kernel.measure, state.guard, state.substeps)) {
+    catch_up(moved.body, state);
   }
-  const Alarm alarm = check(*kernel.model, scene.tissue, world.tissue, kernel.measure, work,
-                            kernel.state, world.guard, world.substeps);
+  const Alarm alarm = check(*kernel.model, moved.body.tissue, state.tissue, kernel.measure, work,
+                            kernel.state, state.guard, state.substeps);
   if (kernel.active.on && !alarm) {
-    follow_motion(*kernel.model, kernel.active, kernel.state, world.tissue);
+    follow_motion(*kernel.model, kernel.active, kernel.state, state.tissue);
   }
   return alarm;
 }
 
-void begin(ResponseKernel& kernel, const Scene& scene, World& world) noexcept {
-  list_near(scene.tissue, world, kernel.near);
-}
+void begin(ResponseKernel& kernel, const Moved& moved) noexcept { list_near(moved, kernel.near); }
 
-double step_kernel(ResponseKernel& kernel, const Scene& scene, double dt, bool,
-                   World& world) noexcept {
-  move_linear(scene, dt, kernel, world);
-  move_near_skin(scene.tissue, kernel.near, world);
+double step_kernel(ResponseKernel& kernel, const Moved& moved, double dt, bool) noexcept {
+  move_linear(moved.scene, moved.index, dt, kernel, moved.world);
+  move_near_skin(moved.body.tissue, kernel.near, moved.state);
   return 0.0;  // nothing swings, so that there is no energy to account for
 }
 
-Alarm end(ResponseKernel& kernel, const Scene& scene, double, World& world) noexcept {
-  return end_linear(scene, kernel, world);
+Alarm end(ResponseKernel& kernel, const Moved& moved, double) noexcept {
+  return end_linear(moved.scene, moved.index, kernel, moved.world);
 }
 
 }  // namespace
 
-void begin_moving(const Scene& scene, World& world) noexcept {
-  std::visit([&](auto& kernel) { begin(kernel, scene, world); }, internals(world).kernel);
+void begin_moving(const Scene& scene, std::size_t body, World& world) noexcept {
+  const Moved moved(scene, body, world);
+  std::visit([&](auto& kernel) { begin(kernel, moved); }, internals(moved.state).kernel);
 }
 
-double move_tissue(const Scene& scene, double dt, bool last, World& world) noexcept {
-  return std::visit([&](auto& kernel) { return step_kernel(kernel, scene, dt, last, world); },
-                    internals(world).kernel);
+double move_tissue(const Scene& scene, std::size_t body, double dt, bool last,
+                   World& world) noexcept {
+  const Moved moved(scene, body, world);
+  return std::visit([&](auto& kernel) { return step_kernel(kernel, moved, dt, last); },
+                    internals(moved.state).kernel);
 }
 
-Alarm end_moving(const Scene& scene, double work, World& world) noexcept {
-  return std::visit([&](auto& kernel) { return end(kernel, scene, work, world); },
-                    internals(world).kernel);
+Alarm end_moving(const Scene& scene, std::size_t body, double work, World& world) noexcept {
+  const Moved moved(scene, body, world);
+  return std::visit([&](auto& kernel) { return end(kernel, moved, work); },
+                    internals(moved.state).kernel);
 }
 
 }  // namespace palpate

@@ -6,14 +6,16 @@
 #include <variant>
 #include <vector>
 
+#include "palpate/sim/contact/private/touched_surface.h"
 #include "palpate/sim/packed/private/active_set.h"
 #include "palpate/sim/packed/private/packed_model.h"
+#include "palpate/sim/tick/private/mean_load.h"
 #include "palpate/sim/tick/world.h"
 #include "palpate/sim/tree/tree_cost.h"
 
 namespace palpate {
 
-/// What the tool may touch in a tick: particles, and vertices of a skin that rides on them. Only
+/// What the tools may touch in a tick: particles, and vertices of a skin that rides on them. Only
 /// these are brought up to date between the substeps.
 struct NearList {
   NearList() = default;
@@ -42,20 +44,20 @@ struct Lag {
   double at_last_round = 0.0;  ///< [m] when the one before it did, and no box is older
 };
 
-/// The plain laws in double, on World::tissue itself.
+/// The plain laws in double, on SoftState::tissue itself.
 struct ReferenceKernel {};
 
 /// The same laws in float, in vector code. Between the substeps its own state is the truth, and
-/// World::tissue is up to date where the tool may touch it.
+/// SoftState::tissue is up to date where a tool may touch it.
 struct PackedKernel {
-  PackedKernel(const Scene& scene, const State& tissue, const Load& load);
+  PackedKernel(const Scene& scene, const SoftBody& body, const SoftState& state);
 
   std::shared_ptr<const PackedModel> model;
   PackedState state;                   ///< (move_tissue)
   PackedMeasure measure;               ///< of the last substep (move_tissue)
   NearList near;                       ///< (begin_moving)
   Lag lag;                             ///< (follow_tissue, end_moving)
-  ActiveSet active;                    ///< off unless Scene::force_error allows (begin, end_moving)
+  ActiveSet active;                    ///< off unless force_error allows (begin, end_moving)
   std::vector<unsigned char> in_tree;  ///< per slice: moves, and the tree follows (begin_moving)
   std::vector<int> broad_candidates;   ///< triangles of boxes near the tool (find_touchable)
   std::vector<long> last_read_at;      ///< tick, per vertex of the surface (find_touchable)
@@ -64,7 +66,7 @@ struct PackedKernel {
 
 /// A linear solid, which its precomputed response moves.
 struct ResponseKernel {
-  ResponseKernel(const Scene& scene, const AabbTree& tree);
+  ResponseKernel(const SoftBody& body, const AabbTree& tree);
 
   std::shared_ptr<const Response> response;
   ResponseState state;          ///< (move_tissue)
@@ -74,34 +76,65 @@ struct ResponseKernel {
 
 using TissueKernel = std::variant<ReferenceKernel, PackedKernel, ResponseKernel>;
 
-/// What stands behind a World: the kernel that moves its tissue, and buffers.
-struct WorldInternals {
-  WorldInternals(const Scene& scene, const World& world);
+/// What stands behind a SoftState: the kernel that moves its tissue, and buffers.
+struct BodyInternals {
+  BodyInternals(const Scene& scene, const SoftBody& body, const SoftState& state);
 
   TissueKernel kernel;
   TreeCost tree_cost;                  ///< (follow_tissue)
   StretchSpectrum spectrum;            ///< never changes
   double chosen_stiffness;             ///< [1/s²] largest eigenvalue of M⁻¹K (choose_substeps)
+  int wanted_substeps;                 ///< before those of all bodies were fitted (choose_substeps)
   std::vector<double> surface_mass;    ///< [kg] per vertex of the surface; never changes
   std::vector<double> vertex_scratch;  ///< per vertex of the surface; zero between its uses
+  MeanLoad mean_load;  ///< over the substeps of a finer body since the last step (move_bodies)
 };
 
-inline WorldInternals& internals(World& world) noexcept { return world.internals_.get(); }
-inline const WorldInternals& internals(const World& world) noexcept {
-  return world.internals_.get();
+inline BodyInternals& internals(SoftState& body) noexcept { return body.internals_.get(); }
+inline const BodyInternals& internals(const SoftState& body) noexcept {
+  return body.internals_.get();
 }
 
-/// The packed kernel of a world, null under another.
-inline PackedKernel* find_packed(World& world) noexcept {
-  return std::get_if<PackedKernel>(&internals(world).kernel);
+/// The packed kernel of a body, null under another.
+inline PackedKernel* find_packed(SoftState& body) noexcept {
+  return std::get_if<PackedKernel>(&internals(body).kernel);
 }
-inline const PackedKernel* find_packed(const World& world) noexcept {
-  return std::get_if<PackedKernel>(&internals(world).kernel);
+inline const PackedKernel* find_packed(const SoftState& body) noexcept {
+  return std::get_if<PackedKernel>(&internals(body).kernel);
 }
 
-/// The response kernel of a world, null under another.
-inline const ResponseKernel* find_response(const World& world) noexcept {
-  return std::get_if<ResponseKernel>(&internals(world).kernel);
+/// The response kernel of a body, null under another.
+inline const ResponseKernel* find_response(const SoftState& body) noexcept {
+  return std::get_if<ResponseKernel>(&internals(body).kernel);
 }
+
+/// [m] Of the tips of all instruments.
+double find_smallest_radius(const Scene& scene) noexcept;
+double find_largest_radius(const Scene& scene) noexcept;
+
+/// What one tick knows of a hand.
+struct HandMotion {
+  Vec3 hand = Vec3::Zero();  ///< [m] where it is now (read_hands)
+  double travel = 0.0;       ///< [m] since the last tick; 0 where it has just appeared (read_hands)
+  double stored_energy = 0.0;  ///< [J] no less than its springs hold (read_hands)
+  Vec3 felt = Vec3::Zero();    ///< [N] sum over substeps (balance_instruments)
+};
+
+/// Buffers that live for one tick.
+struct Workspace {
+  explicit Workspace(const World& world);
+
+  std::vector<HandMotion> hands;         ///< per instrument
+  std::vector<TouchedSurface> surfaces;  ///< per body, of one instrument (list_surfaces)
+  std::vector<double> work;              ///< [J] per body, of the pushes (move_bodies)
+  std::vector<int> wanted;               ///< substeps per body (choose_substeps)
+  std::vector<double> cost;              ///< of a substep of each, relative (choose_substeps)
+};
+
+inline Workspace& workspace(World& world) noexcept { return world.workspace_.get(); }
+
+/// The surfaces of all bodies, as this instrument touches them; until it is called again.
+std::span<const TouchedSurface> list_surfaces(const Scene& scene, std::size_t instrument,
+                                              World& world) noexcept;
 
 }  // namespace palpate

@@ -242,8 +242,8 @@ class MaterialPanel(StagePanel):
         if tissue.tetrahedra:
             rows.append((tr("Tetrahedra"), count(tissue.tetrahedra)))
         scene = assessment.scene
-        if scene is not None and scene.response is not None:  # nothing of it swings
-            return [*rows, (tr("Its response"), say_memory(scene.response.size))]
+        if scene is not None and scene.bodies[0].response is not None:  # nothing of it swings
+            return [*rows, (tr("Its response"), say_memory(scene.bodies[0].response.size))]
         rows += [
             (tr("Links"), count(tissue.links)),
             (tr("Substeps a tick"), count(tissue.substeps)),

@@ -154,7 +154,7 @@ class Runner(QObject):
             self._name = tr("Hand {count}").format(count=self._count)
         else:
             place = find_target(scene, request.place)
-            frames, times = write_script(place, scene.tool.radius, request.script)
+            frames, times = write_script(place, scene.instruments[0].tool.radius, request.script)
             device, duration = palpate.ScriptedDevice(frames), times.end
             self._script = place, times
             self._name = tr("Press {count}").format(count=self._count)
@@ -177,7 +177,7 @@ class Runner(QObject):
         self.costs.clear()
         facts = self.context.assessment.tissue
         if facts is not None and facts.margin:
-            self.costs.show_margin(1.0 / scene.rate / scene.substeps, facts.margin)
+            self.costs.show_margin(1.0 / scene.rate / scene.bodies[0].substeps, facts.margin)
         self.trial.start()
         self.changed.emit()
 
@@ -237,7 +237,7 @@ class Runner(QObject):
         script = self._script
         if script is not None and record.hand["time"][-1] < script[1].held:
             script = None  # it was stopped before it could be measured
-        felt = read_felt(record, trial.scene.tool.radius, script)
+        felt = read_felt(record, trial.scene.instruments[0].tool.radius, script)
         device = trial.device.name()
         return Outcome(self._name, self._organ, trial.scene, record, report, device, felt)
 

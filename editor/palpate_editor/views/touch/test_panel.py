@@ -253,7 +253,9 @@ class TestPanel(StagePanel):
         )
         if wanted:
             place = find_target(found.scene, self.press_form.place)
-            context.view.show_ring(place.point, place.outward, found.scene.tool.radius)
+            context.view.show_ring(
+                place.point, place.outward, found.scene.instruments[0].tool.radius
+            )
         elif self._marked and context.view.tool is None:
             context.view.show_ring(None)
         self._marked = wanted

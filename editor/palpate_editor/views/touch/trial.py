@@ -55,7 +55,9 @@ class Trial(QObject):
         self.report: palpate.LoopReport | None = None
         self.problem: OSError | None = None
         """Why the record is not whole."""
-        self._rest = palpate.compute_surface(scene.tissue, scene.tissue.rest_position)
+        self._rest = palpate.compute_surface(
+            scene.bodies[0].tissue, scene.bodies[0].tissue.rest_position
+        )
         self._top = LEAST_TOP
         diagonal = float(palpate.compute_diagonal(self._rest))
         view.force_scale = ARROW * diagonal
@@ -111,7 +113,7 @@ class Trial(QObject):
         self._top = max(self._top, round_up(float(moved.max(initial=0.0))))
         self.view.move_surface(position)
         self.view.show_values(1e3 * moved, tr("displacement [mm]"), (0.0, 1e3 * self._top))
-        self.view.show_tool(frame.tool_position, self.scene.tool.radius)
+        self.view.show_tool(frame.tool_position, self.scene.instruments[0].tool.radius)
         size = float(np.linalg.norm(frame.force))
         self._show_force(frame, size)
         share = frame.cost * self.scene.rate
@@ -130,7 +132,8 @@ class Trial(QObject):
             return
         away = frame.force / size
         self.view.show_force(
-            frame.tool_position + away * self.scene.tool.radius, away * min(size, self._most)
+            frame.tool_position + away * self.scene.instruments[0].tool.radius,
+            away * min(size, self._most),
         )
 
 

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pybind11/native_enum.h>
+#include <pybind11/stl.h>
+
+#include "bindings.h"
+#include "border.h"
+#include "palpate/sim/tick/world.h"
+#include "rows.h"
+#include "value.h"
+
+namespace palpate::bindings {
+namespace {
+
+/// The elements of a vector whose length never changes, as a tuple of what lives as long as `self`.
+template <class Owner, class T>
+py::tuple show_elements(const py::object& self, std::vector<T> Owner::*member) {
+  std::vector<T>& elements = self.cast<Owner&>().*member;
+  py::tuple shown(elements.size());
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    shown[i] = py::cast(&elements[i], py::return_value_policy::reference_internal, self);
+  }
+  return shown;
+}
+
+template <class Class, class Owner, class T>
+void def_elements(Class& cls, const char* name, std::vector<T> Owner::*member, const char* doc) {
+  cls.def_property_readonly(
+      name, [member](const py::object& self) { return show_elements(self, member); }, doc);
+}
+
+// --- the scene -----------------------------------------------------------------------------------
+
+void bind_kernel(py::module_& m) {
+  py::native_enum<Kernel>(m, "Kernel", "enum.Enum", "Which form of the tissue's laws a tick runs.")
+      .value("reference", Kernel::reference, "Double, plain, one particle after the other.")
+      .value("packed", Kernel::packed, "Float, in vector code.")
+      .value("response", Kernel::response,
+             "Of a linear solid: quasi-static, from its precomputed response.")
+      .finalize();
+}
+
+void bind_body_fields(py::class_<SoftBody>& body) {
+  body.def_property(
+      "tissue", [](SoftBody& self) -> TissueModel& { return self.tissue; },
+      [](SoftBody& self, const TissueModel& value) {
+        // a second tissue would take the memory away under the views of the first
+        if (!self.tissue.rest_position.empty()) {
+          refuse("soft body: tissue", "one that has its tissue", "a new SoftBody for another one");
+        }
+        self.tissue = value;
+      },
+      "The tissue; assigned, and copied, once.");
+  body.def_readwrite("substeps", &SoftBody::substeps,
+                     "Steps per tick without contact; build_scene chooses when 0.")
+      .def_readwrite("substeps_max", &SoftBody::substeps_max,
+                     "Contact may raise them to this; build_scene chooses when 0.")
+      .def_readwrite("force_error", &SoftBody::force_error,
+                     "[N] by which the force may be wrong so that what is at rest may sleep, under "
+                     "the packed kernel; 0: all of the tissue moves in every substep.")
+      .def_readwrite("kernel", &SoftBody::kernel,
+                     "Which form of the tissue's laws a tick runs; packed is reference where "
+                     "there is no vector code for this machine.")
+      .def_readwrite("simd_target", &SoftBody::simd_target,
+                     "Of the packed kernel: one of simd_targets(), empty for the best.");
+  def_table(body, "rest_areas", &SoftBody::rest_areas,
+            "[m²] per triangle, shape (t,), filled in by build_scene; a view, read-only.");
+  body.def_readonly("spectrum_stiffness", &SoftBody::spectrum_stiffness,
+                    "[1/s²] largest eigenvalue of M⁻¹K at rest, filled in by build_scene.")
+      .def_readonly("spectrum_damping", &SoftBody::spectrum_damping,
+                    "[1/s] of M⁻¹C, filled in by build_scene.")
+      .def_property_readonly(
+          "response",
+          // Python knows no const; everything of a Response is read-only
+          [](const SoftBody& self) { return std::const_pointer_cast<Response>(self.response); },
+          "Under the response kernel, filled in by build_scene; else None.");
+}
+
+std::string describe_body(const SoftBody& body) {
+  const char* kernels[] = {"reference", "packed", "response"};
+  return write_text(
+      body.tissue.rest_position.size(), " particles, ", body.tissue.triangles.size(),
+      " triangles, ", kernels[static_cast<int>(body.kernel)], " kernel, ",
+      body.substeps > 0 ? write_text(body.substeps, " substeps") : std::string("not built"));
+}
+
+void bind_body(py::module_& m) {
+  const SoftBody usual;
+  py::class_<SoftBody> body(m, "SoftBody", "A tissue and how it is moved.");
+  body.def(py::init([](const TissueModel* tissue, int substeps, int substeps_max,
+                       double force_error, Kernel kernel, const std::string& simd_target) {
+             SoftBody made;
+             if (tissue) made.tissue = *tissue;
+             made.substeps = substeps;
+             made.substeps_max = substeps_max;
+             made.force_error = force_error;
+             made.kernel = kernel;
+             made.simd_target = simd_target;
+             return made;
+           }),
+           py::kw_only(), "tissue"_a = py::none(), "substeps"_a = usual.substeps,
+           "substeps_max"_a = usual.substeps_max, "force_error"_a = usual.force_error,
+           "kernel"_a = usual.kernel, "simd_target"_a = usual.simd_target, "Copies its tissue.");
+  bind_body_fields(body);
+  def_value(body, &SoftBody::tissue, &SoftBody::substeps, &SoftBody::substeps_max,
+            &SoftBody::force_error, &SoftBody::kernel, &SoftBody::simd_target);
+  def_summary(body, &describe_body);
+}
+
+void bind_instrument(py::module_& m) {
+  const Instrument usual;
+  py::class_<Instrument> instrument(m, "Instrument",
+                                    "A tool, and how the hand that moves it is coupled to it.");
+  instrument.def(py::init([](const Tool& tool, const Coupling& coupling, double hold_stiffness) {
+                   return Instrument{tool, coupling, hold_stiffness};
+                 }),
+                 py::kw_only(), "tool"_a = usual.tool, "coupling"_a = usual.coupling,
+                 "hold_stiffness"_a = usual.hold_stiffness);
+  instrument.def_readwrite("tool", &Instrument::tool, "The tip.")
+      .def_readwrite("coupling", &Instrument::coupling, "The hand's spring.")
+      .def_readwrite("hold_stiffness", &Instrument::hold_stiffness,
+                     "[N/m] between tool and patch while attached.");
+  def_value(instrument, &Instrument::tool, &Instrument::coupling, &Instrument::hold_stiffness);
+  def_repr(instrument, {"tool", "coupling", "hold_stiffness"});
+}
+
+bool is_built(const Scene& scene) {
+  bool built = !scene.bodies.empty();
+  for (const SoftBody& body : scene.bodies) {
+    built = built && body.substeps > 0 && body.rest_areas.size() == body.tissue.triangles.size();
+  }
+  return built;
+}
+
+/// What it is made of, and whether build_scene has filled in what follows from that.
+void def_scene_pickle(py::class_<Scene>& scene) {
+  scene.def(py::pickle(
+      [](const Scene& self) {
+        return py::make_tuple(self.bodies, self.instruments, self.gravity, self.rate,
+                              is_built(self));
+      },
+      [](const py::tuple& packed) {
+        if (packed.size() != 5) {
+          refuse("pickle", std::to_string(packed.size()) + " members", "5, as this version has");
+        }
+        Scene made;
+        made.bodies = packed[0].cast<std::vector<SoftBody>>();
+        made.instruments = packed[1].cast<std::vector<Instrument>>();
+        made.gravity = packed[2].cast<Vec3>();
+        made.rate = packed[3].cast<double>();
+        return packed[4].cast<bool>() ? build_scene(std::move(made)) : made;
+      }));
+}
+
+std::string describe_scene(const Scene& scene) {
+  std::string text;
+  for (const SoftBody& body : scene.bodies) text += describe_body(body) + ", ";
+  for (const Instrument& instrument : scene.instruments) {
+    text += write_text("tool of ", 1e3 * instrument.tool.radius, " mm, ");
+  }
+  return text + write_text(scene.rate, " Hz");
+}
+
+void bind_scene_type(py::module_& m) {
+  const Scene usual;
+  py::class_<Scene> scene(m, "Scene",
+                          "Tissues and the instruments that touch them: all that a tick needs and "
+                          "never changes. Each instrument has a hand of its own.");
+  scene.def(py::init([](std::vector<SoftBody> bodies, std::vector<Instrument> instruments,
+                        const Vec3& gravity, double rate) {
+              Scene made;
+              made.bodies = std::move(bodies);
+              made.instruments = std::move(instruments);
+              made.gravity = gravity;
+              made.rate = rate;
+              return made;
+            }),
+            py::kw_only(), "bodies"_a = usual.bodies, "instruments"_a = usual.instruments,
+            "gravity"_a = usual.gravity, "rate"_a = usual.rate,
+            "Copies its parts: one body and one instrument unless others are given. build_scene "
+            "makes it ready for ticks.");
+  def_elements(scene, "bodies", &Scene::bodies, "The tissues, a tuple.");
+  def_elements(scene, "instruments", &Scene::instruments, "A tuple; each has a hand of its own.");
+  def_vector(scene, "gravity", &Scene::gravity, "[m/s²]");
+  scene.def_readwrite("rate", &Scene::rate, "[Hz]");
+  def_copy(scene);
+  def_scene_pickle(scene);
+  def_summary(scene, &describe_scene);
+  m.def("make_scene", &make_scene, "tissue"_a,
+        "A scene of one tissue, which is copied, and one instrument with the usual values.");
+  m.def("build_scene", &build_scene, "scene"_a, py::call_guard<py::gil_scoped_release>(),
+        "Checks a scene once and fills in what is derived from it. Raises ValueError naming the "
+        "field, what it got and what was expected.");
+}
+
+// --- the running world ---------------------------------------------------------------------------
+
+void bind_states(py::module_& m) {
+  py::class_<SoftState> body(m, "SoftState", "A soft body of a running scene, after every tick.");
+  body.def_readonly("tissue", &SoftState::tissue, "The tissue after the last tick; read-only.")
+      .def_readonly("tree", &SoftState::tree, "The boxes around its surface; read-only.")
+      .def_readonly("load", &SoftState::load, "What all tools do to the tissue; read-only.")
+      .def_readonly("guard", &SoftState::guard, "The memory of the alarm; read-only.")
+      .def_readonly("substeps", &SoftState::substeps, "Of the last tick.");
+  def_view(body, "skin", &SoftState::skin,
+           "[m] the vertices of the skin, shape (n, 3), after every tick; empty where there is "
+           "none; a view.");
+  def_copy(body);
+  def_summary(body, [](const SoftState& self) {
+    return write_text(self.tissue.position.size(), " particles, ", self.substeps, " substeps");
+  });
+
+  py::class_<InstrumentState> instrument(
+      m, "InstrumentState", "An instrument of a running scene, and the hand that moves it.");
+  instrument.def_readonly("tool", &InstrumentState::tool, "Where the tool is; read-only.")
+      .def_readonly("attach_pressed", &InstrumentState::attach_pressed,
+                    "Whether the attach button was, in the last tick.")
+      .def_readonly("release_ticks", &InstrumentState::release_ticks,
+                    "Left until a hold that fades is gone; 0 when none does.");
+  def_vector(instrument, "hand", &InstrumentState::hand,
+             "[m] where the tool is drawn to: the hand, unless that jumped.");
+  def_copy(instrument);
+  def_summary(instrument, [](const InstrumentState& self) {
+    return std::string(self.tool.hold_count > 0 ? "attached"
+                       : self.tool.touching     ? "touching"
+                                                : "not touching");
+  });
+
+  py::class_<ContactPair> pair(m, "ContactPair",
+                               "What an instrument may touch of a body, and what it does to it.");
+  pair.def_readonly("candidates", &ContactPair::candidates,
+                    "What the tool may touch in this tick; read-only.")
+      .def_readonly("load", &ContactPair::load,
+                    "What the tool did in the last substep; read-only.");
+  def_copy(pair);
+  def_summary(pair, [](const ContactPair& self) {
+    return write_text(self.candidates.count, " candidates, ", self.load.push_count, " pushes");
+  });
+}
+
+void bind_world(py::module_& m) {
+  py::class_<World> world(m, "World",
+                          "A running scene. Everything a tick needs is allocated here, once.");
+  world.def(py::init([](const Scene& scene) {
+              require_built(scene);
+              const py::gil_scoped_release released;
+              return World(scene);
+            }),
+            "scene"_a, "The scene at rest.");
+  def_elements(world, "bodies", &World::bodies, "As Scene.bodies, a tuple; read-only.");
+  def_elements(world, "instruments", &World::instruments,
+               "As Scene.instruments, a tuple; read-only.");
+  def_elements(world, "pairs", &World::pairs,
+               "Every instrument with every body, a tuple; read-only.");
+  world
+      .def(
+          "pair",
+          [](const py::object& self, int instrument, int body) -> py::object {
+            const auto& world = self.cast<const World&>();
+            require_index("instrument", instrument, world.instruments.size());
+            require_index("body", body, world.bodies.size());
+            return self.attr("pairs")[py::int_(instrument * world.bodies.size() + body)];
+          },
+          "instrument"_a, "body"_a, "An instrument with a body; read-only.")
+      .def_readonly("alarm", &World::alarm,
+                    "The first alarm; from then on the forces fade and all tissue stands still.")
+      .def_readonly("alarm_body", &World::alarm_body,
+                    "Whose tissue raised it; -1 for what is of no body.")
+      .def_readonly("tick_count", &World::tick_count, "How many ticks have been run.");
+  def_copy(world);
+  def_summary(world, [](const World& self) {
+    std::size_t particles = 0;
+    for (const SoftState& body : self.bodies) particles += body.tissue.position.size();
+    bool touching = false;
+    for (const InstrumentState& each : self.instruments) touching |= each.tool.touching;
+    return write_text("tick ", self.tick_count, ", ", particles, " particles, ",
+                      self.alarm ? "stopped by an alarm"
+                      : touching ? "touching"
+                                 : "not touching");
+  });
+}
+
+}  // namespace
+
+void bind_scene(py::module_& m) {
+  bind_kernel(m);
+  bind_body(m);
+  bind_instrument(m);
+  bind_scene_type(m);
+  bind_states(m);
+  bind_world(m);
+}
+
+}  // namespace palpate::bindings

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scenes of several bodies and instruments, as Python has them."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+
+import numpy as np
+import palpate
+import pytest
+from surfaces import organ_scene
+
+DT = 1e-3
+ASIDE = np.array([0.1, 0.0, 0.0])
+
+
+def make_body(offset=(0.0, 0.0, 0.0)) -> palpate.SoftBody:
+    tissue = copy.copy(organ_scene(1).bodies[0].tissue)
+    np.asarray(tissue.rest_position)[:] += offset
+    return palpate.SoftBody(tissue=tissue)
+
+
+@pytest.fixture(scope="module")
+def scene() -> palpate.Scene:
+    return palpate.build_scene(
+        palpate.Scene(
+            bodies=[make_body(), make_body(ASIDE)],
+            instruments=[palpate.Instrument(), palpate.Instrument()],
+        )
+    )
+
+
+def press(height: float, offset=(0.0, 0.0, 0.0)) -> palpate.HapticSample:
+    return palpate.HapticSample(position=np.array([0.0, 0.0, height]) + offset)
+
+
+def test_each_instrument_feels_its_body_as_if_it_were_alone(scene):
+    alone = palpate.build_scene(palpate.Scene(bodies=[make_body()]))
+    both, one = palpate.World(scene), palpate.World(alone)
+    for i in range(100):
+        down = press(0.03 - 1e-4 * i)
+        commands = palpate.tick(scene, [down, press(0.05, ASIDE)], DT, both)
+        expected = palpate.tick(alone, down, DT, one)
+
+        assert commands[0].force.tolist() == expected.force.tolist()
+        assert commands[1].force.tolist() == [0.0, 0.0, 0.0]
+
+    assert both.instruments[0].tool.touching
+    assert not both.instruments[1].tool.touching
+    assert both.pair(0, 0).load.push_count == both.bodies[0].load.push_count > 0
+    assert both.pair(1, 0).candidates.count == 0
+    assert palpate.compute_felt(commands[1], both, 1).touched == 0
+    assert both.alarm_body == -1
+
+
+def test_a_scene_of_several_is_pickled_and_copied_whole(scene):
+    for other in (pickle.loads(pickle.dumps(scene)), copy.copy(scene)):
+        assert len(other.bodies) == len(other.instruments) == 2
+        for mine, its in zip(scene.bodies, other.bodies, strict=True):
+            assert its.substeps == mine.substeps
+            assert np.array_equal(its.tissue.rest_position, mine.tissue.rest_position)
+            assert np.array_equal(its.rest_areas, mine.rest_areas)
+
+
+def test_bodies_and_instruments_are_changed_in_place_until_the_scene_is_built():
+    scene = palpate.Scene(bodies=[make_body(), make_body(ASIDE)])
+    scene.bodies[1].substeps = scene.bodies[1].substeps_max = 7
+    scene.instruments[0].tool.radius = 0.004
+
+    built = palpate.build_scene(scene)
+
+    assert built.bodies[1].substeps == 7
+    assert built.instruments[0].tool.radius == 0.004
+    with pytest.raises(AttributeError):
+        scene.bodies = []  # type: ignore[misc]
+
+
+def test_what_is_in_a_world_of_several_is_read_only(scene):
+    world = palpate.World(scene)
+
+    with pytest.raises(ValueError, match="read-only"):
+        world.bodies[1].tissue.position[:] = 0.0
+    with pytest.raises(AttributeError, match="part of a Scene or a World"):
+        world.instruments[1].hand = (1.0, 2.0, 3.0)
+    with pytest.raises(ValueError, match="got a Load that is part of a World"):
+        world.pair(1, 1).load.clear()
+
+
+@pytest.mark.parametrize(
+    ("call", "sentence"),
+    [
+        (lambda s, w: palpate.tick(s, [press(0.1)], DT, w), "samples: got 1 entries, expected 2"),
+        (lambda s, w: palpate.tick(s, press(0.1), DT, w), "sample: got 1 entries, expected 2"),
+        (lambda s, w: w.pair(2, 0), "instrument: got 2, expected 0 to 1"),
+        (lambda s, w: w.pair(0, -1), "body: got -1, expected 0 to 1"),
+        (
+            lambda s, w: palpate.compute_felt(palpate.HapticCommand(), w, 2),
+            "instrument: got 2, expected 0 to 1",
+        ),
+        (lambda s, w: palpate.SurfacePointer(s, body=2), "body: got 2, expected 0 to 1"),
+        (
+            lambda s, w: palpate.Loop(s, palpate.ScriptedDevice([palpate.KeyFrame()])),
+            "scene.instruments: got 2, expected one",
+        ),
+        (
+            lambda s, w: palpate.scenario.check_ranges(s),
+            "scene.bodies: got 2, expected 1, which is what a file holds",
+        ),
+        (
+            lambda s, w: palpate.build_scene(palpate.Scene(bodies=[])),
+            "scene: bodies: got 0, expected at least one to touch",
+        ),
+    ],
+    ids=["few", "one", "pair", "below", "felt", "pointer", "loop", "file", "none"],
+)
+def test_another_number_of_them_is_refused(scene, call, sentence):
+    with pytest.raises(ValueError, match=sentence):
+        call(scene, palpate.World(scene))
+
+
+def test_the_live_loop_shows_every_body():
+    scene = palpate.build_scene(palpate.Scene(bodies=[make_body(), make_body(ASIDE)]))
+    high, low = palpate.KeyFrame(), palpate.KeyFrame()
+    high.position, low.position, low.time = (0.0, 0.0, 0.03), (0.0, 0.0, 0.019), 0.15
+    options = palpate.LoopOptions()
+    options.duration, options.realtime = 0.2, False
+    loop = palpate.Loop(scene, palpate.ScriptedDevice([high, low]), options)
+    loop.start()
+
+    assert loop.wait(30.0)
+
+    loop.take_snapshot()
+    shown = loop.snapshot().bodies
+    moved = [
+        np.abs(body.position - soft.tissue.rest_position).max()
+        for body, soft in zip(shown, scene.bodies, strict=True)
+    ]
+    assert moved[0] > 1e-4
+    assert moved[1] < 1e-6
+    assert [body.substeps >= 1 for body in shown] == [True, True]
