@@ -135,9 +135,12 @@ void make_divisors(std::span<const double> cost, std::span<int> substeps) noexce
     }
     return sum;
   };
+  // nothing costs less than what the bodies ask for, which equal bodies get at once
+  double asked = 0.0;
+  for (std::size_t b = 0; b < substeps.size(); ++b) asked += cost[b] * substeps[b];
   int best = most;
   double least = sum_up(most);
-  for (int finest = most + 1; finest <= most + most / 4; ++finest) {
+  for (int finest = most + 1; finest <= most + most / 4 && least > asked; ++finest) {
     if (const double sum = sum_up(finest); sum < least) {
       least = sum;
       best = finest;
