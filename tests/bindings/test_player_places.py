@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import json
-import os
 import subprocess
 import sys
 from functools import cache
@@ -18,6 +17,7 @@ from palpate.runs.play import open_play
 from published import TITLE, publish
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, QUrl
 from PySide6.QtTest import QTest
+from small_screen import list_environment
 from trainees import texts
 from windows import LEFT
 
@@ -70,14 +70,7 @@ def play_on_screen(tmp_path_factory):
 
     @cache
     def play(size: tuple[int, int], factor: float) -> dict[str, list]:
-        screen = {"name": "small", "x": 0, "y": 0, "width": size[0], "height": size[1]}
-        screen |= {"logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1}
-        config = folder / "screens.json"
-        config.write_text(json.dumps({"screens": [screen]}))
-        env = os.environ | {
-            "QT_QPA_PLATFORM": f"offscreen:configfile={config}",
-            "QT_SCALE_FACTOR": str(factor),
-        }
+        env = list_environment(folder, size, factor)
         words = [sys.executable, "-c", PLAY_ON_A_SCREEN, scenario, *LANGUAGES]
         ran = subprocess.run(words, env=env, capture_output=True, text=True)
         assert ran.returncode == 0, ran.stderr

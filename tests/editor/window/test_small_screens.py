@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import functools
 import json
-import os
 import subprocess
 import sys
 
@@ -14,6 +13,7 @@ from hands import child, type_into
 from patience import PATIENCE, settle
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtTest import QTest
+from small_screen import list_environment
 
 pytestmark = pytest.mark.window
 
@@ -133,14 +133,7 @@ def visit():
 def open_on_a_screen(folder, size, factor) -> dict[str, tuple]:
     """By language: free room, sizes of the window, and on the smallest screen how many controls
     each part has, and those that cannot be reached; all in pixels. One program opens both."""
-    screen = {"name": "small", "x": 0, "y": 0, "width": size[0], "height": size[1]}
-    screen |= {"logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1}
-    config = folder / "screens.json"
-    config.write_text(json.dumps({"screens": [screen]}))
-    env = os.environ | {
-        "QT_QPA_PLATFORM": f"offscreen:configfile={config}",
-        "QT_SCALE_FACTOR": str(factor),
-    }
+    env = list_environment(folder, size, factor)
 
     visit = REACH_EVERYTHING if (size, factor) == SMALLEST else "def visit(): pass"
     program = OPEN_ON_A_SCREEN.replace("VISIT", visit)
