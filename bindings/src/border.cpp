@@ -122,12 +122,16 @@ void require_fit(const ToolState& tool, std::size_t triangles) {
   }
 }
 
-void require_built(const Scene& scene) {
+bool is_built(const Scene& scene) {
   bool built = !scene.bodies.empty() && !scene.instruments.empty();
   for (const SoftBody& body : scene.bodies) {
     built = built && body.substeps >= 1 && body.rest_areas.size() == body.tissue.triangles.size();
   }
-  if (!built) {
+  return built;
+}
+
+void require_built(const Scene& scene) {
+  if (!is_built(scene)) {
     refuse("scene", "one whose derived fields are empty", "the result of build_scene(scene)");
   }
 }

@@ -35,6 +35,7 @@ void require_fit(const Candidates& candidates, std::size_t triangles);
 void require_fit(const ToolState& tool, std::size_t triangles);
 /// 0 to below `count`.
 void require_index(const char* name, int index, std::size_t count);
+bool is_built(const Scene& scene);
 /// A scene that build_scene has filled in.
 void require_built(const Scene& scene);
 void require_fit(const SoftBody& body, const SoftState& state);

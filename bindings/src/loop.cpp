@@ -236,17 +236,7 @@ void bind_snapshot(py::module_& m) {
       "What a reader outside the haptic thread sees: the world as it was at most 8 ms ago.");
   snapshot.def_readonly("tick", &Snapshot::tick, "Number of the tick it shows.")
       .def_readonly("time", &Snapshot::time, "[s]");
-  snapshot.def_property_readonly(
-      "bodies",
-      [](const py::object& self) {
-        std::vector<BodySnapshot>& bodies = self.cast<Snapshot&>().bodies;
-        py::tuple shown(bodies.size());
-        for (std::size_t b = 0; b < bodies.size(); ++b) {
-          shown[b] = py::cast(&bodies[b], py::return_value_policy::reference_internal, self);
-        }
-        return shown;
-      },
-      "As Scene.bodies, a tuple.");
+  def_elements(snapshot, "bodies", &Snapshot::bodies, "As Scene.bodies, a tuple.");
   snapshot.def_readonly("sample", &Snapshot::sample, "What the device said.");
   def_vector(snapshot, "tool_position", &Snapshot::tool_position, "[m]");
   def_vector(snapshot, "force", &Snapshot::force,

@@ -11,23 +11,6 @@
 namespace palpate::bindings {
 namespace {
 
-/// The elements of a vector whose length never changes, as a tuple of what lives as long as `self`.
-template <class Owner, class T>
-py::tuple show_elements(const py::object& self, std::vector<T> Owner::*member) {
-  std::vector<T>& elements = self.cast<Owner&>().*member;
-  py::tuple shown(elements.size());
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    shown[i] = py::cast(&elements[i], py::return_value_policy::reference_internal, self);
-  }
-  return shown;
-}
-
-template <class Class, class Owner, class T>
-void def_elements(Class& cls, const char* name, std::vector<T> Owner::*member, const char* doc) {
-  cls.def_property_readonly(
-      name, [member](const py::object& self) { return show_elements(self, member); }, doc);
-}
-
 // --- the scene -----------------------------------------------------------------------------------
 
 void bind_kernel(py::module_& m) {
@@ -121,14 +104,6 @@ void bind_instrument(py::module_& m) {
                      "[N/m] between tool and patch while attached.");
   def_value(instrument, &Instrument::tool, &Instrument::coupling, &Instrument::hold_stiffness);
   def_repr(instrument, {"tool", "coupling", "hold_stiffness"});
-}
-
-bool is_built(const Scene& scene) {
-  bool built = !scene.bodies.empty();
-  for (const SoftBody& body : scene.bodies) {
-    built = built && body.substeps > 0 && body.rest_areas.size() == body.tissue.triangles.size();
-  }
-  return built;
 }
 
 /// What it is made of, and whether build_scene has filled in what follows from that.

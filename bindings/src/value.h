@@ -111,6 +111,23 @@ void def_value(Class& cls, Members... members) {
 /// The call that would make a value, on one line: named fields, arrays in short.
 std::string write_call(const py::object& self, const std::vector<const char*>& fields);
 
+/// The elements of a vector whose length never changes, as a tuple of what lives as long as `self`.
+template <class Owner, class T>
+py::tuple show_elements(const py::object& self, std::vector<T> Owner::*member) {
+  std::vector<T>& elements = self.cast<Owner&>().*member;
+  py::tuple shown(elements.size());
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    shown[i] = py::cast(&elements[i], py::return_value_policy::reference_internal, self);
+  }
+  return shown;
+}
+
+template <class Class, class Owner, class T>
+void def_elements(Class& cls, const char* name, std::vector<T> Owner::*member, const char* doc) {
+  cls.def_property_readonly(
+      name, [member](const py::object& self) { return show_elements(self, member); }, doc);
+}
+
 /// A repr that shows the named fields.
 template <class Class>
 void def_repr(Class& cls, std::initializer_list<const char*> fields) {

@@ -232,7 +232,7 @@ void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
   serve_trees();
 }
 
-/// Lets the trees of bodies be built anew where that is worth it.
+/// Has the trees of bodies rebuilt where that is worth it.
 void Loop::Impl::serve_trees() noexcept {
   for (std::size_t b = 0; b < trees.size(); ++b) {
     if (trees[b]->will_ask(world, b)) catch_up(scene.bodies[b], world.bodies[b]);
