@@ -9,6 +9,9 @@ import pickle
 import numpy as np
 import palpate
 import pytest
+from palpate.runs.live import LiveRun
+from palpate.runs.press import find_top
+from palpate.runs.run import describe_arithmetic
 from surfaces import organ_scene
 
 DT = 1e-3
@@ -139,3 +142,39 @@ def test_the_live_loop_shows_every_body():
     assert moved[0] > 1e-4
     assert moved[1] < 1e-6
     assert [body.substeps >= 1 for body in shown] == [True, True]
+
+
+def test_a_frame_of_a_live_run_has_the_positions_and_substeps_of_every_body():
+    scene = palpate.build_scene(palpate.Scene(bodies=[make_body(), make_body(ASIDE)]))
+    high, low = palpate.KeyFrame(), palpate.KeyFrame()
+    high.position, low.position, low.time = ASIDE + (0, 0, 0.03), ASIDE + (0, 0, 0.019), 0.15
+    options = palpate.LoopOptions(duration=0.2, realtime=False)
+    with LiveRun(scene, palpate.ScriptedDevice([high, low]), options=options) as run:
+        assert run.wait(30.0)
+        frame = run.take_frame()
+
+    assert frame is not None
+    moved = [
+        np.abs(x - body.tissue.rest_position).max()
+        for x, body in zip(frame.positions, scene.bodies, strict=True)
+    ]
+    assert moved[0] < 1e-6 and moved[1] > 1e-4
+    assert len(frame.substeps) == 2 and min(frame.substeps) >= 1
+
+
+def test_the_top_of_each_body_is_its_own(scene):
+    tops = [find_top(scene, body).point for body in (0, 1)]
+
+    assert np.allclose(tops[1] - tops[0], ASIDE, atol=1e-9)
+
+
+def test_a_record_names_the_arithmetic_of_one_body_and_refuses_several(scene):
+    with pytest.raises(
+        ValueError, match=r"scene\.bodies: got 2, expected 1, as the scene of a rec"
+    ):
+        describe_arithmetic(scene)
+    one = palpate.build_scene(
+        palpate.Scene(bodies=[make_body()], instruments=list(scene.instruments))
+    )
+    with pytest.raises(ValueError, match=r"scene\.instruments: got 2, expected 1, as the scene of"):
+        describe_arithmetic(one)

@@ -6,6 +6,7 @@ from __future__ import annotations
 import copy
 from dataclasses import replace
 
+import numpy as np
 import palpate
 import pytest
 from palpate.runs.alarms import CAUSES, OPTIONS, tell_alarm
@@ -175,3 +176,81 @@ def test_a_sound_scene_that_was_strained_too_far_is_blamed_for_nothing():
 def test_every_cause_has_been_driven_to_its_alarm_here():
     tissue = {"stiffness", "bend", "home", "modulus", "damping", "drag"}
     assert set(CAUSES) == tissue | {"pressure", "eq10", "finer"} | {hard.name for hard in HARD}
+
+
+def make_pair(first: palpate.Scene, second: palpate.Scene) -> palpate.Scene:
+    """The bodies of two scenes, 20 cm apart, each with the instrument it had."""
+    pair = []
+    for k, scene in enumerate((first, second)):
+        (body,) = scene.bodies
+        tissue = copy.copy(body.tissue)
+        np.asarray(tissue.rest_position)[:] += 0.2 * k
+        steps = {name: getattr(body, name) for name in ("substeps", "substeps_max")}
+        pair.append(palpate.SoftBody(tissue=tissue, **steps))
+    return palpate.build_scene(
+        palpate.Scene(bodies=pair, instruments=[*first.instruments, *second.instruments])
+    )
+
+
+def press_both(scene: palpate.Scene) -> palpate.World:
+    """The world after both hands pressed 4 mm into the top of their bodies, or an alarm."""
+    devices, script = [], PressScript(4e-3, 4e-3)
+    for k, instrument in enumerate(scene.instruments):
+        frames, times = write_script(find_top(scene, k), instrument.tool.radius, script)
+        devices.append(palpate.ScriptedDevice(frames))
+    world, dt = palpate.World(scene), 1.0 / scene.rate
+    for tick in range(round(times.end * scene.rate)):
+        palpate.tick(scene, [device.read(tick * dt) for device in devices], dt, world)
+        if world.alarm:
+            break
+    return world
+
+
+SHAKEN = [
+    ("model.stiffness", 1e6, "stiffness"),
+    ("model.pressure", 1e5, "pressure"),
+    ("tool.stiffness", 3e10, "contact"),
+]
+
+
+@pytest.mark.parametrize("which", [0, 1])
+@pytest.mark.parametrize(("key", "value", "cause"), SHAKEN)
+def test_of_several_bodies_the_one_that_blew_up_is_examined_and_named(which, key, value, cause):
+    sound = compile_scene(SOUND, MESH)
+    shaken = push(SOUND, key, value)
+    wrong = keep_substeps(shaken, compile_scene(replace(SOUND, tool=shaken.tool), MESH))
+    scene = make_pair(*((wrong, sound) if which == 0 else (sound, wrong)))
+
+    world = press_both(scene)
+
+    assert world.alarm_body == which
+    found = find_cause(scene, world.alarm, world.alarm_body)
+    assert found is not None and (found.name, found.body) == (cause, which)
+    if not key.startswith("tool."):  # what a hand holds may touch any of them
+        assert find_cause(scene, world.alarm, 1 - which) is None
+    told = tell_alarm(world.alarm, scene, world.alarm_body)
+    assert told.startswith(f"body {which + 1} (bodies[{which}] of 2): ")
+    assert OPTIONS[key] in told
+
+
+def test_where_the_body_is_not_known_each_is_examined_and_only_one_with_a_cause_is_named():
+    sound = compile_scene(SOUND, MESH)
+    wrong = keep_substeps(push(SOUND, "model.stiffness", 1e6), sound)
+    scene = make_pair(sound, wrong)
+    alarm = press_both(scene).alarm
+
+    found = find_cause(scene, alarm)
+
+    assert found is not None and (found.name, found.body) == ("stiffness", 1)
+    assert tell_alarm(alarm, scene).startswith("body 2 (bodies[1] of 2): ")
+    alarm = copy.copy(alarm)
+    alarm.kind = palpate.AlarmKind.overstretched
+    assert not tell_alarm(alarm, make_pair(sound, sound)).startswith("body")
+
+
+def test_a_body_that_a_scene_has_not_is_refused():
+    scene = compile_scene(SOUND, MESH)
+    alarm = press(compile_scene(push(SOUND, "tool.stiffness", 3e10), MESH))
+
+    with pytest.raises(ValueError, match="body: got 1, expected 0"):
+        find_cause(scene, alarm, 1)

@@ -60,14 +60,14 @@ def test_a_run_is_followed_by_frames_that_get_newer_and_belong_to_the_caller():
         while run.running:
             frame = run.take_frame()
             if frame is not None:
-                frames.append((frame, frame.position.copy()))
+                frames.append((frame, frame.positions[0].copy()))
             run.wait(0.004)
     report = run.finish()
 
     ticks = [frame.tick for frame, _ in frames]
     assert ticks == sorted(set(ticks))
     assert len(frames) > 3
-    assert all(np.array_equal(frame.position, copy) for frame, copy in frames)
+    assert all(np.array_equal(frame.positions[0], copy) for frame, copy in frames)
     assert any(frame.touching and np.linalg.norm(frame.force) > 0.0 for frame, _ in frames)
     assert report.ticks + report.missed_ticks == 400
 

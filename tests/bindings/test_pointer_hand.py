@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import palpate
 import pytest
-from palpate.viewport import Grip, make_view
+from palpate.viewport import Grip, PointerHand, make_view
 from pointers import Bench
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
@@ -247,3 +247,12 @@ def test_the_view_says_what_buttons_and_wheel_do_now(view, bench):
     assert said()["Let go"] == "release the tissue"
     view.hint.say(None)
     assert not view.hint.isVisible()
+
+
+def test_a_scene_of_several_bodies_is_refused_not_felt_in_part(bench):
+    tissue = bench.scene.bodies[0].tissue
+    bodies = [palpate.SoftBody(tissue=tissue), palpate.SoftBody(tissue=tissue)]
+    two = palpate.build_scene(palpate.Scene(bodies=bodies))
+
+    with pytest.raises(ValueError, match="bodies: got 2, expected 1, as the scene of a window has"):
+        PointerHand(bench.view, bench.device, two)

@@ -177,7 +177,7 @@ class TraineeWindow(QWidget):
 
     def _show(self, frame: Frame) -> None:
         self._time = frame.time
-        self.view.move_surface(frame.position)
+        self.view.move_surface(frame.positions[0])
         self.view.show_tool(frame.tool_position, self.scene.instruments[0].tool.radius)
         self.view.force_scale = ARROW * self.view.scenery.radius / self.over.force.range
         self.view.show_force(frame.tool_position, frame.force)

@@ -244,8 +244,15 @@ def list_values(cause: Cause | None, unit: float, write: Write) -> tuple[str, ..
     return write(cause.found / unit), write(cause.limit / unit)
 
 
-def tell_alarm(alarm: Alarm, scene: Scene | None) -> str:
-    """What happened and what to do about it, in English and with the options of commands."""
-    cause = find_cause(scene, alarm) if scene is not None else None
+def tell_alarm(alarm: Alarm, scene: Scene | None, body: int = -1) -> str:
+    """What happened and what to do about it, in English and with the options of commands. `body`
+    is World.alarm_body, -1 where it is not known.
+    """
+    cause = find_cause(scene, alarm, body) if scene is not None else None
     advice = advise_design(alarm, cause, lambda _, text: text, OPTIONS.__getitem__)
-    return f"{describe_alarm(alarm)}. {advice}"
+    told = f"{describe_alarm(alarm)}. {advice}"
+    if cause is not None:
+        body = cause.body
+    if scene is None or len(scene.bodies) == 1 or body < 0:
+        return told
+    return f"body {body + 1} (bodies[{body}] of {len(scene.bodies)}): {told}"

@@ -12,7 +12,7 @@ from __future__ import annotations
 import copy
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -45,19 +45,50 @@ class Cause:
     """Substeps that it needs, or the constant as it is."""
     limit: float = 0.0
     """Substeps that there are, or a value of the constant that passed."""
+    body: int = 0
+    """Of the scene, whose it is or that the tool with this constant touched."""
 
 
-def find_cause(scene: palpate.Scene, alarm: palpate.Alarm) -> Cause | None:
+def find_cause(scene: palpate.Scene, alarm: palpate.Alarm, body: int = -1) -> Cause | None:
     """The first that alone explains the alarm, from the tissue at rest to the tool; None where the
-    scene does not tell. Takes some seconds of ticks at most.
+    scene does not tell. `body` is World.alarm_body, -1 where it is not known: then each is examined
+    until one has a cause. Takes some seconds of ticks a body and instrument at most. Raises
+    ValueError for a body that the scene has not.
     """
-    if alarm.kind in NEVER_ASKED or scene.bodies[0].response is not None:
+    count = len(scene.bodies)
+    if not -1 <= body < count:
+        raise ValueError(f"body: got {body}, expected {f'0 to {count - 1}' if count > 1 else 0}")
+    if alarm.kind in NEVER_ASKED:
         return None
-    return (
-        find_unstable_part(scene)
-        or find_restless_part(scene)
-        or (find_hard_part(scene) if alarm.kind in BLOWN else None)
+    examined = range(count) if body < 0 else [body]
+    causes = (examine_body(scene, alarm.kind, each) for each in examined)
+    return next((cause for cause in causes if cause is not None), None)
+
+
+def examine_body(scene: palpate.Scene, kind: AlarmKind, body: int) -> Cause | None:
+    """What explains an alarm of a body, with the scene's instruments one after the other."""
+    if scene.bodies[body].response is not None:
+        return None
+    alone = take_out(scene, body, 0)
+    cause = find_unstable_part(alone) or find_restless_part(alone)
+    if cause is None and kind in BLOWN:
+        tools = range(len(scene.instruments))
+        causes = (find_hard_part(take_out(scene, body, tool)) for tool in tools)
+        cause = next((found for found in causes if found is not None), None)
+    return None if cause is None else replace(cause, body=body)
+
+
+def take_out(scene: palpate.Scene, body: int, instrument: int) -> palpate.Scene:
+    """A body with an instrument, and nothing else: bodies do not act on each other."""
+    if len(scene.bodies) == len(scene.instruments) == 1:
+        return scene
+    alone = palpate.build_scene(
+        palpate.Scene(bodies=[scene.bodies[body]], gravity=scene.gravity, rate=scene.rate)
     )
+    tool = scene.instruments[instrument]
+    # after the build, which refuses constants that a program may have set since
+    fields = {name: getattr(tool, name) for name in ("tool", "coupling", "hold_stiffness")}
+    return change_instrument(alone, **fields)
 
 
 # ---------------------------------------------------------------- substeps of the tissue at rest

@@ -33,8 +33,8 @@ class Frame:
     tick: int
     time: float
     """[s] of the run, in which a pause takes none."""
-    position: NDArray[np.float64]
-    """[m] (n, 3) of the tissue."""
+    positions: tuple[NDArray[np.float64], ...]
+    """[m] (n, 3) of each body's tissue."""
     tool_position: NDArray[np.float64]
     """[m] (3,)"""
     force: NDArray[np.float64]
@@ -46,7 +46,8 @@ class Frame:
     """[s] of the last tick."""
     lateness: float
     """[s] of the last tick."""
-    substeps: int
+    substeps: tuple[int, ...]
+    """Of each body, in the last tick."""
     missed_ticks: int
     """Since the start."""
     sample: palpate.HapticSample
@@ -135,14 +136,14 @@ class LiveRun:
         return Frame(
             now.tick,
             now.time,
-            now.bodies[0].position,
+            tuple(body.position for body in now.bodies),
             np.array(now.tool_position),
             np.array(now.force),
             now.touching,
             now.motors,
             now.cost,
             now.lateness,
-            now.bodies[0].substeps,
+            tuple(body.substeps for body in now.bodies),
             now.missed_ticks,
             now.sample,
         )

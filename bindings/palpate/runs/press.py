@@ -57,27 +57,32 @@ class PressTimes:
     end: float
 
 
-def find_top(scene: palpate.Scene) -> Place:
-    """Where a ray from above meets the surface over its centroid, or its highest vertex."""
-    x = palpate.compute_surface(scene.bodies[0].tissue, scene.bodies[0].tissue.rest_position)
-    triangles = np.asarray(scene.bodies[0].tissue.triangles)
+def find_top(scene: palpate.Scene, body: int = 0) -> Place:
+    """Where a ray from above meets a body's surface over its centroid, or its highest vertex."""
+    x, triangles = take_surface(scene, body)
     middle = x[triangles].mean(axis=(0, 1))
     above = np.array([middle[0], middle[1], x[:, 2].max() + 0.01])
     tree = palpate.AabbTree(x, triangles)
     hit = palpate.find_ray_hit(tree, x, above, np.array([0.0, 0.0, -1.0]))
     start = np.asarray(hit.point) if hit is not None else x[x[:, 2].argmax()]
-    return find_place(scene, start)
+    return find_place(scene, start, body)
 
 
-def find_place(scene: palpate.Scene, near: np.ndarray) -> Place:
-    """The surface point closest to `near` [m] and the smooth outward normal there."""
-    x = palpate.compute_surface(scene.bodies[0].tissue, scene.bodies[0].tissue.rest_position)
-    triangles = np.asarray(scene.bodies[0].tissue.triangles)
+def find_place(scene: palpate.Scene, near: np.ndarray, body: int = 0) -> Place:
+    """The surface point of a body closest to `near` [m] and the smooth outward normal there."""
+    x, triangles = take_surface(scene, body)
     tree = palpate.AabbTree(x, triangles)
     found = palpate.find_closest_point(tree, x, np.asarray(near, dtype=float))
     normals = np.asarray(palpate.compute_vertex_normals(x, triangles))
     outward = np.asarray(found.weights) @ normals[triangles[found.triangle]]
     return Place(np.array(found.point), outward / np.linalg.norm(outward))
+
+
+def take_surface(scene: palpate.Scene, body: int) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices at rest [m] (n, 3) and triangles (t, 3) of a body's surface."""
+    tissue = scene.bodies[body].tissue
+    x = palpate.compute_surface(tissue, tissue.rest_position)
+    return np.asarray(x), np.asarray(tissue.triangles)
 
 
 def write_script(

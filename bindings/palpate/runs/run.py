@@ -21,6 +21,7 @@ from palpate.runs.felt import read_force, read_rendered
 from palpate.runs.live import LiveRun, find_longest
 from palpate.runs.press import Place, PressScript, PressTimes, measure_press, write_script
 from palpate.scene.scene_file import hash_file, open_scene
+from palpate.scene.single import require_single
 
 PUBLISHED, WORKING = ".palpate", ".organ"
 GRACE = 20.0
@@ -49,15 +50,17 @@ def describe_build(
 
 
 def describe_arithmetic(scene: palpate.Scene) -> dict[str, str]:
-    """What decides how a scene's ticks round here: program, kernel and vector target."""
-    targets = palpate.simd_targets() if scene.bodies[0].kernel == palpate.Kernel.packed else []
-    unpacked = scene.bodies[0].kernel == palpate.Kernel.packed and not targets
+    """What decides how a scene's ticks round here: program, kernel and vector target. Raises
+    ValueError for a scene of several bodies, which no file holds.
+    """
+    require_single(scene, "the scene of a record")
+    (body,) = scene.bodies
+    targets = palpate.simd_targets() if body.kernel == palpate.Kernel.packed else []
+    unpacked = body.kernel == palpate.Kernel.packed and not targets
     return {
         "palpate": version("palpate"),
-        "kernel": (palpate.Kernel.reference if unpacked else scene.bodies[0].kernel).name,
-        "vector_target": (scene.bodies[0].simd_target or targets[0])
-        if targets
-        else platform.machine(),
+        "kernel": (palpate.Kernel.reference if unpacked else body.kernel).name,
+        "vector_target": (body.simd_target or targets[0]) if targets else platform.machine(),
     }
 
 

@@ -85,7 +85,7 @@ class Probe:
         if alarm.kind != palpate.AlarmKind.none:
             raise RuntimeError(
                 f"the press was stopped {1e3 * self.hand:.2f} mm deep: "
-                f"{tell_alarm(alarm, self.scene)}"
+                f"{tell_alarm(alarm, self.scene, self.world.alarm_body)}"
             )
 
     def go(self, depth: float) -> None:

@@ -12,6 +12,7 @@ from PySide6.QtGui import QInputEvent, QKeyEvent, QMouseEvent, QWheelEvent
 
 import palpate
 from palpate.runs.press import find_top
+from palpate.scene.single import require_single
 from palpate.viewport.hint_line import say_holding, say_hovering, say_pressing
 from palpate.viewport.navigation import meet_plane
 from palpate.viewport.view_base import ViewBase
@@ -53,10 +54,10 @@ class PointerHand(QObject):
     def __init__(self, view: ViewBase, device: palpate.SurfacePointer, scene: palpate.Scene):
         super().__init__(view)  # type: ignore[arg-type]  # the mixin of a QWidget
         self._view, self._device = view, device
-        self._x = palpate.compute_surface(
-            scene.bodies[0].tissue, scene.bodies[0].tissue.rest_position
-        )
-        self._triangles = np.array(scene.bodies[0].tissue.triangles)
+        require_single(scene, "the scene of a window")
+        (body,) = scene.bodies
+        self._x = palpate.compute_surface(body.tissue, body.tissue.rest_position)
+        self._triangles = np.array(body.tissue.triangles)
         self._tree = palpate.AabbTree(self._x, self._triangles)
         self._radius = scene.instruments[0].tool.radius
         reach = palpate.compute_diagonal(self._x) / 2

@@ -130,7 +130,7 @@ def test_fixed_vertices_do_not_move_while_others_do(panel, qtbot):
     moved = np.zeros(len(x))
 
     def look(frame):
-        np.maximum(moved, np.linalg.norm(frame.position - x, axis=1), out=moved)
+        np.maximum(moved, np.linalg.norm(frame.positions[0] - x, axis=1), out=moved)
 
     with qtbot.waitSignal(panel.runner.ended, timeout=LONG):
         panel.press()

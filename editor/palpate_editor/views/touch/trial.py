@@ -108,7 +108,7 @@ class Trial(QObject):
             self.ended.emit(self.finish())
 
     def _show(self, frame: Frame) -> None:
-        position = np.asarray(frame.position)
+        position = np.asarray(frame.positions[0])
         moved = np.linalg.norm(position - self._rest, axis=1)
         self._top = max(self._top, round_up(float(moved.max(initial=0.0))))
         self.view.move_surface(position)
