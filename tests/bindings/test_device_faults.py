@@ -271,3 +271,34 @@ def test_the_program_ends_with_1_where_the_motors_never_come_on(organ, tmp_path,
     monkeypatch.setattr(Play, "build_device", build_stopped)
 
     assert main(["play", str(organ), *words, "--record", str(tmp_path / "a.prec")]) == 1
+
+
+@pytest.mark.parametrize("stop", [signal.SIGINT, signal.SIGTERM])
+def test_a_run_without_an_end_lasts_until_its_user_ends_it_and_says_so_first(stop, organ, tmp_path):
+    record, said = tmp_path / "endless.prec", []
+
+    def stop_once_on(child: subprocess.Popen, port: EmulatedPort) -> None:
+        said.append(child.stderr.readline())
+        assert port.came_on.wait(60)
+        time.sleep(0.5)
+        child.send_signal(stop)
+
+    happens = {"frames": press_late(), "scene": open_scene(organ)}
+    code, out, err = play(organ, record, "--json", during=stop_once_on, **happens)
+
+    assert code == 0, err
+    assert said[-1].startswith("runs until Ctrl+C or the device ends it, 2.3 h at most")
+    report, rows = json.loads(out), palpate.read_record(record)
+    assert report["outcome"] == "done"
+    assert rows.complete and report["ticks"] == len(rows.hand) > 0
+
+
+def test_a_run_without_an_end_is_not_given_up_as_stuck(organ, tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr("palpate.runs.run.GRACE", 0.0)
+    with EmulatedPort(frames=press_now(), scene=open_scene(organ), cut_after=0.3) as port:
+        words = ["--headless", "--device", f"serial:{port.path}", "--json"]
+        code = main(["play", str(organ), *words, "--record", str(tmp_path / "cut.prec")])
+
+    out, err = capsys.readouterr()
+    assert code == 1, err
+    assert json.loads(out)["outcome"] == DEVICE_FAULT

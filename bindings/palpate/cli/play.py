@@ -4,12 +4,15 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from pathlib import Path
 
+import palpate
 from palpate.command.output import add_output
 from palpate.command.verb import Report, Verb, WrongCall, quantity
 from palpate.device.names import HANDS, POINTER, find_port, split_hand
 from palpate.files.file_kind import RECORD
+from palpate.runs.live import find_longest
 from palpate.runs.play import DEVICE_FAULT, open_play, play_headless
 from palpate.runs.run import PUBLISHED
 from palpate.system.display import require_display
@@ -28,7 +31,9 @@ def add_play(word: argparse.ArgumentParser) -> None:
         help=f"{HANDS}: the mouse, a script such as `palpate press --script` writes, either hand "
         "on the simulated arm with the real firmware, or a real device",
     )
-    word.add_argument("--headless", action="store_true", help="no window; needs a script")
+    word.add_argument(
+        "--headless", action="store_true", help="no window; needs a script or a real device"
+    )
     add_output(
         word,
         "--record",
@@ -37,7 +42,9 @@ def add_play(word: argparse.ArgumentParser) -> None:
         "user's data folder (the window names it and opens it)",
     )
     word.add_argument(
-        "--duration", type=quantity("s"), help="of a run; default: of the script, or no end"
+        "--duration",
+        type=quantity("s"),
+        help="of a run; default: of the script, or until Ctrl+C or the device ends it",
     )
     word.add_argument(
         "--language",
@@ -52,10 +59,12 @@ def run_play(call: argparse.Namespace) -> Report:
         raise WrongCall(f"--duration: got {call.duration:g} s, expected more than 0")
     arm, script = split_hand(call.device)
     if call.headless and not script and not find_port(arm):
-        raise WrongCall("--headless has no mouse: give --device script:FILE")
+        raise WrongCall("--headless has no mouse: give --device script:FILE or serial:PORT")
     play = open_play(call.file, call.device, call.record, call.duration)
     play.language = call.language or ""
     if call.headless:
+        if not play.duration:
+            print(say_endless(play.scenario.scene), file=sys.stderr, flush=True)
         return play_headless(play)
     try:
         from palpate.player import play_in_window
@@ -63,6 +72,11 @@ def run_play(call: argparse.Namespace) -> Report:
         raise RuntimeError(f"the window needs PySide6 ({problem}): {EXTRA}") from None
     require_display("--headless plays a script without one")
     return play_in_window(play, language=call.language, theme=call.theme)
+
+
+def say_endless(scene: palpate.Scene) -> str:
+    hours = find_longest(scene) / 3600
+    return f"runs until Ctrl+C or the device ends it, {hours:.1f} h at most, which a record holds"
 
 
 def describe_play_report(report: Report) -> str:

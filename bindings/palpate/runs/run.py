@@ -20,12 +20,15 @@ from palpate.runs.alarms import tell_alarm
 from palpate.runs.felt import read_force, read_rendered
 from palpate.runs.live import LiveRun, find_longest
 from palpate.runs.press import Place, PressScript, PressTimes, measure_press, write_script
+from palpate.runs.stop_request import hear_stop
 from palpate.scene.scene_file import hash_file, open_scene
 from palpate.scene.single import require_single
 
 PUBLISHED, WORKING = ".palpate", ".organ"
 GRACE = 20.0
 """[s] A live run may take this much longer than its script before it is given up as stuck."""
+PIECE = 0.1
+"""[s] between two checks whether a run without an end shall stop."""
 
 
 @dataclass(frozen=True)
@@ -90,7 +93,8 @@ def run_device(
     scene_path: Path,
     safety: palpate.SafetyLimits | None = None,
 ) -> palpate.LoopReport:
-    """Runs a device for a time [s] through the live 1 kHz loop and its recorder.
+    """Runs a device for a time [s] through the live 1 kHz loop and its recorder; for 0 until
+    Ctrl+C, a termination signal or the end of what a record holds.
 
     A device that fails ends the run, and the report says so. Raises RuntimeError where the loop did
     not end or the tissue raised an alarm, WrongCall for a time that no record holds.
@@ -102,8 +106,15 @@ def run_device(
         safety=safety or palpate.SafetyLimits(),
         on_fault=palpate.FaultResponse.end,
     )
-    with LiveRun(scene, device, record=record_path, header=header, options=options) as run:
-        ended = run.wait(duration + GRACE)
+    run = LiveRun(scene, device, record=record_path, header=header, options=options)
+    if duration > 0.0:
+        with run:
+            ended = run.wait(duration + GRACE)
+    else:
+        with hear_stop() as stopped, run:
+            while not (stopped.is_set() or run.wait(PIECE)):
+                pass
+        ended = True
     costs = run.finish()
     if not ended:
         raise RuntimeError(f"the loop did not end within {duration + GRACE:.0f} s")
