@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 from palpate.scene.mesh_file import read_mesh_file
-from palpate.scene.scene_parts import LookPart
+from palpate.scene.scene_parts import AppearancePart
 
 HERE = Path(__file__).parent
 PUBLISHED = HERE / "published"
@@ -53,7 +53,7 @@ class Tissue:
     model: dict[str, Any]
     """Fields of a scene's model, SI."""
     published: tuple[Published, ...]
-    look: LookPart
+    appearance: AppearancePart
 
 
 @dataclass(frozen=True)
@@ -132,7 +132,7 @@ def read_tissues() -> dict[str, Tissue]:
             material=table["material"],
             model=table["model"],
             published=tuple(Published(**row) for row in table["published"]),
-            look=LookPart(**freeze(table["look"])),
+            appearance=AppearancePart(**freeze(table["appearance"])),
         )
         for name, table in tables.items()
     }

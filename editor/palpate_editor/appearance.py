@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cache
 
-from palpate.scene.scene_parts import LookPart
+from palpate.scene.scene_parts import AppearancePart
 from palpate_meshes.catalogue import read_tissues
 
 Colour = tuple[float, ...]
@@ -21,16 +21,16 @@ USUAL = "soft_patch"
 SHORTEST = 5
 """[letters] A word so long is found inside others too, as liver is in OpenHELPliver."""
 COLOURS = ("colour", "pattern_colour", "vein_colour")
-"""Fields of a look that another colour shifts."""
+"""Fields of an appearance that another colour shifts."""
 
 
 @dataclass(frozen=True)
 class Style:
-    """A look that ships."""
+    """An appearance that ships."""
 
     name: str
     title: str
-    look: LookPart
+    appearance: AppearancePart
     names: tuple[str, ...]
     """Folded words of what looks like it."""
 
@@ -39,37 +39,44 @@ class Style:
 def read_styles() -> dict[str, Style]:
     """Every style by its name, in the order of meshes/tissues.toml."""
     return {
-        tissue.name: Style(tissue.name, tissue.title, tissue.look, tuple(map(fold, tissue.names)))
+        tissue.name: Style(
+            tissue.name, tissue.title, tissue.appearance, tuple(map(fold, tissue.names))
+        )
         for tissue in read_tissues().values()
     }
 
 
-def make_look(style: str, colour: Colour | None = None) -> LookPart:
-    """The look of a style, in another colour where one is given. Raises KeyError for another
+def make_appearance(style: str, colour: Colour | None = None) -> AppearancePart:
+    """The appearance of a style, in another colour where one is given. Raises KeyError for another
     style."""
-    look = read_styles()[style].look
-    return look if colour is None else recolour(look, colour)
+    appearance = read_styles()[style].appearance
+    return appearance if colour is None else recolour(appearance, colour)
 
 
-def recolour(look: LookPart, colour: Colour) -> LookPart:
-    """The look in another colour; spots and vessels stand out from it as they did before."""
+def recolour(appearance: AppearancePart, colour: Colour) -> AppearancePart:
+    """The appearance in another colour; spots and vessels stand out from it as they did before."""
     shifted = {
         name: tuple(
             min(1.0, max(0.0, new + own - old))
-            for own, old, new in zip(getattr(look, name), look.colour, colour, strict=True)
+            for own, old, new in zip(
+                getattr(appearance, name), appearance.colour, colour, strict=True
+            )
         )
         for name in COLOURS
     }
-    return replace(look, **shifted)
+    return replace(appearance, **shifted)
 
 
-def find_style(look: LookPart | None) -> Style | None:
-    """The style that a look is of, whatever its colour; None for plain tissue and for
-    looks of no style."""
-    if look is None:
+def find_style(appearance: AppearancePart | None) -> Style | None:
+    """The style that an appearance is of, whatever its colour; None for plain tissue and for
+    appearances of no style."""
+    if appearance is None:
         return None
     for style in read_styles().values():
-        if replace(look, **{name: getattr(style.look, name) for name in COLOURS}) == style.look:
+        if (
+            replace(appearance, **{name: getattr(style.appearance, name) for name in COLOURS})
+            == style.appearance
+        ):
             return style
     return None
 
@@ -99,14 +106,14 @@ def find_named_style(name: str) -> str | None:
     return best
 
 
-def choose_look(name: str, parts: Iterable[str] = ()) -> LookPart:
-    """The look that fits an organ by its name or, where that tells nothing, by those of most of
-    its parts."""
+def choose_appearance(name: str, parts: Iterable[str] = ()) -> AppearancePart:
+    """The appearance that fits an organ by its name or, where that tells nothing, by those of most
+    of its parts."""
     style = find_named_style(name)
     if style is None:
         told = Counter(found for part in parts if (found := find_named_style(part)) is not None)
         style = told.most_common(1)[0][0] if told else USUAL
-    return read_styles()[style].look
+    return read_styles()[style].appearance
 
 
 def write_colour(colour: Colour) -> str:

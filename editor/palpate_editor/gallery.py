@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import palpate
-from palpate.render import Camera, Look, build_look, draw_picture
+from palpate.render import Appearance, Camera, build_appearance, draw_picture
 from palpate.render.overlay import Overlay
 from palpate.render.studio import Shot, Thing, take_picture
 from palpate.render.theme import THEMES
@@ -54,7 +54,7 @@ def draw_organ(
         size=size,
         theme=theme,
         wireframe=False,
-        look=build_look(tissue.look),
+        appearance=build_appearance(tissue.appearance),
         title=f"{entry.title}, {entry.vertices} / {entry.triangles}" if named else "",
     )
 
@@ -80,7 +80,9 @@ def draw_tool(tool: Tool, size: tuple[int, int] = TILE, theme: str = "light") ->
     for name, (vertices, triangles) in parts.items():
         # lying on the table, tip to the left
         x = vertices @ np.array([[0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 0.0, 0.0]])
-        things.append(crease(x, triangles, Look(tool.colours[name], gloss=0.9, softness=0.0)))
+        things.append(
+            crease(x, triangles, Appearance(tool.colours[name], gloss=0.9, subsurface=0.0))
+        )
         front.append(x[x[:, 0] < SHAFT_SHOWN.get(tool.name, np.inf)])
     shown = np.concatenate(front)
     overlay = Overlay(size, THEMES[theme])
@@ -90,7 +92,7 @@ def draw_tool(tool: Tool, size: tuple[int, int] = TILE, theme: str = "light") ->
     return overlay.blend(take_picture(things, Shot(camera, size, 2, THEMES[theme], None, floor)))
 
 
-def crease(vertices: np.ndarray, triangles: np.ndarray, look: Look) -> Thing:
+def crease(vertices: np.ndarray, triangles: np.ndarray, appearance: Appearance) -> Thing:
     """A surface whose edges stay sharp: each corner has the normal of what is smooth with it."""
     x = vertices[triangles].reshape(-1, 3)
     alone = np.arange(len(x), dtype=np.int32).reshape(-1, 3)
@@ -101,7 +103,7 @@ def crease(vertices: np.ndarray, triangles: np.ndarray, look: Look) -> Thing:
         here = np.flatnonzero(corners == vertex)
         smooth = flat[here] @ flat[here].T > CREASE
         normals[here] = smooth @ flat[here]
-    return Thing(x, normals / np.linalg.norm(normals, axis=1)[:, None], alone, look)
+    return Thing(x, normals / np.linalg.norm(normals, axis=1)[:, None], alone, appearance)
 
 
 def list_thumbnails() -> list[str]:

@@ -75,7 +75,7 @@ def make_organ(name: str, vertices: int | None = None) -> Organ:
         material=MaterialPart(**tissue.material),
         model=ModelPart(**tissue.model),
         tool=replace(organ.tool, radius=entry.tip_radius),
-        look=tissue.look,
+        appearance=tissue.appearance,
         title=entry.title,
         task=entry.task,
         languages={code: Translation(**words) for code, words in entry.languages.items()},

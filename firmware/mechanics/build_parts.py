@@ -181,7 +181,7 @@ BRASS = (0.80, 0.65, 0.30)
 
 def draw_device(solids: dict[str, Solid], path: Path, size: tuple[int, int] = (1200, 900)) -> None:
     """The whole device at its home pose, by palpate's own renderer."""
-    from palpate.render import Camera, Look, write_png
+    from palpate.render import Appearance, Camera, write_png
     from palpate.render.studio import Shot, Thing, take_picture
     from palpate.render.theme import THEMES
 
@@ -191,9 +191,9 @@ def draw_device(solids: dict[str, Solid], path: Path, size: tuple[int, int] = (1
         normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-30)
         soup = corners.reshape(-1, 3)
-        look = Look(COLOURS.get(place, BRASS), gloss=0.25, softness=0.0)
+        appearance = Appearance(COLOURS.get(place, BRASS), gloss=0.25, subsurface=0.0)
         faces = np.arange(len(soup), dtype=np.int32).reshape(-1, 3)
-        things.append(Thing(soup, np.repeat(normals, 3, axis=0), faces, look))
+        things.append(Thing(soup, np.repeat(normals, 3, axis=0), faces, appearance))
     camera = Camera(azimuth=np.radians(-58), elevation=np.radians(18))
     points = np.concatenate([thing.vertices for thing in things])
     camera.fit(points, size, (60, 50, size[0] - 60, size[1] - 50))

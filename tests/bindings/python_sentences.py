@@ -30,7 +30,7 @@ PROGRAMS = (
 PLACED = ("Refusal", "EditRefusal", "FileError", "NotDurable", "BadValue")
 """Take file, where, found and expected."""
 PLAIN = ("ValueError", "RuntimeError", "OSError", "WrongCall")
-TOLD = ("find_look_fault",)
+TOLD = ("find_appearance_fault",)
 """Functions that give where, found and expected."""
 REASONS = ("unit_reason", "up_reason")
 """Arguments that say why a unit or an axis was chosen."""

@@ -9,28 +9,28 @@ from dataclasses import asdict, replace
 import numpy as np
 import pytest
 from palpate.render import (
+    Appearance,
     Camera,
-    Look,
     Pattern,
     Renderer,
-    build_look,
+    build_appearance,
     draw_picture,
     open_context,
 )
-from palpate.render.authored_look import find_look
-from palpate.scene.scene_parts import LookPart
+from palpate.render.authored_appearance import find_appearance
+from palpate.scene.scene_parts import AppearancePart
 from round_surfaces import ball
 
 pytestmark = pytest.mark.usefixtures("little_sky")
 
 SIZE = (240, 200)
-PLAIN = Look(colour=(0.5, 0.2, 0.2))
-SPOTTED = Look(colour=(0.5, 0.2, 0.2), pattern=Pattern((0.9, 0.8, 0.7), 0.004, strength=0.9))
+PLAIN = Appearance(colour=(0.5, 0.2, 0.2))
+SPOTTED = Appearance(colour=(0.5, 0.2, 0.2), pattern=Pattern((0.9, 0.8, 0.7), 0.004, strength=0.9))
 
 
-def picture(look, **more):
+def picture(appearance, **more):
     options = {"size": SIZE, "supersample": 1, "wireframe": False, **more}
-    return draw_picture(*ball(), look=look, **options).astype(int)
+    return draw_picture(*ball(), appearance=appearance, **options).astype(int)
 
 
 def middle(pixels):
@@ -45,7 +45,9 @@ def test_a_pattern_brings_spots_of_its_colour():
 
 
 def test_a_pattern_without_strength_changes_nothing():
-    faint = Look(colour=(0.5, 0.2, 0.2), pattern=Pattern((0.9, 0.8, 0.7), 0.004, strength=0.0))
+    faint = Appearance(
+        colour=(0.5, 0.2, 0.2), pattern=Pattern((0.9, 0.8, 0.7), 0.004, strength=0.0)
+    )
 
     assert np.abs(picture(faint) - picture(PLAIN)).max() <= 1
 
@@ -58,7 +60,7 @@ def test_a_colour_map_is_not_painted_over():
 
 def test_a_rough_surface_has_a_wider_and_fainter_highlight():
     wet, dry = (
-        picture(Look(colour=(0.3, 0.1, 0.1), gloss=1.0, roughness=r)).sum(axis=2)
+        picture(Appearance(colour=(0.3, 0.1, 0.1), gloss=1.0, roughness=r)).sum(axis=2)
         for r in (0.15, 0.9)
     )
 
@@ -69,7 +71,7 @@ def test_a_rough_surface_has_a_wider_and_fainter_highlight():
     assert width(wet) < width(dry)
 
 
-PART = LookPart(
+PART = AppearancePart(
     colour=(0.5, 0.2, 0.2),
     pattern_colour=(0.9, 0.8, 0.7),
     pattern_size=0.004,
@@ -79,53 +81,67 @@ PART = LookPart(
     relief=0.1,
     gloss=0.8,
     roughness=0.25,
-    softness=0.4,
+    subsurface=0.4,
 )
 
 
-def test_what_files_say_of_a_look_is_what_is_drawn():
-    look = build_look(PART)
+def test_what_files_say_of_an_appearance_is_what_is_drawn():
+    appearance = build_appearance(PART)
 
-    assert (look.colour, look.gloss, look.roughness) == (PART.colour, 0.8, 0.25)
-    assert look.pattern == Pattern(PART.pattern_colour, 0.004, 0.9, 0.1, PART.vein_colour, 0.5)
+    assert (appearance.colour, appearance.gloss, appearance.roughness) == (PART.colour, 0.8, 0.25)
+    assert appearance.pattern == Pattern(
+        PART.pattern_colour, 0.004, 0.9, 0.1, PART.vein_colour, 0.5
+    )
 
 
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        ({"colour": (0.5, 0.2)}, "look.colour: got [0.5, 0.2], expected three numbers of 0 to 1"),
-        ({"pattern_size": 0.0}, "look.pattern_size: got 0.0 m, expected a positive length"),
-        ({"roughness": 1.5}, "look.roughness: got 1.5, expected 0 to 1"),
+        (
+            {"colour": (0.5, 0.2)},
+            "appearance.colour: got [0.5, 0.2], expected three numbers of 0 to 1",
+        ),
+        ({"pattern_size": 0.0}, "appearance.pattern_size: got 0.0 m, expected a positive length"),
+        ({"roughness": 1.5}, "appearance.roughness: got 1.5, expected 0 to 1"),
     ],
 )
-def test_what_nothing_can_look_like_is_refused(change, said):
+def test_an_appearance_out_of_its_ranges_is_refused(change, said):
     with pytest.raises(ValueError) as refused:
-        build_look(replace(PART, **change))
+        build_appearance(replace(PART, **change))
 
     assert str(refused.value) == said
 
 
 class Published:
-    """As much of a published scenario as a look is found in."""
+    """As much of a published scenario as an appearance is found in."""
 
     def __init__(self, authored: str):
         self.authored = authored
 
 
-def test_a_player_finds_the_look_that_a_designer_gave():
-    document = {"format": "organ", "version": 1, "content": {"look": asdict(PART)}}
+@pytest.mark.parametrize("version", [1, 4, 5])
+def test_a_player_finds_the_appearance_that_a_designer_gave_in_any_version(version):
+    content = {"appearance": asdict(PART)}
+    if version < 5:
+        old = asdict(PART)
+        old["softness"] = old.pop("subsurface")
+        content = {"look": old}
+    document = {"format": "organ", "version": version, "content": content}
 
-    assert find_look(Published(json.dumps(document))) == build_look(PART)
+    assert find_appearance(Published(json.dumps(document))) == build_appearance(PART)
 
 
 @pytest.mark.parametrize(
     "authored",
-    ["", "{", "[]", "{}", '{"content": null}', '{"content": {"look": null}}',
-     '{"content": {"look": {"colour": 1}}}', "[" * 100000,
-     json.dumps({"content": {"look": {**asdict(PART), "gloss": 7}}})],
+    ["", "{", "[]", "{}", '{"content": null}', '{"content": {"appearance": null}}',
+     '{"version": 5, "content": {"appearance": {"colour": 1}}}', "[" * 100000,
+     '{"version": "5", "content": {"appearance": null}}',
+     '{"version": 5, "content": {"appearance": null}}', '{"version": 4, "content": {"look": 3}}',
+     json.dumps({"version": 4, "content": {"look": asdict(PART)}}),
+     json.dumps({"version": 5, "content": {"appearance": {**asdict(PART), "gloss": 7}}})],
 )  # fmt: skip
-def test_a_look_that_nobody_can_read_is_no_reason_not_to_play(authored):
-    assert find_look(Published(authored)) is None
+def test_an_appearance_that_cannot_be_read_is_no_reason_not_to_play(authored):
+    assert find_appearance(Published(authored)) is None
 
 
 def shoot(gl, part, renderer):

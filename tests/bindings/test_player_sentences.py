@@ -101,7 +101,7 @@ def test_play_in_turkish_shows_the_turkish_title_and_task_of_a_scene_that_ships(
     words = entry["languages"]["tr"]
     seen: list[str] = []
 
-    def play_and_look(*_: object) -> int:
+    def play_and_see(*_: object) -> int:
         window = next(top for top in qapp.topLevelWidgets() if isinstance(top, TraineeWindow))
         seen.extend(texts(window))
         window.restart()
@@ -109,7 +109,7 @@ def test_play_in_turkish_shows_the_turkish_title_and_task_of_a_scene_that_ships(
         window.close()
         return 0
 
-    monkeypatch.setattr(QApplication, "exec", play_and_look)
+    monkeypatch.setattr(QApplication, "exec", play_and_see)
     try:
         code = main(["play", str(SHIPPED / "published" / f"{name}.palpate"), "--language", "tr"])
     finally:

@@ -8,8 +8,8 @@ import palpate
 import pytest
 from matplotlib.image import imread
 from palpate.render import (
+    Appearance,
     Camera,
-    Look,
     Renderer,
     build_legend,
     draw_picture,
@@ -36,8 +36,8 @@ def gl():
         yield context
 
 
-def picture(**look):
-    return draw_picture(*ball(), **{**QUICK, **look}).astype(int)
+def picture(**appearance):
+    return draw_picture(*ball(), **{**QUICK, **appearance}).astype(int)
 
 
 def redness(pixels):
@@ -54,9 +54,9 @@ def shoot(gl, renderer, camera, size=SIZE):
     return data.reshape(size[1], size[0], 3)[::-1].astype(int)
 
 
-def add_ball(renderer, colour=(0.7, 0.3, 0.3), shift=(0.0, 0.0, 0.0), look=None):
+def add_ball(renderer, colour=(0.7, 0.3, 0.3), shift=(0.0, 0.0, 0.0), appearance=None):
     x, triangles = ball()
-    part = renderer.add(len(x), triangles, look or Look(colour=colour))
+    part = renderer.add(len(x), triangles, appearance or Appearance(colour=colour))
     normals = palpate.compute_vertex_normals(x, triangles)
     part.update(position=(x + shift).astype(np.float32), normal=normals.astype(np.float32))
     return part
@@ -104,10 +104,10 @@ def test_the_arrow_of_a_force_is_red_and_no_force_has_none():
 
 def test_twice_the_force_makes_an_arrow_twice_as_long():
     camera = Camera(azimuth=-np.pi / 2, elevation=0.0, distance=0.5)
-    look = {"values": np.zeros(400), "tool": TOOL, "force_scale": 0.05, "camera": camera}
+    appearance = {"values": np.zeros(400), "tool": TOOL, "force_scale": 0.05, "camera": camera}
 
-    one = picture(force=[0.0, 0.0, 0.5], **look)
-    two = picture(force=[0.0, 0.0, 1.0], **look)
+    one = picture(force=[0.0, 0.0, 0.5], **appearance)
+    two = picture(force=[0.0, 0.0, 1.0], **appearance)
 
     lengths = [np.ptp(np.flatnonzero((redness(p) > 90).any(axis=1))) for p in (one, two)]
     assert lengths[1] == pytest.approx(2 * lengths[0], rel=0.15)
@@ -164,10 +164,10 @@ def test_selection_is_orange_and_grows_with_what_is_selected():
 @pytest.mark.fine
 def test_the_inner_side_of_an_open_surface_is_shaded_and_paler_than_the_outer():
     x, triangles = bowl()
-    look = {"azimuth": -90.0, "elevation": 50.0, "wireframe": False, **QUICK}
+    appearance = {"azimuth": -90.0, "elevation": 50.0, "wireframe": False, **QUICK}
 
-    inside = draw_picture(x, triangles, **look)[70, 160].astype(int)
-    outside = draw_picture(x, triangles[:, ::-1], **look)[70, 160].astype(int)
+    inside = draw_picture(x, triangles, **appearance)[70, 160].astype(int)
+    outside = draw_picture(x, triangles[:, ::-1], **appearance)[70, 160].astype(int)
 
     # the same place in the same light, once from within and once turned inside out
     assert inside.max() > 90 and outside.max() > 90
@@ -184,14 +184,20 @@ def test_a_tool_that_is_hidden_shines_through():
 
 def test_the_same_picture_is_the_same_file(tmp_path):
     x, triangles = ball()
-    look = {"values": x[:, 2], "legend": "height [m]", "tool": TOOL, "force": [0, 0, 1], **QUICK}
+    appearance = {
+        "values": x[:, 2],
+        "legend": "height [m]",
+        "tool": TOOL,
+        "force": [0, 0, 1],
+        **QUICK,
+    }
 
     for name in ("one.png", "two.png"):
-        save_picture(tmp_path / name, x, triangles, title="ball", **look)
+        save_picture(tmp_path / name, x, triangles, title="ball", **appearance)
 
     assert (tmp_path / "one.png").read_bytes() == (tmp_path / "two.png").read_bytes()
     read = np.round(255 * imread(tmp_path / "one.png")[..., :3])
-    assert np.array_equal(read, draw_picture(x, triangles, title="ball", **look))
+    assert np.array_equal(read, draw_picture(x, triangles, title="ball", **appearance))
 
 
 def test_a_deformed_organ_is_another_picture():
@@ -229,7 +235,7 @@ def test_pictures_need_no_display(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("look", "word"),
+    ("appearance", "word"),
     [
         ({"values": [1.0]}, "values"),
         ({"values": np.full(400, np.nan)}, "values"),
@@ -244,9 +250,9 @@ def test_pictures_need_no_display(tmp_path):
         ({"tool": TOOL, "force": [0.0, 0.0, np.inf]}, "force"),
     ],
 )
-def test_a_wrong_look_is_refused_by_name(look, word):
+def test_a_wrong_appearance_is_refused_by_name(appearance, word):
     with pytest.raises(ValueError, match=word):
-        draw_picture(*ball(), **look)
+        draw_picture(*ball(), **appearance)
 
 
 @pytest.mark.parametrize(
@@ -296,7 +302,7 @@ def test_what_is_nearer_hides_what_is_farther_in_any_order(gl, order):
 
 def test_a_new_range_changes_the_colours_without_new_values(gl):
     renderer = renderer_of(gl)
-    part = add_ball(renderer, look=Look(mapped=True))
+    part = add_ball(renderer, appearance=Appearance(mapped=True))
     part.update(value=np.full(400, 1.0, np.float32))
 
     renderer.use_legend(build_legend([0.0, 1.0]))
@@ -316,7 +322,7 @@ def test_what_casts_a_shadow_darkens_what_lies_behind_it(gl):
     screen = add_ball(renderer, shift=(-0.085, -0.10, 0.115))
 
     shaded = shoot(gl, renderer, front_camera())
-    screen.look = Look(colour=screen.look.colour, casts_shadow=False)
+    screen.appearance = Appearance(colour=screen.appearance.colour, casts_shadow=False)
     lit = shoot(gl, renderer, front_camera())
 
     darker = (lit - shaded).max(axis=2)
@@ -330,7 +336,7 @@ def test_what_casts_a_shadow_darkens_what_lies_behind_it(gl):
 def test_the_bottom_of_a_bowl_sees_less_sky_than_its_outside(gl):
     x, triangles = bowl()
     renderer = renderer_of(gl)
-    part = renderer.add(len(x), triangles, Look())
+    part = renderer.add(len(x), triangles, Appearance())
     part.update(position=x.astype(np.float32))
     sky = Sky(gl, renderer.parts, np.zeros(3), RADIUS)
     bottom, up = np.array([[0.0, 0.0, -RADIUS]]), np.array([[0.0, 0.0, 1.0]])

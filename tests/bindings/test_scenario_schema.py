@@ -74,12 +74,12 @@ def test_an_organ_has_the_fields_of_its_parts(section, part, elsewhere):
     assert content[section]["properties"].keys() == {f.name for f in fields(part)} - elsewhere
 
 
-def test_a_look_has_the_fields_of_a_look_or_is_null():
-    look = validator("organ").schema["properties"]["content"]["properties"]["look"]
+def test_an_appearance_has_the_fields_of_one_or_is_null():
+    appearance = validator("organ").schema["properties"]["content"]["properties"]["appearance"]
 
-    none, some = look["oneOf"]
+    none, some = appearance["oneOf"]
     assert none == {"type": "null"}
-    assert some["properties"].keys() == {f.name for f in fields(scene_parts.LookPart)}
+    assert some["properties"].keys() == {f.name for f in fields(scene_parts.AppearancePart)}
 
 
 CHANGES = {

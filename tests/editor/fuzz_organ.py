@@ -12,7 +12,7 @@ import json
 from functools import cache
 
 import numpy as np
-from organs import LOOK, SOURCE
+from organs import APPEARANCE, SOURCE
 from palpate.error import FileError
 from palpate.scenario import Container, pack_container, unpack_container
 from palpate_editor.document import Decimation, Organ, Surface
@@ -40,7 +40,7 @@ def make_octahedron() -> Organ:
         fixed=np.arange(6) == 5,
         stiffness_scale=np.linspace(1.0, 2.0, 6),
         regions={"top": np.array([0, 4], np.int32), "dalağın ucu": np.array([3], np.int32)},
-        look=LOOK,
+        appearance=APPEARANCE,
         title="Press it",
         task="Find the hard part.",
     )

@@ -9,9 +9,9 @@ from functools import cache
 
 import numpy as np
 from palpate.scene.scene_parts import (
+    AppearancePart,
     FillPart,
     HandPart,
-    LookPart,
     MaterialPart,
     ModelPart,
     ToolPart,
@@ -36,7 +36,7 @@ SOURCE = Source(
     notes=("a colour was ignored",),
 )
 
-LOOK = LookPart(
+APPEARANCE = AppearancePart(
     colour=(0.37, 0.135, 0.2),
     pattern_colour=(0.5, 0.22, 0.27),
     pattern_size=0.003,
@@ -46,7 +46,7 @@ LOOK = LookPart(
     relief=0.09,
     gloss=0.8,
     roughness=0.3,
-    softness=1.0 / 3.0,
+    subsurface=1.0 / 3.0,
 )
 
 
@@ -89,7 +89,7 @@ def make_organ(vertices: int = 60, imported: int | None = 150) -> Organ:
         regions={"hilum": np.array([1, 4, 7]), "alt uç": np.array([], int)},
         tool=ToolPart(radius=0.012),
         hand=HandPart(coupling=900.0, gravity=(0.0, 0.0, -9.81)),
-        look=LOOK,
+        appearance=APPEARANCE,
         title="Press the spleen",
         task="Bas ve bırak.",
         languages={"en": Translation("Press the spleen", "Press and let go.")},

@@ -8,14 +8,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from organs import LOOK, SOURCE, make_organ, surface_of
+from organs import APPEARANCE, SOURCE, make_organ, surface_of
 from palpate.cli.main import main
-from palpate.render import build_look
+from palpate.render import build_appearance
 from palpate_editor.appearance import (
-    choose_look,
+    choose_appearance,
     find_named_style,
     find_style,
-    make_look,
+    make_appearance,
     read_colour,
     read_styles,
     recolour,
@@ -54,28 +54,28 @@ def test_a_name_tells_what_an_organ_looks_like(name, style):
 def test_most_parts_decide_where_the_name_tells_nothing():
     parts = ("Left_kidney", "right kidney", "liver")
 
-    assert find_style(choose_look("scan 12", parts)).name == "kidney"
-    assert find_style(choose_look("liver", parts)).name == "liver"
-    assert find_style(choose_look("scan 12", ("mesh_0",))).name == "soft_patch"
+    assert find_style(choose_appearance("scan 12", parts)).name == "kidney"
+    assert find_style(choose_appearance("liver", parts)).name == "liver"
+    assert find_style(choose_appearance("scan 12", ("mesh_0",))).name == "soft_patch"
 
 
 def test_every_style_can_be_drawn_and_is_known_again_in_any_colour():
     for style in read_styles().values():
-        build_look(style.look)
+        build_appearance(style.appearance)
         for colour in ((0.0, 0.0, 0.0), (1.0, 1.0, 1.0), (0.2, 0.6, 0.4)):
-            other = make_look(style.name, colour)
-            build_look(other)
+            other = make_appearance(style.name, colour)
+            build_appearance(other)
             assert other.colour == pytest.approx(colour)
             assert find_style(other) == style
-    assert find_style(None) is None and find_style(LOOK) is None
+    assert find_style(None) is None and find_style(APPEARANCE) is None
 
 
 def test_spots_stand_out_from_another_colour_as_from_their_own():
-    look = read_styles()["liver"].look
+    appearance = read_styles()["liver"].appearance
 
-    other = recolour(look, (0.3, 0.4, 0.5))
+    other = recolour(appearance, (0.3, 0.4, 0.5))
 
-    before = np.subtract(look.pattern_colour, look.colour)
+    before = np.subtract(appearance.pattern_colour, appearance.colour)
     assert np.subtract(other.pattern_colour, other.colour) == pytest.approx(before)
 
 
@@ -90,9 +90,9 @@ def test_an_imported_organ_looks_like_what_its_file_is_called():
     source = replace(SOURCE, parts=("left", "right"))
 
     organ = ImportMesh("VH_F_Spleen", source, surface_of())(EMPTY)
-    assert find_style(organ.look).name == "spleen"
-    kept = ImportMesh("VH_F_Spleen", source, surface_of())(replace(EMPTY, look=LOOK))
-    assert kept.look == LOOK
+    assert find_style(organ.appearance).name == "spleen"
+    kept = ImportMesh("VH_F_Spleen", source, surface_of())(replace(EMPTY, appearance=APPEARANCE))
+    assert kept.appearance == APPEARANCE
 
 
 def test_a_style_that_is_not_there_and_a_colour_that_is_none_are_refused():
@@ -102,13 +102,13 @@ def test_a_style_that_is_not_there_and_a_colour_that_is_none_are_refused():
         SetAppearance("liver", (2.0, 0.0, 0.0))(make_organ())
 
 
-def test_the_verb_gives_a_look_and_says_which_there_is(tmp_path, capsys):
+def test_the_verb_gives_an_appearance_and_says_which_there_is(tmp_path, capsys):
     path, out = tmp_path / "a.organ", tmp_path / "b.organ"
     write_organ(path, make_organ())
 
     call = ["appearance", str(path), "--style", "liver", "--color", "#406080", "-o", str(out)]
     assert main(call) == 0
-    assert read_organ(out).look == make_look("liver", read_colour("#406080"))
+    assert read_organ(out).appearance == make_appearance("liver", read_colour("#406080"))
     capsys.readouterr()
     assert main(["appearance", str(out), "--json"]) == 0
     report = json.loads(capsys.readouterr().out)
@@ -116,9 +116,9 @@ def test_the_verb_gives_a_look_and_says_which_there_is(tmp_path, capsys):
     assert report["styles"] == list(read_styles())
 
     assert main(["appearance", str(out), "--colour", "#102030", "-o", str(out)]) == 0
-    assert read_organ(out).look == make_look("liver", read_colour("#102030"))
+    assert read_organ(out).appearance == make_appearance("liver", read_colour("#102030"))
     assert main(["appearance", str(out), "--style", "none", "-o", str(out)]) == 0
-    assert read_organ(out).look is None
+    assert read_organ(out).appearance is None
 
 
 @pytest.mark.parametrize(
@@ -133,7 +133,7 @@ def test_the_verb_gives_a_look_and_says_which_there_is(tmp_path, capsys):
 )
 def test_calls_that_say_too_little_or_too_much_are_refused(tmp_path, words):
     path, out = tmp_path / "a.organ", tmp_path / "b.organ"
-    write_organ(path, make_organ())  # its look is of no style
+    write_organ(path, make_organ())  # its appearance is of no style
 
     words = [str(out) if word == "OUT" else word for word in words]
     assert main(["appearance", str(path), *words]) == 1

@@ -15,7 +15,7 @@ import jsonschema
 import numpy as np
 import palpate
 import pytest
-from organs import LOOK, make_organ
+from organs import APPEARANCE, make_organ
 from palpate_editor.document.files import VERSION, read_organ, write_organ
 
 TESTS = Path(__file__).resolve().parents[1]
@@ -102,8 +102,8 @@ DAMAGED = {
     "painted twice": (with_change("content|model|fixed", [1]), "model.fixed: got an unknown"),
     "no constant": (lambda good: with_manifest(good, remove("content|tool|radius")), "no radius"),
     "a colour that is none": (
-        with_change("content|look", {**asdict(LOOK), "colour": [2.0, 0.0, 0.0]}),
-        "look.colour: got [2.0, 0.0, 0.0], expected three numbers of 0 to 1",
+        with_change("content|appearance", {**asdict(APPEARANCE), "colour": [2.0, 0.0, 0.0]}),
+        "appearance.colour: got [2.0, 0.0, 0.0], expected three numbers of 0 to 1",
     ),
     "a list for a part": (with_change("content|hand", []), "hand: got [[]], expected an object"),
     "a number for a name": (with_change("content|name", 5), "name: got 5, expected text"),

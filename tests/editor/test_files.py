@@ -5,14 +5,15 @@ from __future__ import annotations
 
 import json
 import zipfile
-from dataclasses import fields, replace
+from dataclasses import asdict, fields, replace
 from pathlib import Path
 
 import jsonschema
 import numpy as np
 import palpate
 import pytest
-from organs import LOOK, make_organ, open_surface, same
+from organs import APPEARANCE, make_organ, open_surface, same
+from palpate.scenario import read_container
 from palpate.scene.scene_parts import FillPart
 from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.files import (
@@ -152,7 +153,7 @@ def test_a_kept_file_of_every_version_is_read(version):
     assert np.flatnonzero(organ.fixed).tolist() == [0, 1, 2, 3, 4]
     assert organ.decimation.max_distance == 1.0 / 3.0 * 1e-3
     assert organ.source.repairs.welded_vertices == 12
-    assert organ.look == LOOK
+    assert organ.appearance == APPEARANCE
     assert organ.fill == (FillPart() if version < 3 else FillPart(1200, 0.75, "hilum"))
     assert {name: ids.tolist() for name, ids in organ.regions.items()} == {
         "hilum": [1, 4, 7],
@@ -165,3 +166,68 @@ def test_the_kept_file_of_this_version_is_what_is_written_today(tmp_path):
     write_organ(tmp_path / "a.organ", organ)
 
     assert manifest_of(tmp_path / "a.organ") == manifest_of(KEPT / f"v{VERSION}.organ")
+
+
+def read_manifest_of(version: int) -> tuple[dict, dict]:
+    found = read_container(str(KEPT / f"v{version}.organ"), "organ", VERSION)
+    return json.loads(found.content), found.arrays
+
+
+def put_in(place: str, value: object):
+    def change(content: dict) -> None:
+        *parents, last = place.split(".")
+        for name in parents:
+            content = content[name]
+        content[last] = value
+
+    return change
+
+
+@pytest.mark.parametrize("version", [1, 4])
+@pytest.mark.parametrize(
+    ("change", "sentence"),
+    [
+        (put_in("appearance", None), "appearance: got an unknown field, expected look"),
+        (
+            put_in("look.subsurface", 0.1),
+            "look.subsurface: got an unknown field, expected softness",
+        ),
+        (put_in("look", 5), "look: got 5, expected an object"),
+        (lambda content: content.pop("look"), "look: got nothing, expected a field of this name"),
+        (lambda content: content["look"].pop("softness"), "look.softness: got nothing"),
+        (put_in("look.shine", 0.1), "appearance.shine: got"),
+    ],
+)
+def test_an_older_file_is_refused_for_a_field_that_its_version_has_not(version, change, sentence):
+    content, arrays = read_manifest_of(version)
+    change(content)
+
+    with pytest.raises(palpate.FileError, match=sentence):
+        unpack_organ(content, arrays, version, "a.organ")
+
+
+def test_a_look_is_unknown_to_a_file_of_this_version():
+    content, arrays = read_manifest_of(VERSION)
+    content["look"] = content["appearance"]
+
+    with pytest.raises(palpate.FileError, match="look: got an unknown field"):
+        unpack_organ(content, arrays, VERSION, "a.organ")
+
+
+@pytest.mark.parametrize("version", [4, VERSION])
+def test_plain_tissue_stays_plain_in_every_version(version):
+    content, arrays = read_manifest_of(version)
+    content["look" if version < VERSION else "appearance"] = None
+
+    assert unpack_organ(content, arrays, version, "a.organ").appearance is None
+
+
+def test_an_older_file_is_written_again_with_the_terms_of_this_version(tmp_path):
+    write_organ(tmp_path / "a.organ", read_organ(KEPT / "v4.organ"))
+
+    manifest = manifest_of(tmp_path / "a.organ")
+    assert manifest["version"] == VERSION
+    assert "look" not in manifest["content"]
+    assert manifest["content"]["appearance"] == asdict(APPEARANCE) | {
+        name: list(value) for name, value in asdict(APPEARANCE).items() if isinstance(value, tuple)
+    }

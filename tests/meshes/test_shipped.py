@@ -11,7 +11,7 @@ import palpate
 import pytest
 from matplotlib.image import imread
 from palpate.cli.main import main
-from palpate.render import build_look
+from palpate.render import build_appearance
 from palpate.runs.press import PressScript, find_top
 from palpate.runs.run import read_scene, run_script
 from palpate.runs.script_file import write_script_file
@@ -71,7 +71,7 @@ def test_the_shipped_files_open_and_are_the_organs_of_the_catalogue(name):
         ),
     ):
         assert np.array_equal(vertices, x) and np.array_equal(faces, triangles)
-    for part in ("material", "model", "tool", "look"):
+    for part in ("material", "model", "tool", "appearance"):
         assert getattr(organ, part) == getattr(made, part)
     assert {n: r.tolist() for n, r in organ.regions.items()} == {
         n: r.tolist() for n, r in made.regions.items()
@@ -235,11 +235,11 @@ def test_a_grasper_is_drawn_with_its_jaws_apart():
     assert draw_tool(read_tool("grasper"), size=(160, 140)).std() > 10.0
 
 
-def test_every_tissue_has_a_look_the_renderer_takes():
+def test_every_tissue_has_an_appearance_the_renderer_takes():
     for tissue in read_tissues().values():
-        look = build_look(tissue.look)
-        assert 0.0 <= look.gloss <= 1.0 and 0.0 < look.roughness <= 1.0
-        assert look.pattern is not None and look.pattern.size > 0.0
+        appearance = build_appearance(tissue.appearance)
+        assert 0.0 <= appearance.gloss <= 1.0 and 0.0 < appearance.roughness <= 1.0
+        assert appearance.pattern is not None and appearance.pattern.size > 0.0
 
 
 def test_the_laws_take_every_organ_of_either_kind():

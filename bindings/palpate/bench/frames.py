@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import palpate
-from palpate.render import Camera, Look, Renderer, open_context
-from palpate.render.authored_look import find_look
+from palpate.render import Appearance, Camera, Renderer, open_context
+from palpate.render.authored_appearance import find_appearance
 from palpate.runs.press import find_top
 
 SIZE = (1280, 720)
@@ -39,10 +39,10 @@ def measure_frames(scene: palpate.Scene, published: Path) -> Frames:
     """Draws the organ of a scene, at rest and pressed in turn. Raises RenderError."""
     shapes = [np.asarray(scene.bodies[0].tissue.rest_position), press(scene)]
     triangles = np.asarray(scene.bodies[0].tissue.triangles)
-    look = find_look(palpate.scenario.read(published)) or Look()
+    appearance = find_appearance(palpate.scenario.read(published)) or Appearance()
     with open_context() as context:
         renderer = Renderer(context)
-        part = renderer.add(len(shapes[0]), triangles, look)
+        part = renderer.add(len(shapes[0]), triangles, appearance)
         middle = (shapes[0].min(axis=0) + shapes[0].max(axis=0)) / 2
         renderer.use_bounds(middle, float(np.linalg.norm(shapes[0] - middle, axis=1).max()))
         camera = Camera(np.radians(-60.0), np.radians(25.0))

@@ -115,7 +115,7 @@ def describe_table1(report: Report) -> str:
         "constants need",
         "  in a held press of 3 mm; whole tick: both, the tool's balance, the force and the alarm. "
         "CPU time, one core",
-        f"frames: {width} x {height}, the organ's published look, edges smoothed, no shadows, "
+        f"frames: {width} x {height}, the organ's own appearance, edges smoothed, no shadows, "
         "positions and normals",
         f"  new in each; by the clock, on {report['processors']} processors: {report['graphics']}",
     ]

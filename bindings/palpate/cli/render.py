@@ -61,10 +61,10 @@ def run_render(call: argparse.Namespace) -> Report:
         mesh = read_mesh_file(call.file)
     elif is_published(call.file):
         # loads the renderer, which other verbs do without
-        from palpate.render.authored_look import find_look
+        from palpate.render.authored_appearance import find_appearance
 
         made = palpate.scenario.read(call.file)
-        mesh, options["look"] = made.scene.bodies[0].tissue, find_look(made)
+        mesh, options["appearance"] = made.scene.bodies[0].tissue, find_appearance(made)
     elif call.file.suffix == ".json":
         mesh = read_scene(call.file).bodies[0].tissue
     else:

@@ -17,7 +17,7 @@ from palpate.device_window.arm_shapes import (
     find_points,
 )
 from palpate.player.style import ACCENTS, mix
-from palpate.render import Look, build_arrow
+from palpate.render import Appearance, build_arrow
 from palpate.render.theme import FORCE, THEMES
 from palpate.viewport import View
 
@@ -31,7 +31,7 @@ COLOURS = {
     "stylus": (0.26, 0.28, 0.32),
 }
 """As the printed parts are drawn."""
-STAND = Look((0.30, 0.32, 0.36), gloss=0.3, softness=0.0)
+STAND = Appearance((0.30, 0.32, 0.36), gloss=0.3, subsurface=0.0)
 SCALE = 0.07
 """[m/N] of the arrows."""
 LEAST = 0.02
@@ -60,7 +60,7 @@ class ArmScene:
         room = np.array([[0.0, 0.0, -AXLE_HEIGHT], [0.0, 0.0, 0.20]])
         view.wireframe = False
         view.scenery.room = np.concatenate([room, build_cage(self.arm, LINE).vertices])
-        view.use_look(STAND)
+        view.use_appearance(STAND)
         view.show_surface(stand.vertices, stand.triangles)
         view.look_from(*np.radians(SIGHT))
         view.force_scale = SCALE
@@ -89,44 +89,50 @@ class ArmScene:
         held = palpate.compute_stylus(pose[:3], pose[3:])
         stylus = turn_down(np.asarray(held, dtype=float))
         for name, shape in self._shapes.place(pose[:3], stylus).items():
-            self.view.show_part(name, shape, self._look(name))
+            self.view.show_part(name, shape, self._appearance(name))
         self.tip = find_points(self.arm, pose[:3])[1]
 
     def show_forces(self, commanded: ArrayLike, applied: ArrayLike) -> None:
         """Arrows from the tip for forces [N]."""
-        look = Look(ACCENTS[self._theme].accent, gloss=0.3, softness=0.0, seen_through=True,
-                    casts_shadow=False)  # fmt: skip
-        self._show_arrow("commanded", commanded, 0.0032, look)
-        solid = Look(FORCE, gloss=0.3, softness=0.0, seen_through=True, casts_shadow=False)
+        accent = ACCENTS[self._theme].accent
+        appearance = Appearance(
+            accent, gloss=0.3, subsurface=0.0, seen_through=True, casts_shadow=False
+        )
+        self._show_arrow("commanded", commanded, 0.0032, appearance)
+        solid = Appearance(FORCE, gloss=0.3, subsurface=0.0, seen_through=True, casts_shadow=False)
         self._show_arrow("applied", applied, 0.0048, solid)
 
     def show_goal(self, joints: ArrayLike | None) -> None:
         """The pose [rad] that the arm is to be brought to; None for none."""
         self._goal = None if joints is None else np.asarray(joints, dtype=float)
         shape = None if self._goal is None else build_ghost(self.arm, self._goal)
-        look = Look(ACCENTS[self._theme].accent, gloss=0.2, softness=0.0, seen_through=True,
-                    casts_shadow=False)  # fmt: skip
-        self.view.show_part("ghost", shape, look)
+        accent = ACCENTS[self._theme].accent
+        appearance = Appearance(
+            accent, gloss=0.2, subsurface=0.0, seen_through=True, casts_shadow=False
+        )
+        self.view.show_part("ghost", shape, appearance)
 
-    def _show_arrow(self, name: str, force: ArrayLike, radius: float, look: Look) -> None:
+    def _show_arrow(
+        self, name: str, force: ArrayLike, radius: float, appearance: Appearance
+    ) -> None:
         vector = np.asarray(force, dtype=float)
         shape = None
         if np.isfinite(vector).all() and np.linalg.norm(vector) > LEAST:
             shape = build_arrow(self.tip, self.tip + SCALE * vector, radius)
-        self.view.show_part(name, shape, look)
+        self.view.show_part(name, shape, appearance)
 
     def _draw_room(self) -> None:
         theme = THEMES[self._theme]
         faint = mix(theme.backdrop, theme.faint, 0.55)
-        plain = Look(faint, gloss=0.0, softness=0.0, casts_shadow=False)
+        plain = Appearance(faint, gloss=0.0, subsurface=0.0, casts_shadow=False)
         self.view.show_part("cage", build_cage(self.arm, LINE), plain)
         accent = mix(theme.backdrop, ACCENTS[self._theme].accent, 0.55)
-        look = Look(accent, gloss=0.0, softness=0.0, casts_shadow=False)
-        self.view.show_part("box", build_box(palpate.Workspace(), LINE), look)
+        appearance = Appearance(accent, gloss=0.0, subsurface=0.0, casts_shadow=False)
+        self.view.show_part("box", build_box(palpate.Workspace(), LINE), appearance)
 
-    def _look(self, name: str) -> Look:
+    def _appearance(self, name: str) -> Appearance:
         colour = COLOURS.get(name, ACCENTS[self._theme].warm)
-        return Look(colour, gloss=0.35, softness=0.0)
+        return Appearance(colour, gloss=0.35, subsurface=0.0)
 
 
 def turn_down(held: Array) -> Array:

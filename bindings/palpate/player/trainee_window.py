@@ -18,7 +18,7 @@ from palpate.player.device_watch import DeviceWatch
 from palpate.player.overlays import Overlays
 from palpate.player.sentences import say_end, say_slow, translate
 from palpate.player.style import build_palette, build_style
-from palpate.render.authored_look import find_look
+from palpate.render.authored_appearance import find_appearance
 from palpate.runs.live import Frame, LiveRun
 from palpate.runs.play import Play, describe_outcome, describe_play, describe_run
 from palpate.translation.refusals import say_refusal
@@ -65,7 +65,7 @@ class TraineeWindow(QWidget):
         self._problem: OSError | None = None
         self.view = make_view(self)
         self.view.wireframe = False
-        self.view.use_look(find_look(play.scenario))
+        self.view.use_appearance(find_appearance(play.scenario))
         self._rest = palpate.compute_surface(
             self.scene.bodies[0].tissue, self.scene.bodies[0].tissue.rest_position
         )

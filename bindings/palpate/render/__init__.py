@@ -6,7 +6,7 @@ from palpate.render.colour_map import Legend, build_legend
 from palpate.render.context import describe_gl, open_context
 from palpate.render.error import RenderError
 from palpate.render.force_plot import draw_force_plot, save_force_plot
-from palpate.render.part import Look, Part, Pattern, build_look
+from palpate.render.part import Appearance, Part, Pattern, build_appearance
 from palpate.render.picture import Picture, draw_picture, save_picture, write_png
 from palpate.render.renderer import Renderer, Tile
 from palpate.render.shapes import Shape, build_arrow, build_capsule, build_sphere
@@ -14,7 +14,7 @@ from palpate.render.shapes import Shape, build_arrow, build_capsule, build_spher
 __all__ = [
     "Camera",
     "Legend",
-    "Look",
+    "Appearance",
     "Part",
     "Pattern",
     "Picture",
@@ -25,7 +25,7 @@ __all__ = [
     "build_arrow",
     "build_capsule",
     "build_legend",
-    "build_look",
+    "build_appearance",
     "build_sphere",
     "describe_gl",
     "draw_force_plot",

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from palpate.render.theme import TISSUE, Colour
-from palpate.scene.scene_parts import LookPart, find_look_fault
+from palpate.scene.scene_parts import AppearancePart, find_appearance_fault
 
 WIDTHS = {"position": 3, "normal": 3, "value": 1, "selection": 1, "openness": 1, "rest": 3}
 """The streams of a part and how many float32 each vertex has in them."""
@@ -35,7 +35,7 @@ class Pattern:
 
 
 @dataclass(frozen=True)
-class Look:
+class Appearance:
     """How a part takes the light."""
 
     colour: Colour = TISSUE
@@ -46,7 +46,7 @@ class Look:
     """Whether its edges are drawn."""
     gloss: float = 0.6
     """[-] 0 dull, 1 wet or polished."""
-    softness: float = 0.3
+    subsurface: float = 0.3
     """[-] how far light creeps around into the shade, as in flesh."""
     roughness: float = 0.3
     """[-] 0 a mirror, 1 chalk: how wide a highlight is."""
@@ -59,14 +59,14 @@ class Look:
     """[-] how strongly, from 0 to 1."""
 
 
-def build_look(part: LookPart) -> Look:
-    """What files say of a tissue's look, as the renderer takes it.
+def build_appearance(part: AppearancePart) -> Appearance:
+    """What files say of a tissue's appearance, as the renderer takes it.
 
-    Raises ValueError for colours or numbers that nothing can look like.
+    Raises ValueError for colours or numbers out of their ranges.
     """
-    fault = find_look_fault(part)
+    fault = find_appearance_fault(part)
     if fault is not None:
-        raise ValueError(f"look.{fault[0]}: got {fault[1]}, expected {fault[2]}")
+        raise ValueError(f"appearance.{fault[0]}: got {fault[1]}, expected {fault[2]}")
     pattern = Pattern(
         colour=cast(Colour, part.pattern_colour),
         size=part.pattern_size,
@@ -75,11 +75,11 @@ def build_look(part: LookPart) -> Look:
         vein_colour=cast(Colour, part.vein_colour),
         vein_strength=part.vein_strength,
     )
-    return Look(
+    return Appearance(
         colour=cast(Colour, part.colour),
         gloss=part.gloss,
         roughness=part.roughness,
-        softness=part.softness,
+        subsurface=part.subsurface,
         pattern=pattern,
     )
 
@@ -100,7 +100,7 @@ class Part:
         surface: moderngl.Program,
         vertex_count: int,
         triangles: ArrayLike,
-        look: Look,
+        appearance: Appearance,
     ):
         rows = np.ascontiguousarray(triangles, dtype=np.uint32)
         if rows.ndim != 2 or rows.shape[1] != 3 or rows.size == 0:
@@ -110,7 +110,7 @@ class Part:
             raise ValueError(
                 f"triangles must name vertices 0 to {vertex_count - 1}, got {low} to {high}"
             )
-        self.look = look
+        self.appearance = appearance
         self.vertex_count = vertex_count
         self._indices = context.buffer(rows)
         self._streams = {

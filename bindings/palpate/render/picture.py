@@ -18,7 +18,7 @@ from palpate.files.whole_file import write_whole
 from palpate.render.camera import Camera
 from palpate.render.colour_map import build_legend
 from palpate.render.overlay import Overlay
-from palpate.render.part import Look
+from palpate.render.part import Appearance
 from palpate.render.shapes import (
     ARROW_HEAD,
     Shape,
@@ -79,7 +79,7 @@ class Picture:
     wireframe: bool = True
     colour: Colour = TISSUE
     """sRGB, 0 to 1, of an organ without values."""
-    look: Look | None = None
+    appearance: Appearance | None = None
     """How an organ without values takes the light; without it, `colour` alone."""
     supersample: int = 2
     """Rows and columns of samples per pixel, 1 to 4; edges get four times as many."""
@@ -169,22 +169,22 @@ def find_arrow(picture: Picture, x: Array) -> Arrow | None:
 def build_organ(
     picture: Picture, x: Array, faces: NDArray[np.int32], values: Array | None
 ) -> Thing:
-    look = Look(
+    appearance = Appearance(
         colour=picture.colour,
         mapped=values is not None,
         wired=picture.wireframe,
         gloss=0.55 if values is None else 0.4,
         # red light creeping round would be read as a value
-        softness=0.3 if values is None else 0.0,
+        subsurface=0.3 if values is None else 0.0,
     )
-    if picture.look is not None and values is None:
-        look = replace(picture.look, wired=picture.wireframe)
+    if picture.appearance is not None and values is None:
+        appearance = replace(picture.appearance, wired=picture.wireframe)
     selection = picture.selection
     return Thing(
         x,
         np.asarray(palpate.compute_vertex_normals(x, faces)),
         faces,
-        look,
+        appearance,
         values,
         None if selection is None else as_column(selection, len(x), "selection"),
     )
@@ -195,17 +195,21 @@ def build_tool(picture: Picture, arrow: Arrow | None) -> list[Thing]:
     things = []
     if picture.tool is not None:
         ball = build_sphere(*picture.tool)
-        things.append(as_thing(ball, Look(STEEL, gloss=1.0, softness=0.0, seen_through=True)))
+        things.append(
+            as_thing(ball, Appearance(STEEL, gloss=1.0, subsurface=0.0, seen_through=True))
+        )
     if arrow is not None:
         shape = build_arrow(arrow.start, arrow.end, arrow.radius)
         # a sign, not a thing: it leaves no shadow
-        look = Look(FORCE, gloss=0.3, softness=0.0, seen_through=True, casts_shadow=False)
-        things.append(as_thing(shape, look))
+        appearance = Appearance(
+            FORCE, gloss=0.3, subsurface=0.0, seen_through=True, casts_shadow=False
+        )
+        things.append(as_thing(shape, appearance))
     return things
 
 
-def as_thing(shape: Shape, look: Look) -> Thing:
-    return Thing(shape.vertices, shape.normals, shape.triangles, look)
+def as_thing(shape: Shape, appearance: Appearance) -> Thing:
+    return Thing(shape.vertices, shape.normals, shape.triangles, appearance)
 
 
 def place_camera(picture: Picture, things: list[Thing], overlay: Overlay) -> Camera:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from palpate.render.camera import Camera
 from palpate.render.colour_map import COLOUR_MAPS, LUT_SIZE, Legend
 from palpate.render.ground import Ground
-from palpate.render.part import Look, Part, Pattern
+from palpate.render.part import Appearance, Part, Pattern
 from palpate.render.program import build_program, write_matrix
 from palpate.render.shadow import ShadowMap
 from palpate.render.theme import DARK, SELECTED, Colour, Theme
@@ -67,9 +67,9 @@ class Renderer:
         self._range = (0.0, 1.0)
         self._write_colours("viridis")
 
-    def add(self, vertex_count: int, triangles: ArrayLike, look: Look) -> Part:
+    def add(self, vertex_count: int, triangles: ArrayLike, appearance: Appearance) -> Part:
         """A new part; its streams are empty until Part.update. Raises ValueError."""
-        part = Part(self.context, self._bare, vertex_count, triangles, look)
+        part = Part(self.context, self._bare, vertex_count, triangles, appearance)
         self.parts.append(part)
         return part
 
@@ -111,7 +111,7 @@ class Renderer:
         if self.ground is not None and camera.elevation > 0.0:
             self.ground.draw(self.theme, world_to_clip)
         shaded = self.shadow_softness > 0.0
-        for patterned in {has_pattern(part.look) for part in self.parts}:
+        for patterned in {has_pattern(part.appearance) for part in self.parts}:
             program = self._choose_surface(shaded, patterned)
             self._light(program, camera, world_to_clip, shaded)
         self._draw_parts(shaded)
@@ -186,9 +186,9 @@ class Renderer:
         """First what may hide, then ghosts of what is hidden behind it, then what is not."""
         self.context.enable_only(moderngl.DEPTH_TEST)
         for part in self.parts:
-            if not part.look.seen_through:
+            if not part.appearance.seen_through:
                 self._draw_part(shaded, part, 1.0)
-        screen, through = self.context.fbo, [p for p in self.parts if p.look.seen_through]
+        screen, through = self.context.fbo, [p for p in self.parts if p.appearance.seen_through]
         # back faces would shine through the ghost itself
         self.context.enable_only(moderngl.DEPTH_TEST | moderngl.BLEND | moderngl.CULL_FACE)
         self.context.blend_func = (
@@ -199,28 +199,34 @@ class Renderer:
         )
         self.context.depth_func, screen.depth_mask = ">", False
         for part in through:
-            self._draw_part(shaded, part, part.look.ghost)
+            self._draw_part(shaded, part, part.appearance.ghost)
         self.context.depth_func, screen.depth_mask = "<", True
         self.context.enable_only(moderngl.DEPTH_TEST)
         for part in through:
             self._draw_part(shaded, part, 1.0)
 
     def _draw_part(self, shaded: bool, part: Part, opacity: float) -> None:
-        look = part.look
-        program = self._choose_surface(shaded, has_pattern(look))
-        program["mapped"].value, program["colour"].value = look.mapped, decode(look.colour)
-        program["gloss"].value, program["softness"].value = look.gloss, look.softness
-        program["sharpness"].value = USUAL_ROUGHNESS / max(look.roughness, 0.02)
-        if look.pattern is not None and has_pattern(look):
-            write_pattern(program, look.pattern)
-        program["wire_width"].value = self.wire_width if look.wired else 0.0
+        appearance = part.appearance
+        program = self._choose_surface(shaded, has_pattern(appearance))
+        program["mapped"].value, program["colour"].value = (
+            appearance.mapped,
+            decode(appearance.colour),
+        )
+        program["gloss"].value, program["subsurface"].value = (
+            appearance.gloss,
+            appearance.subsurface,
+        )
+        program["sharpness"].value = USUAL_ROUGHNESS / max(appearance.roughness, 0.02)
+        if appearance.pattern is not None and has_pattern(appearance):
+            write_pattern(program, appearance.pattern)
+        program["wire_width"].value = self.wire_width if appearance.wired else 0.0
         program["opacity"].value = opacity
         part.draw(program)
 
 
-def has_pattern(look: Look) -> bool:
+def has_pattern(appearance: Appearance) -> bool:
     """A colour map tells values, so nothing else is painted beside it."""
-    return look.pattern is not None and not look.mapped
+    return appearance.pattern is not None and not appearance.mapped
 
 
 def write_pattern(program: moderngl.Program, pattern: Pattern) -> None:

@@ -46,7 +46,7 @@ class DepthMap:
         self._context.enable_only(moderngl.DEPTH_TEST)
         write_matrix(self._program, "world_to_clip", world_to_clip)
         for part in parts:
-            if part.look.casts_shadow:
+            if part.appearance.casts_shadow:
                 part.draw_depth(self._program)
 
     def read(self) -> NDArray[np.float32]:

@@ -15,7 +15,7 @@ from palpate.render.colour_map import Legend
 from palpate.render.context import open_context
 from palpate.render.ground import build_ground
 from palpate.render.openness import Sky
-from palpate.render.part import Look
+from palpate.render.part import Appearance
 from palpate.render.renderer import Renderer, Tile
 from palpate.render.theme import Theme
 
@@ -38,7 +38,7 @@ class Thing:
     """(n, 3), unit."""
     triangles: NDArray[np.integer]
     """(t, 3)"""
-    look: Look
+    appearance: Appearance
     values: NDArray[np.floating] | None = None
     """(n,)"""
     selection: NDArray[np.floating] | None = None
@@ -88,7 +88,7 @@ def arrange(renderer: Renderer, things: Sequence[Thing], shot: Shot) -> None:
     if shot.legend is not None:
         renderer.use_legend(shot.legend)
     for thing in things:
-        part = renderer.add(len(thing.vertices), thing.triangles, thing.look)
+        part = renderer.add(len(thing.vertices), thing.triangles, thing.appearance)
         part.update(position=as_stream(thing.vertices), normal=as_stream(thing.normals))
         if thing.values is not None:
             part.update(value=as_stream(thing.values))
@@ -96,9 +96,9 @@ def arrange(renderer: Renderer, things: Sequence[Thing], shot: Shot) -> None:
             part.update(selection=as_stream(thing.selection))
     sky = Sky(renderer.context, renderer.parts, centre, radius)
     for thing, part in zip(things, renderer.parts, strict=True):
-        if thing.look.casts_shadow:
+        if thing.appearance.casts_shadow:
             part.update(openness=as_stream(sky.measure(thing.vertices, thing.normals)))
-    middle, reach = find_ball([thing for thing in things if thing.look.casts_shadow])
+    middle, reach = find_ball([thing for thing in things if thing.appearance.casts_shadow])
     renderer.ground = build_ground(renderer.context, sky, middle, reach, shot.floor)
 
 

@@ -109,7 +109,7 @@ class HandPart:
 
 
 @dataclass(frozen=True)
-class LookPart:
+class AppearancePart:
     """How a tissue takes the light; colours are sRGB, 0 to 1. Nothing that is felt."""
 
     colour: tuple[float, ...]
@@ -128,21 +128,21 @@ class LookPart:
     """[-] 0 dull, 1 wet."""
     roughness: float
     """[-] 0 a mirror, 1 chalk."""
-    softness: float
+    subsurface: float
     """[-] How far light creeps into the shade."""
 
 
-def find_look_fault(look: LookPart) -> tuple[str, str, str] | None:
-    """The first field that nothing can look like: its name, what it is, what was expected."""
+def find_appearance_fault(appearance: AppearancePart) -> tuple[str, str, str] | None:
+    """The first field that is out of its range: its name, what it is, what was expected."""
     for name in ("colour", "pattern_colour", "vein_colour"):
-        colour = getattr(look, name)
+        colour = getattr(appearance, name)
         if len(colour) != 3 or not all(0.0 <= channel <= 1.0 for channel in colour):
             return name, str(list(colour)), "three numbers of 0 to 1"
-    if not look.pattern_size > 0.0:
-        return "pattern_size", f"{look.pattern_size} m", "a positive length"
-    for name in ("pattern_strength", "vein_strength", "relief", "gloss", "roughness", "softness"):
-        if not 0.0 <= getattr(look, name) <= 1.0:
-            return name, str(getattr(look, name)), "0 to 1"
+    if not appearance.pattern_size > 0.0:
+        return "pattern_size", f"{appearance.pattern_size} m", "a positive length"
+    for name in ("pattern_strength", "vein_strength", "relief", "gloss", "roughness", "subsurface"):
+        if not 0.0 <= getattr(appearance, name) <= 1.0:
+            return name, str(getattr(appearance, name)), "0 to 1"
     return None
 
 

@@ -14,8 +14,8 @@ from palpate.runs.press import Place
 STOPS = 10
 """Depths at which the tool is let come to rest."""
 SETTLED = 2e-4
-"""Of the force: how little it may still change within LOOK."""
-LOOK = 0.05
+"""Of the force: how little it may still change within INTERVAL."""
+INTERVAL = 0.05
 """[s]"""
 FARTHEST = 5.0
 """Of the depth: how deep the hand may be for the tool to come there."""
@@ -96,9 +96,9 @@ class Probe:
 
     def settle(self) -> tuple[float, float]:
         """Depth [m] of the tool's tip and force [N] on it once both have come to rest."""
-        count = max(1, round(LOOK * self.scene.rate))
+        count = max(1, round(INTERVAL * self.scene.rate))
         before = None
-        for _ in range(round(PATIENCE / LOOK)):
+        for _ in range(round(PATIENCE / INTERVAL)):
             lag = 0.0
             for _ in range(count):
                 self.tick()

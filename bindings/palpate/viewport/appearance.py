@@ -3,15 +3,21 @@
 
 from __future__ import annotations
 
-from palpate.render import Look
+from palpate.render import Appearance
 from palpate.render.theme import FORCE, STEEL
 
-PLAIN = Look(gloss=0.55, softness=0.3)
+PLAIN = Appearance(gloss=0.55, subsurface=0.3)
 # red light creeping round would be read as a value
-PAINTED = Look(mapped=True, gloss=0.4, softness=0.0)
-TOOL = Look(STEEL, gloss=1.0, softness=0.0, seen_through=True)
+PAINTED = Appearance(mapped=True, gloss=0.4, subsurface=0.0)
+TOOL = Appearance(STEEL, gloss=1.0, subsurface=0.0, seen_through=True)
 # a force that pushes the hand into the organ is read as well
-ARROW = Look(FORCE, gloss=0.3, softness=0.0, seen_through=True, ghost=0.75, casts_shadow=False)
+ARROW = Appearance(
+    FORCE, gloss=0.3, subsurface=0.0, seen_through=True, ghost=0.75, casts_shadow=False
+)
 # light beside dark, so that it is seen on whatever is painted, and on what is selected
-RING = Look((0.97, 0.98, 1.0), gloss=0.0, softness=0.0, seen_through=True, casts_shadow=False)
-RIM = Look((0.05, 0.06, 0.08), gloss=0.0, softness=0.0, seen_through=True, casts_shadow=False)
+RING = Appearance(
+    (0.97, 0.98, 1.0), gloss=0.0, subsurface=0.0, seen_through=True, casts_shadow=False
+)
+RIM = Appearance(
+    (0.05, 0.06, 0.08), gloss=0.0, subsurface=0.0, seen_through=True, casts_shadow=False
+)

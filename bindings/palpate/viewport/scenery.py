@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 import palpate
-from palpate.render import Legend, Look, Renderer, Shape, build_arrow, build_sphere
+from palpate.render import Appearance, Legend, Renderer, Shape, build_arrow, build_sphere
 from palpate.render.theme import DARK, THEMES
 from palpate.viewport.appearance import ARROW, PAINTED, PLAIN, RIM, RING, TOOL
 from palpate.viewport.dents import Dents
@@ -122,14 +122,14 @@ class Scenery:
         if surface is not None:
             if values is not None:
                 surface.write("value", values)
-            surface.look = self._tissue if values is None else PAINTED
+            surface.appearance = self._tissue if values is None else PAINTED
 
-    def use_look(self, look: Look | None) -> None:
+    def use_appearance(self, appearance: Appearance | None) -> None:
         """How tissue takes the light wherever no values are shown; None for plain tissue."""
         surface = self._things.get("surface")
-        before, self._tissue = self._tissue, look or PLAIN
+        before, self._tissue = self._tissue, appearance or PLAIN
         if surface is not None and self.legend is None and before != self._tissue:
-            surface.look = self._tissue
+            surface.appearance = self._tissue
             self.version += 1
 
     def show_selection(self, weights: ArrayLike | None) -> None:
@@ -168,18 +168,21 @@ class Scenery:
             self._hide("rim")
             return
         thickness = RING_THICKNESS * self.radius
-        for name, look, reach in (("ring", RING, radius), ("rim", RIM, radius + 1.7 * thickness)):
-            self.show_part(name, build_ring(centre, normal, reach, thickness), look)
+        for name, appearance, reach in (
+            ("ring", RING, radius),
+            ("rim", RIM, radius + 1.7 * thickness),
+        ):
+            self.show_part(name, build_ring(centre, normal, reach, thickness), appearance)
 
-    def show_part(self, name: str, shape: Shape | None, look: Look = TOOL) -> None:
+    def show_part(self, name: str, shape: Shape | None, appearance: Appearance = TOOL) -> None:
         """Something beside the surface, by name; its triangles stay. None takes it away, and with
         it its triangles."""
         if shape is None:
             self._drop(name)
             self.version += 1
             return
-        thing = self._use(name, len(shape.vertices), shape.triangles, look)
-        thing.look = look
+        thing = self._use(name, len(shape.vertices), shape.triangles, appearance)
+        thing.appearance = appearance
         thing.write("normal", shape.normals)
         thing.write("position", shape.vertices)
 
@@ -241,8 +244,8 @@ class Scenery:
         if self.legend is not None:
             renderer.use_legend(self.legend)
         surface = self._things.get("surface")
-        if surface is not None and surface.look.wired != self.wireframe:
-            surface.look = replace(surface.look, wired=self.wireframe)
+        if surface is not None and surface.appearance.wired != self.wireframe:
+            surface.appearance = replace(surface.appearance, wired=self.wireframe)
         for thing in self._things.values():
             thing.show_in(renderer)
         return renderer
@@ -305,9 +308,11 @@ class Scenery:
         self.theme = THEMES[name]
         self.version += 1
 
-    def _use(self, name: str, count: int, triangles: NDArray[np.integer], look: Look) -> Thing:
+    def _use(
+        self, name: str, count: int, triangles: NDArray[np.integer], appearance: Appearance
+    ) -> Thing:
         if name not in self._things:
-            self._things[name] = Thing(count, triangles, look)
+            self._things[name] = Thing(count, triangles, appearance)
         self._things[name].visible = True
         self.version += 1
         return self._things[name]

@@ -6,14 +6,14 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from palpate.render import Look, Part, Renderer
+from palpate.render import Appearance, Part, Renderer
 
 
 class Thing:
     """A surface as float32 streams, and the part that shows it while there is a context."""
 
-    def __init__(self, vertex_count: int, triangles: NDArray[np.integer], look: Look):
-        self.triangles, self.look, self.visible = triangles, look, True
+    def __init__(self, vertex_count: int, triangles: NDArray[np.integer], appearance: Appearance):
+        self.triangles, self.appearance, self.visible = triangles, appearance, True
         self.streams = {
             "position": np.zeros((vertex_count, 3), np.float32),
             "normal": np.zeros((vertex_count, 3), np.float32),
@@ -44,9 +44,9 @@ class Thing:
             return
         if self.part is None:
             count = len(self.streams["position"])
-            self.part = renderer.add(count, self.triangles, self.look)
+            self.part = renderer.add(count, self.triangles, self.appearance)
             self._stale = set(self.streams)
-        self.part.look = self.look
+        self.part.appearance = self.appearance
         self.part.update(**{name: self.streams[name] for name in self._stale})
         self._stale.clear()
 

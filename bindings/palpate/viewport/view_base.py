@@ -11,7 +11,7 @@ from PySide6.QtCore import QPoint, QPointF, QTimer
 from PySide6.QtGui import QImage, QResizeEvent
 
 import palpate
-from palpate.render import Camera, Look, Shape, build_legend
+from palpate.render import Appearance, Camera, Shape, build_legend
 from palpate.viewport import navigation
 from palpate.viewport.canvas import Canvas
 from palpate.viewport.force_arrow import choose_radius, keep_in_sight
@@ -98,9 +98,9 @@ class ViewBase(ViewEvents):
         self._place_children()
         self.update()
 
-    def use_look(self, look: Look | None) -> None:
+    def use_appearance(self, appearance: Appearance | None) -> None:
         """How tissue takes the light wherever no values are shown; None for plain tissue."""
-        self.scenery.use_look(look)
+        self.scenery.use_appearance(appearance)
         self.update()
 
     def show_selection(self, weights: ArrayLike | None) -> None:
@@ -129,10 +129,10 @@ class ViewBase(ViewEvents):
         self.scenery.show_ring(centre, normal, radius)
         self.update()
 
-    def show_part(self, name: str, shape: Shape | None, look: Look) -> None:
+    def show_part(self, name: str, shape: Shape | None, appearance: Appearance) -> None:
         """Something beside the surface, by a name of its own; its triangles stay. None takes it
         away."""
-        self.scenery.show_part(name, shape, look)
+        self.scenery.show_part(name, shape, appearance)
         self.update()
 
     @property

@@ -20,19 +20,19 @@ from palpate.files.json_part import json_kind, read_part, read_value
 from palpate.files.refusal import Refusal
 from palpate.scenario import MOST_LANGUAGES, Container, read_container, write_container
 from palpate.scene.scene_parts import (
+    AppearancePart,
     FillPart,
     HandPart,
-    LookPart,
     MaterialPart,
     ModelPart,
     ToolPart,
-    find_look_fault,
+    find_appearance_fault,
 )
 
 from palpate_editor.document.organ import Decimation, Organ, Source, Translation, is_language
 from palpate_editor.document.surface import Surface
 
-FORMAT, VERSION = "organ", 4
+FORMAT, VERSION = "organ", 5
 ARRAYS_OF_MODEL = ("fixed", "stiffness_scale")
 """Of the model part; arrays of the file stand for them."""
 WORDS = ("name", "title", "task")
@@ -43,7 +43,7 @@ NUMBERS = {
     "tool": ToolPart,
     "hand": HandPart,
 }
-OPTIONAL = {"source": Source, "decimation": Decimation, "look": LookPart}
+OPTIONAL = {"source": Source, "decimation": Decimation, "appearance": AppearancePart}
 
 Json = dict[str, Any]
 Arrays = dict[str, np.ndarray]
@@ -68,10 +68,30 @@ def choose_substeps(content: Json, arrays: Arrays) -> tuple[Json, Arrays]:
     return content, arrays
 
 
+def name_appearance(content: Json, arrays: Arrays) -> tuple[Json, Arrays]:
+    """Version 5 has the terms of renderers: the look is the appearance, its softness subsurface."""
+    rename_field(content, "", "look", "appearance")
+    if content["appearance"] is not None:
+        rename_field(content["appearance"], "look.", "softness", "subsurface")
+    return content, arrays
+
+
+def rename_field(part: Any, place: str, old: str, new: str) -> None:
+    """Refuses what is no object with the old name, and one that has the new one already."""
+    if not isinstance(part, dict):
+        raise Refusal("", place.rstrip("."), json_kind(part), "an object")
+    if new in part:
+        raise Refusal("", place + new, "an unknown field", old)
+    if old not in part:
+        raise Refusal("", place + old, "nothing", "a field of this name")
+    part[new] = part.pop(old)
+
+
 MIGRATIONS: dict[int, Callable[[Json, Arrays], tuple[Json, Arrays]]] = {
     1: choose_constants,
     2: choose_filling,
     3: choose_substeps,
+    4: name_appearance,
 }
 """Version -> what makes of a document of that version one of the next."""
 
@@ -159,9 +179,9 @@ def unpack(content: Any, arrays: Arrays, file: str) -> Organ:
     for name, kind in NUMBERS.items():
         without = ARRAYS_OF_MODEL if kind is ModelPart else ()
         parts[name] = read_part(file, name, kind, content[name], without=without, whole=True)
-    fault = find_look_fault(parts["look"]) if parts["look"] else None
+    fault = find_appearance_fault(parts["appearance"]) if parts["appearance"] else None
     if fault is not None:
-        raise Refusal(file, f"look.{fault[0]}", *fault[1:])
+        raise Refusal(file, f"appearance.{fault[0]}", *fault[1:])
     parts["languages"] = unpack_languages(content.get("languages", {}), file)
     regions = read_value(file, "regions", tuple[str, ...], content["regions"])
     parts |= unpack_arrays(arrays, regions, file)

@@ -10,9 +10,9 @@ from types import MappingProxyType
 
 import numpy as np
 from palpate.scene.scene_parts import (
+    AppearancePart,
     FillPart,
     HandPart,
-    LookPart,
     MaterialPart,
     ModelPart,
     ToolPart,
@@ -125,7 +125,7 @@ class Organ:
     """Named sets of vertices: (k,) int32 each, ascending, read-only."""
     tool: ToolPart = TOOL
     hand: HandPart = HAND
-    look: LookPart | None = None
+    appearance: AppearancePart | None = None
     """None for plain tissue."""
     title: str = ""
     """Of the published scenario."""

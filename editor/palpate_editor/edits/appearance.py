@@ -6,16 +6,16 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
-from palpate.scene.scene_parts import LookPart, find_look_fault
+from palpate.scene.scene_parts import AppearancePart, find_appearance_fault
 
-from palpate_editor.appearance import make_look, read_styles
+from palpate_editor.appearance import make_appearance, read_styles
 from palpate_editor.document import Organ, phrase
 from palpate_editor.edits.edit import EditError
 
 
 @dataclass(frozen=True)
 class SetAppearance:
-    """Give the organ one of the looks that ship, in its own colour or another."""
+    """Give the organ one of the appearances that ship, in its own colour or another."""
 
     title: ClassVar[str] = "Set the appearance"
 
@@ -25,9 +25,9 @@ class SetAppearance:
     """sRGB, 0 to 1; None for the style's own."""
 
     def __call__(self, organ: Organ) -> Organ:
-        return replace(organ, look=self.find_look())
+        return replace(organ, appearance=self.find_appearance())
 
-    def find_look(self) -> LookPart | None:
+    def find_appearance(self) -> AppearancePart | None:
         if self.style is None:
             return None
         if self.style not in read_styles():
@@ -47,6 +47,6 @@ class SetAppearance:
                         got=", ".join(f"{part:g}" for part in self.colour),
                     )
                 )
-        look = make_look(self.style, self.colour)
-        assert find_look_fault(look) is None
-        return look
+        appearance = make_appearance(self.style, self.colour)
+        assert find_appearance_fault(appearance) is None
+        return appearance

@@ -12,7 +12,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from palpate_editor import authoring
-from palpate_editor.appearance import choose_look
+from palpate_editor.appearance import choose_appearance
 from palpate_editor.document import Organ, Repairs, Source, Surface
 
 REPAIRS = tuple(f.name for f in fields(Repairs) if f.name != "welded_vertices")
@@ -22,7 +22,7 @@ REPAIRS = tuple(f.name for f in fields(Repairs) if f.name != "welded_vertices")
 @dataclass(frozen=True, eq=False)
 class ImportMesh:
     """Put a surface that was read in the editor. Constants stay; what was painted goes. An organ
-    without a look gets the one that fits its name."""
+    without an appearance gets the one that fits its name."""
 
     title: ClassVar[str] = "Import"
 
@@ -38,8 +38,8 @@ class ImportMesh:
             decimation=None,
         )
         name = organ.name or self.name
-        look = organ.look or choose_look(name, (self.name, *self.source.parts))
-        return replace(fresh, name=name, look=look)
+        appearance = organ.appearance or choose_appearance(name, (self.name, *self.source.parts))
+        return replace(fresh, name=name, appearance=appearance)
 
 
 def import_file(

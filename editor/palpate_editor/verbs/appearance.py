@@ -65,12 +65,12 @@ def run_appearance(call: argparse.Namespace) -> Report:
         organ = change(call, organ)
         read.check(call.out)
         write_organ(call.out, organ)
-    style = find_style(organ.look)
+    style = find_style(organ.appearance)
     return {
         "out": None if call.out is None else str(call.out),
         "style": None if style is None else style.name,
-        "colour": None if organ.look is None else write_colour(organ.look.colour),
-        "look": None if organ.look is None else asdict(organ.look),
+        "colour": None if organ.appearance is None else write_colour(organ.appearance.colour),
+        "appearance": None if organ.appearance is None else asdict(organ.appearance),
         "styles": list(read_styles()),
     }
 
@@ -79,9 +79,9 @@ def change(call: argparse.Namespace, organ: Organ) -> Organ:
     """The organ as the call wants it to look."""
     style = call.style
     if style is None:
-        known = find_style(organ.look)
+        known = find_style(organ.appearance)
         if known is None:
-            found = "plain tissue" if organ.look is None else "an appearance of its own"
+            found = "plain tissue" if organ.appearance is None else "an appearance of its own"
             raise Refusal(call.file, "--colour", found, "--style beside it")
         style = known.name
     if style == PLAIN and call.colour is not None:
@@ -91,7 +91,7 @@ def change(call: argparse.Namespace, organ: Organ) -> Organ:
 
 
 def describe_appearance(report: Report) -> str:
-    if report["look"] is None:
+    if report["appearance"] is None:
         line = "plain tissue"
     else:
         line = f"{report['style'] or 'an appearance of its own'}, {report['colour']}"

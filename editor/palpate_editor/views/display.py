@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import numpy as np
-from palpate.render import build_look
+from palpate.render import build_appearance
 from PySide6.QtCore import QObject, Signal
 
 from palpate_editor.document import Organ
@@ -73,8 +73,10 @@ class Display(QObject):
                 view.show_surface(np.zeros((0, 3)), np.zeros((0, 3), np.int32))
         elif before is None or before.surface is not organ.surface:
             view.show_surface(organ.surface.vertices, organ.surface.triangles)
-        if before is None or before.look != organ.look:
-            view.use_look(None if organ.look is None else build_look(organ.look))
+        if before is None or before.appearance != organ.appearance:
+            view.use_appearance(
+                None if organ.appearance is None else build_appearance(organ.appearance)
+            )
         self.drawn = organ
         self.refresh_values()
 

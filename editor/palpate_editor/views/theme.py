@@ -18,7 +18,7 @@ SHEET = Path(__file__).with_name("theme.qss")
 
 @dataclass(frozen=True)
 class Colours:
-    """Every colour of one look, as #rrggbb."""
+    """Every colour of one appearance, as #rrggbb."""
 
     window: str
     """Behind everything."""

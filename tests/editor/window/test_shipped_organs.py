@@ -45,7 +45,7 @@ def test_an_organ_that_is_chosen_is_open_whole_and_without_a_file(qtbot, window)
 
     organ = window.session.organ
     assert (organ.name, organ.vertex_count) == ("kidney stone", 120)
-    assert organ.fixed.any() and "crown" in organ.regions and organ.look is not None
+    assert organ.fixed.any() and "crown" in organ.regions and organ.appearance is not None
     assert window.session.path is None and not window.isWindowModified()
     assert window.welcome.isHidden()
     assert window.context.stage == "material"

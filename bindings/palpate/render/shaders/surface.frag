@@ -23,7 +23,7 @@ uniform bool mapped;          // whether the colour map or `colour` paints this 
 uniform vec3 colour;
 uniform vec3 highlight;       // of what is selected
 uniform float gloss;          // 0 dull, 1 wet or polished
-uniform float softness;       // how far light creeps around into the shade, as in flesh
+uniform float subsurface;       // how far light creeps around into the shade, as in flesh
 uniform float sharpness;      // of highlights: 1 as a wet organ has them, less on dull ones
 uniform float wire_width;     // [px], 0 for no wireframe
 uniform float opacity;        // 0 to 1
@@ -175,7 +175,7 @@ void main() {
   float open = clamp(fragment.openness, 0.0, 1.0);
   float shade = lit(n);
   // red light travels farthest through tissue, so its edge of the shade lies farthest round
-  vec3 wrap = softness * vec3(1.0, 0.45, 0.35);
+  vec3 wrap = subsurface * vec3(1.0, 0.45, 0.35);
   vec3 key = max((vec3(dot(n, to_key)) + wrap) / (1.0 + wrap), 0.0) * mix(0.12, 1.0, shade);
   float fill = max(0.5 + 0.5 * dot(n, to_fill), 0.0);
   float graze = 1.0 - clamp(dot(n, v), 0.0, 1.0);

@@ -560,6 +560,10 @@
         <translation>iki başka dörtyüzlünün de paylaştığı bir yüz</translation>
     </message>
     <message>
+        <source>a field of this name</source>
+        <translation>bu adda bir alan</translation>
+    </message>
+    <message>
         <source>a file</source>
         <translation>bir dosya</translation>
     </message>

@@ -42,7 +42,7 @@ class AppearanceRow(QWidget):
         self.styles = QComboBox(self)
         self.styles.setObjectName("appearance")
         for name, style in read_styles().items():
-            colour = QColor.fromRgbF(*style.look.colour)
+            colour = QColor.fromRgbF(*style.appearance.colour)
             self.styles.addItem(swatch(colour), style_title(name), name)
         self.styles.addItem(style_title(PLAIN), PLAIN)
         self.styles.activated.connect(self.choose_style)
@@ -59,18 +59,18 @@ class AppearanceRow(QWidget):
     def show_organ(self, organ: Organ) -> None:
         there = organ.surface is not None
         self.styles.setEnabled(there)
-        style = find_style(organ.look)
+        style = find_style(organ.appearance)
         self.button.setEnabled(there and style is not None)
-        self.show_own(organ.look is not None and style is None)
-        name = style.name if style is not None else OWN if organ.look is not None else PLAIN
+        self.show_own(organ.appearance is not None and style is None)
+        name = style.name if style is not None else OWN if organ.appearance is not None else PLAIN
         self.styles.setCurrentIndex(self.styles.findData(name))
-        if organ.look is not None:
-            colour = QColor.fromRgbF(*organ.look.colour)
+        if organ.appearance is not None:
+            colour = QColor.fromRgbF(*organ.appearance.colour)
             self.button.setIcon(swatch(colour))
-            self.button.setToolTip(write_colour(organ.look.colour))
+            self.button.setToolTip(write_colour(organ.appearance.colour))
 
     def show_own(self, shown: bool) -> None:
-        """The entry for a look that is of no style, for an organ that has one."""
+        """The entry for an appearance that is of no style, for an organ that has one."""
         at = self.styles.findData(OWN)
         if shown and at < 0:
             self.styles.addItem(style_title(OWN), OWN)
@@ -79,16 +79,16 @@ class AppearanceRow(QWidget):
 
     def choose_style(self, row: int) -> None:
         name = self.styles.itemData(row)
-        style = find_style(self.context.session.organ.look)
+        style = find_style(self.context.session.organ.appearance)
         if name == OWN or name == (style.name if style else PLAIN):
             return
         self.context.apply(SetAppearance(name or None))
 
     def ask_colour(self) -> None:
-        look = self.context.session.organ.look
-        if look is None:
+        appearance = self.context.session.organ.appearance
+        if appearance is None:
             return
-        dialog = QColorDialog(QColor.fromRgbF(*look.colour), self)
+        dialog = QColorDialog(QColor.fromRgbF(*appearance.colour), self)
         dialog.setWindowTitle(tr("Colour of the tissue"))
         dialog.colorSelected.connect(self.choose_colour)
         dialog.finished.connect(dialog.deleteLater)
@@ -96,7 +96,7 @@ class AppearanceRow(QWidget):
         dialog.open()
 
     def choose_colour(self, colour: QColor) -> None:
-        style = find_style(self.context.session.organ.look)
+        style = find_style(self.context.session.organ.appearance)
         if style is not None:
             wanted = (colour.red() / 255.0, colour.green() / 255.0, colour.blue() / 255.0)
             self.context.apply(SetAppearance(style.name, wanted))

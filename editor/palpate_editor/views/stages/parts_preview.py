@@ -7,15 +7,17 @@ from collections.abc import Sequence
 
 import numpy as np
 import palpate
-from palpate.render import Look, Shape, build_look
+from palpate.render import Appearance, Shape, build_appearance
 from PySide6.QtCore import QObject
 
-from palpate_editor.appearance import USUAL, make_look
+from palpate_editor.appearance import USUAL, make_appearance
 from palpate_editor.views.context import Context
 from palpate_editor.views.tasks import Part
 
 MARK = "part under the pointer"
-MARKED = Look((1.0, 0.62, 0.10), gloss=0.2, softness=0.0, seen_through=True, casts_shadow=False)
+MARKED = Appearance(
+    (1.0, 0.62, 0.10), gloss=0.2, subsurface=0.0, seen_through=True, casts_shadow=False
+)
 
 
 class PartsPreview(QObject):
@@ -33,7 +35,7 @@ class PartsPreview(QObject):
         vertices, triangles = join(parts)
         view.show_selection(None)
         view.show_surface(vertices, triangles)
-        view.use_look(build_look(make_look(USUAL)))
+        view.use_appearance(build_appearance(make_appearance(USUAL)))
         if (first or frame) and len(triangles):
             view.frame_all()
 
