@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from palpate_editor.app.settings import RECENT, Settings
-from PySide6.QtCore import QByteArray, QSettings
+from PySide6.QtCore import QByteArray, QSettings, QSize
 
 
 @pytest.fixture
@@ -112,3 +112,16 @@ def test_the_last_folder_is_offered_while_it_is_there(open_settings, tmp_path):
     assert open_settings().last_folder == folder
     folder.rmdir()
     assert open_settings().last_folder is None
+
+
+def test_the_sizes_of_docks_come_back_and_what_is_no_size_is_left_out(open_settings):
+    settings = open_settings()
+    settings.layout = (QByteArray(b"geometry"), QByteArray(b"docks"))
+    settings.dock_sizes = {"force": QSize(380, 226), "log": QSize(440, 226)}
+    settings.store.setValue("window/sizes/log", "wide")
+    settings.store.sync()
+
+    assert open_settings().dock_sizes == {"force": QSize(380, 226)}
+
+    settings.layout = None
+    assert open_settings().dock_sizes == {}

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from PySide6.QtCore import QByteArray, QSettings
+from PySide6.QtCore import QByteArray, QSettings, QSize
 
 RECENT = 10
 """Files that are remembered."""
@@ -91,6 +91,21 @@ class Settings:
             self._keep("window/geometry", layout[0])
             self._keep("window/docks", layout[1])
         self.store.sync()
+
+    @property
+    def dock_sizes(self) -> dict[str, QSize]:
+        """[px] By name, what each dock of the layout was given last, whatever the screen had room
+        for."""
+        self.store.beginGroup("window/sizes")
+        kept = {name: self.store.value(name) for name in self.store.childKeys()}
+        self.store.endGroup()
+        return {name: size for name, size in kept.items() if isinstance(size, QSize)}
+
+    @dock_sizes.setter
+    def dock_sizes(self, sizes: dict[str, QSize]) -> None:
+        self.store.remove("window/sizes")
+        for name, size in sizes.items():
+            self._keep(f"window/sizes/{name}", size)
 
     @property
     def last_folder(self) -> Path | None:

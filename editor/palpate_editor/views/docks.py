@@ -90,7 +90,7 @@ class Docks(QObject):
 
     def recover(self) -> None:
         """Gives the docks the sizes that are wanted, as far as the window has room for them."""
-        if not self.wanted:  # those of a layout that was kept
+        if not self.wanted:  # those of a layout that was kept without them
             self.remember()
         docks = self.list_docked()
         docks = {name: dock for name, dock in docks.items() if name in self.wanted}
@@ -183,7 +183,7 @@ class Docks(QObject):
         layout = settings.layout
         if layout is None:
             return False
-        self.wanted = {}
+        self.wanted = settings.dock_sizes
         self.window.restoreGeometry(layout[0])
         return self.window.restoreState(layout[1], LAYOUT_VERSION)
 
@@ -192,6 +192,7 @@ class Docks(QObject):
         if self.folded:
             return
         settings.layout = (self.window.saveGeometry(), self.window.saveState(LAYOUT_VERSION))
+        settings.dock_sizes = self.wanted
 
     def reset(self) -> None:
         if self.start is not None:

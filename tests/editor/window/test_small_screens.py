@@ -232,6 +232,26 @@ def test_a_width_that_a_person_gave_a_dock_is_the_one_that_comes_back(qtbot, win
     qtbot.waitUntil(lambda: scene.width() == 340)
 
 
+def test_a_layout_that_a_small_screen_folded_comes_back_as_it_was_kept(qtbot, make_editor):
+    kept = make_editor(theme="dark", language="en").window
+    docks = kept.docks.docks
+    kept.resizeDocks([docks["log"], docks["force"]], [300, 420], Qt.Orientation.Horizontal)
+    qtbot.waitUntil(lambda: docks["force"].width() > docks["log"].width(), timeout=PATIENCE)
+    QTest.mouseClick(kept, Qt.MouseButton.LeftButton)  # the line between docks is let go
+    widths = {name: dock.width() for name, dock in docks.items()}
+    kept.may_close = True
+    kept.close()
+
+    # the screen of no display has 800 x 800 pixels; a window of the size of the first follows
+    restored = make_editor(theme="dark", language="en").window.docks.docks
+
+    for name, width in widths.items():
+        qtbot.waitUntil(
+            lambda name=name, width=width: abs(restored[name].width() - width) <= 12,
+            timeout=PATIENCE,
+        )
+
+
 def test_enter_in_the_field_of_vertices_decimates(qtbot, window, spleen):
     window.files.open(spleen)
     settle(qtbot, window)
