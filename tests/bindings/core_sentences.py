@@ -49,6 +49,8 @@ RANGE = re.compile(
 """What is said of many fields, each with numbers of its own."""
 WHOLE = re.compile(r"(?:^|.*?[: ])got (.*), expected (.*)", re.DOTALL)
 """A sentence that says both."""
+NOTED = re.compile(r"std::string ask_for_low_latency\([^)]*\) \{(.*?)\n\}", re.DOTALL)
+"""What came of a wish that may fail."""
 ADVICE = re.compile(r'\? "(; [^"]*)"')
 
 
@@ -74,6 +76,9 @@ def read_file(path: Path) -> Iterator[str]:
                 yield from divide(template)
     for body in TOLD.findall(source):
         for told in re.findall(r"return (.*?);", body, re.DOTALL):
+            yield from build_templates(told)
+    for body in NOTED.findall(source):
+        for told in re.findall(r"(?:note \+?=|return) (.*?);\n", body, re.DOTALL):
             yield from build_templates(told)
     yield from ADVICE.findall(source)
     if path.stem == "units":

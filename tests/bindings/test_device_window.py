@@ -356,3 +356,13 @@ def test_pictures_of_the_window_are_left_in_the_build_folder(open_device, qtbot,
     drawn = read_pixels(window.view.grab().toImage())
     orange = (drawn[..., 0] > 180) & (drawn[..., 2] < 110) & (drawn[..., 0] - drawn[..., 2] > 110)
     assert orange.sum() > 500
+
+
+def test_what_came_of_asking_a_port_for_low_latency_is_read_in_turkish(open_device, qtbot, turkish):
+    window = open_device()
+    link = connect(window, qtbot)
+
+    link.note = "driver set to low latency; latency timer 1 ms"
+    window.monitor.say()
+
+    assert window.monitor.note.text() == "sürücü düşük gecikmeye ayarlandı; gecikme sayacı 1 ms"

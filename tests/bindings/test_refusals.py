@@ -15,7 +15,7 @@ from core_sentences import build_templates
 from english import say_in_turkish
 from hostile_scenarios import set_in, with_manifest
 from palpate import translation
-from palpate.translation.refusals import CONTEXT, build_pattern, say_refusal
+from palpate.translation.refusals import CONTEXT, build_pattern, say_note, say_refusal
 from published import publish
 
 WORDS = {
@@ -131,6 +131,19 @@ def test_a_port_that_is_not_there_is_said_in_turkish(turkish):
         "/dev/nowhere: böyle bir dosya ya da klasör yok; "
         "beklenen: 1000000 bit/s hızını alan bir seri kapı"
     )
+
+
+def test_what_came_of_asking_a_port_for_low_latency_is_said_in_turkish(turkish):
+    note = (
+        'driver refused low latency; latency timer 16 ms: a udev rule with ATTR{latency_timer}="1" '
+        "would make the loop 15 ms shorter"
+    )
+
+    assert say_note(note) == (
+        "sürücü düşük gecikmeyi kabul etmedi; gecikme sayacı 16 ms: "
+        'ATTR{latency_timer}="1" içeren bir udev kuralı döngüyü 15 ms kısaltır'
+    )
+    assert say_note("nothing here keeps bytes back") == "burada baytları bekleten bir şey yok"
 
 
 def test_a_silent_device_is_said_in_turkish_behind_its_name(turkish):

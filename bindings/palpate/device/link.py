@@ -42,7 +42,7 @@ class Link:
         can; `far_end` is kept alive for as long as the link.
         """
         self.name, self.driver, self.arm, self.note = name, driver, arm, note
-        """`note` says what was done about latency; that of a port comes in English alone."""
+        """`note` says what was done about latency; that of a port is a sentence of the core."""
         self._hand, self._far_end = hand, far_end
         self._loop: palpate.DeviceLoop | None = None
         self._lock = threading.Lock()

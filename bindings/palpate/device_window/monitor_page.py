@@ -15,6 +15,7 @@ from palpate.device_window.cards import Facts, Page, build_button
 from palpate.device_window.gauges import Dial, Histogram, MotorBars
 from palpate.device_window.sentences import number, say, say_joint, translate
 from palpate.player.device_sentences import say_advice, say_state
+from palpate.translation.refusals import say_note
 
 STIFFNESS = 80.0
 """[N/m] of the spring at first."""
@@ -239,7 +240,7 @@ class MonitorPage(Page):
 
     def _say_note(self) -> None:
         note = "" if self.link is None else self.link.note
-        self.note.setText(say(note) if isinstance(note, Sentence) else note)
+        self.note.setText(say(note) if isinstance(note, Sentence) else say_note(note))
         self.note.setVisible(bool(note))
 
     def say(self) -> None:

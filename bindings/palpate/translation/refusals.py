@@ -45,6 +45,11 @@ def say_refusal(text: str, depth: int = DEEPEST) -> str:
     return f"{head}: {say_inside(rest, depth)}" if colon else text
 
 
+def say_note(text: str) -> str:
+    """What the core did, told in parts with semicolons between them."""
+    return "; ".join(map(say_refusal, text.split("; ")))
+
+
 def say_inside(text: str, depth: int) -> str:
     return say_refusal(text, depth - 1) if depth > 0 else text
 

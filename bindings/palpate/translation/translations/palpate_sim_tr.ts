@@ -1068,6 +1068,26 @@
         <translation>bir dosyanın içerdiği gibi 1</translation>
     </message>
     <message>
+        <source>driver refused low latency</source>
+        <translation>sürücü düşük gecikmeyi kabul etmedi</translation>
+    </message>
+    <message>
+        <source>driver set to low latency</source>
+        <translation>sürücü düşük gecikmeye ayarlandı</translation>
+    </message>
+    <message>
+        <source>latency timer %1 ms: a udev rule with ATTR{latency_timer}="1" would make the loop %2 ms shorter</source>
+        <translation>gecikme sayacı %1 ms: ATTR{latency_timer}="1" içeren bir udev kuralı döngüyü %2 ms kısaltır</translation>
+    </message>
+    <message>
+        <source>latency timer 1 ms</source>
+        <translation>gecikme sayacı 1 ms</translation>
+    </message>
+    <message>
+        <source>nothing here keeps bytes back</source>
+        <translation>burada baytları bekleten bir şey yok</translation>
+    </message>
+    <message>
         <source>scene: %1</source>
         <translation>sahne: %1</translation>
     </message>
