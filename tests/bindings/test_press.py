@@ -3,11 +3,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from palpate.runs.press import Place, PressScript, measure_press, write_script
+from palpate.runs.press import Place, PressScript, find_top, measure_press, write_script
+from palpate.runs.run import read_scene, run_script
+from published import publish
 
 PLACE = Place(np.array([0.0, 0.0, 0.02]), np.array([0.0, 0.0, 1.0]))
 RADIUS, DEPTH = 3e-3, 6e-3
@@ -56,3 +59,15 @@ def test_an_organ_that_still_swings_as_a_whole_has_no_stiffness():
 
 def test_a_hand_that_felt_nothing_has_found_no_stiffness():
     assert press(np.zeros_like(TIME))["patch_stiffness_N_per_m"] in (None, 0.0)
+
+
+def test_a_press_whose_hand_the_wrapper_refuses_ends_in_its_words(tmp_path):
+    path = publish(tmp_path, subdivisions=1)
+    scene = read_scene(path)
+    top = find_top(scene)
+    in_millimetres = replace(top, point=1e3 * top.point + np.array([0.0, 0.0, 20.0]))
+
+    with pytest.raises(
+        RuntimeError, match="the device failed: the device told a hand at .* m, exp"
+    ):
+        run_script(scene, in_millimetres, PressScript(DEPTH), tmp_path / "a.rec", path)
