@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Protocol, TypeVar
+from typing import Generic, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -66,7 +66,7 @@ class Paint(Protocol[Painted]):
     def erase(self, ids: NDArray[np.intp]) -> Edit: ...
 
 
-class BrushTool(QObject):
+class BrushTool(QObject, Generic[Painted]):
     """A view's tool that paints: the ring, the stroke, its size."""
 
     stages: tuple[str, ...] = ("material",)
@@ -77,7 +77,7 @@ class BrushTool(QObject):
     """It has the mouse now, or no longer."""
 
     def __init__(
-        self, context: Context, brush: Brush, paint: Paint[Any], parent: QObject | None = None
+        self, context: Context, brush: Brush, paint: Paint[Painted], parent: QObject | None = None
     ):
         super().__init__(parent or context)
         self.context, self.brush, self.paint = context, brush, paint
@@ -88,7 +88,7 @@ class BrushTool(QObject):
         self.active = False
         self._keeper = keeper_of(context)
         self._painted: PaintedSurface | None = None
-        self._stroke: Stroke | None = None
+        self._stroke: Painted | None = None
         self._last: QPointF | None = None
         self._options: QWidget | None = None
         context.session.changed.connect(self._take_organ)

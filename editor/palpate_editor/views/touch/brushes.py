@@ -19,7 +19,6 @@ from palpate_editor.views.touch.stroke import (
     FixStroke,
     SmoothStroke,
     StiffnessStroke,
-    Stroke,
 )
 from palpate_editor.views.translations import tr
 
@@ -37,7 +36,7 @@ class FixPaint:
     def hint(self) -> str:
         return tr("Drag to fix, Ctrl to free, [ ] or Ctrl+wheel for the size, Esc to leave")
 
-    def begin(self, organ: Organ, surface: PaintedSurface, brush: Brush, keys: Keys) -> Stroke:
+    def begin(self, organ: Organ, surface: PaintedSurface, brush: Brush, keys: Keys) -> FixStroke:
         del surface, brush
         return FixStroke(organ.fixed, not keys & CONTROL)
 
@@ -68,7 +67,9 @@ class StiffnessPaint:
             "Esc to leave"
         )
 
-    def begin(self, organ: Organ, surface: PaintedSurface, brush: Brush, keys: Keys) -> Stroke:
+    def begin(
+        self, organ: Organ, surface: PaintedSurface, brush: Brush, keys: Keys
+    ) -> StiffnessStroke | SmoothStroke:
         if keys & SHIFT:
             return SmoothStroke(organ.stiffness_scale, surface.neighbours)
         factor = 1.0 if keys & CONTROL else brush.factor
@@ -88,14 +89,14 @@ class StiffnessPaint:
         return PaintStiffness(ids, 1.0)
 
 
-class FixTool(BrushTool):
+class FixTool(BrushTool[FixStroke]):
     """Paints with FixPaint."""
 
     def __init__(self, context: Context, brush: Brush, parent: QObject | None = None):
         super().__init__(context, brush, FixPaint(), parent)
 
 
-class StiffnessTool(BrushTool):
+class StiffnessTool(BrushTool[StiffnessStroke | SmoothStroke]):
     """Paints with StiffnessPaint."""
 
     def __init__(self, context: Context, brush: Brush, parent: QObject | None = None):
