@@ -2,7 +2,7 @@
 #include "bindings.h"
 #include "border.h"
 #include "palpate/sim/arm/kinematics.h"
-#include "palpate/sim/device/velocity_window.h"
+#include "palpate/sim/device/safe_device.h"
 #include "value.h"
 
 namespace palpate::bindings {

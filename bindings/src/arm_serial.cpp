@@ -6,8 +6,8 @@
 #include "bindings.h"
 #include "interrupt.h"
 #include "palpate/sim/arm/faulty.h"
-#include "palpate/sim/arm/serial_transport.h"
 #include "palpate/sim/arm/simulated_arm.h"
+#include "palpate/sim/arm/transport.h"
 #include "palpate/sim/base/error.h"
 #include "value.h"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bindings.h"
 #include "border.h"
-#include "palpate/sim/contact/balance_tool.h"
 #include "palpate/sim/contact/contact_law.h"
-#include "palpate/sim/tree/tree_cost.h"
+#include "palpate/sim/tree/aabb_tree.h"
 #include "rows.h"
 #include "value.h"
 

@@ -8,7 +8,7 @@
 #include "interrupt.h"
 #include "palpate/sim/device/conformance.h"
 #include "palpate/sim/device/safe_device.h"
-#include "palpate/sim/loop/device_loop.h"
+#include "palpate/sim/loop/loop.h"
 #include "value.h"
 
 namespace palpate::bindings {

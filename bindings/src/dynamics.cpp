@@ -3,9 +3,8 @@
 
 #include "bindings.h"
 #include "border.h"
-#include "palpate/sim/dynamics/energy.h"
 #include "palpate/sim/dynamics/guard.h"
-#include "palpate/sim/dynamics/stable_step.h"
+#include "palpate/sim/dynamics/state.h"
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/dynamics/tangent.h"
 #include "palpate/sim/packed/private/packed.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/mesh/mesh.h"
+
 #include "bindings.h"
 #include "border.h"
-#include "palpate/sim/mesh/measure.h"
-#include "palpate/sim/mesh/surface_mesh.h"
 #include "palpate/sim/mesh/topology.h"
 #include "value.h"
 

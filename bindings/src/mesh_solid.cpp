@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bindings.h"
 #include "border.h"
-#include "palpate/sim/mesh/solid_mesh.h"
+#include "palpate/sim/mesh/mesh.h"
 #include "value.h"
 
 namespace palpate::bindings {

@@ -2,8 +2,7 @@
 #include "bindings.h"
 #include "border.h"
 #include "options.h"
-#include "palpate/sim/model/build_mass_spring.h"
-#include "palpate/sim/model/build_molecular.h"
+#include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/model/definiteness.h"
 #include "value.h"
 

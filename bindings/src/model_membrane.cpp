@@ -4,8 +4,7 @@
 #include "bindings.h"
 #include "border.h"
 #include "options.h"
-#include "palpate/sim/model/build_membrane.h"
-#include "palpate/sim/model/build_shell.h"
+#include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/model/membrane.h"
 #include "value.h"
 

@@ -3,7 +3,7 @@
 #include "border.h"
 #include "options.h"
 #include "palpate/sim/model/build_solid.h"
-#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/model/tissue_model.h"
 #include "value.h"
 
 namespace palpate::bindings {

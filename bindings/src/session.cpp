@@ -4,7 +4,7 @@
 
 #include "bindings.h"
 #include "border.h"
-#include "palpate/sim/session/replay.h"
+#include "palpate/sim/session/record.h"
 #include "rows.h"
 #include "value.h"
 

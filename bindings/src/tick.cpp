@@ -5,7 +5,6 @@
 
 #include "bindings.h"
 #include "border.h"
-#include "palpate/sim/tick/place_tool.h"
 #include "rows.h"
 #include "value.h"
 

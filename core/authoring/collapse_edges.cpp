@@ -8,7 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "palpate/sim/mesh/measure.h"
+#include "palpate/sim/mesh/mesh.h"
 
 namespace palpate::authoring {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "palpate/sim/mesh/surface_mesh.h"
+#include "palpate/sim/mesh/mesh.h"
 
 namespace palpate::authoring {
 

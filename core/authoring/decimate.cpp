@@ -9,7 +9,7 @@
 #include "palpate/authoring/collapse_edges.h"
 #include "palpate/authoring/improve_triangles.h"
 #include "palpate/authoring/self_intersections.h"
-#include "palpate/sim/mesh/measure.h"
+#include "palpate/sim/mesh/mesh.h"
 
 namespace palpate::authoring {
 namespace {

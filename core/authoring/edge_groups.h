@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "palpate/sim/mesh/surface_mesh.h"
+#include "palpate/sim/mesh/mesh.h"
 
 namespace palpate::authoring {
 

@@ -7,7 +7,7 @@
 #include "palpate/authoring/cgal/fill_with_mesh_3.h"
 #include "palpate/authoring/self_intersections.h"
 #include "palpate/sim/base/private/refuse.h"
-#include "palpate/sim/mesh/measure.h"
+#include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/mesh/topology.h"
 
 namespace palpate::authoring {

@@ -8,7 +8,7 @@
 #include "palpate/authoring/edge_groups.h"
 #include "palpate/authoring/orient.h"
 #include "palpate/authoring/self_intersections.h"
-#include "palpate/sim/mesh/measure.h"
+#include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/mesh/topology.h"
 
 namespace palpate::authoring {

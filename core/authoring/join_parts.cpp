@@ -6,7 +6,7 @@
 
 #include "palpate/authoring/units.h"
 #include "palpate/authoring/weld.h"
-#include "palpate/sim/mesh/measure.h"
+#include "palpate/sim/mesh/mesh.h"
 
 namespace palpate::authoring {
 namespace {

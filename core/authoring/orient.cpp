@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "palpate/authoring/edge_groups.h"
-#include "palpate/sim/mesh/measure.h"
+#include "palpate/sim/mesh/mesh.h"
 
 namespace palpate::authoring {
 namespace {

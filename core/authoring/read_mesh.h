@@ -6,7 +6,7 @@
 #include <string>
 
 #include "palpate/sim/base/error.h"
-#include "palpate/sim/mesh/surface_mesh.h"
+#include "palpate/sim/mesh/mesh.h"
 
 namespace palpate::authoring {
 

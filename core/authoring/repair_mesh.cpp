@@ -7,7 +7,7 @@
 #include "palpate/authoring/edge_groups.h"
 #include "palpate/authoring/join_parts.h"
 #include "palpate/authoring/orient.h"
-#include "palpate/sim/mesh/measure.h"
+#include "palpate/sim/mesh/mesh.h"
 
 namespace palpate::authoring {
 namespace {

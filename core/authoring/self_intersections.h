@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "palpate/sim/mesh/surface_mesh.h"
+#include "palpate/sim/mesh/mesh.h"
 
 namespace palpate::authoring {
 

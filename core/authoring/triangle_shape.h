@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "palpate/sim/mesh/surface_mesh.h"
+#include "palpate/sim/mesh/mesh.h"
 
 namespace palpate::authoring {
 

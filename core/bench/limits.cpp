@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "palpate/sim/base/cache_aligned.h"
 #include "palpate/sim/base/private/vector_targets.h"
+#include "palpate/sim/base/types.h"
 
 #ifdef PALPATE_SIMD
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "palpate/sim/mesh/measure.h"
+#include "palpate/sim/mesh/mesh.h"
 
 namespace palpate::bench {
 namespace {

@@ -9,7 +9,7 @@
 #include "palpate/bench/naive.h"
 #include "palpate/bench/timing.h"
 #include "palpate/sim/dynamics/step.h"
-#include "palpate/sim/mesh/measure.h"
+#include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/packed/private/packed.h"
 
 namespace palpate::bench {

@@ -9,7 +9,7 @@
 #include "palpate/scenario/table_array.h"
 #include "palpate/scenario/tables.h"
 #include "palpate/sim/base/error.h"
-#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/model/tissue_model.h"
 
 namespace palpate::scenario {
 namespace {

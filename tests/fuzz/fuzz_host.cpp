@@ -11,7 +11,6 @@
 
 #include "../firmware/host_of_device.h"
 #include "insist.h"
-#include "palpate/sim/arm/device_status.h"
 #include "palpate/sim/arm/private/calibration_bytes.h"
 #include "palpate/sim/arm/serial_device.h"
 #include "palpate/sim/device/safe_device.h"

@@ -16,7 +16,7 @@
 #include "palpate/sim/base/error.h"
 #include "palpate/sim/session/private/record_file.h"
 #include "palpate/sim/session/private/record_layout.h"
-#include "palpate/sim/session/replay.h"
+#include "palpate/sim/session/record.h"
 
 using namespace palpate;
 using namespace palpate::record_layout;

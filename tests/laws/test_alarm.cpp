@@ -7,7 +7,7 @@
 
 #include "laws/linear_tissue.h"
 #include "palpate/sim/dynamics/guard.h"
-#include "palpate/sim/dynamics/stable_step.h"
+#include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/packed/simd_targets.h"
 #include "skip.h"

@@ -7,9 +7,8 @@
 
 #include "palpate/sim/contact/contact_law.h"
 #include "palpate/sim/dynamics/step.h"
-#include "palpate/sim/mesh/measure.h"
-#include "palpate/sim/model/build_mass_spring.h"
-#include "palpate/sim/tick/place_tool.h"
+#include "palpate/sim/mesh/mesh.h"
+#include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/tick/tick.h"
 #include "palpate/sim/tree/queries.h"
 #include "scenes/kernels.h"

@@ -7,7 +7,7 @@
 
 #include "laws/linear_tissue.h"
 #include "palpate/sim/device/simulated_devices.h"
-#include "palpate/sim/model/build_molecular.h"
+#include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/tick/tick.h"
 #include "scenes/kernels.h"
 #include "scenes/tissues.h"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "laws/linear_tissue.h"
-#include "palpate/sim/dynamics/energy.h"
+#include "palpate/sim/dynamics/state.h"
 
 using namespace palpate;
 using namespace palpate::laws;

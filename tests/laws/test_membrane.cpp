@@ -6,11 +6,9 @@
 #include <cmath>
 
 #include "palpate/sim/dynamics/forces.h"
-#include "palpate/sim/dynamics/stable_step.h"
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/dynamics/tangent.h"
-#include "palpate/sim/model/build_membrane.h"
-#include "palpate/sim/model/build_shell.h"
+#include "palpate/sim/model/build_surface.h"
 #include "scenes/scenes.h"
 
 using namespace palpate;

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "laws/linear_tissue.h"
-#include "palpate/sim/dynamics/stable_step.h"
+#include "palpate/sim/dynamics/step.h"
 
 using namespace palpate;
 using namespace palpate::laws;

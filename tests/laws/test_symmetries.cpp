@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "palpate/sim/dynamics/stable_step.h"
 #include "palpate/sim/dynamics/step.h"
 #include "scenes/tissues.h"
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "palpate/sim/mesh/surface_mesh.h"
+#include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/model/tissue_model.h"
 
 /// Small scenes shared by the tests of every room. Everything here is deterministic.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "palpate/sim/model/build_shell.h"
+#include "palpate/sim/model/build_surface.h"
 #include "scenes/tissues.h"
 
 /// Walls of prisms.

@@ -4,8 +4,7 @@
 #include <span>
 
 #include "palpate/sim/dynamics/state.h"
-#include "palpate/sim/model/build_mass_spring.h"
-#include "palpate/sim/model/build_molecular.h"
+#include "palpate/sim/model/build_surface.h"
 #include "scenes/scenes.h"
 
 /// Tissues built from the small scenes, one of each kind, for the laws of motion.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/arm/device_status.h"
+#include "palpate/sim/arm/serial_device.h"
 
 extern "C" {
 #include "protocol/messages.h"

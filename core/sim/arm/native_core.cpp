@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/arm/native_core.h"
-
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "palpate/sim/arm/private/calibration_bytes.h"
+#include "palpate/sim/arm/simulated_arm.h"
 #include "palpate/sim/base/private/refuse.h"
 
 extern "C" {

@@ -11,7 +11,8 @@
 #include <cstring>
 #include <thread>
 
-#include "palpate/sim/arm/serial_transport.h"
+#include "palpate/sim/arm/simulated_arm.h"
+#include "palpate/sim/arm/transport.h"
 #include "palpate/sim/base/error.h"
 #include "palpate/sim/base/private/realtime.h"
 

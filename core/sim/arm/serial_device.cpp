@@ -14,9 +14,9 @@
 #include "palpate/sim/arm/private/local_law.h"
 #include "palpate/sim/arm/private/serial_link.h"
 #include "palpate/sim/base/error.h"
-#include "palpate/sim/base/latest.h"
+#include "palpate/sim/base/lock_free.h"
 #include "palpate/sim/base/private/refuse.h"
-#include "palpate/sim/device/velocity_window.h"
+#include "palpate/sim/device/safe_device.h"
 
 namespace palpate {
 namespace {

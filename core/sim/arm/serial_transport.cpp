@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/arm/serial_transport.h"
-
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/ioctl.h>
@@ -16,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "palpate/sim/arm/transport.h"
 #include "palpate/sim/base/error.h"
 #include "palpate/sim/base/private/realtime.h"
 

@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace palpate {
 
@@ -31,6 +33,43 @@ class Transport {
   /// [s] of the clock that arrivals are told by: that of the machine where the device has its own.
   virtual double now(double time) const noexcept { return time; }
   virtual std::string name() const = 0;
+};
+
+/// A serial port of this machine, as far as the system knows it.
+struct SerialPort {
+  std::string path;        ///< to open
+  std::string product;     ///< what it calls itself; empty where it does not say
+  std::string driver;      ///< of the system
+  int latency_timer = -1;  ///< [ms] that the adapter may keep bytes back; -1 where it has none
+  bool permitted = false;  ///< this user may open it
+};
+
+/// The USB serial adapters of this machine, by path.
+std::vector<SerialPort> find_serial_ports();
+
+/// A serial port, or the far end of a PtyDevice. Bytes are told by the machine's own clock; the
+/// time that read and write are given does not matter.
+///
+/// What keeps bytes back is switched off as far as the system and the adapter let it.
+class SerialTransport : public Transport {
+ public:
+  /// Throws DeviceError where the port cannot be opened or does not know the rate [bit/s].
+  explicit SerialTransport(const std::string& path, int baud = 1000000);
+  ~SerialTransport() override;
+
+  std::size_t read(double time, std::span<std::uint8_t> bytes) noexcept override;
+  void write(double time, std::span<const std::uint8_t> bytes) noexcept override;
+  bool is_open() const noexcept override;
+  bool can_wait() const noexcept override { return true; }
+  bool wait(std::int64_t latest) noexcept override;
+  double now(double time) const noexcept override;
+  std::string name() const override;
+  /// What was done about latency, and what could not be, in words.
+  std::string latency_note() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace palpate

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
+#include <cstddef>
+#include <new>
 #include <vector>
 
 namespace palpate {
@@ -25,5 +27,25 @@ static_assert(sizeof(Vec3) == 3 * sizeof(double), "a Vec3Array must be contiguou
 static_assert(alignof(Vec3) == alignof(double) && alignof(Mat3) == alignof(double));
 static_assert(sizeof(Quaternion) == 4 * sizeof(double) && alignof(Quaternion) == alignof(double));
 static_assert(sizeof(Mat34) == 12 * sizeof(double) && alignof(Mat34) == alignof(double));
+
+/// Memory that begins with a cache line, so that no vector of up to 64 bytes lies across two.
+template <class T>
+struct CacheAlignedAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t kCacheLine{64};
+
+  CacheAlignedAllocator() = default;
+  template <class U>
+  CacheAlignedAllocator(const CacheAlignedAllocator<U>&) noexcept {}
+
+  T* allocate(std::size_t count) {
+    return static_cast<T*>(::operator new(count * sizeof(T), kCacheLine));
+  }
+  void deallocate(T* memory, std::size_t) noexcept { ::operator delete(memory, kCacheLine); }
+  friend bool operator==(const CacheAlignedAllocator&, const CacheAlignedAllocator&) = default;
+};
+
+template <class T>
+using CacheAligned = std::vector<T, CacheAlignedAllocator<T>>;
 
 }  // namespace palpate

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "palpate/sim/contact/balance_tool.h"
 #include "palpate/sim/contact/contact_law.h"
 #include "palpate/sim/contact/private/touched_surface.h"
 

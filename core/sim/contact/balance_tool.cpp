@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/contact/balance_tool.h"
-
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <limits>

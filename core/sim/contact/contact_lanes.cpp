@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/contact/contact_lanes.h"
-
 #include "palpate/sim/base/private/vector_targets.h"
+#include "palpate/sim/contact/find_candidates.h"
 
 #ifdef PALPATE_SIMD
 

@@ -5,7 +5,7 @@
 #include <mutex>
 #include <string>
 
-#include "palpate/sim/base/latest.h"
+#include "palpate/sim/base/lock_free.h"
 #include "palpate/sim/device/device.h"
 
 namespace palpate {

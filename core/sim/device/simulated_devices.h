@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "palpate/sim/base/latest.h"
+#include "palpate/sim/base/lock_free.h"
 #include "palpate/sim/device/device.h"
 
 namespace palpate {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/device/velocity_window.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "palpate/sim/base/private/refuse.h"
+#include "palpate/sim/device/safe_device.h"
 
 namespace palpate {
 

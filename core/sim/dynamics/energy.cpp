@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/dynamics/energy.h"
-
 #include <span>
 
 #include "palpate/sim/dynamics/private/elastic_energy.h"
+#include "palpate/sim/dynamics/state.h"
 
 namespace palpate {
 namespace {

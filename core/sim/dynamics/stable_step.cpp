@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/dynamics/stable_step.h"
-
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseCore>
 #include <cmath>
@@ -8,6 +6,7 @@
 
 #include "palpate/sim/dynamics/private/free_particles.h"
 #include "palpate/sim/dynamics/private/lanczos.h"
+#include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/dynamics/tangent.h"
 
 namespace palpate {

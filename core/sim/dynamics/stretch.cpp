@@ -8,7 +8,7 @@
 #include "palpate/sim/dynamics/private/measure_stretch.h"
 #include "palpate/sim/dynamics/private/tensions.h"
 #include "palpate/sim/dynamics/private/volume_law.h"
-#include "palpate/sim/dynamics/stable_step.h"
+#include "palpate/sim/dynamics/step.h"
 
 namespace palpate {
 namespace {

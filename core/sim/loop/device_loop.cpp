@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/loop/device_loop.h"
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <stdexcept>
 #include <thread>
 
-#include "palpate/sim/base/latest.h"
+#include "palpate/sim/base/lock_free.h"
 #include "palpate/sim/base/private/realtime.h"
 #include "palpate/sim/base/private/refuse.h"
+#include "palpate/sim/loop/loop.h"
 #include "palpate/sim/loop/private/pace.h"
 
 namespace palpate {

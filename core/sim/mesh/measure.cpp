@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/mesh/measure.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "palpate/sim/mesh/mesh.h"
 
 namespace palpate {
 namespace {

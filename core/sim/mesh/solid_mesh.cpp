@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/mesh/solid_mesh.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "palpate/sim/base/private/refuse.h"
+#include "palpate/sim/mesh/mesh.h"
 
 namespace palpate {
 namespace {

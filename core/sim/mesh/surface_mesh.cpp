@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/mesh/surface_mesh.h"
-
 #include <algorithm>
 #include <map>
 
 #include "palpate/sim/base/private/refuse.h"
+#include "palpate/sim/mesh/mesh.h"
 
 namespace palpate {
 namespace {

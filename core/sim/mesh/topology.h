@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "palpate/sim/mesh/surface_mesh.h"
+#include "palpate/sim/mesh/mesh.h"
 
 namespace palpate {
 

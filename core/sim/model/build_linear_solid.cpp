@@ -5,7 +5,7 @@
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/model/build_solid.h"
 #include "palpate/sim/model/private/surface_particles.h"
-#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/model/tissue_model.h"
 
 namespace palpate {
 namespace {

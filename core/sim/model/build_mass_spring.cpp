@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/model/build_mass_spring.h"
-
 #include <cmath>
 
 #include "palpate/sim/base/private/refuse.h"
+#include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/model/private/surface_particles.h"
 
 namespace palpate {

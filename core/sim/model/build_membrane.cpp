@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/model/build_membrane.h"
-
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "palpate/sim/base/private/refuse.h"
+#include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/model/definiteness.h"
 #include "palpate/sim/model/membrane.h"
 #include "palpate/sim/model/private/surface_particles.h"

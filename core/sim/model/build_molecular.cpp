@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/model/build_molecular.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "palpate/sim/base/private/refuse.h"
+#include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/model/definiteness.h"
 #include "palpate/sim/model/private/surface_particles.h"
 

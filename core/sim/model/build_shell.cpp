@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/model/build_shell.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "palpate/sim/base/private/refuse.h"
-#include "palpate/sim/mesh/measure.h"
-#include "palpate/sim/model/build_membrane.h"
+#include "palpate/sim/mesh/mesh.h"
+#include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/model/private/surface_particles.h"
 
 namespace palpate {

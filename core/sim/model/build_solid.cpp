@@ -8,7 +8,7 @@
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/model/private/check_options.h"
 #include "palpate/sim/model/private/surface_particles.h"
-#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/model/tissue_model.h"
 
 namespace palpate {
 namespace {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "palpate/sim/mesh/solid_mesh.h"
-#include "palpate/sim/mesh/surface_mesh.h"
+#include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/model/material.h"
 #include "palpate/sim/model/tissue_model.h"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "palpate/sim/mesh/surface_mesh.h"
+#include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/model/material.h"
 #include "palpate/sim/model/tissue_model.h"
 

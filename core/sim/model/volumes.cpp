@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/model/volumes.h"
-
 #include <cmath>
+
+#include "palpate/sim/model/tissue_model.h"
 
 namespace palpate {
 

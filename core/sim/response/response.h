@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "palpate/sim/base/cache_aligned.h"
+#include "palpate/sim/base/types.h"
 #include "palpate/sim/model/tissue_model.h"
 
 namespace palpate {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "palpate/sim/tick/tick.h"
 #include "palpate/sim/tick/tick_log.h"
 
 namespace palpate {
@@ -54,5 +55,18 @@ void write_record(const std::string& path, const Record& record,
 /// Reads a record; an unfinished file ends at its last good block (complete = false).
 /// Throws FileError for anything else that is wrong, naming block and field.
 Record read_record(const std::string& path);
+
+/// How a replay compares with what was recorded.
+struct ReplayReport {
+  long ticks = 0;
+  bool equal = false;          ///< every force, every tool position and every hash, bit by bit
+  long first_difference = -1;  ///< tick, -1 for none
+  double largest_force_difference = 0.0;     ///< [N]
+  double largest_position_difference = 0.0;  ///< [m] of the tool
+  std::vector<Felt> felt;                    ///< as replayed
+};
+
+/// Runs the recorded hand through the same tick from a fresh world.
+ReplayReport replay(const Scene& scene, const Record& record);
 
 }  // namespace palpate

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/session/replay.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -8,6 +6,7 @@
 #include <stdexcept>
 
 #include "palpate/sim/loop/private/exchange_tree.h"
+#include "palpate/sim/session/record.h"
 
 namespace palpate {
 namespace {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/tick/place_tool.h"
-
 #include <cmath>
 #include <numbers>
 
+#include "palpate/sim/tick/tick.h"
 #include "palpate/sim/tree/queries.h"
 
 namespace palpate {

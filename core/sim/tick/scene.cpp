@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "palpate/sim/dynamics/stable_step.h"
-#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/dynamics/step.h"
+#include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/packed/private/follow_motion.h"
 #include "palpate/sim/packed/simd_targets.h"
 #include "palpate/sim/tick/private/world_internals.h"

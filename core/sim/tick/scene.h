@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "palpate/sim/contact/balance_tool.h"
+#include "palpate/sim/contact/contact_law.h"
 #include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/response/response.h"
 

@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "palpate/sim/base/latest.h"
-#include "palpate/sim/base/ring.h"
+#include "palpate/sim/base/lock_free.h"
 #include "palpate/sim/device/device.h"
 #include "palpate/sim/tick/scene.h"
 #include "palpate/sim/tree/aabb_tree.h"

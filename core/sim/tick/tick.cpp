@@ -6,8 +6,7 @@
 #include <limits>
 
 #include "palpate/sim/contact/private/hold.h"
-#include "palpate/sim/model/volumes.h"
-#include "palpate/sim/tick/place_tool.h"
+#include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/tick/private/check_input.h"
 #include "palpate/sim/tick/private/choose_substeps.h"
 #include "palpate/sim/tick/private/follow_button.h"

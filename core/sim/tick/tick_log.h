@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "palpate/sim/base/ring.h"
+#include "palpate/sim/base/lock_free.h"
 #include "palpate/sim/device/device.h"
 
 namespace palpate {

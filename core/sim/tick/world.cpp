@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/packed/private/follow_motion.h"
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/tick/private/linear_tick.h"

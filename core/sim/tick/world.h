@@ -8,7 +8,6 @@
 
 #include "palpate/sim/contact/find_candidates.h"
 #include "palpate/sim/dynamics/guard.h"
-#include "palpate/sim/dynamics/stretch.h"
 #include "palpate/sim/tick/scene.h"
 #include "palpate/sim/tree/aabb_tree.h"
 

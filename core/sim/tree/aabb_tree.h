@@ -1,13 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <span>
+#include <vector>
 
-#include "palpate/sim/base/cache_aligned.h"
 #include "palpate/sim/base/types.h"
-#include "palpate/sim/tree/tree_refit.h"
 
 namespace palpate {
+
+/// How a tree follows its surface: which corners bound each leaf, and which boxes each node.
+///
+/// Corners that the triangles of a leaf share are read once, and every list has one of two fixed
+/// lengths, so that the sweep has no branch to guess wrongly. Boxes are rows: those of the nodes
+/// in their sequence, then those of the leaves with few corners, of the leaves with many, and one
+/// that is empty.
+struct TreeRefit {
+  static constexpr std::size_t kFew = 6;
+  static constexpr std::size_t kMany = 12;
+
+  std::vector<std::array<int, kFew>> few;      ///< filled up with a corner of the same leaf
+  std::vector<std::array<int, kMany>> many;    ///< likewise
+  std::vector<std::array<int, 8>> child_rows;  ///< per node
+  CacheAligned<std::array<double, 8>> rows;    ///< [m] low and high, a fourth number unused
+
+  // the part of it that is followed where not everything moves
+  std::vector<int> first_row;                ///< of each particle in leaf_rows, and the end
+  std::vector<int> leaf_rows;                ///< rows of the leaves with that particle
+  std::vector<int> moving;                   ///< per row: of its corners that move; nodes 0 or 1
+  std::vector<int> moving_few, moving_many;  ///< which of the lists; room for all
+  std::vector<int> moving_nodes;             ///< children before parents
+  std::size_t few_count = 0, many_count = 0, node_count = 0;  ///< that move
+  bool listed = true;                                         ///< the lists are those of `moving`
+
+  /// A refit is so many steps: a leaf with few corners each, with many, and then a node each.
+  std::size_t step_count() const noexcept { return few.size() + many.size() + child_rows.size(); }
+};
 
 /// Axis-aligned boxes around the triangles of a deforming surface, eight to a node.
 ///
@@ -71,6 +99,34 @@ class AabbTree {
   std::vector<Triangle> triangles_;
   std::vector<Triangle> leaf_triangles_;
   TreeRefit refit_;
+};
+
+/// [-] What a query of the tree costs on average, in nodes and leaves visited [MacDonald90].
+double compute_query_cost(const AabbTree& tree) noexcept;
+
+/// Follows how costly the queries of a tree become while its surface deforms, a part of the tree at
+/// a time, so that no tick pays for all of it.
+class TreeCost {
+ public:
+  static constexpr int kRound = 64;  ///< calls of follow() at most that see the whole tree
+  /// A tree whose cost has grown by this is worth building again.
+  static constexpr double kWorthRebuilding = 1.5;
+
+  TreeCost() = default;
+  /// From now on, against what this tree costs now.
+  explicit TreeCost(const AabbTree& tree) noexcept;
+
+  /// Measures the next part; call it once after every refit of the same tree.
+  void follow(const AabbTree& tree) noexcept;
+
+  /// [-] The cost over that at the start, as the last whole round found it; 1 before that.
+  double growth() const noexcept { return growth_; }
+
+ private:
+  double start_ = 0.0;   // the cost
+  double growth_ = 1.0;  // of it
+  double sum_ = 0.0;     // [m²] of the round so far
+  std::size_t next_ = 0;
 };
 
 }  // namespace palpate

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/tree/tree_cost.h"
-
 #include <algorithm>
 #include <numeric>
 
+#include "palpate/sim/tree/aabb_tree.h"
 #include "palpate/sim/tree/private/box.h"
 
 namespace palpate {

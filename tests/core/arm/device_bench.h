@@ -6,8 +6,8 @@
 #include <random>
 
 #include "core/arm/plants.h"
-#include "palpate/sim/arm/native_core.h"
 #include "palpate/sim/arm/serial_device.h"
+#include "palpate/sim/arm/simulated_arm.h"
 
 namespace palpate {
 

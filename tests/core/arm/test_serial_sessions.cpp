@@ -7,8 +7,8 @@
 
 #include "core/arm/plants.h"
 #include "firmware/board/host.h"
-#include "palpate/sim/arm/native_core.h"
 #include "palpate/sim/arm/serial_device.h"
+#include "palpate/sim/arm/simulated_arm.h"
 
 using namespace palpate;
 

@@ -5,7 +5,7 @@
 
 #include "core/model/refusal.h"
 #include "palpate/authoring/fill_interior.h"
-#include "palpate/sim/mesh/measure.h"
+#include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/mesh/topology.h"
 #include "palpate/sim/model/build_solid.h"
 #include "scenes/scenes.h"

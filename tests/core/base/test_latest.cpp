@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <thread>
 
-#include "palpate/sim/base/latest.h"
+#include "palpate/sim/base/lock_free.h"
 
 using namespace palpate;
 

@@ -6,8 +6,7 @@
 #include "palpate/bench/naive.h"
 #include "palpate/bench/naive_tree.h"
 #include "palpate/sim/dynamics/step.h"
-#include "palpate/sim/model/build_mass_spring.h"
-#include "palpate/sim/model/build_molecular.h"
+#include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/packed/simd_targets.h"
 #include "scenes/scenes.h"
 

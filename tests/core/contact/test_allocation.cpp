@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "calls.h"
-#include "palpate/sim/contact/balance_tool.h"
+#include "palpate/sim/contact/contact_law.h"
 #include "palpate/sim/tree/queries.h"
 #include "scenes/scenes.h"
 

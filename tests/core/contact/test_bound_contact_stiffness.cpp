@@ -4,7 +4,6 @@
 #include <Eigen/Eigenvalues>
 #include <limits>
 
-#include "palpate/sim/contact/balance_tool.h"
 #include "palpate/sim/contact/contact_law.h"
 #include "scenes/scenes.h"
 

@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "palpate/sim/contact/contact_lanes.h"
 #include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/contact/find_candidates.h"
 #include "palpate/sim/packed/simd_targets.h"
 #include "skip.h"
 

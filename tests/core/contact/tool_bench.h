@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "palpate/sim/contact/balance_tool.h"
+#include "palpate/sim/contact/contact_law.h"
 #include "scenes/scenes.h"
 
 namespace palpate {

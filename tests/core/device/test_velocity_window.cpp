@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "palpate/sim/device/velocity_window.h"
+#include "palpate/sim/device/safe_device.h"
 
 using namespace palpate;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
-#include "palpate/sim/dynamics/energy.h"
 #include "palpate/sim/dynamics/forces.h"
+#include "palpate/sim/dynamics/state.h"
 #include "palpate/sim/dynamics/tangent.h"
 #include "scenes/tissues.h"
 

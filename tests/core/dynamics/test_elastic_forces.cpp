@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
-#include "palpate/sim/dynamics/energy.h"
 #include "palpate/sim/dynamics/forces.h"
+#include "palpate/sim/dynamics/state.h"
 #include "palpate/sim/dynamics/tangent.h"
-#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/model/tissue_model.h"
 #include "scenes/linear_solids.h"
 
 using namespace palpate;

@@ -3,8 +3,8 @@
 
 #include <stdexcept>
 
-#include "palpate/sim/dynamics/energy.h"
 #include "palpate/sim/dynamics/forces.h"
+#include "palpate/sim/dynamics/state.h"
 #include "palpate/sim/dynamics/step.h"
 #include "scenes/tissues.h"
 

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "palpate/sim/dynamics/energy.h"
 #include "palpate/sim/dynamics/forces.h"
+#include "palpate/sim/dynamics/state.h"
 #include "palpate/sim/dynamics/tangent.h"
-#include "palpate/sim/model/build_shell.h"
+#include "palpate/sim/model/build_surface.h"
 #include "scenes/tissues.h"
 
 using namespace palpate;

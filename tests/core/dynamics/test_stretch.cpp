@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "palpate/sim/dynamics/private/measure_stretch.h"
-#include "palpate/sim/dynamics/stable_step.h"
+#include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/dynamics/tangent.h"
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/packed/simd_targets.h"

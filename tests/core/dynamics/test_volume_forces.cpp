@@ -5,10 +5,9 @@
 
 #include "palpate/sim/dynamics/forces.h"
 #include "palpate/sim/dynamics/guard.h"
-#include "palpate/sim/dynamics/stable_step.h"
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/dynamics/tangent.h"
-#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/model/tissue_model.h"
 #include "scenes/solids.h"
 
 using namespace palpate;

@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <thread>
 
-#include "palpate/sim/arm/serial_transport.h"
 #include "palpate/sim/arm/simulated_arm.h"
+#include "palpate/sim/arm/transport.h"
 #include "palpate/sim/device/simulated_devices.h"
-#include "palpate/sim/loop/device_loop.h"
+#include "palpate/sim/loop/loop.h"
 
 using namespace palpate;
 

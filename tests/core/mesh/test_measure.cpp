@@ -4,7 +4,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "palpate/sim/mesh/measure.h"
+#include "palpate/sim/mesh/mesh.h"
 #include "scenes/scenes.h"
 
 using namespace palpate;

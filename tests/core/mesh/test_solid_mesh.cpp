@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "core/model/refusal.h"
-#include "palpate/sim/mesh/measure.h"
+#include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/mesh/topology.h"
 #include "scenes/solids.h"
 

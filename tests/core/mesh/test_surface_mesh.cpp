@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "palpate/sim/mesh/surface_mesh.h"
+#include "palpate/sim/mesh/mesh.h"
 #include "scenes/scenes.h"
 
 using namespace palpate;

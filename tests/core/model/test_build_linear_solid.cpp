@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "palpate/sim/dynamics/tangent.h"
-#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/model/tissue_model.h"
 #include "refusal.h"
 #include "scenes/linear_solids.h"
 

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "core/model/refusal.h"
-#include "palpate/sim/mesh/measure.h"
+#include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/mesh/topology.h"
-#include "palpate/sim/model/build_mass_spring.h"
+#include "palpate/sim/model/build_surface.h"
 #include "scenes/scenes.h"
 
 using namespace palpate;

@@ -7,7 +7,7 @@
 
 #include "core/model/refusal.h"
 #include "palpate/sim/mesh/topology.h"
-#include "palpate/sim/model/build_molecular.h"
+#include "palpate/sim/model/build_surface.h"
 #include "scenes/scenes.h"
 
 using namespace palpate;

@@ -7,12 +7,11 @@
 #include <numeric>
 
 #include "core/model/refusal.h"
-#include "palpate/sim/dynamics/stable_step.h"
+#include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/dynamics/tangent.h"
-#include "palpate/sim/mesh/measure.h"
+#include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/mesh/topology.h"
-#include "palpate/sim/model/build_membrane.h"
-#include "palpate/sim/model/build_shell.h"
+#include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/model/membrane.h"
 #include "scenes/scenes.h"
 

@@ -5,7 +5,7 @@
 
 #include "palpate/sim/dynamics/tangent.h"
 #include "palpate/sim/model/build_solid.h"
-#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/model/tissue_model.h"
 #include "refusal.h"
 #include "scenes/solids.h"
 

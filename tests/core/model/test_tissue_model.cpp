@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/model/refusal.h"
-#include "palpate/sim/model/build_molecular.h"
+#include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/model/tissue_model.h"
 #include "scenes/scenes.h"
 

@@ -5,9 +5,8 @@
 #include <stdexcept>
 
 #include "palpate/sim/dynamics/forces.h"
-#include "palpate/sim/dynamics/stable_step.h"
 #include "palpate/sim/dynamics/step.h"
-#include "palpate/sim/model/build_membrane.h"
+#include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/packed/simd_targets.h"
 #include "scenes/shells.h"

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "palpate/sim/dynamics/energy.h"
 #include "palpate/sim/dynamics/forces.h"
-#include "palpate/sim/dynamics/stable_step.h"
+#include "palpate/sim/dynamics/state.h"
+#include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/packed/simd_targets.h"
 #include "scenes/shells.h"

@@ -8,7 +8,7 @@
 #include "core/model/refusal.h"
 #include "palpate/sim/dynamics/forces.h"
 #include "palpate/sim/dynamics/tangent.h"
-#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/response/private/relax.h"
 #include "palpate/sim/response/response.h"

@@ -12,8 +12,8 @@
 #include "palpate/scenario/read.h"
 #include "palpate/scenario/write.h"
 #include "palpate/sim/base/error.h"
-#include "palpate/sim/mesh/solid_mesh.h"
-#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/mesh/mesh.h"
+#include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/tick/tick.h"
 #include "scenes/tissues.h"
 

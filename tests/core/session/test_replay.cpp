@@ -11,7 +11,7 @@
 #include "core/session/some_record.h"
 #include "palpate/sim/loop/loop.h"
 #include "palpate/sim/packed/simd_targets.h"
-#include "palpate/sim/session/replay.h"
+#include "palpate/sim/session/record.h"
 
 using namespace palpate;
 using namespace palpate::testing;

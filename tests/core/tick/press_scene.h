@@ -2,7 +2,7 @@
 #pragma once
 
 #include "palpate/sim/device/simulated_devices.h"
-#include "palpate/sim/model/build_mass_spring.h"
+#include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/tick/tick.h"
 #include "scenes/kernels.h"
 #include "scenes/scenes.h"

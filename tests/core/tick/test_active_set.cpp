@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "core/tick/press_scene.h"
-#include "palpate/sim/dynamics/energy.h"
-#include "palpate/sim/model/build_molecular.h"
+#include "palpate/sim/dynamics/state.h"
+#include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/packed/private/follow_motion.h"
 #include "palpate/sim/packed/simd_targets.h"
 #include "palpate/sim/tick/private/world_internals.h"

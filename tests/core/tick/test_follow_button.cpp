@@ -3,8 +3,8 @@
 
 #include "core/tick/press_scene.h"
 #include "palpate/sim/dynamics/private/alarms.h"
-#include "palpate/sim/model/build_molecular.h"
-#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/model/build_surface.h"
+#include "palpate/sim/model/tissue_model.h"
 #include "scenes/linear_solids.h"
 
 using namespace palpate;

@@ -6,7 +6,7 @@
 #include "calls.h"
 #include "core/tick/press_scene.h"
 #include "palpate/sim/loop/private/exchange_tree.h"
-#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/packed/simd_targets.h"
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/world_internals.h"

@@ -3,7 +3,7 @@
 
 #include "calls.h"
 #include "core/model/refusal.h"
-#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/tick/tick.h"
 #include "scenes/kernels.h"

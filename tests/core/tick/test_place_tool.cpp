@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/tick/press_scene.h"
-#include "palpate/sim/tick/place_tool.h"
 #include "palpate/sim/tick/tick.h"
 #include "scenes/scenes.h"
 

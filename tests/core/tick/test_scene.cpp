@@ -9,8 +9,8 @@
 #include <string>
 
 #include "core/tick/press_scene.h"
-#include "palpate/sim/dynamics/stable_step.h"
-#include "palpate/sim/mesh/measure.h"
+#include "palpate/sim/dynamics/step.h"
+#include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/tick/scene.h"
 
 using namespace palpate;

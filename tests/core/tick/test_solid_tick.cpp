@@ -5,7 +5,7 @@
 #include "core/tick/press_scene.h"
 #include "palpate/sim/dynamics/forces.h"
 #include "palpate/sim/loop/loop.h"
-#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/tick/tick.h"
 #include "scenes/solids.h"
 

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "core/tree/soups.h"
-#include "palpate/sim/tree/tree_cost.h"
+#include "palpate/sim/tree/aabb_tree.h"
 #include "scenes/scenes.h"
 
 using namespace palpate;

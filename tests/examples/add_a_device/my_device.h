@@ -4,7 +4,7 @@
 #include <string>
 
 #include "palpate/sim/device/device.h"
-#include "palpate/sim/device/velocity_window.h"
+#include "palpate/sim/device/safe_device.h"
 
 /// A device of your own. As it stands it is a mass on a spring, so that there is something to read;
 /// the four places marked FILL IN are where your driver comes in.

@@ -4,7 +4,7 @@
 
 #include "palpate/sim/device/safe_device.h"
 #include "palpate/sim/device/simulated_devices.h"
-#include "palpate/sim/model/build_mass_spring.h"
+#include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/tick/tick.h"
 
 using namespace palpate;

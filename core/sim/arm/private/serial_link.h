@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "palpate/sim/arm/calibration.h"
-#include "palpate/sim/arm/device_status.h"
 #include "palpate/sim/arm/private/clock_fit.h"
+#include "palpate/sim/arm/serial_device.h"
 #include "palpate/sim/arm/transport.h"
 #include "palpate/sim/base/private/duration_histogram.h"
 

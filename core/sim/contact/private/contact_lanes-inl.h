@@ -9,8 +9,8 @@
 
 #include <hwy/highway.h>
 
-#include "palpate/sim/contact/contact_lanes.h"
 #include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/contact/find_candidates.h"
 
 #if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();

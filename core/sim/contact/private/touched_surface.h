@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "palpate/sim/contact/balance_tool.h"
+#include "palpate/sim/contact/contact_law.h"
 
 namespace palpate {
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "palpate/sim/dynamics/stretch.h"
+#include "palpate/sim/dynamics/guard.h"
 
 namespace palpate {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "palpate/sim/mesh/solid_mesh.h"
+#include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/model/tissue_model.h"
 
 namespace palpate {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "palpate/sim/tick/world.h"
-#include "palpate/sim/tree/tree_cost.h"
+#include "palpate/sim/tree/aabb_tree.h"
 
 namespace palpate {
 

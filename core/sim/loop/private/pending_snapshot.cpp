@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/world_internals.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "palpate/sim/loop/snapshot.h"
+#include "palpate/sim/loop/loop.h"
 #include "palpate/sim/packed/private/packed_model.h"
 #include "palpate/sim/tick/world.h"
 

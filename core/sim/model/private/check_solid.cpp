@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "palpate/sim/base/private/refuse.h"
-#include "palpate/sim/mesh/solid_mesh.h"
-#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/mesh/mesh.h"
+#include "palpate/sim/model/tissue_model.h"
 
 namespace palpate {
 namespace {

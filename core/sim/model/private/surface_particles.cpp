@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "palpate/sim/base/private/refuse.h"
-#include "palpate/sim/mesh/measure.h"
+#include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/model/private/check_options.h"
 
 namespace palpate {

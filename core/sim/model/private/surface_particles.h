@@ -2,7 +2,7 @@
 #pragma once
 
 #include "palpate/sim/mesh/topology.h"
-#include "palpate/sim/model/build_mass_spring.h"
+#include "palpate/sim/model/build_surface.h"
 
 namespace palpate {
 

@@ -4,9 +4,9 @@
 #include <numeric>
 #include <span>
 
-#include "palpate/sim/base/cache_aligned.h"
+#include "palpate/sim/base/types.h"
+#include "palpate/sim/dynamics/guard.h"
 #include "palpate/sim/dynamics/state.h"
-#include "palpate/sim/dynamics/stretch.h"
 
 namespace palpate {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "palpate/sim/contact/private/broad_phase.h"
-#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/tick/private/world_internals.h"
 

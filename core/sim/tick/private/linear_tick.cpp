@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "palpate/sim/dynamics/private/alarms.h"
-#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/response/private/relax.h"
 #include "palpate/sim/tick/private/choose_substeps.h"
 #include "palpate/sim/tree/queries.h"

@@ -3,7 +3,7 @@
 
 #include "palpate/sim/dynamics/private/measure_stretch.h"
 #include "palpate/sim/dynamics/step.h"
-#include "palpate/sim/model/volumes.h"
+#include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/packed/private/follow_motion.h"
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/tick/private/follow_tissue.h"

@@ -11,7 +11,7 @@
 #include "palpate/sim/packed/private/packed_model.h"
 #include "palpate/sim/tick/private/mean_load.h"
 #include "palpate/sim/tick/world.h"
-#include "palpate/sim/tree/tree_cost.h"
+#include "palpate/sim/tree/aabb_tree.h"
 
 namespace palpate {
 
