@@ -2851,7 +2851,7 @@ class ScriptedDevice(HapticDevice):
         """Raises ValueError for no frames, times that do not ascend, or non-finite numbers.
 
         Args:
-            frames: the moments of the script, in order
+            frames: the key frames of the script, in order
         """
     def duration(self) -> float:
         """[s]"""

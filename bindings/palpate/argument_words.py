@@ -29,7 +29,7 @@ WORDS = {
     "dt": "[s]",
     "f": "[N] shape (n, 3), float64, C order, written to",
     "force": "[N] shape (3,)",
-    "frames": "the moments of the script, in order",
+    "frames": "the key frames of the script, in order",
     "from_": "[m] shape (3,)",
     "gimbal": "[rad] shape (3,)",
     "gravity": "[m/s²] shape (3,)",

@@ -25,4 +25,4 @@ class NotDurable(FileError):
 
 
 class DeviceError(OSError):
-    """A device that cannot be opened or has stopped answering."""
+    """A device that cannot be opened or has stopped responding."""

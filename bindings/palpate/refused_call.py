@@ -37,14 +37,14 @@ def describe(value: object) -> str:
         return f"{value.dtype.name} of shape {value.shape}"
     if value is None:
         return "None"
-    words = " ".join(repr(value).split())
-    if len(words) > LONGEST:
-        words = words[: LONGEST - 3] + "..."
+    shown = " ".join(repr(value).split())
+    if len(shown) > LONGEST:
+        shown = shown[: LONGEST - 3] + "..."
     name = type(value).__name__
     return (
-        words
-        if words.startswith((name, f"<{name}")) or "palpate" in words[:9]
-        else f"{name} {words}"
+        shown
+        if shown.startswith((name, f"<{name}")) or "palpate" in shown[:9]
+        else f"{name} {shown}"
     )
 
 
@@ -215,10 +215,10 @@ def explain(name: str, text: str, given: tuple[Any, ...], named: Mapping[str, An
     parameters = [read_signature(signature) for signature in signatures]
     faults = [fault for each in parameters if (fault := find_fault(each, given, named))]
     if faults and len(faults) == len(parameters):
-        words = max(faults)[1] if len(faults) == 1 else max(faults, key=lambda fault: fault[0])[1]
+        shown = max(faults)[1] if len(faults) == 1 else max(faults, key=lambda fault: fault[0])[1]
         # what is assigned to a property has no name of its own
-        words = re.sub(r"^(?:arg\d|value): ", "", words)
-        return TypeError(f"{called}: {words}")
+        shown = re.sub(r"^(?:arg\d|value): ", "", shown)
+        return TypeError(f"{called}: {shown}")
     found = ", ".join([*map(describe, given), *(f"{k}={describe(v)}" for k, v in named.items())])
     takes = " or ".join(
         "(" + ", ".join(f"{p.name}: {name_kind(p.kind)}" for p in each) + ")" for each in parameters

@@ -81,16 +81,16 @@ def find_style(appearance: AppearancePart | None) -> Style | None:
     return None
 
 
-def fold(words: str) -> str:
+def fold(text: str) -> str:
     """Words in small letters without accents, one space before each: `KidneyLeft_1` becomes
     ` kidney left`."""
-    apart = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", words)
+    apart = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text)
     plain = unicodedata.normalize("NFKD", apart.replace("ı", "i").replace("İ", "I").lower())
     return "".join(f" {word}" for word in re.findall(r"[a-z]+", strip_accents(plain)))
 
 
-def strip_accents(words: str) -> str:
-    return "".join(letter for letter in words if not unicodedata.combining(letter))
+def strip_accents(text: str) -> str:
+    return "".join(letter for letter in text if not unicodedata.combining(letter))
 
 
 def find_named_style(name: str) -> str | None:

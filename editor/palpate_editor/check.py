@@ -227,7 +227,7 @@ def describe_problem(problem: Problem) -> Report:
         "stage": problem.stage,
         "problem": problem.key,
         "where": problem.where,
-        "found": problem.found,
+        "got": problem.got,
         "expected": problem.expected,
         "fix": problem.fix.title if problem.fix else None,
     }

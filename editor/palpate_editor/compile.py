@@ -66,7 +66,7 @@ BUILT_FROM = ("surface", "material", "model", "fill", "fixed", "stiffness_scale"
 
 
 def is_built_alike(one: Organ, other: Organ) -> bool:
-    """Whether two organs are known to make the same scene: they differ at most in words."""
+    """Whether two organs are known to make the same scene: they differ at most in texts."""
     alike = all(is_alike(getattr(one, name), getattr(other, name)) for name in BUILT_FROM)
     return alike and one.regions.get(one.fill.reach) is other.regions.get(other.fill.reach)
 

@@ -242,16 +242,16 @@ def touch(
     return run, report
 
 
-def run_elsewhere(verb: str, *words: object) -> Report:
+def run_elsewhere(verb: str, *arguments: object) -> Report:
     """A verb in a new process, which shares nothing with this one but the files."""
     done = subprocess.run(
-        build_verb(verb, *words, "--json"),
+        build_verb(verb, *arguments, "--json"),
         capture_output=True,
         text=True,
         check=False,
     )
     if done.returncode not in (0, 1) or not done.stdout:
-        raise RuntimeError(f"`palpate {verb} {words[0]}` failed: {done.stderr.strip()}")
+        raise RuntimeError(f"`palpate {verb} {arguments[0]}` failed: {done.stderr.strip()}")
     report = json.loads(done.stdout)
     if "error" in report:
         raise Refusal(**report["error"])

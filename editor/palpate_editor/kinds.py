@@ -63,7 +63,7 @@ def find_stretch_limits(organ: Organ, wall: WallFit | None) -> Iterator[str]:
     if wall is None or wall.error < EXACT:
         return
     yield (
-        f"stretching: answers like nu = {wall.poisson_ratio:.3f} and E = "
+        f"stretching: behaves like nu = {wall.poisson_ratio:.3f} and E = "
         f"{1e-3 * wall.young_modulus:.4g} kPa, not nu = {organ.material.poisson_ratio:g} and E = "
         f"{1e-3 * organ.material.young_modulus:g} kPa; by direction and place "
         f"{wall.least:.2f} to {wall.most:.2f} times as stiff; error {100.0 * wall.error:.2g} %"
@@ -254,7 +254,7 @@ def find_refused_limits(organ: Organ) -> Iterator[str]:
         found = find_span(SURFACE_KINDS[organ.model.kind], SOLIDS, (None,))
         share = say_percents(found.least_mean, found.most_mean)
         yield (
-            f"a solid: its surface alone answers with {share} of the organ's force, whatever its "
+            f"a solid: its surface alone gives {share} of the organ's force, whatever its "
             "constants are (core/ACCURACY.md); a wall needs a thickness"
         )
 

@@ -64,7 +64,7 @@ def find_fault(value: OwnValue) -> Phrase | None:
                 range=constant.describe_range(),
                 got=constant.describe(number),
             )
-    return find_order_fault(value, constant) or find_words_fault(value)
+    return find_order_fault(value, constant) or find_text_fault(value)
 
 
 def find_order_fault(value: OwnValue, constant: Constant) -> Phrase | None:
@@ -76,13 +76,13 @@ def find_order_fault(value: OwnValue, constant: Constant) -> Phrase | None:
     )
 
 
-def find_words_fault(value: OwnValue) -> Phrase | None:
+def find_text_fault(value: OwnValue) -> Phrase | None:
     if not value.source.strip():
         return phrase("A published value needs its source.")
-    for words in (value.tissue, value.method, value.source):
-        if len(words) > MOST_LETTERS:
+    for text in (value.tissue, value.method, value.source):
+        if len(text) > MOST_LETTERS:
             most = MOST_LETTERS
-            return phrase("{count} letters, at most {most}.", count=len(words), most=most)
+            return phrase("{count} letters, at most {most}.", count=len(text), most=most)
     return None
 
 

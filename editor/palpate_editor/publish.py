@@ -23,8 +23,8 @@ class PublishError(Exception):
 
     def __init__(self, problems: tuple[Problem, ...]):
         self.problems = problems
-        words = "; ".join(f"{p.where}: got {p.found}, expected {p.expected}" for p in problems)
-        super().__init__(words)
+        text = "; ".join(f"{p.where}: got {p.got}, expected {p.expected}" for p in problems)
+        super().__init__(text)
 
 
 def publish(organ: Organ, path: Path, assessment: Assessment | None = None) -> Report:
@@ -68,7 +68,7 @@ def write_scenario(organ: Organ, scene: Scene, path: Path) -> None:
         authored=json.dumps({"format": FORMAT, "version": VERSION, "content": content}),
         authored_arrays=arrays,
         languages={
-            code: scenario.Words(words.title, words.task) for code, words in organ.languages.items()
+            code: scenario.Words(text.title, text.task) for code, text in organ.languages.items()
         },
     )
     try:

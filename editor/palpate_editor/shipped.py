@@ -78,7 +78,9 @@ def make_organ(name: str, vertices: int | None = None) -> Organ:
         appearance=tissue.appearance,
         title=entry.title,
         task=entry.task,
-        languages={code: Translation(**words) for code, words in entry.languages.items()},
+        languages={
+            code: Translation(**translation) for code, translation in entry.languages.items()
+        },
     )
 
 

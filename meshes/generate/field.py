@@ -105,11 +105,11 @@ def rod(p: Array, a: Point, b: Point, ra: float, rb: float | None = None) -> Arr
     """A capsule between two points whose radius [mm] goes from ra to rb."""
     rb = ra if rb is None else rb
     a, b = np.asarray(a, float), np.asarray(b, float)
-    way, q = b - a, p - a
-    length2 = way[0] * way[0] + way[1] * way[1] + way[2] * way[2]
-    along = q[:, 0] * way[0] + q[:, 1] * way[1] + q[:, 2] * way[2]
+    axis, q = b - a, p - a
+    length2 = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]
+    along = q[:, 0] * axis[0] + q[:, 1] * axis[1] + q[:, 2] * axis[2]
     t = np.clip(along / length2, 0.0, 1.0)
-    return measure(q - t[:, None] * way) - (ra + (rb - ra) * t)
+    return measure(q - t[:, None] * axis) - (ra + (rb - ra) * t)
 
 
 def tube_field(p: Array, nodes: Nodes, steps: int = 8) -> Array:

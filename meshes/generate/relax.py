@@ -133,7 +133,7 @@ def number_edges(a: np.ndarray, b: np.ndarray, count: int) -> np.ndarray:
     return np.minimum(a, b).astype(np.int64) * count + np.maximum(a, b)
 
 
-def find_way(x: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+def find_displacement(x: np.ndarray, triangles: np.ndarray) -> np.ndarray:
     """From every vertex to the mean of its triangles' centres by area, along the surface."""
     normals = compute_normals(x, triangles)
     area = np.linalg.norm(normals, axis=1)
@@ -144,24 +144,28 @@ def find_way(x: np.ndarray, triangles: np.ndarray) -> np.ndarray:
         np.add.at(normal, corner, normals)
         np.add.at(weight, corner, area)
     normal /= np.linalg.norm(normal, axis=1)[:, None]
-    way = middle / weight[:, None] - x
-    return way - (way * normal).sum(axis=1)[:, None] * normal
+    displacement = middle / weight[:, None] - x
+    return displacement - (displacement * normal).sum(axis=1)[:, None] * normal
 
 
-def pull_back(organ: Map, tangents: np.ndarray, at: np.ndarray, way: np.ndarray) -> np.ndarray:
-    """The step on the simple surface that the map turns into `way`, in the least-squares sense.
+def pull_back(
+    organ: Map, tangents: np.ndarray, at: np.ndarray, displacement: np.ndarray
+) -> np.ndarray:
+    """The step on the simple surface that the map turns into `displacement`, by least squares.
 
     Args:
         organ: From the simple surface to the organ.
         tangents: Two unit tangents of the simple surface per point, shape (n, 2, 3).
         at: Points of the simple surface.
-        way: Steps on the organ.
+        displacement: Steps on the organ.
     """
     h = 1e-5 * np.abs(at).max()
     columns = [(organ(at + h * t) - organ(at - h * t)) / (2 * h) for t in tangents.swapaxes(0, 1)]
     j = np.stack(columns, axis=2)
     normal_matrix = np.einsum("nij,nik->njk", j, j)
-    step = np.linalg.solve(normal_matrix, np.einsum("nij,ni->nj", j, way)[:, :, None])[:, :, 0]
+    step = np.linalg.solve(normal_matrix, np.einsum("nij,ni->nj", j, displacement)[:, :, None])[
+        :, :, 0
+    ]
     return np.einsum("nj,nji->ni", step, tangents)
 
 
@@ -193,10 +197,10 @@ def relax(
             triangles, flips = flip_edges(organ(points), triangles)
             if flips == 0:
                 break
-        way = STEP * find_way(organ(points), triangles)[free]
+        displacement = STEP * find_displacement(organ(points), triangles)[free]
         here = points[free]
         points = points.copy()
-        points[free] = settle(here + pull_back(organ, tangents(here), here, way))
+        points[free] = settle(here + pull_back(organ, tangents(here), here, displacement))
     for _ in range(10):
         triangles, flips = flip_edges(organ(points), triangles)
         if flips == 0:

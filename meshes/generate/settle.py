@@ -15,7 +15,7 @@ from palpate_meshes.generate.relax import (
     STEP,
     compute_normals,
     find_border_vertices,
-    find_way,
+    find_displacement,
     flip_edges,
     measure,
 )
@@ -98,11 +98,11 @@ def settle(points: Array, triangles: Array, field: Field) -> tuple[Array, Array]
     free[find_border_vertices(triangles)] = False
     for left in reversed(range(ROUNDS)):
         triangles = flip_all(points, triangles, 3)
-        way = STEP * find_way(points, triangles)[free]
+        displacement = STEP * find_displacement(points, triangles)[free]
         points = points.copy()
-        moved = points[free] + way
+        moved = points[free] + displacement
         for _ in range(1 if left else 4):
-            moved = step_to_surface(field, moved, measure(way).max())
+            moved = step_to_surface(field, moved, measure(displacement).max())
         points[free] = moved
     triangles = flip_all(points, triangles, 10)
 

@@ -77,8 +77,8 @@ def relax_inner(
     inner = place_inner(width, depth, nudges)
     for _ in range(ROUNDS):
         points = np.concatenate([border, inner])
-        way = find_way(points, triangulate(points, width * depth))
-        inner = inner + STEP * way[len(border) :]
+        displacement = find_displacement(points, triangulate(points, width * depth))
+        inner = inner + STEP * displacement[len(border) :]
     points = np.concatenate([border, inner])
     return points, triangulate(points, width * depth)
 
@@ -132,7 +132,7 @@ def triangulate(points: np.ndarray, area: float) -> np.ndarray:
     return triangles[np.lexsort(triangles.T[::-1])]
 
 
-def find_way(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+def find_displacement(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
     """From every point to the mean of its triangles' centres by area."""
     a, b, c = (points[triangles[:, i]] for i in range(3))
     u, v = b - a, c - a

@@ -21,12 +21,12 @@ from palpate.runs.alarms import (
     say_alarm,
 )
 from palpate.runs.run import run_device
-from palpate.translation import read_words
+from palpate.translation import read_translations
 from surfaces import organ_scene
 
 AlarmKind = palpate.AlarmKind
 KINDS = [kind for kind in AlarmKind if kind is not AlarmKind.none]
-TURKISH = read_words("palpate.translation", "tr")
+TURKISH = read_translations("palpate.translation", "tr")
 
 
 def say_turkish(context: str, text: str) -> str:
@@ -45,7 +45,7 @@ def test_every_alarm_has_words_of_its_own_in_english_and_turkish():
 
     assert len({str(describe_alarm(alarm)) for alarm in alarms}) == len(KINDS)
     assert len({say_alarm(alarm, say_turkish) for alarm in alarms}) == len(KINDS)
-    spoken = {text for words in ALARMS.values() for text in (words.found, words.hand)}
+    spoken = {text for words in ALARMS.values() for text in (words.event, words.hand)}
     advices = [*CAUSES.values(), *(words.design for words in ALARMS.values())]
     spoken |= set(INPUTS.values()) | {advice.text for advice in advices}
     assert {text for context, text in TURKISH if context == CONTEXT} == spoken
@@ -76,7 +76,7 @@ def test_a_strain_of_two_is_three_times_the_length_at_rest():
 
 
 def test_only_what_is_unstable_is_said_to_have_blown_up():
-    blown = {kind for kind in KINDS if "blew up" in ALARMS[kind].found}
+    blown = {kind for kind in KINDS if "blew up" in ALARMS[kind].event}
 
     assert blown == {AlarmKind.not_finite, AlarmKind.moved_far, AlarmKind.energy}
     for kind in set(KINDS) - blown - {AlarmKind.invalid_input}:

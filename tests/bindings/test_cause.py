@@ -103,7 +103,7 @@ def test_what_of_a_tissue_needs_more_substeps_than_there_are_is_named(parts, key
 
     check_named(scene, cause, OPTIONS[key])
     found = find_cause(scene, press(scene))
-    assert found.limit == usual.bodies[0].substeps_max < found.found
+    assert found.limit == usual.bodies[0].substeps_max < found.value
 
 
 @pytest.mark.parametrize("pressure", [1e4, 1e5, -1e4, -1e5])
@@ -127,7 +127,7 @@ def test_a_contact_stiffness_that_makes_energy_is_named_with_one_that_does_not(s
 
     check_named(scene, "contact", "--tool-stiffness")
     found = find_cause(scene, press(scene))
-    assert found.found == stiffness
+    assert found.value == stiffness
     assert not press(compile_scene(push(parts, "tool.stiffness", found.limit), MESH))
 
 

@@ -319,7 +319,7 @@ def test_a_defect_becomes_a_sentence_in_the_window(open_device):
 
 
 def test_every_word_of_the_window_is_translated_and_none_is_left_over():
-    words = translation.read_words("palpate.device_window", "tr")
+    words = translation.read_translations("palpate.device_window", "tr")
 
     assert set(words) == find_spoken()
     for (_, source), said in words.items():

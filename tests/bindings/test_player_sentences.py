@@ -48,7 +48,7 @@ def test_every_word_of_the_player_is_translated_and_none_is_left_over():
         }
         for context in file.iter("context")
     }
-    words = translation.read_words("palpate.player", "tr")
+    words = translation.read_translations("palpate.player", "tr")
 
     assert written == spoken()
     assert sum(map(len, spoken().values())) > 40

@@ -20,7 +20,9 @@ from published import publish
 
 WORDS = {
     source: said
-    for (context, source), said in translation.read_words("palpate.translation", "tr").items()
+    for (context, source), said in translation.read_translations(
+        "palpate.translation", "tr"
+    ).items()
     if context == CONTEXT
 }
 SYSTEM = (

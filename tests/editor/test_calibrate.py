@@ -35,7 +35,7 @@ def organ() -> Organ:
 
 
 def write_curve(path: Path, organ: Organ, noise: float = 0.0) -> Path:
-    """What the organ itself answers, as a bench might have measured it."""
+    """The response of the organ itself, as a bench might have measured it."""
     scene = compile_organ(organ)
     force = measure_indentation(scene, find_top(scene), DEPTH)
     force += noise * force.max() * np.random.default_rng(7).normal(size=len(force))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Solids of springs and volumes, filled as a designer fills them, beside formulas.
 
-A layer of 20 mm on a rigid base: what it answers to a flat punch and to a sphere, how the surface
+A layer of 20 mm on a rigid base: its response to a flat punch and to a sphere, how the surface
 sinks around a point force, and how fast waves cross it. The bounds are what was measured, rounded
 up; references by the keys of core/README.md.
 """

@@ -117,9 +117,9 @@ def test_a_problem_is_found_at_its_stage(key):
     [problem] = [p for p in assess(organ, tested=False).problems if p.key == key]
 
     assert (problem.stage, problem.severity) == (stage, severity)
-    assert words in problem.found
+    assert words in problem.got
     assert problem.expected and problem.where
-    for said in (problem.found, problem.expected):
+    for said in (problem.got, problem.expected):
         assert said.template.format(**said.values) == said
 
 
@@ -162,7 +162,7 @@ def test_an_indefinite_triangle_is_named_with_what_it_could_take(coupling):
 
     [problem] = found.errors
     low, high = found.facts.tissue.coupling_range
-    assert "triangle" in problem.where and "indefinite" in problem.found
+    assert "triangle" in problem.where and "indefinite" in problem.got
     assert low < problem.fix.value < high
     # the words of the library and the numbers found here are of the same range
     assert problem.expected.startswith(f"{low:.3g}"[:4])

@@ -78,7 +78,7 @@ def test_an_open_or_hollow_organ_is_no_solid_and_is_told_so(spleen):
     for organ, where in ((opened, "material.wall_thickness"), (hollow, "material: wall_thickness")):
         assert where in {p.where for p in assess(organ).errors}
     (problem,) = assess(soft).errors
-    assert (problem.where, str(problem.found)) == ("material: poisson_ratio", "0.2")
+    assert (problem.where, str(problem.got)) == ("material: poisson_ratio", "0.2")
     assert "0.25 to 0.49" in str(problem.expected)
 
 

@@ -175,7 +175,7 @@ def test_check_exits_1_where_a_scene_cannot_be_built(spleen, tmp_path, capsys):
     assert main(["check", str(scene), "--json"]) == 1
 
     problems = json.loads(capsys.readouterr().out)["problems"]
-    assert any("density" in p["where"] and "-1" in p["found"] for p in problems)
+    assert any("density" in p["where"] and "-1" in p["got"] for p in problems)
 
 
 def hostile_files() -> list[str]:

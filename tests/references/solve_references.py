@@ -9,7 +9,7 @@
 
 Ten minutes of one processor. scikit-sparse is compiled against libsuitesparse-dev; a BLAS such as
 libopenblas0-serial makes it an order of magnitude faster. Linear truth is P2 on the once refined
-mesh, neo-Hookean truth P2 on the mesh itself; the error of both is how much the linear answers of
+mesh, neo-Hookean truth P2 on the mesh itself; the error of both is how much the linear results of
 the two meshes differ. P1 on the mesh itself tells what a law costs, apart from what the mesh costs.
 core/ACCURACY.md is written again afterwards, from what `palpate study accuracy` prints.
 """
@@ -39,7 +39,7 @@ TOOLS = ("scikit-fem", "scikit-sparse", "numpy", "scipy")
 
 
 @dataclass(frozen=True)
-class Answer:
+class Result:
     depth: float
     """[m], negative for a pull."""
     force: float
@@ -109,21 +109,21 @@ def solve_place(subject: Subject, place: Place) -> dict:
             find_rms(truth.displacement - before.displacement) / truth.depth, 5
         ),
     }
-    answers = [write_answer("linear", "P2", 1, truth) | error]
-    answers += [
-        write_answer("neo_hookean", "P2", 0, a) | error
+    results = [write_result("linear", "P2", 1, truth) | error]
+    results += [
+        write_result("neo_hookean", "P2", 0, a) | error
         for a in follow(coarse, subject, place, DEPTHS)
     ]
-    answers.append(write_answer("linear", "P1", 0, respond(plain, subject, place)))
-    answers += [
-        write_answer("neo_hookean", "P1", 0, a) for a in follow(plain, subject, place, depths)
+    results.append(write_result("linear", "P1", 0, respond(plain, subject, place)))
+    results += [
+        write_result("neo_hookean", "P1", 0, a) for a in follow(plain, subject, place, depths)
     ]
     return {
         "name": place.name,
         "vertices": np.unique(place.faces).tolist(),
         "direction": np.round(place.direction, 6).tolist(),
         "thickness": round(place.thickness, 7),
-        "answers": answers,
+        "results": results,
     }
 
 
@@ -131,35 +131,35 @@ def find_rms(u: Floats) -> float:
     return float(np.sqrt((u**2).sum(axis=1).mean()))
 
 
-def write_answer(law: str, elements: str, refinements: int, answer: Answer) -> dict:
+def write_result(law: str, elements: str, refinements: int, result: Result) -> dict:
     return {
         "law": law,
         "elements": elements,
         "refinements": refinements,
-        "depth": round(answer.depth, 9),
-        "force": float(f"{answer.force:.6g}"),
-        "displacement": np.rint(answer.displacement / MICRON).astype(int).ravel().tolist(),
+        "depth": round(result.depth, 9),
+        "force": float(f"{result.force:.6g}"),
+        "displacement": np.rint(result.displacement / MICRON).astype(int).ravel().tolist(),
     }
 
 
-def respond(press: Press, subject: Subject, place: Place) -> Answer:
-    """The linear answer at the middle of the depths; others are proportional."""
+def respond(press: Press, subject: Subject, place: Place) -> Result:
+    """The linear result at the middle of the depths; others are proportional."""
     depth = DEPTHS[1] * place.thickness
     u = press.respond(-depth * place.direction)
-    return answer(press, subject, place, depth, u, "linear")
+    return build_result(press, subject, place, depth, u, "linear")
 
 
-def answer(
+def build_result(
     press: Press, subject: Subject, place: Place, depth: float, u: Floats, law: str
-) -> Answer:
+) -> Result:
     force = float(-press.force(u, law) @ place.direction)
-    return Answer(depth, force, u[press.body.vertex_nodes[subject.surface]])
+    return Result(depth, force, u[press.body.vertex_nodes[subject.surface]])
 
 
 def follow(
     press: Press, subject: Subject, place: Place, depths: tuple[float, ...]
-) -> Iterator[Answer]:
-    """Neo-Hookean answers to a press through all depths, then to a pull."""
+) -> Iterator[Result]:
+    """Neo-Hookean results to a press through all depths, then to a pull."""
     unit = press.respond(-place.direction)
     reach = STEP * place.thickness
     for sign in (1.0, -1.0):
@@ -170,7 +170,7 @@ def follow(
             for following in np.linspace(there, goal, count + 1)[1:]:
                 u = go(press, u, unit, there, float(following))
                 there = float(following)
-            yield answer(press, subject, place, goal, u, "neo_hookean")
+            yield build_result(press, subject, place, goal, u, "neo_hookean")
 
 
 def go(press: Press, u: Floats, unit: Floats, before: float, after: float) -> Floats:

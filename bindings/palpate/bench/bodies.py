@@ -74,7 +74,7 @@ def make_builder(name: str, kind: str) -> Callable[[], palpate.Scene]:
 def renumber(reference: Reference) -> Reference:
     """The same body with neighbours side by side in memory, the outer face of a wall still first.
 
-    What was pressed and answered is dropped: it has the old numbers.
+    Presses and results are dropped: it has the old numbers.
     """
     from palpate.study.models import find_outside
 

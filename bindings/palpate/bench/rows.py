@@ -51,7 +51,7 @@ def list_works() -> list[str]:
 def bench_meshes(
     meshes: Sequence[BenchMesh],
     options: Options,
-    say: Callable[[str], None] = lambda words: None,
+    say: Callable[[str], None] = lambda text: None,
     bodies: Sequence[BenchBody] = (),
 ) -> Report:
     """`rows`, `loop`, and under `missing` in words what could not be timed and why."""

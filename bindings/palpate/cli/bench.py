@@ -26,36 +26,36 @@ BUDGET, QUICK_BUDGET = 0.4, 0.05
 """[s] CPU time a row."""
 
 
-def add_bench(word: argparse.ArgumentParser) -> None:
-    word.add_argument(
+def add_bench(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
         "--organ", action="append", metavar="NAME", help="a shipped organ; may be repeated"
     )
-    word.add_argument(
+    parser.add_argument(
         "--scene", type=Path, action="append", help="published file (.palpate); may be repeated"
     )
-    word.add_argument(
+    parser.add_argument(
         "--mesh", type=Path, action="append", help="OBJ of `palpate import`; may be repeated"
     )
-    word.add_argument(
+    parser.add_argument(
         "--vertices",
         type=int,
         action="append",
         help="size of a generated ellipsoid; may be repeated. Without any of these four: every "
         "shipped organ, and " + ", ".join(map(str, SIZES)) + " vertices",
     )
-    word.add_argument(
+    parser.add_argument(
         "--work",
         action="append",
         choices=list_works(),
         help="what is timed; may be repeated; without it everything",
     )
-    word.add_argument("--budget", type=quantity("s"), help="CPU time a row (400ms; quick: 50ms)")
-    word.add_argument("--quick", action="store_true", help="less time a row, nothing generated")
-    word.add_argument(
+    parser.add_argument("--budget", type=quantity("s"), help="CPU time a row (400ms; quick: 50ms)")
+    parser.add_argument("--quick", action="store_true", help="less time a row, nothing generated")
+    parser.add_argument(
         "--table1", action="store_true", help="Table 1 of the paper, with measured figures"
     )
     add_output(
-        word,
+        parser,
         "--chart",
         writes=PICTURE,
         metavar="FILE.png",
@@ -105,9 +105,9 @@ def run_special(call: argparse.Namespace, named: object) -> Report:
     return {"picture": str(call.chart), **report}
 
 
-def say(words: str) -> None:
+def say(text: str) -> None:
     """What is being done now, on standard error; the report alone goes to standard output."""
-    print(make_harmless(words), file=sys.stderr, flush=True)
+    print(make_harmless(text), file=sys.stderr, flush=True)
 
 
 def describe_bench(report: Report) -> str:

@@ -23,11 +23,15 @@ STIFFEST = 200.0
 """[N/m] that the usual delay of a link bears."""
 
 
-def add_device(word: argparse.ArgumentParser) -> None:
-    word.add_argument("--language", choices=("en", "tr"), help="of the window")
-    word.add_argument("--theme", choices=("dark", "light"), default="dark", help="of the window")
-    word.add_argument("--connect", metavar="DEVICE", help=f"the window begins with it: {DEVICES}")
-    actions = word.add_subparsers(dest="action", metavar="ACTION")
+def add_device(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--language", choices=("en", "tr"), help="of the window")
+    parser.add_argument("--theme", choices=("dark", "light"), default="dark", help="of the window")
+    parser.add_argument(
+        "--connect",
+        metavar="DEVICE",
+        help=f"a device that the window connects to at once: {DEVICES}",
+    )
+    actions = parser.add_subparsers(dest="action", metavar="ACTION")
 
     def add(name: str, summary: str, device: bool = True) -> argparse.ArgumentParser:
         action = actions.add_parser(name, help=summary, description=summary)

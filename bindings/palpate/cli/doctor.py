@@ -20,8 +20,8 @@ from palpate.scene.scene_file import compile_scene
 from palpate.scene.scene_parts import SceneFile
 
 
-def add_doctor(word: argparse.ArgumentParser) -> None:
-    del word
+def add_doctor(parser: argparse.ArgumentParser) -> None:
+    del parser
 
 
 def run_doctor(call: argparse.Namespace) -> Report:

@@ -46,32 +46,34 @@ def build_parser(verbs: dict[str, Verb]) -> argparse.ArgumentParser:
         prog="palpate", description="Soft-tissue organ models that can be felt."
     )
     parser.add_argument("--version", action="version", version=f"palpate {version('palpate')}")
-    words = parser.add_subparsers(dest="verb", metavar="VERB", required=True)
+    subparsers = parser.add_subparsers(dest="verb", metavar="VERB", required=True)
     for verb in verbs.values():
-        word = words.add_parser(
+        subparser = subparsers.add_parser(
             verb.name,
             help=verb.summary,
             description=verb.summary,
             epilog=f"example: {verb.example}",
         )
-        word.add_argument("--json", action="store_true", help="report as JSON on standard output")
-        verb.add_arguments(word)
+        subparser.add_argument(
+            "--json", action="store_true", help="report as JSON on standard output"
+        )
+        verb.add_arguments(subparser)
     return parser
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    words = list(sys.argv[1:] if arguments is None else arguments)
+    arguments = list(sys.argv[1:] if arguments is None else arguments)
     verbs = load_verbs()
-    if words and words[0] in EDITOR_VERBS and words[0] not in verbs:
+    if arguments and arguments[0] in EDITOR_VERBS and arguments[0] not in verbs:
         print(
-            f"palpate: '{words[0]}' belongs to the palpate-editor distribution, which is not "
+            f"palpate: '{arguments[0]}' belongs to the palpate-editor distribution, which is not "
             "installed or cannot be loaded: pip install palpate-editor",
             file=sys.stderr,
         )
         return 2
     parser = build_parser(verbs)
     try:
-        call = parser.parse_args(words)
+        call = parser.parse_args(arguments)
     except SystemExit as stop:  # argparse has already said what is wrong
         return int(stop.code or 0)
     return run(verbs[call.verb], call)

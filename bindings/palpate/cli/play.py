@@ -22,36 +22,36 @@ MUCH = 0.01
 """[-] by which what was felt and what was computed have to differ before both are told."""
 
 
-def add_play(word: argparse.ArgumentParser) -> None:
-    word.add_argument("file", type=Path, help=f"published scenario, {PUBLISHED}")
-    word.add_argument(
+def add_play(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("file", type=Path, help=f"published scenario, {PUBLISHED}")
+    parser.add_argument(
         "--device",
         default=POINTER,
         metavar="DEVICE",
         help=f"{HANDS}: the mouse, a script such as `palpate press --script` writes, either hand "
         "on the simulated arm with the real firmware, or a real device",
     )
-    word.add_argument(
+    parser.add_argument(
         "--headless", action="store_true", help="no window; needs a script or a real device"
     )
     add_output(
-        word,
+        parser,
         "--record",
         writes=RECORD,
         help="write the run as this .prec; default: a name of its own in palpate/records of the "
         "user's data folder (the window names it and opens it)",
     )
-    word.add_argument(
+    parser.add_argument(
         "--duration",
         type=quantity("s"),
         help="of a run; default: of the script, or until Ctrl+C or the device ends it",
     )
-    word.add_argument(
+    parser.add_argument(
         "--language",
         choices=("en", "tr"),
         help="of the window, and of title and task; default: that of the system",
     )
-    word.add_argument("--theme", choices=("dark", "light"), default="dark")
+    parser.add_argument("--theme", choices=("dark", "light"), default="dark")
 
 
 def run_play(call: argparse.Namespace) -> Report:

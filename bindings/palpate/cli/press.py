@@ -17,22 +17,22 @@ from palpate.runs.run import plot_runs, read_scene, run_script
 from palpate.runs.script_file import write_script_file
 
 
-def add_press(word: argparse.ArgumentParser) -> None:
-    word.add_argument("scene", type=Path, help="scene file, or published .palpate file")
-    word.add_argument("--depth", type=quantity("m"), default=6e-3, help="of the press (6mm)")
-    word.add_argument("--pull", type=quantity("m"), default=0.0, help="beyond the surface (0mm)")
-    word.add_argument("--speed", type=quantity("m/s"), default=0.03, help="mean (30mm/s)")
-    word.add_argument("--hold", type=quantity("s"), default=0.3, help="at depth (300ms)")
-    word.add_argument(
+def add_press(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("scene", type=Path, help="scene file, or published .palpate file")
+    parser.add_argument("--depth", type=quantity("m"), default=6e-3, help="of the press (6mm)")
+    parser.add_argument("--pull", type=quantity("m"), default=0.0, help="beyond the surface (0mm)")
+    parser.add_argument("--speed", type=quantity("m/s"), default=0.03, help="mean (30mm/s)")
+    parser.add_argument("--hold", type=quantity("s"), default=0.3, help="at depth (300ms)")
+    parser.add_argument(
         "--at",
         type=read_point,
         metavar="X,Y,Z",
         help="press the surface point nearest to this [mm]; default: from above",
     )
-    add_output(word, "--record", writes=RECORD, help="write the run as a .prec record")
-    add_output(word, "--plot", writes=PICTURE, help="write the force plot as PNG")
+    add_output(parser, "--record", writes=RECORD, help="write the run as a .prec record")
+    add_output(parser, "--plot", writes=PICTURE, help="write the force plot as PNG")
     add_output(
-        word,
+        parser,
         "--script",
         writes=SCRIPT,
         help="write the way of the hand as a script for `palpate play`",
@@ -41,7 +41,7 @@ def add_press(word: argparse.ArgumentParser) -> None:
 
 def read_point(text: str) -> np.ndarray:
     try:
-        point = np.array([float(word) for word in text.split(",")])
+        point = np.array([float(parser) for parser in text.split(",")])
     except ValueError:
         point = np.array([])
     if point.shape != (3,) or not np.isfinite(point).all():

@@ -16,20 +16,22 @@ from palpate.runs.run import is_published, picture_of_record, picture_of_rest, r
 from palpate.scene.mesh_file import read_mesh_file
 
 
-def add_render(word: argparse.ArgumentParser) -> None:
-    word.add_argument(
+def add_render(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
         "file", type=Path, help="scene, published file, record, or OBJ of `palpate import`"
     )
-    add_output(word, "--out", "-o", writes=PICTURE, required=True, help="PNG to write")
-    word.add_argument(
+    add_output(parser, "--out", "-o", writes=PICTURE, required=True, help="PNG to write")
+    parser.add_argument(
         "--scene", type=Path, help="of a record, where its scene was moved; default: as it says"
     )
-    word.add_argument("--time", type=quantity("s"), help="of a record; default: at its peak force")
-    word.add_argument("--size", type=read_size, default=(1280, 720), metavar="WxH")
-    word.add_argument("--theme", choices=("dark", "light"), default="dark")
-    word.add_argument("--azimuth", type=float, default=-60.0, help="[degree] of the camera (-60)")
-    word.add_argument("--elevation", type=float, default=25.0, help="[degree] (25)")
-    word.add_argument("--no-wireframe", action="store_true")
+    parser.add_argument(
+        "--time", type=quantity("s"), help="of a record; default: at its peak force"
+    )
+    parser.add_argument("--size", type=read_size, default=(1280, 720), metavar="WxH")
+    parser.add_argument("--theme", choices=("dark", "light"), default="dark")
+    parser.add_argument("--azimuth", type=float, default=-60.0, help="[degree] of the camera (-60)")
+    parser.add_argument("--elevation", type=float, default=25.0, help="[degree] (25)")
+    parser.add_argument("--no-wireframe", action="store_true")
 
 
 def read_size(text: str) -> tuple[int, int]:
@@ -53,8 +55,8 @@ def run_render(call: argparse.Namespace) -> Report:
         "wireframe": not call.no_wireframe,
     }
     if call.file.suffix == ".prec":
-        moment = picture_of_record(call.out, call.file, call.time, options, scene_path=call.scene)
-        return {"picture": str(call.out), "time_s": moment}
+        time = picture_of_record(call.out, call.file, call.time, options, scene_path=call.scene)
+        return {"picture": str(call.out), "time_s": time}
     if call.time is not None:
         raise WrongCall(f"--time: {call.file} is no record (.prec), so it has only its rest")
     if call.file.suffix == ".obj":
@@ -79,8 +81,8 @@ def run_render(call: argparse.Namespace) -> Report:
 
 
 def describe_render(report: Report) -> str:
-    moment = report["time_s"]
-    return report["picture"] + ("" if moment is None else f" (at {moment:.3f} s)")
+    time = report["time_s"]
+    return report["picture"] + ("" if time is None else f" (at {time:.3f} s)")
 
 
 RENDER = Verb(

@@ -10,9 +10,9 @@ from palpate.command.verb import Report, Verb
 from palpate.runs.run import run_replay
 
 
-def add_replay(word: argparse.ArgumentParser) -> None:
-    word.add_argument("record", type=Path, help=".prec record")
-    word.add_argument(
+def add_replay(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("record", type=Path, help=".prec record")
+    parser.add_argument(
         "--scene", type=Path, help="scene file or published file; default: the one the record names"
     )
 

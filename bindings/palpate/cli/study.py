@@ -15,23 +15,23 @@ from palpate.study.reference import list_references, read_reference
 SHIPPED = ("spleen", "kidney", "liver", "gallbladder", "stomach")
 
 
-def add_study(word: argparse.ArgumentParser) -> None:
-    word.add_argument("what", choices=("accuracy",), help="accuracy: models beside references")
-    word.add_argument(
+def add_study(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("what", choices=("accuracy",), help="accuracy: models beside references")
+    parser.add_argument(
         "--reference",
         action="append",
         choices=list_references(),
         help="may be repeated; without it the shipped organs",
     )
-    word.add_argument("--deep", action="store_true", help="deep presses and pulls too")
+    parser.add_argument("--deep", action="store_true", help="deep presses and pulls too")
     add_output(
-        word,
+        parser,
         "--findings",
         writes=FINDINGS,
         metavar="FILE.json",
         help="keep the forces of every kind, as palpate material says them",
     )
-    add_output(word, "--chart", writes=PICTURE, help="cost against error as PNG")
+    add_output(parser, "--chart", writes=PICTURE, help="cost against error as PNG")
 
 
 def run_study(call: argparse.Namespace) -> Report:

@@ -23,7 +23,7 @@ DECLARED = "declared_outputs"
 
 
 def add_output(
-    word: argparse.ArgumentParser,
+    parser: argparse.ArgumentParser,
     *flags: str,
     writes: str | Mapping[str, str],
     beside: Lister | None = None,
@@ -32,39 +32,39 @@ def add_output(
     """An option for one file, and --force with it.
 
     Args:
-        word: The verb's parser.
+        parser: The verb's parser.
         flags: The option's names.
         writes: The kind that is written, or one for each ending of the name; "" for every other.
         beside: Lists what is written beside it, if anything.
         options: Of add_argument.
     """
-    action = word.add_argument(*flags, type=Path, **options)
+    action = parser.add_argument(*flags, type=Path, **options)
 
     def list_files(call: argparse.Namespace) -> Files:
         path = getattr(call, action.dest)
         more = beside(call) if beside else []
         return [(path, choose_kind(path, writes)), *more]
 
-    declare(word, action, list_files)
+    declare(parser, action, list_files)
 
 
 def add_output_folder(
-    word: argparse.ArgumentParser, *flags: str, writes: Lister, **options: Any
+    parser: argparse.ArgumentParser, *flags: str, writes: Lister, **options: Any
 ) -> None:
     """An option for a folder, and --force with it; `writes` lists the files in it."""
-    declare(word, word.add_argument(*flags, type=Path, **options), writes)
+    declare(parser, parser.add_argument(*flags, type=Path, **options), writes)
 
 
-def declare(word: argparse.ArgumentParser, action: argparse.Action, list_files: Lister) -> None:
-    if not any("--force" in known.option_strings for known in word._actions):
-        word.add_argument(
+def declare(parser: argparse.ArgumentParser, action: argparse.Action, list_files: Lister) -> None:
+    if not any("--force" in known.option_strings for known in parser._actions):
+        parser.add_argument(
             "--force",
             action="store_true",
             help="let an output replace a file of another kind, such as an organ",
         )
-    before = word.get_default(DECLARED) or ()
+    before = parser.get_default(DECLARED) or ()
     row = (action.option_strings[0], action.dest, list_files)
-    word.set_defaults(**{DECLARED: (*before, row)})
+    parser.set_defaults(**{DECLARED: (*before, row)})
 
 
 def choose_kind(path: Path, writes: str | Mapping[str, str]) -> str:

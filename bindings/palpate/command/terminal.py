@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Words on their way to a terminal: what a file says may not steer it."""
+"""Text for a terminal: what a file says may not steer it."""
 
 from __future__ import annotations
 

@@ -236,7 +236,7 @@ def describe_low_latency() -> tuple[bool, str]:
     ports = palpate.find_serial_ports()
     if not ports:
         return True, "no USB serial adapter is plugged in"
-    words, good = [], True
+    texts, good = [], True
     for port in ports:
         late = port.latency_timer > 1
         good = good and port.permitted and not late
@@ -248,8 +248,8 @@ def describe_low_latency() -> tuple[bool, str]:
                 f": keeps bytes back for {port.latency_timer} ms; a udev rule with "
                 'ATTR{latency_timer}="1" ends that'
             )
-        words.append(told)
-    return good, "; ".join(words)
+        texts.append(told)
+    return good, "; ".join(texts)
 
 
 def to_list(values: NDArray[np.float64]) -> list[float]:

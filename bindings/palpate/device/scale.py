@@ -87,13 +87,13 @@ def read_scale(link: Link, name: str, direction: Array, force: float) -> float:
 
 def ask_scale(link: Link, name: str, direction: Array, force: float) -> float | None:
     del link, direction
-    answer = ask(
+    response = ask(
         f"the stylus is pushed {name} with {force:g} N; hold it at home with a spring scale and "
         "type what it reads in N (nothing: leave out the force check)"
     ).strip()
-    if not answer:
+    if not response:
         return None
     try:
-        return float(answer.removesuffix("N"))
+        return float(response.removesuffix("N"))
     except ValueError:
-        raise PoorData("%1 is no number of newtons.", repr(answer)) from None
+        raise PoorData("%1 is no number of newtons.", repr(response)) from None

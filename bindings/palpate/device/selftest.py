@@ -63,7 +63,7 @@ class Test:
 def run_selftest(
     link: Link, motors: bool = True, tell: Callable[[Check], None] | None = None
 ) -> Report:
-    """Begins a link and tests what is at its end. Raises DeviceError where nothing answers."""
+    """Begins a link and tests what is at its end. Raises DeviceError where nothing responds."""
     link.begin()
     try:
         return inspect_link(link, motors, tell)

@@ -209,9 +209,9 @@ class CalibratePage(Page):
         self.scale_name.setVisible(asks)
         self.scale_name.setText(translate("Device", "The scale reads"))
         go, back, leave = say_buttons(run, self.job is not None)
-        for button, words in ((self.go, go), (self.back, back), (self.leave, leave)):
-            button.setText(words)
-            button.setVisible(bool(words))
+        for button, label in ((self.go, go), (self.back, back), (self.leave, leave)):
+            button.setText(label)
+            button.setVisible(bool(label))
         for button in (self.go, self.back, self.leave):
             button.setEnabled(run is not None and not self.working)
         rows = [] if run is None else say_results(run)

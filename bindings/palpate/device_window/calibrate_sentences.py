@@ -123,7 +123,7 @@ def say_results(run: Calibration) -> list[list[str]]:
         columns.append((translate("Device", "torque"), say_factor))
     rows = [["", *(name for name, _ in columns)]]
     for j, name in enumerate(PLACES):
-        rows.append([say_joint(name), *(words(run, j) for _, words in columns)])
+        rows.append([say_joint(name), *(text(run, j) for _, text in columns)])
     return rows
 
 

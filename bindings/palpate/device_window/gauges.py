@@ -121,12 +121,12 @@ class MotorBars(Painted):
             hot = heat > 0.8
             painter.setPen(pick(self.theme, "hot" if hot else "text"))
             percent = number(100 * duty / 255, 0)
-            words = translate("Device", "%1 %  heat %2 %").replace("%1", percent)
-            words = words.replace("%2", number(100 * heat, 0))
+            text = translate("Device", "%1 %  heat %2 %").replace("%1", percent)
+            text = text.replace("%2", number(100 * heat, 0))
             painter.drawText(
                 QRectF(self.width() - right, m * row, right, row),
                 flags | Qt.AlignmentFlag.AlignRight,
-                words,
+                text,
             )
         painter.end()
 

@@ -101,11 +101,11 @@ class SelftestPage(Page):
             return
         try:
             write_selftest(path, self.report)
-            words = translate("Device", "Saved: %1").replace("%1", str(path))
+            text = translate("Device", "Saved: %1").replace("%1", str(path))
         except OSError as problem:
-            words = translate("Device", "Could not be saved: %1")
-            words = words.replace("%1", say_refusal(str(problem)))
-        self.explained.setText(words)
+            text = translate("Device", "Could not be saved: %1")
+            text = text.replace("%1", say_refusal(str(problem)))
+        self.explained.setText(text)
 
     def say(self) -> None:
         """Sets all texts."""

@@ -13,10 +13,10 @@ translate = QCoreApplication.translate
 CONTEXT = "Device"
 
 
-def say(words: Sentence) -> str:
+def say(text: Sentence) -> str:
     """A sentence of another module in the language of the window, its values too."""
-    values = tuple(translate(CONTEXT, value) for value in words.values)
-    return fill(translate(CONTEXT, words.template), values)
+    values = tuple(translate(CONTEXT, value) for value in text.values)
+    return fill(translate(CONTEXT, text.template), values)
 
 
 def number(value: float, decimals: int) -> str:

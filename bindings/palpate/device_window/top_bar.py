@@ -73,15 +73,15 @@ class TopBar(QWidget):
         before = self.chosen() if self.devices.count() else PLANT
         self.devices.clear()
         for row in list_devices():
-            words = say_device(row["device"], row["product"])
+            text = say_device(row["device"], row["product"])
             if not row["permitted"]:
-                words += translate("Device", ", not permitted")
-            self.devices.addItem(words, row["device"])
+                text += translate("Device", ", not permitted")
+            self.devices.addItem(text, row["device"])
         self.choose(before)
 
-    def show_state(self, words: str, tone: str) -> None:
-        if self.pill.text() != words:
-            self.pill.setText(words)
+    def show_state(self, text: str, tone: str) -> None:
+        if self.pill.text() != text:
+            self.pill.setText(text)
         set_tone(self.pill, tone)
 
     def show_connection(self, connected: bool, waiting: bool) -> None:

@@ -173,8 +173,8 @@ class DeviceWindow(QWidget):
             self.view.setFocus()
             self._read_arm()
         elif isinstance(job.problem, WrongCall | OSError):
-            words = translate("Device", "It cannot be connected to: %1.")
-            self._tell(words.replace("%1", say_refusal(str(job.problem))))
+            text = translate("Device", "It cannot be connected to: %1.")
+            self._tell(text.replace("%1", say_refusal(str(job.problem))))
         else:
             self.tell_unexpected(job.problem)
         self._show_link()
@@ -260,8 +260,8 @@ class DeviceWindow(QWidget):
 
     def tell_unexpected(self, problem: BaseException) -> None:
         """A defect of this program, in a sentence."""
-        words = translate("Device", "Something went wrong that should not: %1.")
-        self._tell(words.replace("%1", f"{type(problem).__name__}: {problem}"))
+        text = translate("Device", "Something went wrong that should not: %1.")
+        self._tell(text.replace("%1", f"{type(problem).__name__}: {problem}"))
 
     def _tell(self, sentence: str) -> None:
         if sentence != self.alarm.label.text():

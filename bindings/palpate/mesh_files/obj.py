@@ -15,7 +15,7 @@ PASSED_OVER = frozenset(
     ("vt", "vn", "vp", "o", "g", "s", "mg", "l", "p", "mtllib", "usemtl", "maplib", "usemap")
     + ("bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj")
 )
-"""Words of the format that say nothing about where the surface is."""
+"""Tokens of the format that say nothing about where the surface is."""
 
 
 def join_lines(text: str) -> Iterator[tuple[int, str]]:
@@ -39,14 +39,14 @@ def read_obj(file: str, content: bytes) -> tuple[NDArray[np.float64], NDArray[np
     triangles: list[tuple[int, int, int]] = []
     lines: list[int] = []
     for number, line in join_lines(content.decode("utf-8", errors="replace")):
-        word, *rest = line.split() or [""]
-        if word == "v":
+        token, *rest = line.split() or [""]
+        if token == "v":
             vertices.append(read_vertex(file, number, line, rest))
-        elif word == "f":
+        elif token == "f":
             face = fan(read_corners(file, number, line, rest, len(vertices)))
             triangles += face
             lines += [number] * len(face)
-        elif word and word not in PASSED_OVER:
+        elif token and token not in PASSED_OVER:
             raise FileError(
                 file, f"line {number}", quote(line), "v, f or another word of polygons in an OBJ"
             )
@@ -58,27 +58,27 @@ def read_obj(file: str, content: bytes) -> tuple[NDArray[np.float64], NDArray[np
     return np.array(vertices, dtype=np.float64).reshape(-1, 3), corners
 
 
-def read_vertex(file: str, number: int, line: str, words: list[str]) -> list[float]:
+def read_vertex(file: str, number: int, line: str, tokens: list[str]) -> list[float]:
     """x y z; a weight, or a colour, may follow."""
     expected = "v and three finite numbers"
-    if len(words) not in (3, 4, 6, 7):
+    if len(tokens) not in (3, 4, 6, 7):
         raise FileError(file, f"line {number}", quote(line), expected)
-    return read_numbers(file, number, line, words, expected)[:3]
+    return read_numbers(file, number, line, tokens, expected)[:3]
 
 
-def read_corners(file: str, number: int, line: str, words: list[str], so_far: int) -> list[int]:
+def read_corners(file: str, number: int, line: str, tokens: list[str], so_far: int) -> list[int]:
     """Vertex indices from 0 of `i`, `i/t`, `i//n` or `i/t/n`; negative ones count back."""
     where = f"line {number}"
-    if len(words) < 3:
+    if len(tokens) < 3:
         raise FileError(file, where, quote(line), "f and three corners or more")
     corners = []
-    for word in words:
+    for token in tokens:
         try:
-            vertex, *others = [int(part) if part else None for part in word.split("/")]
+            vertex, *others = [int(part) if part else None for part in token.split("/")]
         except ValueError:
             vertex, others = None, []
         if vertex is None or len(others) > 2:
-            raise FileError(file, where, repr(word), "a corner: i, i/t, i//n or i/t/n")
+            raise FileError(file, where, repr(token), "a corner: i, i/t, i//n or i/t/n")
         if vertex == 0 or vertex < -so_far:
             raise FileError(
                 file, where, f"vertex {vertex}", f"1 and up, or -1 to -{so_far} counting back"

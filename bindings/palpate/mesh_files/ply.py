@@ -53,7 +53,7 @@ class Body:
 def read_ply(file: str, content: bytes) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
     """Vertices, shape (n, 3), and triangles, shape (t, 3). Raises FileError, naming the place."""
     elements, body = read_header(file, content)
-    read = read_words if body.order == "" else read_binary
+    read = read_tokens if body.order == "" else read_binary
     tables = {element.name: read(body, element) for element in elements}
     for name, wanted in (("vertex", ("x", "y", "z")), ("face", CORNERS)):
         missing = name not in tables or not any(key in tables[name] for key in wanted)
@@ -84,18 +84,18 @@ def read_header(file: str, content: bytes) -> tuple[list[Element], Body]:
         number += 1
         line = content[at:end].decode("ascii", errors="replace").strip()
         at = end + 1
-        words = line.split()
+        tokens = line.split()
         if number == 1 and line != "ply":
             raise FileError(file, "line 1", quote(line), "ply")
         if line == "end_header":
             break
-        if words[:1] == ["format"] and len(words) == 3 and words[1] in ORDERS:
-            order = ORDERS[words[1]]
-        elif words[:1] == ["element"] and len(words) == 3 and words[2].isdecimal():
-            elements.append(Element(words[1], int(words[2])))
-        elif words[:1] == ["property"] and elements and (new := read_property(words)):
+        if tokens[:1] == ["format"] and len(tokens) == 3 and tokens[1] in ORDERS:
+            order = ORDERS[tokens[1]]
+        elif tokens[:1] == ["element"] and len(tokens) == 3 and tokens[2].isdecimal():
+            elements.append(Element(tokens[1], int(tokens[2])))
+        elif tokens[:1] == ["property"] and elements and (new := read_property(tokens)):
             elements[-1].properties.append(new)
-        elif number > 1 and words[:1] not in (["comment"], ["obj_info"], []):
+        elif number > 1 and tokens[:1] not in (["comment"], ["obj_info"], []):
             expected = "format, element, property of a known type, comment or end_header"
             raise FileError(file, f"line {number}", quote(line), expected)
     if order is None:
@@ -103,16 +103,16 @@ def read_header(file: str, content: bytes) -> tuple[list[Element], Body]:
     return elements, Body(file, content, order, at, number)
 
 
-def read_property(words: list[str]) -> Property | None:
-    if len(words) == 3 and words[1] in TYPES:
-        return Property(words[2], TYPES[words[1]])
-    if len(words) == 5 and words[1] == "list" and words[2] in TYPES and words[3] in TYPES:
-        count = TYPES[words[2]]
-        return Property(words[4], TYPES[words[3]], count) if count[0] != "f" else None
+def read_property(tokens: list[str]) -> Property | None:
+    if len(tokens) == 3 and tokens[1] in TYPES:
+        return Property(tokens[2], TYPES[tokens[1]])
+    if len(tokens) == 5 and tokens[1] == "list" and tokens[2] in TYPES and tokens[3] in TYPES:
+        count = TYPES[tokens[2]]
+        return Property(tokens[4], TYPES[tokens[3]], count) if count[0] != "f" else None
     return None
 
 
-def read_words(body: Body, element: Element) -> dict[str, list[Any]]:
+def read_tokens(body: Body, element: Element) -> dict[str, list[Any]]:
     """One line for each row of an element."""
     columns: dict[str, list[Any]] = {each.name: [] for each in element.properties}
     for _ in range(element.count):
@@ -123,14 +123,14 @@ def read_words(body: Body, element: Element) -> dict[str, list[Any]]:
         if body.at >= len(body.content):
             raise body.refuse(where, "the end of the file", f"{element.count} of {element.name}")
         body.at, body.line = end + 1, body.line + 1
-        words = iter(line.split())
+        tokens = iter(line.split())
         try:
             for each in element.properties:
                 if each.count_type:
-                    columns[each.name].append([int(next(words)) for _ in range(int(next(words)))])
+                    columns[each.name].append([int(next(tokens)) for _ in range(int(next(tokens)))])
                 else:
-                    columns[each.name].append(float(next(words)))
-            done = next(words, None) is None
+                    columns[each.name].append(float(next(tokens)))
+            done = next(tokens, None) is None
         except (ValueError, StopIteration, RuntimeError):
             done = False
         if not done:

@@ -20,11 +20,11 @@ def quote(text: str) -> str:
 
 
 def read_numbers(
-    file: str, number: int, line: str, words: Sequence[str], expected: str
+    file: str, number: int, line: str, tokens: Sequence[str], expected: str
 ) -> list[float]:
-    """Finite numbers from the words of a line. Raises FileError, naming the line."""
+    """Finite numbers from the tokens of a line. Raises FileError, naming the line."""
     try:
-        values = [float(word) for word in words]
+        values = [float(token) for token in tokens]
     except ValueError:
         values = [float("nan")]
     if not all(np.isfinite(values)):

@@ -49,19 +49,19 @@ def read_text(file: str, text: str) -> NDArray[np.float64]:
     of_facet = 0
     number, line = 0, ""
     for number, line in enumerate(text.splitlines(), start=1):
-        words = line.lower().split()
-        word = words[0] if words else ""
-        if word == "vertex":
-            if len(words) != 4:
+        tokens = line.lower().split()
+        token = tokens[0] if tokens else ""
+        if token == "vertex":
+            if len(tokens) != 4:
                 raise FileError(file, f"line {number}", quote(line), "vertex and three numbers")
             expected = "vertex and three finite numbers"
-            corners.append(read_numbers(file, number, line, words[1:], expected))
+            corners.append(read_numbers(file, number, line, tokens[1:], expected))
             of_facet += 1
-        elif word == "endfacet":
+        elif token == "endfacet":
             if of_facet != 3:
                 raise FileError(file, f"line {number}", f"{of_facet} corners", "3 in each facet")
             of_facet = 0
-        elif word and word not in ("solid", "endsolid", "facet", "outer", "endloop"):
+        elif token and token not in ("solid", "endsolid", "facet", "outer", "endloop"):
             expected = "solid, facet, outer loop, vertex, endloop, endfacet or endsolid"
             raise FileError(file, f"line {number}", quote(line), expected)
     if of_facet != 0:

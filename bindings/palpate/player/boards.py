@@ -110,8 +110,8 @@ class StartBoard(Board):
         self.start.setText(translate("Player", "Start"))
         for code, name in LANGUAGES.items():
             self.languages.buttons[code].setText(name)
-        words = translate("Player", "Every run is recorded in %1")
-        self.records.tell(words.replace("%1", str(self._folder)), self._folder)
+        text = translate("Player", "Every run is recorded in %1")
+        self.records.tell(text.replace("%1", str(self._folder)), self._folder)
 
 
 class MenuBoard(Board):
@@ -173,7 +173,7 @@ class EndBoard(Board):
         facts = translate("Player", "Time %1. Peak force %2 N.")
         facts = facts.replace("%1", format_clock(self._time))
         self.facts.setText(facts.replace("%2", format_number(self._peak, 2)))
-        words = translate("Player", "Record: %1").replace("%1", self._path)
-        self.record.tell(words, Path(self._path).parent)
+        text = translate("Player", "Record: %1").replace("%1", self._path)
+        self.record.tell(text, Path(self._path).parent)
         self.restart.setText(translate("Player", "Restart"))
         self.quit.setText(translate("Player", "Quit"))

@@ -116,8 +116,8 @@ class TaskCard(Page):
         self.is_folded = folded
         there = bool(self.body.text())
         self.body.setVisible(there and not folded)
-        words = translate("Player", "T shows the task") if folded else ""
-        self.hint.setText(words)
+        text = translate("Player", "T shows the task") if folded else ""
+        self.hint.setText(text)
         self.hint.setVisible(there and folded)
         self.folded.emit(folded)
 
@@ -147,10 +147,10 @@ class FolderLine(QWidget):
         row.addWidget(self.label, 1)
         row.addWidget(self.button)
 
-    def tell(self, words: str, folder: Path) -> None:
-        """`words` name what lies in the folder."""
+    def tell(self, text: str, folder: Path) -> None:
+        """`text` names what lies in the folder."""
         self.folder = folder
-        self.label.setText(words)
+        self.label.setText(text)
         self.button.setText(translate("Player", "Open the folder"))
 
     def open(self) -> None:
@@ -161,8 +161,8 @@ class FolderLine(QWidget):
         except OSError:
             opened = False
         if not opened:
-            words = translate("Player", "This system does not open folders. It is %1")
-            self.label.setText(words.replace("%1", str(self.folder)))
+            text = translate("Player", "This system does not open folders. It is %1")
+            self.label.setText(text.replace("%1", str(self.folder)))
 
 
 class ClockCard(Card):

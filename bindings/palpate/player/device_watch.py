@@ -34,15 +34,15 @@ class DeviceWatch:
         self._driver.take_status()
         status = self._driver.status()
         if status.link is palpate.LinkState.ready and status.mode is palpate.DeviceMode.faulted:
-            words = translate(
+            text = translate(
                 "Player", "Paused: no force from the device. %1. %2 C clears the fault."
             )
-            words = words.replace("%1", say_fault(status.first_fault))
-            return words.replace("%2", say_advice(status))
+            text = text.replace("%1", say_fault(status.first_fault))
+            return text.replace("%2", say_advice(status))
         if fault is palpate.DeviceFault.motors_cut:
-            words = translate("Player", "Paused: no force from the device. %1. %2")
-            words = words.replace("%1", say_state(status)[0])
-            return words.replace("%2", say_advice(status))
+            text = translate("Player", "Paused: no force from the device. %1. %2")
+            text = text.replace("%1", say_state(status)[0])
+            return text.replace("%2", say_advice(status))
         gives = status.mode in (palpate.DeviceMode.run, palpate.DeviceMode.ramp)
         if gives and not status.degraded and status.link is palpate.LinkState.ready:
             self._frames = 0

@@ -92,10 +92,10 @@ class ForceBar(QWidget):
         unit = QPointF(pad + width + 0.35 * m, y + 2.3 * m)
         self._write(painter, "N", unit, 1.1 * m, theme.faint)
         limit = format_number(self.limit, 1 if self.limit % 1 else 0)
-        words = translate("Player", "limit %1 N").replace("%1", limit)
+        text = translate("Player", "limit %1 N").replace("%1", limit)
         near = self._shown > 0.8 * self.limit
         colour = accents.hot if near else theme.faint
-        self._write(painter, words, QPointF(pad, y + 3.9 * m), 0.85 * m, colour)
+        self._write(painter, text, QPointF(pad, y + 3.9 * m), 0.85 * m, colour)
         return y + 5.0 * m
 
     def _draw_column(self, painter: QPainter, column: QRectF) -> None:

@@ -50,7 +50,7 @@ class Overlays(QObject):
 
     def tell_task(self) -> None:
         """Title and task, in the language of the window where the scenario has it."""
-        title, task = self._play.title(), self._play.words().task
+        title, task = self._play.title(), self._play.translation().task
         self.task.tell(title, task)
         self.start.tell(title, task)
 
@@ -74,10 +74,10 @@ class Overlays(QObject):
             self.place()
 
     def show_pause(self, paused: bool) -> None:
-        words = translate("Player", "Paused. Space goes on.") if paused else ""
-        if words != self.pause.label.text():
-            self.pause.tell(words)
-            self.pause.setVisible(bool(words) and self.board() is None)
+        text = translate("Player", "Paused. Space goes on.") if paused else ""
+        if text != self.pause.label.text():
+            self.pause.tell(text)
+            self.pause.setVisible(bool(text) and self.board() is None)
             self.place()
 
     def show_board(self, board: Board | None) -> None:

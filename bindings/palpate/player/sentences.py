@@ -19,13 +19,13 @@ def say_notice() -> str:
 
 def say_end(alarm: palpate.Alarm) -> str:
     """What an alarm was, and what the hand can do about it."""
-    words = translate(
+    text = translate(
         "Player",
         "The force was switched off after %1 s: %2. %3 Press R to start again.",
     )
     advice = advise_hand(alarm.kind, translate)
     values = format_number(alarm.time, 1), say_alarm(alarm, translate, format_short), advice
-    return fill(words, values)
+    return fill(text, values)
 
 
 def say_fault(fault: palpate.DeviceFault) -> str:
@@ -65,11 +65,11 @@ def say_fault(fault: palpate.DeviceFault) -> str:
 
 
 def say_slow(missed: int, due: int) -> str:
-    words = translate(
+    text = translate(
         "Player",
         "This computer is too slow just now: %1 of the last %2 force updates were missed.",
     )
-    return words.replace("%1", str(missed)).replace("%2", str(due))
+    return text.replace("%1", str(missed)).replace("%2", str(due))
 
 
 def say_gestures() -> list[tuple[str, str]]:

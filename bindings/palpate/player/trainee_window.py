@@ -109,10 +109,10 @@ class TraineeWindow(QWidget):
             self.run = self.play.begin(device)
         except OSError as problem:
             if isinstance(problem, palpate.DeviceError):
-                words = translate("Player", "The device cannot be used, so nothing was started: %1")
+                text = translate("Player", "The device cannot be used, so nothing was started: %1")
             else:
-                words = translate("Player", "No record can be written, so nothing was started: %1")
-            self.over.alarm.tell(words.replace("%1", say_refusal(str(problem))))
+                text = translate("Player", "No record can be written, so nothing was started: %1")
+            self.over.alarm.tell(text.replace("%1", say_refusal(str(problem))))
             self.over.place()
             return
         self._time, self._force, self._second, self._missed = 0.0, 0.0, 0, 0
@@ -216,8 +216,8 @@ class TraineeWindow(QWidget):
     def _tell_loss(self) -> None:
         """Of a record, until the window is closed: the record may be needed."""
         if self._problem is not None:
-            words = translate("Player", "The record could not be completed: %1")
-            self.over.alarm.tell(words.replace("%1", say_refusal(str(self._problem))))
+            text = translate("Player", "The record could not be completed: %1")
+            self.over.alarm.tell(text.replace("%1", say_refusal(str(self._problem))))
 
     def report(self) -> Report:
         """What was played, for the command line. Raises OSError where a record was lost."""
@@ -261,8 +261,8 @@ class TraineeWindow(QWidget):
 
     def tell_unexpected(self, problem: BaseException) -> None:
         """A defect of this program, in a sentence."""
-        words = translate("Player", "Something went wrong that should not: %1. Press R to restart.")
-        self.over.alarm.tell(words.replace("%1", f"{type(problem).__name__}: {problem}"))
+        text = translate("Player", "Something went wrong that should not: %1. Press R to restart.")
+        self.over.alarm.tell(text.replace("%1", f"{type(problem).__name__}: {problem}"))
         self.over.place()
 
     def _use_letters(self) -> None:

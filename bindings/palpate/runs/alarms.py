@@ -37,17 +37,17 @@ class Advice:
 
 
 @dataclass(frozen=True)
-class Words:
+class AlarmText:
     """Of one kind of alarm."""
 
-    found: str
+    event: str
     """%1 is what was measured, %2 what it may be."""
     hand: str
     """What the person who holds the tool can do."""
     design: Advice
     """What its designer can do, where no cause is found."""
     scale: float = 1.0
-    """From the SI units of an alarm to those of `found`."""
+    """From the SI units of an alarm to those of `event`."""
     offset: float = 0.0
 
 
@@ -62,44 +62,46 @@ STEADIER = Advice(
 )
 
 ALARMS = {
-    AlarmKind.not_finite: Words("the tissue blew up: a position is not a number", SLOWER, STEADIER),
-    AlarmKind.moved_far: Words(
+    AlarmKind.not_finite: AlarmText(
+        "the tissue blew up: a position is not a number", SLOWER, STEADIER
+    ),
+    AlarmKind.moved_far: AlarmText(
         "the tissue blew up: a point moved %1 mm between two checks, at most %2 mm is right",
         SLOWER,
         STEADIER,
         scale=1e3,
     ),
-    AlarmKind.energy: Words(
+    AlarmKind.energy: AlarmText(
         "the tissue blew up: its energy rose to %1 mJ, what it was given allows %2 mJ",
         SLOWER,
         STEADIER,
         scale=1e3,
     ),
-    AlarmKind.overstretched: Words(
+    AlarmKind.overstretched: AlarmText(
         "a link was stretched to %1 times its length at rest, at most %2 times is right",
         LIGHTER,
         STIFFER,
         offset=1.0,  # the alarm tells the strain
     ),
-    AlarmKind.collapsed: Words(
+    AlarmKind.collapsed: AlarmText(
         "a link was squeezed to %1 % of its length at rest, at least %2 % is right",
         LIGHTER,
         STIFFER,
         scale=1e2,
     ),
-    AlarmKind.inverted: Words(
+    AlarmKind.inverted: AlarmText(
         "a tetrahedron was squeezed to %1 % of its volume at rest, at least %2 % is right",
         LIGHTER,
         STIFFER,
         scale=1e2,
     ),
-    AlarmKind.pressed_deep: Words(
+    AlarmKind.pressed_deep: AlarmText(
         "the tissue was moved by %1 mm; there a linear solid is good for %2 mm",
         LIGHTER,
         Advice("Press less deep, or take a solid (MSS+V), which goes deeper."),
         scale=1e3,
     ),
-    AlarmKind.invalid_input: Words(
+    AlarmKind.invalid_input: AlarmText(
         "a tick was given a value that it cannot use",
         "Start again. If it comes again, the device or the program that runs it is at fault.",
         Advice("Give every tick finite numbers, and the scene as build_scene returned it."),
@@ -209,18 +211,18 @@ def write_plain(value: float) -> str:
 
 def describe_alarm(alarm: Alarm, write: Write = write_plain) -> Sentence:
     """What happened, without a capital and a stop."""
-    words = ALARMS[alarm.kind]
-    found = words.found
+    text = ALARMS[alarm.kind]
+    event = text.event
     if alarm.kind is AlarmKind.invalid_input:
-        found = INPUTS.get(alarm.index, found)
-    shown = (words.scale * value + words.offset for value in (alarm.value, alarm.limit))
-    return sentence(found, *(write(value) for value in shown))
+        event = INPUTS.get(alarm.index, event)
+    shown = (text.scale * value + text.offset for value in (alarm.value, alarm.limit))
+    return sentence(event, *(write(value) for value in shown))
 
 
 def say_alarm(alarm: Alarm, say: Say, write: Write = write_plain) -> str:
     """What happened, in a language."""
-    found = describe_alarm(alarm, write)
-    return fill(say(CONTEXT, found.template), found.values)
+    event = describe_alarm(alarm, write)
+    return fill(say(CONTEXT, event.template), event.values)
 
 
 def advise_hand(kind: AlarmKind, say: Say) -> str:
@@ -239,9 +241,9 @@ def advise_design(
 
 def list_values(cause: Cause | None, unit: float, write: Write) -> tuple[str, ...]:
     """What stands in the first places of an advice."""
-    if cause is None or cause.found == cause.limit == 0.0:
+    if cause is None or cause.value == cause.limit == 0.0:
         return ()
-    return write(cause.found / unit), write(cause.limit / unit)
+    return write(cause.value / unit), write(cause.limit / unit)
 
 
 def tell_alarm(alarm: Alarm, scene: Scene | None, body: int = -1) -> str:

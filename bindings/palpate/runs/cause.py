@@ -41,7 +41,7 @@ class Cause:
 
     name: str
     """One of palpate.runs.alarms.CAUSES."""
-    found: float = 0.0
+    value: float = 0.0
     """Substeps that it needs, or the constant as it is."""
     limit: float = 0.0
     """Substeps that there are, or a value of the constant that passed."""

@@ -112,13 +112,13 @@ class Play:
             return self.record
         return find_free(self.record.with_stem(f"{self.record.stem}-{len(self.records) + 1}"))
 
-    def words(self) -> palpate.scenario.Words:
+    def translation(self) -> palpate.scenario.Words:
         """Title and task in the language that was asked for, as far as the scenario has it."""
         return palpate.scenario.find_words(self.scenario, self.language)
 
     def title(self) -> str:
         """What a window calls it: its title, else its file."""
-        return self.words().title or self.path.stem
+        return self.translation().title or self.path.stem
 
     def record_folder(self) -> Path:
         """Where the records go; made with the first of them."""
@@ -205,8 +205,8 @@ def describe_outcome(costs: palpate.LoopReport) -> Report:
 
 
 def describe_play(play: Play) -> Report:
-    words = play.words()
-    return {"scenario": str(play.path), "title": words.title, "task": words.task}
+    text = play.translation()
+    return {"scenario": str(play.path), "title": text.title, "task": text.task}
 
 
 def describe_run(play: Play, record: Path, costs: palpate.LoopReport) -> Report:

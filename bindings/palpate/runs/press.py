@@ -13,7 +13,7 @@ from palpate.runs.felt import read_force
 CLEARANCE = 4e-3
 """[m] between tip and tissue where a script begins and ends."""
 REST = 0.1
-"""[s] at the end of the hold, in which tissue at rest answers with the same force."""
+"""[s] at the end of the hold, in which tissue at rest gives the same force."""
 UNREST = 0.1
 """[-] of the mean force: how far apart the forces of that time may lie."""
 RAMP = 0.02
@@ -130,7 +130,7 @@ def measure_press(
     The hand's own time counts, so skipped ticks do not shift these times. Stiffness is the mean
     force of the last 100 ms of the hold over how deep the tip itself then stands below the surface
     at rest. It is None where the tip does not, and where the tissue has not come to rest: an organ
-    that swings as a whole, as a solid does on a small base, answers with any force then, and the
+    that swings as a whole, as a solid does on a small base, may give any force then, and the
     peak is that of the impact.
     """
     time = np.asarray(record.hand["time"])

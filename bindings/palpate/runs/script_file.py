@@ -28,14 +28,14 @@ MOST_BYTES = 32 * 2**20
 
 @dataclass(frozen=True)
 class FramePart:
-    """One moment of a script."""
+    """One key frame of a script."""
 
     time: float
     """[s] since the run began, later than that of the frame before."""
     position: tuple[float, ...]
     """[m] of the middle of the tip."""
     buttons: int = 0
-    """From this moment on: 1 takes hold of what the tip touches."""
+    """From this time on: 1 takes hold of what the tip touches."""
 
 
 def write_script_file(path: Path, frames: Sequence[palpate.KeyFrame]) -> None:

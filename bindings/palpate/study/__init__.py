@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How right the models are: finite-element references, what the models answer, and fits."""
+"""How right the models are: finite-element references, how the models respond, and fits."""

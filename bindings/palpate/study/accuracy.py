@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What every kind of model answers to the presses of the references, beside the truth."""
+"""How every kind of model responds to the presses of the references, beside the truth."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from palpate.study.models import KINDS, SOLID, Built, Kind, compute_volumes, form_of
-from palpate.study.reference import Answer, Place, Reference
+from palpate.study.reference import Place, Reference, Result
 from palpate.study.statics import Unbalanced, follow, respond
 
 REACH = 0.05
@@ -25,13 +25,13 @@ class Row:
     place: str
     kind: str
     depth: float | None
-    """Of the thickness, negative for a pull; None for the linear answer."""
+    """Of the thickness, negative for a pull; None for the linear result."""
     force_ratio: float | None
     """[-] to the reference; None where there is no equilibrium."""
     rms: float | None
     """[-] of the displacement of the free surface beside the reference's, of the depth."""
     least_volume: float | None
-    """[-] of a tetrahedron, of its volume at rest; None for surfaces and linear answers."""
+    """[-] of a tetrahedron, of its volume at rest; None for surfaces and linear results."""
     note: str = ""
     """Why there are no numbers."""
 
@@ -57,7 +57,7 @@ def build_or_say(reference: Reference, kind: Kind) -> Built | str:
 
 
 def linear_row(
-    reference: Reference, place: Place, kind: Kind, organ: Built | str, truth: Answer
+    reference: Reference, place: Place, kind: Kind, organ: Built | str, truth: Result
 ) -> Row:
     if isinstance(organ, str):
         return Row(reference.name, place.name, kind.name, None, None, None, None, organ)
@@ -80,20 +80,20 @@ def spread(reference: Reference, organ: Built, u: NDArray[np.float64]) -> NDArra
     return np.where(rows[:, None] >= 0, u[rows], np.nan)
 
 
-def same_mesh_row(reference: Reference, place: Place, truth: Answer) -> Row:
+def same_mesh_row(reference: Reference, place: Place, truth: Result) -> Row:
     """What is left of linear elasticity itself on a mesh this coarse."""
     plain = place.find("linear", "P1", truth.depth)
     ratio, rms = plain.force / truth.force, find_rms(reference, place, plain.displacement, truth)
     return Row(reference.name, place.name, "finite elements (P1)", None, ratio, rms, None)
 
 
-def still_row(reference: Reference, place: Place, truth: Answer) -> Row:
+def still_row(reference: Reference, place: Place, truth: Result) -> Row:
     """What a surface that does not move at all would score."""
     rms = find_rms(reference, place, np.zeros_like(truth.displacement), truth)
     return Row(reference.name, place.name, "nothing moves", None, 0.0, rms, None)
 
 
-def find_rms(reference: Reference, place: Place, u: NDArray[np.float64], truth: Answer) -> float:
+def find_rms(reference: Reference, place: Place, u: NDArray[np.float64], truth: Result) -> float:
     free = ~np.isin(reference.surface, np.concatenate([reference.held, place.vertices]))
     off = u[free] - truth.displacement[free]
     off = off[np.isfinite(off).all(axis=1)]

@@ -63,13 +63,13 @@ def save_chart(
     kinds = list(dict.fromkeys(cost.kind for cost in costs))
     bodies = list(dict.fromkeys(cost.reference for cost in costs))
     for panels, (title, names) in zip(grid, groups.items(), strict=True):
-        for axes, error, word, target in zip(panels, ERRORS, WORDS, TARGETS, strict=True):
+        for axes, error, label, target in zip(panels, ERRORS, LABELS, TARGETS, strict=True):
             for cost in costs:
                 if cost.reference in names:
                     plot_point(axes, cost, error(rows, cost), kinds, bodies)
             axes.axvline(target, color=theme.faint, linewidth=1.0, linestyle=(0, (4, 3)))
             scale(axes, theme)
-            axes.set_xlabel(word)
+            axes.set_xlabel(label)
         panels[0].set_title(title, loc="left", color=theme.text, fontsize=11, fontweight="bold")
         panels[0].set_ylabel("processor seconds\nper second of tissue at 1 kHz")
     write_keys(figure, kinds, bodies, theme)
@@ -109,7 +109,7 @@ def find_displacement_error(rows: Sequence[Row], cost: Cost) -> float:
 
 
 ERRORS = (find_force_error, find_displacement_error)
-WORDS = ("force: |ratio to the truth - 1|", "displacement: root mean square over the depth")
+LABELS = ("force: |ratio to the truth - 1|", "displacement: root mean square over the depth")
 
 
 def plot_point(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What an elastic half space, or a layer of it on a rigid base, answers to a rigid indenter.
+"""What an elastic half space, or a layer of it on a rigid base, does to a rigid indenter.
 
 The layer is bonded to its base, the indenter is smooth, strains are small. Far from the indenter
 the surface sinks as under a point force.
@@ -82,7 +82,7 @@ def solve_layer(
         phi(t) - (2/pi) int_0^a phi(s) K(t, s) ds = w(t),
         K(t, s) = int_0^inf (1 - L(x h)) cos(x t) cos(x s) dx,
 
-    with w = 1 and w = t²: what a half space, L = 1, answers with [Hayes72].
+    with w = 1 and w = t²: the response of a half space, L = 1 [Hayes72].
 
     Returns:
         phi for w = 1, phi for w = t² [m²], and the weights [m] of the integral from 0 to a; the

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Finite-element answers to presses and pulls, solved offline and kept as files.
+"""Finite-element results to presses and pulls, solved offline and kept as files.
 
 tests/references/solve_references.py makes them; each file says the call. Nothing here solves.
 """
@@ -25,7 +25,7 @@ ELEMENTS = ("P1", "P2")
 
 
 @dataclass(frozen=True)
-class Answer:
+class Result:
     """What a body does when a patch of it is moved along its normal."""
 
     law: str
@@ -63,46 +63,46 @@ class Place:
     """Unit, outward."""
     thickness: float
     """[m] of the body under the patch."""
-    answers: tuple[Answer, ...]
+    results: tuple[Result, ...]
 
-    def find(self, law: str, elements: str, depth: float | None = None) -> Answer:
-        """The answer at a depth [m]; linear ones are known at every depth. Raises KeyError."""
-        for answer in self.answers:
-            if (answer.law, answer.elements) != (law, elements):
+    def find(self, law: str, elements: str, depth: float | None = None) -> Result:
+        """The result at a depth [m]; linear ones are known at every depth. Raises KeyError."""
+        for result in self.results:
+            if (result.law, result.elements) != (law, elements):
                 continue
-            if depth is None or abs(answer.depth - depth) < 1e-6:
-                return answer
+            if depth is None or abs(result.depth - depth) < 1e-6:
+                return result
             if law == "linear":
-                return scale(answer, depth)
-        raise KeyError(f"{self.name}: no answer of {elements} {law} at {depth} m")
+                return scale(result, depth)
+        raise KeyError(f"{self.name}: no result of {elements} {law} at {depth} m")
 
     def list_parts(self, law: str, elements: str) -> list[float]:
-        """Depths over the thickness that have an answer, in the order of the file."""
+        """Depths over the thickness that have an result, in the order of the file."""
         return [
-            round(answer.depth / self.thickness, 3)
-            for answer in self.answers
-            if (answer.law, answer.elements) == (law, elements)
+            round(result.depth / self.thickness, 3)
+            for result in self.results
+            if (result.law, result.elements) == (law, elements)
         ]
 
 
-def scale(answer: Answer, depth: float) -> Answer:
-    """A linear answer at another depth [m]."""
-    part = depth / answer.depth
-    return Answer(
-        answer.law,
-        answer.elements,
-        answer.refinements,
+def scale(result: Result, depth: float) -> Result:
+    """A linear result at another depth [m]."""
+    part = depth / result.depth
+    return Result(
+        result.law,
+        result.elements,
+        result.refinements,
         depth,
-        part * answer.force,
-        part * answer.displacement,
-        answer.force_error,
-        answer.displacement_error,
+        part * result.force,
+        part * result.displacement,
+        result.force_error,
+        result.displacement_error,
     )
 
 
 @dataclass(frozen=True)
 class Reference:
-    """A body of tetrahedra and its answers."""
+    """A body of tetrahedra and its results."""
 
     name: str
     title: str
@@ -218,12 +218,12 @@ def read_place(data: dict[str, Any]) -> Place:
         vertices=np.array(data["vertices"], dtype=np.int32),
         direction=np.array(data["direction"]),
         thickness=data["thickness"],
-        answers=tuple(map(read_answer, data["answers"])),
+        results=tuple(map(read_result, data["results"])),
     )
 
 
-def read_answer(data: dict[str, Any]) -> Answer:
-    return Answer(
+def read_result(data: dict[str, Any]) -> Result:
+    return Result(
         law=data["law"],
         elements=data["elements"],
         refinements=data["refinements"],

@@ -70,7 +70,7 @@ def stiffness_of(press: Press, x: Points, projection: palpate.Projection) -> csc
 
 
 def respond(press: Press) -> tuple[Points, float]:
-    """The linear answer to a unit press: displacements per depth [-] and stiffness [N/m]."""
+    """The linear response to a unit press: displacements per depth [-] and stiffness [N/m]."""
     rest = np.asarray(press.model.rest_position)
     free = np.repeat(press.free(), 3)
     u = np.zeros_like(rest)

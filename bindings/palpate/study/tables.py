@@ -69,18 +69,18 @@ def describe_rows(rows: Sequence[Row]) -> str:
     lost = len(rows) - len(found)
     if rows and lost == len(rows) and rows[0].depth is None:
         return "cannot be built"
-    words = []
+    cells = []
     if found:
         ratios = [row.force_ratio for row in found]
         rms = sum(row.rms for row in found) / len(found)
         mean = sum(ratios) / len(ratios)
-        words.append(f"{mean:.3g} ({min(ratios):.3g} to {max(ratios):.3g}), {100 * rms:.1f} %")
+        cells.append(f"{mean:.3g} ({min(ratios):.3g} to {max(ratios):.3g}), {100 * rms:.1f} %")
         turned = sum(row.least_volume is not None and row.least_volume <= 0.0 for row in found)
         if turned:
-            words.append(f"{turned} of {len(rows)} inside out")
+            cells.append(f"{turned} of {len(rows)} inside out")
     if lost:
-        words.append(f"{lost} of {len(rows)} without equilibrium")
-    return "; ".join(words) or "-"
+        cells.append(f"{lost} of {len(rows)} without equilibrium")
+    return "; ".join(cells) or "-"
 
 
 def write_table(head: Sequence[str], lines: Sequence[Sequence[str]]) -> str:

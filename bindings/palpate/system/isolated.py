@@ -3,7 +3,7 @@
 
 `python -c` and `python -m` look for modules in the current folder first, so a json.py beside an
 organ would run in place of the library's. Every process that bindings/ and editor/ start begins
-with the words that `build_command` gives.
+with the arguments that `build_command` gives.
 """
 
 from __future__ import annotations
@@ -11,12 +11,12 @@ from __future__ import annotations
 import sys
 
 
-def build_command(*words: object) -> list[str]:
-    """This interpreter with `words`, its modules from where it and its packages are installed."""
+def build_command(*arguments: object) -> list[str]:
+    """This interpreter with `arguments`; its modules are those installed with it."""
     # -P and not -I, under which what a user installed for himself alone would be missing
-    return [sys.executable, "-P", *map(str, words)]
+    return [sys.executable, "-P", *map(str, arguments)]
 
 
-def build_verb(*words: object) -> list[str]:
-    """The command `palpate` with `words`, of this very installation."""
-    return build_command("-m", "palpate", *words)
+def build_verb(*arguments: object) -> list[str]:
+    """The command `palpate` with `arguments`, of this very installation."""
+    return build_command("-m", "palpate", *arguments)

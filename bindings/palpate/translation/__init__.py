@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Languages of the windows: reads Qt Linguist's .ts files as they are, with no step between.
 
-A package that shows words keeps translations/<anything>_<language>.ts beside its modules, but for
+A package that shows texts keeps translations/<anything>_<language>.ts beside its modules, but for
 English, which is what the source says.
 """
 
@@ -18,25 +18,25 @@ LANGUAGES = {"en": "English", "tr": "Türkçe"}
 SOURCE = "en"
 PACKAGES = ("palpate.translation", "palpate.player", "palpate.device_window", "palpate_editor")
 
-Words = dict[tuple[str, str], str]
+Translations = dict[tuple[str, str], str]
 """(context, source) -> translation."""
 
 
 class TsTranslator(QTranslator):
     """Says what .ts files say."""
 
-    def __init__(self, words: Words, parent: QObject | None = None):
+    def __init__(self, translations: Translations, parent: QObject | None = None):
         super().__init__(parent)
-        self._words = words
+        self._translations = translations
 
     def translate(
         self, context: str, source: str, disambiguation: str | None = None, n: int = -1
     ) -> str | None:
         del disambiguation, n
-        return self._words.get((context, source))
+        return self._translations.get((context, source))
 
     def isEmpty(self) -> bool:
-        return not self._words
+        return not self._translations
 
 
 def install(
@@ -63,17 +63,17 @@ def install(
 def build_translators(
     app: QCoreApplication, code: str, packages: Sequence[str]
 ) -> Iterable[QTranslator]:
-    """Qt's own words, where they are there, and ours."""
+    """Qt's own translations, where they are installed, and those of the packages."""
     if code == SOURCE:
         return
     of_qt = QTranslator(app)
     folder = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
     if of_qt.load(f"qtbase_{code}", folder):
         yield of_qt
-    words: Words = {}
+    translations: Translations = {}
     for package in packages:
-        words |= read_words(package, code)
-    yield TsTranslator(words, app)
+        translations |= read_translations(package, code)
+    yield TsTranslator(translations, app)
 
 
 def find_language(wanted: Iterable[str]) -> str:
@@ -85,28 +85,28 @@ def find_language(wanted: Iterable[str]) -> str:
     return SOURCE
 
 
-def read_words(package: str, code: str) -> Words:
+def read_translations(package: str, code: str) -> Translations:
     """What a package says in a language; nothing where the package is not installed."""
     try:
         folder = files(package) / "translations"
     except ModuleNotFoundError:
         return {}
-    words: Words = {}
+    translations: Translations = {}
     if folder.is_dir():
         for file in sorted(folder.iterdir(), key=lambda entry: entry.name):
             if file.name.endswith(f"_{code}.ts"):
-                words |= parse_ts(file.read_text(encoding="utf-8"))
-    return words
+                translations |= parse_ts(file.read_text(encoding="utf-8"))
+    return translations
 
 
-def parse_ts(text: str) -> Words:
+def parse_ts(text: str) -> Translations:
     """Finished translations of a .ts file [Qt Linguist, TS file format]."""
-    words: Words = {}
+    translations: Translations = {}
     for context in ET.fromstring(text).iter("context"):
         name = context.findtext("name", "")
         for message in context.iter("message"):
             translation = message.find("translation")
             said = "" if translation is None else (translation.text or "")
             if said and translation is not None and translation.get("type") is None:
-                words[name, message.findtext("source", "")] = said
-    return words
+                translations[name, message.findtext("source", "")] = said
+    return translations

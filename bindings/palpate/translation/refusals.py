@@ -57,8 +57,8 @@ def say_inside(text: str, depth: int) -> str:
 @cache
 def read_patterns() -> list[tuple[str, re.Pattern[str]]]:
     """(template, what fits it), those with most words of their own first."""
-    words = translation.read_words("palpate.translation", "tr")
-    templates = [source for context, source in words if context == CONTEXT]
+    translations = translation.read_translations("palpate.translation", "tr")
+    templates = [source for context, source in translations if context == CONTEXT]
     templates.sort(key=lambda source: (-count_letters(source), source))
     return [(source, build_pattern(source)) for source in templates]
 

@@ -119,9 +119,9 @@ class FboView(ViewBase, QWidget):
         theme = self.scenery.theme
         painter.fillRect(self.rect(), QColor.fromRgbF(*theme.corner))
         painter.setPen(QColor.fromRgbF(*theme.text))
-        words = QCoreApplication.translate(
+        text = QCoreApplication.translate(
             "Viewport", "The organ cannot be drawn on this machine: %1"
         )
         margin = QRect(self.rect()).adjusted(24, 24, -24, -24)
         flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-        painter.drawText(margin, flags, words.replace("%1", self.problem))
+        painter.drawText(margin, flags, text.replace("%1", self.problem))

@@ -119,7 +119,7 @@ class Session(QObject):
 
     @property
     def is_tested(self) -> bool:
-        """Whether the organ was felt as it is now; words about it may be others."""
+        """Whether the organ was felt as it is now; its texts may be others."""
         return self.tested is not None and is_built_alike(self.tested, self.organ)
 
     def _replace(

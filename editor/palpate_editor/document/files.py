@@ -35,7 +35,7 @@ from palpate_editor.document.surface import Surface
 FORMAT, VERSION = "organ", 5
 ARRAYS_OF_MODEL = ("fixed", "stiffness_scale")
 """Of the model part; arrays of the file stand for them."""
-WORDS = ("name", "title", "task")
+TEXTS = ("name", "title", "task")
 NUMBERS = {
     "material": MaterialPart,
     "model": ModelPart,
@@ -116,7 +116,7 @@ def read_organ(path: Path) -> Organ:
 
 def pack_organ(organ: Organ) -> tuple[Json, Arrays]:
     """What a file keeps of an organ: a JSON object and arrays."""
-    content: Json = {name: getattr(organ, name) for name in WORDS}
+    content: Json = {name: getattr(organ, name) for name in TEXTS}
     for name in (*OPTIONAL, *NUMBERS):
         part = getattr(organ, name)
         content[name] = None if part is None else asdict(part)
@@ -165,14 +165,14 @@ def check_parts(content: Any, file: str) -> None:
 
 
 def unpack(content: Any, arrays: Arrays, file: str) -> Organ:
-    known = {*WORDS, *OPTIONAL, *NUMBERS, "regions"}
+    known = {*TEXTS, *OPTIONAL, *NUMBERS, "regions"}
     if not isinstance(content, dict):
         raise Refusal(file, "", json_kind(content), "an object")
     if set(content) - {"languages"} != known:
         odd = sorted((set(content) - {"languages"}) ^ known)[0]
         found = "an unknown field" if odd in content else "nothing"
         raise Refusal(file, odd, found, "exactly " + ", ".join(sorted(known)))
-    parts: Json = {name: read_value(file, name, str, content[name]) for name in WORDS}
+    parts: Json = {name: read_value(file, name, str, content[name]) for name in TEXTS}
     for name, kind in OPTIONAL.items():
         section = content[name]
         parts[name] = None if section is None else read_part(file, name, kind, section, whole=True)
@@ -197,8 +197,8 @@ def unpack_languages(content: Any, file: str) -> dict[str, Translation]:
         if not is_language(code):
             raise Refusal(file, "languages", f"the code {code!r}", "a code such as tr or pt-BR")
     return {
-        code: read_part(file, f"languages.{code}", Translation, words, whole=True)
-        for code, words in content.items()
+        code: read_part(file, f"languages.{code}", Translation, translation, whole=True)
+        for code, translation in content.items()
     }
 
 

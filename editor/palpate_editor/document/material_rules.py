@@ -84,8 +84,8 @@ def refuse_tissue(tissue: TissueFacts) -> Iterator[Problem]:
         "error",
         "material",
         where,
-        phrase("{words}", words=found),
-        phrase("{words}", words=expected),
+        phrase("{text}", text=found),
+        phrase("{text}", text=expected),
     )
 
 

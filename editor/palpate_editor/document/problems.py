@@ -27,7 +27,7 @@ class Problem:
     severity: str
     stage: str
     where: str
-    found: Phrase
+    got: Phrase
     expected: Phrase
     fix: Callable[[Organ], Organ] | None = field(default=None, compare=False)
     """An edit that fixes it, where one is sure to."""
@@ -85,7 +85,7 @@ class TissueFacts:
     wall: WallFit | None = None
     """None for a solid, and where triangles are too thin to be compared."""
     refusal: tuple[str, str, str] | None = None
-    """Where, found, expected: why there is none."""
+    """Where, got, expected: why there is none."""
     coupling_range: tuple[float, float] | None = None
     """[N] the stretch-bend that every triangle can take, where one could not take the organ's."""
 

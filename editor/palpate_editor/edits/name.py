@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Words: the organ's name, and the title and task a trainee reads."""
+"""Texts: the organ's name, and the title and task a trainee reads."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from palpate_editor.edits.edit import EditError
 MOST_NAME_BYTES = 200
 
 
-def check_words(what: str, words: str, most: int) -> None:
+def check_text(what: str, text: str, most: int) -> None:
     try:
-        count = len(words.encode())
+        count = len(text.encode())
     except UnicodeEncodeError:  # half of a surrogate pair: no file can keep it
         raise EditError(phrase("{what}: letters that cannot be written.", what=what)) from None
     if count > most:
@@ -37,7 +37,7 @@ class SetName:
         return phrase("Name the organ: {name}", name=self.name)
 
     def __call__(self, organ: Organ) -> Organ:
-        check_words("name", self.name, MOST_NAME_BYTES)
+        check_text("name", self.name, MOST_NAME_BYTES)
         return replace(organ, name=self.name)
 
 
@@ -48,7 +48,7 @@ class SetTask:
     scenario_title: str | None = None
     task: str | None = None
     language: str = ""
-    """A code such as "tr" for a translation; empty for the words that stand where there is none."""
+    """A code such as "tr" for a translation; empty for the texts that stand where there is none."""
 
     @property
     def title(self) -> str:
@@ -68,8 +68,8 @@ class SetTask:
         said = organ.languages.get(self.language, Translation()) if self.language else organ
         title = said.title if self.scenario_title is None else self.scenario_title
         task = said.task if self.task is None else self.task
-        check_words("title", title, scenario.MOST_TITLE_BYTES)
-        check_words("task", task, scenario.MOST_TASK_BYTES)
+        check_text("title", title, scenario.MOST_TITLE_BYTES)
+        check_text("task", task, scenario.MOST_TASK_BYTES)
         if not self.language:
             return replace(organ, title=title, task=task)
         languages = {**organ.languages, self.language: Translation(title, task)}

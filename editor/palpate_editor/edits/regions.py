@@ -9,7 +9,7 @@ import numpy as np
 
 from palpate_editor.document import Organ, phrase
 from palpate_editor.edits.edit import EditError, check_vertices
-from palpate_editor.edits.name import check_words
+from palpate_editor.edits.name import check_text
 
 MOST_NAME_BYTES = 100
 MOST_REGIONS = 200
@@ -32,7 +32,7 @@ class SetRegion:
     def __call__(self, organ: Organ) -> Organ:
         if not self.name.strip():
             raise EditError(phrase("A region needs a name."))
-        check_words("name", self.name, MOST_NAME_BYTES)
+        check_text("name", self.name, MOST_NAME_BYTES)
         if self.name not in organ.regions and len(organ.regions) >= MOST_REGIONS:
             raise EditError(phrase("An organ has at most {most} regions.", most=MOST_REGIONS))
         ids = np.unique(check_vertices(organ, self.vertices))

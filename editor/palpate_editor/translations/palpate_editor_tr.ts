@@ -877,7 +877,7 @@
         <translation>Onarılacak bir şey yoktu</translation>
     </message>
     <message>
-        <source>Nothing stands in the way of publishing.</source>
+        <source>Nothing prevents publishing.</source>
         <translation>Yayımlamanın önünde engel yok.</translation>
     </message>
     <message>
@@ -1033,7 +1033,7 @@
         <translation>Kayıt (*.prec)</translation>
     </message>
     <message>
-        <source>Red checks of any stage stand in the way. Each says what was found and what was expected.</source>
+        <source>Errors of any stage, in red, prevent publishing. Each says what it got and what was expected.</source>
         <translation>Herhangi bir aşamanın kırmızı denetimi engeldir. Her biri bulunanı ve bekleneni söyler.</translation>
     </message>
     <message>
@@ -1381,8 +1381,8 @@
         <translation>Pencere başlatılamadı.</translation>
     </message>
     <message>
-        <source>The window ended: {words}</source>
-        <translation>Pencere kapandı: {words}</translation>
+        <source>The window ended: {reason}</source>
+        <translation>Pencere kapandı: {reason}</translation>
     </message>
     <message>
         <source>The run was stopped because the organ was changed. Start it again.</source>
@@ -1809,9 +1809,9 @@
         <translation>{all} köşenin {fixed} tanesi sabit; {painted} tanesinin kendi katılığı var.</translation>
     </message>
     <message>
-        <source>{found}.
+        <source>{got}.
 Expected: {expected}.</source>
-        <translation>{found}.
+        <translation>{got}.
 Beklenen: {expected}.</translation>
     </message>
     <message>
@@ -2636,8 +2636,8 @@ Beklenen: {expected}.</translation>
         <translation>{what}: {count} baytlık metin, en çok {most}.</translation>
     </message>
     <message>
-        <source>{words}</source>
-        <translation>{words}</translation>
+        <source>{text}</source>
+        <translation>{text}</translation>
     </message>
     <message>
         <source>The style must be one of {known}, got {got}.</source>

@@ -29,14 +29,14 @@ def read_argument(text: str) -> tuple[float, ...]:
         raise argparse.ArgumentTypeError(str(problem)) from None
 
 
-def add_appearance(word: argparse.ArgumentParser) -> None:
-    word.add_argument("file", type=Path, help=".organ, .palpate or .scene.json")
-    word.add_argument(
+def add_appearance(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("file", type=Path, help=".organ, .palpate or .scene.json")
+    parser.add_argument(
         "--style",
         choices=(*read_styles(), PLAIN),
         help="what it shall look like; default: as it does, which is needed for --colour alone",
     )
-    word.add_argument(
+    parser.add_argument(
         "--colour",
         "--color",
         type=read_argument,
@@ -44,7 +44,7 @@ def add_appearance(word: argparse.ArgumentParser) -> None:
         help="of the tissue in sRGB; its spots and vessels go with it (the style's own)",
     )
     add_output(
-        word,
+        parser,
         "--out",
         "-o",
         writes=ORGAN,

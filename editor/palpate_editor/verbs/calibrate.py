@@ -44,12 +44,12 @@ def name_factors(organ: Organ, fit: str) -> dict[str, tuple[Field, ...]]:
     """Every factor of a fit and the constants that it multiplies."""
     from_tissue = organ.model.constants == "tissue" or organ.model.kind in FROM_TISSUE
     springs = TISSUE if from_tissue else CHOSEN
-    word = "Young's modulus" if from_tissue else "springs"
+    parser = "Young's modulus" if from_tissue else "springs"
     return {
         "all": {"elastic constants": (*springs, *HOME)},
-        "springs": {word: springs},
+        "springs": {parser: springs},
         "home": {"home springs": HOME},
-        "both": {word: springs, "home springs": HOME},
+        "both": {parser: springs, "home springs": HOME},
     }[fit]
 
 
@@ -57,28 +57,28 @@ def read_field(organ: Organ, field: Field) -> float:
     return getattr(getattr(organ, field[0]), field[1]) or 0.0
 
 
-def add_calibrate(word: argparse.ArgumentParser) -> None:
-    word.add_argument("file", type=Path, help=".organ, .scene.json or .palpate")
-    word.add_argument(
+def add_calibrate(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("file", type=Path, help=".organ, .scene.json or .palpate")
+    parser.add_argument(
         "--curve",
         type=Path,
         required=True,
         help="CSV of depth and force, units in the header: 'depth [mm], force [N]'",
     )
-    word.add_argument("--fit", choices=FITS, default="all", help="what is fitted (all)")
-    word.add_argument(
+    parser.add_argument("--fit", choices=FITS, default="all", help="what is fitted (all)")
+    parser.add_argument(
         "--at",
         type=read_point,
         metavar="X,Y,Z",
         help="where it was measured: the surface point nearest to this [mm]; default: from above",
     )
-    word.add_argument(
+    parser.add_argument(
         "--tip-radius", type=quantity("m"), metavar="M", help="of the indenter (the organ's tool)"
     )
     add_output(
-        word, "--out", "-o", writes=ORGAN, help="the organ with the fitted constants, .organ"
+        parser, "--out", "-o", writes=ORGAN, help="the organ with the fitted constants, .organ"
     )
-    add_output(word, "--plot", writes=PICTURE, help="measured and fitted curve as PNG")
+    add_output(parser, "--plot", writes=PICTURE, help="measured and fitted curve as PNG")
 
 
 def scaled(organ: Organ, fit: str, factors: Sequence[float]) -> Organ:

@@ -31,17 +31,19 @@ from palpate_editor.shipped import find_mesh
 from palpate_editor.verbs.mesh import add_source
 
 
-def add_demo(word: argparse.ArgumentParser) -> None:
-    word.add_argument("--mesh", type=Path, help="organ to use; default: the spleen that ships")
-    word.add_argument("--vertices", type=int, default=600, help="of the model (600)")
+def add_demo(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--mesh", type=Path, help="organ to use; default: the spleen that ships")
+    parser.add_argument("--vertices", type=int, default=600, help="of the model (600)")
     add_output_folder(
-        word, "--out", writes=list_outputs, default=Path("demo"), help="folder (demo)"
+        parser, "--out", writes=list_outputs, default=Path("demo"), help="folder (demo)"
     )
-    word.add_argument("--constants", type=Path, default=CONSTANTS, help="TOML; default: demo.toml")
-    word.add_argument(
+    parser.add_argument(
+        "--constants", type=Path, default=CONSTANTS, help="TOML; default: demo.toml"
+    )
+    parser.add_argument(
         "--no-window", action="store_true", help="do not open the editor on what was made"
     )
-    add_source(word)
+    add_source(parser)
 
 
 def list_outputs(call: argparse.Namespace) -> Files:

@@ -18,12 +18,12 @@ INSTEAD = (
 )
 
 
-def add_editor(word: argparse.ArgumentParser) -> None:
-    word.add_argument(
+def add_editor(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
         "file", type=Path, nargs="?", help=".organ, .palpate or mesh file to begin with"
     )
-    word.add_argument("--theme", choices=("dark", "light"), help="default: as chosen last")
-    word.add_argument("--language", choices=LANGUAGES, help="default: as chosen last")
+    parser.add_argument("--theme", choices=("dark", "light"), help="default: as chosen last")
+    parser.add_argument("--language", choices=LANGUAGES, help="default: as chosen last")
 
 
 def run_editor(call: argparse.Namespace) -> Report:

@@ -28,24 +28,24 @@ UNITS = ("m", "cm", "mm", "in")
 UPS = ("x", "y", "z", "-x", "-y", "-z")
 
 
-def add_source(word: argparse.ArgumentParser) -> None:
-    word.add_argument(
+def add_source(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
         "--part",
         action="append",
         default=[],
         metavar="NAME",
         help="part of the file to use, may be repeated; default: all, welded",
     )
-    word.add_argument("--unit", choices=UNITS, help="of the file; default: stated or guessed")
-    word.add_argument("--up", choices=UPS, help="axis of the file; default: stated or z")
+    parser.add_argument("--unit", choices=UNITS, help="of the file; default: stated or guessed")
+    parser.add_argument("--up", choices=UPS, help="axis of the file; default: stated or z")
 
 
 # ---------------------------------------------------------------- inspect
 
 
-def add_inspect(word: argparse.ArgumentParser) -> None:
-    word.add_argument("file", type=Path, help="mesh file")
-    add_source(word)
+def add_inspect(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("file", type=Path, help="mesh file")
+    add_source(parser)
 
 
 def run_inspect(call: argparse.Namespace) -> Report:
@@ -95,12 +95,12 @@ def describe_inspect(report: Report) -> str:
 # ---------------------------------------------------------------- import
 
 
-def add_import(word: argparse.ArgumentParser) -> None:
-    word.add_argument("file", type=Path, help="OBJ, STL, PLY, GLB, 3DS, FBX or DAE")
-    add_source(word)
-    word.add_argument("--vertices", type=int, help="decimate to exactly this many")
+def add_import(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("file", type=Path, help="OBJ, STL, PLY, GLB, 3DS, FBX or DAE")
+    add_source(parser)
+    parser.add_argument("--vertices", type=int, help="decimate to exactly this many")
     add_output(
-        word,
+        parser,
         "--out",
         "-o",
         writes=OUTPUTS,
@@ -173,14 +173,14 @@ def describe_import(report: Report) -> str:
 # ---------------------------------------------------------------- decimate
 
 
-def add_decimate(word: argparse.ArgumentParser) -> None:
-    word.add_argument("file", type=Path, help=".organ, or OBJ written by `palpate import`")
-    target = word.add_mutually_exclusive_group(required=True)
+def add_decimate(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("file", type=Path, help=".organ, or OBJ written by `palpate import`")
+    target = parser.add_mutually_exclusive_group(required=True)
     target.add_argument("--vertices", type=int, help="exactly this many")
     target.add_argument(
         "--imported", action="store_true", help="use the imported surface of an .organ as it is"
     )
-    add_output(word, "--out", "-o", writes=OUTPUTS, required=True, help=".organ or mesh file")
+    add_output(parser, "--out", "-o", writes=OUTPUTS, required=True, help=".organ or mesh file")
 
 
 def run_decimate(call: argparse.Namespace) -> Report:

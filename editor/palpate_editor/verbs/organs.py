@@ -24,10 +24,10 @@ from palpate_editor.publish import PublishError
 from palpate_editor.shipped import list_organs, make_organ, write_files
 
 
-def add_organs(word: argparse.ArgumentParser) -> None:
-    word.add_argument("names", nargs="*", metavar="NAME", help="organs to speak of (all)")
+def add_organs(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("names", nargs="*", metavar="NAME", help="organs to speak of (all)")
     add_output_folder(
-        word,
+        parser,
         "--write",
         writes=lambda call: list_outputs(
             call, call.write, {".organ": ORGAN, ".palpate": PUBLISHED}
@@ -36,25 +36,25 @@ def add_organs(word: argparse.ArgumentParser) -> None:
         help="write each as .organ to edit, .palpate to play",
     )
     add_output(
-        word, "--out", "-o", writes=ORGAN, metavar="FILE", help="write one organ as this .organ"
+        parser, "--out", "-o", writes=ORGAN, metavar="FILE", help="write one organ as this .organ"
     )
-    word.add_argument("--vertices", type=int, metavar="N", help="of --out; another resolution")
+    parser.add_argument("--vertices", type=int, metavar="N", help="of --out; another resolution")
     add_output_folder(
-        word,
+        parser,
         "--pictures",
         writes=lambda call: list_outputs(call, call.pictures, {".png": PICTURE}),
         metavar="DIR",
         help="write a picture of each",
     )
     add_output_folder(
-        word,
+        parser,
         "--thumbnails",
         writes=list_thumbnails,
         metavar="DIR",
         help="write the start page's small pictures",
     )
     add_output(
-        word,
+        parser,
         "--contact-sheet",
         writes=PICTURE,
         metavar="FILE",

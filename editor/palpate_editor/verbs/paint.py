@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The verbs for what a hand does in the window: paint and words."""
+"""The verbs for what a hand does in the window: paint and text."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ NOTHING = "nothing to do: name what is painted"
 # ---------------------------------------------------------------- paint
 
 
-def add_paint(word: argparse.ArgumentParser) -> None:
-    word.add_argument("file", type=Path, help=".organ, .scene.json, or OBJ of `palpate import`")
-    word.add_argument(
+def add_paint(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("file", type=Path, help=".organ, .scene.json, or OBJ of `palpate import`")
+    parser.add_argument(
         "--stiffness",
         type=read_factors,
         action="append",
@@ -40,9 +40,11 @@ def add_paint(word: argparse.ArgumentParser) -> None:
         metavar="VERTICES:FACTOR,...",
         help="factors of the stiffness at some vertices, such as 5-9:2.5,12:1; may be repeated",
     )
-    word.add_argument("--fix", type=read_ids, metavar="VERTICES", help="hold these at rest: 3,5-9")
-    word.add_argument("--free", type=read_ids, metavar="VERTICES", help="let these go")
-    word.add_argument(
+    parser.add_argument(
+        "--fix", type=read_ids, metavar="VERTICES", help="hold these at rest: 3,5-9"
+    )
+    parser.add_argument("--free", type=read_ids, metavar="VERTICES", help="let these go")
+    parser.add_argument(
         "--region",
         type=read_region,
         action="append",
@@ -50,8 +52,8 @@ def add_paint(word: argparse.ArgumentParser) -> None:
         metavar="NAME=VERTICES",
         help="give some vertices a name; may be repeated",
     )
-    word.add_argument("--forget", action="append", default=[], metavar="NAME", help="of a region")
-    add_output(word, "--out", "-o", writes=ORGAN, required=True, help=".organ to write")
+    parser.add_argument("--forget", action="append", default=[], metavar="NAME", help="of a region")
+    add_output(parser, "--out", "-o", writes=ORGAN, required=True, help=".organ to write")
 
 
 def run_paint(call: argparse.Namespace) -> Report:
@@ -94,25 +96,25 @@ def describe_paint(report: Report) -> str:
     )
 
 
-# ---------------------------------------------------------------- words
+# ---------------------------------------------------------------- text
 
 
-def add_words(word: argparse.ArgumentParser) -> None:
-    word.add_argument("file", type=Path, help=".organ, .palpate or .scene.json")
-    word.add_argument("--name", help="of the organ")
-    word.add_argument("--title", help="what the trainee chooses it by")
-    word.add_argument("--task", help="what the trainee is asked to do")
-    word.add_argument(
+def add_texts(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("file", type=Path, help=".organ, .palpate or .scene.json")
+    parser.add_argument("--name", help="of the organ")
+    parser.add_argument("--title", help="what the trainee chooses it by")
+    parser.add_argument("--task", help="what the trainee is asked to do")
+    parser.add_argument(
         "--in",
         dest="language",
         default="",
         metavar="LANGUAGE",
         help="title and task are a translation, such as tr; both empty take it away",
     )
-    add_output(word, "--out", "-o", writes=ORGAN, required=True, help=".organ to write")
+    add_output(parser, "--out", "-o", writes=ORGAN, required=True, help=".organ to write")
 
 
-def run_words(call: argparse.Namespace) -> Report:
+def run_texts(call: argparse.Namespace) -> Report:
     if call.name is None and call.title is None and call.task is None:
         raise WrongCall("--name, --title or --task: nothing to do: say one of them")
     read = ReadFile.of(call.file)
@@ -130,16 +132,17 @@ def run_words(call: argparse.Namespace) -> Report:
         "title": organ.title,
         "task": organ.task,
         "languages": {
-            code: {"title": words.title, "task": words.task}
-            for code, words in organ.languages.items()
+            code: {"title": translation.title, "task": translation.task}
+            for code, translation in organ.languages.items()
         },
     }
 
 
-def describe_words(report: Report) -> str:
+def describe_texts(report: Report) -> str:
     lines = [f"wrote {report['out']}: {report['name']}", f"{report['title']}: {report['task']}"]
     lines += [
-        f"{code}: {words['title']}: {words['task']}" for code, words in report["languages"].items()
+        f"{code}: {translation['title']}: {translation['task']}"
+        for code, translation in report["languages"].items()
     ]
     return "\n".join(lines)
 
@@ -154,11 +157,11 @@ VERBS = [
         describe_paint,
     ),
     Verb(
-        "words",
+        "text",
         "name an organ, and say title and task of its scenario, in further languages too",
-        "palpate words spleen.organ --title Dalak --in tr -o spleen.organ",
-        add_words,
-        run_words,
-        describe_words,
+        "palpate text spleen.organ --title Dalak --in tr -o spleen.organ",
+        add_texts,
+        run_texts,
+        describe_texts,
     ),
 ]

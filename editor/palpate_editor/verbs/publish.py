@@ -34,8 +34,8 @@ NO_PROBLEM = ""
 # ---------------------------------------------------------------- check
 
 
-def add_check(word: argparse.ArgumentParser) -> None:
-    word.add_argument("file", type=Path, help=".organ, .palpate or .scene.json")
+def add_check(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("file", type=Path, help=".organ, .palpate or .scene.json")
 
 
 def run_check(call: argparse.Namespace) -> Report:
@@ -44,7 +44,7 @@ def run_check(call: argparse.Namespace) -> Report:
 
 def describe_problems(problems: list[Report]) -> list[str]:
     lines = [
-        f"  {p['severity']:7} {p['where']}: got {p['found']}, expected {p['expected']}" + hint(p)
+        f"  {p['severity']:7} {p['where']}: got {p['got']}, expected {p['expected']}" + hint(p)
         for p in problems
     ]
     return lines or ["  no problems"]
@@ -69,16 +69,16 @@ def has_errors(report: Report) -> bool:
 # ---------------------------------------------------------------- repair
 
 
-def add_repair(word: argparse.ArgumentParser) -> None:
-    word.add_argument("file", type=Path, help=".organ, or OBJ written by `palpate import`")
-    word.add_argument(
+def add_repair(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("file", type=Path, help=".organ, or OBJ written by `palpate import`")
+    parser.add_argument(
         "--problem",
         action="append",
         default=[],
         metavar="NAME",
         help="of `palpate check --json`, may be repeated; default: all errors that can be repaired",
     )
-    word.add_argument(
+    parser.add_argument(
         "--fill-holes",
         type=int,
         nargs="?",
@@ -87,7 +87,7 @@ def add_repair(word: argparse.ArgumentParser) -> None:
         help="close every hole, or those of at most so many edges; other problems are repaired "
         "only where --problem names them",
     )
-    add_output(word, "--out", "-o", writes=OUTPUTS, required=True, help=".organ or mesh file")
+    add_output(parser, "--out", "-o", writes=OUTPUTS, required=True, help=".organ or mesh file")
 
 
 def run_repair(call: argparse.Namespace) -> Report:
@@ -153,18 +153,20 @@ def describe_repair(report: Report) -> str:
 # ---------------------------------------------------------------- publish
 
 
-def add_publish(word: argparse.ArgumentParser) -> None:
-    word.add_argument("file", type=Path, help=".organ, .palpate or .scene.json")
-    word.add_argument("--title", help="what the trainee chooses it by; default: the document's")
-    word.add_argument("--task", help="what the trainee is asked to do; default: the document's")
-    word.add_argument(
+def add_publish(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("file", type=Path, help=".organ, .palpate or .scene.json")
+    parser.add_argument("--title", help="what the trainee chooses it by; default: the document's")
+    parser.add_argument("--task", help="what the trainee is asked to do; default: the document's")
+    parser.add_argument(
         "--in",
         dest="language",
         default="",
         metavar="LANGUAGE",
         help="--title and --task are a translation, such as tr",
     )
-    add_output(word, "--out", "-o", writes=PUBLISHED, required=True, help=".palpate file to write")
+    add_output(
+        parser, "--out", "-o", writes=PUBLISHED, required=True, help=".palpate file to write"
+    )
 
 
 def run_publish(call: argparse.Namespace) -> Report:

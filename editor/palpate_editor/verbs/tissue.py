@@ -45,17 +45,17 @@ def list_beside(call: argparse.Namespace) -> Files:
     return [(name_mesh(call.out), OBJ)]
 
 
-def add_material(word: argparse.ArgumentParser) -> None:
-    word.add_argument("file", type=Path, help=".organ, .scene.json, or OBJ of `palpate import`")
+def add_material(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("file", type=Path, help=".organ, .scene.json, or OBJ of `palpate import`")
     add_output(
-        word,
+        parser,
         "--out",
         "-o",
         writes={".organ": ORGAN, "": SCENE},
         beside=list_beside,
         help=".organ, or scene file to write; without one, every kind is built and compared",
     )
-    word.add_argument(
+    parser.add_argument(
         "--kind",
         choices=tuple(SHORT_KINDS),
         help="mass-spring, molecular, shell of prisms, solid, or linear solid (shallow presses)",
@@ -65,7 +65,7 @@ def add_material(word: argparse.ArgumentParser) -> None:
         default = getattr(getattr(EMPTY, constant.part), constant.field)
         usual = constant.absent if default is None else f"{default:g} {unit}".strip()
         also = f"; '{NONE}': {constant.absent}" if constant.optional else ""
-        word.add_argument(
+        parser.add_argument(
             option,
             dest=constant.key,
             type=read_constant(constant, unit),
@@ -73,17 +73,17 @@ def add_material(word: argparse.ArgumentParser) -> None:
             help=f"{constant.label} ({usual}){also}",
         )
     for key, option in LAWS.items():
-        word.add_argument(option, dest=key, choices=CHOICES[key])
-    word.add_argument(
+        parser.add_argument(option, dest=key, choices=CHOICES[key])
+    parser.add_argument(
         "--reach",
         metavar="REGION",
         help="of a linear solid: the region on which it can be pushed, so that its response is "
         f"smaller; elsewhere it does not give ('{NONE}': all of the surface)",
     )
-    word.add_argument(
+    parser.add_argument(
         "--gravity", type=read_vector, metavar="X,Y,Z", help="[m/s²] of the organ (0,0,0)"
     )
-    word.add_argument(
+    parser.add_argument(
         "--fix-lowest",
         type=float,
         default=0.0,
@@ -94,7 +94,7 @@ def add_material(word: argparse.ArgumentParser) -> None:
 
 def read_vector(text: str) -> tuple[float, ...]:
     try:
-        numbers = tuple(float(word) for word in text.split(","))
+        numbers = tuple(float(parser) for parser in text.split(","))
     except ValueError:
         numbers = ()
     if len(numbers) != 3:
@@ -172,8 +172,8 @@ def run_material(call: argparse.Namespace) -> Report:
 
 def say_size(size: palpate.ResponseSize) -> None:
     """On standard error; the report alone goes to standard output."""
-    words = f"{1e-6 * size.bytes:.1f} MB for {size.pushed} of {size.moved} particles"
-    print(f"its response takes {words}", file=sys.stderr, flush=True)
+    text = f"{1e-6 * size.bytes:.1f} MB for {size.pushed} of {size.moved} particles"
+    print(f"its response takes {text}", file=sys.stderr, flush=True)
 
 
 def describe_material(report: Report) -> str:

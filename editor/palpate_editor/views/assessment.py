@@ -137,8 +137,8 @@ class AssessWork:
         def tell(size: palpate.ResponseSize) -> None:
             if size.bytes > palpate.MOST_RESPONSE_BYTES:
                 return  # and a check says so
-            words = tr("{memory}, being solved for").format(memory=say_memory(size))
-            progress(words, 0.5)
+            text = tr("{memory}, being solved for").format(memory=say_memory(size))
+            progress(text, 0.5)
 
         return assess(self.organ, self.tested, self.before, tell)
 
@@ -176,10 +176,10 @@ class Assessor(QObject):
         if job is not None:
             job.progressed.connect(self.tell)
 
-    def tell(self, words: str, share: float) -> None:
+    def tell(self, text: str, share: float) -> None:
         del share
-        if words:
-            self.said.emit(words)
+        if text:
+            self.said.emit(text)
 
     def finish(self, assessment: Assessment) -> None:
         self.busy = False

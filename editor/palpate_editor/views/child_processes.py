@@ -23,24 +23,24 @@ class ChildProcesses(QObject):
         self.context = context
         self.running: list[QProcess] = []
 
-    def start(self, words: Sequence[object]) -> QProcess:
-        """`words` follow `palpate`."""
+    def start(self, call: Sequence[object]) -> QProcess:
+        """`call` follows `palpate`."""
         process = QProcess(self)
         process.setProcessChannelMode(QProcess.ProcessChannelMode.MergedChannels)
         process.errorOccurred.connect(self.on_error)
         process.finished.connect(self.on_finished)
         self.running.append(process)
-        program, *arguments = build_verb(*words)
+        program, *arguments = build_verb(*call)
         process.start(program, arguments)
-        self.context.log_command(["palpate", *words])
+        self.context.log_command(["palpate", *call])
         return process
 
     def open_device(self) -> None:
         """The device window, in the colours and the language of the editor."""
-        words: list[object] = ["device", "--theme", self.context.theme]
+        call: list[object] = ["device", "--theme", self.context.theme]
         if self.context.settings.language:
-            words += ["--language", self.context.settings.language]
-        self.start(words)
+            call += ["--language", self.context.settings.language]
+        self.start(call)
 
     def on_error(self, error: QProcess.ProcessError) -> None:
         if error == QProcess.ProcessError.FailedToStart:
@@ -50,11 +50,11 @@ class ChildProcesses(QObject):
         ended = [p for p in self.running if p.state() == QProcess.ProcessState.NotRunning]
         for process in ended:
             self.running.remove(process)
-            words = bytes(process.readAll().data()).decode(errors="replace").strip()
+            output = bytes(process.readAll().data()).decode(errors="replace").strip()
             process.deleteLater()
             if code != 0 or status != QProcess.ExitStatus.NormalExit:
-                last = words.splitlines()[-1] if words else tr("it said nothing")
-                self.context.tell(tr("The window ended: {words}").format(words=last))
+                last = output.splitlines()[-1] if output else tr("it said nothing")
+                self.context.tell(tr("The window ended: {reason}").format(reason=last))
 
     def finish(self) -> None:
         """They end with the window that started them."""

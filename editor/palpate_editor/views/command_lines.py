@@ -49,10 +49,10 @@ KINDS = {kind: short for short, kind in SHORT_KINDS.items()}
 ASKED = "as asked"
 """The reason of a unit or an axis that a person chose."""
 
-Words = list[object]
+Arguments = list[object]
 
 
-def find_words(edit: Edit, organ: Organ, document: Path | str) -> Words | None:
+def find_arguments(edit: Edit, organ: Organ, document: Path | str) -> Arguments | None:
     """The command line of an edit that led to `organ`; None where there is none."""
     if isinstance(edit, Prepared):
         edit = edit.edit
@@ -60,38 +60,38 @@ def find_words(edit: Edit, organ: Organ, document: Path | str) -> Words | None:
     return None if find is None else find(edit, organ, document)
 
 
-def import_words(edit: Any, organ: Organ, document: Path | str) -> Words | None:
+def import_arguments(edit: Any, organ: Organ, document: Path | str) -> Arguments | None:
     del edit
-    return None if organ.source is None else source_words(organ.source, document)
+    return None if organ.source is None else source_arguments(organ.source, document)
 
 
-def source_words(source: Source, document: Path | str) -> Words:
-    words: Words = ["palpate", "import", Path(source.folder) / source.file]
+def source_arguments(source: Source, document: Path | str) -> Arguments:
+    arguments: Arguments = ["palpate", "import", Path(source.folder) / source.file]
     if source.parts != source.parts_available:
         for part in source.parts:
-            words += ["--part", part]
+            arguments += ["--part", part]
     if source.unit_reason == ASKED:
-        words += ["--unit", source.unit]
+        arguments += ["--unit", source.unit]
     if source.up_reason == ASKED:
-        words.append(f"--up={source.up}")
-    return [*words, "-o", document]
+        arguments.append(f"--up={source.up}")
+    return [*arguments, "-o", document]
 
 
-def decimate_words(edit: Decimate, organ: Organ, document: Path | str) -> Words:
+def decimate_arguments(edit: Decimate, organ: Organ, document: Path | str) -> Arguments:
     del organ
     count = edit.decimation.vertices
     return ["palpate", "decimate", document, "--vertices", count, "-o", document]
 
 
-def repair_words(problem: str) -> Callable[[Any, Organ, Path | str], Words]:
-    def find(edit: Any, organ: Organ, document: Path | str) -> Words:
+def repair_arguments(problem: str) -> Callable[[Any, Organ, Path | str], Arguments]:
+    def find(edit: Any, organ: Organ, document: Path | str) -> Arguments:
         del edit, organ
         return ["palpate", "repair", document, "--problem", problem, "-o", document]
 
     return find
 
 
-def hole_words(edit: FillHoles, organ: Organ, document: Path | str) -> Words | None:
+def hole_arguments(edit: FillHoles, organ: Organ, document: Path | str) -> Arguments | None:
     """Which of several holes were clicked on no line can say."""
     del organ
     if edit.holes is not None:
@@ -99,7 +99,7 @@ def hole_words(edit: FillHoles, organ: Organ, document: Path | str) -> Words | N
     return ["palpate", "repair", document, "--fill-holes", "-o", document]
 
 
-def material_words(document: Path | str, options: Sequence[object]) -> Words:
+def material_arguments(document: Path | str, options: Sequence[object]) -> Arguments:
     return ["palpate", "material", document, *options, "-o", document]
 
 
@@ -111,45 +111,45 @@ def constant_option(part: str, field: str, value: float | None) -> str:
     return f"{option}={NONE}" if value is None else f"{option}={value:.12g}{ending}"
 
 
-def constant_words(edit: SetConstant, organ: Organ, document: Path | str) -> Words:
+def constant_arguments(edit: SetConstant, organ: Organ, document: Path | str) -> Arguments:
     del organ
-    return material_words(document, [constant_option(edit.part, edit.field, edit.value)])
+    return material_arguments(document, [constant_option(edit.part, edit.field, edit.value)])
 
 
-def choice_words(edit: SetChoice, organ: Organ, document: Path | str) -> Words:
+def choice_arguments(edit: SetChoice, organ: Organ, document: Path | str) -> Arguments:
     del organ
     option = "--kind" if edit.field == "kind" else LAWS[f"model.{edit.field}"]
-    return material_words(document, [option, KINDS.get(edit.value, edit.value)])
+    return material_arguments(document, [option, KINDS.get(edit.value, edit.value)])
 
 
-def gravity_words(edit: SetGravity, organ: Organ, document: Path | str) -> Words:
+def gravity_arguments(edit: SetGravity, organ: Organ, document: Path | str) -> Arguments:
     del organ
-    return material_words(document, ["--gravity=" + ",".join(f"{g:g}" for g in edit.gravity)])
+    return material_arguments(document, ["--gravity=" + ",".join(f"{g:g}" for g in edit.gravity)])
 
 
-def reach_words(edit: SetReach, organ: Organ, document: Path | str) -> Words:
+def reach_arguments(edit: SetReach, organ: Organ, document: Path | str) -> Arguments:
     del organ
-    return material_words(document, [f"--reach={edit.region or NONE}"])
+    return material_arguments(document, [f"--reach={edit.region or NONE}"])
 
 
-def lowest_words(edit: FixLowest, organ: Organ, document: Path | str) -> Words:
+def lowest_arguments(edit: FixLowest, organ: Organ, document: Path | str) -> Arguments:
     del organ
-    return material_words(document, [f"--fix-lowest={edit.share:.12g}"])
+    return material_arguments(document, [f"--fix-lowest={edit.share:.12g}"])
 
 
-def appearance_words(edit: SetAppearance, organ: Organ, document: Path | str) -> Words:
+def appearance_arguments(edit: SetAppearance, organ: Organ, document: Path | str) -> Arguments:
     del organ
-    words: Words = ["palpate", "appearance", document, "--style", edit.style or NONE]
+    arguments: Arguments = ["palpate", "appearance", document, "--style", edit.style or NONE]
     if edit.colour is not None:
-        words += ["--colour", write_colour(edit.colour)]
-    return [*words, "-o", document]
+        arguments += ["--colour", write_colour(edit.colour)]
+    return [*arguments, "-o", document]
 
 
-def all_words(edit: SetMaterial, organ: Organ, document: Path | str) -> Words:
+def all_arguments(edit: SetMaterial, organ: Organ, document: Path | str) -> Arguments:
     """Everything that a pasted material brings."""
     del edit
     model = organ.model
-    options: Words = ["--kind", KINDS[model.kind]]
+    options: Arguments = ["--kind", KINDS[model.kind]]
     for key, option in LAWS.items():
         options += [option, getattr(model, key.removeprefix("model."))]
     for constant in CONSTANTS:
@@ -157,94 +157,96 @@ def all_words(edit: SetMaterial, organ: Organ, document: Path | str) -> Words:
             value = getattr(getattr(organ, constant.part), constant.field)
             if value is not None or constant.optional:
                 options.append(constant_option(constant.part, constant.field, value))
-    return material_words(document, options)
+    return material_arguments(document, options)
 
 
-def imported_words(edit: UseImported, organ: Organ, document: Path | str) -> Words:
+def imported_arguments(edit: UseImported, organ: Organ, document: Path | str) -> Arguments:
     del edit, organ
     return ["palpate", "decimate", document, "--imported", "-o", document]
 
 
-def paint_words(document: Path | str, options: Sequence[object]) -> Words:
+def paint_arguments(document: Path | str, options: Sequence[object]) -> Arguments:
     return ["palpate", "paint", document, *options, "-o", document]
 
 
-def stiffness_words(edit: PaintStiffness, organ: Organ, document: Path | str) -> Words:
+def stiffness_arguments(edit: PaintStiffness, organ: Organ, document: Path | str) -> Arguments:
     del organ
     factors = write_factors(edit.vertices, np.asarray(edit.values))
-    return paint_words(document, [f"--stiffness={piece}" for piece in factors])
+    return paint_arguments(document, [f"--stiffness={piece}" for piece in factors])
 
 
-def fix_words(edit: FixVertices, organ: Organ, document: Path | str) -> Words:
+def fix_arguments(edit: FixVertices, organ: Organ, document: Path | str) -> Arguments:
     del organ
     option = "--fix" if edit.fixed else "--free"
-    return paint_words(document, [f"{option}={write_ids(np.unique(edit.vertices))}"])
+    return paint_arguments(document, [f"{option}={write_ids(np.unique(edit.vertices))}"])
 
 
-def region_words(edit: SetRegion, organ: Organ, document: Path | str) -> Words:
+def region_arguments(edit: SetRegion, organ: Organ, document: Path | str) -> Arguments:
     del organ
-    return paint_words(document, [f"--region={edit.name}={write_ids(np.unique(edit.vertices))}"])
+    return paint_arguments(
+        document, [f"--region={edit.name}={write_ids(np.unique(edit.vertices))}"]
+    )
 
 
-def forget_words(edit: RemoveRegion, organ: Organ, document: Path | str) -> Words:
+def forget_arguments(edit: RemoveRegion, organ: Organ, document: Path | str) -> Arguments:
     del organ
-    return paint_words(document, [f"--forget={edit.name}"])
+    return paint_arguments(document, [f"--forget={edit.name}"])
 
 
-def name_words(edit: SetName, organ: Organ, document: Path | str) -> Words:
+def name_arguments(edit: SetName, organ: Organ, document: Path | str) -> Arguments:
     del organ
-    return ["palpate", "words", document, f"--name={edit.name}", "-o", document]
+    return ["palpate", "text", document, f"--name={edit.name}", "-o", document]
 
 
-def task_words(edit: SetTask, organ: Organ, document: Path | str) -> Words:
+def task_arguments(edit: SetTask, organ: Organ, document: Path | str) -> Arguments:
     del organ
-    words: Words = ["palpate", "words", document]
+    arguments: Arguments = ["palpate", "text", document]
     if edit.scenario_title is not None:
-        words.append(f"--title={edit.scenario_title}")
+        arguments.append(f"--title={edit.scenario_title}")
     if edit.task is not None:
-        words.append(f"--task={edit.task}")
+        arguments.append(f"--task={edit.task}")
     if edit.language:
-        words.append(f"--in={edit.language}")
-    return [*words, "-o", document]
+        arguments.append(f"--in={edit.language}")
+    return [*arguments, "-o", document]
 
 
-FINDERS: dict[type, Callable[[Any, Organ, Path | str], Words | None]] = {
-    ImportMesh: import_words,
-    SetUnit: import_words,
-    SetUp: import_words,
-    Decimate: decimate_words,
-    KeepLargestShell: repair_words("shells"),
-    TurnOutward: repair_words("inward"),
-    FillHoles: hole_words,
-    SetConstant: constant_words,
-    SetChoice: choice_words,
-    SetGravity: gravity_words,
-    SetMaterial: all_words,
-    SetReach: reach_words,
-    FixLowest: lowest_words,
-    SetAppearance: appearance_words,
-    FixVertices: fix_words,
-    PaintStiffness: stiffness_words,
-    SetRegion: region_words,
-    RemoveRegion: forget_words,
-    SetName: name_words,
-    SetTask: task_words,
-    UseImported: imported_words,
+FINDERS: dict[type, Callable[[Any, Organ, Path | str], Arguments | None]] = {
+    ImportMesh: import_arguments,
+    SetUnit: import_arguments,
+    SetUp: import_arguments,
+    Decimate: decimate_arguments,
+    KeepLargestShell: repair_arguments("shells"),
+    TurnOutward: repair_arguments("inward"),
+    FillHoles: hole_arguments,
+    SetConstant: constant_arguments,
+    SetChoice: choice_arguments,
+    SetGravity: gravity_arguments,
+    SetMaterial: all_arguments,
+    SetReach: reach_arguments,
+    FixLowest: lowest_arguments,
+    SetAppearance: appearance_arguments,
+    FixVertices: fix_arguments,
+    PaintStiffness: stiffness_arguments,
+    SetRegion: region_arguments,
+    RemoveRegion: forget_arguments,
+    SetName: name_arguments,
+    SetTask: task_arguments,
+    UseImported: imported_arguments,
 }
 
 
-def publish_words(organ: Organ, document: Path | str, out: Path) -> Words:
-    words: Words = ["palpate", "publish", document]
+def publish_arguments(organ: Organ, document: Path | str, out: Path) -> Arguments:
+    arguments: Arguments = ["palpate", "publish", document]
     if organ.title:
-        words += [f"--title={organ.title}"]
+        arguments += [f"--title={organ.title}"]
     if organ.task:
-        words += [f"--task={organ.task}"]
-    return [*words, "-o", out]
+        arguments += [f"--task={organ.task}"]
+    return [*arguments, "-o", out]
 
 
-def render_words(file: Path | str, out: Path, view: View, theme: str) -> Words:
+def render_arguments(file: Path | str, out: Path, view: View, theme: str) -> Arguments:
     camera = view.camera
-    words: Words = ["palpate", "render", file, "-o", out, "--theme", theme]
-    words += [f"--azimuth={degrees(camera.azimuth):.1f}"]
-    words += [f"--elevation={degrees(camera.elevation):.1f}"]
-    return words if view.wireframe else [*words, "--no-wireframe"]
+    arguments: Arguments = ["palpate", "render", file, "-o", out, "--theme", theme]
+    arguments += [f"--azimuth={degrees(camera.azimuth):.1f}"]
+    arguments += [f"--elevation={degrees(camera.elevation):.1f}"]
+    return arguments if view.wireframe else [*arguments, "--no-wireframe"]

@@ -15,7 +15,7 @@ from palpate_editor.app.session import Session
 from palpate_editor.app.settings import Settings
 from palpate_editor.edits import Edit, EditError
 from palpate_editor.views.assessment import Assessment, Assessor
-from palpate_editor.views.command_lines import find_words
+from palpate_editor.views.command_lines import find_arguments
 from palpate_editor.views.jobs import Jobs
 from palpate_editor.views.sentences import sentence_of
 from palpate_editor.views.theme import COLOURS, Colours
@@ -77,9 +77,9 @@ class Context(QObject):
         except EditError as refusal:
             self.refuse(refusal)
             return False
-        words = find_words(edit, self.session.organ, self.document())
-        if words is not None:
-            self.log_command(words)
+        arguments = find_arguments(edit, self.session.organ, self.document())
+        if arguments is not None:
+            self.log_command(arguments)
         else:
             self.remarked.emit(
                 tr("{edit}: no command does this").format(edit=say_title(edit.title))
@@ -103,9 +103,9 @@ class Context(QObject):
             LOG.info("refused", exc_info=problem)
         self.tell(sentence_of(problem), "error")
 
-    def log_command(self, words: Sequence[object]) -> None:
+    def log_command(self, arguments: Sequence[object]) -> None:
         """The command line that does what was just done."""
-        self.command_logged.emit(shlex.join(str(word) for word in words))
+        self.command_logged.emit(shlex.join(str(word) for word in arguments))
 
     def stem(self) -> str:
         """What files made from this organ are called."""

@@ -59,8 +59,8 @@ def stage_help(stage: str) -> list[str]:
         "publish": [
             tr("A published file holds the finished model and everything needed to feel it; it "
                "also holds your document, so it can be opened here again."),
-            tr("Red checks of any stage stand in the way. Each says what was found and what was "
-               "expected."),
+            tr("Errors of any stage, in red, prevent publishing. Each says what it got and what "
+               "was expected."),
         ],
     }[stage]  # fmt: skip
 
@@ -85,7 +85,7 @@ class HelpWindow(QDialog):
         self.raise_()
 
     def show_stage(self, stage: str) -> None:
-        paragraphs = "".join(f"<p>{escape(words)}</p>" for words in stage_help(stage))
+        paragraphs = "".join(f"<p>{escape(text)}</p>" for text in stage_help(stage))
         self.show_html(f"<h2>{escape(stage_title(stage))}</h2>{paragraphs}{mouse_help()}")
 
     def show_keys(self, actions: Iterable[tuple[str, QAction]]) -> None:
@@ -102,13 +102,13 @@ class HelpWindow(QDialog):
         self.show_html(f"<h2>{title}</h2>{mouse_help()}<table>{''.join(rows)}</table>")
 
     def show_about(self) -> None:
-        words = [
+        text = [
             tr("Soft-tissue organ models that surgeons in training can feel."),
             tr("Not validated, not a medical device."),
             tr("The editor is free software under the GNU General Public License 3 or later; what "
                "it publishes is yours."),
         ]  # fmt: skip
-        paragraphs = "".join(f"<p>{escape(line)}</p>" for line in words)
+        paragraphs = "".join(f"<p>{escape(line)}</p>" for line in text)
         self.show_html(f"<h2>Palpate {palpate.__version__}</h2>{paragraphs}")
 
 
@@ -123,7 +123,7 @@ def mouse_help() -> str:
         ("Esc", tr("back to Orbit")),
     )
     lines = "".join(
-        f"<tr><td><b>{escape(keys)}</b>&nbsp;&nbsp;</td><td>{escape(words)}</td></tr>"
-        for keys, words in rows
+        f"<tr><td><b>{escape(keys)}</b>&nbsp;&nbsp;</td><td>{escape(text)}</td></tr>"
+        for keys, text in rows
     )
     return f"<table>{lines}</table>"

@@ -36,11 +36,11 @@ class Progress(QObject):
         super().__init__(parent)
         self.stop = threading.Event()
 
-    def __call__(self, words: str, share: float) -> None:
+    def __call__(self, text: str, share: float) -> None:
         """Says what begins now and how much is done, 0 to 1. Raises Cancelled."""
         if self.stop.is_set():
             raise Cancelled
-        self.said.emit(words, share)
+        self.said.emit(text, share)
 
 
 Work = Callable[[Progress], Any]
@@ -84,9 +84,9 @@ class Job(QObject):
             if not self.left:
                 self._finished.emit(result, problem)
 
-    def tell(self, words: str, share: float) -> None:
+    def tell(self, text: str, share: float) -> None:
         if not self.cancelled and not self.left:
-            self.progressed.emit(words, share)
+            self.progressed.emit(text, share)
 
     def finish(self, result: object, problem: object) -> None:
         if self.left:

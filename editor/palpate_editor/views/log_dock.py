@@ -21,7 +21,7 @@ from palpate_editor.views.context import Context
 from palpate_editor.views.icons import plain_icon
 from palpate_editor.views.stage_bar import stage_title
 from palpate_editor.views.theme import fixed_font
-from palpate_editor.views.translations import say, say_found, tr
+from palpate_editor.views.translations import say, say_got, tr
 
 LINES = 2000
 """Kept in the log."""
@@ -65,9 +65,9 @@ class LogDock(QTabWidget):
     def add_command(self, line: str) -> None:
         self.log.appendPlainText(f"{datetime.now():%H:%M:%S}  $ {line}")
 
-    def add_remark(self, words: str) -> None:
+    def add_remark(self, text: str) -> None:
         """Behind the sign that a shell passes over."""
-        self.log.appendPlainText(f"{datetime.now():%H:%M:%S}  # {words}")
+        self.log.appendPlainText(f"{datetime.now():%H:%M:%S}  # {text}")
 
     def add_sentence(self, sentence: str, severity: str) -> None:
         sign = {"error": "✗", "warning": "!", "info": "·"}[severity]
@@ -82,13 +82,13 @@ class LogDock(QTabWidget):
         problems = [] if assessment is None else sorted(assessment.problems, key=rank)
         self.problems.clear()
         for problem in problems:
-            words = [stage_title(problem.stage), say_found(problem), say(problem.expected)]
-            item = QTreeWidgetItem(words)
+            text = [stage_title(problem.stage), say_got(problem), say(problem.expected)]
+            item = QTreeWidgetItem(text)
             sign, colour = SIGNS[problem.severity]
             item.setIcon(0, plain_icon(sign, getattr(self.context.colours, colour)))
             item.setData(0, STAGE, problem.stage)
             for column in (1, 2):
-                item.setToolTip(column, words[column])
+                item.setToolTip(column, text[column])
             self.problems.addTopLevelItem(item)
         title = tr("Problems") if not problems else f"{tr('Problems')} ({len(problems)})"
         self.setTabText(0, title)

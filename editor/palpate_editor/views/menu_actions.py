@@ -22,7 +22,7 @@ from palpate_editor.edits import (
     TurnOutward,
     UseImported,
 )
-from palpate_editor.views.command_lines import render_words
+from palpate_editor.views.command_lines import render_arguments
 from palpate_editor.views.context import Context
 from palpate_editor.views.display import Display
 from palpate_editor.views.files import Files
@@ -111,8 +111,8 @@ class MenuActions(QObject):
         if not picture.save(str(path)):
             self.context.tell(tr("{file} could not be written.").format(file=path))
             return
-        words = render_words(self.published(), path, self.context.view, self.context.theme)
-        self.context.log_command(words)
+        arguments = render_arguments(self.published(), path, self.context.view, self.context.theme)
+        self.context.log_command(arguments)
         self.context.tell(tr("Saved as {file}.").format(file=path.name), "info")
 
     def published(self) -> Path | str:

@@ -13,7 +13,7 @@ from palpate_editor.check import Assessment
 from palpate_editor.document import Organ
 from palpate_editor.publish import publish
 from palpate_editor.views.child_processes import ChildProcesses
-from palpate_editor.views.command_lines import publish_words
+from palpate_editor.views.command_lines import publish_arguments
 from palpate_editor.views.context import Context
 from palpate_editor.views.files import Files
 from palpate_editor.views.jobs import Progress
@@ -86,7 +86,7 @@ class Publishing(QObject):
         del report
         self.path = self.wanted
         organ = self.context.session.organ
-        self.context.log_command(publish_words(organ, self.context.document(), self.path))
+        self.context.log_command(publish_arguments(organ, self.context.document(), self.path))
         self.context.tell(tr("Published as {file}.").format(file=self.path.name), "info")
         self.published.emit(self.path)
 

@@ -63,10 +63,10 @@ class SceneTree(QTreeWidget):
         if organ.source is not None:
             self.add(top, tr("Source"), organ.source.file, "file", "import")
         if organ.imported is not None and organ.imported is not organ.surface:
-            words = count(len(organ.imported.vertices))
-            self.add(top, tr("Imported"), words, "mesh", "decimate")
-        words = tr("{vertices} vertices").format(vertices=count(organ.vertex_count))
-        self.add(top, tr("Surface"), words, "mesh", "decimate")
+            text = count(len(organ.imported.vertices))
+            self.add(top, tr("Imported"), text, "mesh", "decimate")
+        text = tr("{vertices} vertices").format(vertices=count(organ.vertex_count))
+        self.add(top, tr("Surface"), text, "mesh", "decimate")
         kinds = {
             "mass_spring": "MSS",
             "molecular": "MMS",
@@ -87,8 +87,8 @@ class SceneTree(QTreeWidget):
         self.add(top, tr("Fixed"), count(int(organ.fixed.sum())), "fix", "material")
         scale = organ.stiffness_scale
         span = f"{number(scale.min(), 3)} – {number(scale.max(), 3)} ×"
-        words = span if (scale != 1.0).any() else tr("uniform")
-        self.add(top, tr("Stiffness map"), words, "stiffness", "material")
+        text = span if (scale != 1.0).any() else tr("uniform")
+        self.add(top, tr("Stiffness map"), text, "stiffness", "material")
 
     def add(
         self, above: QTreeWidgetItem | None, name: str, value: str, sign: str, stage: str

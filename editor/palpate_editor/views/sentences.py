@@ -26,24 +26,24 @@ def sentence_of(problem: BaseException) -> str:
     if isinstance(problem, EditError):
         return say(problem.sentence)
     if isinstance(problem, PublishError):
-        found = "; ".join(f"{say(p.found)} ({say(p.expected)})" for p in problem.problems)
+        found = "; ".join(f"{say(p.got)} ({say(p.expected)})" for p in problem.problems)
         return tr("Not published: {problems}.").format(problems=found)
     if isinstance(problem, BadValue):
         return say_refusal(str(problem)).replace(str(problem.fault), say(problem.fault))
     if isinstance(problem, Refusal | FileError | ValueError):
         return say_refusal(str(problem))
     if isinstance(problem, OSError):
-        words = f"{problem.filename}: {problem.strerror}" if problem.filename else str(problem)
-        return say_refusal(words)
+        text = f"{problem.filename}: {problem.strerror}" if problem.filename else str(problem)
+        return say_refusal(text)
     if isinstance(problem, MemoryError):
         return tr("This needs more memory than the machine has.")
     if isinstance(problem, RuntimeError) and str(problem):
         return say_refusal(str(problem))
-    kind, words = type(problem).__name__, str(problem)
+    kind, text = type(problem).__name__, str(problem)
     return tr(
         "Something went wrong in the editor itself ({what}). Your work is still here: save it, "
         "and please report this."
-    ).format(what=f"{kind}: {words}" if words else kind)
+    ).format(what=f"{kind}: {text}" if text else kind)
 
 
 class ExceptHook(QObject):

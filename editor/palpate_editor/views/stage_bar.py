@@ -127,11 +127,11 @@ class Step(QAbstractButton):
         painter.setPen(QColor("#ffffff" if chosen else c.text))
         painter.setFont(self.bold() if chosen else self.font())
         room = QRectF(badge.right() + 8, 0, self.width() - badge.right() - 8 - TIP, self.height())
-        words = painter.fontMetrics().elidedText(
+        text = painter.fontMetrics().elidedText(
             self.text(), Qt.TextElideMode.ElideRight, max(0, int(room.width()))
         )
-        words = "" if words != self.text() and len(words) < SHORTEST else words
-        painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, words)
+        text = "" if text != self.text() and len(text) < SHORTEST else text
+        painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, text)
         painter.end()
 
     def draw_badge(self, painter: QPainter, badge: QRectF, chosen: bool) -> None:

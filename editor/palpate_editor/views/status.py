@@ -32,7 +32,7 @@ class Busy(QWidget):
         row = QHBoxLayout(self)
         row.setContentsMargins(4, 0, 4, 0)
         row.setSpacing(8)
-        self.words, self.bar = QLabel(self), QProgressBar(self)
+        self.label, self.bar = QLabel(self), QProgressBar(self)
         self.bar.setFixedWidth(150)
         self.bar.setRange(0, 100)
         self.bar.setTextVisible(False)
@@ -40,7 +40,7 @@ class Busy(QWidget):
         self.button.setObjectName("cancel_job")
         self.button.setProperty("small", True)
         self.button.clicked.connect(self.cancel)
-        row.addWidget(self.words)
+        row.addWidget(self.label)
         row.addWidget(self.bar)
         row.addWidget(self.button)
         self.timer = QTimer(self, singleShot=True, interval=SOON)
@@ -50,13 +50,13 @@ class Busy(QWidget):
         self.hide()
 
     def begin(self, job: Job) -> None:
-        self.words.setText(job.title)
+        self.label.setText(job.title)
         self.bar.setValue(0)
         job.progressed.connect(self.tell)
         self.timer.start()
 
-    def tell(self, words: str, share: float) -> None:
-        self.words.setText(words)
+    def tell(self, text: str, share: float) -> None:
+        self.label.setText(text)
         self.bar.setValue(round(100 * share))
 
     def end(self, job: Job) -> None:
@@ -89,7 +89,7 @@ class Status(QStatusBar):
         self.place, self.counts, self.rate = QLabel(self), QLabel(self), QLabel(self)
         self.unit, self.saved = QLabel("mm", self), QLabel(self)
         self.unit.setToolTip(tr("Lengths are shown in millimetres"))
-        for label in (self.place, self.counts, self.rate, self.saved, self.busy.words):
+        for label in (self.place, self.counts, self.rate, self.saved, self.busy.label):
             label.setMinimumWidth(1)
         for label in (self.place, self.counts, self.rate, self.unit, self.saved):
             self.addPermanentWidget(label)

@@ -115,10 +115,10 @@ class DecimateWork:
     vertices: int
 
     def __call__(self, progress: Progress) -> Prepared:
-        words = tr("Decimating to {count} vertices").format(count=self.vertices)
-        progress(words, 0.15)
+        text = tr("Decimating to {count} vertices").format(count=self.vertices)
+        progress(text, 0.15)
         edit = decimate_organ(self.organ, self.vertices)
-        progress(words, 0.8)
+        progress(text, 0.8)
         return prepare(edit, self.organ)
 
 

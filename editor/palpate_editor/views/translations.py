@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Words for people: translation, and numbers with their unit."""
+"""Text for people: translation, and numbers with their unit."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ __all__ = [
     "number",
     "quantity",
     "say",
-    "say_found",
+    "say_got",
     "say_memory",
     "say_problems",
     "say_title",
@@ -47,12 +47,12 @@ def say_problems(errors: int, warnings: int) -> str:
     return ", ".join(parts)
 
 
-def say_found(problem: Problem) -> str:
+def say_got(problem: Problem) -> str:
     """What was found, and of what where a number alone would not tell."""
-    found = say(problem.found)
+    found = say(problem.got)
     constant = next((c for c in CONSTANTS if c.key == problem.where), None)
-    words = found if constant is None else f"{say(constant.label)}: {found}"
-    return words[:1].upper() + words[1:]
+    text = found if constant is None else f"{say(constant.label)}: {found}"
+    return text[:1].upper() + text[1:]
 
 
 def number(value: float, digits: int = 4) -> str:

@@ -93,11 +93,11 @@ def test_every_place_is_pressed_and_pulled_to_three_depths(reference):
 
 def test_what_is_moved_moves_by_the_depth_and_what_is_held_does_not(reference):
     for place in reference.places:
-        for answer in place.answers:
+        for result in place.results:
             patch = np.isin(reference.surface, place.vertices)
-            expected = -answer.depth * place.direction
-            assert np.abs(answer.displacement[patch] - expected).max() < 1e-6
-            assert not answer.displacement[np.isin(reference.surface, reference.held)].any()
+            expected = -result.depth * place.direction
+            assert np.abs(result.displacement[patch] - expected).max() < 1e-6
+            assert not result.displacement[np.isin(reference.surface, reference.held)].any()
 
 
 def test_the_linear_answer_is_the_tangent_of_the_neo_hookean_one(reference):
@@ -133,7 +133,7 @@ def test_linear_answers_are_known_at_every_depth(reference):
 
 
 def test_an_answer_that_is_not_there_is_not_made_up(reference):
-    with pytest.raises(KeyError, match="no answer of P1 neo_hookean"):
+    with pytest.raises(KeyError, match="no result of P1 neo_hookean"):
         reference.places[0].find("neo_hookean", "P1", 0.123)
 
 
@@ -169,6 +169,6 @@ def test_a_ball_that_is_pressed_from_above_moves_to_no_side():
 
 
 def test_answers_are_values():
-    answer = read_reference("ellipsoid").places[0].answers[0]
+    result = read_reference("ellipsoid").places[0].results[0]
 
-    assert replace(answer, depth=1.0).force == answer.force
+    assert replace(result, depth=1.0).force == result.force

@@ -92,7 +92,7 @@ def test_cancelling_lets_the_window_go_on_and_changes_nothing(qtbot, spleen_wind
     job = window.context.jobs.current
     button = child(window, "cancel_job")
     qtbot.waitUntil(button.isVisible, timeout=PATIENCE)  # after half a second, not before
-    assert "Decimating to 1200 vertices" in window.status.busy.words.text()
+    assert "Decimating to 1200 vertices" in window.status.busy.label.text()
 
     click(button)
 

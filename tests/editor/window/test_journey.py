@@ -197,14 +197,14 @@ def test_publishing_is_refused_with_the_red_checks(qtbot, spleen_window):
 
     assert "Not published: 1 error to fix" in window.messages.text
     assert window.context.stage == "publish"
-    rows = [row.words.text() for row in window.publish_panel.rows if not row.isHidden()]
+    rows = [row.label.text() for row in window.publish_panel.rows if not row.isHidden()]
     assert any(row.startswith("No title.") for row in rows)
 
 
 def test_a_fix_button_solves_what_its_check_found(qtbot, spleen_window):
     window = spleen_window
     press(window, Qt.Key.Key_6, CONTROL)
-    row = next(r for r in window.publish_panel.rows if r.words.text().startswith("No title."))
+    row = next(r for r in window.publish_panel.rows if r.label.text().startswith("No title."))
 
     click(row.button)
     settle(qtbot, window)

@@ -99,7 +99,7 @@ def test_a_kept_record_replays_to_the_same_bits(panel, qtbot, tmp_path, capsys):
 
 def test_the_panel_says_what_a_press_felt_and_the_plot_holds_every_tick(panel, qtbot):
     outcome = press(panel, qtbot)
-    words = panel.results.facts.words()
+    words = panel.results.facts.texts()
     assert words["Peak force"].startswith(f"{outcome.felt['peak_force_N']:.3g}")
     assert words["Missed ticks"].endswith(f"/ {count(outcome.report.ticks)}")
     trace = panel.plot.traces[-1]

@@ -84,7 +84,7 @@ def test_the_wheel_over_a_field_without_the_cursor_changes_nothing(panel, qtbot)
 
 
 def test_mass_substeps_and_margin_follow_at_once(panel, qtbot):
-    window, words = panel.window(), panel.facts.words
+    window, words = panel.window(), panel.facts.texts
     before = words()
 
     type_into(child(panel, "material.density"), "2120")
@@ -99,7 +99,7 @@ def test_mass_substeps_and_margin_follow_at_once(panel, qtbot):
 
 
 def test_a_wall_makes_the_organ_hollow_and_lighter(panel, qtbot):
-    window, before = panel.window(), panel.facts.words()["Total mass"]
+    window, before = panel.window(), panel.facts.texts()["Total mass"]
     field = next(f for f in panel.fields if f.objectName() == "" and hasattr(f, "constant")
                  and f.constant.field == "wall_thickness")  # fmt: skip
 
@@ -107,7 +107,7 @@ def test_a_wall_makes_the_organ_hollow_and_lighter(panel, qtbot):
     settle(qtbot, window)
 
     assert window.session.organ.material.wall_thickness == 2e-3
-    assert panel.facts.words()["Total mass"] != before
+    assert panel.facts.texts()["Total mass"] != before
     window.session.history.undo()
     assert not field.tick.isChecked()
 
@@ -145,7 +145,7 @@ def test_a_linear_solid_tells_its_memory_and_asks_for_nothing_that_swings(panel,
     choose(panel, "model.kind", "linear_solid")
     settle(qtbot, window)
 
-    words = panel.facts.words()
+    words = panel.facts.texts()
     assert list(words) == ["Total mass", "Tetrahedra", "Its response"]
     assert re.fullmatch(r"[\d.]+\u00a0MB for \d+ of \d+ particles", words["Its response"])
     assert not panel.links.isVisible()
@@ -190,11 +190,11 @@ def test_a_wall_takes_its_constants_from_its_tissue_and_says_how_well(panel, qtb
     type_into(child(panel, "material.young_modulus"), "50")
     window.context.apply(SetChoice("kind", "molecular"))
     settle(qtbot, window)
-    before = panel.facts.words()
+    before = panel.facts.texts()
     choose(panel, "model.constants", "tissue")
     settle(qtbot, window)
 
-    words = panel.facts.words()
+    words = panel.facts.texts()
     assert words["Of the wall's stiffness"] == "1 ×"
     assert words["Stretches like"].startswith("50")
     assert before["Stretches like"] != words["Stretches like"]
@@ -346,13 +346,13 @@ def test_a_solid_is_filled_as_its_designer_says(panel, qtbot):
     choose(panel, "model.kind", "solid")
     settle(qtbot, window)
     assert filling.isVisible() and not filling.reach.isVisible()
-    before = panel.facts.words()["Tetrahedra"]
+    before = panel.facts.texts()["Tetrahedra"]
 
     type_into(child(panel, "fill.tetrahedra"), "1500")
     type_into(child(panel, "fill.nodal_share"), "0.5")
     settle(qtbot, window)
 
-    assert panel.facts.words()["Tetrahedra"] != before
+    assert panel.facts.texts()["Tetrahedra"] != before
     assert "--tetrahedra=1500" in window.log.log.toPlainText()
     assert panel.context.assessment.scene.bodies[0].tissue.volumes.nodal_share == 0.5
     type_into(child(panel, "fill.tetrahedra"), "12.5")
@@ -371,13 +371,13 @@ def test_a_linear_solid_is_reached_where_a_region_says(panel, qtbot):
     window.context.assessor.said.connect(said.append)
     choose(panel, "model.kind", "linear_solid")
     settle(qtbot, window)
-    whole = panel.facts.words()["Its response"]
+    whole = panel.facts.texts()["Its response"]
 
     reach.setCurrentIndex(reach.findText("top"))
     reach.activated.emit(reach.currentIndex())
     settle(qtbot, window)
 
-    part = panel.facts.words()["Its response"]
+    part = panel.facts.texts()["Its response"]
     assert window.session.organ.fill.reach == "top"
     assert read_number(part.split("\u00a0")[0]) < read_number(whole.split("\u00a0")[0])
     assert said == [f"{words}, being solved for" for words in (whole, part)]
@@ -385,6 +385,6 @@ def test_a_linear_solid_is_reached_where_a_region_says(panel, qtbot):
     window.context.apply(RemoveRegion("top"))
     settle(qtbot, window)
     row = next(r for r in panel.rows if r.isVisible() and r.fix is not None)
-    assert reach.currentText() == "top" and "region of the organ" in row.words.text()
+    assert reach.currentText() == "top" and "region of the organ" in row.label.text()
     click(row.button)
     assert window.session.organ.fill.reach == "" and reach.currentText() == "All of the surface"

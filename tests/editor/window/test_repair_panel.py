@@ -68,8 +68,8 @@ def test_many_holes_are_grouped_by_size_the_largest_first(holed):
 
     assert rows == [f"Hole of {max(sizes)} edges", "20 holes of 3 edges"]
     assert panel.holes.tree.topLevelItem(1).childCount() == 20
-    assert panel.facts.words()["Holes"] == "21, kept open"
-    checks = " ".join(row.words.text() for row in panel.rows if not row.isHidden())
+    assert panel.facts.texts()["Holes"] == "21, kept open"
+    checks = " ".join(row.label.text() for row in panel.rows if not row.isHidden())
     assert f"21 holes of 3 to {max(sizes)} edges" in checks
 
 
@@ -116,21 +116,21 @@ def test_all_holes_are_filled_by_one_button_with_its_command(qtbot, holed):
     settle(qtbot, holed)
 
     assert palpate.is_closed(holed.session.organ.surface.triangles)
-    assert panel.facts.words()["Holes"] == "none, it is closed"
+    assert panel.facts.texts()["Holes"] == "none, it is closed"
     assert not panel.holes.isVisible()
     assert "palpate repair ball.organ --fill-holes -o ball.organ" in log_of(holed)
 
 
 def test_what_cannot_be_told_is_neither_good_nor_bad_and_says_why(qtbot, holed):
     panel = holed.stage_dock.panels["repair"]
-    words = panel.facts.words()["Triangles face"]
+    words = panel.facts.texts()["Triangles face"]
     assert words == "cannot be told: an open surface has no inside"
     value = next(v for n, v in panel.facts.rows if n.text() == "Triangles face")
     assert not value.property("tone")
 
     holed.session.restore(build_organ(), None)
     settle(qtbot, holed)
-    assert panel.facts.words()["Triangles face"] == "outwards"
+    assert panel.facts.texts()["Triangles face"] == "outwards"
     assert value.property("tone") == "good"
 
 

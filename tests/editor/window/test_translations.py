@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from hands import action, child, click
 from palpate.files.refusal import Refusal
-from palpate.translation import read_words
+from palpate.translation import read_translations
 from palpate.translation.refusals import say_refusal
 from palpate_editor.compile import compile_organ
 from palpate_editor.document import EMPTY, phrase
@@ -33,7 +33,7 @@ from organs import make_organ  # noqa: E402
 
 pytestmark = pytest.mark.window
 
-TURKISH = read_words("palpate_editor", "tr")
+TURKISH = read_translations("palpate_editor", "tr")
 
 
 def test_every_text_of_the_editor_has_its_turkish():

@@ -92,7 +92,7 @@ def test_another_unit_makes_another_size_and_can_be_undone(qtbot, spleen_window)
     assert window.session.organ.surface.vertices.max() == pytest.approx(
         before.surface.vertices.max() / 100
     )
-    words = panel.facts.words()
+    words = panel.facts.texts()
     assert words["Size"].endswith("mm")
     press(window, Qt.Key.Key_Z, CONTROL)
     assert window.session.organ is before

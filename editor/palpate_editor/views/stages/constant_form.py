@@ -29,7 +29,7 @@ WALL = 2e-3
 """[m] that a hollow organ begins with."""
 
 
-def choice_words(value: str) -> str:
+def choice_text(value: str) -> str:
     """What a law is called."""
     return str(say(VALUE_NAMES.get(value, value)))
 
@@ -39,7 +39,7 @@ class ConstantField(QuantityRow):
 
     def __init__(self, context: Context, constant: Constant, parent: QWidget | None = None):
         box = QuantityBox(constant.unit, constant.scale)
-        super().__init__(box, self.tick_words(constant), parent)
+        super().__init__(box, self.tick_text(constant), parent)
         self.context, self.constant = context, constant
         self.label = write_label(say(constant.label), "name", parent)
         self.label.setMinimumWidth(LABEL_WIDTH)
@@ -51,7 +51,7 @@ class ConstantField(QuantityRow):
         self.entered.connect(self.enter)
 
     @staticmethod
-    def tick_words(constant: Constant) -> str | None:
+    def tick_text(constant: Constant) -> str | None:
         if not constant.optional:
             return None
         return tr("hollow") if constant.field == "wall_thickness" else tr("own value")
@@ -82,7 +82,7 @@ class ChoiceField(QComboBox):
         self.context, self.field = context, field
         label = str(say(LAW_NAMES[field]))
         self.values = CHOICES[f"model.{field}"]
-        self.addItems([choice_words(value) for value in self.values])
+        self.addItems([choice_text(value) for value in self.values])
         self.setObjectName(f"model.{field}")
         self.setAccessibleName(label)
         self.label = write_label(label, "name", parent)

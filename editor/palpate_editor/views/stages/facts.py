@@ -78,7 +78,7 @@ class Facts(QWidget):
         self.grid.addWidget(value, row, 1)
         self.rows.append((name, value))
 
-    def words(self) -> dict[str, str]:
+    def texts(self) -> dict[str, str]:
         """What is shown, by name."""
         return {n.text(): v.text() for n, v in self.rows if not n.isHidden()}
 
@@ -116,25 +116,25 @@ class CheckRow(QWidget):
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 1, 0, 1)
         row.setSpacing(9)
-        self.sign, self.words = QLabel(self), write_label("", "value", self)
+        self.sign, self.label = QLabel(self), write_label("", "value", self)
         self.sign.setFixedSize(18, 18)
-        self.words.setWordWrap(True)
+        self.label.setWordWrap(True)
         self.button = QPushButton(self)
         self.button.setProperty("small", True)
         self.button.clicked.connect(self.tell)
         self.fix: object = None
         row.addWidget(self.sign, 0, Qt.AlignmentFlag.AlignTop)
-        row.addWidget(self.words, 1)
+        row.addWidget(self.label, 1)
         row.addWidget(self.button, 0, Qt.AlignmentFlag.AlignTop)
 
     def show_check(
-        self, tone: str, words: str, colours: Colours, fix: object = None, fix_words: str = ""
+        self, tone: str, text: str, colours: Colours, fix: object = None, fix_text: str = ""
     ) -> None:
         self.tone, self.fix = tone, fix
         colour = getattr(colours, tone)
         self.sign.setPixmap(draw_icon(SIGNS[tone], colour, 16, 2.2))
-        self.words.setText(words)
-        self.button.setText(fix_words)
+        self.label.setText(text)
+        self.button.setText(fix_text)
         self.button.setVisible(fix is not None)
 
     def tell(self) -> None:

@@ -73,14 +73,14 @@ class FillForm(Section):
     def show_organ(self, organ: Organ) -> None:
         self.setVisible(organ.model.kind in FILLED)
         self.reach.show_organ(organ)
-        words = tr(
+        text = tr(
             "About as many tetrahedra are made as are asked for; more are nearer to the tissue and "
             "take longer. A nodal share of 0 lets volumes lock, which makes the organ too stiff; 1 "
             "lets tetrahedra turn inside out."
         )
         if organ.model.kind == "linear_solid":
-            words += " " + tr(
+            text += " " + tr(
                 "The memory of a linear solid grows with what can be pushed: name a region, and "
                 "elsewhere it does not give."
             )
-        self.note.setText(words)
+        self.note.setText(text)

@@ -94,8 +94,8 @@ class HoleList(QWidget):
             for hole in holes:
                 self.tree.addTopLevelItem(self.build_item(hole))
             return
-        words = tr("{count} holes of {edges} edges").format(count=count(len(holes)), edges=edges)
-        group = QTreeWidgetItem([words, ""])
+        text = tr("{count} holes of {edges} edges").format(count=count(len(holes)), edges=edges)
+        group = QTreeWidgetItem([text, ""])
         group.setData(0, HOLES, tuple(holes))
         group.addChildren([self.build_item(hole) for hole in holes])
         self.tree.addTopLevelItem(group)

@@ -229,9 +229,9 @@ class MaterialPanel(StagePanel):
             return
         self.facts.show_facts(self.result_rows())
 
-    def show_building(self, words: str) -> None:
+    def show_building(self, text: str) -> None:
         """What is being built, while it takes its time."""
-        self.facts.show_facts([(tr("Its response"), words)])
+        self.facts.show_facts([(tr("Its response"), text)])
 
     def result_rows(self) -> list[Fact]:
         assessment = self.context.assessment
@@ -256,8 +256,8 @@ class MaterialPanel(StagePanel):
         rows += self.wall_rows()
         if share is not None:
             tone = "good" if share <= FULL else "warning"
-            words = tr("about {share} % of its time").format(share=f"{100 * share:.0f}")
-            rows.append((tr("A tick takes"), words, tone))
+            text = tr("about {share} % of its time").format(share=f"{100 * share:.0f}")
+            rows.append((tr("A tick takes"), text, tone))
         return rows
 
     def wall_rows(self) -> list[Fact]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stage 6: what the trainee reads, what is still in the way, and the published file."""
+"""Stage 6: what the trainee reads, what still prevents publishing, and the published file."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class TaskEdit(QPlainTextEdit):
 
 
 class LanguageBox(QComboBox):
-    """The words that stand where there is no translation, and every translation there may be."""
+    """The texts that stand where there is no translation, and every translation there may be."""
 
     def __init__(self, parent: QWidget | None = None):
         super().__init__(parent)
@@ -44,7 +44,7 @@ class LanguageBox(QComboBox):
         self.setToolTip(tr("A trainee reads the translation of the window's language, if any"))
 
     def code(self) -> str:
-        """Empty for the words that stand where there is no translation."""
+        """Empty for the texts that stand where there is no translation."""
         return self.codes[self.currentIndex()] if self.codes else ""
 
     def show_organ(self, organ: Organ) -> None:
@@ -77,7 +77,7 @@ class PublishPanel(StagePanel):
     def build(self) -> None:
         section = self.section(tr("What the trainee reads"))
         self.language = LanguageBox(self)
-        self.language.activated.connect(self.show_words)
+        self.language.activated.connect(self.show_translation)
         section.add(self.language)
         section.add(write_label(tr("Title"), "name", self))
         self.title = QLineEdit(self)
@@ -108,27 +108,27 @@ class PublishPanel(StagePanel):
 
     # ------------------------------------------------------------ showing
 
-    def words(self) -> Translation:
+    def translation(self) -> Translation:
         """Title and task in the language that is being written."""
         organ, code = self.context.session.organ, self.language.code()
         if not code:
             return Translation(organ.title, organ.task)
         return organ.languages.get(code, Translation())
 
-    def show_words(self) -> None:
+    def show_translation(self) -> None:
         """Another language, or another organ."""
-        words = self.words()
-        self.title.setText(words.title)
-        if self.task.toPlainText() != words.task:
-            self.task.setPlainText(words.task)
+        translation = self.translation()
+        self.title.setText(translation.title)
+        if self.task.toPlainText() != translation.task:
+            self.task.setPlainText(translation.task)
 
     def show_organ(self, organ: Organ) -> None:
         self.language.show_organ(organ)
-        words = self.words()
+        translation = self.translation()
         if not self.title.hasFocus():
-            self.title.setText(words.title)
-        if not self.task.hasFocus() and self.task.toPlainText() != words.task:
-            self.task.setPlainText(words.task)
+            self.title.setText(translation.title)
+        if not self.task.hasFocus() and self.task.toPlainText() != translation.task:
+            self.task.setPlainText(translation.task)
         path = self.publishing.path
         self.play_button.setEnabled(path is not None)
         self.published.setVisible(path is not None)
@@ -167,9 +167,9 @@ class PublishPanel(StagePanel):
         others = [p for p in assessment.problems if p.severity == "error" and p.stage != self.stage]
         return others + assessment.of_stage(self.stage)
 
-    def words_of(self, problem: Problem) -> str:
-        words = super().words_of(problem)
-        return words if problem.stage == self.stage else f"{stage_title(problem.stage)}: {words}"
+    def text_of(self, problem: Problem) -> str:
+        text = super().text_of(problem)
+        return text if problem.stage == self.stage else f"{stage_title(problem.stage)}: {text}"
 
     def good_news(self) -> list[str]:
         assessment = self.context.assessment
@@ -177,18 +177,18 @@ class PublishPanel(StagePanel):
             return []
         if any(p.severity == "error" for p in assessment.problems):
             return []
-        return [tr("Nothing stands in the way of publishing.")]
+        return [tr("Nothing prevents publishing.")]
 
     # ------------------------------------------------------------ doing
 
     def set_title(self) -> None:
         title = self.title.text().strip()
-        if title != self.words().title:
+        if title != self.translation().title:
             self.context.apply(SetTask(scenario_title=title, language=self.language.code()))
 
     def set_task(self) -> None:
         task = self.task.toPlainText().strip()
-        if task != self.words().task:
+        if task != self.translation().task:
             self.context.apply(SetTask(task=task, language=self.language.code()))
 
     def publish(self) -> None:

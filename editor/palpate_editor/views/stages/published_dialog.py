@@ -97,12 +97,12 @@ class PublishedDialog(QDialog):
         self.quantity.currentIndexChanged.connect(self.build_range)
         self.range = QHBoxLayout()
         self.method, self.source = QLineEdit(self), QLineEdit(self)
-        for field, name, words in (
+        for field, name, cells in (
             (self.method, "published_method", tr("Measured by")),
             (self.source, "published_source", tr("Source: authors, journal, year")),
         ):
             field.setObjectName(name)
-            field.setPlaceholderText(words)
+            field.setPlaceholderText(cells)
         self.source.returnPressed.connect(self.add)
         self.add_button = QPushButton(tr("Add"), self)
         self.add_button.setObjectName("add_published")
@@ -162,13 +162,13 @@ class PublishedDialog(QDialog):
             source = found.source
             if getattr(found, "uncertain", False):
                 source += tr(" (not looked up)")
-            words = (
+            cells = (
                 say_quantity(found.quantity),
                 say_range(found.quantity, found.low, found.high),
                 found.method if is_own else say_tissue(found.method),
                 source,
             )
-            for column, text in enumerate(words):
+            for column, text in enumerate(cells):
                 item = QTableWidgetItem(text)
                 item.setToolTip(text)
                 item.setData(OWN, found if is_own else None)
@@ -241,7 +241,7 @@ def say_range(quantity: str, low: float, high: float) -> str:
     """In the unit of the form's own field."""
     constant = find_constant("material", quantity)
     scale, unit = (1.0, "") if constant is None else (constant.scale, constant.unit)
-    words = number(low / scale, 3)
+    cells = number(low / scale, 3)
     if high != low:
-        words += f" \N{EN DASH} {number(high / scale, 3)}"
-    return f"{words}\N{NO-BREAK SPACE}{unit}"
+        cells += f" \N{EN DASH} {number(high / scale, 3)}"
+    return f"{cells}\N{NO-BREAK SPACE}{unit}"

@@ -12,7 +12,7 @@ from palpate_editor.views.context import Context
 from palpate_editor.views.stage_bar import stage_title
 from palpate_editor.views.stages.facts import CheckRow, Section, write_label
 from palpate_editor.views.theme import title_font
-from palpate_editor.views.translations import say, say_found, tr
+from palpate_editor.views.translations import say, say_got, tr
 
 TONES = {"error": "bad", "warning": "warning", "note": "faint"}
 
@@ -43,7 +43,7 @@ class StagePanel(QWidget):
         self.rows: list[CheckRow] = []
         self.column.addWidget(self.checks)
         self.column.addStretch(1)
-        self.column.addLayout(self.build_way())
+        self.column.addLayout(self.build_next_stage_row())
 
     def build(self) -> None:
         """Fills the form; once."""
@@ -63,15 +63,15 @@ class StagePanel(QWidget):
         assessment = self.context.assessment
         return [] if assessment is None else assessment.of_stage(self.stage)
 
-    def words_of(self, problem: Problem) -> str:
-        """A problem in words: what was found, and what was expected instead."""
-        return tr("{found}.\nExpected: {expected}.").format(
-            found=say_found(problem), expected=say(problem.expected)
+    def text_of(self, problem: Problem) -> str:
+        """What was got, and what was expected instead."""
+        return tr("{got}.\nExpected: {expected}.").format(
+            got=say_got(problem), expected=say(problem.expected)
         )
 
     # ------------------------------------------------------------ shared parts
 
-    def build_way(self) -> QHBoxLayout:
+    def build_next_stage_row(self) -> QHBoxLayout:
         row = QHBoxLayout()
         row.setContentsMargins(0, 10, 0, 0)
         place = STAGES.index(self.stage)
@@ -106,7 +106,7 @@ class StagePanel(QWidget):
         """All problems of the stage, then what is good."""
         colours = self.context.colours
         entries = [
-            (TONES[p.severity], self.words_of(p), p.fix, tr("Fix it") if p.fix else "")
+            (TONES[p.severity], self.text_of(p), p.fix, tr("Fix it") if p.fix else "")
             for p in self.problems()
         ]
         entries += [("good", sentence, None, "") for sentence in self.good_news()]
@@ -118,6 +118,6 @@ class StagePanel(QWidget):
         for i, row in enumerate(self.rows):
             row.setVisible(i < len(entries))
             if i < len(entries):
-                tone, words, fix, title = entries[i]
-                row.show_check(tone, words, colours, fix, title)
+                tone, text, fix, title = entries[i]
+                row.show_check(tone, text, colours, fix, title)
         self.checks.setVisible(bool(entries))

@@ -64,10 +64,10 @@ class RatioSlider(QWidget):
         layout.addWidget(row)
         layout.addWidget(self.slider)
 
-    def name(self, words: str) -> None:
+    def name(self, text: str) -> None:
         """For those who have the screen read to them."""
-        self.slider.setAccessibleName(words)
-        self.row.box.setAccessibleName(words)
+        self.slider.setAccessibleName(text)
+        self.row.box.setAccessibleName(text)
 
     def show_value(self, value: float) -> None:
         self.row.show_value(value)
@@ -196,10 +196,10 @@ class BrushOptions(QWidget):
     def _show_count(self, *organs: object) -> None:
         del organs
         some, every = self.tool.count_painted()
-        words = (
+        text = (
             tr("{some} of {all} vertices painted")
             if self.factor is not None
             else tr("{some} of {all} vertices fixed")
         )
-        self.count.setText(words.format(some=count(some), all=count(every)))
+        self.count.setText(text.format(some=count(some), all=count(every)))
         self.erase.setEnabled(some > 0)

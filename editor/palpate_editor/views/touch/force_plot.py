@@ -108,7 +108,7 @@ class ForcePlot(QWidget):
         self._timer.start()
 
     def add(self, time: float, force: ArrayLike) -> None:
-        """A moment [s] [N] of the newest run."""
+        """A time [s] and force [N] of the newest run."""
         if self.traces:
             self.traces[-1].add(time, force)
             self._new = True
@@ -209,8 +209,8 @@ class ForcePlot(QWidget):
         """The runs and their peaks over the plot, where no curve runs through them."""
         if not any(len(trace) for trace in self.traces):
             colour = to_colour(THEMES[self._theme].faint).name()
-            words = escape(tr("Press the organ: the force appears here"))
-            return f'<span style="color:{colour}">{words}</span>&nbsp;&nbsp;'
+            text = escape(tr("Press the organ: the force appears here"))
+            return f'<span style="color:{colour}">{text}</span>&nbsp;&nbsp;'
         items = [
             f'<span style="color:{self._colour(age).name()}">\N{BLACK CIRCLE}</span>&nbsp;'
             f"{escape(describe_trace(trace))}"

@@ -112,12 +112,12 @@ class LiveCosts(QWidget):
     def _add(self, name: str, title: str, tip: str) -> None:
         row = len(self._numbers)
         near = NEAR_MARGIN if name == "margin" else NEAR_SHARE
-        words, number, meter = QLabel(title, self), QLabel(NOTHING, self), Meter(near, self)
+        text, number, meter = QLabel(title, self), QLabel(NOTHING, self), Meter(near, self)
         number.setObjectName(f"live_{name}")
         number.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         widest = number.fontMetrics().horizontalAdvance("0.000 ms 000 %")
         number.setMinimumWidth(widest)
-        for column, widget in enumerate((words, number, meter)):
+        for column, widget in enumerate((text, number, meter)):
             widget.setToolTip(tip)
             self._grid.addWidget(widget, row, column)
         self._numbers[name], self._meters[name] = number, meter

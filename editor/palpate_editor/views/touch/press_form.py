@@ -149,11 +149,11 @@ class PressForm(QWidget):
 
 
 def write_command(file: str, script: PressScript, place: NDArray[np.float64] | None) -> list[str]:
-    """The words of the command line that presses the same way."""
-    words = ["palpate", "press", file, "--depth", f"{1e3 * script.depth:g}mm"]
+    """The arguments of the command line that presses the same way."""
+    arguments = ["palpate", "press", file, "--depth", f"{1e3 * script.depth:g}mm"]
     if script.pull:
-        words += ["--pull", f"{1e3 * script.pull:g}mm"]
-    words += ["--speed", f"{1e3 * script.speed:g}mm/s", "--hold", f"{1e3 * script.hold:g}ms"]
+        arguments += ["--pull", f"{1e3 * script.pull:g}mm"]
+    arguments += ["--speed", f"{1e3 * script.speed:g}mm/s", "--hold", f"{1e3 * script.hold:g}ms"]
     if place is not None:
-        words.append("--at=" + ",".join(f"{1e3 * c:.3f}" for c in place))
-    return words
+        arguments.append("--at=" + ",".join(f"{1e3 * c:.3f}" for c in place))
+    return arguments

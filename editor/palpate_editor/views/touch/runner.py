@@ -256,10 +256,10 @@ def find_target(scene: palpate.Scene, near: NDArray[np.float64] | None) -> Place
 
 
 def describe_refusal(problems: Sequence[Problem]) -> str:
-    """Why an organ has no scene: the first thing that stands in its way."""
+    """Why an organ has no scene: the first error."""
     red = [p for p in problems if p.severity == "error" and p.stage != "publish"]
     if not red:
         return tr("The organ cannot be tested yet.")
     return tr("The organ cannot be tested yet: got {got}, expected {expected}.").format(
-        got=say(red[0].found), expected=say(red[0].expected)
+        got=say(red[0].got), expected=say(red[0].expected)
     )

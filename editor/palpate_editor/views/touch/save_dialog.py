@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 def ask_save(
     parent: QWidget, title: str, name: str, filters: str, chosen: Callable[[str], None]
 ) -> QFileDialog:
-    """Opens a dialog that proposes `name`; `chosen`, a bound method, is told the answer."""
+    """Opens a dialog that proposes `name`; `chosen`, a bound method, is told what was chosen."""
     dialog = QFileDialog(parent, title)
     dialog.setObjectName("save_dialog")
     dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)

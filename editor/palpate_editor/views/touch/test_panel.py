@@ -93,7 +93,7 @@ class TestPanel(StagePanel):
         page = QWidget(self)
         column = QVBoxLayout(page)
         column.setContentsMargins(0, 2, 0, 4)
-        words = write_label(
+        text = write_label(
             tr(
                 "The mouse is the hand: move over the organ, hold the left button to press, and "
                 "turn the wheel to press deeper. The right button, or Ctrl, takes hold and pulls."
@@ -101,8 +101,8 @@ class TestPanel(StagePanel):
             "lead",
             page,
         )
-        words.setWordWrap(True)
-        column.addWidget(words)
+        text.setWordWrap(True)
+        column.addWidget(text)
         return page
 
     def _build_press(self) -> QWidget:
@@ -265,13 +265,13 @@ class TestPanel(StagePanel):
     def _say(self, sentence: str) -> None:
         self.context.tell(sentence, "info")
 
-    def _command_words(self) -> list[str]:
+    def _command_arguments(self) -> list[str]:
         session, form = self.context.session, self.press_form
         stem = session.path.stem if session.path else session.organ.name or "organ"
         return write_command(f"{stem}.palpate", form.script(), form.place)
 
     def _show_command(self) -> None:
-        self.command.setText(shlex.join(self._command_words()))
+        self.command.setText(shlex.join(self._command_arguments()))
 
     def _show_state(self) -> None:
         runner = self.runner
@@ -280,7 +280,7 @@ class TestPanel(StagePanel):
         self.pause_button.setText(tr("Go on") if runner.paused else tr("Pause"))
         self.pause_button.setEnabled(runner.running)
         self.reset_button.setEnabled(runner.running)
-        words = (
+        text = (
             tr("Compiling the organ…")
             if runner.waiting
             else tr("Paused: Space goes on.")
@@ -289,11 +289,11 @@ class TestPanel(StagePanel):
             if runner.running
             else tr("Space starts.")
         )
-        self.state.setText(words)
+        self.state.setText(text)
         self.run_changed.emit(runner.running)
         self._show_marker()
 
     def _take_outcome(self, outcome: Outcome) -> None:
         self.results.show_outcome(outcome)
         if outcome.device == "script":
-            self.context.log_command(self._command_words())
+            self.context.log_command(self._command_arguments())
