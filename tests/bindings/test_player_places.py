@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
 from functools import cache
@@ -244,3 +245,35 @@ def test_a_window_brought_over_from_a_larger_screen_is_brought_back(qtbot):
     free = window.screen().availableGeometry()
     assert free.contains(window.frameGeometry()), (free, window.frameGeometry())
     assert window.size() != QSize(3000, 2000)
+
+
+NAME = "a_folder_whose_name_has_no_gap_in_it_at_all/kidney-20261122-234512.prec"
+
+
+def list_pieces(label) -> list[str]:
+    """What a label never divides between two lines."""
+    return re.split(r"[\s\N{ZERO WIDTH SPACE}]|(?<=/)", label.text())
+
+
+@pytest.mark.parametrize("size", [(640, 360), (960, 540)])
+def test_no_part_of_a_long_name_in_a_banner_is_cut_off(open_window, size):
+    window = open_window()
+    window.resize(*size)
+    window.restart()
+
+    window.over.alarm.tell(f"No record can be written: /srv/trainee/{NAME}: Permission denied")
+    window.over.place()
+    QTest.qWait(1)
+
+    banner = window.over.alarm
+    room = banner.label.contentsRect().width()
+    widths = [banner.label.fontMetrics().horizontalAdvance(p) for p in list_pieces(banner.label)]
+    assert max(widths) <= room
+    assert banner.label.heightForWidth(room) <= banner.label.contentsRect().height()
+    assert banner.label.text().replace("\N{ZERO WIDTH SPACE}", "") == banner.sentence
+    assert NAME in banner.sentence
+
+
+def test_words_of_sentences_are_not_broken():
+    for sentence in ("Cihazın motorları kullanılamamaktadır.", "not validated, real-time priority"):
+        assert cards.allow_breaks(sentence) == sentence

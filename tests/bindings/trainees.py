@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from palpate.player import TraineeWindow
+from palpate.player.cards import BREAK
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton
@@ -11,9 +12,10 @@ from windows import LEFT, move
 
 
 def texts(window: TraineeWindow) -> list[str]:
-    """Everything that can be read now."""
+    """Everything that can be read now; where a long name may be broken is not seen."""
     found = [*window.findChildren(QLabel), *window.findChildren(QPushButton)]
-    return [thing.text() for thing in found if thing.isVisible() and thing.text()]
+    said = (thing.text().replace(BREAK, "") for thing in found if thing.isVisible())
+    return [text for text in said if text]
 
 
 def middle(window: TraineeWindow) -> QPoint:

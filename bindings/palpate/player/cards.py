@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -21,6 +22,10 @@ from PySide6.QtWidgets import (
 
 from palpate.player.sentences import format_clock, say_notice, translate
 
+LONG_WORD = re.compile(r"(?=[^\s/]*(?:[_\d-]|\.\w))[^\s/]{17,}|[^\s/]{32,}")
+"""The name of a file rather than a word, or no word of any language."""
+BREAK = "\N{ZERO WIDTH SPACE}"
+
 
 def build_label(name: str, parent: QWidget, wrap: bool = False) -> QLabel:
     """A label that the style sheet knows by name; text is never taken for HTML."""
@@ -29,6 +34,13 @@ def build_label(name: str, parent: QWidget, wrap: bool = False) -> QLabel:
     label.setTextFormat(Qt.TextFormat.PlainText)
     label.setWordWrap(wrap)
     return label
+
+
+def allow_breaks(text: str) -> str:
+    """The text with zero-width spaces where long words, such as names of files, may be broken: a
+    label breaks lines at spaces and slashes alone, and cuts off what is still too long.
+    """
+    return LONG_WORD.sub(lambda word: BREAK.join(word[0]), text)
 
 
 class Card(QFrame):
@@ -150,7 +162,7 @@ class FolderLine(QWidget):
     def tell(self, text: str, folder: Path) -> None:
         """`text` names what lies in the folder."""
         self.folder = folder
-        self.label.setText(text)
+        self.label.setText(allow_breaks(text))
         self.button.setText(translate("Player", "Open the folder"))
 
     def open(self) -> None:
@@ -162,7 +174,7 @@ class FolderLine(QWidget):
             opened = False
         if not opened:
             text = translate("Player", "This system does not open folders. It is %1")
-            self.label.setText(text.replace("%1", str(self.folder)))
+            self.label.setText(allow_breaks(text.replace("%1", str(self.folder))))
 
 
 class ClockCard(Card):
@@ -210,6 +222,7 @@ class Banner(QFrame):
         super().__init__(parent)
         self.setObjectName(name)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.sentence = ""
         self.label = build_label(f"{name}_text", self, wrap=True)
         self.label.setAlignment(Qt.AlignmentFlag.AlignCenter)
         row = QHBoxLayout(self)
@@ -219,7 +232,8 @@ class Banner(QFrame):
 
     def tell(self, sentence: str) -> None:
         """Shows a sentence; an empty one takes the banner away."""
-        self.label.setText(sentence)
+        self.sentence = sentence
+        self.label.setText(allow_breaks(sentence))
         self.setVisible(bool(sentence))
 
 

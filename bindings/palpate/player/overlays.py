@@ -69,13 +69,13 @@ class Overlays(QObject):
 
     def tell_device(self, sentence: str) -> None:
         """Why the device gives no force; nothing where it gives its force."""
-        if sentence != self.device.label.text():
+        if sentence != self.device.sentence:
             self.device.tell(sentence)
             self.place()
 
     def show_pause(self, paused: bool) -> None:
         text = translate("Player", "Paused. Space goes on.") if paused else ""
-        if text != self.pause.label.text():
+        if text != self.pause.sentence:
             self.pause.tell(text)
             self.pause.setVisible(bool(text) and self.board() is None)
             self.place()
@@ -85,7 +85,7 @@ class Overlays(QObject):
         for other in (self.start, self.menu, self.end):
             other.setVisible(other is board)
         self.task.setVisible(board is None or board is self.end)
-        self.pause.setVisible(board is None and bool(self.pause.label.text()))
+        self.pause.setVisible(board is None and bool(self.pause.sentence))
         self.place()
 
     def use_style(self, theme: str, letter: float) -> None:
@@ -97,7 +97,7 @@ class Overlays(QObject):
 
     def say(self) -> None:
         """Sets all texts, in the language of the program."""
-        paused = bool(self.pause.label.text())
+        paused = bool(self.pause.sentence)
         for panel in (self.clock, self.notice, self.keys, self.start, self.menu, self.end):
             panel.say()
         self.tell_task()
@@ -168,11 +168,11 @@ class Overlays(QObject):
             left, y = 0, self.task.geometry().bottom() + EDGE // 2
         room = right - left - 2 * EDGE
         for banner in (self.alarm, self.device, self.warning, self.pause):
-            if not banner.label.text():
+            if not banner.sentence:
                 continue
             banner.ensurePolished()
             banner.label.ensurePolished()
-            text = banner.label.fontMetrics().horizontalAdvance(banner.label.text())
+            text = banner.label.fontMetrics().horizontalAdvance(banner.sentence)
             wide = min(room, text + 4 * m)
             self._put(banner, wide, left + EDGE + (room - wide) / 2, y)
             y = banner.geometry().bottom() + EDGE // 2

@@ -64,6 +64,7 @@ class MessageBar(QWidget):
     def tell(self, sentence: str, severity: str = "error") -> None:
         self.severity = severity
         self.label.setText(sentence)
+        self.label.setToolTip(sentence)  # long names of files do not fit into a narrow viewport
         self.dress()
         self.show()
         self.place()

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QS
 
 from palpate_editor.document import Organ
 from palpate_editor.views.context import Context
+from palpate_editor.views.elided_label import ElidedLabel
 from palpate_editor.views.jobs import Job
 from palpate_editor.views.translations import count, tr
 
@@ -32,7 +33,7 @@ class Busy(QWidget):
         row = QHBoxLayout(self)
         row.setContentsMargins(4, 0, 4, 0)
         row.setSpacing(8)
-        self.label, self.bar = QLabel(self), QProgressBar(self)
+        self.label, self.bar = ElidedLabel(self), QProgressBar(self)
         self.bar.setFixedWidth(150)
         self.bar.setRange(0, 100)
         self.bar.setTextVisible(False)
@@ -80,17 +81,15 @@ class Status(QStatusBar):
         super().__init__(parent)
         self.context = context
         self.setSizeGripEnabled(False)
-        self.hint = QLabel(self)
+        self.hint = ElidedLabel(self)
         self.hint.setObjectName("hint")
         self.hint.setMinimumWidth(80)
         self.addWidget(self.hint, 1)
         self.busy = Busy(context, self)
         self.addPermanentWidget(self.busy)
-        self.place, self.counts, self.rate = QLabel(self), QLabel(self), QLabel(self)
-        self.unit, self.saved = QLabel("mm", self), QLabel(self)
+        self.place, self.counts, self.rate = (ElidedLabel(self) for _ in range(3))
+        self.unit, self.saved = QLabel("mm", self), ElidedLabel(self)
         self.unit.setToolTip(tr("Lengths are shown in millimetres"))
-        for label in (self.place, self.counts, self.rate, self.saved, self.busy.label):
-            label.setMinimumWidth(1)
         for label in (self.place, self.counts, self.rate, self.unit, self.saved):
             self.addPermanentWidget(label)
         self.frames, self.clock = 0, QElapsedTimer()

@@ -277,3 +277,28 @@ def test_enter_on_the_welcome_card_opens_the_organ_that_is_chosen(qtbot, window)
     QTest.keyClick(kidney, Qt.Key.Key_Enter)
     settle(qtbot, window)
     assert window.session.organ.name == "kidney stone"
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_status_text_with_too_little_room_is_elided_and_its_tooltip_has_all(
+    make_editor, qtbot, language
+):
+    window = make_editor(language=language).window
+    window.resize(640, 360)
+    status = window.status
+    sentence = "Drag to turn, Shift+drag to move, wheel to zoom, and double click to fit the view"
+    labels = (status.hint, status.place, status.counts, status.saved, status.busy.label)
+    status.busy.show()
+    for label in labels:
+        label.setText(sentence)
+    QTest.qWait(1)
+
+    for label in labels:
+        shown = label.shown()
+        assert shown != sentence and label.toolTip() == label.text() == sentence
+        assert shown.endswith("\N{HORIZONTAL ELLIPSIS}")
+        assert label.fontMetrics().horizontalAdvance(shown) <= label.contentsRect().width()
+    assert len(status.hint.shown()) > 5
+
+    status.hint.setText("A")
+    assert (status.hint.shown(), status.hint.toolTip()) == ("A", "")
