@@ -19,6 +19,7 @@ GPL_FOLDERS = (
     "tests/core/authoring/",
     "tests/core/simavr/",
     "tests/editor/",
+    "tests/examples/add_a_stage/",
     "tests/firmware/test_mechanics.py",
 )
 HERE = "tests/architecture/test_sources.py"

@@ -13,9 +13,11 @@ from palpate_editor import check
 from palpate_editor.check import Assessment, assess
 from palpate_editor.document import EMPTY, Organ, Surface
 from palpate_editor.document.constants import CONSTANTS
-from palpate_editor.document.problems import SEVERITIES, STAGES
+from palpate_editor.document.problems import SEVERITIES
 from palpate_editor.document.rules import TICK_SHARE, compute_tick_share
+from palpate_editor.views.stages.panels import list_stages
 
+STAGES = list_stages()
 CONFIRMED = replace(make_organ().source, unit_guessed=False, up_guessed=False)
 SOUND = replace(make_organ(), source=CONFIRMED)
 
@@ -180,14 +182,14 @@ def test_a_size_that_only_one_unit_explains_can_be_fixed_with_that_unit():
 def test_stages_and_severities_are_those_that_were_agreed():
     used = {(stage, severity) for _, stage, severity, _ in WRONG.values()}
 
-    assert {stage for stage, _ in used} == set(STAGES)
+    assert {stage for stage, _ in used} == set(STAGES.names)
     assert {severity for _, severity in used} == set(SEVERITIES)
 
 
 def test_problems_come_in_the_order_of_the_stages():
     organ = replace(untitled(on(two_shells(), make_organ())), tool=replace(SOUND.tool, radius=0.0))
 
-    order = [STAGES.index(problem.stage) for problem in assess(organ, tested=False).problems]
+    order = [STAGES.place(problem.stage) for problem in assess(organ, tested=False).problems]
 
     assert order == sorted(order) and len(set(order)) >= 5
 

@@ -13,7 +13,6 @@ from dataclasses import dataclass, field
 from palpate_editor.document.organ import Organ
 from palpate_editor.document.phrase import Phrase
 
-STAGES = ("import", "repair", "decimate", "material", "test", "publish")
 SEVERITIES = ("error", "warning", "note")
 """An error cannot be published; a warning will be felt; a note is worth knowing."""
 

@@ -18,6 +18,7 @@ from palpate_editor.views.assessment import Assessment, Assessor
 from palpate_editor.views.command_lines import find_arguments
 from palpate_editor.views.jobs import Jobs
 from palpate_editor.views.sentences import sentence_of
+from palpate_editor.views.stage import Stages
 from palpate_editor.views.theme import COLOURS, Colours
 from palpate_editor.views.translations import say_title, tr
 
@@ -47,17 +48,23 @@ class Context(QObject):
     """`assessment` is that of the open organ."""
 
     def __init__(
-        self, session: Session, view: View, settings: Settings, parent: QObject | None = None
+        self,
+        session: Session,
+        view: View,
+        settings: Settings,
+        stages: Stages,
+        parent: QObject | None = None,
     ):
         super().__init__(parent)
         self.session, self.view, self.settings = session, view, settings
+        self.stages = stages
         self.jobs = Jobs(self)
         self.assessor = Assessor(session, self.jobs, self)
         self.assessor.assessed.connect(self.assessed)
         session.undone.connect(self.on_undone)
         session.redone.connect(self.on_redone)
         self.theme = "dark"
-        self.stage = "import"
+        self.stage = stages.names[0]
         self.previewing = False
         """Whether the view shows the parts of a file, not the organ."""
 

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 
 from palpate_editor.document import Organ
 from palpate_editor.views.context import Context
+from palpate_editor.views.stage import Stage
 from palpate_editor.views.touch.colours import show_fixed, show_stiffness
 from palpate_editor.views.translations import tr
 
@@ -34,6 +35,11 @@ class Display(QObject):
         context.stage_shown.connect(self.on_stage)
         context.assessed.connect(self.refresh_values)
         context.distance_wanted.connect(self.use_distance)
+
+    @property
+    def stage(self) -> Stage:
+        """The one that is shown."""
+        return self.context.stages.by_name[self.context.stage]
 
     def on_changed(self, before: Organ, after: Organ) -> None:
         del before, after
@@ -96,7 +102,7 @@ class Display(QObject):
             )
         else:
             view.show_values(None)
-        if self.context.stage in ("material", "test", "publish"):
+        if self.stage.shows_fixed:
             show_fixed(view, organ.fixed, None)
         else:
             view.show_selection(None)
@@ -123,12 +129,9 @@ class Display(QObject):
             and assessment.comparison is not None
             and assessment.comparison.distances is not None
         )
-        if self.colouring == "distance" or (
-            self.colouring == "auto" and self.context.stage == "decimate" and self.with_distance
-        ):
-            return "distance" if known else "plain"
-        if self.colouring == "stiffness":
-            return "stiffness"
-        if self.colouring == "auto" and self.context.stage == "material" and painted:
-            return "stiffness"
-        return "plain"
+        wanted = self.colouring
+        if wanted == "auto":
+            wanted = self.stage.colouring
+            there = {"plain": True, "stiffness": painted, "distance": self.with_distance}
+            wanted = wanted if there[wanted] else "plain"
+        return "plain" if wanted == "distance" and not known else wanted

@@ -16,10 +16,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from palpate_editor.document.problems import STAGES
+from palpate_editor.document.problems import SEVERITIES, Problem
 from palpate_editor.views.context import Context
 from palpate_editor.views.icons import plain_icon
-from palpate_editor.views.stage_bar import stage_title
 from palpate_editor.views.theme import fixed_font
 from palpate_editor.views.translations import say, say_got, tr
 
@@ -78,11 +77,11 @@ class LogDock(QTabWidget):
         self.fill_problems()
 
     def fill_problems(self) -> None:
-        assessment = self.context.assessment
-        problems = [] if assessment is None else sorted(assessment.problems, key=rank)
+        assessment, stages = self.context.assessment, self.context.stages
+        problems = [] if assessment is None else sorted(assessment.problems, key=self.rank)
         self.problems.clear()
         for problem in problems:
-            text = [stage_title(problem.stage), say_got(problem), say(problem.expected)]
+            text = [stages.title(problem.stage), say_got(problem), say(problem.expected)]
             item = QTreeWidgetItem(text)
             sign, colour = SIGNS[problem.severity]
             item.setIcon(0, plain_icon(sign, getattr(self.context.colours, colour)))
@@ -96,8 +95,6 @@ class LogDock(QTabWidget):
     def go(self, item: QTreeWidgetItem) -> None:
         self.context.show_stage(item.data(0, STAGE))
 
-
-def rank(problem: object) -> tuple[int, int]:
-    """The gravest first, then as the stages follow each other."""
-    severity = ("error", "warning", "note").index(problem.severity)  # type: ignore[attr-defined]
-    return severity, STAGES.index(problem.stage)  # type: ignore[attr-defined]
+    def rank(self, problem: Problem) -> tuple[int, int]:
+        """The gravest first, then as the stages follow each other."""
+        return SEVERITIES.index(problem.severity), self.context.stages.place(problem.stage)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The six steps on the way from a file to a scenario: always open, ticked when all is well."""
+"""The steps on the way from a file to a scenario: always open, ticked when all is well."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QAbstractButton, QButtonGroup, QHBoxLayout, QSizePolicy, QWidget
 
-from palpate_editor.document.problems import STAGES
+from palpate_editor.views.stage import Stages
 from palpate_editor.views.theme import Colours
 from palpate_editor.views.translations import say_problems, tr
 
@@ -26,17 +26,6 @@ SHORTEST = 6
 """Letters of a name that is cut short, with its dots: fewer tell less than none."""
 HEIGHT, BADGE, TIP = 38, 20, 11
 """[px] of a step, of the disc with its number, of the arrow at its right."""
-
-
-def stage_title(stage: str) -> str:
-    return {
-        "import": tr("Import"),
-        "repair": tr("Repair"),
-        "decimate": tr("Decimate"),
-        "material": tr("Material"),
-        "test": tr("Test"),
-        "publish": tr("Publish"),
-    }[stage]
 
 
 @dataclass(frozen=True)
@@ -56,12 +45,14 @@ class Verdict:
 class Step(QAbstractButton):
     """One stage, drawn as an arrow that points to the next."""
 
-    def __init__(self, stage: str, place: int, colours: Colours, parent: QWidget | None = None):
+    def __init__(
+        self, stage: str, title: str, place: int, colours: Colours, parent: QWidget | None = None
+    ):
         super().__init__(parent)
         self.stage, self.place, self.colours = stage, place, colours
         self.verdict = Verdict()
         self.narrow = False
-        self.setText(stage_title(stage))
+        self.setText(title)
         self.setCheckable(True)
         self.setObjectName(f"stage_{stage}")
         self.setAttribute(Qt.WidgetAttribute.WA_Hover)
@@ -167,7 +158,7 @@ class StageBar(QWidget):
 
     chosen = Signal(str)
 
-    def __init__(self, colours: Colours, parent: QWidget | None = None):
+    def __init__(self, stages: Stages, colours: Colours, parent: QWidget | None = None):
         super().__init__(parent)
         self.group = QButtonGroup(self)
         self.group.setExclusive(True)
@@ -175,8 +166,8 @@ class StageBar(QWidget):
         layout.setContentsMargins(2, 2, 2, 2)
         layout.setSpacing(0)
         self.steps: dict[str, Step] = {}
-        for place, stage in enumerate(STAGES, start=1):
-            step = Step(stage, place, colours, self)
+        for place, stage in enumerate(stages.names, start=1):
+            step = Step(stage, stages.title(stage), place, colours, self)
             self.group.addButton(step)
             layout.addWidget(step)
             self.steps[stage] = step

@@ -101,5 +101,4 @@ class StageDock(QWidget):
         found = assessment.of_stage(stage)
         errors = sum(problem.severity == "error" for problem in found)
         warnings = sum(problem.severity == "warning" for problem in found)
-        known = stage != "test" or self.context.session.is_tested
-        return Verdict(errors, warnings, known)
+        return Verdict(errors, warnings, self.panels[stage].is_known())

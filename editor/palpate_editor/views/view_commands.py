@@ -3,14 +3,13 @@
 
 from __future__ import annotations
 
-from palpate_editor.document.problems import STAGES
 from palpate_editor.views.command import Command
 from palpate_editor.views.command_targets import CommandTargets
-from palpate_editor.views.stage_bar import stage_title
 from palpate_editor.views.translations import tr
 
 
 def view_commands(w: CommandTargets) -> list[Command]:
+    stages = w.context.stages
     directions = [
         (tr("&Front"), w.menu_actions.look_front, "1"),
         (tr("&Right"), w.menu_actions.look_right, "3"),
@@ -29,12 +28,12 @@ def view_commands(w: CommandTargets) -> list[Command]:
         Command(
             f"stage_{stage}",
             "stages",
-            stage_title(stage),
+            stages.title(stage),
             w.on_stage_action,
             (f"Ctrl+{i}",),
             group="stages",
         )
-        for i, stage in enumerate(STAGES, start=1)
+        for i, stage in enumerate(stages.names, start=1)
     ]
     commands += [
         Command("frame", "view", tr("Show &all"), w.menu_actions.frame_all, ("Home", "F"), "frame"),

@@ -15,7 +15,6 @@ from palpate_editor.app.session import Session
 from palpate_editor.app.settings import Settings
 from palpate_editor.document import Organ
 from palpate_editor.document.constants import SHORT_KINDS
-from palpate_editor.document.problems import STAGES
 from palpate_editor.views.action_set import ActionSet
 from palpate_editor.views.appearance import Appearance
 from palpate_editor.views.axis_gizmo import AxisGizmo
@@ -34,11 +33,16 @@ from palpate_editor.views.recent_menu import RecentMenu
 from palpate_editor.views.scene_tree import SceneTree
 from palpate_editor.views.stage_bar import StageBar
 from palpate_editor.views.stage_dock import StageDock
-from palpate_editor.views.stages.panels import build_panels
+from palpate_editor.views.stages.decimate_panel import DecimatePanel
+from palpate_editor.views.stages.import_panel import ImportPanel
+from palpate_editor.views.stages.material_panel import MaterialPanel
+from palpate_editor.views.stages.panels import build_panels, find_panel, list_stages
+from palpate_editor.views.stages.publish_panel import PublishPanel
+from palpate_editor.views.stages.stage_panel import Workers
 from palpate_editor.views.status import Status
 from palpate_editor.views.tasks import Tasks
 from palpate_editor.views.tool_strip import ToolStrip
-from palpate_editor.views.touch import build_tools
+from palpate_editor.views.touch import TestPanel, build_tools
 from palpate_editor.views.touch.tools import Tool
 from palpate_editor.views.translations import tr
 from palpate_editor.views.welcome import Welcome
@@ -62,7 +66,7 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         self.may_close = False
         self.view = make_view(self)
-        self.context = Context(session, self.view, settings, self)
+        self.context = Context(session, self.view, settings, list_stages(), self)
         self.appearance = Appearance(self.context, theme)
         self.tasks = Tasks(self.context, self)
         self.files = Files(self.context, self.tasks, self)
@@ -80,7 +84,7 @@ class MainWindow(QMainWindow):
         self.help = HelpWindow(self)
         self.fresh = not self.docks.restore(settings)
         self.appearance.begin(self.actions_by_name)
-        self.show_stage("import")
+        self.show_stage(self.context.stage)
         self.show_organ(session.organ)
         self.show_title()
 
@@ -99,11 +103,13 @@ class MainWindow(QMainWindow):
 
     def build_panels(self) -> None:
         context = self.context
-        panels = build_panels(context, self.tasks, self.publishing, self)
-        self.import_panel, self.decimate_panel = panels.importing, panels.decimate
-        self.material_panel, self.publish_panel = panels.material, panels.publish
-        self.test_panel = panels.test
-        self.stage_dock = StageDock(context, panels.in_order(), self)
+        panels = build_panels(Workers(context, self.tasks, self.publishing), self)
+        self.import_panel = find_panel(panels, ImportPanel)
+        self.decimate_panel = find_panel(panels, DecimatePanel)
+        self.material_panel = find_panel(panels, MaterialPanel)
+        self.test_panel = find_panel(panels, TestPanel)
+        self.publish_panel = find_panel(panels, PublishPanel)
+        self.stage_dock = StageDock(context, panels, self)
         self.log = LogDock(context, self)
         self.docks = Docks(self)
         self.docks.build(
@@ -121,7 +127,7 @@ class MainWindow(QMainWindow):
         bar = QToolBar(tr("Stages"), self)
         bar.setObjectName("stage_tools")
         bar.setMovable(False)
-        self.stage_bar = StageBar(self.context.colours, bar)
+        self.stage_bar = StageBar(self.context.stages, self.context.colours, bar)
         bar.addWidget(self.stage_bar)
         self.addToolBar(Qt.ToolBarArea.TopToolBarArea, bar)
         self.tools = ToolStrip(self.context, build_tools(self.context), self)
@@ -168,7 +174,7 @@ class MainWindow(QMainWindow):
     # ------------------------------------------------------------ stages
 
     def on_stage_action(self) -> None:
-        """One of Ctrl+1 to Ctrl+6."""
+        """Ctrl+1 for the first, and so on."""
         self.show_stage(self.sender().objectName().removeprefix("stage_"))
 
     def show_stage(self, stage: str) -> None:
@@ -178,8 +184,9 @@ class MainWindow(QMainWindow):
         self.stage_dock.show_stage(stage)
         self.docks.show("stage")
         self.actions_by_name.check(f"stage_{stage}")
-        if stage == "test":
-            self.docks.show_beside("force")
+        dock = self.context.stages.by_name[stage].dock
+        if dock is not None:
+            self.docks.show_beside(dock)
         self.context.stage_shown.emit(stage)
 
     def toggle_run(self) -> None:
@@ -211,7 +218,7 @@ class MainWindow(QMainWindow):
     def show_assessment(self) -> None:
         self.stage_dock.show_assessment()
         self.fit_stages()
-        for stage in STAGES:
+        for stage in self.context.stages.names:
             self.stage_bar.show_verdict(stage, self.stage_dock.verdict(stage))
 
     def show_history(self) -> None:
@@ -264,7 +271,7 @@ class MainWindow(QMainWindow):
         self.palette_dialog.query.setFocus()
 
     def show_help(self) -> None:
-        self.help.show_stage(self.context.stage)
+        self.help.show_stage(self.context.stages.by_name[self.context.stage])
 
     def show_keys(self) -> None:
         self.help.show_keys(self.actions_by_name.walk())

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from palpate_editor.document.problems import STAGES
 from patience import settle
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
@@ -34,7 +33,7 @@ def test_every_stage_is_drawn(qtbot, make_editor, spleen, checkout, theme):
     window = make_editor(theme=theme, language="en").window
     window.files.open(spleen)
     settle(qtbot, window)
-    for stage in STAGES:
+    for stage in window.stage_bar.steps:
         if stage == "decimate":
             window.tasks.decimate(1200)
         if stage == "material":

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import pytest
 from hands import CONTROL, choose_file, click, drop, log_of, press
-from palpate_editor.views.help import stage_help
 from patience import settle
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -158,7 +157,7 @@ def test_help_says_something_about_every_stage(window):
     for stage in window.stage_bar.steps:
         window.show_stage(stage)
         press(window, Qt.Key.Key_F1)
-        assert stage_help(stage)[0][:40] in window.help.text.toPlainText()
+        assert window.context.stages.by_name[stage].help()[0][:40] in window.help.text.toPlainText()
     window.help.hide()
     press(window, Qt.Key.Key_F1, Qt.KeyboardModifier.ShiftModifier)
     assert "Ctrl+Shift+P" in window.help.text.toPlainText()

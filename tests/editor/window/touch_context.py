@@ -13,6 +13,7 @@ from palpate.viewport import make_view
 from palpate_editor.app.session import Session
 from palpate_editor.document import EMPTY, Organ, Surface
 from palpate_editor.views.context import Context
+from palpate_editor.views.stages.panels import list_stages
 from palpate_meshes.generate import ellipsoid
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent, QWheelEvent
@@ -45,7 +46,7 @@ def open_context(qtbot, organ: Organ, settings) -> Iterator[Context]:
     qtbot.addWidget(view)
     view.resize(*SIZE)
     session = Session()
-    context = Context(session, view, settings, view)
+    context = Context(session, view, settings, list_stages(), view)
     session.restore(organ, None)
     view.show_surface(organ.surface.vertices, organ.surface.triangles)
     view.look_from(np.radians(-60.0), np.radians(50.0))

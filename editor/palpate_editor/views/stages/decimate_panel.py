@@ -19,7 +19,7 @@ from palpate_editor.document.rules import TICK_SHARE
 from palpate_editor.edits import UseImported
 from palpate_editor.views.context import Context
 from palpate_editor.views.stages.facts import write_label
-from palpate_editor.views.stages.stage_panel import StagePanel
+from palpate_editor.views.stages.stage_panel import StagePanel, Workers
 from palpate_editor.views.tasks import Tasks
 from palpate_editor.views.translations import count, number, quantity, tr
 
@@ -33,10 +33,32 @@ class DecimatePanel(StagePanel):
     """Chooses how coarse the model is."""
 
     stage = "decimate"
+    colouring = "distance"
 
-    def __init__(self, context: Context, tasks: Tasks, lead: str, parent: QWidget | None = None):
+    @staticmethod
+    def title() -> str:
+        return tr("Decimate")
+
+    @staticmethod
+    def lead() -> str:
+        return tr("Fewer vertices tick faster. The shape shown is what will be felt.")
+
+    @staticmethod
+    def help() -> list[str]:
+        return [
+            tr("The loop has a millisecond for every tick. Fewer vertices leave more of it free; "
+               "600 to 2400 are usual. The colours show how far the new surface is from the file."),
+            tr("Decimating always starts from the imported surface, so you can try several counts. "
+               "What you have painted is carried over."),
+        ]  # fmt: skip
+
+    def __init__(self, context: Context, tasks: Tasks, parent: QWidget | None = None):
         self.tasks = tasks
-        super().__init__(context, lead, parent)
+        super().__init__(context, parent)
+
+    @classmethod
+    def make(cls, workers: Workers, parent: QWidget) -> DecimatePanel:
+        return cls(workers.context, workers.tasks, parent)
 
     def build(self) -> None:
         section = self.section(tr("Target"))

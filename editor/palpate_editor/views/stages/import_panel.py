@@ -33,6 +33,24 @@ class ImportPanel(StagePanel):
 
     stage = "import"
 
+    @staticmethod
+    def title() -> str:
+        return tr("Import")
+
+    @staticmethod
+    def lead() -> str:
+        return tr("Bring in a surface and say what its numbers mean.")
+
+    @staticmethod
+    def help() -> list[str]:
+        return [
+            tr("Drop a mesh file on the window, or choose one. Files with several parts, such as a "
+               "whole heart, can be used in part: tick what you need and import again."),
+            tr("A file rarely says how long its unit is. The editor guesses by the size of the "
+               "organ and says why; correct it where it is wrong, and everything follows."),
+            tr("Importing again keeps your constants but forgets what was painted."),
+        ]  # fmt: skip
+
     def build(self) -> None:
         self.reading: Reading | None = None
         """The file read last in this window; it may not be the one in the editor."""

@@ -97,6 +97,29 @@ class MaterialPanel(StagePanel):
     """Edits the constants."""
 
     stage = "material"
+    colouring = "stiffness"
+    shows_fixed = True
+
+    @staticmethod
+    def title() -> str:
+        return tr("Material")
+
+    @staticmethod
+    def lead() -> str:
+        return tr("Chosen by hand to feel like an organ, or given by what the tissue is made of.")
+
+    @staticmethod
+    def help() -> list[str]:
+        return [
+            tr("Every number has its unit beside it. Type a value, or use the arrow keys. Mass, "
+               "substeps and the stability margin follow at once."),
+            tr("The mass–spring model has springs along all edges. The molecular model adds angles "
+               "and their coupling to stretch; a triangle can only take a certain range of it."),
+            tr("A wall can have its constants from the tissue: choose so under Constants, and read "
+               "what the model makes of the wall. A shell of prisms bends as well."),
+            tr("Fix what is attached to the body, and paint places that are harder: choose a brush "
+               "at the left, and drag over the organ."),
+        ]  # fmt: skip
 
     def build(self) -> None:
         self.shown_kind: tuple[str, str, bool] | None = None

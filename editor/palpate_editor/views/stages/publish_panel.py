@@ -12,9 +12,8 @@ from palpate_editor.document.problems import Problem
 from palpate_editor.edits import SetTask
 from palpate_editor.views.context import Context
 from palpate_editor.views.publishing import Publishing
-from palpate_editor.views.stage_bar import stage_title
 from palpate_editor.views.stages.facts import Facts, write_label
-from palpate_editor.views.stages.stage_panel import StagePanel
+from palpate_editor.views.stages.stage_panel import StagePanel, Workers
 from palpate_editor.views.translations import count, quantity, tr
 
 TASK_HEIGHT = 130
@@ -67,12 +66,32 @@ class PublishPanel(StagePanel):
     """Names the scenario and publishes it."""
 
     stage = "publish"
+    shows_fixed = True
 
-    def __init__(
-        self, context: Context, publishing: Publishing, lead: str, parent: QWidget | None = None
-    ):
+    @staticmethod
+    def title() -> str:
+        return tr("Publish")
+
+    @staticmethod
+    def lead() -> str:
+        return tr("Write one file that a trainee can open and feel.")
+
+    @staticmethod
+    def help() -> list[str]:
+        return [
+            tr("A published file holds the finished model and everything needed to feel it; it "
+               "also holds your document, so it can be opened here again."),
+            tr("Errors of any stage, in red, prevent publishing. Each says what it got and what "
+               "was expected."),
+        ]  # fmt: skip
+
+    def __init__(self, context: Context, publishing: Publishing, parent: QWidget | None = None):
         self.publishing = publishing
-        super().__init__(context, lead, parent)
+        super().__init__(context, parent)
+
+    @classmethod
+    def make(cls, workers: Workers, parent: QWidget) -> PublishPanel:
+        return cls(workers.context, workers.publishing, parent)
 
     def build(self) -> None:
         section = self.section(tr("What the trainee reads"))
@@ -169,7 +188,11 @@ class PublishPanel(StagePanel):
 
     def text_of(self, problem: Problem) -> str:
         text = super().text_of(problem)
-        return text if problem.stage == self.stage else f"{stage_title(problem.stage)}: {text}"
+        return (
+            text
+            if problem.stage == self.stage
+            else f"{self.context.stages.title(problem.stage)}: {text}"
+        )
 
     def good_news(self) -> list[str]:
         assessment = self.context.assessment

@@ -11,7 +11,7 @@ from palpate_editor.edits import KeepLargestShell
 from palpate_editor.views.context import Context
 from palpate_editor.views.stages.facts import Facts
 from palpate_editor.views.stages.hole_list import HoleList
-from palpate_editor.views.stages.stage_panel import StagePanel
+from palpate_editor.views.stages.stage_panel import StagePanel, Workers
 from palpate_editor.views.tasks import Tasks
 from palpate_editor.views.translations import count, quantity, tr
 
@@ -21,9 +21,30 @@ class RepairPanel(StagePanel):
 
     stage = "repair"
 
-    def __init__(self, context: Context, tasks: Tasks, lead: str, parent: QWidget | None = None):
+    @staticmethod
+    def title() -> str:
+        return tr("Repair")
+
+    @staticmethod
+    def lead() -> str:
+        return tr("A tissue needs a clean surface. Holes stay open until you fill them.")
+
+    @staticmethod
+    def help() -> list[str]:
+        return [
+            tr("Doubled points are welded, doubled and empty triangles removed, and triangles "
+               "turned so that all face outwards. What was done stands in the panel."),
+            tr("Holes are never closed behind your back: an open surface can be a hollow organ or "
+               "a sheet, and then needs the thickness of its wall."),
+        ]  # fmt: skip
+
+    def __init__(self, context: Context, tasks: Tasks, parent: QWidget | None = None):
         self.tasks = tasks
-        super().__init__(context, lead, parent)
+        super().__init__(context, parent)
+
+    @classmethod
+    def make(cls, workers: Workers, parent: QWidget) -> RepairPanel:
+        return cls(workers.context, workers.tasks, parent)
 
     def build(self) -> None:
         self.facts = self.section(tr("The surface now")).add(Facts(self))

@@ -3,38 +3,75 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from palpate_editor.document import Organ
-from palpate_editor.document.problems import STAGES, Problem
+from palpate_editor.document.problems import Problem
 from palpate_editor.views.context import Context
-from palpate_editor.views.stage_bar import stage_title
+from palpate_editor.views.publishing import Publishing
 from palpate_editor.views.stages.facts import CheckRow, Section, write_label
+from palpate_editor.views.tasks import Tasks
 from palpate_editor.views.theme import title_font
 from palpate_editor.views.translations import say, say_got, tr
 
 TONES = {"error": "bad", "warning": "warning", "note": "faint"}
 
 
+@dataclass(frozen=True)
+class Workers:
+    """What panels may need; most have enough with the context."""
+
+    context: Context
+    tasks: Tasks
+    publishing: Publishing
+
+
 class StagePanel(QWidget):
-    """The panel of one stage. Subclasses build the form and say what stands in it."""
+    """The panel of one stage. Subclasses name it, build the form and say what stands in it.
+
+    The class is the `Stage` of its window: all that is said of a stage is asked of it.
+    """
 
     stage = ""
+    colouring = "plain"
+    shows_fixed = False
+    dock: str | None = None
 
-    def __init__(self, context: Context, lead: str, parent: QWidget | None = None):
+    @classmethod
+    def title(cls) -> str:
+        """In stage bar, menu, palette, help and log; the name, where a panel has no better."""
+        return cls.stage.capitalize()
+
+    @staticmethod
+    def lead() -> str:
+        """The sentence under the title."""
+        return ""
+
+    @staticmethod
+    def help() -> list[str]:
+        """Paragraphs on the stage."""
+        return []
+
+    @classmethod
+    def make(cls, workers: Workers, parent: QWidget) -> StagePanel:
+        return cls(workers.context, parent)
+
+    def __init__(self, context: Context, parent: QWidget | None = None):
         super().__init__(parent)
         self.setObjectName("stage_page")
         self.context = context
         self.column = QVBoxLayout(self)
         self.column.setContentsMargins(16, 12, 16, 14)
         self.column.setSpacing(8)
-        title = write_label(stage_title(self.stage), "title", self)
+        title = write_label(self.title(), "title", self)
         title.setFont(title_font(self.font(), 1.45))
         self.column.addWidget(title)
-        self.lead = write_label(lead, "lead", self)
-        self.lead.setWordWrap(True)
-        self.column.addWidget(self.lead)
+        lead = write_label(self.lead(), "lead", self)
+        lead.setWordWrap(True)
+        self.column.addWidget(lead)
         self.form = QVBoxLayout()
         self.form.setSpacing(8)
         self.column.addLayout(self.form)
@@ -58,6 +95,10 @@ class StagePanel(QWidget):
         """What holds, in sentences; shown with a tick among the checks."""
         return []
 
+    def is_known(self) -> bool:
+        """Whether it is known how the stage stands, so that it may be ticked."""
+        return True
+
     def problems(self) -> list[Problem]:
         """Those shown among the checks."""
         assessment = self.context.assessment
@@ -74,12 +115,13 @@ class StagePanel(QWidget):
     def build_next_stage_row(self) -> QHBoxLayout:
         row = QHBoxLayout()
         row.setContentsMargins(0, 10, 0, 0)
-        place = STAGES.index(self.stage)
+        stages = self.context.stages
+        self.following = stages.following(self.stage)
         self.next_button: QPushButton | None = None
-        if place + 1 < len(STAGES):
-            following = STAGES[place + 1]
+        if self.following is not None:
+            title = stages.title(self.following)
             self.next_button = QPushButton(
-                tr("Next: {stage}").format(stage=stage_title(following)) + "  \N{RIGHTWARDS ARROW}"
+                tr("Next: {stage}").format(stage=title) + "  \N{RIGHTWARDS ARROW}"
             )
             self.next_button.setObjectName(f"next_{self.stage}")
             self.next_button.clicked.connect(self.go_on)
@@ -88,7 +130,8 @@ class StagePanel(QWidget):
         return row
 
     def go_on(self) -> None:
-        self.context.show_stage(STAGES[STAGES.index(self.stage) + 1])
+        assert self.following is not None
+        self.context.show_stage(self.following)
 
     def section(self, title: str) -> Section:
         made = Section(title, self)

@@ -38,17 +38,31 @@ class TestPanel(StagePanel):
 
     __test__ = False
     stage = "test"
+    shows_fixed = True
+    dock = "force"
     run_changed = Signal(bool)
     """A run has begun, is paused, goes on or has ended; whether there is one."""
+
+    @staticmethod
+    def title() -> str:
+        return tr("Test")
+
+    @staticmethod
+    def lead() -> str:
+        return tr("Feel the organ in the loop a device will run, 1000 times a second.")
+
+    @staticmethod
+    def help() -> list[str]:
+        return [
+            tr("The very loop that a haptic device will run, with your mouse as the hand. The left "
+               "button presses, the right one takes hold, the wheel goes deeper."),
+            tr("A scripted press gives numbers that can be compared from one day to the next."),
+        ]  # fmt: skip
 
     def __init__(self, context: Context, parent: QWidget | None = None):
         self.plot, self.costs = ForcePlot(), LiveCosts()
         self._marked = False
-        super().__init__(
-            context,
-            tr("Feel the organ in the loop a device will run, 1000 times a second."),
-            parent,
-        )
+        super().__init__(context, parent)
         self.runner = Runner(context, self.plot, self.costs, self)
         self.runner.changed.connect(self._show_state)
         self.runner.ended.connect(self._take_outcome)
@@ -88,6 +102,10 @@ class TestPanel(StagePanel):
         self.form.addWidget(self.state)
         results = self.section(tr("Last run"))
         self.results = results.add(ResultsBox(self.context, self))
+
+    def is_known(self) -> bool:
+        """Only once it has been felt."""
+        return self.context.session.is_tested
 
     def _build_hand(self) -> QWidget:
         page = QWidget(self)

@@ -15,7 +15,7 @@ from palpate.viewport import View
 from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 
 from palpate_editor.document.constants import LAW_NAMES, find_constant
-from palpate_editor.views.stage_bar import stage_title
+from palpate_editor.views.stages.material_panel import MaterialPanel
 from palpate_editor.views.translations import fill, number, say, tr
 
 FRAME = 16
@@ -155,7 +155,7 @@ def name_field(key: str) -> str:
     part, field = key.split(".")
     constant = find_constant(part, field)
     label = LAW_NAMES[field] if constant is None else constant.label
-    return f"{stage_title('material')} \N{SINGLE RIGHT-POINTING ANGLE QUOTATION MARK} {say(label)}"
+    return f"{MaterialPanel.title()} \N{SINGLE RIGHT-POINTING ANGLE QUOTATION MARK} {say(label)}"
 
 
 def describe_end(report: palpate.LoopReport) -> str | None:
