@@ -2111,7 +2111,7 @@ class HapticCommand:
         """The value on one line."""
 
 class Felt:
-    """What was felt in one tick."""
+    """What was felt in one tick, of one instrument."""
     def __init__(self) -> None:
         """Every field at its first value."""
     @property
@@ -2161,7 +2161,13 @@ class EventKind(enum.IntEnum):
 class Event:
     """Something that happened at a tick."""
     def __init__(
-        self, *, tick: int = ..., kind: EventKind = ..., index: int = ..., value: float = ...
+        self,
+        *,
+        tick: int = ...,
+        kind: EventKind = ...,
+        index: int = ...,
+        value: float = ...,
+        source: int = ...,
     ) -> None:
         """Arguments are the fields of these names, with their shapes and units."""
     tick: int
@@ -2172,12 +2178,16 @@ class Event:
     """EventKind says of what."""
     value: float
     """[s] or [-]; EventKind says what."""
+    source: int
+    """Which body an alarm or tree_exchanged is of, or which instrument fault, attached,
+    released, motors_off and motors_on are; else 0.
+    """
     dtype: np.dtype[np.void]
     def __copy__(self) -> Event:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> Event:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -2207,10 +2217,14 @@ class TickLog:
     """Where the haptic thread leaves what it did: rings with room for 4 s, one writer and one
     reader, without lock or allocation. A full ring is a counted gap, never a blocked tick.
     """
-    def __init__(self, tick_capacity: int = ...) -> None:
-        """Room for so many ticks."""
+    def __init__(self, tick_capacity: int = ..., instruments: int = ...) -> None:
+        """Room for so many ticks of so many instruments. Raises ValueError for none, or more
+        than MOST_LOGGED_INSTRUMENTS.
+
+        Arguments are the fields of these names, with their shapes and units.
+        """
     class Tick:
-        """One tick as logged."""
+        """One tick of one instrument as logged."""
         def __init__(
             self, *, tick: int = ..., sample: HapticSample = ..., felt: Felt = ...
         ) -> None:
@@ -2235,24 +2249,34 @@ class TickLog:
     def push(self, tick: TickLog.Tick) -> bool:
         """push(*args, **kwargs)
 
-        For the one writer; False, and counted, when there is no room.
+        For the one writer of a log of one instrument; False, and counted, when there is no
+        room.
+
+        A tick of all instruments in order; False also for another number of them.
 
         Likewise.
 
         Likewise.
         """
+    @overload
+    def push(self, ticks: Sequence[TickLog.Tick]) -> bool: ...
     @overload
     def push(self, event: Event) -> bool: ...
     @overload
     def push(self, hash: StateHash) -> bool: ...
     def take(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
         """For the one reader: ticks, events and hashes that have arrived since the last call,
-        as structured arrays of shape (k,).
+        as structured arrays of shape (k,); ticks of several instruments have a column for
+        each.
         """
+    def instruments(self) -> int:
+        """How many every tick has a row of."""
     def gap_count(self) -> int:
         """How many ticks it had no room for."""
     def __reduce_ex__(self, protocol: int) -> object:
         """Raises TypeError: not to be pickled."""
+
+MOST_LOGGED_INSTRUMENTS: int
 
 class Kernel(enum.Enum):
     """Which form of the tissue's laws a tick runs."""
@@ -3984,7 +4008,9 @@ class FaultyTransport(Transport):
         """Raises TypeError: not to be pickled."""
 
 class FaultResponse(enum.Enum):
-    """What becomes of a run whose device fails, or gives no force any more."""
+    """What becomes of a run of which a device fails, or gives no force any more. The force of
+    that device is zero from then on; the other instruments know nothing of it.
+    """
 
     go_on = 0
     pause = 1
@@ -4001,6 +4027,7 @@ class LoopOptions:
         spin: float = ...,
         safety: SafetyLimits = ...,
         on_fault: FaultResponse = ...,
+        device_safety: Sequence[SafetyLimits] = ...,
     ) -> None:
         """Arguments are the fields of these names, with their shapes and units."""
     duration: float
@@ -4014,12 +4041,19 @@ class LoopOptions:
     safety: SafetyLimits
     """What the device may be sent."""
     on_fault: FaultResponse
-    """What becomes of the run where the device fails."""
+    """What becomes of the run where a device fails."""
+    @property
+    def device_safety(self) -> list[SafetyLimits]:
+        """What each device may be sent, in the order of the instruments; where empty, safety
+        for all. Copied when read and when set.
+        """
+    @device_safety.setter
+    def device_safety(self, value: Sequence[SafetyLimits]) -> None: ...
     def __copy__(self) -> LoopOptions:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> LoopOptions:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -4041,17 +4075,8 @@ class BodySnapshot:
     def __repr__(self) -> str:
         """The value on one line."""
 
-class Snapshot:
-    """What a reader outside the haptic thread sees: the world as it was at most 8 ms ago."""
-    @property
-    def tick(self) -> int:
-        """Number of the tick it shows."""
-    @property
-    def time(self) -> float:
-        """[s]"""
-    @property
-    def bodies(self) -> tuple:
-        """As Scene.bodies, a tuple."""
+class InstrumentSnapshot:
+    """An instrument and its device as a reader sees them."""
     @property
     def sample(self) -> HapticSample:
         """What the device said."""
@@ -4071,6 +4096,44 @@ class Snapshot:
     @property
     def motors(self) -> MotorState:
         """Of the device."""
+    def __copy__(self) -> InstrumentSnapshot:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> InstrumentSnapshot:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class Snapshot:
+    """What a reader outside the haptic thread sees: the world as it was at most 8 ms ago."""
+    @property
+    def tick(self) -> int:
+        """Number of the tick it shows."""
+    @property
+    def time(self) -> float:
+        """[s]"""
+    @property
+    def bodies(self) -> tuple:
+        """As Scene.bodies, a tuple."""
+    @property
+    def instruments(self) -> tuple:
+        """As Scene.instruments, a tuple."""
+    @property
+    def sample(self) -> object:
+        """Of the first instrument."""
+    @property
+    def tool_position(self) -> object:
+        """Of the first instrument."""
+    @property
+    def force(self) -> object:
+        """Of the first instrument."""
+    @property
+    def touching(self) -> object:
+        """Of the first instrument."""
+    @property
+    def motors(self) -> object:
+        """Of the first instrument."""
     @property
     def cost(self) -> float:
         """[s] of the last tick."""
@@ -4084,11 +4147,7 @@ class Snapshot:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> Snapshot:
         """A copy of its own."""
-    def __getstate__(
-        self, /
-    ) -> tuple[
-        object, object, object, object, object, object, object, object, object, object, object
-    ]: ...
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -4112,6 +4171,35 @@ class Percentiles:
     def __deepcopy__(self, memo: dict[int, object]) -> Percentiles:
         """A copy of its own."""
     def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class DeviceReport:
+    """What one device gave of a run."""
+    @property
+    def fault(self) -> DeviceFault:
+        """Now or when the run ended; none for none."""
+    @property
+    def fault_reason(self) -> str:
+        """In words."""
+    @property
+    def unrendered_ticks(self) -> int:
+        """Its motors were not on: their force counts nowhere else here."""
+    @property
+    def peak_force(self) -> float:
+        """[N] The largest that was sent."""
+    @property
+    def touch_ticks(self) -> int:
+        """Touching or attached."""
+    @property
+    def touch_force(self) -> float:
+        """[N] The mean of what was sent in them."""
+    def __copy__(self) -> DeviceReport:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> DeviceReport:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -4143,8 +4231,11 @@ class LoopReport:
     def alarm(self) -> Alarm:
         """What ended the run; false for nothing."""
     @property
+    def alarm_body(self) -> int:
+        """Whose tissue raised the alarm; -1 for what is of no body."""
+    @property
     def fault(self) -> DeviceFault:
-        """Of the device, now or when the run ended; none for none."""
+        """Of the first device that has one, now or when the run ended."""
     @property
     def fault_reason(self) -> str:
         """In words."""
@@ -4153,16 +4244,19 @@ class LoopReport:
         """Ticks the log had no room for."""
     @property
     def unrendered_ticks(self) -> int:
-        """The device's motors were not on: their force counts nowhere else here."""
+        """The motors were not on: their force counts nowhere else here. Sum of all devices."""
     @property
     def peak_force(self) -> float:
-        """[N] The largest that was sent."""
+        """[N] The largest that was sent, of all devices."""
     @property
     def touch_ticks(self) -> int:
-        """Touching or attached."""
+        """Touching or attached, the sum of all instruments."""
     @property
     def touch_force(self) -> float:
         """[N] The mean of what was sent in them."""
+    @property
+    def devices(self) -> tuple:
+        """A DeviceReport each, in the order of the instruments, a tuple."""
     def __copy__(self) -> LoopReport:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> LoopReport:
@@ -4170,6 +4264,8 @@ class LoopReport:
     def __getstate__(
         self, /
     ) -> tuple[
+        object,
+        object,
         object,
         object,
         object,
@@ -4194,9 +4290,10 @@ class Loop:
     """The live 1 kHz loop: a thread that waits, reads, ticks, writes. Python's lock is never
     taken by it. As a context manager it starts, and stops at the end.
 
-    Leave the scene, the device and the log alone while it runs, except for what is made for
+    Leave the scene, the devices and the log alone while it runs, except for what is made for
     another thread: PointerDevice.set, TickLog.take.
     """
+    @overload
     def __init__(
         self,
         scene: Scene,
@@ -4204,11 +4301,21 @@ class Loop:
         options: LoopOptions = ...,
         log: TickLog | None = ...,
     ) -> None:
-        """A loop over a scene that build_scene made; log takes what every tick did."""
+        """__init__(*args, **kwargs)
+
+        A loop over a scene that build_scene made; log takes what every tick did.
+
+        The same with one device for each instrument, in their order. Raises ValueError for
+        another number of them, or one that is there twice.
+        """
+    @overload
+    def __init__(
+        self, scene: Scene, devices: Sequence, options: LoopOptions = ..., log: TickLog | None = ...
+    ) -> None: ...
     def start(self) -> None:
         """Raises RuntimeError the second time: a loop runs once."""
     def stop(self) -> None:
-        """Asks and waits; the device gets a zero force last."""
+        """Asks and waits; every device gets a zero force last."""
     def wait(self, timeout: float) -> bool:
         """[s] True once the run has ended.
 
@@ -4218,9 +4325,9 @@ class Loop:
     def running(self) -> bool:
         """Whether the thread runs."""
     def pause(self) -> None:
-        """From any thread; followed within a tick. While it is paused the device gets zero
-        forces and the time of the run stands still: what would have been due is neither
-        missed nor made up. The force then fades in as at the start.
+        """From any thread; followed within a tick. While it is paused devices get zero forces
+        and the time of the run stands still: what would have been due is neither missed nor
+        made up. The force then fades in as at the start.
         """
     def resume(self) -> None:
         """Goes on where pause stopped."""
@@ -4248,9 +4355,11 @@ class Record:
         events: object = ...,
         hashes: object = ...,
         complete: bool = ...,
+        instruments: int | None = ...,
     ) -> None:
         """Copies its tables: structured arrays with the dtype of HapticSample, Felt, Event and
-        StateHash, or lists of these.
+        StateHash, or lists of these. hand and felt of k instruments have the shape (n, k),
+        or are lists with those of each tick in order, and instruments says how many.
 
         Arguments are the fields of these names, with their shapes and units.
         """
@@ -4258,10 +4367,14 @@ class Record:
     """JSON: version, kernel, build, scene hash, device, columns, ..."""
     @property
     def hand(self) -> NDArray[Any]:
-        """Per tick, a structured array with the fields of HapticSample, shape (n,); a view."""
+        """Per tick, a structured array with the fields of HapticSample, shape (n,), or (n, k)
+        of k instruments; a view.
+        """
     @property
     def felt(self) -> NDArray[Any]:
-        """Per tick, a structured array with the fields of Felt, shape (n,); a view."""
+        """Per tick, a structured array with the fields of Felt, shape (n,), or (n, k) of k
+        instruments; a view.
+        """
     @property
     def events(self) -> NDArray[Any]:
         """A structured array with the fields of Event, shape (n,); a view."""
@@ -4270,13 +4383,19 @@ class Record:
         """At 1 Hz, a structured array with the fields of StateHash, shape (n,); a view."""
     complete: bool
     """The file has its summary and the summary's SHA-256 holds."""
+    @property
+    def instruments(self) -> int:
+        """Rows of hand and of felt a tick."""
     def __copy__(self) -> Record:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> Record:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str: ...
+
+def count_ticks(record: Record) -> int:
+    """Ticks of a record. Raises ValueError where hand and felt are not as many whole ones."""
 
 class RecordCodec(enum.Enum):
     """How a block's body is stored."""
@@ -4289,10 +4408,16 @@ class Recorder:
     moment. As a context manager it finishes at the end.
     """
     def __init__(
-        self, path: os.PathLike[str] | str | bytes, header_json: str, codec: RecordCodec = ...
+        self,
+        path: os.PathLike[str] | str | bytes,
+        header_json: str,
+        codec: RecordCodec = ...,
+        instruments: int = ...,
+        bodies: int = ...,
     ) -> None:
         """header_json is one JSON object; the column table and the format version are added to
-        it. Raises FileError when the file cannot be written, ValueError for a bad header.
+        it. instruments and bodies are how many the scene has. Raises FileError when the file
+        cannot be written, ValueError for a bad header or none of them.
         """
     def log(self) -> TickLog:
         """Where the haptic thread pushes; hand it to a Loop."""
@@ -4332,20 +4457,26 @@ class ReplayReport:
         """[m] of the tool."""
     @property
     def felt(self) -> NDArray[Any]:
-        """As replayed, a structured array with the fields of Felt, shape (n,); a view."""
+        """As replayed, a structured array with the fields of Felt, shape as in the record; a
+        view.
+        """
+    @property
+    def instruments(self) -> int:
+        """Rows of felt a tick."""
     def __copy__(self) -> ReplayReport:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> ReplayReport:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
 
 def replay(scene: Scene, record: Record) -> ReplayReport:
-    """Runs the recorded hand through the same tick from a fresh world. Raises ValueError for a
-    record with gaps, or with more rows of hand than of felt. To learn what any hand would
-    feel, give it zeros for felt, as many as rows of hand, and read the report's felt.
+    """Runs the recorded hands through the same tick from a fresh world. Raises ValueError for a
+    record with gaps, with more rows of hand than of felt, or of another number of
+    instruments than the scene has. To learn what any hand would feel, give it zeros for
+    felt, as many as rows of hand, and read the report's felt.
     """
 
 class BenchRow:

@@ -84,24 +84,32 @@ py::dtype row_dtype<StateHash>();
 template <>
 py::dtype row_dtype<TickLog::Tick>();
 
-/// `count` structs at `data` as a structured array that shares memory and keeps `owner` alive.
+/// `count` structs at `data` as a structured array that shares memory and keeps `owner` alive: of
+/// shape (count,), or with more than one column (count / columns, columns).
 template <class T>
-py::array view_rows(const T* data, std::size_t count, py::handle owner) {
-  return py::array(row_dtype<T>(), {static_cast<py::ssize_t>(count)},
-                   {static_cast<py::ssize_t>(sizeof(T))}, data, owner);
+py::array view_rows(const T* data, std::size_t count, py::handle owner, int columns = 1) {
+  std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(count) / columns};
+  std::vector<py::ssize_t> strides = {static_cast<py::ssize_t>(sizeof(T)) * columns};
+  if (columns > 1) {
+    shape.push_back(columns);
+    strides.push_back(static_cast<py::ssize_t>(sizeof(T)));
+  }
+  return py::array(row_dtype<T>(), shape, strides, data, owner);
 }
 
 template <class T>
-py::array own_rows(std::vector<T> table) {
+py::array own_rows(std::vector<T> table, int columns = 1) {
   auto kept = std::make_unique<std::vector<T>>(std::move(table));
   const std::vector<T>& rows = *kept;
   const py::capsule owner(kept.release(), [](void* p) { delete static_cast<std::vector<T>*>(p); });
-  return view_rows(rows.data(), rows.size(), owner);
+  return view_rows(rows.data(), rows.size(), owner, columns);
 }
 
-/// Copies a structured array, or a sequence of bound structs, into a table.
+/// Copies a structured array, or a sequence of bound structs, into a table. Where `columns` is
+/// asked for, an array may have two dimensions, and its second is told there, else 1.
 template <class T>
-std::vector<T> copy_rows(const py::object& source, const char* name) {
+std::vector<T> copy_rows(const py::object& source, const char* name, int* columns = nullptr) {
+  if (columns) *columns = 1;
   if (!py::isinstance<py::array>(source)) return source.cast<std::vector<T>>();
 
   const py::dtype type = row_dtype<T>();
@@ -111,8 +119,12 @@ std::vector<T> copy_rows(const py::object& source, const char* name) {
            py::str(type.attr("names")).cast<std::string>());
   }
   const py::array exact = py::module_::import("numpy").attr("ascontiguousarray")(source, type);
-  if (exact.ndim() != 1) refuse(name, "shape " + shape_of(exact), "(n,)");
-  std::vector<T> rows(static_cast<std::size_t>(exact.shape(0)));
+  const bool wide = columns && exact.ndim() == 2 && exact.shape(1) > 0;
+  if (exact.ndim() != 1 && !wide) {
+    refuse(name, "shape " + shape_of(exact), columns ? "(n,) or (n, k)" : "(n,)");
+  }
+  if (wide) *columns = static_cast<int>(exact.shape(1));
+  std::vector<T> rows(static_cast<std::size_t>(exact.size()));
   const auto* bytes = static_cast<const char*>(exact.data());
   for (std::size_t r = 0; r < rows.size(); ++r) {
     std::memcpy(static_cast<void*>(&rows[r]), bytes + r * sizeof(T), sizeof(T));
@@ -128,6 +140,20 @@ void def_rows(Class& cls, const char* name, std::vector<T> Of::*member, const ch
       [member](const py::object& self) {
         const std::vector<T>& rows = self.cast<typename Class::type&>().*member;
         return view_rows(rows.data(), rows.size(), self);
+      },
+      doc);
+}
+
+/// The same, in a column for each instrument where there are several.
+template <class Class, class T, class Of>
+void def_rows(Class& cls, const char* name, std::vector<T> Of::*member, int Of::*columns,
+              const char* doc) {
+  cls.def_property_readonly(
+      name,
+      [member, columns](const py::object& self) {
+        const auto& value = self.cast<typename Class::type&>();
+        const std::vector<T>& rows = value.*member;
+        return view_rows(rows.data(), rows.size(), self, value.*columns);
       },
       doc);
 }

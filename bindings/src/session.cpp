@@ -2,6 +2,9 @@
 #include <pybind11/native_enum.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <optional>
+#include <utility>
+
 #include "bindings.h"
 #include "border.h"
 #include "palpate/sim/session/record.h"
@@ -12,39 +15,60 @@ namespace palpate::bindings {
 
 namespace {
 
+Record make_record(const std::string& header, const py::object& hand, const py::object& felt,
+                   const py::object& events, const py::object& hashes, bool complete,
+                   std::optional<int> instruments) {
+  int hands = 1, felts = 1;
+  Record record{header,
+                copy_rows<HapticSample>(hand, "hand", &hands),
+                copy_rows<Felt>(felt, "felt", &felts),
+                copy_rows<Event>(events, "events"),
+                copy_rows<StateHash>(hashes, "hashes"),
+                complete};
+  record.instruments = instruments.value_or(hands);
+  for (const auto& [name, columns] : {std::pair("hand", hands), std::pair("felt", felts)}) {
+    if (columns == record.instruments || (columns == 1 && instruments)) continue;
+    refuse(name, std::to_string(columns) + " columns",
+           std::to_string(record.instruments) + ", one for each instrument");
+  }
+  count_ticks(record);
+  return record;
+}
+
 void bind_record(py::module_& m) {
   py::class_<Record> record(m, "Record", "A whole run in memory: enough to run it again.");
-  record.def(py::init([](const std::string& header, const py::object& hand, const py::object& felt,
-                         const py::object& events, const py::object& hashes, bool complete) {
-               return Record{header,
-                             copy_rows<HapticSample>(hand, "hand"),
-                             copy_rows<Felt>(felt, "felt"),
-                             copy_rows<Event>(events, "events"),
-                             copy_rows<StateHash>(hashes, "hashes"),
-                             complete};
-             }),
-             py::kw_only(), "header"_a = "", "hand"_a = py::tuple(), "felt"_a = py::tuple(),
-             "events"_a = py::tuple(), "hashes"_a = py::tuple(), "complete"_a = false,
+  record.def(py::init(&make_record), py::kw_only(), "header"_a = "", "hand"_a = py::tuple(),
+             "felt"_a = py::tuple(), "events"_a = py::tuple(), "hashes"_a = py::tuple(),
+             "complete"_a = false, "instruments"_a = py::none(),
              "Copies its tables: structured arrays with the dtype of HapticSample, Felt, Event "
-             "and StateHash, or lists of these.");
+             "and StateHash, or lists of these. hand and felt of k instruments have the shape "
+             "(n, k), or are lists with those of each tick in order, and instruments says how "
+             "many.");
   record.def_readwrite("header", &Record::header,
                        "JSON: version, kernel, build, scene hash, device, columns, ...");
-  def_rows(record, "hand", &Record::hand,
-           "Per tick, a structured array with the fields of HapticSample, shape (n,); a view.");
-  def_rows(record, "felt", &Record::felt,
-           "Per tick, a structured array with the fields of Felt, shape (n,); a view.");
+  def_rows(record, "hand", &Record::hand, &Record::instruments,
+           "Per tick, a structured array with the fields of HapticSample, shape (n,), or (n, k) of "
+           "k instruments; a view.");
+  def_rows(record, "felt", &Record::felt, &Record::instruments,
+           "Per tick, a structured array with the fields of Felt, shape (n,), or (n, k) of k "
+           "instruments; a view.");
   def_rows(record, "events", &Record::events,
            "A structured array with the fields of Event, shape (n,); a view.");
   def_rows(record, "hashes", &Record::hashes,
            "At 1 Hz, a structured array with the fields of StateHash, shape (n,); a view.");
   record.def_readwrite("complete", &Record::complete,
                        "The file has its summary and the summary's SHA-256 holds.");
+  record.def_readonly("instruments", &Record::instruments, "Rows of hand and of felt a tick.");
   def_value(record, &Record::header, &Record::hand, &Record::felt, &Record::events, &Record::hashes,
-            &Record::complete);
+            &Record::complete, &Record::instruments);
   record.def("__repr__", [](const Record& self) {
-    return "Record(" + std::to_string(self.hand.size()) + " ticks, " +
+    const std::string instruments =
+        self.instruments == 1 ? "" : std::to_string(self.instruments) + " instruments, ";
+    return "Record(" + std::to_string(count_ticks(self)) + " ticks, " + instruments +
            (self.complete ? "complete" : "incomplete") + ")";
   });
+  m.def("count_ticks", &count_ticks, "record"_a,
+        "Ticks of a record. Raises ValueError where hand and felt are not as many whole ones.");
 }
 
 #ifdef PALPATE_RECORD_FILES
@@ -59,12 +83,16 @@ void bind_record_files(py::module_& m) {
       m, "Recorder", py::release_gil_before_calling_cpp_dtor(),
       "Writes a .prec record while it is being made, readable up to its last whole block at any "
       "moment. As a context manager it finishes at the end.")
-      .def(py::init([](const Path& path, const std::string& header_json, RecordCodec codec) {
-             return std::make_unique<Recorder>(path.string(), header_json, codec);
+      .def(py::init([](const Path& path, const std::string& header_json, RecordCodec codec,
+                       int instruments, int bodies) {
+             return std::make_unique<Recorder>(path.string(), header_json, codec, instruments,
+                                               bodies);
            }),
-           "path"_a, "header_json"_a, "codec"_a = RecordCodec::deflate, Release(),
+           "path"_a, "header_json"_a, "codec"_a = RecordCodec::deflate, "instruments"_a = 1,
+           "bodies"_a = 1, Release(),
            "header_json is one JSON object; the column table and the format version are added to "
-           "it. Raises FileError when the file cannot be written, ValueError for a bad header.")
+           "it. instruments and bodies are how many the scene has. Raises FileError when the file "
+           "cannot be written, ValueError for a bad header or none of them.")
       .def("log", &Recorder::log, py::return_value_policy::reference_internal,
            "Where the haptic thread pushes; hand it to a Loop.")
       .def("finish", &Recorder::finish, Release(),
@@ -101,11 +129,13 @@ void bind_replay(py::module_& m) {
       .def_readonly("largest_force_difference", &ReplayReport::largest_force_difference, "[N]")
       .def_readonly("largest_position_difference", &ReplayReport::largest_position_difference,
                     "[m] of the tool.");
-  def_rows(report, "felt", &ReplayReport::felt,
-           "As replayed, a structured array with the fields of Felt, shape (n,); a view.");
+  def_rows(report, "felt", &ReplayReport::felt, &ReplayReport::instruments,
+           "As replayed, a structured array with the fields of Felt, shape as in the record; a "
+           "view.");
+  report.def_readonly("instruments", &ReplayReport::instruments, "Rows of felt a tick.");
   def_value(report, &ReplayReport::ticks, &ReplayReport::equal, &ReplayReport::first_difference,
             &ReplayReport::largest_force_difference, &ReplayReport::largest_position_difference,
-            &ReplayReport::felt);
+            &ReplayReport::felt, &ReplayReport::instruments);
   def_repr(report, {"ticks", "equal", "first_difference", "largest_force_difference",
                     "largest_position_difference"});
   m.def(
@@ -116,10 +146,10 @@ void bind_replay(py::module_& m) {
         return replay(scene, record);
       },
       "scene"_a, "record"_a,
-      "Runs the recorded hand through the same tick from a fresh world. Raises ValueError for a "
-      "record with gaps, or with more rows of hand than of felt. To learn what any hand would "
-      "feel, "
-      "give it zeros for felt, as many as rows of hand, and read the report's felt.");
+      "Runs the recorded hands through the same tick from a fresh world. Raises ValueError for a "
+      "record with gaps, with more rows of hand than of felt, or of another number of instruments "
+      "than the scene has. To learn what any hand would feel, give it zeros for felt, as many as "
+      "rows of hand, and read the report's felt.");
 }
 
 }  // namespace

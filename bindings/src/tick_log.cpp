@@ -27,6 +27,7 @@ py::dtype row_dtype<Event>() {
       .integer("kind", &Event::kind)
       .field("index", &Event::index)
       .field("value", &Event::value)
+      .field("source", &Event::source)
       .dtype();
 }
 
@@ -50,7 +51,7 @@ py::dtype row_dtype<TickLog::Tick>() {
 namespace {
 
 void bind_log_rows(py::module_& m) {
-  py::class_<Felt> felt(m, "Felt", "What was felt in one tick.");
+  py::class_<Felt> felt(m, "Felt", "What was felt in one tick, of one instrument.");
   felt.def(py::init<>());
   felt.def_property(
       "force", [](const py::object& self) { return view_one(self.cast<Felt&>().force, self); },
@@ -90,18 +91,22 @@ void bind_log_rows(py::module_& m) {
       .finalize();
   py::class_<Event> event(m, "Event", "Something that happened at a tick.");
   event
-      .def(py::init([](std::int64_t tick, EventKind kind, std::int32_t index, double value) {
-             return Event{tick, kind, index, value};
+      .def(py::init([](std::int64_t tick, EventKind kind, std::int32_t index, double value,
+                       std::int32_t source) {
+             return Event{tick, kind, index, value, source};
            }),
            py::kw_only(), "tick"_a = 0, "kind"_a = EventKind::missed_ticks, "index"_a = 0,
-           "value"_a = 0.0)
+           "value"_a = 0.0, "source"_a = 0)
       .def_readwrite("tick", &Event::tick, "Its number.")
       .def_readwrite("kind", &Event::kind, "What happened.")
       .def_readwrite("index", &Event::index, "EventKind says of what.")
-      .def_readwrite("value", &Event::value, "[s] or [-]; EventKind says what.");
+      .def_readwrite("value", &Event::value, "[s] or [-]; EventKind says what.")
+      .def_readwrite("source", &Event::source,
+                     "Which body an alarm or tree_exchanged is of, or which instrument fault, "
+                     "attached, released, motors_off and motors_on are; else 0.");
   event.attr("dtype") = row_dtype<Event>();
-  def_value(event, &Event::tick, &Event::kind, &Event::index, &Event::value);
-  def_repr(event, {"tick", "kind", "index", "value"});
+  def_value(event, &Event::tick, &Event::kind, &Event::index, &Event::value, &Event::source);
+  def_repr(event, {"tick", "kind", "index", "value", "source"});
 
   py::class_<StateHash> hash(m, "StateHash", "The world's hash after a tick (compute_hash).");
   hash.def(py::init([](std::int64_t tick, const std::array<std::uint64_t, 2>& value) {
@@ -120,7 +125,7 @@ void bind_tick_log(py::module_& m) {
       m, "TickLog",
       "Where the haptic thread leaves what it did: rings with room for 4 s, one writer and one "
       "reader, without lock or allocation. A full ring is a counted gap, never a blocked tick.");
-  py::class_<TickLog::Tick> tick(log, "Tick", "One tick as logged.");
+  py::class_<TickLog::Tick> tick(log, "Tick", "One tick of one instrument as logged.");
   tick.def(py::init([](std::int64_t number, const HapticSample& sample, const Felt& felt) {
              return TickLog::Tick{number, sample, felt};
            }),
@@ -132,13 +137,21 @@ void bind_tick_log(py::module_& m) {
   def_repr(tick, {"tick", "felt", "sample"});
   tick.attr("dtype") = row_dtype<TickLog::Tick>();
 
-  log.def(py::init([](int tick_capacity) {
+  m.attr("MOST_LOGGED_INSTRUMENTS") = kMostLoggedInstruments;
+  log.def(py::init([](int tick_capacity, int instruments) {
             require_positive("tick_capacity", tick_capacity);
-            return std::make_unique<TickLog>(tick_capacity);
+            return std::make_unique<TickLog>(tick_capacity, instruments);
           }),
-          "tick_capacity"_a = 4000, "Room for so many ticks.");
+          "tick_capacity"_a = 4000, "instruments"_a = 1,
+          "Room for so many ticks of so many instruments. Raises ValueError for none, or more "
+          "than MOST_LOGGED_INSTRUMENTS.");
   log.def("push", py::overload_cast<const TickLog::Tick&>(&TickLog::push), "tick"_a,
-          "For the one writer; False, and counted, when there is no room.")
+          "For the one writer of a log of one instrument; False, and counted, when there is no "
+          "room.")
+      .def(
+          "push",
+          [](TickLog& self, const std::vector<TickLog::Tick>& ticks) { return self.push(ticks); },
+          "ticks"_a, "A tick of all instruments in order; False also for another number of them.")
       .def("push", py::overload_cast<const Event&>(&TickLog::push), "event"_a, "Likewise.")
       .def("push", py::overload_cast<const StateHash&>(&TickLog::push), "hash"_a, "Likewise.")
       .def(
@@ -148,11 +161,13 @@ void bind_tick_log(py::module_& m) {
             std::vector<Event> events;
             std::vector<StateHash> hashes;
             self.take(ticks, events, hashes);
-            return py::make_tuple(own_rows(std::move(ticks)), own_rows(std::move(events)),
-                                  own_rows(std::move(hashes)));
+            return py::make_tuple(own_rows(std::move(ticks), self.instruments()),
+                                  own_rows(std::move(events)), own_rows(std::move(hashes)));
           },
           "For the one reader: ticks, events and hashes that have arrived since the last call, "
-          "as structured arrays of shape (k,).")
+          "as structured arrays of shape (k,); ticks of several instruments have a column for "
+          "each.")
+      .def("instruments", &TickLog::instruments, "How many every tick has a row of.")
       .def("gap_count", &TickLog::gap_count, "How many ticks it had no room for.");
 }
 

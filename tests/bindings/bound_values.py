@@ -124,6 +124,8 @@ MADE: dict[str, Callable[[], object]] = {
     "Loop": lambda: palpate.Loop(organ_scene(1), device()),
     "Snapshot": lambda: palpate.Loop(organ_scene(1), device()).snapshot(),
     "BodySnapshot": lambda: palpate.Loop(organ_scene(1), device()).snapshot().bodies[0],
+    "InstrumentSnapshot": lambda: palpate.Loop(organ_scene(1), device()).snapshot().instruments[0],
+    "DeviceReport": lambda: palpate.Loop(organ_scene(1), device()).report().devices[0],
     "LoopReport": lambda: palpate.Loop(organ_scene(1), device()).report(),
     "Percentiles": lambda: palpate.Loop(organ_scene(1), device()).report().cost,
     "Record": full_record,

@@ -24,7 +24,7 @@ COMMAND_LINE = (
 PROGRAMS = (
     *("render/", "viewport/scenery.py", "refused_call.py", "translation/", "runs/live.py"),
     *("views/touch/force_trace.py", "document/surface.py", "document/organ.py", "app/settings.py"),
-    *("app/session.py", "appearance.py", "python_device.py", "scene/single.py"),
+    *("app/session.py", "appearance.py", "python_device.py"),
 )
 """Refuse arguments that only a program can get wrong: the windows never hand them over."""
 PLACED = ("Refusal", "EditRefusal", "FileError", "NotDurable", "BadValue")

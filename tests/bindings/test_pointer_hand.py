@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import copy
+
 import numpy as np
 import palpate
 import pytest
@@ -249,10 +251,14 @@ def test_the_view_says_what_buttons_and_wheel_do_now(view, bench):
     assert not view.hint.isVisible()
 
 
-def test_a_scene_of_several_bodies_is_refused_not_felt_in_part(bench):
+def test_of_several_bodies_the_mouse_presses_the_first(bench):
     tissue = bench.scene.bodies[0].tissue
-    bodies = [palpate.SoftBody(tissue=tissue), palpate.SoftBody(tissue=tissue)]
+    above = copy.copy(tissue)
+    np.asarray(above.rest_position)[:] += (0.0, 0.0, 1.0)
+    bodies = [palpate.SoftBody(tissue=tissue), palpate.SoftBody(tissue=above)]
     two = palpate.build_scene(palpate.Scene(bodies=bodies))
 
-    with pytest.raises(ValueError, match="bodies: got 2, expected 1, as the scene of a window has"):
-        PointerHand(bench.view, bench.device, two)
+    hand = PointerHand(bench.view, palpate.SurfacePointer(two), two)
+
+    top = np.asarray(tissue.rest_position)[:, 2].max()
+    assert hand.goal[2] <= top

@@ -10,6 +10,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "core/tick/press_scene.h"
 #include "insist.h"
@@ -48,10 +49,11 @@ void put_crc(std::span<std::uint8_t> at, std::uint32_t crc) {
 /// Makes every checksum right that the lengths in the bytes lead to.
 Bytes seal(Bytes bytes) {
   const std::span<std::uint8_t> all(bytes);
-  if (all.size() < kPreambleBytes + 4) return bytes;
+  if (all.size() < kPreambleBytes + 8) return bytes;
+  const std::size_t begin = preamble_bytes(unpack_u32(all.subspan(8)));
   const std::size_t json = unpack_u32(all.subspan(12));
-  if (json > all.size() - kPreambleBytes - 4) return bytes;
-  std::size_t at = kPreambleBytes + json;
+  if (json > all.size() - begin - 4) return bytes;
+  std::size_t at = begin + json;
   put_crc(all.subspan(at), compute_crc(all.first(at)));
   for (at += 4; all.size() - at >= kBlockHeaderBytes;) {
     const auto header = unpack_block_header(all.subspan(at));
@@ -69,15 +71,23 @@ Bytes seal(Bytes bytes) {
   return bytes;
 }
 
+Scene with_two_instruments() {
+  Scene scene = testing::press_scene();
+  scene.instruments.resize(2);
+  return build_scene(std::move(scene));
+}
+
 /// What was read is run again, or refused in words.
 void use_record(const Record& record) {
-  static const Scene scene = testing::press_scene();
+  static const Scene one = testing::press_scene(), two = with_two_instruments();
   constexpr std::size_t kFewTicks = 60;
   insist(record.hand.size() == record.felt.size(), "every hand has what it felt");
-  if (record.hand.size() > kFewTicks) return;
+  const std::size_t ticks = count_ticks(record);
+  if (ticks > kFewTicks) return;
+  const Scene& scene = record.instruments == 2 ? two : one;
   try {
     const ReplayReport report = replay(scene, record);
-    insist(report.ticks == static_cast<long>(record.hand.size()), "every tick is run again");
+    insist(report.ticks == static_cast<long>(ticks), "every tick is run again");
   } catch (const std::invalid_argument&) {
     // a run that nobody made
   }

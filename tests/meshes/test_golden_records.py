@@ -34,6 +34,13 @@ def test_a_record_of_an_earlier_version_replays_to_the_same_bits(golden):
     )
 
 
+@pytest.mark.parametrize("golden", GOLDEN[::4], ids=lambda golden: golden.path.stem)
+def test_a_record_of_one_instrument_is_written_byte_for_byte_as_ever(golden, tmp_path):
+    palpate.write_record(tmp_path / "again.prec", palpate.read_record(golden.path))
+
+    assert (tmp_path / "again.prec").read_bytes() == golden.path.read_bytes()
+
+
 def test_every_shipped_organ_is_kept_for_every_target_pressed_and_pulled():
     organs = {entry.name for entry, _ in list_organs()}
 

@@ -66,9 +66,9 @@ def run_render(call: argparse.Namespace) -> Report:
         from palpate.render.authored_appearance import find_appearance
 
         made = palpate.scenario.read(call.file)
-        mesh, options["appearance"] = made.scene.bodies[0].tissue, find_appearance(made)
+        mesh, options["appearance"] = made.scene, find_appearance(made)
     elif call.file.suffix == ".json":
-        mesh = read_scene(call.file).bodies[0].tissue
+        mesh = read_scene(call.file)
     else:
         raise Refusal(
             call.file,

@@ -40,21 +40,24 @@ class Trace:
         return self.force @ self.press
 
 
-def read_trace(record: Any) -> Trace:
-    """The trace of a palpate.Record.
+def read_trace(record: Any, instrument: int = 0) -> Trace:
+    """The trace of an instrument of a palpate.Record.
 
     A record knows no surface, so depth is measured from the tool itself: from its place in the tick
     of first contact, against the mean force felt while it touched without being attached. Where
     nothing was touched, or no force was felt, there is no direction and the depth is not a number.
     Raises ValueError for a record without ticks.
     """
-    time = np.asarray(record.hand["time"], dtype=float)
+    hand, felt = (
+        rows if rows.ndim == 1 else rows[:, instrument] for rows in (record.hand, record.felt)
+    )
+    time = np.asarray(hand["time"], dtype=float)
     if len(time) == 0:
         raise ValueError("a record without ticks has nothing to plot")
-    place = np.asarray(record.felt["position"], dtype=float)
-    bits = np.asarray(record.felt["touched"])
+    place = np.asarray(felt["position"], dtype=float)
+    bits = np.asarray(felt["touched"])
     rendered = (bits & NOT_RENDERED) == 0
-    force = np.where(rendered[:, None], np.asarray(record.felt["force"], dtype=float), 0.0)
+    force = np.where(rendered[:, None], np.asarray(felt["force"], dtype=float), 0.0)
     attached = (bits & ATTACHED) != 0
     touching = (bits & TOUCHING) != 0
     pressing = touching & ~attached

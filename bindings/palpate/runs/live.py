@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A live run of a scene with a device, as a window or a script follows it. Knows no Qt."""
+"""A live run of a scene with its devices, as a window or a script follows it. Knows no Qt."""
 
 from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass
 from pathlib import Path
@@ -22,8 +22,8 @@ LONGEST = MOST_TICKS / 1000
 
 
 def find_longest(scene: palpate.Scene) -> float:
-    """[s] that a run can be recorded."""
-    return MOST_TICKS / scene.rate
+    """[s] that a run can be recorded; the instruments share the rows of a record."""
+    return MOST_TICKS // len(scene.instruments) / scene.rate
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +35,8 @@ class Frame:
     """[s] of the run, in which a pause takes none."""
     positions: tuple[NDArray[np.float64], ...]
     """[m] (n, 3) of each body's tissue."""
+    instruments: tuple[palpate.InstrumentSnapshot, ...]
+    """Of each instrument and its device; of the first of them, the fields below."""
     tool_position: NDArray[np.float64]
     """[m] (3,)"""
     force: NDArray[np.float64]
@@ -78,15 +80,17 @@ class LiveRun:
     def __init__(
         self,
         scene: palpate.Scene,
-        device: palpate.HapticDevice,
+        device: palpate.HapticDevice | Sequence[palpate.HapticDevice],
         *,
         record: str | os.PathLike[str] | None = None,
         header: Mapping[str, object] | None = None,
         options: palpate.LoopOptions | None = None,
     ):
-        """`record` is the .prec file to write and `header` what it says of the run; `options` are
-        those of the loop. A recorded run without a duration ends when its record is full. Raises
-        OSError where the record cannot be written, ValueError for a duration it cannot hold.
+        """`device` drives the instrument of the scene, or there is one for each of several, in
+        their order. `record` is the .prec file to write and `header` what it says of the run;
+        `options` are those of the loop. A recorded run without a duration ends when its record is
+        full. Raises OSError where the record cannot be written, ValueError for a duration it cannot
+        hold or another number of devices.
         """
         self.scene, self.device = scene, device
         self.record = None if record is None else Path(record)
@@ -95,9 +99,18 @@ class LiveRun:
         options = options or palpate.LoopOptions()
         if record is not None:
             options = fit_record(options, find_longest(scene))
-            self._recorder = palpate.Recorder(os.fspath(record), json.dumps(dict(header or {})))
+            self._recorder = palpate.Recorder(
+                os.fspath(record),
+                json.dumps(dict(header or {})),
+                instruments=len(scene.instruments),
+                bodies=len(scene.bodies),
+            )
             log = self._recorder.log()
-        self._loop = palpate.Loop(scene, device, options, log)
+        self._loop = (
+            palpate.Loop(scene, device, options, log)
+            if isinstance(device, palpate.HapticDevice)
+            else palpate.Loop(scene, tuple(device), options, log)
+        )
         self._pausing = False
 
     @property
@@ -137,6 +150,7 @@ class LiveRun:
             now.tick,
             now.time,
             tuple(body.position for body in now.bodies),
+            now.instruments,
             np.array(now.tool_position),
             np.array(now.force),
             now.touching,

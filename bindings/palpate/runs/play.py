@@ -15,13 +15,14 @@ from palpate.command.verb import Report, WrongCall
 from palpate.device.link import build_link
 from palpate.device.names import PLANT, POINTER, find_port, split_hand
 from palpate.files.refusal import Refusal
-from palpate.runs.felt import read_touched
+from palpate.runs.felt import read_column, read_touched
 from palpate.runs.live import LiveRun
 from palpate.runs.run import (
     PUBLISHED,
     describe_build,
     describe_costs,
     is_published,
+    require_one_instrument,
     require_recordable,
     run_device,
 )
@@ -145,8 +146,8 @@ def describe_device(device: palpate.HapticDevice) -> str | None:
 
 
 def find_middle(scene: palpate.Scene) -> NDArray[np.float64]:
-    """[m] (3,) of the tissue: there lies the middle of the arm's workspace."""
-    x = scene.bodies[0].tissue.rest_position
+    """[m] (3,) of all tissue: there lies the middle of the arm's workspace."""
+    x = np.concatenate([np.asarray(body.tissue.rest_position) for body in scene.bodies])
     return 0.5 * (x.min(axis=0) + x.max(axis=0))
 
 
@@ -173,6 +174,7 @@ def open_play(
     if record is not None and record.exists() and record.samefile(path):
         raise WrongCall("--record: is the scenario itself")
     scenario = palpate.scenario.read(path)
+    require_one_instrument(path, scenario.scene)
     require_recordable(scenario.scene, duration)
     return Play(path, scenario, frames, arm, duration, record)
 
@@ -215,7 +217,7 @@ def describe_run(play: Play, record: Path, costs: palpate.LoopReport) -> Report:
     Felt is what the device was sent while its motors were on.
     """
     rows = palpate.read_record(record)
-    computed = np.linalg.norm(np.asarray(rows.felt["force"], dtype=float), axis=1)
+    computed = np.linalg.norm(read_column(rows, "felt", "force").astype(float), axis=1)
     rate = play.scenario.scene.rate
     return {
         **describe_costs(costs),

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 import palpate
-from palpate.runs.felt import read_force
+from palpate.runs.felt import read_column, read_force
 
 CLEARANCE = 4e-3
 """[m] between tip and tissue where a script begins and ends."""
@@ -133,9 +133,9 @@ def measure_press(
     that swings as a whole, as a solid does on a small base, may give any force then, and the
     peak is that of the impact.
     """
-    time = np.asarray(record.hand["time"])
+    time = read_column(record, "hand", "time")
     force = np.linalg.norm(read_force(record), axis=1)
-    centre = np.asarray(record.felt["position"], dtype=float)
+    centre = read_column(record, "felt", "position").astype(float)
     depth = (place.point - centre) @ place.outward + radius
     pressing = time <= times.held
     settled = pressing & (time >= max(times.pressed, times.held - REST))

@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 import os
 import platform
+from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
@@ -17,14 +18,16 @@ import palpate
 from palpate.command.verb import Report, WrongCall
 from palpate.files.refusal import Refusal
 from palpate.runs.alarms import tell_alarm
-from palpate.runs.felt import read_force, read_rendered
+from palpate.runs.felt import read_column, read_force, read_rendered
 from palpate.runs.live import LiveRun, find_longest
 from palpate.runs.press import Place, PressScript, PressTimes, measure_press, write_script
 from palpate.runs.stop_request import hear_stop
 from palpate.scene.scene_file import hash_file, open_scene
-from palpate.scene.single import require_single
+from palpate.scene.surfaces import join_positions, join_rest_surfaces, join_triangles
 
 PUBLISHED, WORKING = ".palpate", ".organ"
+BETWEEN = " + "
+"""What a record's header says of bodies, or devices, that differ."""
 GRACE = 20.0
 """[s] A live run may take this much longer than its script before it is given up as stuck."""
 PIECE = 0.1
@@ -53,18 +56,31 @@ def describe_build(
 
 
 def describe_arithmetic(scene: palpate.Scene) -> dict[str, str]:
-    """What decides how a scene's ticks round here: program, kernel and vector target. Raises
-    ValueError for a scene of several bodies, which no file holds.
+    """What decides how a scene's ticks round here: program, kernel and vector target; of bodies
+    that differ in these, one after the other, joined by BETWEEN.
     """
-    require_single(scene, "the scene of a record")
-    (body,) = scene.bodies
-    targets = palpate.simd_targets() if body.kernel == palpate.Kernel.packed else []
-    unpacked = body.kernel == palpate.Kernel.packed and not targets
+    kernels, vector_targets = [], []
+    for body in scene.bodies:
+        targets = palpate.simd_targets() if body.kernel == palpate.Kernel.packed else []
+        unpacked = body.kernel == palpate.Kernel.packed and not targets
+        kernels.append((palpate.Kernel.reference if unpacked else body.kernel).name)
+        vector_targets.append((body.simd_target or targets[0]) if targets else platform.machine())
     return {
         "palpate": version("palpate"),
-        "kernel": (palpate.Kernel.reference if unpacked else body.kernel).name,
-        "vector_target": (body.simd_target or targets[0]) if targets else platform.machine(),
+        "kernel": join_words(kernels),
+        "vector_target": join_words(vector_targets),
     }
+
+
+def join_words(words: Sequence[str]) -> str:
+    """One word where it is that of all bodies, or devices."""
+    return words[0] if len(set(words)) == 1 else BETWEEN.join(words)
+
+
+def split_words(text: str, count: int) -> list[str]:
+    """The word of each of `count` bodies."""
+    words = text.split(BETWEEN)
+    return words if len(words) == count else [text] * count
 
 
 def read_scene(path: Path) -> palpate.Scene:
@@ -87,20 +103,22 @@ def is_published(path: Path) -> bool:
 
 def run_device(
     scene: palpate.Scene,
-    device: palpate.HapticDevice,
+    device: palpate.HapticDevice | Sequence[palpate.HapticDevice],
     duration: float,
     record_path: Path,
     scene_path: Path,
     safety: palpate.SafetyLimits | None = None,
 ) -> palpate.LoopReport:
-    """Runs a device for a time [s] through the live 1 kHz loop and its recorder; for 0 until
-    Ctrl+C, a termination signal or the end of what a record holds.
+    """Runs a device, or one for each instrument, for a time [s] through the live 1 kHz loop and its
+    recorder; for 0 until Ctrl+C, a termination signal or the end of what a record holds.
 
     A device that fails ends the run, and the report says so. Raises RuntimeError where the loop did
     not end or the tissue raised an alarm, WrongCall for a time that no record holds.
     """
     require_recordable(scene, duration)
-    header = describe_build(scene, scene_path, record_path, device.name())
+    devices = [device] if isinstance(device, palpate.HapticDevice) else device
+    names = join_words([each.name() for each in devices])
+    header = describe_build(scene, scene_path, record_path, names)
     options = palpate.LoopOptions(
         duration=duration,
         safety=safety or palpate.SafetyLimits(),
@@ -120,9 +138,17 @@ def run_device(
         raise RuntimeError(f"the loop did not end within {duration + GRACE:.0f} s")
     if costs.alarm.kind != palpate.AlarmKind.none:
         raise RuntimeError(
-            f"the run was stopped at {costs.alarm.time:.3f} s: {tell_alarm(costs.alarm, scene)}"
+            f"the run was stopped at {costs.alarm.time:.3f} s: "
+            + tell_alarm(costs.alarm, scene, costs.alarm_body)
         )
     return costs
+
+
+def require_one_instrument(path: Path, scene: palpate.Scene) -> None:
+    """Raises Refusal for a scene of several instruments, which one device cannot drive."""
+    if len(scene.instruments) != 1:
+        count = str(len(scene.instruments))
+        raise Refusal(path, "scene.instruments", count, "1, as there is one device to drive them")
 
 
 def require_recordable(scene: palpate.Scene, duration: float) -> None:
@@ -214,10 +240,14 @@ def require_finite(path: Path, record: palpate.Record) -> None:
 
 def follow_header(scene: palpate.Scene, header: dict[str, Any]) -> palpate.Scene:
     """The scene under the kernel and vector target of a record, as far as this machine has them."""
-    if str(header.get("kernel", "")).startswith("reference"):
-        scene.bodies[0].kernel = palpate.Kernel.reference
-    elif header.get("vector_target") in palpate.simd_targets():
-        scene.bodies[0].simd_target = header["vector_target"]
+    count = len(scene.bodies)
+    kernels = split_words(str(header.get("kernel", "")), count)
+    targets = split_words(str(header.get("vector_target", "")), count)
+    for body, kernel, target in zip(scene.bodies, kernels, targets, strict=True):
+        if kernel.startswith("reference"):
+            body.kernel = palpate.Kernel.reference
+        elif target in palpate.simd_targets():
+            body.simd_target = target
     return scene
 
 
@@ -239,7 +269,10 @@ def run_replay(path: Path, scene_path: Path | None = None) -> Report:
         "scene": str(where),
         "complete": record.complete,
         "ticks": result.ticks,
-        "motors_off_s": float((~read_rendered(record)).sum()) / scene.rate,
+        "motors_off_s": sum(
+            float((~read_rendered(record, instrument)).sum()) / scene.rate
+            for instrument in range(record.instruments)
+        ),
         "equal": result.equal,
         "first_difference": result.first_difference if result.first_difference >= 0 else None,
         "largest_force_difference_N": result.largest_force_difference,
@@ -251,9 +284,9 @@ def run_replay(path: Path, scene_path: Path | None = None) -> Report:
 def pose_at(scene: palpate.Scene, record: palpate.Record, tick: int) -> palpate.World:
     """The world after `tick` ticks of a record."""
     world = palpate.World(scene)
-    hand = record.hand
-    for row in range(tick + 1):
-        palpate.tick(scene, sample_of(hand[row]), 1.0 / scene.rate, world)
+    hand = record.hand.reshape(len(record.hand), -1)
+    for rows in hand[: tick + 1]:
+        palpate.tick(scene, [sample_of(row) for row in rows], 1.0 / scene.rate, world)
     return world
 
 
@@ -266,14 +299,16 @@ def sample_of(row: Any) -> palpate.HapticSample:
 
 
 def picture_of_rest(
-    out: Path, organ: palpate.SurfaceMesh | palpate.TissueModel, title: str, options: dict[str, Any]
+    out: Path, organ: palpate.SurfaceMesh | palpate.Scene, title: str, options: dict[str, Any]
 ) -> None:
-    """Draws a surface as it is."""
+    """Draws a surface, or all bodies of a scene, at rest."""
     from palpate.render import save_picture
 
-    bare = isinstance(organ, palpate.SurfaceMesh)
-    x = organ.vertices if bare else palpate.compute_surface(organ, organ.rest_position)
-    save_picture(out, np.asarray(x), np.asarray(organ.triangles), title=title, **options)
+    if isinstance(organ, palpate.Scene):
+        x, triangles = join_rest_surfaces(organ), join_triangles(organ)
+    else:
+        x, triangles = np.asarray(organ.vertices), np.asarray(organ.triangles)
+    save_picture(out, x, triangles, title=title, **options)
 
 
 def picture_of_record(
@@ -284,29 +319,31 @@ def picture_of_record(
     title: str | None = None,
     scene_path: Path | None = None,
 ) -> float:
-    """Draws the organ of a record at a time [s], or where the force was greatest; returns when."""
+    """Draws the organs of a record at a time [s], or where a force was greatest, with the
+    instrument that felt most then; returns when.
+    """
     from palpate.render import save_picture
 
     record, where, scene = open_record(record_path, scene_path)
-    times = np.asarray(record.hand["time"])
-    force = read_force(record)
+    times = read_column(record, "hand", "time").astype(float)
+    forces = np.array([read_force(record, each) for each in range(record.instruments)])
+    sizes = np.linalg.norm(forces, axis=2)
     if time is None:
-        tick = int(np.linalg.norm(force, axis=1).argmax())
+        tick = int(sizes.max(axis=0).argmax())
     else:
         tick = int(np.searchsorted(times, time).clip(0, len(times) - 1))
+    felt = int(sizes[:, tick].argmax())
     world = pose_at(scene, record, tick)
-    x = np.asarray(palpate.surface_position(world.bodies[0]))
-    moved = x - palpate.compute_surface(
-        scene.bodies[0].tissue, scene.bodies[0].tissue.rest_position
-    )
+    x = join_positions([np.asarray(palpate.surface_position(body)) for body in world.bodies])
+    tip = np.asarray(world.instruments[felt].tool.position), scene.instruments[felt].tool.radius
     save_picture(
         out,
         x,
-        np.asarray(scene.bodies[0].tissue.triangles),
-        values=1e3 * np.linalg.norm(moved, axis=1),
+        join_triangles(scene),
+        values=1e3 * np.linalg.norm(x - join_rest_surfaces(scene), axis=1),
         legend="displacement [mm]",
-        tool=(np.asarray(world.instruments[0].tool.position), scene.instruments[0].tool.radius),
-        force=force[tick],
+        tool=tip,
+        force=forces[felt, tick],
         title=title or name_scene(where),
         **options,
     )

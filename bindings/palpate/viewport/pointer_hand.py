@@ -12,7 +12,6 @@ from PySide6.QtGui import QInputEvent, QKeyEvent, QMouseEvent, QWheelEvent
 
 import palpate
 from palpate.runs.press import find_top
-from palpate.scene.single import require_single
 from palpate.viewport.hint_line import say_holding, say_hovering, say_pressing
 from palpate.viewport.navigation import meet_plane
 from palpate.viewport.view_base import ViewBase
@@ -48,14 +47,14 @@ class PointerHand(QObject):
       it away; letting go of the button lets go;
     - A: takes hold where the tip is, and lets go.
 
-    Beside the organ everything turns the camera, as does the middle button; Ctrl + wheel zooms.
+    Beside the organ everything turns the camera, as does the middle button; Ctrl + wheel zooms. Of
+    several bodies the organ is the first; what else the tip meets on its way it touches too.
     """
 
     def __init__(self, view: ViewBase, device: palpate.SurfacePointer, scene: palpate.Scene):
         super().__init__(view)  # type: ignore[arg-type]  # the mixin of a QWidget
         self._view, self._device = view, device
-        require_single(scene, "the scene of a window")
-        (body,) = scene.bodies
+        body = scene.bodies[0]
         self._x = palpate.compute_surface(body.tissue, body.tissue.rest_position)
         self._triangles = np.array(body.tissue.triangles)
         self._tree = palpate.AabbTree(self._x, self._triangles)

@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace palpate {
@@ -54,11 +55,17 @@ class Ring {
   explicit Ring(std::size_t capacity) : slots_(capacity) {}
 
   /// False where there is no room.
-  bool push(const T& value) noexcept {
+  bool push(const T& value) noexcept { return push(std::span(&value, 1)); }
+
+  /// All of them, which the reader then finds together, or none: false where there is no room.
+  bool push(std::span<const T> values) noexcept {
     const std::size_t written = tail_.load(std::memory_order_relaxed);
-    if (written - head_.load(std::memory_order_acquire) == slots_.size()) return false;
-    slots_[written % slots_.size()] = value;
-    tail_.store(written + 1, std::memory_order_release);
+    const std::size_t used = written - head_.load(std::memory_order_acquire);
+    if (slots_.size() - used < values.size()) return false;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      slots_[(written + i) % slots_.size()] = values[i];
+    }
+    tail_.store(written + values.size(), std::memory_order_release);
     return true;
   }
 

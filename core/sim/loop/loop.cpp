@@ -2,6 +2,7 @@
 #include "palpate/sim/loop/loop.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
@@ -14,6 +15,8 @@
 
 #include "palpate/sim/base/private/duration_histogram.h"
 #include "palpate/sim/base/private/realtime.h"
+#include "palpate/sim/base/private/refuse.h"
+#include "palpate/sim/loop/private/device_channel.h"
 #include "palpate/sim/loop/private/pace.h"
 #include "palpate/sim/loop/private/pending_snapshot.h"
 #include "palpate/sim/loop/private/tree_builder.h"
@@ -25,23 +28,14 @@ namespace {
 constexpr double kSnapshotInterval = 8e-3;  // [s] twice as often as a screen wants one
 constexpr double kHashInterval = 1.0;       // [s]
 
-const Scene& with_one_instrument(const Scene& scene) {
-  if (scene.instruments.size() == 1) return scene;
-  throw std::invalid_argument("loop: scene.instruments: got " +
-                              std::to_string(scene.instruments.size()) +
-                              ", expected one, as there is one device");
-}
-
 const LoopOptions& validated(const LoopOptions& options) {
-  const auto refuse = [](const std::string& field, double found, const std::string& expected) {
-    throw std::invalid_argument("loop: " + field + ": got " + std::to_string(found) +
-                                ", expected " + expected);
-  };
   if (!(options.duration >= 0.0) || !std::isfinite(options.duration)) {
-    refuse("duration [s]", options.duration, "0 or more");
+    refuse("loop: duration [s]", write_text(options.duration), "0 or more");
   }
-  if (!(options.spin >= 0.0 && options.spin <= 1.0)) refuse("spin [s]", options.spin, "0 to 1");
-  if (options.cpu < -1) refuse("cpu", options.cpu, "a core, or -1");
+  if (!(options.spin >= 0.0 && options.spin <= 1.0)) {
+    refuse("loop: spin [s]", write_text(options.spin), "0 to 1");
+  }
+  if (options.cpu < -1) refuse("loop: cpu", write_text(options.cpu), "a core, or -1");
   return options;
 }
 
@@ -55,21 +49,31 @@ Percentiles percentiles_of(const DurationHistogram& d) {
           to_seconds(d.largest())};
 }
 
+std::vector<HapticDevice*> list_devices(
+    const std::vector<std::unique_ptr<DeviceChannel>>& channels) {
+  std::vector<HapticDevice*> devices;
+  for (const auto& channel : channels) devices.push_back(&channel->safe());
+  return devices;
+}
+
 }  // namespace
 
 struct Loop::Impl {
-  Impl(const Scene& scene_in, HapticDevice& device_in, const LoopOptions& options_in,
+  Impl(const Scene& scene_in, std::span<HapticDevice* const> devices, const LoopOptions& options_in,
        TickLog* log_in)
-      : scene(with_one_instrument(scene_in)),
-        device(device_in),
+      : scene(scene_in),
         options(validated(options_in)),
         log(log_in),
         dt(1.0 / scene.rate),
         snapshot_ticks(ticks_in(kSnapshotInterval, scene.rate)),
         hash_ticks(ticks_in(kHashInterval, scene.rate)),
         world(scene),
-        safe(device, options.safety),
-        pace(safe, scene.rate, std::llround(1e9 * options.spin)),
+        channels(open_channels(scene, devices, options, log)),
+        pace(list_devices(channels), scene.rate, std::llround(1e9 * options.spin)),
+        samples(channels.size()),
+        commands(channels.size()),
+        rows(channels.size()),
+        held(channels.size(), 0),
         snapshots(PendingSnapshot(world)),
         reader(world) {
     for (const SoftState& body : world.bodies) {
@@ -81,22 +85,24 @@ struct Loop::Impl {
   void run_ticks() noexcept;
   void run_tick(std::int64_t index, long skipped) noexcept;
   void rest(std::int64_t index) noexcept;
-  void keep(const HapticCommand& command) noexcept;
+  void keep() noexcept;
+  void rest_devices() noexcept;
+  void notice_holds(long number) noexcept;
   void notice_alarm(long number) noexcept;
-  void notice_device(long number) noexcept;
-  void count_force() noexcept;
+  void notice_devices(long number) noexcept;
+  bool has_fault() const noexcept;
   void publish() noexcept;
   void serve_trees() noexcept;
   void log_hash(long number) noexcept {
     catch_up(scene, world);
     log->push(StateHash{number, compute_hash(world)});
   }
-  void tell(long number, EventKind kind, std::int32_t index, double value = 0.0) noexcept {
-    if (log) log->push(Event{number, kind, index, value});
+  void tell(long number, EventKind kind, std::int32_t index, double value = 0.0,
+            std::int32_t source = 0) noexcept {
+    if (log) log->push(Event{number, kind, index, value, source});
   }
 
   const Scene& scene;
-  HapticDevice& device;
   const LoopOptions options;
   TickLog* const log;
   const double dt;  // [s]
@@ -104,14 +110,15 @@ struct Loop::Impl {
 
   // the haptic thread's own while it runs
   World world;
-  std::vector<std::unique_ptr<TreeBuilder>> trees;  // per body
-  SafeDevice safe;
+  std::vector<std::unique_ptr<TreeBuilder>> trees;       // per body
+  std::vector<std::unique_ptr<DeviceChannel>> channels;  // per instrument
   Pace pace;
-  HapticSample sample;
+  std::vector<HapticSample> samples;    // per instrument, of the last tick, as what follows
+  std::vector<HapticCommand> commands;  // [N]
+  std::vector<TickLog::Tick> rows;
+  std::vector<int> held;                 // triangles, before the tick
   std::int64_t lateness = 0, spent = 0;  // [ns] of the last tick
   long lost_ticks = 0;                   // had no room in the log, not yet told
-  MotorState motors = MotorState::on;    // as it was told last
-  double touch_force_sum = 0.0;          // [N]
 
   // written by the haptic thread before `ready`, constant after it
   Realtime realtime;
@@ -122,11 +129,8 @@ struct Loop::Impl {
   SnapshotReader reader;  // the reader's own
   DurationHistogram latenesses, costs;
   std::atomic<long> ticks{0}, missed{0};
-  std::atomic<long> unrendered{0}, touch_ticks{0};
-  std::atomic<double> peak_force{0.0}, touch_force{0.0};  // [N]
-  std::atomic<DeviceFault> fault{DeviceFault::none};
-  std::atomic<double> fault_value{0.0};
   Alarm alarm;  // constant once has_alarm is set
+  int alarm_body = -1;
   std::atomic<bool> has_alarm{false};
   std::atomic<bool> stopping{false}, running{false};
   std::atomic<bool> pausing{false}, resting{false};  // asked for by others, done by this thread
@@ -144,8 +148,7 @@ void Loop::Impl::run() noexcept {
   ready.store(true, std::memory_order_release);
   ready.notify_all();
   run_ticks();
-  device.write(HapticCommand{});  // past the wrapper, whose slew limit would let the force linger
-  device.end();
+  for (const auto& channel : channels) channel->end();
   leave_realtime(realtime);
 
   const std::lock_guard guard(ending);
@@ -176,7 +179,7 @@ void Loop::Impl::run_ticks() noexcept {
       ++skipped;
     }
     missed.fetch_add(skipped, std::memory_order_relaxed);
-    if (fault.load(std::memory_order_relaxed) == DeviceFault::none) continue;
+    if (!has_fault()) continue;
     if (options.on_fault == FaultResponse::end) break;
     if (options.on_fault == FaultResponse::pause) pausing.store(true, std::memory_order_release);
   }
@@ -187,17 +190,17 @@ void Loop::Impl::run_ticks() noexcept {
   if (done > 0) publish();
 }
 
-/// Keeps the device at rest before tick `index`, which is then due one period after the pause, so
+/// Keeps the devices at rest before tick `index`, which is then due one period after the pause, so
 /// that nothing that follows is late for it.
 void Loop::Impl::rest(std::int64_t index) noexcept {
   const std::int64_t begun = read_clock();
-  safe.rest(dt);
+  rest_devices();
   if (world.tick_count > 0) publish();
   resting.store(true, std::memory_order_release);
   while (pausing.load(std::memory_order_acquire) && !stopping.load(std::memory_order_acquire)) {
     wait_until(read_clock() + pace.period(), 0);
-    safe.rest(dt);  // again and again: a device may take silence for a fault
-    notice_device(world.tick_count);
+    rest_devices();  // again and again: a device may take silence for a fault
+    notice_devices(world.tick_count);
   }
   const std::int64_t now = read_clock();
   resting.store(false, std::memory_order_release);
@@ -205,26 +208,29 @@ void Loop::Impl::rest(std::int64_t index) noexcept {
   pace.begin(index);
 }
 
+void Loop::Impl::rest_devices() noexcept {
+  for (const auto& channel : channels) channel->safe().rest(dt);
+}
+
 void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
   const std::int64_t begun = read_clock();
   const long number = world.tick_count;
-  const int held = world.instruments[0].tool.hold_count;
-
-  sample = safe.read(double(index) * dt);
-  const HapticCommand command = tick(scene, sample, dt, world);
-  safe.write(command);
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    held[i] = world.instruments[i].tool.hold_count;
+    samples[i] = channels[i]->safe().read(double(index) * dt);
+  }
+  tick(scene, samples, dt, world, commands);
+  for (std::size_t i = 0; i < channels.size(); ++i) channels[i]->safe().write(commands[i]);
   spent = read_clock() - begun;
 
   if (skipped > 0) tell(number, EventKind::missed_ticks, static_cast<std::int32_t>(skipped));
-  if (held == 0 && world.instruments[0].tool.hold_count > 0) {
-    tell(number, EventKind::attached, world.instruments[0].tool.hold_count);
-  } else if (held > 0 && world.instruments[0].tool.hold_count == 0) {
-    tell(number, EventKind::released, held);
-  }
+  notice_holds(number);
   notice_alarm(number);
-  notice_device(number);
-  count_force();
-  keep(command);
+  notice_devices(number);
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    channels[i]->count_force(world.instruments[i].tool);
+  }
+  keep();
   latenesses.add(lateness);
   costs.add(spent);
   ticks.store(number + 1, std::memory_order_relaxed);
@@ -237,20 +243,22 @@ void Loop::Impl::serve_trees() noexcept {
   for (std::size_t b = 0; b < trees.size(); ++b) {
     if (trees[b]->will_ask(world, b)) catch_up(scene.bodies[b], world.bodies[b]);
     const auto told = trees[b]->serve(b, world);
-    // no answer depends on it, and an event has no room for the number of the body
-    if (told && trees.size() == 1) tell(told->tick, told->kind, told->index, told->value);
+    if (told && log) log->push(*told);
   }
 }
 
 /// Leaves the tick in the log, and once a second the world's hash.
-void Loop::Impl::keep(const HapticCommand& command) noexcept {
+void Loop::Impl::keep() noexcept {
   if (!log) return;
   const long number = world.tick_count - 1;
-  TickLog::Tick entry{number, sample, compute_felt(command, world)};
-  entry.felt.lateness_us = static_cast<std::uint16_t>(
+  const auto lateness_us = static_cast<std::uint16_t>(
       std::min<std::int64_t>(lateness / 1000, std::numeric_limits<std::uint16_t>::max()));
-  if (motors != MotorState::on) entry.felt.touched |= kNotRendered;
-  if (!log->push(entry)) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i] = {number, samples[i], compute_felt(commands[i], world, i)};
+    rows[i].felt.lateness_us = lateness_us;
+    if (channels[i]->motors() != MotorState::on) rows[i].felt.touched |= kNotRendered;
+  }
+  if (!log->push(rows)) {
     ++lost_ticks;
   } else if (lost_ticks > 0) {
     tell(number, EventKind::record_gap, static_cast<std::int32_t>(lost_ticks));
@@ -259,64 +267,53 @@ void Loop::Impl::keep(const HapticCommand& command) noexcept {
   if ((number + 1) % hash_ticks == 0) log_hash(number);
 }
 
+void Loop::Impl::notice_holds(long number) noexcept {
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const int now = world.instruments[i].tool.hold_count;
+    const auto instrument = static_cast<std::int32_t>(i);
+    if (held[i] == 0 && now > 0) tell(number, EventKind::attached, now, 0.0, instrument);
+    if (held[i] > 0 && now == 0) tell(number, EventKind::released, held[i], 0.0, instrument);
+  }
+}
+
 void Loop::Impl::notice_alarm(long number) noexcept {
-  if (world.alarm && !has_alarm.load(std::memory_order_relaxed)) {
-    alarm = world.alarm;
-    has_alarm.store(true, std::memory_order_release);
-    tell(number, EventKind::alarm, static_cast<std::int32_t>(alarm.kind), alarm.value);
+  if (!world.alarm || has_alarm.load(std::memory_order_relaxed)) return;
+  alarm = world.alarm;
+  alarm_body = world.alarm_body;
+  has_alarm.store(true, std::memory_order_release);
+  tell(number, EventKind::alarm, static_cast<std::int32_t>(alarm.kind), alarm.value,
+       std::max(alarm_body, 0));
+}
+
+void Loop::Impl::notice_devices(long number) noexcept {
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    channels[i]->notice(number, static_cast<int>(i), log);
   }
 }
 
-/// Whether the device still gives its force, and what became of it where it does not.
-void Loop::Impl::notice_device(long number) noexcept {
-  const MotorState now = safe.motors();
-  if (now != motors) {
-    const bool on = now == MotorState::on;
-    tell(number, on ? EventKind::motors_on : EventKind::motors_off,
-         on ? 0 : static_cast<std::int32_t>(now));
-    motors = now;
-  }
-  DeviceFault found = safe.fault();
-  // a device that has failed since it was last written to has its motors cut as well
-  if (found == DeviceFault::none && now == MotorState::cut) {
-    found = safe.failed() ? DeviceFault::device_failed : DeviceFault::motors_cut;
-  }
-  if (found == fault.load(std::memory_order_relaxed)) return;
-  fault_value.store(safe.fault_value(), std::memory_order_relaxed);
-  fault.store(found, std::memory_order_release);
-  if (found == DeviceFault::none) return;
-  tell(number, EventKind::fault, static_cast<std::int32_t>(found), safe.fault_value());
-}
-
-/// What the hand really felt of this tick.
-void Loop::Impl::count_force() noexcept {
-  if (motors != MotorState::on) {
-    unrendered.fetch_add(1, std::memory_order_relaxed);
-    return;
-  }
-  const double size = safe.sent().force.norm();
-  if (size > peak_force.load(std::memory_order_relaxed)) {
-    peak_force.store(size, std::memory_order_relaxed);
-  }
-  if (!world.instruments[0].tool.touching && world.instruments[0].tool.hold_count == 0) return;
-  const long count = touch_ticks.fetch_add(1, std::memory_order_relaxed) + 1;
-  touch_force_sum += size;
-  touch_force.store(touch_force_sum / double(count), std::memory_order_relaxed);
+bool Loop::Impl::has_fault() const noexcept {
+  return std::ranges::any_of(
+      channels, [](const auto& channel) { return channel->fault() != DeviceFault::none; });
 }
 
 void Loop::Impl::publish() noexcept {
-  note_world(world, sample, snapshots.back());
+  note_world(world, samples, snapshots.back());
   Snapshot& snapshot = snapshots.back().seen;
-  snapshot.force = safe.sent().force;
-  snapshot.motors = motors;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    snapshot.instruments[i].force = channels[i]->safe().sent().force;
+    snapshot.instruments[i].motors = channels[i]->motors();
+  }
   snapshot.cost = to_seconds(spent);
   snapshot.lateness = to_seconds(lateness);
   snapshot.missed_ticks = missed.load(std::memory_order_relaxed);
   snapshots.publish();
 }
 
+Loop::Loop(const Scene& scene, std::span<HapticDevice* const> devices, const LoopOptions& options,
+           TickLog* log)
+    : impl_(std::make_unique<Impl>(scene, devices, options, log)) {}
 Loop::Loop(const Scene& scene, HapticDevice& device, const LoopOptions& options, TickLog* log)
-    : impl_(std::make_unique<Impl>(scene, device, options, log)) {}
+    : Loop(scene, std::array{&device}, options, log) {}
 Loop::~Loop() { stop(); }
 
 void Loop::start() {
@@ -361,14 +358,12 @@ LoopReport Loop::report() const {
     report.realtime = impl_->realtime.scheduled;
     report.realtime_note = impl_->realtime.note;
   }
-  if (impl_->has_alarm.load(std::memory_order_acquire)) report.alarm = impl_->alarm;
-  report.fault = impl_->fault.load(std::memory_order_acquire);
-  report.fault_reason = describe_fault(
-      report.fault, impl_->fault_value.load(std::memory_order_relaxed), impl_->device);
-  report.unrendered_ticks = impl_->unrendered.load(std::memory_order_relaxed);
-  report.peak_force = impl_->peak_force.load(std::memory_order_relaxed);
-  report.touch_ticks = impl_->touch_ticks.load(std::memory_order_relaxed);
-  report.touch_force = impl_->touch_force.load(std::memory_order_relaxed);
+  if (impl_->has_alarm.load(std::memory_order_acquire)) {
+    report.alarm = impl_->alarm;
+    report.alarm_body = impl_->alarm_body;
+  }
+  for (const auto& channel : impl_->channels) report.devices.push_back(channel->report());
+  sum_devices(report);
   report.record_gaps = impl_->log ? impl_->log->gap_count() : 0;
   return report;
 }

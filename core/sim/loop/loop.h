@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,23 +22,31 @@ struct BodySnapshot {
   int substeps = 0;
 };
 
+/// An instrument and its device as a reader sees them.
+struct InstrumentSnapshot {
+  HapticSample sample;
+  Vec3 tool_position = Vec3::Zero();  ///< [m]
+  Vec3 force = Vec3::Zero();          ///< [N] on the hand; none while the motors are not on
+  bool touching = false;
+  MotorState motors = MotorState::on;  ///< of the device
+};
+static_assert(alignof(InstrumentSnapshot) == 8);
+
 /// What a reader outside the haptic thread sees: the world as it was at most 8 ms ago.
 struct Snapshot {
   long tick = 0;
-  double time = 0.0;                 ///< [s]
-  std::vector<BodySnapshot> bodies;  ///< as Scene::bodies
-  HapticSample sample;
-  Vec3 tool_position = Vec3::Zero();
-  Vec3 force = Vec3::Zero();  ///< [N] on the hand; none while the motors are not on
-  bool touching = false;
-  MotorState motors = MotorState::on;  ///< of the device
-  double cost = 0.0;                   ///< [s] of the last tick
-  double lateness = 0.0;               ///< [s] of the last tick
+  double time = 0.0;                            ///< [s]
+  std::vector<BodySnapshot> bodies;             ///< as Scene::bodies
+  std::vector<InstrumentSnapshot> instruments;  ///< as Scene::instruments
+  double cost = 0.0;                            ///< [s] of the last tick
+  double lateness = 0.0;                        ///< [s] of the last tick
   long missed_ticks = 0;
 };
 static_assert(alignof(Snapshot) == 8);
 
-/// What becomes of a run whose device fails, or gives no force any more.
+/// What becomes of a run of which a device fails, or gives no force any more. The force of that
+/// device is zero from then on and its hand stays where it was last known; the other instruments
+/// know nothing of it.
 enum class FaultResponse {
   go_on,  ///< to its end, and counts the ticks that nobody felt
   pause,  ///< it rests until resume(), and again where the fault is still there then
@@ -51,12 +60,25 @@ struct LoopOptions {
   double spin = 150e-6;   ///< [s] spun instead of slept before every tick
   SafetyLimits safety = {};
   FaultResponse on_fault = FaultResponse::go_on;
+  /// What each device may be sent, in the order of the instruments; where empty, `safety` for all.
+  std::vector<SafetyLimits> device_safety = {};
 };
 
 /// Right within 0.4 %, the largest exactly.
 struct Percentiles {
   double median = 0.0, p99 = 0.0, p99_9 = 0.0, max = 0.0;  ///< [s]
 };
+
+/// What one device gave of a run.
+struct DeviceReport {
+  DeviceFault fault = DeviceFault::none;  ///< now, or when the run ended
+  std::string fault_reason;               ///< in words
+  long unrendered_ticks = 0;  ///< its motors were not on: their force counts nowhere below
+  double peak_force = 0.0;    ///< [N] largest that was sent
+  long touch_ticks = 0;       ///< touching or attached
+  double touch_force = 0.0;   ///< [N] mean of what was sent in them
+};
+static_assert(alignof(DeviceReport) == 8);
 
 /// What a run of the loop cost.
 struct LoopReport {
@@ -68,40 +90,50 @@ struct LoopReport {
   bool realtime = false;      ///< granted
   std::string realtime_note;  ///< why not, in words
   Alarm alarm;
-  DeviceFault fault = DeviceFault::none;  ///< now, or when the run ended
+  int alarm_body = -1;                    ///< whose tissue raised it; -1 for what is of no body
+  DeviceFault fault = DeviceFault::none;  ///< of the first device that has one
   std::string fault_reason;               ///< in words
   long record_gaps = 0;                   ///< ticks the log had no room for
-  long unrendered_ticks = 0;  ///< the device's motors were not on: their force counts nowhere below
-  double peak_force = 0.0;    ///< [N] largest that was sent
-  long touch_ticks = 0;       ///< touching or attached
-  double touch_force = 0.0;   ///< [N] mean of what was sent in them
+  // of all devices together
+  long unrendered_ticks = 0;          ///< sum
+  double peak_force = 0.0;            ///< [N] largest
+  long touch_ticks = 0;               ///< sum
+  double touch_force = 0.0;           ///< [N] mean over these
+  std::vector<DeviceReport> devices;  ///< in the order of the instruments
 };
 static_assert(alignof(LoopReport) == 8);
 
 /// The live 1 kHz loop: a thread that waits, reads, ticks, writes. Sleeps to an absolute time and
 /// spins the rest; ticks that were missed are skipped and counted, never made up in a burst.
 ///
-/// A device that reports by its own clock sets the pace: a tick begins when its report has come, or
-/// half a period after that is due where none comes.
+/// Each instrument has a device of its own. One that reports by its own clock at the ticks' rate
+/// sets the pace, of several the first that has not failed: a tick begins when its report has come,
+/// or half a period after that is due where none comes.
 ///
-/// The device is asked where the hand is at the time the tick was due, so a script gives the same
+/// A device is asked where the hand is at the time the tick was due, so a script gives the same
 /// hand in every run in which no tick is missed.
 class Loop {
  public:
-  /// `scene` and `device` must outlive the loop; `log` may be null; its
-  /// reader (session/record.h) is any one other thread. Throws std::invalid_argument for a scene
-  /// whose instruments are not one, as the device is, and for options beyond their ranges.
+  /// `scene` and every device must outlive the loop; `log` may be null; its
+  /// reader (session/record.h) is any one other thread. Throws std::invalid_argument for another
+  /// number of instruments in the scene or the log than there are devices, for one device twice,
+  /// and for options beyond their ranges.
+  Loop(const Scene& scene, std::span<HapticDevice* const> devices, const LoopOptions& options = {},
+       TickLog* log = nullptr);
+  /// The same for a scene of one instrument.
   Loop(const Scene& scene, HapticDevice& device, const LoopOptions& options = {},
        TickLog* log = nullptr);
+  Loop(Scene&&, std::span<HapticDevice* const>, const LoopOptions& = {},
+       TickLog* = nullptr) = delete;
   Loop(Scene&&, HapticDevice&, const LoopOptions& = {}, TickLog* = nullptr) = delete;
   ~Loop();  ///< stops and joins
 
   void start();               ///< throws std::logic_error the second time: a loop runs once
-  void stop();                ///< asks and waits; the device gets a zero force last
+  void stop();                ///< asks and waits; every device gets a zero force last
   bool wait(double timeout);  ///< [s] true once the run has ended
   bool running() const noexcept;
 
-  /// From any thread; followed within a tick. While it is paused the device gets zero forces and
+  /// From any thread; followed within a tick. While it is paused devices get zero forces and
   /// the time of the run stands still: what would have been due is neither missed nor made up. The
   /// force then fades in as at the start. A run that ends while paused is over.
   void pause() noexcept;

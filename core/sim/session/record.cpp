@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <condition_variable>
@@ -13,44 +14,59 @@
 #include <stdexcept>
 #include <thread>
 
+#include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/base/private/whole_file.h"
 #include "palpate/sim/session/private/record_writer.h"
 
 namespace palpate {
 namespace {
 
+using record_layout::choose_layout;
 using record_layout::complete_header;
 using record_layout::Descriptor;
 using record_layout::File;
+using record_layout::Layout;
 using record_layout::RecordWriter;
 
 constexpr std::chrono::milliseconds kWriteInterval(250);
 constexpr std::chrono::seconds kSyncInterval(1);
+constexpr int kLogTicks = 4000;  // 4 s of them
 
 /// The rows of a record with the tick numbers they had: a gap of n before tick t moves t and all
 /// after it on by n.
 std::vector<TickLog::Tick> number_ticks(const Record& record) {
   std::vector<TickLog::Tick> ticks;
   ticks.reserve(record.hand.size());
+  const auto lanes = static_cast<std::size_t>(record.instruments);
   auto event = record.events.begin();
   std::int64_t number = 0;
-  for (std::size_t i = 0; i < record.hand.size(); ++i, ++number) {
+  for (std::size_t i = 0; i < record.hand.size(); i += lanes, ++number) {
     for (; event != record.events.end(); ++event) {
       if (event->kind != EventKind::record_gap) continue;
       if (event->tick != number + event->index) break;
       number = event->tick;
     }
-    ticks.push_back({number, record.hand[i], record.felt[i]});
+    for (std::size_t row = i; row < i + lanes; ++row) {
+      ticks.push_back({number, record.hand[row], record.felt[row]});
+    }
   }
   return ticks;
 }
 
-void validate(const Record& record) {
-  if (record.hand.size() != record.felt.size()) {
-    throw std::invalid_argument("record: got " + std::to_string(record.hand.size()) +
-                                " hand samples and " + std::to_string(record.felt.size()) +
-                                " felt ones, expected as many of both");
+int validated(int instruments, int bodies = 1) {
+  if (bodies < 1) refuse("record: bodies", write_text(bodies), "at least 1");
+  if (instruments < 1 || instruments > kMostLoggedInstruments) {
+    refuse("record: instruments", write_text(instruments),
+           write_text("1 to ", kMostLoggedInstruments));
   }
+  return instruments;
+}
+
+/// What has room for all that a record says.
+Layout choose_layout_of(const Record& record) {
+  const bool sources =
+      std::ranges::any_of(record.events, [](const Event& event) { return event.source != 0; });
+  return choose_layout(record.instruments, sources);
 }
 
 /// An empty file to record into: a new one, or the plain file that stands under the name.
@@ -78,11 +94,27 @@ void sync_name(const std::string& path) {
 
 }  // namespace
 
+std::size_t count_ticks(const Record& record) {
+  const auto lanes = static_cast<std::size_t>(validated(record.instruments));
+  if (record.hand.size() != record.felt.size()) {
+    throw std::invalid_argument("record: got " + std::to_string(record.hand.size()) +
+                                " hand samples and " + std::to_string(record.felt.size()) +
+                                " felt ones, expected as many of both");
+  }
+  if (record.hand.size() % lanes != 0) {
+    refuse("record: hand", write_text(record.hand.size(), " samples"),
+           write_text("a multiple of ", lanes, ", one for each instrument in every tick"));
+  }
+  return record.hand.size() / lanes;
+}
+
 struct Recorder::Impl {
-  Impl(const std::string& path_in, const std::string& header_json, RecordCodec codec)
+  Impl(const std::string& path_in, const std::string& header_json, RecordCodec codec,
+       const Layout& layout)
       : path(path_in),
-        header(complete_header(header_json)),
-        writer(open_to_record(path_in), header, codec) {
+        header(complete_header(header_json, layout)),
+        log(kLogTicks, layout.instruments),
+        writer(open_to_record(path_in), header, layout, codec) {
     sync_name(path);
     thread = std::thread([this] { work(); });
   }
@@ -138,8 +170,10 @@ void Recorder::Impl::empty_log(bool all) {
   }
 }
 
-Recorder::Recorder(const std::string& path, const std::string& header_json, RecordCodec codec)
-    : impl_(std::make_unique<Impl>(path, header_json, codec)) {}
+Recorder::Recorder(const std::string& path, const std::string& header_json, RecordCodec codec,
+                   int instruments, int bodies)
+    : impl_(std::make_unique<Impl>(path, header_json, codec,
+                                   choose_layout(validated(instruments, bodies), bodies > 1))) {}
 
 Recorder::~Recorder() {
   try {
@@ -166,12 +200,13 @@ void Recorder::finish() {
 }
 
 void write_record(const std::string& path, const Record& record, RecordCodec codec) {
-  validate(record);
-  const std::string header = complete_header(record.header);
+  count_ticks(record);
+  const Layout layout = choose_layout_of(record);
+  const std::string header = complete_header(record.header, layout);
   WholeFile file(path);
   const int copy = ::fcntl(file.descriptor(), F_DUPFD_CLOEXEC, 0);
   if (copy < 0) throw FileError(path, "", std::strerror(errno), "a file that can be opened");
-  RecordWriter writer(std::make_unique<File>(path, Descriptor{copy}), header, codec);
+  RecordWriter writer(std::make_unique<File>(path, Descriptor{copy}), header, layout, codec);
   std::vector<TickLog::Tick> ticks = number_ticks(record);
   std::vector<Event> events = record.events;
   std::vector<StateHash> hashes = record.hashes;

@@ -13,12 +13,17 @@ namespace palpate {
 /// A whole run in memory: enough to run it again.
 struct Record {
   std::string header;  ///< JSON: version, kernel, build, scene hash, device, columns, ...
-  std::vector<HapticSample> hand;  ///< per tick
-  std::vector<Felt> felt;          ///< per tick
+  std::vector<HapticSample> hand;  ///< per tick, those of all instruments in order
+  std::vector<Felt> felt;          ///< likewise
   std::vector<Event> events;
   std::vector<StateHash> hashes;  ///< at 1 Hz
   bool complete = false;          ///< the file has its summary and the summary's SHA-256 holds
+  int instruments = 1;            ///< rows of hand and of felt a tick
 };
+
+/// Ticks of a record. Throws std::invalid_argument where hand and felt are not as many whole ones,
+/// or the instruments not 1 to kMostLoggedInstruments.
+std::size_t count_ticks(const Record& record);
 
 /// How a block's body is stored.
 enum class RecordCodec { none, deflate };
@@ -32,9 +37,12 @@ enum class RecordCodec { none, deflate };
 class Recorder {
  public:
   /// `header_json` is one JSON object; the column table and the format version are added to it.
-  /// Throws FileError when the file cannot be written, std::invalid_argument for a bad header.
+  /// `instruments` and `bodies` are how many the scene has: those of one of each have the first
+  /// version of the format. Throws FileError when the file cannot be written,
+  /// std::invalid_argument for a bad header or other numbers than 1 to kMostLoggedInstruments
+  /// instruments and at least one body.
   Recorder(const std::string& path, const std::string& header_json,
-           RecordCodec codec = RecordCodec::deflate);
+           RecordCodec codec = RecordCodec::deflate, int instruments = 1, int bodies = 1);
   ~Recorder();  ///< finishes if nobody did
 
   TickLog& log() noexcept;
@@ -63,10 +71,12 @@ struct ReplayReport {
   long first_difference = -1;  ///< tick, -1 for none
   double largest_force_difference = 0.0;     ///< [N]
   double largest_position_difference = 0.0;  ///< [m] of the tool
-  std::vector<Felt> felt;                    ///< as replayed
+  std::vector<Felt> felt;                    ///< as replayed, rows as in the record
+  int instruments = 1;                       ///< rows of felt a tick
 };
 
-/// Runs the recorded hand through the same tick from a fresh world.
+/// Runs the recorded hands through the same tick from a fresh world. Throws std::invalid_argument
+/// for a record that lost ticks, or of another number of instruments than the scene has.
 ReplayReport replay(const Scene& scene, const Record& record);
 
 }  // namespace palpate

@@ -18,9 +18,9 @@ constexpr std::size_t kMostRatio = 256;
 constexpr std::uint64_t kSummaryBlockBytes = kBlockHeaderBytes + kSummaryBytes;
 
 /// Room for any body there can be: a deflated one is at most a little longer than a plain one.
-std::uint32_t most_body_bytes(BlockKind kind) {
+std::uint32_t most_body_bytes(BlockKind kind, const Layout& layout) {
   if (kind == BlockKind::summary) return kSummaryBytes;
-  const auto plain = static_cast<std::uint32_t>(kMostBlockRows * row_bytes(kind));
+  const auto plain = static_cast<std::uint32_t>(kMostBlockRows * row_bytes(kind, layout));
   return plain + plain / 1000 + 64;
 }
 
@@ -69,6 +69,8 @@ class Reader {
 
  private:
   void read_header();
+  void read_version(const Bytes& preamble);
+  void read_instruments(const Bytes& header);
   bool ends_with_summary() const;
   std::optional<Damage> read_block();
   void unpack_block(const BlockHeader& header, const Bytes& stored);
@@ -79,6 +81,9 @@ class Reader {
   void check_summary();
   void finish(bool finished);
 
+  std::size_t count_ticks() const noexcept {
+    return record_.hand.size() / static_cast<std::size_t>(layout_.instruments);
+  }
   std::string where() const {
     return "block " + std::to_string(block_) + " at byte " + std::to_string(at_);
   }
@@ -88,6 +93,7 @@ class Reader {
   std::uint64_t at_ = 0, end_ = 0;
   long block_ = 0;
   Sha256 sha256_;
+  Layout layout_;
   Record record_;
   std::vector<TickLog::Tick> rows_;  // of one block
   std::int64_t next_tick_ = 0;
@@ -102,29 +108,45 @@ void Reader::read_header() {
     file_.refuse("header: magic", to_hexadecimal(std::span(preamble).first(kMagic.size())),
                  to_hexadecimal(kMagic) + " of a palpate record");
   }
-  const std::uint32_t version = unpack_u32(std::span(preamble).subspan(8));
-  if (version != kVersion) {
-    file_.refuse("header: version", std::to_string(version),
-                 "1: this palpate reads no other, a newer one may");
-  }
+  read_version(preamble);
+  const std::size_t begin = preamble_bytes(layout_.version);
   const std::uint32_t length = unpack_u32(std::span(preamble).subspan(12));
-  if (length > kMostHeaderBytes || kPreambleBytes + length + 4 > size_) {
+  if (length > kMostHeaderBytes || begin + length + 4 > size_) {
     file_.refuse("header: JSON length", std::to_string(length),
                  "at most 1 MiB and no more than the file holds");
   }
-  const Bytes header = file_.read(0, kPreambleBytes + length + 4);
-  const auto checked = std::span(header).first(kPreambleBytes + length);
+  const Bytes header = file_.read(0, begin + length + 4);
+  const auto checked = std::span(header).first(begin + length);
   const std::uint32_t found = compute_crc(checked);
   const std::uint32_t expected = unpack_u32(std::span(header).last(4));
   if (found != expected) {
     file_.refuse("header: CRC32", to_hexadecimal(found), to_hexadecimal(expected));
   }
-  record_.header.assign(header.begin() + kPreambleBytes, header.end() - 4);
+  record_.header.assign(header.begin() + static_cast<std::ptrdiff_t>(begin), header.end() - 4);
+  read_instruments(header);
   if (const auto problem = find_json_problem(record_.header)) {
     file_.refuse("header: JSON", "text that is not a JSON object", *problem);
   }
   sha256_.add(header);
   at_ = header.size();
+}
+
+void Reader::read_version(const Bytes& preamble) {
+  layout_.version = unpack_u32(std::span(preamble).subspan(8));
+  if (layout_.version >= 1 && layout_.version <= kNewestVersion) return;
+  file_.refuse("header: version", std::to_string(layout_.version),
+               "1 or 2: this palpate reads no other, a newer one may");
+}
+
+void Reader::read_instruments(const Bytes& header) {
+  if (layout_.version == 1) return;
+  const std::uint32_t found = unpack_u32(std::span(header).subspan(kPreambleBytes));
+  if (found < 1 || found > static_cast<std::uint32_t>(kMostLoggedInstruments)) {
+    file_.refuse("header: instruments", std::to_string(found),
+                 "1 to " + std::to_string(kMostLoggedInstruments));
+  }
+  layout_.instruments = static_cast<int>(found);
+  record_.instruments = layout_.instruments;
 }
 
 /// Whether this is a finished file: its last bytes are a whole summary.
@@ -145,7 +167,7 @@ std::optional<Damage> Reader::read_block() {
   const Bytes bytes = file_.read(at_, kBlockHeaderBytes);
   const auto header = unpack_block_header(bytes);
   if (!header) return Damage{"an unknown kind of block", "TICK, HAPP, HASH or SUMM"};
-  if (header->length > most_body_bytes(header->kind) ||
+  if (header->length > most_body_bytes(header->kind, layout_) ||
       header->length > end_ - at_ - kBlockHeaderBytes) {
     return Damage{"a length of " + std::to_string(header->length),
                   "no more than such a block or the file can hold"};
@@ -167,7 +189,7 @@ std::optional<Damage> Reader::read_block() {
 }
 
 Bytes Reader::unpack_body(const BlockHeader& header, const Bytes& stored) const {
-  const std::size_t size = header.count * row_bytes(header.kind);
+  const std::size_t size = header.count * row_bytes(header.kind, layout_);
   if (header.codec == static_cast<std::uint32_t>(RecordCodec::none)) {
     if (stored.size() != size) {
       file_.refuse(where() + ": length", std::to_string(stored.size()), std::to_string(size));
@@ -187,27 +209,29 @@ Bytes Reader::unpack_body(const BlockHeader& header, const Bytes& stored) const 
     file_.refuse(where() + ": body", "a zlib stream of another length or none at all",
                  "one of " + std::to_string(size) + " bytes");
   }
-  return unshuffle_differences(header.kind, header.count, *shuffled);
+  return unshuffle_differences(header.kind, layout_, header.count, *shuffled);
 }
 
 void Reader::unpack_block(const BlockHeader& header, const Bytes& stored) {
   if (header.count < 1 || header.count > kMostBlockRows) {
     file_.refuse(where() + ": count", std::to_string(header.count), "1 to 4096");
   }
-  const std::size_t have = header.kind == BlockKind::ticks    ? record_.hand.size()
+  const std::size_t have = header.kind == BlockKind::ticks    ? count_ticks()
                            : header.kind == BlockKind::events ? record_.events.size()
                                                               : record_.hashes.size();
-  if (have + header.count > static_cast<std::size_t>(kMostRows)) {
-    file_.refuse(where(), std::string("more than 8388608 ") + kind_name(header.kind), "fewer");
+  const std::int64_t most = header.kind == BlockKind::ticks ? most_ticks(layout_) : kMostRows;
+  if (have + header.count > static_cast<std::size_t>(most)) {
+    file_.refuse(where(), "more than " + std::to_string(most) + " " + kind_name(header.kind),
+                 "fewer");
   }
   const Bytes body = unpack_body(header, stored);
   switch (header.kind) {
     case BlockKind::ticks:
       return take_ticks(header, body);
     case BlockKind::events:
-      return unpack(body, header, record_.events);
+      return unpack(body, header, layout_, record_.events);
     case BlockKind::hashes:
-      return unpack(body, header, record_.hashes);
+      return unpack(body, header, layout_, record_.hashes);
     case BlockKind::summary:
       return;
   }
@@ -220,7 +244,7 @@ void Reader::take_ticks(const BlockHeader& header, const Bytes& body) {
                  std::to_string(next_tick_) + " or, after a gap, more");
   }
   rows_.clear();
-  unpack(body, header, rows_);
+  unpack(body, header, layout_, rows_);
   for (const TickLog::Tick& row : rows_) {
     record_.hand.push_back(row.sample);
     record_.felt.push_back(row.felt);
@@ -231,7 +255,7 @@ void Reader::take_ticks(const BlockHeader& header, const Bytes& body) {
 /// Whether these bytes are the summary of what was read, but for two or more that are zero: the
 /// disk had not written them yet when the power went.
 bool Reader::is_torn_summary(std::span<const std::uint8_t> tail) {
-  const Bytes body = pack_summary({.ticks = record_.hand.size(),
+  const Bytes body = pack_summary({.ticks = count_ticks(),
                                    .events = record_.events.size(),
                                    .hashes = record_.hashes.size(),
                                    .sha256 = sha256_.finish()});
@@ -272,7 +296,7 @@ void Reader::check_summary() {
     if (found == expected) return;
     file_.refuse(std::string("summary: ") + what, std::to_string(found), std::to_string(expected));
   };
-  check("ticks", record_.hand.size(), summary.ticks);
+  check("ticks", count_ticks(), summary.ticks);
   check("events", record_.events.size(), summary.events);
   check("hashes", record_.hashes.size(), summary.hashes);
   const auto digest = sha256_.finish();
@@ -283,11 +307,14 @@ void Reader::check_summary() {
 
 void Reader::finish(bool finished) {
   record_.complete = finished;
-  const auto check = [&](const char* what, std::int64_t tick) {
-    if (tick < 0) file_.refuse(std::string(what) + ": tick", std::to_string(tick), "0 or more");
+  const auto check = [&](const char* what, std::int64_t found) {
+    if (found < 0) file_.refuse(what, std::to_string(found), "0 or more");
   };
-  for (const Event& event : record_.events) check("events", event.tick);
-  for (const StateHash& hash : record_.hashes) check("hashes", hash.tick);
+  for (const Event& event : record_.events) {
+    check("events: tick", event.tick);
+    check("events: source", event.source);
+  }
+  for (const StateHash& hash : record_.hashes) check("hashes: tick", hash.tick);
 }
 
 }  // namespace

@@ -11,13 +11,15 @@
 namespace palpate {
 namespace {
 
-void validate(const Record& record) {
+void validate(const Scene& scene, const Record& record) {
+  count_ticks(record);
   const auto refuse = [](const std::string& text) {
     throw std::invalid_argument("replay: " + text);
   };
-  if (record.felt.size() != record.hand.size()) {
-    refuse("got " + std::to_string(record.hand.size()) + " hand samples and " +
-           std::to_string(record.felt.size()) + " felt ones, expected as many of both");
+  if (scene.instruments.size() != static_cast<std::size_t>(record.instruments)) {
+    refuse("got a scene of " + std::to_string(scene.instruments.size()) +
+           " instruments, expected " + std::to_string(record.instruments) +
+           ", as many as the record has hands");
   }
   for (const Event& event : record.events) {
     if (event.kind != EventKind::record_gap) continue;
@@ -26,7 +28,8 @@ void validate(const Record& record) {
   }
   for (std::size_t i = 0; i < record.hand.size(); ++i) {
     if (!record.hand[i].position.allFinite()) {
-      refuse("got a hand position that is not finite at tick " + std::to_string(i));
+      refuse("got a hand position that is not finite at tick " +
+             std::to_string(i / static_cast<std::size_t>(record.instruments)));
     }
   }
 }
@@ -41,23 +44,24 @@ double distance(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
   return std::isnan(d) ? std::numeric_limits<double>::infinity() : d;
 }
 
-}  // namespace
-
 /// Records made before forces faded after an alarm have zeros there.
 bool same_after_alarm(const World& world, const Felt& felt, const Felt& then) {
   return world.alarm && then.force.isZero(0.0f) && same_bits(felt.position, then.position) &&
          felt.touched == then.touched;
 }
 
-/// The trees of the recorded run, each built over the same positions and taken up before the same
-/// tick. Answers do not depend on them; how long they take does.
+bool is_exchange(const Event& event) { return event.kind == EventKind::tree_exchanged; }
+
+/// The trees of a body in the recorded run, each built over the same positions and taken up before
+/// the same tick. Answers do not depend on them; how long they take does.
 class RecordedTrees {
  public:
-  /// Throws std::invalid_argument for exchanges that no run has: one tree is built at a time.
-  explicit RecordedTrees(const Record& record) {
+  /// Throws std::invalid_argument for exchanges that no run has: of a body, one tree is built at a
+  /// time.
+  RecordedTrees(const Record& record, std::size_t body) : body_(body) {
     std::int64_t last = 0;
     for (const Event& event : record.events) {
-      if (event.kind != EventKind::tree_exchanged) continue;
+      if (!is_exchange(event) || static_cast<std::size_t>(event.source) != body_) continue;
       if (event.index < 0 || event.index > event.tick - last) {
         throw std::invalid_argument(
             "replay: got at tick " + std::to_string(event.tick) + " a tree built " +
@@ -73,33 +77,73 @@ class RecordedTrees {
   void follow(World& world) {
     for (; next_ < exchanges_.size(); ++next_) {
       const Event& exchange = exchanges_[next_];
+      SoftState& body = world.bodies[body_];
       if (exchange.tick - exchange.index == world.tick_count) {
-        built_ = build_over(surface_position(world.bodies[0]), world.bodies[0].tree.triangles());
+        built_ = build_over(surface_position(body), body.tree.triangles());
       }
       if (exchange.tick != world.tick_count) return;
-      exchange_tree(built_, world.bodies[0]);
+      exchange_tree(built_, body);
     }
   }
 
  private:
+  const std::size_t body_;
   std::vector<Event> exchanges_;  // one after the other
   std::size_t next_ = 0;
   BuiltTree built_;
 };
 
-ReplayReport replay(const Scene& scene, const Record& record) {
-  if (scene.instruments.size() != 1) {
-    throw std::invalid_argument("replay: got a scene of " +
-                                std::to_string(scene.instruments.size()) +
-                                " instruments, expected one, as a record has one hand");
+/// Of each body. Throws std::invalid_argument as RecordedTrees does, and for another body's.
+std::vector<RecordedTrees> list_trees(const Scene& scene, const Record& record) {
+  const std::size_t count = scene.bodies.size();
+  for (const Event& event : record.events) {
+    if (!is_exchange(event) || (event.source >= 0 && std::size_t(event.source) < count)) continue;
+    throw std::invalid_argument("replay: got at tick " + std::to_string(event.tick) +
+                                " a tree of body " + std::to_string(event.source) +
+                                ", expected 0 to " + std::to_string(count - 1));
   }
-  validate(record);
+  std::vector<RecordedTrees> trees;
+  for (std::size_t body = 0; body < count; ++body) trees.emplace_back(record, body);
+  return trees;
+}
+
+/// Compares what was felt row by row with what was recorded.
+class Comparison {
+ public:
+  explicit Comparison(ReplayReport& report) : report_(report) {}
+
+  void differs_at(std::size_t tick) {
+    if (report_.first_difference < 0) report_.first_difference = static_cast<long>(tick);
+  }
+  /// Of an instrument in a tick; keeps what was felt.
+  void compare(const World& world, std::size_t tick, Felt felt, const Felt& then) {
+    felt.lateness_us = then.lateness_us;
+    felt.touched |= then.touched & kNotRendered;  // of the device, not of the tick
+    report_.felt.push_back(felt);
+    const bool same = same_bits(felt.force, then.force) &&
+                      same_bits(felt.position, then.position) && felt.touched == then.touched;
+    if (same || same_after_alarm(world, felt, then)) return;
+    differs_at(tick);
+    report_.largest_force_difference =
+        std::max(report_.largest_force_difference, distance(felt.force, then.force));
+    report_.largest_position_difference =
+        std::max(report_.largest_position_difference, distance(felt.position, then.position));
+  }
+
+ private:
+  ReplayReport& report_;
+};
+
+}  // namespace
+
+ReplayReport replay(const Scene& scene, const Record& record) {
+  validate(scene, record);
+  const std::size_t tick_count = count_ticks(record), instruments = scene.instruments.size();
   ReplayReport report;
-  report.ticks = static_cast<long>(record.hand.size());
+  report.ticks = static_cast<long>(tick_count);
+  report.instruments = record.instruments;
   report.felt.reserve(record.hand.size());
-  const auto differs_at = [&](std::size_t tick) {
-    if (report.first_difference < 0) report.first_difference = static_cast<long>(tick);
-  };
+  Comparison comparison(report);
 
   std::vector<StateHash> hashes = record.hashes;
   std::sort(hashes.begin(), hashes.end(),
@@ -107,26 +151,18 @@ ReplayReport replay(const Scene& scene, const Record& record) {
   auto next = hashes.begin();
 
   World world(scene);
-  RecordedTrees trees(record);
-  for (std::size_t i = 0; i < record.hand.size(); ++i) {
-    trees.follow(world);
-    const HapticCommand command = tick(scene, record.hand[i], 1.0 / scene.rate, world);
-    Felt felt = compute_felt(command, world);
-    const Felt& then = record.felt[i];
-    felt.lateness_us = then.lateness_us;
-    felt.touched |= then.touched & kNotRendered;  // of the device, not of the tick
-    report.felt.push_back(felt);
-    const bool same = same_bits(felt.force, then.force) &&
-                      same_bits(felt.position, then.position) && felt.touched == then.touched;
-    if (!same && !same_after_alarm(world, felt, then)) {
-      differs_at(i);
-      report.largest_force_difference =
-          std::max(report.largest_force_difference, distance(felt.force, then.force));
-      report.largest_position_difference =
-          std::max(report.largest_position_difference, distance(felt.position, then.position));
+  std::vector<RecordedTrees> trees = list_trees(scene, record);
+  std::vector<HapticCommand> commands(instruments);
+  for (std::size_t t = 0; t < tick_count; ++t) {
+    for (RecordedTrees& body : trees) body.follow(world);
+    const std::size_t row = t * instruments;
+    tick(scene, std::span(record.hand).subspan(row, instruments), 1.0 / scene.rate, world,
+         commands);
+    for (std::size_t i = 0; i < instruments; ++i) {
+      comparison.compare(world, t, compute_felt(commands[i], world, i), record.felt[row + i]);
     }
-    for (; next != hashes.end() && next->tick <= static_cast<std::int64_t>(i); ++next) {
-      if (next->hash != compute_hash(world)) differs_at(i);
+    for (; next != hashes.end() && next->tick <= static_cast<std::int64_t>(t); ++next) {
+      if (next->hash != compute_hash(world)) comparison.differs_at(t);
     }
   }
   report.equal = report.first_difference < 0;

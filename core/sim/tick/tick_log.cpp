@@ -11,21 +11,34 @@ namespace {
 constexpr std::size_t kEventCapacity = 1000;
 constexpr std::size_t kHashCapacity = 240;
 
-std::size_t validated(int capacity) {
-  if (capacity < 1) {
-    throw std::invalid_argument("tick log: tick_capacity: got " + std::to_string(capacity) +
+int validated(int instruments) {
+  if (instruments < 1 || instruments > kMostLoggedInstruments) {
+    throw std::invalid_argument("tick log: instruments: got " + std::to_string(instruments) +
+                                ", expected 1 to " + std::to_string(kMostLoggedInstruments));
+  }
+  return instruments;
+}
+
+std::size_t count_rows(int tick_capacity, int instruments) {
+  if (tick_capacity < 1) {
+    throw std::invalid_argument("tick log: tick_capacity: got " + std::to_string(tick_capacity) +
                                 ", expected at least 1");
   }
-  return static_cast<std::size_t>(capacity);
+  return static_cast<std::size_t>(tick_capacity) * static_cast<std::size_t>(instruments);
 }
 
 }  // namespace
 
-TickLog::TickLog(int tick_capacity)
-    : ticks_(validated(tick_capacity)), events_(kEventCapacity), hashes_(kHashCapacity) {}
+TickLog::TickLog(int tick_capacity, int instruments)
+    : instruments_(validated(instruments)),
+      ticks_(count_rows(tick_capacity, instruments)),
+      events_(kEventCapacity),
+      hashes_(kHashCapacity) {}
 
-bool TickLog::push(const Tick& tick) noexcept {
-  if (ticks_.push(tick)) return true;
+bool TickLog::push(const Tick& tick) noexcept { return push(std::span(&tick, 1)); }
+
+bool TickLog::push(std::span<const Tick> ticks) noexcept {
+  if (ticks.size() == static_cast<std::size_t>(instruments_) && ticks_.push(ticks)) return true;
   gaps_.fetch_add(1, std::memory_order_relaxed);
   return false;
 }

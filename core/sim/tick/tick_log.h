@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "palpate/sim/base/lock_free.h"
@@ -17,7 +18,7 @@ inline constexpr std::uint8_t kAttached = 2;
 /// The device's motors were not on: nobody felt the force of this tick.
 inline constexpr std::uint8_t kNotRendered = 4;
 
-/// What was felt in one tick.
+/// What was felt in one tick, of one instrument.
 struct Felt {
   Eigen::Vector3f force = Eigen::Vector3f::Zero();  ///< [N] from tick(), before the safety wrapper
   Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< [m] the tool
@@ -46,7 +47,11 @@ struct Event {
   EventKind kind = EventKind::missed_ticks;
   std::int32_t index = 0;
   double value = 0.0;
+  /// Which body it is of: alarm (0 also for one of no body), tree_exchanged; or which instrument:
+  /// fault, attached, released, motors_off, motors_on. 0 for the other kinds.
+  std::int32_t source = 0;
 };
+static_assert(sizeof(Event) == 32 && alignof(Event) == 8);
 
 /// The world's hash after a tick (compute_hash in tick.h).
 struct StateHash {
@@ -54,28 +59,38 @@ struct StateHash {
   std::array<std::uint64_t, 2> hash{};
 };
 
+/// More hands than any table has room for; what a record asks of memory grows with them.
+inline constexpr int kMostLoggedInstruments = 16;
+
 /// Where the haptic thread leaves what it did: rings with room for 4 s, one writer and one
 /// reader, without lock or allocation. A full ring is a counted gap, never a blocked tick.
 class TickLog {
  public:
+  /// Of one instrument.
   struct Tick {
     std::int64_t tick = 0;
     HapticSample sample;
     Felt felt;
   };
 
-  explicit TickLog(int tick_capacity = 4000);
+  /// Throws std::invalid_argument for less than one tick, or not 1 to kMostLoggedInstruments.
+  explicit TickLog(int tick_capacity = 4000, int instruments = 1);
 
   // haptic thread; false, and counted, when there is no room (of anything)
-  bool push(const Tick& tick) noexcept;
+  bool push(const Tick& tick) noexcept;  ///< of a log of one instrument
+  /// A tick of all instruments in order; false also for another number of them.
+  bool push(std::span<const Tick> ticks) noexcept;
   bool push(const Event& event) noexcept;
   bool push(const StateHash& hash) noexcept;
 
-  // reader thread; append what has arrived since the last call
+  // reader thread; append what has arrived since the last call, whole ticks with as many rows as
+  // there are instruments
   void take(std::vector<Tick>& ticks, std::vector<Event>& events, std::vector<StateHash>& hashes);
   long gap_count() const noexcept { return gaps_.load(std::memory_order_relaxed); }
+  int instruments() const noexcept { return instruments_; }
 
  private:
+  const int instruments_;
   Ring<Tick> ticks_;
   Ring<Event> events_;
   Ring<StateHash> hashes_;

@@ -140,7 +140,7 @@ TEST_CASE("another thread sees whole snapshots that only get newer") {
     newer = newer && snapshot.tick >= last;
     whole =
         whole && snapshot.bodies[0].position.size() == scene.bodies[0].tissue.rest_position.size();
-    touched = touched || snapshot.touching;
+    touched = touched || snapshot.instruments[0].touching;
     last = snapshot.tick;
     ++taken;
   }

@@ -115,3 +115,25 @@ TEST_CASE("a device of another rate, or without a clock of its own, does not set
   }
   CHECK(device.waits == 0);
 }
+
+TEST_CASE("of several devices the first that reports at the ticks' rate and has not failed paces") {
+  struct FailingDevice : ReportingDevice {
+    bool failed() const noexcept override { return gone; }
+    bool gone = false;
+  };
+  ReportingDevice silent;
+  FailingDevice first, second;
+  silent.rate = 0.0;
+  Pace pace({&silent, &first, &second}, 1000.0, 0);
+  pace.begin(0);
+
+  pace.wait(0);
+  CHECK((silent.waits == 0 && first.waits == 1 && second.waits == 0));
+  first.gone = true;
+  pace.wait(1);
+  CHECK((first.waits == 1 && second.waits == 1));
+  second.gone = true;  // as one alone does: it is asked, and our clock counts where it is mute
+  pace.wait(2);
+  CHECK((first.waits == 2 && second.waits == 1));
+  CHECK(silent.waits == 0);
+}

@@ -50,16 +50,20 @@ inline TickLog::Tick some_tick(std::int64_t i) {
   return tick;
 }
 
-inline Record some_record(int ticks) {
+inline Record some_record(int ticks, int instruments = 1) {
   Record record;
   record.header = R"({"kernel":"reference"})";
+  record.instruments = instruments;
   for (int i = 0; i < ticks; ++i) {
-    const TickLog::Tick tick = some_tick(i);
-    record.hand.push_back(tick.sample);
-    record.felt.push_back(tick.felt);
+    for (int instrument = 0; instrument < instruments; ++instrument) {
+      const TickLog::Tick tick = some_tick(i + 1000 * instrument);
+      record.hand.push_back(tick.sample);
+      record.felt.push_back(tick.felt);
+    }
   }
   record.events = {{3, EventKind::attached, 12, 0.25}, {5, EventKind::released, 12, 0}};
   record.hashes = {{4, {0x0123456789abcdef, 0xfedcba9876543210}}};
+  for (Event& event : record.events) event.source = instruments - 1;
   return record;
 }
 
@@ -81,6 +85,7 @@ inline bool same_bits(const Felt& a, const Felt& b) {
 
 /// Whether the ticks of `part` are those of `whole`, up to where `part` ends.
 inline bool is_prefix(const Record& part, const Record& whole) {
+  if (part.instruments != whole.instruments) return false;
   if (part.hand.size() > whole.hand.size() || part.felt.size() != part.hand.size()) return false;
   for (std::size_t i = 0; i < part.hand.size(); ++i) {
     if (!same_bits(part.hand[i], whole.hand[i]) || !same_bits(part.felt[i], whole.felt[i])) {
@@ -90,7 +95,8 @@ inline bool is_prefix(const Record& part, const Record& whole) {
   if (part.events.size() > whole.events.size()) return false;
   for (std::size_t i = 0; i < part.events.size(); ++i) {
     const Event &a = part.events[i], &b = whole.events[i];
-    if (a.tick != b.tick || a.kind != b.kind || a.index != b.index || a.value != b.value) {
+    if (a.tick != b.tick || a.kind != b.kind || a.index != b.index || a.value != b.value ||
+        a.source != b.source) {
       return false;
     }
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -8,6 +10,7 @@
 #include <utility>
 
 #include "core/loop/collapse_scene.h"
+#include "core/loop/pair_scene.h"
 #include "core/session/some_record.h"
 #include "palpate/sim/loop/loop.h"
 #include "palpate/sim/packed/simd_targets.h"
@@ -161,6 +164,63 @@ TEST_CASE("a loop with a recorder, a reader and a tree built meanwhile replays t
   CHECK_FALSE(list_exchanges(record).empty());
   CHECK(report.ticks == loop.report().ticks);
   CHECK(report.equal);
+}
+
+TEST_CASE("two bodies under two devices replay to the same bits, each with its own trees") {
+  const Folder folder;
+  const Scene scene = pair_of(collapse_scene());
+  Puppet first(sweep_script(1.2)), second(sweep_script(0.9));
+  for (Puppet* puppet : {&first, &second}) {
+    puppet->times.reserve(2000);
+    puppet->forces.reserve(2000);
+  }
+  second.on_read = [](int, HapticSample& sample) { sample.position += kAside; };
+  Recorder recorder(folder.file("run.prec"), "{}", RecordCodec::deflate, 2, 2);
+  Loop loop(scene, std::array<HapticDevice*, 2>{&first, &second}, {.duration = 1.2},
+            &recorder.log());
+  run(loop);
+  recorder.finish();
+
+  const Record record = read_record(folder.file("run.prec"));
+  const ReplayReport report = replay(scene, record);
+
+  CHECK_FALSE(loop.report().alarm);
+  CHECK(record.complete);
+  CHECK(record.instruments == 2);
+  CHECK_FALSE(record.hashes.empty());
+  const std::vector<Event> exchanges = list_exchanges(record);
+  for (const int body : {0, 1}) {
+    CHECK(std::ranges::any_of(exchanges, [&](const Event& e) { return e.source == body; }));
+  }
+  for (const DeviceReport& device : loop.report().devices) CHECK(device.touch_ticks > 0);
+  CHECK(report.ticks == loop.report().ticks);
+  CHECK(report.equal);
+
+  Record changed = record;
+  Felt& felt = changed.felt[2 * 700 + 1];  // of the second instrument
+  felt.force.x() = std::nextafter(felt.force.x(), 1.0f);
+  CHECK(replay(scene, changed).first_difference == 700);
+}
+
+TEST_CASE("a record of two bodies made while exchanges were told of one only still replays") {
+  const Scene one = collapse_scene();
+  Scene two = pair_of(one);
+  two.instruments.resize(1);
+  two = build_scene(two);
+  const Record record = press_record(two);  // has no exchanges, and one hand
+
+  CHECK(replay(two, record).equal);
+}
+
+TEST_CASE("a tree of a body that the scene has not, or another number of hands, is refused") {
+  const Scene scene = press_scene();
+  Record other = press_record(scene), pair = other;
+  other.events = {{5, EventKind::tree_exchanged, 1, 2.0, 1}};
+  pair.instruments = 2;
+
+  CHECK(refusal_of(scene, other) == "replay: got at tick 5 a tree of body 1, expected 0 to 0");
+  CHECK(refusal_of(scene, pair) ==
+        "replay: got a scene of 1 instruments, expected 2, as many as the record has hands");
 }
 
 TEST_CASE("trees are exchanged in a replay where the record says, even in its last ticks") {

@@ -53,6 +53,26 @@ TEST_CASE("a full log refuses and counts, and what it holds stays whole") {
   CHECK_THROWS_AS(TickLog(0), std::invalid_argument);
 }
 
+TEST_CASE("a tick of several instruments is in the log whole or not at all") {
+  TickLog log(2, 3);
+  Taken taken;
+  const auto rows = [](std::int64_t tick) {
+    return std::vector<TickLog::Tick>{{tick, {}, {}}, {tick, {}, {}}, {tick, {}, {}}};
+  };
+
+  for (int i = 0; i < 3; ++i) CHECK(log.push(rows(i)) == (i < 2));
+  CHECK_FALSE(log.push(TickLog::Tick{3, {}, {}}));
+  taken.from(log);
+
+  CHECK(log.instruments() == 3);
+  CHECK(log.gap_count() == 2);
+  REQUIRE(taken.ticks.size() == 6);
+  for (std::size_t row = 0; row < 6; ++row) CHECK(taken.ticks[row].tick == long(row / 3));
+  CHECK(log.push(rows(4)));
+  CHECK_THROWS_AS(TickLog(10, 0), std::invalid_argument);
+  CHECK_THROWS_AS(TickLog(10, kMostLoggedInstruments + 1), std::invalid_argument);
+}
+
 TEST_CASE("two threads pass a million ticks through a small log without a torn or a lost one") {
   TickLog log(64);
   constexpr std::int64_t kCount = 1000000;

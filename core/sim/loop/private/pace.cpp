@@ -18,8 +18,14 @@ std::int64_t Pace::after_start(std::int64_t index) const noexcept {
   return std::llround(double(index) * 1e9 / rate_);
 }
 
-bool Pace::is_paced() const noexcept {
-  return std::abs(device_.report_rate() - rate_) < kSameRate * rate_;
+HapticDevice* Pace::find_pacer() const noexcept {
+  HapticDevice* failed = nullptr;
+  for (HapticDevice* device : devices_) {
+    if (!(std::abs(device->report_rate() - rate_) < kSameRate * rate_)) continue;
+    if (!device->failed()) return device;
+    if (!failed) failed = device;
+  }
+  return failed;
 }
 
 void Pace::begin(std::int64_t index) noexcept {
@@ -27,12 +33,13 @@ void Pace::begin(std::int64_t index) noexcept {
 }
 
 std::int64_t Pace::wait(std::int64_t index) noexcept {
-  if (!is_paced()) {
+  HapticDevice* const pacer = find_pacer();
+  if (!pacer) {
     wait_until(due(index), spin_);
     return due(index);
   }
   const std::int64_t latest = due(index) + period() / 2;
-  if (!device_.wait_for_report(latest)) {
+  if (!pacer->wait_for_report(latest)) {
     wait_until(latest, 0);  // one that has just been unplugged does not wait
     unpaced_.fetch_add(1, std::memory_order_relaxed);
     return latest;

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <vector>
 
 #include "palpate/sim/device/device.h"
 
@@ -10,17 +11,19 @@ namespace palpate {
 
 /// When the ticks of the live loop are due. All times are [ns] of the monotonic clock.
 ///
-/// Tick k is due k periods after the start. Where the device reports at the ticks' rate, it is due
+/// Tick k is due k periods after the start. Where a device reports at the ticks' rate, it is due
 /// when its report has come, and the start moves with it: the two clocks drift, and a report that
 /// waits for our clock is felt later by as much. A report may be late by half a period before the
 /// tick goes on without it; then our clock counts until reports come again. A report found later
 /// than that by a period and more waited for a host that was stopped: the start stays, so the tick
-/// is late and those before it are missed.
+/// is late and those before it are missed. Of several such devices the first sets the pace that has
+/// not failed, or the first of all.
 class Pace {
  public:
   /// `rate` [Hz] of the ticks; `spin` is spun instead of slept where our clock counts.
-  Pace(HapticDevice& device, double rate, std::int64_t spin) noexcept
-      : device_(device), rate_(rate), spin_(spin) {}
+  Pace(HapticDevice& device, double rate, std::int64_t spin) : Pace({&device}, rate, spin) {}
+  Pace(std::vector<HapticDevice*> devices, double rate, std::int64_t spin)
+      : devices_(std::move(devices)), rate_(rate), spin_(spin) {}
 
   /// Tick `index` is due one period from now.
   void begin(std::int64_t index) noexcept;
@@ -33,9 +36,10 @@ class Pace {
 
  private:
   std::int64_t after_start(std::int64_t index) const noexcept;
-  bool is_paced() const noexcept;
+  /// The device that sets the pace, null where our clock does.
+  HapticDevice* find_pacer() const noexcept;
 
-  HapticDevice& device_;
+  const std::vector<HapticDevice*> devices_;
   const double rate_;
   const std::int64_t spin_;
   std::int64_t start_ = 0;

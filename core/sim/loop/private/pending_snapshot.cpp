@@ -12,6 +12,7 @@
 namespace palpate {
 
 PendingSnapshot::PendingSnapshot(const World& world) : packed(world.bodies.size()) {
+  seen.instruments.resize(world.instruments.size());
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
     const SoftState& body = world.bodies[b];
     if (const PackedKernel* kernel = find_packed(body)) {
@@ -22,13 +23,17 @@ PendingSnapshot::PendingSnapshot(const World& world) : packed(world.bodies.size(
   }
 }
 
-void note_world(const World& world, const HapticSample& sample, PendingSnapshot& pending) noexcept {
-  const ToolState& tool = world.instruments[0].tool;
+void note_world(const World& world, std::span<const HapticSample> samples,
+                PendingSnapshot& pending) noexcept {
   pending.seen.tick = world.tick_count - 1;
-  pending.seen.time = sample.time;
-  pending.seen.sample = sample;
-  pending.seen.tool_position = tool.position;
-  pending.seen.touching = tool.touching;
+  pending.seen.time = samples[0].time;
+  for (std::size_t i = 0; i < world.instruments.size(); ++i) {
+    const ToolState& tool = world.instruments[i].tool;
+    InstrumentSnapshot& seen = pending.seen.instruments[i];
+    seen.sample = samples[i];
+    seen.tool_position = tool.position;
+    seen.touching = tool.touching;
+  }
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
     const SoftState& body = world.bodies[b];
     pending.seen.bodies[b].substeps = body.substeps;

@@ -23,8 +23,10 @@ struct PendingSnapshot {
   std::vector<Packed> packed;  ///< per body
 };
 
-/// Haptic thread: notes the world after a tick with this sample. Does not allocate.
-void note_world(const World& world, const HapticSample& sample, PendingSnapshot& pending) noexcept;
+/// Haptic thread: notes the world after a tick with these samples, one for each instrument. Does
+/// not allocate.
+void note_world(const World& world, std::span<const HapticSample> samples,
+                PendingSnapshot& pending) noexcept;
 
 /// What readers see, in their own memory.
 class SnapshotReader {

@@ -45,7 +45,8 @@ std::optional<Event> TreeBuilder::serve(std::size_t body, World& world) noexcept
   turn_.store(Turn::returned, std::memory_order_release);
   call_worker();
   const auto age = static_cast<std::int32_t>(world.tick_count - asked_at_);
-  return Event{world.tick_count, EventKind::tree_exchanged, age, growth_};
+  return Event{world.tick_count, EventKind::tree_exchanged, age, growth_,
+               static_cast<std::int32_t>(body)};
 }
 
 TreeBuilder::Turn TreeBuilder::build() noexcept {

@@ -16,7 +16,7 @@ constexpr std::array<std::array<char, 4>, 4> kBlockMagics = {
 // and for the description in the header, so the three cannot disagree.
 
 template <class Visit>
-void visit_columns(const TickLog::Tick*, Visit visit) {
+void visit_columns(const TickLog::Tick*, const Layout&, Visit visit) {
   visit("time", [](auto& t) { return &t.sample.time; });
   visit("position_x", [](auto& t) { return &t.sample.position[0]; });
   visit("position_y", [](auto& t) { return &t.sample.position[1]; });
@@ -41,15 +41,16 @@ void visit_columns(const TickLog::Tick*, Visit visit) {
 }
 
 template <class Visit>
-void visit_columns(const Event*, Visit visit) {
+void visit_columns(const Event*, const Layout& layout, Visit visit) {
   visit("tick", [](auto& h) { return &h.tick; });
   visit("kind", [](auto& h) { return &h.kind; });
   visit("index", [](auto& h) { return &h.index; });
   visit("value", [](auto& h) { return &h.value; });
+  if (layout.version >= 2) visit("source", [](auto& h) { return &h.source; });
 }
 
 template <class Visit>
-void visit_columns(const StateHash*, Visit visit) {
+void visit_columns(const StateHash*, const Layout&, Visit visit) {
   visit("tick", [](auto& h) { return &h.tick; });
   visit("hash_0", [](auto& h) { return &h.hash[0]; });
   visit("hash_1", [](auto& h) { return &h.hash[1]; });
@@ -72,12 +73,20 @@ void visit_kind(BlockKind kind, Visit visit) {
 template <class Row, class Column>
 using Value = std::remove_pointer_t<std::invoke_result_t<Column, Row&>>;
 
-std::vector<int> column_widths(BlockKind kind) {
+/// How many rows of the table make one row of a block.
+template <class Row>
+std::size_t rows_per_row(const Layout& layout) {
+  return std::is_same_v<Row, TickLog::Tick> ? static_cast<std::size_t>(layout.instruments) : 1;
+}
+
+std::vector<int> column_widths(BlockKind kind, const Layout& layout) {
   std::vector<int> widths;
   visit_kind(kind, [&]<class Row>(Row) {
-    visit_columns(static_cast<const Row*>(nullptr), [&]<class Column>(const char*, Column) {
-      widths.push_back(sizeof(Value<Row, Column>));
-    });
+    for (std::size_t lane = 0; lane < rows_per_row<Row>(layout); ++lane) {
+      visit_columns(
+          static_cast<const Row*>(nullptr), layout,
+          [&]<class Column>(const char*, Column) { widths.push_back(sizeof(Value<Row, Column>)); });
+    }
   });
   return widths;
 }
@@ -107,37 +116,47 @@ void append(T value, Bytes& bytes) {
 }
 
 template <class Row>
-Bytes pack_rows(std::span<const Row> rows) {
+Bytes pack_rows(std::span<const Row> rows, const Layout& layout) {
   Bytes bytes;
   bytes.reserve(rows.size() * sizeof(Row));
-  visit_columns(rows.data(), [&](const char*, auto column) {
-    for (const Row& row : rows) append(*column(row), bytes);
-  });
+  const std::size_t lanes = rows_per_row<Row>(layout);
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    visit_columns(rows.data(), layout, [&](const char*, auto column) {
+      for (std::size_t r = lane; r < rows.size(); r += lanes) append(*column(rows[r]), bytes);
+    });
+  }
   return bytes;
 }
 
 template <class Row>
-void unpack_rows(const std::uint8_t* at, std::uint32_t count, std::vector<Row>& rows) {
-  const std::size_t first = rows.size();
-  rows.resize(first + count);
-  visit_columns(rows.data(), [&]<class Column>(const char*, Column column) {
-    using T = Value<Row, Column>;
-    for (std::size_t i = 0; i < count; ++i, at += sizeof(T)) {
-      *column(rows[first + i]) =
-          std::bit_cast<T>(static_cast<Bits<sizeof(T)>>(load(at, sizeof(T))));
-    }
-  });
+void unpack_rows(const std::uint8_t* at, std::uint32_t count, const Layout& layout,
+                 std::vector<Row>& rows) {
+  const std::size_t first = rows.size(), lanes = rows_per_row<Row>(layout);
+  rows.resize(first + count * lanes);
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    visit_columns(rows.data(), layout, [&]<class Column>(const char*, Column column) {
+      using T = Value<Row, Column>;
+      for (std::size_t i = 0; i < count; ++i, at += sizeof(T)) {
+        *column(rows[first + i * lanes + lane]) =
+            std::bit_cast<T>(static_cast<Bits<sizeof(T)>>(load(at, sizeof(T))));
+      }
+    });
+  }
 }
 
 template <class Row>
-std::string describe() {
+std::string describe(const Layout& layout) {
   std::string text;
-  visit_columns(static_cast<const Row*>(nullptr), [&]<class Column>(const char* name, Column) {
-    using T = Value<Row, Column>;
-    const char* type = std::is_floating_point_v<T> ? "f" : std::is_unsigned_v<T> ? "u" : "i";
-    text += (text.empty() ? "[\"" : ",[\"") + std::string(name) + "\",\"" + type +
-            std::to_string(sizeof(T)) + "\"]";
-  });
+  for (std::size_t lane = 0; lane < rows_per_row<Row>(layout); ++lane) {
+    const std::string prefix = lane == 0 ? "" : std::to_string(lane) + ".";
+    visit_columns(
+        static_cast<const Row*>(nullptr), layout, [&]<class Column>(const char* name, Column) {
+          using T = Value<Row, Column>;
+          const char* type = std::is_floating_point_v<T> ? "f" : std::is_unsigned_v<T> ? "u" : "i";
+          text += (text.empty() ? "[\"" : ",[\"") + prefix + name + "\",\"" + type +
+                  std::to_string(sizeof(T)) + "\"]";
+        });
+  }
   return "[" + text + "]";
 }
 
@@ -148,11 +167,24 @@ const char* kind_name(BlockKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-// version 1 of the format calls events happenings
-std::string describe_columns() {
-  return "{\"version\":" + std::to_string(kVersion) +
-         ",\"columns\":{\"ticks\":" + describe<TickLog::Tick>() +
-         ",\"happenings\":" + describe<Event>() + ",\"hashes\":" + describe<StateHash>() + "}}";
+Layout choose_layout(int instruments, bool several_bodies) noexcept {
+  return {instruments > 1 || several_bodies ? 2u : 1u, instruments};
+}
+
+std::size_t preamble_bytes(std::uint32_t version) noexcept {
+  return version == 1 ? kPreambleBytes : kPreambleBytes + 4;
+}
+
+std::int64_t most_ticks(const Layout& layout) noexcept { return kMostRows / layout.instruments; }
+
+// the format calls events happenings
+std::string describe_columns(const Layout& layout) {
+  const std::string instruments =
+      layout.version == 1 ? "" : ",\"instruments\":" + std::to_string(layout.instruments);
+  return "{\"version\":" + std::to_string(layout.version) + instruments +
+         ",\"columns\":{\"ticks\":" + describe<TickLog::Tick>(layout) +
+         ",\"happenings\":" + describe<Event>(layout) +
+         ",\"hashes\":" + describe<StateHash>(layout) + "}}";
 }
 
 Bytes pack_u32(std::uint32_t value) {
@@ -165,10 +197,11 @@ std::uint32_t unpack_u32(std::span<const std::uint8_t> bytes) {
   return static_cast<std::uint32_t>(load(bytes.data(), 4));
 }
 
-Bytes pack_preamble(const std::string& header_json) {
+Bytes pack_preamble(const std::string& header_json, const Layout& layout) {
   Bytes bytes(kMagic.begin(), kMagic.end());
-  append(kVersion, bytes);
+  append(layout.version, bytes);
   append(static_cast<std::uint32_t>(header_json.size()), bytes);
+  if (layout.version > 1) append(static_cast<std::uint32_t>(layout.instruments), bytes);
   bytes.insert(bytes.end(), header_json.begin(), header_json.end());
   return bytes;
 }
@@ -212,39 +245,44 @@ Summary unpack_summary(std::span<const std::uint8_t> bytes) {
   return summary;
 }
 
-Bytes pack(std::span<const TickLog::Tick> rows) { return pack_rows(rows); }
-Bytes pack(std::span<const Event> rows) { return pack_rows(rows); }
-Bytes pack(std::span<const StateHash> rows) { return pack_rows(rows); }
+Bytes pack(std::span<const TickLog::Tick> rows, const Layout& layout) {
+  return pack_rows(rows, layout);
+}
+Bytes pack(std::span<const Event> rows, const Layout& layout) { return pack_rows(rows, layout); }
+Bytes pack(std::span<const StateHash> rows, const Layout& layout) {
+  return pack_rows(rows, layout);
+}
 
-std::size_t row_bytes(BlockKind kind) {
+std::size_t row_bytes(BlockKind kind, const Layout& layout) {
   std::size_t sum = 0;
-  for (const int width : column_widths(kind)) sum += static_cast<std::size_t>(width);
+  for (const int width : column_widths(kind, layout)) sum += static_cast<std::size_t>(width);
   return sum;
 }
 
-void unpack(std::span<const std::uint8_t> body, const BlockHeader& header,
+void unpack(std::span<const std::uint8_t> body, const BlockHeader& header, const Layout& layout,
             std::vector<TickLog::Tick>& rows) {
-  unpack_rows(body.data(), header.count, rows);
-  for (std::size_t i = 0; i < header.count; ++i) {
-    rows[rows.size() - header.count + i].tick = header.first_tick + static_cast<std::int64_t>(i);
+  const std::size_t first = rows.size(), lanes = rows_per_row<TickLog::Tick>(layout);
+  unpack_rows(body.data(), header.count, layout, rows);
+  for (std::size_t r = first; r < rows.size(); ++r) {
+    rows[r].tick = header.first_tick + static_cast<std::int64_t>((r - first) / lanes);
   }
 }
 
-void unpack(std::span<const std::uint8_t> body, const BlockHeader& header,
+void unpack(std::span<const std::uint8_t> body, const BlockHeader& header, const Layout& layout,
             std::vector<Event>& rows) {
-  unpack_rows(body.data(), header.count, rows);
+  unpack_rows(body.data(), header.count, layout, rows);
 }
 
-void unpack(std::span<const std::uint8_t> body, const BlockHeader& header,
+void unpack(std::span<const std::uint8_t> body, const BlockHeader& header, const Layout& layout,
             std::vector<StateHash>& rows) {
-  unpack_rows(body.data(), header.count, rows);
+  unpack_rows(body.data(), header.count, layout, rows);
 }
 
-Bytes shuffle_differences(BlockKind kind, std::uint32_t count,
+Bytes shuffle_differences(BlockKind kind, const Layout& layout, std::uint32_t count,
                           std::span<const std::uint8_t> plain) {
   Bytes shuffled(plain.size());
   std::size_t column = 0;
-  for (const int width : column_widths(kind)) {
+  for (const int width : column_widths(kind, layout)) {
     std::uint64_t last = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t w = static_cast<std::size_t>(width);
@@ -260,11 +298,11 @@ Bytes shuffle_differences(BlockKind kind, std::uint32_t count,
   return shuffled;
 }
 
-Bytes unshuffle_differences(BlockKind kind, std::uint32_t count,
+Bytes unshuffle_differences(BlockKind kind, const Layout& layout, std::uint32_t count,
                             std::span<const std::uint8_t> shuffled) {
   Bytes plain(shuffled.size());
   std::size_t column = 0;
-  for (const int width : column_widths(kind)) {
+  for (const int width : column_widths(kind, layout)) {
     std::uint64_t value = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t w = static_cast<std::size_t>(width);

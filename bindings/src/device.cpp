@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/device/device.h"
+
+#include <pybind11/native_enum.h>
+
+#include <cmath>
+
+#include "bindings.h"
+#include "border.h"
+#include "interrupt.h"
+#include "palpate/sim/device/mailbox_device.h"
+#include "palpate/sim/device/simulated_devices.h"
+#include "palpate/sim/tick/surface_pointer.h"
+#include "rows.h"
+#include "value.h"
+
+namespace palpate::bindings {
+
+namespace {
+
+void bind_scripted_device(py::module_& m) {
+  py::class_<KeyFrame> frame(m, "KeyFrame",
+                             "One moment of a script; between key frames the hand moves smoothly "
+                             "(minimum jerk), buttons hold from their frame on.");
+  frame.def(py::init([](double time, const Vec3& position, std::uint8_t buttons) {
+              return KeyFrame{time, position, buttons};
+            }),
+            "time"_a = 0.0, "position"_a = Vec3::Zero().eval(), "buttons"_a = 0);
+  frame.def_readwrite("time", &KeyFrame::time, "[s], ascending.");
+  def_vector(frame, "position", &KeyFrame::position, "[m]");
+  frame.def_readwrite("buttons", &KeyFrame::buttons, "Bit 0: attach while held.");
+  def_value(frame, &KeyFrame::time, &KeyFrame::position, &KeyFrame::buttons);
+  def_repr(frame, {"time", "position", "buttons"});
+
+  py::class_<ScriptedDevice, HapticDevice>(m, "ScriptedDevice",
+                                           "A hand that follows a script, the same in every run.")
+      .def(py::init<std::vector<KeyFrame>>(), "frames"_a,
+           "Raises ValueError for no frames, times that do not ascend, or non-finite numbers.")
+      .def("duration", &ScriptedDevice::duration, "[s]")
+      .def_readonly("last_command", &ScriptedDevice::last_command, "The force it was last sent.");
+}
+
+void bind_mailbox_device(py::module_& m) {
+  py::class_<MailboxDevice, HapticDevice>(
+      m, "MailboxDevice",
+      "A hand that another thread tells of as often as it can, and that takes the newest force "
+      "from here; PythonDevice is one with a thread of its own. Outside of real time: what is felt "
+      "is late by as long as that thread takes. Where no sample comes for 20 ms the force is taken "
+      "back until one does; after a second the motors count as cut.")
+      .def(py::init<const std::string&>(), "title"_a, "What it is called in reports.")
+      .def("tell", &MailboxDevice::tell, "sample"_a,
+           "The other thread: where the hand is now. time is filled in by read().")
+      .def("take_command", &MailboxDevice::take_command, "The same thread: the newest force.")
+      .def("fail", &MailboxDevice::fail, "reason"_a,
+           "From any thread: the device is gone for good, and why; the first reason counts.");
+}
+
+void bind_surface_pointer(py::module_& m) {
+  py::native_enum<PointerPath>(m, "PointerPath", "enum.Enum", "How a hand gets to its goal.")
+      .value("along", PointerPath::along,
+             "Over the surface at rest, at the depth that is asked for.")
+      .value("around", PointerPath::around,
+             "Straight, but around the organ: where it would come below it, along the surface.")
+      .value("straight", PointerPath::straight, "Straight, the tissue it holds with it.")
+      .finalize();
+
+  py::class_<PointerTarget> target(m, "PointerTarget", "What a window wants of the hand.");
+  target.def(py::init([](double time, const Vec3& goal, double depth, PointerPath path,
+                         bool pressing, std::uint8_t buttons) {
+               return PointerTarget{time, goal, depth, path, pressing, buttons};
+             }),
+             py::kw_only(), "time"_a = 0.0, "goal"_a = Vec3::Zero().eval(), "depth"_a = 0.0,
+             "path"_a = PointerPath::along, "pressing"_a = false, "buttons"_a = 0);
+  target.def_readwrite("time", &PointerTarget::time,
+                       "[s] of the event that led to it, by the window's clock.");
+  def_vector(target, "goal", &PointerTarget::goal,
+             "[m], shape (3,), a point of the surface at rest, or beside it.");
+  target
+      .def_readwrite("depth", &PointerTarget::depth,
+                     "[m] of the tip below the goal; negative above it.")
+      .def_readwrite("path", &PointerTarget::path, "How the hand goes there.")
+      .def_readwrite("pressing", &PointerTarget::pressing,
+                     "A button is down: the hand presses for as long as it was.")
+      .def_readwrite("buttons", &PointerTarget::buttons,
+                     "Of the sample, once the tip has been where it began for a moment.");
+  def_value(target, &PointerTarget::time, &PointerTarget::goal, &PointerTarget::depth,
+            &PointerTarget::path, &PointerTarget::pressing, &PointerTarget::buttons);
+  def_repr(target, {"time", "goal", "depth", "path", "pressing", "buttons"});
+
+  py::class_<SurfacePointer, HapticDevice>(
+      m, "SurfacePointer",
+      "A hand that a window moves over a surface: post() from one thread, read() from the haptic "
+      "thread, which moves the hand. How often the window finds time to post makes no difference "
+      "to what is felt: the hand goes over the surface at rest at 250 mm/s at most and into it at "
+      "50 mm/s, and a press that was over before it was heard of lasts as long as the window says.")
+      .def(py::init([](const Scene& scene, int body, int instrument) {
+             require_built(scene);
+             require_index("body", body, scene.bodies.size());
+             require_index("instrument", instrument, scene.instruments.size());
+             return std::make_unique<SurfacePointer>(scene, body, instrument);
+           }),
+           "scene"_a, "body"_a = 0, "instrument"_a = 0,
+           "The surface and the tool are those of a scene.")
+      .def("post", &SurfacePointer::post, "target"_a,
+           "One calling thread. Raises ValueError for a number that is not finite.");
+}
+
+}  // namespace
+
+void bind_devices(py::module_& m) {
+  py::native_enum<MotorState>(m, "MotorState", "enum.Enum",
+                              "Whether a device makes the hand feel the force that it is sent.")
+      .value("on", MotorState::on, "Or coming on.")
+      .value("silent", MotorState::silent,
+             "It has not been heard for some ticks: the force is taken back until it is.")
+      .value("off", MotorState::off, "Not on yet, or switched off on purpose.")
+      .value("cut", MotorState::cut,
+             "They were on: it took them off, was reset, fell silent or is gone.")
+      .finalize();
+  py::class_<HapticDevice> device(
+      m, "HapticDevice",
+      "A haptic device, real or simulated. read and write belong to the haptic thread, which "
+      "Python never enters: to write a device in Python, hand its driver to a PythonDevice.");
+  refuse_overrides(device);
+  device
+      .def(
+          "read",
+          [](HapticDevice& self, double time) {
+            // a simulated device lives through all of it at once
+            if (!(std::abs(time) <= 24 * 3600.0)) {
+              refuse("time [s]", write_text(time), "within a day of the run's begin");
+            }
+            return self.read(time);
+          },
+          "time"_a,
+          "The hand at time [s] since the run began; devices with a clock of their own may ignore "
+          "it.")
+      .def("write", &HapticDevice::write, "command"_a,
+           "The force the device shall make the hand feel.")
+      .def("end", &HapticDevice::end,
+           "A run is over: motors off, until the next write. The live loop calls it at its end.")
+      .def("rest", &HapticDevice::rest, "seconds"_a,
+           "The run is paused and its time stands still: no force, and so many [s] of the world's "
+           "time have passed since the last call.")
+      .def("motors", &HapticDevice::motors, "Whether the hand feels what is written now.")
+      .def("explain_fault", &HapticDevice::explain_fault,
+           "Why the motors are cut, or the device has failed, and what to do; empty where it "
+           "cannot tell.")
+      .def("name", &HapticDevice::name, "What it is called in reports.")
+      .def("failed", &HapticDevice::failed,
+           "True once the device is gone for good: what it says and is told no longer counts.")
+      .def("report_rate", &HapticDevice::report_rate,
+           "[Hz] of the reports that can be waited for, 0 where the device has no clock of its "
+           "own. Where it is that of the ticks, the live loop ticks when a report has come.")
+      .def(
+          "wait_for_report",
+          [](HapticDevice& self, std::int64_t latest) {
+            return wait_in_pieces(
+                latest, [&self](std::int64_t until) { return self.wait_for_report(until); });
+          },
+          "latest"_a,
+          "Waits for a report that read has not seen, until latest [ns of the monotonic clock] "
+          "at most. False if none came.");
+  bind_safe_device(m);
+  bind_scripted_device(m);
+  bind_mailbox_device(m);
+  bind_surface_pointer(m);
+  py::class_<PointerDevice, HapticDevice>(
+      m, "PointerDevice",
+      "A hand that a window moves: set() from one thread, read() from the haptic thread. Between "
+      "two positions the hand glides, never faster than 1 m/s; the first is taken at once.")
+      .def(py::init<>(), "A hand that is nowhere yet.")
+      .def("set", &PointerDevice::set, "sample"_a,
+           "One calling thread; time and velocity are filled in by read().")
+      .def("take_command", &PointerDevice::take_command,
+           "The newest force, for the same thread as set().");
+  py::class_<ReplayDevice, HapticDevice>(
+      m, "ReplayDevice",
+      "A hand read back from a record, one sample per call, whatever the time; the last one stays.")
+      .def(
+          py::init([](const py::object& samples) {
+            return std::make_unique<ReplayDevice>(copy_rows<HapticSample>(samples, "samples"));
+          }),
+          "samples"_a,
+          "Takes a structured array as of Record.hand or a list of HapticSample. Raises ValueError "
+          "for no samples.")
+      .def("finished", &ReplayDevice::finished, "Whether every sample has been read.")
+      .def_readonly("last_command", &ReplayDevice::last_command, "The force it was last sent.");
+}
+
+}  // namespace palpate::bindings

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/loop/private/device_channel.h"
+
+#include <algorithm>
+
+#include "palpate/sim/base/private/refuse.h"
+
+namespace palpate {
+
+DeviceChannel::DeviceChannel(HapticDevice& device, const SafetyLimits& limits)
+    : device_(device), safe_(device, limits) {}
+
+void DeviceChannel::notice(std::int64_t tick, int instrument, TickLog* log) noexcept {
+  const auto tell = [&](EventKind kind, std::int32_t index, double value) noexcept {
+    if (log) log->push(Event{tick, kind, index, value, instrument});
+  };
+  const MotorState now = safe_.motors();
+  if (now != motors_) {
+    const bool on = now == MotorState::on;
+    tell(on ? EventKind::motors_on : EventKind::motors_off, on ? 0 : static_cast<std::int32_t>(now),
+         0.0);
+    motors_ = now;
+  }
+  DeviceFault found = safe_.fault();
+  // a device that has failed since it was last written to has its motors cut as well
+  if (found == DeviceFault::none && now == MotorState::cut) {
+    found = safe_.failed() ? DeviceFault::device_failed : DeviceFault::motors_cut;
+  }
+  if (found == fault_.load(std::memory_order_relaxed)) return;
+  fault_value_.store(safe_.fault_value(), std::memory_order_relaxed);
+  fault_.store(found, std::memory_order_release);
+  if (found == DeviceFault::none) return;
+  tell(EventKind::fault, static_cast<std::int32_t>(found), safe_.fault_value());
+}
+
+void DeviceChannel::count_force(const ToolState& tool) noexcept {
+  if (motors_ != MotorState::on) {
+    unrendered_.fetch_add(1, std::memory_order_relaxed);
+    return;
+  }
+  const double size = safe_.sent().force.norm();
+  if (size > peak_force_.load(std::memory_order_relaxed)) {
+    peak_force_.store(size, std::memory_order_relaxed);
+  }
+  if (!tool.touching && tool.hold_count == 0) return;
+  const long count = touch_ticks_.fetch_add(1, std::memory_order_relaxed) + 1;
+  touch_force_sum_ += size;
+  touch_force_.store(touch_force_sum_ / double(count), std::memory_order_relaxed);
+}
+
+void DeviceChannel::end() noexcept {
+  device_.write(HapticCommand{});
+  device_.end();
+}
+
+DeviceReport DeviceChannel::report() const {
+  DeviceReport report;
+  report.fault = fault();
+  report.fault_reason =
+      describe_fault(report.fault, fault_value_.load(std::memory_order_relaxed), device_);
+  report.unrendered_ticks = unrendered_.load(std::memory_order_relaxed);
+  report.peak_force = peak_force_.load(std::memory_order_relaxed);
+  report.touch_ticks = touch_ticks_.load(std::memory_order_relaxed);
+  report.touch_force = touch_force_.load(std::memory_order_relaxed);
+  return report;
+}
+
+std::vector<std::unique_ptr<DeviceChannel>> open_channels(const Scene& scene,
+                                                          std::span<HapticDevice* const> devices,
+                                                          const LoopOptions& options,
+                                                          const TickLog* log) {
+  const auto require_each = [&](const char* name, std::size_t count) {
+    if (count == scene.instruments.size()) return;
+    refuse(name, write_text(count),
+           write_text(scene.instruments.size(), ", one for each instrument of the scene"));
+  };
+  require_each("loop: devices", devices.size());
+  if (!options.device_safety.empty()) {
+    require_each("loop: device_safety", options.device_safety.size());
+  }
+  if (log) require_each("loop: log.instruments", static_cast<std::size_t>(log->instruments()));
+  std::vector<std::unique_ptr<DeviceChannel>> channels;
+  for (auto at = devices.begin(); at != devices.end(); ++at) {
+    const auto i = static_cast<std::size_t>(at - devices.begin());
+    if (!*at || std::find(devices.begin(), at, *at) != at) {
+      refuse(write_text("loop: devices[", i, "]"),
+             *at ? "a device that drives another instrument" : "none", "one of its own");
+    }
+    const SafetyLimits& limits =
+        options.device_safety.empty() ? options.safety : options.device_safety[i];
+    channels.push_back(std::make_unique<DeviceChannel>(**at, limits));
+  }
+  return channels;
+}
+
+void sum_devices(LoopReport& report) {
+  double touch_force_sum = 0.0;
+  for (const DeviceReport& device : report.devices) {
+    report.unrendered_ticks += device.unrendered_ticks;
+    report.peak_force = std::max(report.peak_force, device.peak_force);
+    report.touch_ticks += device.touch_ticks;
+    touch_force_sum += device.touch_force * double(device.touch_ticks);
+  }
+  // one device alone says its mean itself, to the bit
+  report.touch_force = report.devices.size() == 1 ? report.devices[0].touch_force
+                       : report.touch_ticks > 0   ? touch_force_sum / double(report.touch_ticks)
+                                                  : 0.0;
+  const auto failed = std::ranges::find_if(
+      report.devices, [](const DeviceReport& d) { return d.fault != DeviceFault::none; });
+  const DeviceReport& told = failed == report.devices.end() ? report.devices[0] : *failed;
+  report.fault = told.fault;
+  report.fault_reason = told.fault_reason;
+}
+
+}  // namespace palpate

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "palpate/sim/contact/tool.h"
+#include "palpate/sim/loop/loop.h"
+
+namespace palpate {
+
+/// The device of one instrument in the live loop, behind its safety wrapper, and what it gave.
+class DeviceChannel {
+ public:
+  DeviceChannel(HapticDevice& device, const SafetyLimits& limits);
+
+  // haptic thread
+  SafeDevice& safe() noexcept { return safe_; }
+  MotorState motors() const noexcept { return motors_; }  ///< as it was noticed last
+  /// Whether the device still gives its force, and what became of it where it does not: told to
+  /// `log`, if there is one, as of this tick and instrument.
+  void notice(std::int64_t tick, int instrument, TickLog* log) noexcept;
+  /// What the hand really felt of a tick that left the tool like this.
+  void count_force(const ToolState& tool) noexcept;
+  void end() noexcept;  ///< a zero force, past the slew limit that would let it linger
+
+  // any thread
+  DeviceFault fault() const noexcept { return fault_.load(std::memory_order_acquire); }
+  DeviceReport report() const;
+
+ private:
+  HapticDevice& device_;
+  SafeDevice safe_;
+  MotorState motors_ = MotorState::on;
+  double touch_force_sum_ = 0.0;  // [N]
+  std::atomic<DeviceFault> fault_{DeviceFault::none};
+  std::atomic<double> fault_value_{0.0};
+  std::atomic<long> unrendered_{0}, touch_ticks_{0};
+  std::atomic<double> peak_force_{0.0}, touch_force_{0.0};  // [N]
+};
+
+/// One for each instrument. Throws std::invalid_argument where scene, devices, options and log (or
+/// null) do not have as many of them, or a device is there twice.
+std::vector<std::unique_ptr<DeviceChannel>> open_channels(const Scene& scene,
+                                                          std::span<HapticDevice* const> devices,
+                                                          const LoopOptions& options,
+                                                          const TickLog* log);
+
+/// Fills in what a report says of all devices together, from what it says of each.
+void sum_devices(LoopReport& report);
+
+}  // namespace palpate
