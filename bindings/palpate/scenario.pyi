@@ -18,6 +18,8 @@ MOST_DEPTH: int
 MOST_TITLE_BYTES: int
 MOST_TASK_BYTES: int
 MOST_LANGUAGES: int
+MOST_BODIES: int
+MOST_INSTRUMENTS: int
 MOST_PARTICLES: int
 MOST_TRIANGLES: int
 MOST_LINKS: int
@@ -164,7 +166,9 @@ def check_ranges(scene: Scene) -> None:
     """
 
 def list_ranges() -> list[tuple[str, str, float, float]]:
-    """Of every number of a file: its name, unit, least and most."""
+    """Of every number of a file: its name, i for the number of a body or an instrument, its
+    unit, least and most.
+    """
 
 def unpack(container: Container, file: str) -> Scenario:
     """The scenario in a container; file is what refusals call it."""

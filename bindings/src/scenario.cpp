@@ -130,6 +130,8 @@ void bind_limits(py::module_& m) {
   m.attr("MOST_TITLE_BYTES") = scenario::kMostTitleBytes;
   m.attr("MOST_TASK_BYTES") = scenario::kMostTaskBytes;
   m.attr("MOST_LANGUAGES") = scenario::kMostLanguages;
+  m.attr("MOST_BODIES") = scenario::kMostBodies;
+  m.attr("MOST_INSTRUMENTS") = scenario::kMostInstruments;
   m.attr("MOST_PARTICLES") = scenario::kMostParticles;
   m.attr("MOST_TRIANGLES") = scenario::kMostTriangles;
   m.attr("MOST_LINKS") = scenario::kMostLinks;
@@ -298,7 +300,8 @@ void bind_scenario_files(py::module_& m) {
         }
         return rows;
       },
-      "Of every number of a file: its name, unit, least and most.");
+      "Of every number of a file: its name, i for the number of a body or an instrument, its unit, "
+      "least and most.");
   m.def("unpack", &scenario::unpack, "container"_a, "file"_a, Release(),
         "The scenario in a container; file is what refusals call it.");
   m.def("pack", &scenario::pack, "scenario"_a, Release(), "What the file holds.");

@@ -23,20 +23,33 @@ Json print_tissue(const TissueModel& tissue) {
           {"angle_law", kAngleLaws.begin()[static_cast<int>(tissue.angle_law)]}};
 }
 
+Json print_body(const SoftBody& body) {
+  Json printed = {{"tissue", print_tissue(body.tissue)},
+                  {"substeps", body.substeps},
+                  {"substeps_max", body.substeps_max},
+                  {"spectrum_stiffness", body.spectrum_stiffness},
+                  {"spectrum_damping", body.spectrum_damping}};
+  if (body.force_error > 0.0) printed["force_error"] = body.force_error;
+  return printed;
+}
+
+Json print_instrument(const Instrument& instrument) {
+  const auto& [radius, tool_stiffness] = instrument.tool;
+  const auto& [coupling_stiffness, force_max] = instrument.coupling;
+  return {{"tool", {{"radius", radius}, {"stiffness", tool_stiffness}}},
+          {"coupling", {{"stiffness", coupling_stiffness}, {"force_max", force_max}}},
+          {"hold_stiffness", instrument.hold_stiffness}};
+}
+
 Json print_scene(const Scene& scene) {
-  const auto& [radius, tool_stiffness] = scene.instruments[0].tool;
-  const auto& [coupling_stiffness, force_max] = scene.instruments[0].coupling;
-  Json printed = {{"tissue", print_tissue(scene.bodies[0].tissue)},
-                  {"tool", {{"radius", radius}, {"stiffness", tool_stiffness}}},
-                  {"coupling", {{"stiffness", coupling_stiffness}, {"force_max", force_max}}},
-                  {"hold_stiffness", scene.instruments[0].hold_stiffness},
+  Json printed = {{"bodies", Json::array()},
+                  {"instruments", Json::array()},
                   {"gravity", {scene.gravity.x(), scene.gravity.y(), scene.gravity.z()}},
-                  {"rate", scene.rate},
-                  {"substeps", scene.bodies[0].substeps},
-                  {"substeps_max", scene.bodies[0].substeps_max},
-                  {"spectrum_stiffness", scene.bodies[0].spectrum_stiffness},
-                  {"spectrum_damping", scene.bodies[0].spectrum_damping}};
-  if (scene.bodies[0].force_error > 0.0) printed["force_error"] = scene.bodies[0].force_error;
+                  {"rate", scene.rate}};
+  for (const SoftBody& body : scene.bodies) printed["bodies"].push_back(print_body(body));
+  for (const Instrument& instrument : scene.instruments) {
+    printed["instruments"].push_back(print_instrument(instrument));
+  }
   return printed;
 }
 
@@ -64,26 +77,45 @@ Vec3 parse_vector(Fields& fields, const char* name) {
   return vector;
 }
 
-void parse_scene(Fields fields, Scene& scene) {
+SoftBody parse_body(Fields fields) {
   constexpr std::int64_t kMostInt = std::numeric_limits<int>::max();
-  parse_tissue(fields.object("tissue"), scene.bodies[0].tissue);
+  SoftBody body;
+  parse_tissue(fields.object("tissue"), body.tissue);
+  // at least 1: 0 would have build_scene choose, perhaps otherwise than it did
+  body.substeps = static_cast<int>(fields.whole("substeps", 1, kMostInt));
+  body.substeps_max = static_cast<int>(fields.whole("substeps_max", 1, kMostInt));
+  body.force_error = fields.number_or("force_error", 0.0);
+  body.spectrum_stiffness = fields.number("spectrum_stiffness");
+  body.spectrum_damping = fields.number("spectrum_damping");
+  fields.finish();
+  return body;
+}
+
+Instrument parse_instrument(Fields fields) {
+  Instrument instrument;
   Fields tool = fields.object("tool");
-  scene.instruments[0].tool = {.radius = tool.number("radius"),
-                               .stiffness = tool.number("stiffness")};
+  instrument.tool = {.radius = tool.number("radius"), .stiffness = tool.number("stiffness")};
   tool.finish();
   Fields coupling = fields.object("coupling");
-  scene.instruments[0].coupling = {.stiffness = coupling.number("stiffness"),
-                                   .force_max = coupling.number("force_max")};
+  instrument.coupling = {.stiffness = coupling.number("stiffness"),
+                         .force_max = coupling.number("force_max")};
   coupling.finish();
-  scene.instruments[0].hold_stiffness = fields.number("hold_stiffness");
+  instrument.hold_stiffness = fields.number("hold_stiffness");
+  fields.finish();
+  return instrument;
+}
+
+void parse_scene(Fields fields, Scene& scene) {
+  scene.bodies.clear();
+  for (Fields& body : fields.objects("bodies", kMostBodies)) {
+    scene.bodies.push_back(parse_body(std::move(body)));
+  }
+  scene.instruments.clear();
+  for (Fields& instrument : fields.objects("instruments", kMostInstruments)) {
+    scene.instruments.push_back(parse_instrument(std::move(instrument)));
+  }
   scene.gravity = parse_vector(fields, "gravity");
   scene.rate = fields.number("rate");
-  // at least 1: 0 would have build_scene choose, perhaps otherwise than it did
-  scene.bodies[0].substeps = static_cast<int>(fields.whole("substeps", 1, kMostInt));
-  scene.bodies[0].substeps_max = static_cast<int>(fields.whole("substeps_max", 1, kMostInt));
-  scene.bodies[0].force_error = fields.number_or("force_error", 0.0);
-  scene.bodies[0].spectrum_stiffness = fields.number("spectrum_stiffness");
-  scene.bodies[0].spectrum_damping = fields.number("spectrum_damping");
   fields.finish();
 }
 

@@ -21,46 +21,73 @@ void compare(const std::string& where, double found, double expected, double err
   refuse(where, write_text(found), write_text(expected, ", which the tissue gives"));
 }
 
-void check_count(const char* table, std::size_t count, std::size_t most) {
-  if (count <= most) return;
-  refuse(write_text("scene.tissue.", table), write_text(count, " rows"),
-         write_text("at most ", most));
+void check_list(const char* name, std::size_t count, std::size_t most) {
+  if (count >= 1 && count <= most) return;
+  refuse(name, write_text(count), write_text("1 to ", most));
+}
+
+/// Of a table of `rows(tissue)` rows, in all bodies together.
+template <class CountRows>
+void check_count(const Scene& scene, const char* table, std::size_t most, CountRows rows) {
+  std::size_t sum = 0;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    sum += rows(scene.bodies[b].tissue);
+    if (sum <= most) continue;
+    const std::string where = write_text("scene.bodies[", b, "].tissue.", table);
+    if (b == 0) refuse(where, write_text(sum, " rows"), write_text("at most ", most));
+    refuse(where, write_text(sum, " rows with those of the bodies before"),
+           write_text("at most ", most));
+  }
+}
+
+void check_derived(const std::string& place, const SoftBody& found, const SoftBody& built) {
+  if (found.rest_areas.size() != built.rest_areas.size()) {
+    refuse(place + "rest_areas", write_text(found.rest_areas.size(), " rows"),
+           write_text(built.rest_areas.size(), ", one per triangle"));
+  }
+  for (std::size_t t = 0; t < built.rest_areas.size(); ++t) {
+    compare(write_text(place, "rest_areas: row ", t), found.rest_areas[t], built.rest_areas[t],
+            kAreaError);
+  }
+  compare(place + "spectrum_stiffness", found.spectrum_stiffness, built.spectrum_stiffness,
+          kSpectrumError);
+  compare(place + "spectrum_damping", found.spectrum_damping, built.spectrum_damping,
+          kSpectrumError);
 }
 
 }  // namespace
 
-void check_counts(const TissueModel& tissue) {
-  check_count("rest_position", tissue.rest_position.size(), kMostParticles);
-  check_count("fixed", tissue.fixed.size(), kMostParticles);
-  check_count("springs", tissue.springs.ends.size(), kMostLinks);
-  check_count("bonds", tissue.bonds.ends.size(), kMostLinks);
-  check_count("angles", tissue.angles.corners.size(), kMostTriangles);
-  check_count("prisms", tissue.prisms.corners.size(), kMostTriangles);
-  check_count("volumes", tissue.volumes.corners.size(), kMostTetrahedra);
-  check_count("elastic", tissue.elastic.corners.size(), kMostElastic);
-  check_count("skin", tissue.skin.corners.size(), kMostParticles);
-  check_count("triangles", tissue.triangles.size(), kMostTriangles);
+void check_counts(const Scene& scene) {
+  using Tissue = TissueModel;
+  check_list("scene.bodies", scene.bodies.size(), kMostBodies);
+  check_list("scene.instruments", scene.instruments.size(), kMostInstruments);
+  const auto check = [&](const char* table, std::size_t most, auto rows) {
+    check_count(scene, table, most, rows);
+  };
+  check("rest_position", kMostParticles, [](const Tissue& t) { return t.rest_position.size(); });
+  check("fixed", kMostParticles, [](const Tissue& t) { return t.fixed.size(); });
+  check("springs", kMostLinks, [](const Tissue& t) { return t.springs.ends.size(); });
+  check("bonds", kMostLinks, [](const Tissue& t) { return t.bonds.ends.size(); });
+  check("angles", kMostTriangles, [](const Tissue& t) { return t.angles.corners.size(); });
+  check("prisms", kMostTriangles, [](const Tissue& t) { return t.prisms.corners.size(); });
+  check("volumes", kMostTetrahedra, [](const Tissue& t) { return t.volumes.corners.size(); });
+  check("elastic", kMostElastic, [](const Tissue& t) { return t.elastic.corners.size(); });
+  check("skin", kMostParticles, [](const Tissue& t) { return t.skin.corners.size(); });
+  check("triangles", kMostTriangles, [](const Tissue& t) { return t.triangles.size(); });
 }
 
 Scene check_built(const Scene& scene) {
-  check_counts(scene.bodies[0].tissue);
+  check_counts(scene);
   check_ranges(scene);
-  if (scene.bodies[0].substeps < 1 || scene.bodies[0].substeps_max < 1) {
-    refuse("scene.substeps", "0", "the result of build_scene");
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const SoftBody& body = scene.bodies[b];
+    if (body.substeps >= 1 && body.substeps_max >= 1) continue;
+    refuse(write_text("scene.bodies[", b, "].substeps"), "0", "the result of build_scene");
   }
   Scene built = build_scene(scene);
-  if (scene.bodies[0].rest_areas.size() != built.bodies[0].rest_areas.size()) {
-    refuse("scene.rest_areas", write_text(scene.bodies[0].rest_areas.size(), " rows"),
-           write_text(built.bodies[0].rest_areas.size(), ", one per triangle"));
+  for (std::size_t b = 0; b < built.bodies.size(); ++b) {
+    check_derived(write_text("scene.bodies[", b, "]."), scene.bodies[b], built.bodies[b]);
   }
-  for (std::size_t t = 0; t < built.bodies[0].rest_areas.size(); ++t) {
-    compare(write_text("scene.rest_areas: row ", t), scene.bodies[0].rest_areas[t],
-            built.bodies[0].rest_areas[t], kAreaError);
-  }
-  compare("scene.spectrum_stiffness", scene.bodies[0].spectrum_stiffness,
-          built.bodies[0].spectrum_stiffness, kSpectrumError);
-  compare("scene.spectrum_damping", scene.bodies[0].spectrum_damping,
-          built.bodies[0].spectrum_damping, kSpectrumError);
   return built;
 }
 

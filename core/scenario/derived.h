@@ -11,7 +11,8 @@ namespace palpate::scenario {
 /// derives, which comes back. Throws std::invalid_argument: "where: got this, expected that".
 Scene check_built(const Scene& scene);
 
-/// Throws std::invalid_argument where a tissue has more rows than a file may hold.
-void check_counts(const TissueModel& tissue);
+/// Throws std::invalid_argument where a scene has more bodies or instruments, or all of its bodies
+/// together more rows of a table, than a file may hold.
+void check_counts(const Scene& scene);
 
 }  // namespace palpate::scenario

@@ -108,6 +108,18 @@ const Json& Fields::any(const char* name) {
 
 Fields Fields::object(const char* name) { return Fields(any(name), file_, place(name)); }
 
+std::vector<Fields> Fields::objects(const char* name, std::size_t most) {
+  const Json& list = any(name);
+  if (!list.is_array() || list.empty() || list.size() > most) {
+    refuse(name, describe(list), "a list of 1 to " + std::to_string(most));
+  }
+  std::vector<Fields> fields;
+  for (const Json& object : list) {
+    fields.emplace_back(object, file_, place(name) + "[" + std::to_string(fields.size()) + "]");
+  }
+  return fields;
+}
+
 std::string Fields::text(const char* name, std::size_t most_bytes) {
   const Json& value = any(name);
   if (!value.is_string()) refuse(name, describe(value), "text");

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "palpate/sim/base/error.h"
 
@@ -33,6 +34,8 @@ class Fields {
 
   const Json& any(const char* name);
   Fields object(const char* name);
+  /// Of a list of 1 to `most` objects, in order.
+  std::vector<Fields> objects(const char* name, std::size_t most);
   std::string text(const char* name, std::size_t most_bytes);
   double number(const char* name);
   double number_or(const char* name, double usual);  ///< where it is missing

@@ -47,7 +47,41 @@ void add_linear_solids(Container& container) {
   container.content = content.dump();
 }
 
-constexpr std::array<Migration, 2> kMigrations = {add_prisms_and_solids, add_linear_solids};
+/// Moves members of one JSON object into another, those that it has.
+void move_members(std::initializer_list<const char*> names, Json& from, Json& to) {
+  for (const char* name : names) {
+    const auto at = from.find(name);
+    if (at == from.end()) continue;  // missed by the reader
+    to[name] = std::move(*at);
+    from.erase(at);
+  }
+}
+
+/// Version 4 has any number of bodies and instruments: what there was of each is the first.
+void add_bodies_and_instruments(Container& container) {
+  const std::string old_tissue = "scene/tissue/", old_areas = "scene/rest_areas";
+  Arrays arrays;
+  for (auto& [name, array] : container.arrays) {
+    const bool of_body = name.starts_with(old_tissue) || name == old_areas;
+    arrays.emplace(of_body ? "scene/bodies/0/" + name.substr(6) : name, std::move(array));
+  }
+  container.arrays = std::move(arrays);
+  Json content = parse_object(container.content, "", "content");
+  if (!content.contains("scene") || !content["scene"].is_object()) return;
+  // no file of a version before has these: the reader refuses what stands beside them
+  if (content["scene"].contains("bodies") || content["scene"].contains("instruments")) return;
+  Json &scene = content["scene"], body = Json::object(), instrument = Json::object();
+  move_members({"tissue", "substeps", "substeps_max", "force_error", "spectrum_stiffness",
+                "spectrum_damping"},
+               scene, body);
+  move_members({"tool", "coupling", "hold_stiffness"}, scene, instrument);
+  scene["bodies"] = Json::array({std::move(body)});
+  scene["instruments"] = Json::array({std::move(instrument)});
+  container.content = content.dump();
+}
+
+constexpr std::array<Migration, 3> kMigrations = {add_prisms_and_solids, add_linear_solids,
+                                                  add_bodies_and_instruments};
 
 }  // namespace
 

@@ -12,15 +12,16 @@ namespace palpate::scenario {
 /// What a number of a scene may be, both ends included. Far wider than any organ needs; beyond it
 /// a run would stand still, never end, or be felt as nothing.
 struct Range {
-  const char* name;  ///< as in the file: of a number scene.instruments[0].tool.radius, of a table
-                     ///< scene/tissue/mass
+  /// As in the file, i for the number of the body or the instrument: of a number
+  /// scene.instruments[i].tool.radius, of a table scene/bodies/i/tissue/mass.
+  const char* name;
   const char* unit;
   double least, most;
 };
 
 std::span<const Range> list_ranges() noexcept;
 
-/// Throws std::invalid_argument: "scene.tool.radius [m]: got this, expected that".
+/// Throws std::invalid_argument: "scene.instruments[0].tool.radius: got this, expected that".
 void check_ranges(const Scene& scene);
 
 }  // namespace palpate::scenario

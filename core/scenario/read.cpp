@@ -53,7 +53,7 @@ void check_tetrahedra(const std::string& file, const std::string& table,
   for (std::size_t t = 0; t < corners.size(); ++t) {
     for (const int i : corners[t]) {
       if (i >= 0 && i < particles) continue;
-      throw FileError(file, "scene/tissue/" + table + "/corners: row " + std::to_string(t),
+      throw FileError(file, table + "/corners: row " + std::to_string(t),
                       "particle " + std::to_string(i), "0 to " + std::to_string(particles - 1));
     }
   }
@@ -61,11 +61,11 @@ void check_tetrahedra(const std::string& file, const std::string& table,
 
 /// Fills in what lies around each particle, which no file has. Before that, corners must be
 /// particles: all else is checked with the rest of the tissue.
-void find_around(const std::string& file, TissueModel& tissue) {
+void find_around(const std::string& file, const std::string& folder, TissueModel& tissue) {
   Volumes& volumes = tissue.volumes;
   Elastic& elastic = tissue.elastic;
-  check_tetrahedra(file, "volumes", volumes.corners, particle_count(tissue));
-  check_tetrahedra(file, "elastic", elastic.corners, particle_count(tissue));
+  check_tetrahedra(file, folder + "tissue/volumes", volumes.corners, particle_count(tissue));
+  check_tetrahedra(file, folder + "tissue/elastic", elastic.corners, particle_count(tissue));
   std::vector<int> reach = std::move(elastic.reach);
   elastic =
       build_elastic(particle_count(tissue), std::move(elastic.corners), std::move(elastic.lame),
@@ -100,12 +100,17 @@ Scenario unpack(Container container, const std::string& file) {
     take_table(container.arrays, name, file, table);
   });
   take_authored(container.arrays, file, scenario.authored_arrays);
-  find_around(file, scenario.scene.bodies[0].tissue);
+  std::vector<SoftBody>& bodies = scenario.scene.bodies;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    find_around(file, name_folder(b), bodies[b].tissue);
+  }
   try {
     const Scene built = check_built(scenario.scene);
     scenario.scene.identity = built.identity;
-    scenario.scene.bodies[0].kernel = built.bodies[0].kernel;
-    scenario.scene.bodies[0].response = built.bodies[0].response;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      bodies[b].kernel = built.bodies[b].kernel;
+      bodies[b].response = built.bodies[b].response;
+    }
   } catch (const std::invalid_argument& problem) {
     refuse(file, problem.what());
   }

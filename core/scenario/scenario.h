@@ -15,8 +15,12 @@ inline constexpr std::size_t kMostTitleBytes = 200;
 inline constexpr std::size_t kMostTaskBytes = 20000;
 inline constexpr std::size_t kMostLanguages = 50;  ///< beside the one of title and task
 
-// The largest tissue that a file may hold: more than ticks 1000 times a second, and little enough
-// that the longest search for its eigenvalues ends within 5 s.
+// No limit of a machine: what one table in an operating theatre has room for.
+inline constexpr std::size_t kMostBodies = 16;
+inline constexpr std::size_t kMostInstruments = 16;  ///< as many as a record has room for
+
+// The largest tissue that a file may hold, all its bodies together: more than ticks 1000 times a
+// second, and little enough that the longest search for its eigenvalues ends within 5 s.
 inline constexpr std::size_t kMostParticles = 20'000;
 inline constexpr std::size_t kMostTriangles =
     2 * kMostParticles;  ///< of the surface, angles, or prisms

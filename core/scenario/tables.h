@@ -67,18 +67,20 @@ void visit_skin(const std::string& name, SomeSkin& skin, Visit& visit) {
   visit(name + "/weights", weights);
 }
 
-/// visit(name, table) for every table of a Scene or a const Scene. Numbers that stand alone are
-/// not tables: content.cpp has them.
-template <class SomeScene, class Visit>
-void visit_tables(SomeScene& scene, Visit visit) {
+/// Where the arrays of a body are: "scene/bodies/0/".
+inline std::string name_folder(std::size_t body) {
+  return "scene/bodies/" + std::to_string(body) + "/";
+}
+
+template <class SomeBody, class Visit>
+void visit_body(const std::string& folder, SomeBody& body, Visit& visit) {
   // kernel and vector target belong to the machine a scene runs on, and a response is solved for
   // again: no file has them
-  auto& [bodies, instruments, gravity, rate, identity] = scene;
   auto& [tissue, substeps, substeps_max, force_error, kernel, simd_target, rest_areas,
-         spectrum_stiffness, spectrum_damping, response] = bodies.front();
+         spectrum_stiffness, spectrum_damping, response] = body;
   auto& [rest_position, mass, fixed, springs, bonds, angles, prisms, volumes, elastic, skin, home,
          pressure, triangles, drag, damping_law, angle_law] = tissue;
-  const std::string t = "scene/tissue/";
+  const std::string t = folder + "tissue/";
   visit(t + "rest_position", rest_position);
   visit(t + "mass", mass);
   visit(t + "fixed", fixed);
@@ -91,7 +93,15 @@ void visit_tables(SomeScene& scene, Visit visit) {
   visit_skin(t + "skin", skin, visit);
   visit(t + "home", home);
   visit(t + "triangles", triangles);
-  visit("scene/rest_areas", rest_areas);
+  visit(folder + "rest_areas", rest_areas);
+}
+
+/// visit(name, table) for every table of a Scene or a const Scene. Numbers that stand alone are
+/// not tables: content.cpp has them.
+template <class SomeScene, class Visit>
+void visit_tables(SomeScene& scene, Visit visit) {
+  auto& [bodies, instruments, gravity, rate, identity] = scene;
+  for (std::size_t b = 0; b < bodies.size(); ++b) visit_body(name_folder(b), bodies[b], visit);
 }
 
 }  // namespace palpate::scenario

@@ -110,11 +110,15 @@ def test_a_file_that_is_refused_is_refused_in_turkish(turkish, tmp_path):
         ("content|title", 5, "bulunan: 5; beklenen: metin"),
         ("content|moon", 5, 'bulunan: bilinmeyen "moon" üyesi; beklenen: böyle girdi olmaması'),
         (
-            "content|scene|tissue|damping_law",
+            "content|scene|bodies|0|tissue|damping_law",
             "sticky",
             'bulunan: "sticky"; beklenen: şunlardan biri: axis, isotropic',
         ),
-        ("arrays|scene/tissue/mass|shape", [], "bulunan: 0 öğelik bir liste; beklenen: 1 ile 4"),
+        (
+            "arrays|scene/bodies/0/tissue/mass|shape",
+            [],
+            "bulunan: 0 öğelik bir liste; beklenen: 1 ile 4",
+        ),
     ],
 )
 def test_a_damaged_field_is_refused_in_turkish(turkish, published, tmp_path, path, value, said):

@@ -143,7 +143,7 @@ def test_a_scene_that_was_read_ticks_with_the_same_bits(scene, tmp_path):
     for name in before.felt.dtype.names:
         assert after.felt[name].tobytes() == before.felt[name].tobytes()
     assert after.hashes.tobytes() == before.hashes.tobytes()
-    assert (found.title, found.task, found.version) == ("Dalak", "Bas ve bırak.", 3)
+    assert (found.title, found.task, found.version) == ("Dalak", "Bas ve bırak.", 4)
     assert json.loads(found.authored) == json.loads(authored)
     assert found.authored_arrays.keys() == ARRAYS.keys()
     assert palpate.replay(found.scene, before).equal
@@ -193,7 +193,8 @@ def outcomes(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     paths = {"good": folder / "good.palpate", "large": folder / "large.palpate"}
     files = {name: make(good) for name, (make, _) in HOSTILE.items()}
     files["large but for its last number"] = with_manifest(
-        large, lambda manifest: manifest["content"]["scene"].update(spectrum_damping=1e9)
+        large,
+        lambda manifest: manifest["content"]["scene"]["bodies"][0].update(spectrum_damping=1e9),
     )
     for number, (name, data) in enumerate(files.items()):
         paths[name] = folder / f"{number}.palpate"

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import jsonschema
+import numpy as np
 import palpate
 import pytest
 from hostile_scenarios import entries_of, pack, remove, set_in
@@ -47,8 +48,19 @@ def published() -> bytes:
     return scenario.pack_container(scenario.pack(made))
 
 
-def test_a_published_file_satisfies_its_schema():
-    validator("palpate").validate(manifest_of(published()))
+def published_pair() -> bytes:
+    """Of two bodies and two instruments."""
+    tissues = [copy.copy(organ_scene(1).bodies[0].tissue) for _ in range(2)]
+    np.asarray(tissues[1].rest_position)[:] += (0.2, 0.0, 0.0)
+    bodies = [palpate.SoftBody(tissue=tissue) for tissue in tissues]
+    scene = palpate.Scene(bodies=bodies, instruments=[palpate.Instrument()] * 2)
+    made = scenario.Scenario(scene=palpate.build_scene(scene), title="Two spleens")
+    return scenario.pack_container(scenario.pack(made))
+
+
+@pytest.mark.parametrize("publish", [published, published_pair])
+def test_a_published_file_satisfies_its_schema(publish):
+    validator("palpate").validate(manifest_of(publish()))
 
 
 @pytest.mark.parametrize("kept", sorted(KEPT.glob("*.palpate")), ids=lambda path: path.stem)
@@ -83,20 +95,26 @@ def test_an_appearance_has_the_fields_of_one_or_is_null():
 
 
 CHANGES = {
-    "newer version": set_in("version", 4),
+    "newer version": set_in("version", 5),
     "unknown member": set_in("script", "x"),
     "no title": remove("content|title"),
     "text for a number": set_in("content|scene|rate", "fast"),
     "unknown number": set_in("content|scene|pace", 1),
-    "no substeps": set_in("content|scene|substeps", 0),
-    "unknown law": set_in("content|scene|tissue|damping_law", "sticky"),
-    "no table": remove("arrays|scene/tissue/mass"),
-    "a table of another type": set_in("arrays|scene/tissue/mass|dtype", "<f4"),
-    "a table of other columns": set_in("arrays|scene/tissue/rest_position|shape", [42, 2]),
-    "a table of other dimensions": set_in("arrays|scene/tissue/mass|shape", [42, 1]),
-    "an unknown table": set_in("arrays|scene/tissue/charge", {}),
-    "a negative extent": set_in("arrays|scene/tissue/mass|shape", [-1]),
-    "a hash of 3 digits": set_in("arrays|scene/tissue/mass|sha256", "abc"),
+    "no substeps": set_in("content|scene|bodies|0|substeps", 0),
+    "unknown law": set_in("content|scene|bodies|0|tissue|damping_law", "sticky"),
+    "no bodies": set_in("content|scene|bodies", []),
+    "one body, no list": set_in("content|scene|bodies", {}),
+    "too many instruments": set_in("content|scene|instruments", [{}] * 17),
+    "an instrument without a tool": remove("content|scene|instruments|0|tool"),
+    "a body of version 3": set_in("content|scene|tissue", {}),
+    "a table of a body with a sign": set_in("arrays|scene/bodies/-1/tissue/mass", {}),
+    "no table": remove("arrays|scene/bodies/0/tissue/mass"),
+    "a table of another type": set_in("arrays|scene/bodies/0/tissue/mass|dtype", "<f4"),
+    "a table of other columns": set_in("arrays|scene/bodies/0/tissue/rest_position|shape", [42, 2]),
+    "a table of other dimensions": set_in("arrays|scene/bodies/0/tissue/mass|shape", [42, 1]),
+    "an unknown table": set_in("arrays|scene/bodies/0/tissue/charge", {}),
+    "a negative extent": set_in("arrays|scene/bodies/0/tissue/mass|shape", [-1]),
+    "a hash of 3 digits": set_in("arrays|scene/bodies/0/tissue/mass|sha256", "abc"),
     "a list for the document": set_in("content|authored", []),
     "a list for the languages": set_in("content|languages", []),
     "a language of capital letters": set_in("content|languages|TR", {"title": "", "task": ""}),
@@ -113,14 +131,17 @@ def test_what_the_schema_refuses_the_reader_refuses(name):
     CHANGES[name](changed)
     entries["manifest.json"] = json.dumps(changed).encode()
 
+    newest = manifest["version"]
+    scenario.unpack(scenario.unpack_container(good, "file", "palpate", newest), "file")
     assert not validator("palpate").is_valid(changed)
     with pytest.raises(palpate.FileError):
-        scenario.unpack(scenario.unpack_container(pack(entries), "file", "palpate", 1), "file")
+        packed = scenario.unpack_container(pack(entries), "file", "palpate", newest)
+        scenario.unpack(packed, "file")
 
 
 @pytest.mark.parametrize("path", ["authored/../up", "/authored/a", "authored/A", "authored//a"])
 def test_the_schema_knows_which_names_lead_out_of_the_file(path):
     manifest = manifest_of(published())
-    manifest["arrays"][path] = manifest["arrays"]["scene/tissue/mass"]
+    manifest["arrays"][path] = manifest["arrays"]["scene/bodies/0/tissue/mass"]
 
     assert not validator("palpate").is_valid(manifest)

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <vector>
 
 #include "palpate/scenario/read.h"
 #include "palpate/scenario/write.h"
@@ -23,13 +24,18 @@ constexpr int kNewestVersion = 1 << 20;  // unpack() refuses no version, so neit
 /// What is accepted must also run. A scene may ask for many substeps; that is slow, not wrong.
 void run_ticks(const Scene& scene) {
   constexpr int kFewSubsteps = 50;
-  if (scene.bodies[0].substeps_max > kFewSubsteps) return;
+  for (const SoftBody& body : scene.bodies) {
+    if (body.substeps_max > kFewSubsteps) return;
+  }
   World world(scene);
-  HapticSample hand;
+  std::vector<HapticSample> hands(scene.instruments.size());
+  std::vector<HapticCommand> commands(hands.size());
   for (int i = 0; i < 3; ++i) {
-    hand.position =
-        scene.bodies[0].tissue.rest_position.front() + Vec3(0.0, 0.0, 0.002 - 0.001 * i);
-    tick(scene, hand, 1.0 / scene.rate, world);
+    for (HapticSample& hand : hands) {
+      hand.position =
+          scene.bodies.back().tissue.rest_position.front() + Vec3(0.0, 0.0, 0.002 - 0.001 * i);
+    }
+    tick(scene, hands, 1.0 / scene.rate, world, commands);
   }
 }
 

@@ -21,6 +21,7 @@ from palpate.player.style import build_palette, build_style
 from palpate.render.authored_appearance import find_appearance
 from palpate.runs.live import Frame, LiveRun
 from palpate.runs.play import Play, describe_outcome, describe_play, describe_run
+from palpate.scene.surfaces import join_positions, join_rest_surfaces, join_triangles
 from palpate.translation.refusals import say_refusal
 from palpate.viewport import PointerHand, make_view
 from palpate.viewport.application import use_language
@@ -66,10 +67,8 @@ class TraineeWindow(QWidget):
         self.view = make_view(self)
         self.view.wireframe = False
         self.view.use_appearance(find_appearance(play.scenario))
-        self._rest = palpate.compute_surface(
-            self.scene.bodies[0].tissue, self.scene.bodies[0].tissue.rest_position
-        )
-        self.view.show_surface(self._rest, self.scene.bodies[0].tissue.triangles)
+        self._rest = join_rest_surfaces(self.scene)
+        self.view.show_surface(self._rest, join_triangles(self.scene))
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.addWidget(self.view)
@@ -177,7 +176,7 @@ class TraineeWindow(QWidget):
 
     def _show(self, frame: Frame) -> None:
         self._time = frame.time
-        self.view.move_surface(frame.positions[0])
+        self.view.move_surface(join_positions(frame.positions))
         self.view.show_tool(frame.tool_position, self.scene.instruments[0].tool.radius)
         self.view.force_scale = ARROW * self.view.scenery.radius / self.over.force.range
         self.view.show_force(frame.tool_position, frame.force)

@@ -66,6 +66,21 @@ inline Scene make_full_scene() {
   return build_scene(std::move(scene));
 }
 
+/// make_full_scene() with a shell of springs 0.2 m beside its organ, and a finer instrument.
+inline Scene make_pair_scene() {
+  Scene scene = make_full_scene();
+  SoftBody beside;
+  beside.tissue = scenes::make_spring_organ(1);
+  for (Vec3& x : beside.tissue.rest_position) x.x() += 0.2;
+  beside.tissue.home.assign(beside.tissue.mass.size(), 50.0);
+  beside.force_error = 1e-3;
+  scene.bodies.push_back(std::move(beside));
+  scene.instruments.push_back({.tool = {.radius = 0.002, .stiffness = 3e7},
+                               .coupling = {.stiffness = 600.0, .force_max = 2.0},
+                               .hold_stiffness = 300.0});
+  return build_scene(std::move(scene));
+}
+
 inline Scenario make_scenario() {
   Scenario made;
   made.title = "Böbrek";

@@ -27,7 +27,7 @@ Scenario make_linear_scenario() {
 template <class Number>
 std::string refuse_with(const std::string& table, std::size_t index, Number number) {
   Container changed = scenario::pack(make_linear_scenario());
-  auto& bytes = changed.arrays.at("scene/tissue/elastic/" + table).bytes;
+  auto& bytes = changed.arrays.at("scene/bodies/0/tissue/elastic/" + table).bytes;
   REQUIRE((index + 1) * sizeof(number) <= bytes.size());
   std::memcpy(bytes.data() + index * sizeof(number), &number, sizeof(number));
   try {
@@ -87,7 +87,7 @@ TEST_CASE("a damaged table of a linear solid is refused, table and row named") {
 
 TEST_CASE("a linear solid that nothing holds is refused as a file, as it is as a scene") {
   Container loose = scenario::pack(make_linear_scenario());
-  Array& fixed = loose.arrays.at("scene/tissue/fixed");
+  Array& fixed = loose.arrays.at("scene/bodies/0/tissue/fixed");
   fixed.bytes.clear();
   fixed.shape = {0};
 

@@ -30,11 +30,15 @@ TEST_CASE("a file of every version ever released is kept and still plays") {
         scenario::read(PALPATE_PUBLISHED "/v" + std::to_string(version) + ".palpate");
 
     World world(kept.scene);
-    HapticSample hand;
+    std::vector<HapticSample> hands(kept.scene.instruments.size());
+    std::vector<HapticCommand> commands(hands.size());
     double force = 0.0;
     for (int i = 0; i <= 1000; ++i) {  // from 2 mm above the top to 5 mm inside
-      hand.position.z() = 0.03 + kept.scene.instruments[0].tool.radius + 0.002 - 7e-6 * i;
-      force = tick(kept.scene, hand, 1.0 / kept.scene.rate, world).force.z();
+      for (HapticSample& hand : hands) {
+        hand.position.z() = 0.03 + kept.scene.instruments[0].tool.radius + 0.002 - 7e-6 * i;
+      }
+      tick(kept.scene, hands, 1.0 / kept.scene.rate, world, commands);
+      force = commands[0].force.z();
     }
 
     CHECK(kept.version == version);
@@ -55,11 +59,36 @@ TEST_CASE("the kept file of the newest version is what is written today") {
   CHECK(today.arrays == kept.arrays);
 }
 
+TEST_CASE("what a file of one body had at the top is its first body and its first instrument") {
+  const Container old = scenario::read_container(PALPATE_PUBLISHED "/v3.palpate", "palpate", 3);
+  Container moved = old;
+  scenario::migrate(scenario::migrations(), moved);
+
+  CHECK(moved.version == scenario::newest_version());
+  CHECK(moved.arrays.size() == old.arrays.size());
+  CHECK(moved.arrays.at("scene/bodies/0/tissue/mass") == old.arrays.at("scene/tissue/mass"));
+  CHECK(moved.arrays.at("scene/bodies/0/rest_areas") == old.arrays.at("scene/rest_areas"));
+  CHECK(moved.arrays.at("authored/notes") == old.arrays.at("authored/notes"));
+  CHECK(contains(moved.content, R"("instruments":[{"coupling":{"force_max":3.0,)"));
+  CHECK(scenario::unpack(old, "file").scene.bodies[0].substeps ==
+        scenario::unpack(moved, "file").scene.bodies[0].substeps);
+}
+
+TEST_CASE("a file that says it is older and has what only a newer one can have is refused") {
+  Container old = scenario::read_container(PALPATE_PUBLISHED "/v3.palpate", "palpate", 3);
+  const std::string begin = "\"scene\":{";
+  REQUIRE(contains(old.content, begin));
+  old.content.replace(old.content.find(begin), begin.size(), begin + "\"bodies\":[],");
+
+  CHECK(contains(refusal([&] { scenario::unpack(old, "file"); }), "content.scene.bodies: got"));
+}
+
 // Run once for every new version, see tests/scenes/published/README.md.
 TEST_CASE("publish the file to keep of the newest version" * doctest::skip()) {
   const std::string version = std::to_string(scenario::newest_version());
   Scenario made = make_scenario();
   made.title = "Kept of version " + version;
+  made.scene = make_pair_scene();
 
   scenario::write(PALPATE_PUBLISHED "/v" + version + ".palpate", made);
 }

@@ -788,8 +788,8 @@
         <translation>organın bir bölgesi: %1</translation>
     </message>
     <message>
-        <source>a run of at most 2 h 19 min at 1 kHz</source>
-        <translation>1 kHz'de en çok 2 sa 19 dk süren bir çalışma</translation>
+        <source>a run of at most 2 h 19 min at 1 kHz, shared between the instruments</source>
+        <translation>1 kHz'de en çok 2 sa 19 dk süren, aletler arasında bölüşülen bir çalışma</translation>
     </message>
     <message>
         <source>a scene file</source>
@@ -1064,8 +1064,24 @@
         <translation>dokunmak için kullanılacak en az bir tane</translation>
     </message>
     <message>
-        <source>1, which is what a file holds</source>
-        <translation>bir dosyanın içerdiği gibi 1</translation>
+        <source>a list of 1 to %1</source>
+        <translation>1 ile %1 arası öğelik bir liste</translation>
+    </message>
+    <message>
+        <source>a multiple of %1, one for each instrument in every tick</source>
+        <translation>%1 sayısının katı: her tikte her alet için bir tane</translation>
+    </message>
+    <message>
+        <source>%1 samples</source>
+        <translation>%1 örnek</translation>
+    </message>
+    <message>
+        <source>%1 rows with those of the bodies before</source>
+        <translation>önceki cisimlerinkilerle %1 satır</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>en az %1</translation>
     </message>
     <message>
         <source>driver refused low latency</source>
@@ -1316,8 +1332,8 @@
         <translation>8388608 taneden çok %1</translation>
     </message>
     <message>
-        <source>more than 8388608 ticks</source>
-        <translation>8388608 tikten çok</translation>
+        <source>more than %1 ticks</source>
+        <translation>%1 tikten çok</translation>
     </message>
     <message>
         <source>more than ten million triangles</source>
