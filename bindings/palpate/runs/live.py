@@ -107,9 +107,9 @@ class LiveRun:
             )
             log = self._recorder.log()
         self._loop = (
-            palpate.Loop(scene, device, options, log)
-            if isinstance(device, palpate.HapticDevice)
-            else palpate.Loop(scene, tuple(device), options, log)
+            palpate.Loop(scene, tuple(device), options, log)
+            if isinstance(device, Sequence)
+            else palpate.Loop(scene, device, options, log)
         )
         self._pausing = False
 

@@ -116,7 +116,7 @@ def run_device(
     not end or the tissue raised an alarm, WrongCall for a time that no record holds.
     """
     require_recordable(scene, duration)
-    devices = [device] if isinstance(device, palpate.HapticDevice) else device
+    devices = device if isinstance(device, Sequence) else [device]
     names = join_words([each.name() for each in devices])
     header = describe_build(scene, scene_path, record_path, names)
     options = palpate.LoopOptions(
