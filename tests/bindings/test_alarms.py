@@ -107,7 +107,7 @@ def test_no_advice_to_a_hand_names_an_option_or_a_field():
 
 def test_a_press_that_overstretches_says_so_and_what_to_do(monkeypatch, tmp_path):
     alarm = raise_alarm(AlarmKind.overstretched, 2.1, 2.0)
-    costs = SimpleNamespace(alarm=alarm, fault=palpate.DeviceFault.none)
+    costs = SimpleNamespace(alarm=alarm, alarm_body=0, fault=palpate.DeviceFault.none)
 
     class Over:
         def __init__(self, *_, **__): ...
