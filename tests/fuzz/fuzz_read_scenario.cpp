@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whatever the bytes, the reader gives a scene that ticks or a FileError. Linked with libFuzzer
 // (./run fuzz), and with mutate_scenarios.cpp as an ordinary test.
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -18,7 +19,8 @@ namespace {
 using scenario::Array;
 using scenario::Container;
 
-constexpr const char* kKept = PALPATE_PUBLISHED "/v1.palpate";
+/// Of one body through every migration, and of two as it is written today.
+constexpr std::array kKept = {PALPATE_PUBLISHED "/v1.palpate", PALPATE_PUBLISHED "/v4.palpate"};
 constexpr int kNewestVersion = 1 << 20;  // unpack() refuses no version, so neither does this
 
 /// What is accepted must also run. A scene may ask for many substeps; that is slow, not wrong.
@@ -40,7 +42,8 @@ void run_ticks(const Scene& scene) {
 }
 
 /// Changes of a good container, behind the checksums that random bytes do not get past. Each takes
-/// 12 bytes: what is changed, which one, where (2 bytes), and up to 8 bytes to put there.
+/// 12 bytes: what is changed, which one, where (2 bytes), and up to 8 bytes to put there. Whether
+/// the first of them is above 127 says of which of the kept files.
 void change(std::span<const std::uint8_t> order, Container& container) {
   const std::size_t where = order[2] | std::size_t{order[3]} << 8;
   auto at = container.arrays.begin();
@@ -81,9 +84,10 @@ void read_bytes(std::span<const std::uint8_t> bytes) {
 }
 
 void read_changed(std::span<const std::uint8_t> orders) {
-  static const Container kept = scenario::read_container(kKept, "palpate", kNewestVersion);
+  static const std::array kept = {scenario::read_container(kKept[0], "palpate", kNewestVersion),
+                                  scenario::read_container(kKept[1], "palpate", kNewestVersion)};
   constexpr std::size_t kOrderBytes = 12;
-  Container changed = kept;
+  Container changed = kept[!orders.empty() && orders[0] > 127];
   for (; orders.size() >= kOrderBytes; orders = orders.subspan(kOrderBytes)) {
     change(orders.first(kOrderBytes), changed);
   }
