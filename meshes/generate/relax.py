@@ -28,9 +28,9 @@ def find_edges(triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarra
     corners opposite."""
     corner = np.concatenate([triangles, triangles[:, [1, 2, 0]], triangles[:, [2, 0, 1]]])
     owner = np.tile(np.arange(len(triangles)), 3)
-    key = np.sort(corner[:, :2], axis=1)
-    order = np.lexsort((key[:, 1], key[:, 0]))
-    first = np.flatnonzero(np.r_[True, (key[order][1:] != key[order][:-1]).any(axis=1)])
+    key = number_edges(corner[:, 0], corner[:, 1], triangles.max(initial=0) + 1)
+    order = np.argsort(key, kind="stable")
+    first = np.flatnonzero(np.r_[True, np.diff(key[order]) != 0])
     paired = np.diff(np.r_[first, len(order)]) == 2
     second = np.where(paired, order[np.minimum(first + 1, len(order) - 1)], -1)
     first = order[first]
@@ -42,6 +42,11 @@ def find_edges(triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarra
 def find_border_vertices(triangles: np.ndarray) -> np.ndarray:
     """The vertices of every border loop, ascending."""
     edges, sides, _ = find_edges(triangles)
+    return list_border(edges, sides)
+
+
+def list_border(edges: np.ndarray, sides: np.ndarray) -> np.ndarray:
+    """Vertices of the edges that have one triangle, ascending."""
     return np.unique(edges[sides[:, 1] < 0])
 
 
@@ -107,7 +112,7 @@ def flip_edges(x: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, int]:
         lengths = np.linalg.norm(n, axis=1) * np.linalg.norm(mean, axis=1)
         agrees &= (n * mean).sum(axis=1) > LEAST_COSINE * lengths
     valence = np.bincount(triangles.ravel(), minlength=len(x))
-    valence[find_border_vertices(triangles)] += 2
+    valence[list_border(edges, sides)] += 2
     candidates = np.flatnonzero(
         (turn > LEAST_EXCESS) & agrees & (valence[u] > 3) & (valence[v] > 3)
     )
