@@ -37,6 +37,8 @@ class Docks(QObject):
         self.settled.timeout.connect(self.recover)
         window.installEventFilter(self)
         self.docks: dict[str, QDockWidget] = {}
+        self.holders: dict[str, QDockWidget] = {}
+        """Docks from when they are asked for, before they stand anywhere."""
         # the stage's form needs all the height there is
         window.setCorner(Qt.Corner.BottomRightCorner, AREA.RightDockWidgetArea)
         window.setCorner(Qt.Corner.TopRightCorner, AREA.RightDockWidgetArea)
@@ -46,9 +48,18 @@ class Docks(QObject):
         self.folded = False
         """Whether all docks are tabs of one column, as a small screen needs them."""
 
+    def hold(self, name: str) -> QDockWidget:
+        """The dock of a name, to be the parent of its panel: a panel that moves to another parent
+        once it is filled is dressed again, widget by widget.
+        """
+        if name not in self.holders:
+            self.holders[name] = QDockWidget(self.window)
+            self.holders[name].setObjectName(f"dock_{name}")
+        return self.holders[name]
+
     def add(self, name: str, title: str, widget: QWidget, area: AREA) -> QDockWidget:
-        dock = QDockWidget(title, self.window)
-        dock.setObjectName(f"dock_{name}")
+        dock = self.hold(name)
+        dock.setWindowTitle(title)
         dock.setWidget(widget)
         self.window.addDockWidget(area, dock)
         toggle = dock.toggleViewAction()
@@ -206,8 +217,8 @@ class Docks(QObject):
             self.arrange()
 
 
-def build_history(window: QMainWindow, stack: object) -> QUndoView:
-    view = QUndoView(window)
+def build_history(parent: QWidget, stack: object) -> QUndoView:
+    view = QUndoView(parent)
     view.setStack(stack)  # type: ignore[arg-type]
     view.setEmptyLabel(tr("As it was opened"))
     view.setObjectName("history")

@@ -37,10 +37,10 @@ class OptionsArea(QScrollArea):
 class StageDock(QWidget):
     """Holds all panels and keeps the one that is seen up to date."""
 
-    def __init__(self, context: Context, panels: list[StagePanel], parent: QWidget | None = None):
+    def __init__(self, context: Context, parent: QWidget | None = None):
         super().__init__(parent)
         self.context = context
-        self.panels = {panel.stage: panel for panel in panels}
+        self.panels: dict[str, StagePanel] = {}
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
@@ -55,12 +55,24 @@ class StageDock(QWidget):
         column.addWidget(self.options_area)
         self.stack = QStackedWidget(self)
         column.addWidget(self.stack, 1)
-        for panel in panels:
-            area = QScrollArea(self)
-            area.setWidgetResizable(True)
-            area.setWidget(panel)
-            self.stack.addWidget(area)
+        self.areas = {stage: self.build_area() for stage in context.stages.names}
         self.shown_options: QWidget | None = None
+
+    def build_area(self) -> QScrollArea:
+        area = QScrollArea(self.stack)
+        area.setWidgetResizable(True)
+        self.stack.addWidget(area)
+        return area
+
+    def hold(self, stage: str) -> QWidget:
+        """The parent of a stage's panel; see Docks.hold."""
+        return self.areas[stage].viewport()
+
+    def fill(self, panels: list[StagePanel]) -> None:
+        """Takes the panels of all stages."""
+        self.panels = {panel.stage: panel for panel in panels}
+        for stage, panel in self.panels.items():
+            self.areas[stage].setWidget(panel)
         self.fit()
 
     def fit(self) -> None:

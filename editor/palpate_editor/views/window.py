@@ -103,19 +103,22 @@ class MainWindow(QMainWindow):
 
     def build_panels(self) -> None:
         context = self.context
-        panels = build_panels(Workers(context, self.tasks, self.publishing), self)
+        self.docks = Docks(self)
+        hold = self.docks.hold
+        self.stage_dock = StageDock(context, hold("stage"))
+        workers = Workers(context, self.tasks, self.publishing)
+        panels = build_panels(workers, self.stage_dock.hold)
+        self.stage_dock.fill(panels)
         self.import_panel = find_panel(panels, ImportPanel)
         self.decimate_panel = find_panel(panels, DecimatePanel)
         self.material_panel = find_panel(panels, MaterialPanel)
         self.test_panel = find_panel(panels, TestPanel)
         self.publish_panel = find_panel(panels, PublishPanel)
-        self.stage_dock = StageDock(context, panels, self)
-        self.log = LogDock(context, self)
-        self.docks = Docks(self)
+        self.log = LogDock(context, hold("log"))
         self.docks.build(
             {
-                "scene": SceneTree(context, self),
-                "history": build_history(self, self.session.history),
+                "scene": SceneTree(context, hold("scene")),
+                "history": build_history(hold("history"), self.session.history),
                 "stage": self.stage_dock,
                 "log": self.log,
                 "force": self.test_panel.plot,

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import TypeVar
 
 from PySide6.QtWidgets import QWidget
@@ -33,8 +33,9 @@ def list_stages() -> Stages:
     return Stages(PANELS)
 
 
-def build_panels(workers: Workers, parent: QWidget) -> list[StagePanel]:
-    return [panel.make(workers, parent) for panel in PANELS]
+def build_panels(workers: Workers, hold: Callable[[str], QWidget]) -> list[StagePanel]:
+    """`hold` gives the parent of a stage's panel."""
+    return [panel.make(workers, hold(panel.stage)) for panel in PANELS]
 
 
 def find_panel(panels: Iterable[StagePanel], kind: type[Panel]) -> Panel:
