@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
-from scipy.stats import t as student
+from scipy.special import stdtrit
 
 from palpate.study.curve import Curve
 
@@ -118,4 +118,4 @@ def find_spread(
         raise NotFitted(f"the curve cannot tell {' and '.join(names)} apart: fit one of them")
     freedom = len(residuals) - len(names)
     variance = float(residuals @ residuals) / freedom * np.diag(np.linalg.inv(normal))
-    return student.ppf(0.5 + 0.5 * CONFIDENCE, freedom) * np.sqrt(variance)
+    return stdtrit(freedom, 0.5 + 0.5 * CONFIDENCE) * np.sqrt(variance)
