@@ -69,12 +69,12 @@ struct DeviceBench : BenchOf<NativeCore> {
 /// what a clamped hand feels and what the driver says, within 5 % and a step of the duty. Returns
 /// the largest share that it was off by.
 template <class Bench>
-double check_forces(Bench& bench, double settle) {
+double check_forces(Bench& bench, double settle, int points = 100) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> part(-0.5, 0.5), size(0.5, 1.0);
   std::normal_distribution<double> normal;
   double worst = 0.0;
-  for (int point = 0; point < 100; ++point) {
+  for (int point = 0; point < points; ++point) {
     const Vec3 at = Workspace{}.center +
                     Vec3(part(random), part(random), part(random)).cwiseProduct(Workspace{}.size);
     const Vec3 force =
