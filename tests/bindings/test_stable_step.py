@@ -52,7 +52,7 @@ def largest_eigenvalue(matrix: scipy.sparse.csc_matrix) -> float:
     start = np.cos(np.arange(matrix.shape[0]))
     return float(
         scipy.sparse.linalg.eigsh(
-            matrix, k=1, which="LA", v0=start, tol=1e-10, return_eigenvectors=False
+            matrix, k=1, which="LA", v0=start, tol=1e-6, return_eigenvectors=False
         )[0]
     )
 
@@ -66,7 +66,7 @@ def exact_limit(stiffness: scipy.sparse.csc_matrix, damping: scipy.sparse.csc_ma
     bounds = [2.0 / k**0.5 if k > 0 else np.inf, 2.0 / c if c > 0 else np.inf]
     high = 1.0001 * min(bounds)
     low = 0.4 * min(bounds)
-    return float(scipy.optimize.brentq(excess, low, high, rtol=1e-9))
+    return float(scipy.optimize.brentq(excess, low, high, rtol=1e-6))
 
 
 def spectral_radius(stiffness, damping, dt: float) -> float:

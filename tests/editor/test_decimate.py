@@ -16,9 +16,19 @@ def mesh_of(made: tuple[np.ndarray, np.ndarray]) -> palpate.SurfaceMesh:
     return palpate.SurfaceMesh(*made)
 
 
-SPLEEN = mesh_of(ellipsoid(2400))
-GALLBLADDER = mesh_of(tube(2400))
-SHEET = mesh_of(sheet(1200))
+@pytest.fixture(scope="module")
+def spleen() -> palpate.SurfaceMesh:
+    return mesh_of(ellipsoid(2400))
+
+
+@pytest.fixture(scope="module")
+def gallbladder() -> palpate.SurfaceMesh:
+    return mesh_of(tube(2400))
+
+
+@pytest.fixture(scope="module")
+def flat_sheet() -> palpate.SurfaceMesh:
+    return mesh_of(sheet(1200))
 
 
 def border_of(mesh: palpate.SurfaceMesh) -> np.ndarray:
@@ -35,8 +45,8 @@ def distance_to_line(points: np.ndarray, line: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize("vertices", [50, 151, 600, 1200, 2399, 2400])
-def test_a_closed_organ_has_exactly_the_asked_count_and_stays_closed(vertices):
-    small = decimate(SPLEEN, vertices)
+def test_a_closed_organ_has_exactly_the_asked_count_and_stays_closed(vertices, spleen):
+    small = decimate(spleen, vertices)
 
     report = inspect_mesh(small.mesh)
     assert (report.vertices, report.triangles) == (vertices, 2 * vertices - 4)
@@ -47,44 +57,46 @@ def test_a_closed_organ_has_exactly_the_asked_count_and_stays_closed(vertices):
 
 
 @pytest.mark.parametrize("vertices", [100, 600])
-def test_a_hole_stays_a_hole_on_the_line_it_was(vertices):
-    small = decimate(GALLBLADDER, vertices)
+def test_a_hole_stays_a_hole_on_the_line_it_was(vertices, gallbladder):
+    small = decimate(gallbladder, vertices)
 
     report = inspect_mesh(small.mesh)
     (border,) = report.border_loops
     assert (report.vertices, report.triangles) == (vertices, 2 * vertices - 2 - border)
     assert border >= 6
     assert small.smallest_angle_deg >= GOOD_ANGLE
-    assert distance_to_line(border_of(small.mesh), border_of(GALLBLADDER)).max() < 1e-9
+    assert distance_to_line(border_of(small.mesh), border_of(gallbladder)).max() < 1e-9
 
 
-def test_a_sheet_keeps_its_outline():
-    small = decimate(SHEET, 200)
+def test_a_sheet_keeps_its_outline(flat_sheet):
+    small = decimate(flat_sheet, 200)
 
-    assert distance_to_line(border_of(small.mesh), border_of(SHEET)).max() < 1e-9
-    assert palpate.compute_area(small.mesh) == pytest.approx(palpate.compute_area(SHEET), rel=0.01)
+    assert distance_to_line(border_of(small.mesh), border_of(flat_sheet)).max() < 1e-9
+    assert palpate.compute_area(small.mesh) == pytest.approx(
+        palpate.compute_area(flat_sheet), rel=0.01
+    )
     size = np.ptp(np.asarray(small.mesh.vertices), axis=0)
     assert size[:2] == pytest.approx([0.072, 0.060], rel=0.02)
 
 
-def test_the_new_surface_lies_on_the_old_one():
-    small = decimate(SPLEEN, 600)
+def test_the_new_surface_lies_on_the_old_one(spleen):
+    small = decimate(spleen, 600)
 
     # an edge is 6 mm long, and its arc of radius 25 mm stands 0.2 mm above it
     assert small.mean_distance < 0.3e-3
     assert small.mean_distance < small.max_distance < 2.5e-3
-    volume = palpate.compute_volume(SPLEEN)
+    volume = palpate.compute_volume(spleen)
     assert palpate.compute_volume(small.mesh) == pytest.approx(volume, rel=0.03)
 
 
-def test_improving_makes_bad_triangles_good():
-    small = decimate(SPLEEN, 600)
+def test_improving_makes_bad_triangles_good(spleen):
+    small = decimate(spleen, 600)
 
     assert small.smallest_angle_before_deg < 15.0 < GOOD_ANGLE <= small.smallest_angle_deg
 
 
-def test_the_same_mesh_gives_the_same_bits():
-    one, other = decimate(SPLEEN, 300), decimate(SPLEEN, 300)
+def test_the_same_mesh_gives_the_same_bits(spleen):
+    one, other = decimate(spleen, 300), decimate(spleen, 300)
 
     assert np.array_equal(one.mesh.vertices, other.mesh.vertices)
     assert np.array_equal(one.mesh.triangles, other.mesh.triangles)
@@ -114,9 +126,9 @@ def test_a_count_that_cannot_be_reached_is_refused_with_how_far_it_goes():
 
 
 @pytest.mark.parametrize("vertices", [-1, 0, 3, 2401])
-def test_a_count_the_mesh_does_not_have_is_refused(vertices):
+def test_a_count_the_mesh_does_not_have_is_refused(vertices, spleen):
     with pytest.raises(ValueError, match="4 to 2400"):
-        decimate(SPLEEN, vertices)
+        decimate(spleen, vertices)
 
 
 def test_a_mesh_that_is_not_valid_is_refused():

@@ -30,16 +30,9 @@ def qapp_cls() -> type[QApplication]:
     return QApplication
 
 
-@pytest.fixture(scope="session")
-def keep_what_was_imported() -> None:
-    """No sweep of a test goes through it: that would take 0.1 s."""
-    gc.collect()
-    gc.freeze()
-
-
 @pytest.fixture(autouse=True)
 def end_widgets_in_the_window_thread(
-    qapp: QApplication, keep_what_was_imported: None, monkeypatch: pytest.MonkeyPatch
+    qapp: QApplication, monkeypatch: pytest.MonkeyPatch
 ) -> Iterator[None]:
     """The cyclic collector may otherwise run in a worker, and end widgets there."""
     # an editor would keep its own window too, and let go of all when it ends
