@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from palpate_editor.views.window import MainWindow
+from PySide6.QtWidgets import QApplication
 
 PATIENCE = 60_000
 """[ms] A loaded machine may take long; nothing is judged by it."""
@@ -16,3 +17,14 @@ def settle(qtbot, window: MainWindow) -> None:
         lambda: window.context.assessor.is_current and not window.context.assessor.busy,
         timeout=PATIENCE,
     )
+
+
+def rest(qtbot, window: MainWindow) -> None:
+    """Waits until the view has drawn what it shows as finely as it does while nothing moves."""
+    timers = (window.view._rest, window.view._pause, window.view._light)
+
+    def is_at_rest() -> bool:
+        QApplication.processEvents()  # a frame that is asked for starts them
+        return not any(timer.isActive() for timer in timers)
+
+    qtbot.waitUntil(is_at_rest, timeout=PATIENCE)

@@ -8,7 +8,7 @@ import pytest
 from hands import click
 from palpate_editor.views.stages.parts_preview import MARK
 from palpate_editor.views.tasks import ImportWork
-from patience import settle
+from patience import rest, settle
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QApplication
 
@@ -46,9 +46,9 @@ def test_parts_that_cannot_be_used_together_are_shown_to_choose_from(qtbot, hear
     assert drawn(window) == sum(len(part.surface.triangles) for part in parts)
     size = np.ptp(window.view.scenery.vertices, axis=0)
     assert 0.05 < size.max() < 0.3, "a heart, in metres"
-    qtbot.wait(600)
+    rest(qtbot, window)
     panel.chooser.mark(panel.parts.item(2))
-    qtbot.wait(600)
+    rest(qtbot, window)
     folder = checkout / "build" / "screenshots"
     folder.mkdir(parents=True, exist_ok=True)
     assert window.grab().save(str(folder / "editor_parts.png"))

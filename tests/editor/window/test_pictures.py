@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from patience import settle
+from patience import rest, settle
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
@@ -41,7 +41,7 @@ def test_every_stage_is_drawn(qtbot, make_editor, spleen, checkout, theme):
         window.messages.dismiss()
         window.show_stage(stage)
         settle(qtbot, window)
-        qtbot.wait(600)  # the view refines its picture while nothing moves
+        rest(qtbot, window)
         path = folder / f"editor_{stage}_{theme}.png"
         assert window.grab().save(str(path))
 
@@ -57,7 +57,7 @@ def test_the_empty_window_is_drawn_in_turkish(qtbot, make_editor, checkout):
     folder = checkout / "build" / "screenshots"
     folder.mkdir(parents=True, exist_ok=True)
     window = make_editor(theme="dark", language="tr").window
-    qtbot.wait(600)
+    rest(qtbot, window)
 
     assert window.grab().save(str(folder / "editor_welcome_tr_dark.png"))
     assert window.welcome.isVisible()

@@ -13,7 +13,7 @@ from hands import child, click, log_of
 from palpate_editor.document import Organ, Surface
 from palpate_editor.document.rules import TICK_SHARE
 from palpate_editor.views.assessment import Assessment
-from patience import settle
+from patience import rest, settle
 from touch_context import build_organ
 
 pytestmark = pytest.mark.window
@@ -84,7 +84,7 @@ def test_a_click_on_a_hole_shows_it_from_outside(qtbot, holed, checkout):
     middle = x[loop].mean(axis=0)
     assert view.camera.target == pytest.approx(middle)
     assert (view.camera.eye() - middle) @ (middle - x.mean(axis=0)) > 0.0
-    qtbot.wait(600)
+    rest(qtbot, holed)
     folder = checkout / "build" / "screenshots"
     folder.mkdir(parents=True, exist_ok=True)
     assert holed.grab().save(str(folder / "editor_holes.png"))
