@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import gc
+import itertools
 import os
 import shutil
 from collections.abc import Callable, Generator
@@ -63,10 +64,15 @@ def pytest_runtest_teardown(item: pytest.Item) -> Generator[None, object, object
         item.user_properties.append(("processor_s", f"{used:.2f}"))
 
 
+NUMBERS = itertools.count()
+
+
 @pytest.fixture(autouse=True)
 def user_data(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The user's own data of one test, so that no test leaves a record in the real one."""
-    folder = tmp_path_factory.mktemp("user_data")
+    # numbered here: mktemp lists the folders of all tests before this one to find a number
+    folder = tmp_path_factory.getbasetemp() / "user_data" / str(next(NUMBERS))
+    folder.mkdir(parents=True)
     monkeypatch.setenv("XDG_DATA_HOME", str(folder))
     return folder
 
