@@ -61,5 +61,5 @@ def find_generator(
     name: str,
 ) -> tuple[Callable[..., Mesh], Callable[[np.ndarray, np.ndarray], Masks]]:
     if name not in GENERATORS:
-        raise ValueError(f"organ {name!r}: expected one of {', '.join(GENERATORS)}")
+        raise ValueError(f"organ: got {name!r}, expected one of {', '.join(GENERATORS)}")
     return GENERATORS[name]

@@ -155,7 +155,7 @@ def find_entry(name: str) -> Entry:
     """Raises ValueError for a name that is not in the catalogue."""
     entries = read_catalogue()
     if name not in entries:
-        raise ValueError(f"organ {name!r}: expected one of {', '.join(entries)}")
+        raise ValueError(f"organ: got {name!r}, expected one of {', '.join(entries)}")
     return entries[name]
 
 

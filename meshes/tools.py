@@ -127,7 +127,7 @@ def read_tool(name: str) -> Tool:
     """A shipped instrument. Raises ValueError for another name, OSError where files are missing."""
     tables = tomllib.loads(DESCRIPTIONS.read_text(encoding="utf-8"))
     if name not in tables:
-        raise ValueError(f"tool {name!r}: expected one of {', '.join(tables)}")
+        raise ValueError(f"tool: got {name!r}, expected one of {', '.join(tables)}")
     table: dict[str, Any] = freeze(tables[name])
     meshes = {}
     for part in table["parts"]:

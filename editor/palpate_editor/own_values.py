@@ -82,7 +82,9 @@ def find_text_fault(value: OwnValue) -> Phrase | None:
     for text in (value.tissue, value.method, value.source):
         if len(text) > MOST_LETTERS:
             most = MOST_LETTERS
-            return phrase("{count} letters, at most {most}.", count=len(text), most=most)
+            return phrase(
+                "Got {count} letters, expected at most {most}.", count=len(text), most=most
+            )
     return None
 
 

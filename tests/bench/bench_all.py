@@ -67,7 +67,7 @@ def describe_trees(report: Report) -> str:
         if ratio is None:
             unit = "triangles" if row["work"] == "sphere" else "m"
             lines.append(
-                head + f"answers differ: not compared ({row['other_answers']:.1%} of them, by up "
+                head + f"results differ: not compared ({row['other_answers']:.1%} of them, by up "
                 f"to {row['farthest_answer']:.2g} {unit})   {row['note']}"
             )
         else:

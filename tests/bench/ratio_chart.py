@@ -78,7 +78,7 @@ def bars_of_trees(report: Report) -> list[Bar]:
     for row in report["rows"]:
         if row["library"] in ("Palpate", "textbook"):
             continue
-        words = "" if row["ratio_to_palpate"] is not None else "its answers differ: not compared"
+        words = "" if row["ratio_to_palpate"] is not None else "its results differ: not compared"
         bars.append(Bar(f"{row['work']}: {row['library']}", row["ratio_to_palpate"], words))
     return bars
 

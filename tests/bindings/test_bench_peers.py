@@ -221,6 +221,6 @@ def test_the_chart_of_ratios_is_drawn_with_what_could_not_be_compared(tmp_path):
     ]
     assert [bar.words for bar in ratio_chart.bars_of_trees(report["trees"])] == [
         "",
-        "its answers differ: not compared",
+        "its results differ: not compared",
     ]
     json.dumps(report)

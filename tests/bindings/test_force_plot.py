@@ -152,8 +152,8 @@ def test_a_run_that_touched_nothing_is_plotted_and_says_so():
 @pytest.mark.parametrize(
     ("records", "options", "word"),
     [
-        ({}, {}, "at least one record"),
-        ({"none": palpate.Record()}, {}, "without ticks"),
+        ({}, {}, "records: got none, expected at least one"),
+        ({"none": palpate.Record()}, {}, "record: got no ticks"),
         ({"run": make_record()[0]}, {"theme": "pink"}, "theme"),
         ({"run": make_record()[0]}, {"size": (100, 100)}, "size"),
     ],

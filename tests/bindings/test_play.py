@@ -143,7 +143,7 @@ def test_further_runs_leave_records_of_their_own(tmp_path):
 @pytest.mark.parametrize(
     ("words", "code", "sentence"),
     [
-        (("--headless",), 2, "--headless has no mouse"),
+        (("--headless",), 2, "--device: got the mouse, expected script:FILE or serial:PORT"),
         (("--device", "glove", "--headless"), 2, "expected pointer, script:FILE, plant"),
         (("--device", "glove"), 2, "expected pointer, script:FILE, plant"),
         (("--device", "script:none.json", "--headless"), 1, "No such file"),

@@ -78,7 +78,7 @@ def test_what_is_painted_must_have_one_number_for_every_vertex():
 
 @pytest.mark.parametrize("ids", [[2, 1], [1, 1], [-1], [60]])
 def test_a_region_is_vertices_of_the_surface_in_order(ids):
-    with pytest.raises(ValueError, match="ascend from 0 to 59"):
+    with pytest.raises(ValueError, match="ascending ones from 0 to 59"):
         replace(make_organ(), regions={"hilum": ids})
 
 

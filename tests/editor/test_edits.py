@@ -164,8 +164,8 @@ REFUSED = [
     (edits.SetMaterial(MaterialPart(density=0.0), ModelPart()), SPLEEN, "Density must be"),
     (edits.SetMaterial(MaterialPart(), ModelPart(kind="jelly")), SPLEEN, "kind must be one of"),
     (edits.FixVertices(np.array([], int)), SPLEEN, "No vertices are selected"),
-    (edits.FixVertices(np.array([-1])), SPLEEN, "Vertex numbers -1 to -1"),
-    (edits.FixVertices(np.array([60])), SPLEEN, "those from 0 to 59"),
+    (edits.FixVertices(np.array([-1])), SPLEEN, "Vertex numbers: got -1 to -1"),
+    (edits.FixVertices(np.array([60])), SPLEEN, "got 60 to 60, expected 0 to 59"),
     (edits.FixVertices(np.array([0.5])), SPLEEN, "whole numbers"),
     (edits.FixVertices(np.array([0, 1])), SPLEEN, "fixed already"),
     (edits.FixVertices(np.array([40]), False), SPLEEN, "None of them is fixed"),
@@ -173,16 +173,20 @@ REFUSED = [
     (edits.FixLowest(np.nan), SPLEEN, "more than 0 and at most 1"),
     (edits.PaintStiffness(np.array([0]), 0.0), SPLEEN, "between 0.05 and 20, got 0"),
     (edits.PaintStiffness(np.array([0, 1]), np.array([1.0, np.nan])), SPLEEN, "got nan"),
-    (edits.PaintStiffness(np.array([0, 1]), np.ones(3)), SPLEEN, "3 factors for 2 vertices"),
+    (
+        edits.PaintStiffness(np.array([0, 1]), np.ones(3)),
+        SPLEEN,
+        "got 3, expected 2, one for each vertex",
+    ),
     (edits.PaintStiffness(np.arange(2), SPLEEN.stiffness_scale[:2]), SPLEEN, "already"),
     (edits.SetRegion(" ", np.array([1])), SPLEEN, "needs a name"),
     (edits.SetRegion("x" * 101, np.array([1])), SPLEEN, "101 bytes"),
-    (edits.SetRegion("x", np.array([60])), SPLEEN, "those from 0 to 59"),
+    (edits.SetRegion("x", np.array([60])), SPLEEN, "got 60 to 60, expected 0 to 59"),
     (edits.RemoveRegion("kapı"), SPLEEN, "no region kapı"),
-    (edits.SetName("x" * 201), SPLEEN, "201 bytes of text, at most 200"),
+    (edits.SetName("x" * 201), SPLEEN, "got 201 bytes of text, expected at most 200"),
     (edits.SetName("\udcff"), SPLEEN, "cannot be written"),
-    (edits.SetTask("x" * 201), SPLEEN, "title: 201 bytes"),
-    (edits.SetTask(task="ı" * 10001), SPLEEN, "task: 20002 bytes"),
+    (edits.SetTask("x" * 201), SPLEEN, "title: got 201 bytes"),
+    (edits.SetTask(task="ı" * 10001), SPLEEN, "task: got 20002 bytes"),
 ]
 
 
@@ -283,7 +287,7 @@ def test_decimation_starts_from_the_imported_surface_every_time():
 
 @pytest.mark.parametrize("count", [-1, 3, 151])
 def test_a_count_that_cannot_be_had_is_refused(count):
-    with pytest.raises(EditError, match=f"{count} vertices cannot be had"):
+    with pytest.raises(EditError, match=f"cannot be decimated to {count} vertices"):
         edits.decimate_organ(SPLEEN, count)
 
 

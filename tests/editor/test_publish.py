@@ -193,7 +193,7 @@ def test_a_scene_file_can_be_published_too(tmp_path, capsys):
      (("publish", "a.stl", "-o", "b.palpate"), ".organ, .palpate or .scene.json"),
      (("material", "a.organ", "--density=-1kg/m3", "-o", "b.organ"), "Density must be"),
      (("material", "a.organ", "--fix-lowest=2", "-o", "b.organ"), "--fix-lowest"),
-     (("decimate", "a.organ", "--vertices", "9999", "-o", "b.organ"), "cannot be had"),
+     (("decimate", "a.organ", "--vertices", "9999", "-o", "b.organ"), "cannot be decimated to"),
      (("repair", "a.organ", "--problem", "shells", "-o", "b.organ"), "that can be repaired")],
 )  # fmt: skip
 def test_a_verb_refuses_with_a_sentence(tmp_path, capsys, monkeypatch, words, sentence):

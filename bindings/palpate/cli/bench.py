@@ -90,9 +90,11 @@ def choose_options(call: argparse.Namespace) -> Options:
 def run_special(call: argparse.Namespace, named: object) -> Report:
     """Table 1 or the chart: what they show is fixed."""
     if call.table1 and call.chart:
-        raise WrongCall("--table1 and --chart are two calls")
+        raise WrongCall("--table1: got --chart beside it, expected one of them")
     if named or call.work:
-        raise WrongCall("--table1 and --chart choose their own meshes and works")
+        raise WrongCall(
+            "--table1, --chart: got meshes or works beside it, expected none: they choose their own"
+        )
     budget = choose_options(call).budget
     if call.table1:
         from palpate.bench.table1 import measure_table1

@@ -59,7 +59,9 @@ def run_play(call: argparse.Namespace) -> Report:
         raise WrongCall(f"--duration: got {call.duration:g} s, expected more than 0")
     arm, script = split_hand(call.device)
     if call.headless and not script and not find_port(arm):
-        raise WrongCall("--headless has no mouse: give --device script:FILE or serial:PORT")
+        raise WrongCall(
+            "--device: got the mouse, expected script:FILE or serial:PORT beside --headless"
+        )
     play = open_play(call.file, call.device, call.record, call.duration)
     play.language = call.language or ""
     if call.headless:

@@ -58,7 +58,9 @@ def run_render(call: argparse.Namespace) -> Report:
         time = picture_of_record(call.out, call.file, call.time, options, scene_path=call.scene)
         return {"picture": str(call.out), "time_s": time}
     if call.time is not None:
-        raise WrongCall(f"--time: {call.file} is no record (.prec), so it has only its rest")
+        raise WrongCall(
+            f"--time: got {call.file}, expected a record (.prec): others have only their rest"
+        )
     if call.file.suffix == ".obj":
         mesh = read_mesh_file(call.file)
     elif is_published(call.file):

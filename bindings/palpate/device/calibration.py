@@ -120,7 +120,9 @@ class Calibration:
         assert wanted is not None
         wrong = find_differences(wanted, kept)
         if wrong:
-            raise PoorData("The device kept something else than was written: %1.", ", ".join(wrong))
+            raise PoorData(
+                "The device stored something else than was written: %1.", ", ".join(wrong)
+            )
         self.kept = kept
         aim(self.link, POSES[0])
         self.stage = Stage.done if self.stage is Stage.motors else Stage.forces

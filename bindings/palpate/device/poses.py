@@ -77,7 +77,7 @@ def average_counts(seen: ArrayLike, pose: Pose) -> NDArray[np.float64]:
     counts = np.asarray(seen, dtype=float)
     if len(counts) < FEWEST:
         raise PoorData(
-            "Only %1 readings came in half a second; the link has to be sound first.", len(counts)
+            "Only %1 readings came in half a second: check the cable first.", len(counts)
         )
     judged = range(len(PLACES)) if pose.joint is None else [pose.joint]
     for joint in judged:

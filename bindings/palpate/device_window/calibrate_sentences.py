@@ -49,14 +49,15 @@ def say_step(run: Calibration | None) -> tuple[str, str]:
     if run.stage is Stage.angles:
         return translate("Device", "This is what came out"), translate(
             "Device",
-            "Look whether the residuals are small, then write it to the device. It is read back "
+            "Check that the residuals are small, then write it to the device. It is read back "
             "and compared.",
         )
     if run.stage is Stage.forces:
         return say_push(run)
     if run.stage is Stage.motors:
         return translate("Device", "The motors' true torques"), translate(
-            "Device", "Times what was believed. Write them, or leave the motors as they were."
+            "Device",
+            "In multiples of the values before. Write them, or leave the motors as they were.",
         )
     if run.home_offset is None:
         return translate("Device", "Written and read back"), translate(

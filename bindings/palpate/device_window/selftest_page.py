@@ -136,7 +136,7 @@ class SelftestPage(Page):
             return translate("Device", "Is it sound?")
         if self.report["ok"]:
             return translate("Device", "It is sound")
-        return translate("Device", "It is not sound: do not let it push anyone")
+        return translate("Device", "It failed a check: do not let it push anyone")
 
     def _fill(self) -> None:
         while self.grid.count():

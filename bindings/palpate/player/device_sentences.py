@@ -53,11 +53,11 @@ def say_advice(status: palpate.DeviceStatus) -> str:
     if status.link is palpate.LinkState.uncalibrated:
         return translate(
             "Device",
-            "Its sensors are read, but nobody knows what they mean: calibrate it. Its motors stay "
-            "off until then.",
+            "Its sensors are read, but mean nothing without a calibration: calibrate it. Its "
+            "motors stay off until then.",
         )
     if status.link is not palpate.LinkState.ready:
-        return translate("Device", "It is being asked who it is.")
+        return translate("Device", "The device is being identified.")
     if status.mode is palpate.DeviceMode.faulted:
         return say_remedy(status.first_fault)
     if status.degraded:
@@ -103,11 +103,11 @@ def say_remedy(fault: int) -> str:
             "A sensor reads the end of its scale: a wire is off or shorted. Repair it, then "
             "clear the fault.",
         ),
-        4: translate("Device", "The arm was thrown. Hold the stylus, then clear the fault."),
+        4: translate("Device", "The arm moved too fast. Hold the stylus, then clear the fault."),
         5: translate("Device", "Let the motors cool for a minute, then clear the fault."),
         7: translate(
             "Device", "Its program hung and was restarted. Clear the fault; if it comes again, "
             "flash it again."
         ),
-        10: translate("Device", "What it keeps of itself cannot be read: calibrate it."),
+        10: translate("Device", "Its stored data cannot be read: calibrate it."),
     }.get(fault, translate("Device", "Clear the fault to go on."))  # fmt: skip

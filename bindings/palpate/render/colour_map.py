@@ -89,7 +89,8 @@ def build_legend(
     """
     v = np.asarray(values, dtype=float)
     if v.size == 0 or not np.isfinite(v).all():
-        raise ValueError("values must be finite, and there must be at least one")
+        wrong = f"{np.count_nonzero(~np.isfinite(v))} that are not finite" if v.size else "none"
+        raise ValueError(f"values: got {wrong}, expected finite numbers, at least one")
     if value_range is None:
         low, high = choose_range(float(v.min()), float(v.max()), tick_count)
     else:

@@ -65,7 +65,7 @@ def plot_records(
     records: Mapping[str, Any], title: str, theme: str, size: tuple[int, int]
 ) -> FigureCanvasAgg:
     if not records:
-        raise ValueError("there must be at least one record to plot")
+        raise ValueError("records: got none, expected at least one to plot")
     if size[0] < SMALLEST[0] or size[1] < SMALLEST[1]:
         raise ValueError(f"size must be at least {SMALLEST} pixels, got {size}")
     if theme not in THEMES:

@@ -257,7 +257,7 @@ def check_surface(picture: Picture) -> tuple[Array, NDArray[np.int32]]:
             f"triangles must name vertices 0 to {len(x) - 1}, got {faces.min()} to {faces.max()}"
         )
     if measure_diagonal(x) == 0.0:
-        raise ValueError("vertices must not all lie in one point")
+        raise ValueError(f"vertices: got {len(x)} in one point, expected some apart")
     return x, np.ascontiguousarray(faces, dtype=np.int32)
 
 
@@ -278,7 +278,7 @@ def check_options(picture: Picture) -> None:
         as_point(picture.tool[0], "tool")
         require_positive(picture.tool[1], "radius of the tool")
     if picture.force is not None and picture.tool is None:
-        raise ValueError("force is drawn from the tool, so there must be a tool")
+        raise ValueError("tool: got none, expected one: force is drawn from it")
     if picture.force_scale is not None:
         require_positive(picture.force_scale, "force_scale")
 

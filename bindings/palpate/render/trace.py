@@ -53,7 +53,7 @@ def read_trace(record: Any, instrument: int = 0) -> Trace:
     )
     time = np.asarray(hand["time"], dtype=float)
     if len(time) == 0:
-        raise ValueError("a record without ticks has nothing to plot")
+        raise ValueError("record: got no ticks, expected at least one to plot")
     place = np.asarray(felt["position"], dtype=float)
     bits = np.asarray(felt["touched"])
     rendered = (bits & NOT_RENDERED) == 0

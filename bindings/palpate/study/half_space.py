@@ -93,8 +93,8 @@ def solve_layer(
     """
     if contact > WIDEST * thickness:
         raise ValueError(
-            f"half space: a contact of radius {1e3 * contact:g} mm on a layer of "
-            f"{1e3 * thickness:g} mm, expected at most {WIDEST:g} of the layer"
+            f"contact: got a radius of {1e3 * contact:g} mm on a layer of {1e3 * thickness:g} mm, "
+            f"expected at most {WIDEST:g} of the layer"
         )
     points, weights = np.polynomial.legendre.leggauss(NODES)
     t = np.append(0.5 * contact * (points + 1.0), contact)

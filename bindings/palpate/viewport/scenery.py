@@ -75,7 +75,10 @@ class Scenery:
         if faces.ndim != 2 or faces.shape[1:] != (3,):
             raise ValueError(f"triangles must have shape (t, 3), got {faces.shape}")
         if len(faces) and (faces.min() < 0 or faces.max() >= len(x)):
-            raise ValueError(f"triangles must name vertices 0 to {len(x) - 1}")
+            raise ValueError(
+                f"triangles: got vertices {faces.min()} to {faces.max()}, "
+                f"expected 0 to {len(x) - 1}"
+            )
         self._drop("surface")
         self.version += 1
         self.surface_version += 1

@@ -167,7 +167,10 @@ def freeze_region(ids: np.ndarray, count: int) -> np.ndarray:
     """Vertex numbers that cannot be written. Raises ValueError unless they ascend below `count`."""
     frozen = freeze(ids, np.int32, (None,))
     if frozen.size and (frozen[0] < 0 or frozen[-1] >= count or (np.diff(frozen) <= 0).any()):
-        raise ValueError(f"a region has vertices that do not ascend from 0 to {count - 1}")
+        raise ValueError(
+            f"region: got vertices {frozen.min()} to {frozen.max()}, expected ascending ones "
+            f"from 0 to {count - 1}"
+        )
     return frozen
 
 

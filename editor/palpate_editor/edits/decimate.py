@@ -49,7 +49,11 @@ def decimate_organ(organ: Organ, vertices: int) -> Decimate:
         found = authoring.decimate(palpate.SurfaceMesh(source.vertices, source.triangles), vertices)
     except ValueError as problem:
         raise EditError(
-            phrase("{vertices} vertices cannot be had: {why}", vertices=vertices, why=str(problem))
+            phrase(
+                "It cannot be decimated to {vertices} vertices: {why}",
+                vertices=vertices,
+                why=str(problem),
+            )
         ) from None
     surface = Surface(np.asarray(found.mesh.vertices), np.asarray(found.mesh.triangles))
     return Decimate(

@@ -46,7 +46,7 @@ def check_vertices(organ: Organ, vertices: Any) -> np.ndarray:
     if ids.min() < 0 or ids.max() >= organ.vertex_count:
         raise EditError(
             phrase(
-                "Vertex numbers {low} to {high}: this organ has those from 0 to {most}.",
+                "Vertex numbers: got {low} to {high}, expected 0 to {most}.",
                 low=int(ids.min()),
                 high=int(ids.max()),
                 most=organ.vertex_count - 1,

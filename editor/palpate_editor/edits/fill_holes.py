@@ -34,7 +34,7 @@ class FillHoles:
         if min(holes) < 0 or max(holes) >= len(loops):
             raise EditError(
                 phrase(
-                    "Hole {got}: this surface has those from 0 to {most}.",
+                    "Hole: got {got}, expected 0 to {most}.",
                     got=min(holes) if min(holes) < 0 else max(holes),
                     most=len(loops) - 1,
                 )

@@ -21,7 +21,10 @@ def check_text(what: str, text: str, most: int) -> None:
     if count > most:
         raise EditError(
             phrase(
-                "{what}: {count} bytes of text, at most {most}.", what=what, count=count, most=most
+                "{what}: got {count} bytes of text, expected at most {most}.",
+                what=what,
+                count=count,
+                most=most,
             )
         )
 

@@ -43,7 +43,11 @@ class PaintStiffness:
         values = np.asarray(self.values, dtype=float)
         if values.shape not in ((), ids.shape):
             raise EditError(
-                phrase("{count} factors for {ids} vertices.", count=values.size, ids=ids.size)
+                phrase(
+                    "Factors: got {count}, expected {ids}, one for each vertex.",
+                    count=values.size,
+                    ids=ids.size,
+                )
             )
         if not ((values >= LEAST) & (values <= MOST)).all():  # refuses NaN too
             wrong = values[~((values >= LEAST) & (values <= MOST))].flat[0]

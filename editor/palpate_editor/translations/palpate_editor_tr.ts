@@ -305,8 +305,8 @@
         <translation>Önce ve sonra</translation>
     </message>
     <message>
-        <source>Bring in a surface and say what its numbers mean.</source>
-        <translation>Bir yüzey getirin ve sayılarının ne anlama geldiğini söyleyin.</translation>
+        <source>Import a surface, and confirm its unit and its axis.</source>
+        <translation>Bir yüzeyi içe aktarın, birimini ve eksenini onaylayın.</translation>
     </message>
     <message>
         <source>Brush radius</source>
@@ -625,8 +625,8 @@
         <translation>Delikler</translation>
     </message>
     <message>
-        <source>Holes are never closed behind your back: an open surface can be a hollow organ or a sheet, and then needs the thickness of its wall.</source>
-        <translation>Delikler sizden habersiz kapatılmaz: açık bir yüzey içi boş bir organ ya da bir zar olabilir; o zaman duvar kalınlığı gerekir.</translation>
+        <source>Holes are never closed without being asked for: an open surface can be a hollow organ or a sheet, and then needs the thickness of its wall.</source>
+        <translation>Delikler siz istemeden kapatılmaz: açık bir yüzey içi boş bir organ ya da bir zar olabilir; o zaman duvar kalınlığı gerekir.</translation>
     </message>
     <message>
         <source>How far the tip goes below the surface</source>
@@ -1421,7 +1421,7 @@
         <translation>Doku kurulabiliyor ve kararlı kalıyor.</translation>
     </message>
     <message>
-        <source>The very loop that a haptic device will run, with your mouse as the hand. The left button presses, the right one takes hold, the wheel goes deeper.</source>
+        <source>The loop that a haptic device will run, with your mouse as the hand. The left button presses, the right one takes hold, the wheel goes deeper.</source>
         <translation>Bir haptik cihazın çalıştıracağı döngünün kendisi; fareniz el yerine geçer. Sol düğme basar, sağ düğme tutar, tekerlek derine iner.</translation>
     </message>
     <message>
@@ -2408,8 +2408,8 @@ Beklenen: {expected}.</translation>
         <translation>Bu organ bir dosyadan okunmadı.</translation>
     </message>
     <message>
-        <source>Vertex numbers {low} to {high}: this organ has those from 0 to {most}.</source>
-        <translation>Köşe numaraları {low}–{high}: bu organda 0–{most} var.</translation>
+        <source>Vertex numbers: got {low} to {high}, expected 0 to {most}.</source>
+        <translation>Köşe numaraları: {low}–{high} verildi, 0–{most} bekleniyordu.</translation>
     </message>
     <message>
         <source>Vertices are chosen by whole numbers.</source>
@@ -2568,8 +2568,8 @@ Beklenen: {expected}.</translation>
         <translation>ikiden çok üçgenli {count} kenar</translation>
     </message>
     <message>
-        <source>{count} factors for {ids} vertices.</source>
-        <translation>{ids} köşe için {count} çarpan.</translation>
+        <source>Factors: got {count}, expected {ids}, one for each vertex.</source>
+        <translation>Çarpanlar: {count} verildi, her köşeye bir tane, {ids} bekleniyordu.</translation>
     </message>
     <message>
         <source>{count} pieces that nothing holds together</source>
@@ -2624,16 +2624,16 @@ Beklenen: {expected}.</translation>
         <translation>{value}</translation>
     </message>
     <message>
-        <source>{vertices} vertices cannot be had: {why}</source>
-        <translation>{vertices} köşe elde edilemiyor: {why}</translation>
+        <source>It cannot be decimated to {vertices} vertices: {why}</source>
+        <translation>{vertices} köşeye indirilemiyor: {why}</translation>
     </message>
     <message>
         <source>{what}: letters that cannot be written.</source>
         <translation>{what}: yazılamayan harfler.</translation>
     </message>
     <message>
-        <source>{what}: {count} bytes of text, at most {most}.</source>
-        <translation>{what}: {count} baytlık metin, en çok {most}.</translation>
+        <source>{what}: got {count} bytes of text, expected at most {most}.</source>
+        <translation>{what}: {count} baytlık metin verildi, en çok {most} bekleniyordu.</translation>
     </message>
     <message>
         <source>{text}</source>
@@ -2668,8 +2668,8 @@ Beklenen: {expected}.</translation>
         <translation>Uyan yama yok: bir delik başka birine değiyor, çok büyük ya da yama yüzeyin içinden geçiyor.</translation>
     </message>
     <message>
-        <source>Hole {got}: this surface has those from 0 to {most}.</source>
-        <translation>Delik {got}: bu yüzeyde 0 ile {most} arası delikler var.</translation>
+        <source>Hole: got {got}, expected 0 to {most}.</source>
+        <translation>Delik: {got} verildi, 0–{most} bekleniyordu.</translation>
     </message>
     <message>
         <source>A published value needs its source.</source>
@@ -2780,8 +2780,8 @@ Beklenen: {expected}.</translation>
         <translation>Dosyanın birimi: {unit}</translation>
     </message>
     <message>
-        <source>{count} letters, at most {most}.</source>
-        <translation>{count} harf; en çok {most} olabilir.</translation>
+        <source>Got {count} letters, expected at most {most}.</source>
+        <translation>{count} harf verildi, en çok {most} bekleniyordu.</translation>
     </message>
     <message>
         <source>{name}: {value}</source>

@@ -105,7 +105,7 @@ def test_finite_elements_sink_around_the_punch_as_the_layer_does():
 
 
 def test_a_layer_much_thinner_than_its_contact_is_refused():
-    with pytest.raises(ValueError, match="contact of radius 50 mm on a layer of 1 mm"):
+    with pytest.raises(ValueError, match="got a radius of 50 mm on a layer of 1 mm"):
         compute_punch_force(1e-4, 0.05, 1e-3, *SOFT)
 
 

@@ -232,8 +232,8 @@
         <translation>Bağlanılamıyor: %1.</translation>
     </message>
     <message>
-        <source>It is not sound: do not let it push anyone</source>
-        <translation>Sağlam değil: kimseyi itmesine izin vermeyin</translation>
+        <source>It failed a check: do not let it push anyone</source>
+        <translation>Bir denetimden geçemedi: kimseyi itmesine izin vermeyin</translation>
     </message>
     <message>
         <source>It is sound</source>
@@ -276,8 +276,8 @@
         <translation>Aygıtları yeniden ara</translation>
     </message>
     <message>
-        <source>Look whether the residuals are small, then write it to the device. It is read back and compared.</source>
-        <translation>Artıkların küçük olup olmadığına bakın, sonra aygıta yazın. Geri okunup karşılaştırılır.</translation>
+        <source>Check that the residuals are small, then write it to the device. It is read back and compared.</source>
+        <translation>Artıkların küçük olduğunu denetleyin, sonra aygıta yazın. Geri okunup karşılaştırılır.</translation>
     </message>
     <message>
         <source>Lost</source>
@@ -304,8 +304,8 @@
         <translation>Bağlı değil</translation>
     </message>
     <message>
-        <source>Only %1 readings came in half a second; the link has to be sound first.</source>
-        <translation>Yarım saniyede yalnız %1 okuma geldi; önce bağlantı sağlam olmalı.</translation>
+        <source>Only %1 readings came in half a second: check the cable first.</source>
+        <translation>Yarım saniyede yalnız %1 okuma geldi: önce kabloyu denetleyin.</translation>
     </message>
     <message>
         <source>Pose %1 of %2: </source>
@@ -416,7 +416,7 @@
         <translation>Aygıt bu kalibrasyonu saklıyor. Yeniden ölçün ya da baştan başlayın.</translation>
     </message>
     <message>
-        <source>The device kept something else than was written: %1.</source>
+        <source>The device stored something else than was written: %1.</source>
         <translation>Aygıt yazılandan başka bir şey saklamış: %1.</translation>
     </message>
     <message>
@@ -440,8 +440,8 @@
         <translation>Sonuç bu</translation>
     </message>
     <message>
-        <source>Times what was believed. Write them, or leave the motors as they were.</source>
-        <translation>Sanılanın katları. Yazın ya da motorları eskisi gibi bırakın.</translation>
+        <source>In multiples of the values before. Write them, or leave the motors as they were.</source>
+        <translation>Önceki değerlerin katı olarak. Yazın ya da motorları eskisi gibi bırakın.</translation>
     </message>
     <message>
         <source>Tip (right, away, up)</source>

@@ -334,8 +334,8 @@
         <translation>Kendi kolunu taşıyor. Kalemi tutun.</translation>
     </message>
     <message>
-        <source>It is being asked who it is.</source>
-        <translation>Kim olduğu soruluyor.</translation>
+        <source>The device is being identified.</source>
+        <translation>Cihaz tanınıyor.</translation>
     </message>
     <message>
         <source>Its cable is out, or it has fallen silent. Plug it in and connect again.</source>
@@ -350,8 +350,8 @@
         <translation>Yazılımı takıldı ve yeniden başlatıldı. Arızayı silin; yinelenirse yazılımı yeniden yükleyin.</translation>
     </message>
     <message>
-        <source>Its sensors are read, but nobody knows what they mean: calibrate it. Its motors stay off until then.</source>
-        <translation>Algılayıcıları okunuyor ama ne anlama geldikleri bilinmiyor: kalibre edin. O zamana dek motorları kapalı kalır.</translation>
+        <source>Its sensors are read, but mean nothing without a calibration: calibrate it. Its motors stay off until then.</source>
+        <translation>Algılayıcıları okunuyor ama kalibrasyon olmadan bir anlam taşımıyor: kalibre edin. O zamana dek motorları kapalı kalır.</translation>
     </message>
     <message>
         <source>Let the motors cool for a minute, then clear the fault.</source>
@@ -414,8 +414,8 @@
         <translation>Algılayıcı arızası</translation>
     </message>
     <message>
-        <source>The arm was thrown. Hold the stylus, then clear the fault.</source>
-        <translation>Kol savruldu. Kalemi tutun, sonra arızayı silin.</translation>
+        <source>The arm moved too fast. Hold the stylus, then clear the fault.</source>
+        <translation>Kol çok hızlı hareket etti. Kalemi tutun, sonra arızayı silin.</translation>
     </message>
     <message>
         <source>The force is taken back until reports come again.</source>
@@ -434,8 +434,8 @@
         <translation>EEPROM’undaki kalibrasyonun en yeni kopyası bozuk, eskisine de uyulmuyor: kalibre edin. O zamana dek motorları kapalı kalır.</translation>
     </message>
     <message>
-        <source>What it keeps of itself cannot be read: calibrate it.</source>
-        <translation>Kendisi hakkında sakladığı okunamıyor: kalibre edin.</translation>
+        <source>Its stored data cannot be read: calibrate it.</source>
+        <translation>Sakladığı veriler okunamıyor: kalibre edin.</translation>
     </message>
 </context>
 </TS>

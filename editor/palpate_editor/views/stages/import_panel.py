@@ -39,7 +39,7 @@ class ImportPanel(StagePanel):
 
     @staticmethod
     def lead() -> str:
-        return tr("Bring in a surface and say what its numbers mean.")
+        return tr("Import a surface, and confirm its unit and its axis.")
 
     @staticmethod
     def help() -> list[str]:

@@ -34,8 +34,8 @@ class RepairPanel(StagePanel):
         return [
             tr("Doubled points are welded, doubled and empty triangles removed, and triangles "
                "turned so that all face outwards. What was done stands in the panel."),
-            tr("Holes are never closed behind your back: an open surface can be a hollow organ or "
-               "a sheet, and then needs the thickness of its wall."),
+            tr("Holes are never closed without being asked for: an open surface can be a hollow "
+               "organ or a sheet, and then needs the thickness of its wall."),
         ]  # fmt: skip
 
     def __init__(self, context: Context, tasks: Tasks, parent: QWidget | None = None):

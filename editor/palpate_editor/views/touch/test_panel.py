@@ -54,7 +54,7 @@ class TestPanel(StagePanel):
     @staticmethod
     def help() -> list[str]:
         return [
-            tr("The very loop that a haptic device will run, with your mouse as the hand. The left "
+            tr("The loop that a haptic device will run, with your mouse as the hand. The left "
                "button presses, the right one takes hold, the wheel goes deeper."),
             tr("A scripted press gives numbers that can be compared from one day to the next."),
         ]  # fmt: skip
