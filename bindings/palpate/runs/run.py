@@ -67,20 +67,20 @@ def describe_arithmetic(scene: palpate.Scene) -> dict[str, str]:
         vector_targets.append((body.simd_target or targets[0]) if targets else platform.machine())
     return {
         "palpate": version("palpate"),
-        "kernel": join_words(kernels),
-        "vector_target": join_words(vector_targets),
+        "kernel": join_names(kernels),
+        "vector_target": join_names(vector_targets),
     }
 
 
-def join_words(words: Sequence[str]) -> str:
-    """One word where it is that of all bodies, or devices."""
-    return words[0] if len(set(words)) == 1 else BETWEEN.join(words)
+def join_names(names: Sequence[str]) -> str:
+    """One name where it is that of all bodies, or devices."""
+    return names[0] if len(set(names)) == 1 else BETWEEN.join(names)
 
 
-def split_words(text: str, count: int) -> list[str]:
-    """The word of each of `count` bodies."""
-    words = text.split(BETWEEN)
-    return words if len(words) == count else [text] * count
+def split_names(text: str, count: int) -> list[str]:
+    """The name of each of `count` bodies."""
+    names = text.split(BETWEEN)
+    return names if len(names) == count else [text] * count
 
 
 def read_scene(path: Path) -> palpate.Scene:
@@ -117,7 +117,7 @@ def run_device(
     """
     require_recordable(scene, duration)
     devices = device if isinstance(device, Sequence) else [device]
-    names = join_words([each.name() for each in devices])
+    names = join_names([each.name() for each in devices])
     header = describe_build(scene, scene_path, record_path, names)
     options = palpate.LoopOptions(
         duration=duration,
@@ -241,8 +241,8 @@ def require_finite(path: Path, record: palpate.Record) -> None:
 def follow_header(scene: palpate.Scene, header: dict[str, Any]) -> palpate.Scene:
     """The scene under the kernel and vector target of a record, as far as this machine has them."""
     count = len(scene.bodies)
-    kernels = split_words(str(header.get("kernel", "")), count)
-    targets = split_words(str(header.get("vector_target", "")), count)
+    kernels = split_names(str(header.get("kernel", "")), count)
+    targets = split_names(str(header.get("vector_target", "")), count)
     for body, kernel, target in zip(scene.bodies, kernels, targets, strict=True):
         if kernel.startswith("reference"):
             body.kernel = palpate.Kernel.reference
