@@ -132,7 +132,7 @@ def test_the_live_loop_shows_every_body():
     high, low = palpate.KeyFrame(), palpate.KeyFrame()
     high.position, low.position, low.time = (0.0, 0.0, 0.03), (0.0, 0.0, 0.019), 0.15
     options = palpate.LoopOptions()
-    options.duration, options.realtime = 0.2, False
+    options.duration, options.realtime = 1.0, False
     loop = palpate.Loop(scene, palpate.ScriptedDevice([high, low]), options)
     loop.start()
 
@@ -153,7 +153,7 @@ def test_a_frame_of_a_live_run_has_the_positions_and_substeps_of_every_body():
     scene = palpate.build_scene(palpate.Scene(bodies=[make_body(), make_body(ASIDE)]))
     high, low = palpate.KeyFrame(), palpate.KeyFrame()
     high.position, low.position, low.time = ASIDE + (0, 0, 0.03), ASIDE + (0, 0, 0.019), 0.15
-    options = palpate.LoopOptions(duration=0.2, realtime=False)
+    options = palpate.LoopOptions(duration=1.0, realtime=False)
     with LiveRun(scene, palpate.ScriptedDevice([high, low]), options=options) as run:
         assert run.wait(30.0)
         frame = run.take_frame()
