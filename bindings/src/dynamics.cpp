@@ -153,6 +153,8 @@ void bind_integrators(py::module_& m) {
   m.def("find_integrator", &find_integrator, "name"_a,
         "'symplectic_euler' -> Integrator.symplectic_euler; None for an unknown name.");
   m.def("integrator_name", &integrator_name, "integrator"_a, "Integrator.midpoint -> 'midpoint'.");
+  m.def("is_implicit", &is_implicit, "integrator"_a,
+        "Whether it solves for the state that it steps to (ImplicitStepper).");
 }
 
 void require_step(const TissueModel& model, const Load& load, double dt, const State& state) {
@@ -162,7 +164,7 @@ void require_step(const TissueModel& model, const Load& load, double dt, const S
 }
 
 void require_explicit(Integrator integrator) {
-  if (integrator >= Integrator::implicit_euler_linear) {
+  if (is_implicit(integrator)) {
     refuse("integrator", std::string(integrator_name(integrator)),
            "an explicit one; ImplicitStepper takes the others");
   }
@@ -210,7 +212,8 @@ void bind_step(py::module_& m) {
             return self.stepper.step(load, dt, state);
           },
           "load"_a, "dt"_a, "state"_a,
-          "Advances state by dt [s]; returns the Newton iterations used.");
+          "Advances state by dt [s]; returns the Newton iterations used, or 0 where no solution "
+          "was found: positions and time are then as they were.");
 }
 
 void bind_stable_step(py::module_& m) {
@@ -228,11 +231,16 @@ void bind_stable_step(py::module_& m) {
   def_repr(spectrum, {"stiffness", "damping"});
   m.def("estimate_spectrum", &estimate_spectrum, "model"_a, "coupling"_a = 0.0,
         py::call_guard<py::gil_scoped_release>(), "The largest eigenvalues at rest.");
-  m.def("stable_step", &stable_step, "model"_a, "coupling"_a = 0.0,
-        py::call_guard<py::gil_scoped_release>(),
+  m.def("stable_step", py::overload_cast<const TissueModel&, double>(&stable_step), "model"_a,
+        "coupling"_a = 0.0, py::call_guard<py::gil_scoped_release>(),
         "[s] A step at which symplectic Euler is stable at rest, with a margin; coupling [N/m] is "
         "the stiffness that a tool may add at any one particle. Lies between 0.6 and 1.0 of the "
         "exact limit.");
+  m.def("stable_step", py::overload_cast<const TissueModel&, Integrator>(&stable_step), "model"_a,
+        "integrator"_a, py::call_guard<py::gil_scoped_release>(),
+        "[s] The same for any integrator: infinite for an implicit one, and 0 where no step is "
+        "stable, because something swings that nothing damps: explicit Euler and the explicit "
+        "midpoint rule feed it energy at any step.");
   m.def("has_packed_form", &has_packed_form, "model"_a,
         "Whether a tissue can be packed, where there is vector code: all can but linear solids.");
   m.def("simd_targets", &simd_targets,

@@ -28,6 +28,8 @@ void bind_alarm(py::module_& m) {
              "index: vertex of the surface; a linear solid moved beyond SHALLOW")
       .value("invalid_input", AlarmKind::invalid_input,
              "index: TickInput; a tick cannot use what it was given")
+      .value("not_solved", AlarmKind::not_solved,
+             "index: -1; an implicit step, of value [s], found no solution")
       .finalize();
   py::class_<Alarm> alarm(m, "Alarm",
                           "What is wrong with a running tissue, as a value; false for nothing.");

@@ -26,8 +26,6 @@ constexpr Ordered kEvery[] = {{Integrator::explicit_euler, 1},
                               {Integrator::implicit_euler, 1},
                               {Integrator::implicit_midpoint, 2}};
 
-bool is_implicit(Integrator integrator) { return integrator >= Integrator::implicit_euler_linear; }
-
 State run(const TissueModel& model, const Load& load, Integrator integrator, double duration,
           int steps, State state) {
   const double dt = duration / steps;

@@ -121,6 +121,44 @@ TEST_CASE("damped, every explicit integrator is stable just up to where its step
   }
 }
 
+TEST_CASE("stable_step of every explicit integrator lies between 0.4 and 1.0 of where it fails") {
+  TissueModel chain = scenes::make_chain_model(8, 1e-3, 100.0, 0.1);
+  chain.springs.damping[2] = 0.4;
+  std::vector<Scene> all;
+  all.push_back({"oscillator", scenes::make_oscillator_model(1e-3, 100.0, 0.13), 1e-5});
+  all.push_back({"overdamped oscillator", scenes::make_oscillator_model(1e-3, 100.0, 0.9), 1e-5});
+  all.push_back({"chain", chain, 1e-5});
+  all.push_back(
+      {"organ, links damped", scenes::make_spring_organ(0, {.damping_ratio = 0.2}), 5e-12});
+  all.push_back({"organ, drag", scenes::make_molecular_organ(0, {.drag = 300.0}), 5e-12});
+  for (const Scene& scene : all) {
+    for (const Integrator integrator : {Integrator::explicit_euler, Integrator::symplectic_euler,
+                                        Integrator::midpoint, Integrator::runge_kutta_4}) {
+      CAPTURE(scene.name);
+      CAPTURE(std::string(integrator_name(integrator)));
+      const LinearTissue tissue(scene.model);
+      const double exact = find_limit(tissue, integrator, 4.0 / find_top_mode(tissue).frequency);
+
+      const double step = stable_step(scene.model, integrator);
+
+      CHECK(step <= exact);
+      CHECK(step >= 0.4 * exact);
+      CHECK(compute_spectral_radius(build_step_matrix(tissue, integrator, step)) <= kNoGrowth);
+    }
+  }
+}
+
+TEST_CASE("stable_step is 0 where an integrator has none, and infinite where it has no limit") {
+  const TissueModel undamped = scenes::make_spring_organ(1);
+  CHECK(stable_step(undamped, Integrator::explicit_euler) < 1e-12);
+  CHECK(stable_step(undamped, Integrator::midpoint) < 1e-12);
+  CHECK(stable_step(undamped, Integrator::symplectic_euler) == stable_step(undamped));
+  for (const Integrator integrator : {Integrator::implicit_euler_linear, Integrator::implicit_euler,
+                                      Integrator::implicit_midpoint}) {
+    CHECK(std::isinf(stable_step(undamped, integrator)));
+  }
+}
+
 TEST_CASE("damped oscillators have the limits that the formulas say") {
   const double w = std::sqrt(1e5), mass = 1e-3;
   for (const double z : {0.05, 0.2, 0.5, 0.9, 2.0}) {

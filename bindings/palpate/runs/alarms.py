@@ -106,6 +106,15 @@ ALARMS = {
         "Start again. If it comes again, the device or the program that runs it is at fault.",
         Advice("Give every tick finite numbers, and the scene as build_scene returned it."),
     ),
+    AlarmKind.not_solved: AlarmText(
+        "an implicit step of %1 ms found no balance of forces",
+        LIGHTER,
+        Advice(
+            "Press less deep or more slowly, or choose more substeps (%1) or another integrator.",
+            ("hand.substeps",),
+        ),
+        scale=1e3,
+    ),
 }
 
 INPUTS = {

@@ -31,7 +31,12 @@ STEP = 10.0
 """Between two trials of a constant."""
 BLOWN = (AlarmKind.not_finite, AlarmKind.moved_far, AlarmKind.energy)
 """For want of substeps or of a softer contact; what is merely strained is so without."""
-NEVER_ASKED = (AlarmKind.none, AlarmKind.invalid_input, AlarmKind.pressed_deep)
+NEVER_ASKED = (
+    AlarmKind.none,
+    AlarmKind.invalid_input,
+    AlarmKind.pressed_deep,
+    AlarmKind.not_solved,
+)
 """These say themselves what they are of."""
 
 

@@ -41,6 +41,7 @@ enum class AlarmKind {
                   ///< likewise
   invalid_input,  ///< index: TickInput (tick/private/check_input.h); a tick cannot use what it was
                   ///< given
+  not_solved,     ///< index: -1; an implicit step, of value [s], found no solution
 };
 
 /// What is wrong with a running tissue, as a value: the haptic thread never throws.

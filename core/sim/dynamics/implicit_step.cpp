@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -18,6 +19,9 @@ constexpr int kMostIterations = 50;
 /// Shortest trial step along a Newton direction, 2^-10: a residual that even this does not lower
 /// is rounding, or nothing that this tangent can improve.
 constexpr int kMostHalvings = 10;
+/// A residual that is more than this part of the momenta, and than all masses have at this speed
+/// [m/s], is no solution.
+constexpr double kUnsolved = 1e-2, kUnnoticedSpeed = 1e-3;
 
 using Vector = Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
@@ -108,12 +112,13 @@ int ImplicitStepper::Solver::step(const Load& load, double dt, State& state) {
   for (const int i : model.fixed) state.velocity[static_cast<std::size_t>(i)].setZero();
   position = state.position;
   compute_forces(model, load, state.position, state.velocity, state.force);
-  factorise(dt, Projection::positive_semidefinite);
+  if (!factorise(dt, Projection::positive_semidefinite)) return 0;
   residual = flat(state.force) - (theta * dt) * (stiffness * flat(state.velocity));
   change = factor.solve(dt * free.cwiseProduct(residual));
 
   const int iterations =
       integrator == Integrator::implicit_euler_linear ? 1 : iterate(load, dt, state);
+  if (iterations == 0 || !change.allFinite()) return 0;
   place(dt, change, state);
   flat(state.position) += dt * flat(velocity);
   flat(state.velocity) += change;
@@ -124,14 +129,15 @@ int ImplicitStepper::Solver::step(const Load& load, double dt, State& state) {
 int ImplicitStepper::Solver::iterate(const Load& load, double dt, State& state) {
   bool exact = model.angle_law == AngleLaw::gradient || model.angles.corners.empty();
   double norm = evaluate(load, dt, change, state);
+  const auto measure_momentum = [&] {
+    return mass.cwiseProduct(change).norm() + mass.cwiseProduct(flat(state.velocity)).norm();
+  };
   int iterations = 1;
   for (; iterations < kMostIterations; ++iterations) {
-    const double momentum =
-        mass.cwiseProduct(change).norm() + mass.cwiseProduct(flat(state.velocity)).norm();
-    if (norm <= kResidual * momentum) break;
+    if (norm <= kResidual * measure_momentum()) break;
 
     if (exact) exact = factorise(dt, Projection::none);
-    if (!exact) factorise(dt, Projection::positive_semidefinite);
+    if (!exact && !factorise(dt, Projection::positive_semidefinite)) return 0;
     direction = -factor.solve(residual);
     const Vector before = change;
     double trial = norm;
@@ -146,11 +152,12 @@ int ImplicitStepper::Solver::iterate(const Load& load, double dt, State& state) 
     }
     norm = trial;
   }
-  return iterations;
+  const double most = std::max(kUnsolved * measure_momentum(), kUnnoticedSpeed * mass.norm());
+  return norm <= most ? iterations : 0;
 }
 
 ImplicitStepper::ImplicitStepper(const TissueModel& model, Integrator integrator) {
-  if (integrator < Integrator::implicit_euler_linear) {
+  if (!is_implicit(integrator)) {
     refuse("implicit stepper: integrator", std::string(integrator_name(integrator)),
            "an implicit one");
   }

@@ -6,6 +6,7 @@
 
 #include "palpate/sim/dynamics/private/free_particles.h"
 #include "palpate/sim/dynamics/private/lanczos.h"
+#include "palpate/sim/dynamics/private/step_limit.h"
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/dynamics/tangent.h"
 
@@ -14,9 +15,7 @@ namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-/// How much of the limit is used. It covers a tenth by which Lanczos may miss an eigenvalue
-/// (0.9² < 1/1.1), and a tissue that is a little stiffer in use than at rest.
-constexpr double kStepShare = 0.9;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The part of K = -df/dx [N/m] that a pressure adds; with f_a = f_b = f_c =
 /// p/6 (a × b + b × c + c × a),
@@ -112,7 +111,7 @@ double bound_with_any_coupling(const TissueModel& model, double g, double coupli
 
 /// The positive root of dt² k + 2 dt c = 4.
 double solve_limit(double k, double c) {
-  if (!(k > 0.0) && !(c > 0.0)) return std::numeric_limits<double>::infinity();
+  if (!(k > 0.0) && !(c > 0.0)) return kInfinity;
   return 4.0 / (c + std::sqrt(c * c + 4.0 * std::max(k, 0.0)));
 }
 
@@ -164,7 +163,90 @@ double find_part_with_coupling(const TissueModel& model, const Tangents& tangent
   return stable;
 }
 
+/// [s] The quotient's minimum [Dinkelbach67]: where the largest eigenvalue of t K - C is positive,
+/// its vector has a smaller quotient than t.
+double find_least_damping_time(const Tangents& tangents) {
+  constexpr int kMostRounds = 30;
+  // more than rounding leaves of motions that nothing resists
+  constexpr double kRounding = 1e-9;
+  const Largest stiffest = tangents.find_largest(1.0, 0.0);
+  if (!(stiffest.value > 0.0)) return kInfinity;
+  Eigen::VectorXd v = stiffest.vector;
+  double least = kInfinity;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const double k = v.dot(tangents.stiffness * v), c = v.dot(tangents.damping * v);
+    const double next = std::max(0.0, c) / k;
+    if (std::isfinite(least) && !(least * k - c > kRounding * least * stiffest.value)) break;
+    if (!(next < least) || next == 0.0) return std::min(next, least);
+    least = next;
+    v = tangents.find_largest(least, -1.0).vector;
+  }
+  return least;
+}
+
+/// Explicit midpoint is stable for a mode with z = dt mu where |1 + z + z²/2| <= 1. For a pair of
+/// complex mu, with k = |mu|² and c = -2 Re mu, that is
+///
+///     dt⁴ k²/4 - dt c (1 - dt c/2) - dt³ c k/2 <= 0,
+///
+/// convex in c and in k. With c from t k to the largest, and k up to the largest, it holds
+/// everywhere if it does at c = t k, where it is dt k ((dt - t)² + t²) <= 4 t, and at the largest
+/// of both; real mu are stable up to dt c = 2.
+double find_midpoint_limit(double k, double c, double t) noexcept {
+  constexpr int kHalvings = 60;
+  if (!(k > 0.0)) return c > 0.0 ? 2.0 / c : kInfinity;
+  if (!(t > 0.0) || !(c > 0.0)) return 0.0;
+  const auto is_stable = [&](double dt) noexcept {
+    if (dt * k * ((dt - t) * (dt - t) + t * t) > 4.0 * t) return false;
+    const double dk = dt * dt * k, dc = dt * c;
+    return c * c >= 4.0 * k || 0.25 * dk * dk - dc * (1.0 - 0.5 * dc) - 0.5 * dc * dk <= 0.0;
+  };
+  double stable = 0.0, unstable = 2.0 / c;
+  if (is_stable(unstable)) return unstable;
+  for (int halving = 0; halving < kHalvings; ++halving) {
+    const double middle = 0.5 * (stable + unstable);
+    (is_stable(middle) ? stable : unstable) = middle;
+  }
+  return stable;
+}
+
 }  // namespace
+
+/// Every eigenvector u of the motion has an eigenvalue mu with mu² m + mu c + k = 0, where m, c and
+/// k are its u'Mu, u'Cu and u'Ku: |mu|² = k/m and Re mu = -c/2m where mu is complex, |mu| <= c/m
+/// where it is real. Explicit Euler, |1 + dt mu| <= 1, asks for dt <= c/k of the one and dt <= 2/c
+/// of the other [HairerLubichWanner06]. The stability region of Runge and Kutta's holds the left
+/// half of a disk of radius 2.6.
+double find_step_limit(Integrator integrator, const Spectrum& spectrum,
+                       double least_damping_time) noexcept {
+  constexpr double kRungeKuttaRadius = 2.6;
+  const double k = spectrum.stiffness, c = spectrum.damping;
+  if (is_implicit(integrator)) return kInfinity;
+  switch (integrator) {
+    case Integrator::explicit_euler: {
+      const double damped = c > 0.0 ? 2.0 / c : kInfinity;
+      return k > 0.0 ? std::min(damped, least_damping_time) : damped;
+    }
+    case Integrator::midpoint:
+      return find_midpoint_limit(k, c, least_damping_time);
+    case Integrator::runge_kutta_4: {
+      const double fastest = std::max(std::sqrt(std::max(k, 0.0)), c);
+      return fastest > 0.0 ? kRungeKuttaRadius / fastest : kInfinity;
+    }
+    default:
+      return solve_limit(k, c);
+  }
+}
+
+double estimate_least_damping_time(const TissueModel& model) {
+  return find_least_damping_time(Tangents(model));
+}
+
+double stable_step(const TissueModel& model, Integrator integrator) {
+  if (integrator == Integrator::symplectic_euler) return stable_step(model);
+  const double least = needs_damping(integrator) ? estimate_least_damping_time(model) : 0.0;
+  return kLimitShare * find_step_limit(integrator, estimate_spectrum(model), least);
+}
 
 Spectrum estimate_spectrum(const TissueModel& model, double coupling) {
   const Tangents tangents(model);
@@ -187,13 +269,13 @@ double stable_step(const TissueModel& model, double coupling) {
   const double k = upper(tangents.find_largest(1.0, 0.0));
   const double c = upper(tangents.find_largest(0.0, 1.0));
   const double dt0 = find_limit(tangents, k, c);
-  if (!(coupling > 0.0)) return kStepShare * dt0;
+  if (!(coupling > 0.0)) return kLimitShare * dt0;
   // held particles without any spring of their own still swing against the coupling
   if (!std::isfinite(dt0)) {
-    return kStepShare *
+    return kLimitShare *
            solve_limit(bound_with_any_coupling(model, 0.0, coupling, [](int) { return 0.0; }), 0.0);
   }
-  return kStepShare * dt0 * find_part_with_coupling(model, tangents, dt0, c, coupling);
+  return kLimitShare * dt0 * find_part_with_coupling(model, tangents, dt0, c, coupling);
 }
 
 }  // namespace palpate

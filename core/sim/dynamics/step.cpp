@@ -108,6 +108,10 @@ std::string_view integrator_name(Integrator integrator) noexcept {
   return {};
 }
 
+bool is_implicit(Integrator integrator) noexcept {
+  return integrator >= Integrator::implicit_euler_linear;
+}
+
 void step(const TissueModel& model, const Load& load, double dt, State& state) noexcept {
   step(model, load, dt, Integrator::symplectic_euler, state);
 }

@@ -11,6 +11,22 @@
 
 namespace palpate {
 
+enum class Integrator {
+  explicit_euler,    ///< x with the old velocity; never stable without damping
+  symplectic_euler,  ///< v first, x with the new v: what Eq 4-5 of the paper really is
+  midpoint,          ///< explicit midpoint, second order
+  runge_kutta_4,
+  implicit_euler_linear,  ///< one Newton step with the projected tangent
+  implicit_euler,         ///< Newton until the residual is small
+  implicit_midpoint,
+};
+
+/// "symplectic_euler" -> Integrator::symplectic_euler; none for an unknown name.
+std::optional<Integrator> find_integrator(std::string_view name) noexcept;
+std::string_view integrator_name(Integrator integrator) noexcept;
+/// Whether it solves for the state that it steps to (ImplicitStepper).
+bool is_implicit(Integrator integrator) noexcept;
+
 /// Largest eigenvalues at rest of M⁻¹K [1/s²] and M⁻¹C [1/s], fixed particles left out, with
 /// `coupling` [N/m] holding the particle it hurts most. Estimated from above, to a thousandth
 /// without a coupling.
@@ -28,19 +44,11 @@ Spectrum estimate_spectrum(const TissueModel& model, double coupling = 0.0);
 /// same model. Eq 10 may flutter at any step where its triangles are uneven and damping is low.
 double stable_step(const TissueModel& model, double coupling = 0.0);
 
-enum class Integrator {
-  explicit_euler,    ///< x with the old velocity; never stable without damping
-  symplectic_euler,  ///< v first, x with the new v: what Eq 4-5 of the paper really is
-  midpoint,          ///< explicit midpoint, second order
-  runge_kutta_4,
-  implicit_euler_linear,  ///< one Newton step with the projected tangent
-  implicit_euler,         ///< Newton until the residual is small
-  implicit_midpoint,
-};
-
-/// "symplectic_euler" -> Integrator::symplectic_euler; none for an unknown name.
-std::optional<Integrator> find_integrator(std::string_view name) noexcept;
-std::string_view integrator_name(Integrator integrator) noexcept;
+/// [s] The same for any integrator [motion: step]: infinite for an implicit one, and 0 where no
+/// step is stable, because something swings that nothing damps: explicit Euler and the explicit
+/// midpoint rule feed it energy at any step. Lies between 0.4 and 1.0 of the exact limit where
+/// damping is proportional to stiffness.
+double stable_step(const TissueModel& model, Integrator integrator);
 
 /// Advances `state` by `dt` [s] with symplectic Euler, which must stay below stable_step(model).
 /// Does not allocate.
@@ -58,7 +66,8 @@ class ImplicitStepper {
   ~ImplicitStepper();
   ImplicitStepper(ImplicitStepper&&) noexcept;
 
-  /// Advances `state` by dt [s]; returns the Newton iterations used. The model must outlive this.
+  /// Advances `state` by dt [s]; returns the Newton iterations used, or 0 where no solution was
+  /// found: positions and time are then as they were. The model must outlive this.
   int step(const Load& load, double dt, State& state);
 
  private:

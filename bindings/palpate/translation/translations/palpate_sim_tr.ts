@@ -105,6 +105,14 @@
         <translation>Yeniden başlatın. Yine olursa cihazda ya da onu çalıştıran programda hata vardır.</translation>
     </message>
     <message>
+        <source>an implicit step of %1 ms found no balance of forces</source>
+        <translation>%1 ms süren bir örtük adım kuvvet dengesi bulamadı</translation>
+    </message>
+    <message>
+        <source>Press less deep or more slowly, or choose more substeps (%1) or another integrator.</source>
+        <translation>Daha az derine ya da daha yavaş bastırın; ya da daha çok alt adım (%1) veya başka bir integral yöntemi seçin.</translation>
+    </message>
+    <message>
         <source>Give every tick finite numbers, and the scene as build_scene returned it.</source>
         <translation>Her adıma sonlu sayılar ve build_scene'in verdiği sahneyi verin.</translation>
     </message>
@@ -171,6 +179,30 @@
 </context>
 <context>
     <name>Refusal</name>
+    <message>
+        <source>0 for an integrator other than symplectic_euler: parts of a tissue sleep in vector code only</source>
+        <translation>symplectic_euler dışındaki bir integral yöntemi için 0: dokunun parçaları yalnızca vektör kodunda uyur</translation>
+    </message>
+    <message>
+        <source>0, which is what a file holds</source>
+        <translation>0, bir dosyada o kadar bulunur</translation>
+    </message>
+    <message>
+        <source>automatic or reference with the integrator %1: the others step by symplectic_euler</source>
+        <translation>%1 integral yöntemiyle automatic ya da reference: ötekiler symplectic_euler ile ilerler</translation>
+    </message>
+    <message>
+        <source>none yet: only soft bodies and instruments are simulated</source>
+        <translation>şimdilik hiç: yalnızca yumuşak cisimler ve aletler benzetilir</translation>
+    </message>
+    <message>
+        <source>one that is stable where next to nothing is damped, as symplectic_euler: this needs %1 substeps per tick, of 10000</source>
+        <translation>neredeyse hiçbir şeyin sönümlenmediği yerde kararlı olan biri, örneğin symplectic_euler: bunun her adımda 10000 yerine %1 alt adıma gereksinimi var</translation>
+    </message>
+    <message>
+        <source>symplectic_euler, which is what a file holds</source>
+        <translation>symplectic_euler, bir dosyada o bulunur</translation>
+    </message>
     <message>
         <source>%1 MB for %2 particles under pushes on %3</source>
         <translation>%3 parçacığa bastırırken %2 parçacık için %1 MB</translation>
@@ -1532,8 +1564,8 @@
         <translation>en yakın dörtyüzlünün %1 yüksekliği kadar dışarıda</translation>
     </message>
     <message>
-        <source>packed or reference for a tissue that is no linear solid</source>
-        <translation>doğrusal dolu cisim olmayan bir doku için packed ya da reference</translation>
+        <source>automatic, packed or reference for a tissue that is no linear solid</source>
+        <translation>doğrusal dolu cisim olmayan bir doku için automatic, packed ya da reference</translation>
     </message>
     <message>
         <source>particle %1</source>

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/sim/dynamics/step.h"
+
+namespace palpate {
+
+/// How much of its limit a step uses. It covers a tenth by which Lanczos may miss an eigenvalue
+/// (0.9² < 1/1.1), and a tissue that is a little stiffer in use than at rest.
+inline constexpr double kLimitShare = 0.9;
+
+/// Whether it is stable only where all that swings is damped.
+inline bool needs_damping(Integrator integrator) noexcept {
+  return integrator == Integrator::explicit_euler || integrator == Integrator::midpoint;
+}
+
+/// [s] The least that u'Cu is of u'Ku at rest, over all displacements u: 0 where something swings
+/// undamped, infinite where nothing can swing. To a thousandth of what it is for the stiffest mode.
+double estimate_least_damping_time(const TissueModel& model);
+
+/// [s] The longest step at which an integrator is stable, where w² and c of the spectrum are the
+/// largest eigenvalues of M⁻¹K and M⁻¹C and `least_damping_time` [s] is as above. 0 for none,
+/// infinite for an implicit one [motion: step].
+double find_step_limit(Integrator integrator, const Spectrum& spectrum,
+                       double least_damping_time) noexcept;
+
+}  // namespace palpate
