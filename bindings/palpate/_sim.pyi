@@ -1420,6 +1420,9 @@ def find_integrator(name: str) -> Integrator | None:
 def integrator_name(integrator: Integrator) -> str:
     """Integrator.midpoint -> 'midpoint'."""
 
+def is_implicit(integrator: Integrator) -> bool:
+    """Whether it solves for the state that it steps to (ImplicitStepper)."""
+
 @overload
 def step(model: TissueModel, load: Load, dt: float, state: State) -> None:
     """step(*args, **kwargs)
@@ -1443,7 +1446,8 @@ class ImplicitStepper:
     def __init__(self, model: TissueModel, integrator: Integrator) -> None:
         """Steps this model, which it keeps."""
     def step(self, load: Load, dt: float, state: State) -> int:
-        """Advances state by dt [s]; returns the Newton iterations used.
+        """Advances state by dt [s]; returns the Newton iterations used, or 0 where no solution
+        was found: positions and time are then as they were.
 
         Args:
             dt: [s]
@@ -1477,15 +1481,24 @@ def estimate_spectrum(model: TissueModel, coupling: float = ...) -> Spectrum:
         coupling: [N/m] that a tool may add at any one particle
     """
 
+@overload
 def stable_step(model: TissueModel, coupling: float = ...) -> float:
-    """[s] A step at which symplectic Euler is stable at rest, with a margin; coupling [N/m] is
+    """stable_step(*args, **kwargs)
+
+    [s] A step at which symplectic Euler is stable at rest, with a margin; coupling [N/m] is
     the stiffness that a tool may add at any one particle. Lies between 0.6 and 1.0 of the
     exact limit.
+
+    [s] The same for any integrator: infinite for an implicit one, and 0 where no step is
+    stable, because something swings that nothing damps: explicit Euler and the explicit
+    midpoint rule feed it energy at any step.
 
     Args:
         coupling: [N/m] that a tool may add at any one particle
     """
 
+@overload
+def stable_step(model: TissueModel, integrator: Integrator) -> float: ...
 def has_packed_form(model: TissueModel) -> bool:
     """Whether a tissue can be packed, where there is vector code: all can but linear solids."""
 
@@ -1506,6 +1519,7 @@ class AlarmKind(enum.Enum):
     inverted = 6
     pressed_deep = 7
     invalid_input = 8
+    not_solved = 9
 
 class Alarm:
     """What is wrong with a running tissue, as a value; false for nothing."""
@@ -2278,12 +2292,163 @@ class TickLog:
 
 MOST_LOGGED_INSTRUMENTS: int
 
+class BodyCost:
+    """What a body cost in one tick, [s]."""
+    def __init__(self) -> None:
+        """Every field at its first value."""
+    @property
+    def follow(self) -> float:
+        """[s] Its tree brought to where its surface is."""
+    @property
+    def step(self) -> float:
+        """[s] All its substeps."""
+    @property
+    def guard(self) -> float:
+        """[s] Checked, and brought up to date."""
+    def total(self) -> float:
+        """[s] All of these."""
+    def __copy__(self) -> BodyCost:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> BodyCost:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class InstrumentCost:
+    """What an instrument cost in one tick, [s]."""
+    def __init__(self) -> None:
+        """Every field at its first value."""
+    @property
+    def read(self) -> float:
+        """[s] Hand and button."""
+    @property
+    def balance(self) -> float:
+        """[s] In the air, all substeps."""
+    def total(self) -> float:
+        """[s] All of these."""
+    def __copy__(self) -> InstrumentCost:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> InstrumentCost:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class PairCost:
+    """What an instrument cost with a body in one tick, [s]. Where a tool may touch several
+    bodies at once it is balanced among all of them, and the time for that is shared out by
+    their candidates.
+    """
+    def __init__(self) -> None:
+        """Every field at its first value."""
+    @property
+    def candidates(self) -> float:
+        """[s] Found in the body's tree."""
+    @property
+    def contact(self) -> float:
+        """[s] The tool balanced against the body, all substeps."""
+    def total(self) -> float:
+        """[s] All of these."""
+    def __copy__(self) -> PairCost:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> PairCost:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class TickCosts:
+    """What the last tick cost, in the order of the parts of its World; zeros unless it
+    measures.
+    """
+    def __init__(self) -> None:
+        """Every field at its first value."""
+    @property
+    def bodies(self) -> tuple:
+        """A tuple."""
+    @property
+    def instruments(self) -> tuple:
+        """A tuple."""
+    @property
+    def pairs(self) -> tuple:
+        """A tuple."""
+    @property
+    def tick(self) -> float:
+        """[s] the whole"""
+    def __copy__(self) -> TickCosts:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> TickCosts:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class Percentiles:
+    """[s] Right within 0.4 %, the largest exactly."""
+    @property
+    def median(self) -> float:
+        """[s] Half of them are shorter."""
+    @property
+    def p99(self) -> float:
+        """[s] 99 % of them are shorter."""
+    @property
+    def p99_9(self) -> float:
+        """[s] 99.9 % of them are shorter."""
+    @property
+    def max(self) -> float:
+        """[s] The longest."""
+    def __copy__(self) -> Percentiles:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Percentiles:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class SceneCosts:
+    """What the ticks of a run cost."""
+    def __init__(self) -> None:
+        """Every field at its first value."""
+    @property
+    def ticks(self) -> int:
+        """How many."""
+    @property
+    def tick(self) -> Percentiles:
+        """The whole."""
+    @property
+    def bodies(self) -> tuple:
+        """All stages of each, as Scene.bodies, a tuple."""
+    @property
+    def instruments(self) -> tuple:
+        """As Scene.instruments, a tuple."""
+    @property
+    def pairs(self) -> tuple:
+        """Every instrument with every body, as World.pairs, a tuple."""
+    @property
+    def alarm(self) -> Alarm:
+        """What ended the run early; false for nothing."""
+    def __copy__(self) -> SceneCosts:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> SceneCosts:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
 class Kernel(enum.Enum):
     """Which form of the tissue's laws a tick runs."""
 
     reference = 0
     packed = 1
     response = 2
+    automatic = 3
 
 class SoftBody:
     """A tissue and how it is moved."""
@@ -2295,6 +2460,7 @@ class SoftBody:
         substeps_max: int = ...,
         force_error: float = ...,
         kernel: Kernel = ...,
+        integrator: Integrator = ...,
         simd_target: str = ...,
     ) -> None:
         """Copies its tissue.
@@ -2309,11 +2475,16 @@ class SoftBody:
     """Contact may raise them to this; build_scene chooses when 0."""
     force_error: float
     """[N] by which the force may be wrong so that what is at rest may sleep, under the packed
-    kernel; 0: all of the tissue moves in every substep.
+    kernel; 0: the tissue moves until it is at rest to the last bit.
     """
     kernel: Kernel
     """Which form of the tissue's laws a tick runs; packed is reference where there is no vector
     code for this machine.
+    """
+    integrator: Integrator
+    """How a step goes from one moment to the next; any but symplectic_euler under the reference
+    kernel only. An implicit one allocates in every step, and what cannot be solved is an
+    alarm.
     """
     simd_target: str
     """Of the packed kernel: one of simd_targets(), empty for the best."""
@@ -2327,13 +2498,102 @@ class SoftBody:
     def spectrum_damping(self) -> float:
         """[1/s] of M⁻¹C, filled in by build_scene."""
     @property
+    def least_damping_time(self) -> float:
+        """[s] of C over K, filled in by build_scene for an integrator that needs it."""
+    @property
     def response(self) -> Response:
         """Under the response kernel, filled in by build_scene; else None."""
     def __copy__(self) -> SoftBody:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> SoftBody:
         """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """What it is, on one line."""
+
+class RigidBody:
+    """What moves and keeps its shape, a stone for one: a hull of spheres. Not simulated yet:
+    build_scene refuses it.
+    """
+    def __init__(self) -> None:
+        """Every field at its first value."""
+    @property
+    def sphere_centres(self) -> NDArray[np.float64]:
+        """[m] in its own frame, shape (k, 3); a view."""
+    @property
+    def sphere_radii(self) -> NDArray[np.float64]:
+        """[m] shape (k,); a view."""
+    mass: float
+    """[kg]"""
+    @property
+    def inertia(self) -> NDArray[np.float64]:
+        """[kg m²] about the axes of its frame. Shape (3,), a view."""
+    @inertia.setter
+    def inertia(self, value: ArrayLike) -> None: ...
+    @property
+    def position(self) -> NDArray[np.float64]:
+        """[m] of its frame, at the start. Shape (3,), a view."""
+    @position.setter
+    def position(self, value: ArrayLike) -> None: ...
+    @property
+    def orientation(self) -> NDArray[np.float64]:
+        """[-] of its frame, at the start: unit quaternion (x, y, z, w), shape (4,); a view."""
+    def __copy__(self) -> RigidBody:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> RigidBody:
+        """A copy of its own."""
     def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class RigidState:
+    """Where a rigid body is and how it moves. Not simulated yet."""
+    def __init__(self) -> None:
+        """Every field at its first value."""
+    @property
+    def position(self) -> NDArray[np.float64]:
+        """[m] of its frame. Shape (3,), a view."""
+    @position.setter
+    def position(self, value: ArrayLike) -> None: ...
+    @property
+    def orientation(self) -> NDArray[np.float64]:
+        """[-] of its frame: unit quaternion (x, y, z, w), shape (4,); a view."""
+    @property
+    def velocity(self) -> NDArray[np.float64]:
+        """[m/s]; shape (3,), a view."""
+    @velocity.setter
+    def velocity(self, value: ArrayLike) -> None: ...
+    @property
+    def angular_velocity(self) -> NDArray[np.float64]:
+        """[rad/s]; shape (3,), a view."""
+    @angular_velocity.setter
+    def angular_velocity(self, value: ArrayLike) -> None: ...
+    def __copy__(self) -> RigidState:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> RigidState:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class Scenery:
+    """What never moves, a bone or a table for one. Not simulated yet: build_scene refuses it."""
+    def __init__(self, mesh: SurfaceMesh) -> None:
+        """Copies its mesh.
+
+        Arguments are the fields of these names, with their shapes and units.
+        """
+    @property
+    def mesh(self) -> SurfaceMesh:
+        """[m] in the scene's frame; read-only."""
+    def __copy__(self) -> Scenery:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Scenery:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """What it is, on one line."""
@@ -2370,6 +2630,8 @@ class Scene:
         instruments: Sequence[Instrument] = ...,
         gravity: ArrayLike = ...,
         rate: float = ...,
+        rigid: Sequence[RigidBody] = ...,
+        scenery: Sequence[Scenery] = ...,
     ) -> None:
         """Copies its parts: one body and one instrument unless others are given. build_scene
         makes it ready for ticks.
@@ -2379,6 +2641,12 @@ class Scene:
     @property
     def bodies(self) -> tuple:
         """The tissues, a tuple."""
+    @property
+    def rigid(self) -> tuple:
+        """A tuple; build_scene refuses any: they are not simulated yet."""
+    @property
+    def scenery(self) -> tuple:
+        """Likewise."""
     @property
     def instruments(self) -> tuple:
         """A tuple; each has a hand of its own."""
@@ -2395,7 +2663,15 @@ class Scene:
         """A copy of its own."""
     def __getstate__(
         self, /
-    ) -> tuple[list[SoftBody], list[Instrument], NDArray[np.float64], float, bool]: ...
+    ) -> tuple[
+        list[SoftBody],
+        list[Instrument],
+        NDArray[np.float64],
+        float,
+        bool,
+        list[RigidBody],
+        list[Scenery],
+    ]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """What it is, on one line."""
@@ -2425,6 +2701,11 @@ class SoftState:
     @property
     def substeps(self) -> int:
         """Of the last tick."""
+    @property
+    def asleep(self) -> bool:
+        """It has come to rest far from every instrument, and ticks leave it out until one comes
+        near: no bit of it would change.
+        """
     @property
     def skin(self) -> NDArray[np.float64]:
         """[m] the vertices of the skin, shape (n, 3), after every tick; empty where there is
@@ -2489,6 +2770,9 @@ class World:
     def bodies(self) -> tuple:
         """As Scene.bodies, a tuple; read-only."""
     @property
+    def rigid(self) -> tuple:
+        """As Scene.rigid, none yet."""
+    @property
     def instruments(self) -> tuple:
         """As Scene.instruments, a tuple; read-only."""
     @property
@@ -2505,6 +2789,14 @@ class World:
     @property
     def tick_count(self) -> int:
         """How many ticks have been run."""
+    @property
+    def measures_costs(self) -> bool:
+        """Whether tick() keeps costs: forces are the same to the bit with and without, and a
+        tick takes some microseconds more.
+        """
+    @property
+    def costs(self) -> TickCosts:
+        """Of the last tick; read-only."""
     def __copy__(self) -> World:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> World:
@@ -2541,6 +2833,16 @@ def tick(
 ) -> list[HapticCommand]: ...
 def compute_felt(command: HapticCommand, world: World, instrument: int = ...) -> Felt:
     """What a record keeps of a tick, lateness left at 0; command is that of the instrument."""
+
+def measure_costs(scene: Scene, samples: Sequence[HapticSample]) -> SceneCosts:
+    """Runs a scene as fast as the machine can, in the calling thread, from rest through
+    samples: for every tick one of each instrument. An alarm ends it. Raises ValueError for
+    samples that are not some of each instrument.
+
+    Args:
+        samples: a structured array with the fields of HapticSample, shape (k,), or a list of
+            these
+    """
 
 def compute_hash(world: World) -> list[int]:
     """128 bits over positions, velocities and the tool: equal worlds, equal hashes."""
@@ -4028,6 +4330,7 @@ class LoopOptions:
         safety: SafetyLimits = ...,
         on_fault: FaultResponse = ...,
         device_safety: Sequence[SafetyLimits] = ...,
+        measures_costs: bool = ...,
     ) -> None:
         """Arguments are the fields of these names, with their shapes and units."""
     duration: float
@@ -4049,11 +4352,15 @@ class LoopOptions:
         """
     @device_safety.setter
     def device_safety(self, value: Sequence[SafetyLimits]) -> None: ...
+    measures_costs: bool
+    """Of every body, instrument and pair: LoopReport.part_costs."""
     def __copy__(self) -> LoopOptions:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> LoopOptions:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
+    def __getstate__(
+        self, /
+    ) -> tuple[object, object, object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -4152,29 +4459,6 @@ class Snapshot:
     def __repr__(self) -> str:
         """The value on one line."""
 
-class Percentiles:
-    """[s] Right within 0.4 %, the largest exactly."""
-    @property
-    def median(self) -> float:
-        """[s] Half of them are shorter."""
-    @property
-    def p99(self) -> float:
-        """[s] 99 % of them are shorter."""
-    @property
-    def p99_9(self) -> float:
-        """[s] 99.9 % of them are shorter."""
-    @property
-    def max(self) -> float:
-        """[s] The longest."""
-    def __copy__(self) -> Percentiles:
-        """A copy of its own."""
-    def __deepcopy__(self, memo: dict[int, object]) -> Percentiles:
-        """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
-    def __setstate__(self, arg0: tuple) -> None: ...
-    def __repr__(self) -> str:
-        """The value on one line."""
-
 class DeviceReport:
     """What one device gave of a run."""
     @property
@@ -4222,6 +4506,9 @@ class LoopReport:
     def cost(self) -> Percentiles:
         """Of the tick itself, device included."""
     @property
+    def part_costs(self) -> SceneCosts:
+        """Of its parts; of no ticks unless LoopOptions.measures_costs."""
+    @property
     def realtime(self) -> bool:
         """Granted."""
     @property
@@ -4264,6 +4551,7 @@ class LoopReport:
     def __getstate__(
         self, /
     ) -> tuple[
+        object,
         object,
         object,
         object,

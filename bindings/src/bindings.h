@@ -25,6 +25,7 @@ void bind_contact(pybind11::module_& m);
 void bind_queries(pybind11::module_& m);
 void bind_tick(pybind11::module_& m);
 void bind_log(pybind11::module_& m);
+void bind_costs(pybind11::module_& m);
 void bind_scene(pybind11::module_& m);
 void bind_devices(pybind11::module_& m);
 void bind_safe_device(pybind11::module_& m);

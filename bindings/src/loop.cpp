@@ -28,12 +28,14 @@ void bind_options(py::module_& m) {
   options
       .def(py::init([](double duration, bool realtime, int cpu, double spin,
                        const SafetyLimits& safety, FaultResponse on_fault,
-                       const std::vector<SafetyLimits>& device_safety) {
-             return LoopOptions{duration, realtime, cpu, spin, safety, on_fault, device_safety};
+                       const std::vector<SafetyLimits>& device_safety, bool measures_costs) {
+             return LoopOptions{duration, realtime, cpu,           spin,
+                                safety,   on_fault, device_safety, measures_costs};
            }),
            py::kw_only(), "duration"_a = usual.duration, "realtime"_a = usual.realtime,
            "cpu"_a = usual.cpu, "spin"_a = usual.spin, "safety"_a = usual.safety,
-           "on_fault"_a = usual.on_fault, "device_safety"_a = py::tuple())
+           "on_fault"_a = usual.on_fault, "device_safety"_a = py::tuple(),
+           "measures_costs"_a = usual.measures_costs)
       .def_readwrite("duration", &LoopOptions::duration, "[s] 0 runs until stop().")
       .def_readwrite("realtime", &LoopOptions::realtime, "Ask for SCHED_FIFO and locked memory.")
       .def_readwrite("cpu", &LoopOptions::cpu, "Pin the thread to this core, -1 for none.")
@@ -43,11 +45,14 @@ void bind_options(py::module_& m) {
                      "What becomes of the run where a device fails.")
       .def_readwrite("device_safety", &LoopOptions::device_safety,
                      "What each device may be sent, in the order of the instruments; where empty, "
-                     "safety for all. Copied when read and when set.");
+                     "safety for all. Copied when read and when set.")
+      .def_readwrite("measures_costs", &LoopOptions::measures_costs,
+                     "Of every body, instrument and pair: LoopReport.part_costs.");
   def_value(options, &LoopOptions::duration, &LoopOptions::realtime, &LoopOptions::cpu,
             &LoopOptions::spin, &LoopOptions::safety, &LoopOptions::on_fault,
-            &LoopOptions::device_safety);
-  def_repr(options, {"duration", "realtime", "cpu", "spin", "safety", "on_fault", "device_safety"});
+            &LoopOptions::device_safety, &LoopOptions::measures_costs);
+  def_repr(options, {"duration", "realtime", "cpu", "spin", "safety", "on_fault", "device_safety",
+                     "measures_costs"});
 }
 
 void bind_snapshot(py::module_& m) {
@@ -94,16 +99,6 @@ void bind_snapshot(py::module_& m) {
 }
 
 void bind_report(py::module_& m) {
-  py::class_<Percentiles> percentiles(m, "Percentiles",
-                                      "[s] Right within 0.4 %, the largest exactly.");
-  percentiles.def_readonly("median", &Percentiles::median, "[s] Half of them are shorter.")
-      .def_readonly("p99", &Percentiles::p99, "[s] 99 % of them are shorter.")
-      .def_readonly("p99_9", &Percentiles::p99_9, "[s] 99.9 % of them are shorter.")
-      .def_readonly("max", &Percentiles::max, "[s] The longest.");
-  def_value(percentiles, &Percentiles::median, &Percentiles::p99, &Percentiles::p99_9,
-            &Percentiles::max);
-  def_repr(percentiles, {"median", "p99", "p99_9", "max"});
-
   py::class_<DeviceReport> device(m, "DeviceReport", "What one device gave of a run.");
   device.def_readonly("fault", &DeviceReport::fault, "Now or when the run ended; none for none.")
       .def_readonly("fault_reason", &DeviceReport::fault_reason, "In words.")
@@ -127,6 +122,8 @@ void bind_report(py::module_& m) {
                     "Went without the report of a device that has its own pace.")
       .def_readonly("lateness", &LoopReport::lateness, "Start of a tick behind its due time.")
       .def_readonly("cost", &LoopReport::cost, "Of the tick itself, device included.")
+      .def_readonly("part_costs", &LoopReport::part_costs,
+                    "Of its parts; of no ticks unless LoopOptions.measures_costs.")
       .def_readonly("realtime", &LoopReport::realtime, "Granted.")
       .def_readonly("realtime_note", &LoopReport::realtime_note, "Why not, in words.")
       .def_readonly("alarm", &LoopReport::alarm, "What ended the run; false for nothing.")
@@ -148,14 +145,15 @@ void bind_report(py::module_& m) {
   def_elements(report, "devices", &LoopReport::devices,
                "A DeviceReport each, in the order of the instruments, a tuple.");
   def_value(report, &LoopReport::ticks, &LoopReport::missed_ticks, &LoopReport::unpaced_ticks,
-            &LoopReport::lateness, &LoopReport::cost, &LoopReport::realtime,
-            &LoopReport::realtime_note, &LoopReport::alarm, &LoopReport::alarm_body,
-            &LoopReport::fault, &LoopReport::fault_reason, &LoopReport::record_gaps,
-            &LoopReport::unrendered_ticks, &LoopReport::peak_force, &LoopReport::touch_ticks,
-            &LoopReport::touch_force, &LoopReport::devices);
-  def_repr(report, {"ticks", "missed_ticks", "unpaced_ticks", "lateness", "cost", "realtime",
-                    "realtime_note", "alarm", "alarm_body", "fault", "fault_reason", "record_gaps",
-                    "unrendered_ticks", "peak_force", "touch_ticks", "touch_force", "devices"});
+            &LoopReport::lateness, &LoopReport::cost, &LoopReport::part_costs,
+            &LoopReport::realtime, &LoopReport::realtime_note, &LoopReport::alarm,
+            &LoopReport::alarm_body, &LoopReport::fault, &LoopReport::fault_reason,
+            &LoopReport::record_gaps, &LoopReport::unrendered_ticks, &LoopReport::peak_force,
+            &LoopReport::touch_ticks, &LoopReport::touch_force, &LoopReport::devices);
+  def_repr(report,
+           {"ticks", "missed_ticks", "unpaced_ticks", "lateness", "cost", "part_costs", "realtime",
+            "realtime_note", "alarm", "alarm_body", "fault", "fault_reason", "record_gaps",
+            "unrendered_ticks", "peak_force", "touch_ticks", "touch_force", "devices"});
 }
 
 /// The devices of a loop, as Python owns them; let go of under its lock.

@@ -116,6 +116,17 @@ void bind_tick_functions(py::module_& m) {
       },
       "command"_a, "world"_a, "instrument"_a = 0,
       "What a record keeps of a tick, lateness left at 0; command is that of the instrument.");
+  m.def(
+      "measure_costs",
+      [](const Scene& scene, const std::vector<HapticSample>& samples) {
+        require_built(scene);
+        const py::gil_scoped_release released;
+        return measure_costs(scene, samples);
+      },
+      "scene"_a, "samples"_a,
+      "Runs a scene as fast as the machine can, in the calling thread, from rest through samples: "
+      "for every tick one of each instrument. An alarm ends it. Raises ValueError for samples that "
+      "are not some of each instrument.");
   m.def("compute_hash", &compute_hash, "world"_a,
         "128 bits over positions, velocities and the tool: equal worlds, equal hashes.");
   m.def(
@@ -156,6 +167,7 @@ void bind_tick_functions(py::module_& m) {
 void bind_tick(py::module_& m) {
   bind_sample(m);
   bind_log(m);
+  bind_costs(m);
   bind_scene(m);
   bind_surface(m);
   bind_tick_functions(m);

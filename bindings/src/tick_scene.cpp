@@ -19,6 +19,8 @@ void bind_kernel(py::module_& m) {
       .value("packed", Kernel::packed, "Float, in vector code.")
       .value("response", Kernel::response,
              "Of a linear solid: quasi-static, from its precomputed response.")
+      .value("automatic", Kernel::automatic,
+             "build_scene chooses the fastest of these that the body's integrator has.")
       .finalize();
 }
 
@@ -39,10 +41,14 @@ void bind_body_fields(py::class_<SoftBody>& body) {
                      "Contact may raise them to this; build_scene chooses when 0.")
       .def_readwrite("force_error", &SoftBody::force_error,
                      "[N] by which the force may be wrong so that what is at rest may sleep, under "
-                     "the packed kernel; 0: all of the tissue moves in every substep.")
+                     "the packed kernel; 0: the tissue moves until it is at rest to the last bit.")
       .def_readwrite("kernel", &SoftBody::kernel,
                      "Which form of the tissue's laws a tick runs; packed is reference where "
                      "there is no vector code for this machine.")
+      .def_readwrite("integrator", &SoftBody::integrator,
+                     "How a step goes from one moment to the next; any but symplectic_euler under "
+                     "the reference kernel only. An implicit one allocates in every step, and what "
+                     "cannot be solved is an alarm.")
       .def_readwrite("simd_target", &SoftBody::simd_target,
                      "Of the packed kernel: one of simd_targets(), empty for the best.");
   def_table(body, "rest_areas", &SoftBody::rest_areas,
@@ -51,6 +57,8 @@ void bind_body_fields(py::class_<SoftBody>& body) {
                     "[1/s²] largest eigenvalue of M⁻¹K at rest, filled in by build_scene.")
       .def_readonly("spectrum_damping", &SoftBody::spectrum_damping,
                     "[1/s] of M⁻¹C, filled in by build_scene.")
+      .def_readonly("least_damping_time", &SoftBody::least_damping_time,
+                    "[s] of C over K, filled in by build_scene for an integrator that needs it.")
       .def_property_readonly(
           "response",
           // Python knows no const; everything of a Response is read-only
@@ -59,7 +67,7 @@ void bind_body_fields(py::class_<SoftBody>& body) {
 }
 
 std::string describe_body(const SoftBody& body) {
-  const char* kernels[] = {"reference", "packed", "response"};
+  const char* kernels[] = {"reference", "packed", "response", "automatic"};
   return write_text(
       body.tissue.rest_position.size(), " particles, ", body.tissue.triangles.size(),
       " triangles, ", kernels[static_cast<int>(body.kernel)], " kernel, ",
@@ -69,24 +77,74 @@ std::string describe_body(const SoftBody& body) {
 void bind_body(py::module_& m) {
   const SoftBody usual;
   py::class_<SoftBody> body(m, "SoftBody", "A tissue and how it is moved.");
-  body.def(py::init([](const TissueModel* tissue, int substeps, int substeps_max,
-                       double force_error, Kernel kernel, const std::string& simd_target) {
-             SoftBody made;
-             if (tissue) made.tissue = *tissue;
-             made.substeps = substeps;
-             made.substeps_max = substeps_max;
-             made.force_error = force_error;
-             made.kernel = kernel;
-             made.simd_target = simd_target;
-             return made;
-           }),
-           py::kw_only(), "tissue"_a = py::none(), "substeps"_a = usual.substeps,
-           "substeps_max"_a = usual.substeps_max, "force_error"_a = usual.force_error,
-           "kernel"_a = usual.kernel, "simd_target"_a = usual.simd_target, "Copies its tissue.");
+  body.def(
+      py::init([](const TissueModel* tissue, int substeps, int substeps_max, double force_error,
+                  Kernel kernel, Integrator integrator, const std::string& simd_target) {
+        SoftBody made;
+        if (tissue) made.tissue = *tissue;
+        made.substeps = substeps;
+        made.substeps_max = substeps_max;
+        made.force_error = force_error;
+        made.kernel = kernel;
+        made.integrator = integrator;
+        made.simd_target = simd_target;
+        return made;
+      }),
+      py::kw_only(), "tissue"_a = py::none(), "substeps"_a = usual.substeps,
+      "substeps_max"_a = usual.substeps_max, "force_error"_a = usual.force_error,
+      "kernel"_a = usual.kernel, "integrator"_a = usual.integrator,
+      "simd_target"_a = usual.simd_target, "Copies its tissue.");
   bind_body_fields(body);
   def_value(body, &SoftBody::tissue, &SoftBody::substeps, &SoftBody::substeps_max,
-            &SoftBody::force_error, &SoftBody::kernel, &SoftBody::simd_target);
+            &SoftBody::force_error, &SoftBody::kernel, &SoftBody::integrator,
+            &SoftBody::simd_target);
   def_summary(body, &describe_body);
+}
+
+/// What build_scene refuses as yet.
+void bind_rigid(py::module_& m) {
+  py::class_<RigidBody> body(m, "RigidBody",
+                             "What moves and keeps its shape, a stone for one: a hull of spheres. "
+                             "Not simulated yet: build_scene refuses it.");
+  body.def(py::init<>());
+  def_view(body, "sphere_centres", &RigidBody::sphere_centres,
+           "[m] in its own frame, shape (k, 3); a view.");
+  def_table(body, "sphere_radii", &RigidBody::sphere_radii, "[m] shape (k,); a view.");
+  body.def_readwrite("mass", &RigidBody::mass, "[kg]");
+  def_vector(body, "inertia", &RigidBody::inertia, "[kg m²] about the axes of its frame.");
+  def_vector(body, "position", &RigidBody::position, "[m] of its frame, at the start.");
+  body.def_property_readonly(
+      "orientation",
+      [](const py::object& self) { return view_one(self.cast<RigidBody&>().orientation, self); },
+      "[-] of its frame, at the start: unit quaternion (x, y, z, w), shape (4,); a view.");
+  def_value(body, &RigidBody::sphere_centres, &RigidBody::sphere_radii, &RigidBody::mass,
+            &RigidBody::inertia, &RigidBody::position, &RigidBody::orientation);
+  def_repr(body, {"mass", "inertia", "position", "orientation"});
+
+  py::class_<RigidState> state(m, "RigidState",
+                               "Where a rigid body is and how it moves. Not simulated yet.");
+  state.def(py::init<>());
+  def_vector(state, "position", &RigidState::position, "[m] of its frame.");
+  state.def_property_readonly(
+      "orientation",
+      [](const py::object& self) { return view_one(self.cast<RigidState&>().orientation, self); },
+      "[-] of its frame: unit quaternion (x, y, z, w), shape (4,); a view.");
+  def_vector(state, "velocity", &RigidState::velocity, "[m/s]");
+  def_vector(state, "angular_velocity", &RigidState::angular_velocity, "[rad/s]");
+  def_value(state, &RigidState::position, &RigidState::orientation, &RigidState::velocity,
+            &RigidState::angular_velocity);
+  def_repr(state, {"position", "orientation", "velocity", "angular_velocity"});
+
+  py::class_<Scenery> scenery(m, "Scenery",
+                              "What never moves, a bone or a table for one. Not simulated yet: "
+                              "build_scene refuses it.");
+  scenery.def(py::init([](const SurfaceMesh& mesh) { return Scenery{mesh}; }),
+              "mesh"_a, "Copies its mesh.");
+  scenery.def_readonly("mesh", &Scenery::mesh, "[m] in the scene's frame; read-only.");
+  def_value(scenery, &Scenery::mesh);
+  def_summary(scenery, [](const Scenery& self) {
+    return write_text(self.mesh.triangles.size(), " triangles");
+  });
 }
 
 void bind_instrument(py::module_& m) {
@@ -111,17 +169,19 @@ void def_scene_pickle(py::class_<Scene>& scene) {
   scene.def(py::pickle(
       [](const Scene& self) {
         return py::make_tuple(self.bodies, self.instruments, self.gravity, self.rate,
-                              is_built(self));
+                              is_built(self), self.rigid, self.scenery);
       },
       [](const py::tuple& packed) {
-        if (packed.size() != 5) {
-          refuse("pickle", std::to_string(packed.size()) + " members", "5, as this version has");
+        if (packed.size() != 7) {
+          refuse("pickle", std::to_string(packed.size()) + " members", "7, as this version has");
         }
         Scene made;
         made.bodies = packed[0].cast<std::vector<SoftBody>>();
         made.instruments = packed[1].cast<std::vector<Instrument>>();
         made.gravity = packed[2].cast<Vec3>();
         made.rate = packed[3].cast<double>();
+        made.rigid = packed[5].cast<std::vector<RigidBody>>();
+        made.scenery = packed[6].cast<std::vector<Scenery>>();
         return packed[4].cast<bool>() ? build_scene(std::move(made)) : made;
       }));
 }
@@ -141,8 +201,11 @@ void bind_scene_type(py::module_& m) {
                           "Tissues and the instruments that touch them: all that a tick needs and "
                           "never changes. Each instrument has a hand of its own.");
   scene.def(py::init([](std::vector<SoftBody> bodies, std::vector<Instrument> instruments,
-                        const Vec3& gravity, double rate) {
+                        const Vec3& gravity, double rate, std::vector<RigidBody> rigid,
+                        std::vector<Scenery> scenery) {
               Scene made;
+              made.rigid = std::move(rigid);
+              made.scenery = std::move(scenery);
               made.bodies = std::move(bodies);
               made.instruments = std::move(instruments);
               made.gravity = gravity;
@@ -150,10 +213,14 @@ void bind_scene_type(py::module_& m) {
               return made;
             }),
             py::kw_only(), "bodies"_a = usual.bodies, "instruments"_a = usual.instruments,
-            "gravity"_a = usual.gravity, "rate"_a = usual.rate,
+            "gravity"_a = usual.gravity, "rate"_a = usual.rate, "rigid"_a = usual.rigid,
+            "scenery"_a = usual.scenery,
             "Copies its parts: one body and one instrument unless others are given. build_scene "
             "makes it ready for ticks.");
   def_elements(scene, "bodies", &Scene::bodies, "The tissues, a tuple.");
+  def_elements(scene, "rigid", &Scene::rigid,
+               "A tuple; build_scene refuses any: they are not simulated yet.");
+  def_elements(scene, "scenery", &Scene::scenery, "Likewise.");
   def_elements(scene, "instruments", &Scene::instruments, "A tuple; each has a hand of its own.");
   def_vector(scene, "gravity", &Scene::gravity, "[m/s²]");
   scene.def_readwrite("rate", &Scene::rate, "[Hz]");
@@ -175,7 +242,10 @@ void bind_states(py::module_& m) {
       .def_readonly("tree", &SoftState::tree, "The boxes around its surface; read-only.")
       .def_readonly("load", &SoftState::load, "What all tools do to the tissue; read-only.")
       .def_readonly("guard", &SoftState::guard, "The memory of the alarm; read-only.")
-      .def_readonly("substeps", &SoftState::substeps, "Of the last tick.");
+      .def_readonly("substeps", &SoftState::substeps, "Of the last tick.")
+      .def_readonly("asleep", &SoftState::asleep,
+                    "It has come to rest far from every instrument, and ticks leave it out until "
+                    "one comes near: no bit of it would change.");
   def_view(body, "skin", &SoftState::skin,
            "[m] the vertices of the skin, shape (n, 3), after every tick; empty where there is "
            "none; a view.");
@@ -222,6 +292,7 @@ void bind_world(py::module_& m) {
             }),
             "scene"_a, "The scene at rest.");
   def_elements(world, "bodies", &World::bodies, "As Scene.bodies, a tuple; read-only.");
+  def_elements(world, "rigid", &World::rigid, "As Scene.rigid, none yet.");
   def_elements(world, "instruments", &World::instruments,
                "As Scene.instruments, a tuple; read-only.");
   def_elements(world, "pairs", &World::pairs,
@@ -240,7 +311,11 @@ void bind_world(py::module_& m) {
                     "The first alarm; from then on the forces fade and all tissue stands still.")
       .def_readonly("alarm_body", &World::alarm_body,
                     "Whose tissue raised it; -1 for what is of no body.")
-      .def_readonly("tick_count", &World::tick_count, "How many ticks have been run.");
+      .def_readonly("tick_count", &World::tick_count, "How many ticks have been run.")
+      .def_readonly("measures_costs", &World::measures_costs,
+                     "Whether tick() keeps costs: forces are the same to the bit with and without, "
+                     "and a tick takes some microseconds more.")
+      .def_readonly("costs", &World::costs, "Of the last tick; read-only.");
   def_copy(world);
   def_summary(world, [](const World& self) {
     std::size_t particles = 0;
@@ -259,6 +334,7 @@ void bind_world(py::module_& m) {
 void bind_scene(py::module_& m) {
   bind_kernel(m);
   bind_body(m);
+  bind_rigid(m);
   bind_instrument(m);
   bind_scene_type(m);
   bind_states(m);

@@ -72,6 +72,10 @@ std::string write_place(std::string_view name, std::size_t index) {
   return write_text(name.substr(0, at + 1), index, name.substr(at + 2));
 }
 
+void check_empty(const char* name, std::size_t count) {
+  if (count != 0) refuse(name, write_text(count), "0, which is what a file holds");
+}
+
 void check_number(const char* name, double value, std::size_t index = 0) {
   const Range& range = find_range(name);
   if (!holds(range, value)) refuse_number(range, write_place(name, index), value);
@@ -104,6 +108,11 @@ void check_instrument(const Instrument& instrument, std::size_t i) {
 void check_body(const SoftBody& body, std::size_t b) {
   const TissueModel& tissue = body.tissue;
   check_number("scene.bodies[i].force_error", body.force_error, b);
+  if (body.integrator != Integrator::symplectic_euler) {
+    refuse(write_place("scene.bodies[i].integrator", b),
+           std::string(integrator_name(body.integrator)),
+           "symplectic_euler, which is what a file holds");
+  }
   check_number("scene.bodies[i].tissue.nodal_share", tissue.volumes.nodal_share, b);
   check_number("scene.bodies[i].tissue.elastic_nodal_share", tissue.elastic.nodal_share, b);
   check_number("scene.bodies[i].tissue.elastic_damping_time", tissue.elastic.damping_time, b);
@@ -123,6 +132,8 @@ void check_body(const SoftBody& body, std::size_t b) {
 std::span<const Range> list_ranges() noexcept { return kRanges; }
 
 void check_ranges(const Scene& scene) {
+  check_empty("scene.rigid", scene.rigid.size());
+  check_empty("scene.scenery", scene.scenery.size());
   for (std::size_t i = 0; i < scene.instruments.size(); ++i) {
     check_instrument(scene.instruments[i], i);
   }

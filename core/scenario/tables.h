@@ -76,8 +76,8 @@ template <class SomeBody, class Visit>
 void visit_body(const std::string& folder, SomeBody& body, Visit& visit) {
   // kernel and vector target belong to the machine a scene runs on, and a response is solved for
   // again: no file has them
-  auto& [tissue, substeps, substeps_max, force_error, kernel, simd_target, rest_areas,
-         spectrum_stiffness, spectrum_damping, response] = body;
+  auto& [tissue, substeps, substeps_max, force_error, kernel, integrator, simd_target, rest_areas,
+         spectrum_stiffness, spectrum_damping, least_damping_time, response] = body;
   auto& [rest_position, mass, fixed, springs, bonds, angles, prisms, volumes, elastic, skin, home,
          pressure, triangles, drag, damping_law, angle_law] = tissue;
   const std::string t = folder + "tissue/";
@@ -100,7 +100,7 @@ void visit_body(const std::string& folder, SomeBody& body, Visit& visit) {
 /// not tables: content.cpp has them.
 template <class SomeScene, class Visit>
 void visit_tables(SomeScene& scene, Visit visit) {
-  auto& [bodies, instruments, gravity, rate, identity] = scene;
+  auto& [bodies, rigid, scenery, instruments, gravity, rate, identity] = scene;
   for (std::size_t b = 0; b < bodies.size(); ++b) visit_body(name_folder(b), bodies[b], visit);
 }
 

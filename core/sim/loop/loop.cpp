@@ -20,6 +20,7 @@
 #include "palpate/sim/loop/private/pace.h"
 #include "palpate/sim/loop/private/pending_snapshot.h"
 #include "palpate/sim/loop/private/tree_builder.h"
+#include "palpate/sim/tick/private/cost_histograms.h"
 #include "palpate/sim/tick/private/follow_tissue.h"
 
 namespace palpate {
@@ -43,11 +44,6 @@ long ticks_in(double seconds, double rate) {
   return std::max(1L, static_cast<long>(std::llround(std::min(seconds * rate, 9e15))));
 }
 double to_seconds(std::int64_t nanoseconds) noexcept { return 1e-9 * double(nanoseconds); }
-
-Percentiles percentiles_of(const DurationHistogram& d) {
-  return {1e-9 * d.percentile(0.5), 1e-9 * d.percentile(0.99), 1e-9 * d.percentile(0.999),
-          to_seconds(d.largest())};
-}
 
 std::vector<HapticDevice*> list_devices(
     const std::vector<std::unique_ptr<DeviceChannel>>& channels) {
@@ -79,6 +75,8 @@ struct Loop::Impl {
     for (const SoftState& body : world.bodies) {
       trees.push_back(std::make_unique<TreeBuilder>(body));
     }
+    if (options.measures_costs) part_costs = std::make_unique<CostHistograms>(world);
+    world.measures_costs = options.measures_costs;
   }
 
   void run() noexcept;
@@ -128,6 +126,7 @@ struct Loop::Impl {
   Latest<PendingSnapshot> snapshots;
   SnapshotReader reader;  // the reader's own
   DurationHistogram latenesses, costs;
+  std::unique_ptr<CostHistograms> part_costs;  // null unless they are measured
   std::atomic<long> ticks{0}, missed{0};
   Alarm alarm;  // constant once has_alarm is set
   int alarm_body = -1;
@@ -233,6 +232,7 @@ void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
   keep();
   latenesses.add(lateness);
   costs.add(spent);
+  if (part_costs && !world.alarm) part_costs->add(world.costs);
   ticks.store(number + 1, std::memory_order_relaxed);
   if (number % snapshot_ticks == 0) publish();
   serve_trees();
@@ -354,6 +354,7 @@ LoopReport Loop::report() const {
   report.unpaced_ticks = impl_->pace.unpaced();
   report.lateness = percentiles_of(impl_->latenesses);
   report.cost = percentiles_of(impl_->costs);
+  if (impl_->part_costs) report.part_costs = impl_->part_costs->summarise();
   if (impl_->ready.load(std::memory_order_acquire)) {
     report.realtime = impl_->realtime.scheduled;
     report.realtime_note = impl_->realtime.note;

@@ -11,6 +11,7 @@
 #include "palpate/sim/base/types.h"
 #include "palpate/sim/device/device.h"
 #include "palpate/sim/device/safe_device.h"
+#include "palpate/sim/tick/costs.h"
 #include "palpate/sim/tick/tick.h"
 #include "palpate/sim/tick/tick_log.h"
 
@@ -62,11 +63,7 @@ struct LoopOptions {
   FaultResponse on_fault = FaultResponse::go_on;
   /// What each device may be sent, in the order of the instruments; where empty, `safety` for all.
   std::vector<SafetyLimits> device_safety = {};
-};
-
-/// Right within 0.4 %, the largest exactly.
-struct Percentiles {
-  double median = 0.0, p99 = 0.0, p99_9 = 0.0, max = 0.0;  ///< [s]
+  bool measures_costs = false;  ///< of every body, instrument and pair: LoopReport::part_costs
 };
 
 /// What one device gave of a run.
@@ -87,6 +84,7 @@ struct LoopReport {
   long unpaced_ticks = 0;     ///< went without the report of a device that has its own pace
   Percentiles lateness;       ///< start of a tick behind its due time
   Percentiles cost;           ///< of the tick itself, device included
+  SceneCosts part_costs;      ///< of its parts; empty unless LoopOptions::measures_costs
   bool realtime = false;      ///< granted
   std::string realtime_note;  ///< why not, in words
   Alarm alarm;

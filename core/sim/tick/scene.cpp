@@ -9,7 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "palpate/sim/dynamics/step.h"
+#include "palpate/sim/base/private/refuse.h"
+#include "palpate/sim/dynamics/private/step_limit.h"
 #include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/packed/private/follow_motion.h"
 #include "palpate/sim/packed/simd_targets.h"
@@ -47,6 +48,20 @@ void require_positive(const std::string& field, double value) {
   if (!(value > 0.0) || !std::isfinite(value)) refuse(field, value, "a positive number");
 }
 
+void check_force_error(const SoftBody& body, const Scene& scene, const Place& place) {
+  if (!(body.force_error >= 0.0) || !std::isfinite(body.force_error)) {
+    refuse(place("force_error [N]"), body.force_error,
+           "0, or a small part of the forces to be felt");
+  }
+  if (body.force_error == 0.0) return;
+  if (body.integrator != Integrator::symplectic_euler) {
+    refuse(place("force_error [N]"), body.force_error,
+           "0 for an integrator other than symplectic_euler: parts of a tissue sleep in vector "
+           "code only");
+  }
+  derive_active_rule(body.tissue, find_largest_radius(scene), body.force_error);
+}
+
 void check_target(const std::string& field, const std::string& target) {
   const std::vector<std::string> targets = simd_targets();
   if (target.empty() || std::find(targets.begin(), targets.end(), target) != targets.end()) return;
@@ -71,13 +86,7 @@ void validate(const SoftBody& body, const Scene& scene, const Place& place) {
     throw std::invalid_argument("scene: " + place(error.what()));
   }
   if (body.tissue.triangles.empty()) refuse(place("tissue.triangles"), 0, "at least one to touch");
-  if (!(body.force_error >= 0.0) || !std::isfinite(body.force_error)) {
-    refuse(place("force_error [N]"), body.force_error,
-           "0, or a small part of the forces to be felt");
-  }
-  if (body.force_error > 0.0) {
-    derive_active_rule(body.tissue, find_largest_radius(scene), body.force_error);
-  }
+  check_force_error(body, scene, place);
   check_target(place("simd_target"), body.simd_target);
   if (body.substeps < 0 || body.substeps > kMostSubsteps) {
     refuse(place("substeps"), body.substeps, "0 to 10000");
@@ -88,12 +97,20 @@ void validate(const SoftBody& body, const Scene& scene, const Place& place) {
   }
 }
 
+void refuse_rows(const std::string& field, std::size_t count) {
+  if (count == 0) return;
+  refuse(field, static_cast<double>(count),
+         "none yet: only soft bodies and instruments are simulated");
+}
+
 void validate(const Scene& scene) {
   if (scene.bodies.empty()) refuse("bodies", 0, "at least one to touch");
   if (scene.instruments.empty()) refuse("instruments", 0, "at least one to touch with");
   for (std::size_t i = 0; i < scene.instruments.size(); ++i) {
     validate(scene.instruments[i], Place("instruments", i, scene.instruments.size()));
   }
+  refuse_rows("rigid", scene.rigid.size());
+  refuse_rows("scenery", scene.scenery.size());
   require_positive("rate [Hz]", scene.rate);
   if (!scene.gravity.allFinite()) refuse("gravity [m/s^2]", scene.gravity.norm(), "finite numbers");
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
@@ -114,31 +131,70 @@ std::vector<double> compute_rest_areas(const TissueModel& tissue) {
 }
 
 /// A linear solid answers from its response, unless the reference is asked for: then its masses
-/// swing as those of any other tissue, and every substep costs a pass over the tetrahedra. Said in
-/// the scene, so that a record tells what ran.
+/// swing as those of any other tissue, and every substep costs a pass over the tetrahedra. Vector
+/// code has symplectic Euler alone. Said in the scene, so that a record tells what ran.
 void choose_kernel(const Vec3& gravity, const Place& place, SoftBody& body) {
   body.response.reset();
   const bool linear = !body.tissue.elastic.corners.empty();
   if (body.kernel == Kernel::response && !linear) {
-    throw std::invalid_argument(
-        "scene: " + place("kernel") +
-        ": got response, expected packed or reference for a tissue that is no linear solid");
+    palpate::refuse("scene: " + place("kernel"), "response",
+                    "automatic, packed or reference for a tissue that is no linear solid");
   }
+  if (body.integrator != Integrator::symplectic_euler) {
+    if (body.kernel == Kernel::packed || body.kernel == Kernel::response) {
+      const std::string chosen = body.kernel == Kernel::packed ? "packed" : "response";
+      palpate::refuse(
+          "scene: " + place("kernel"), chosen,
+          write_text("automatic or reference with the integrator ",
+                     integrator_name(body.integrator), ": the others step by symplectic_euler"));
+    }
+    body.kernel = Kernel::reference;
+  }
+  if (body.kernel == Kernel::automatic) body.kernel = Kernel::packed;
   if (!linear || body.kernel == Kernel::reference) return;
   body.kernel = Kernel::response;
   body.response = std::make_shared<const Response>(build_response(body.tissue, gravity));
+}
+
+/// What the integrator can be stable by: the spectrum at rest, and damping where it needs that.
+void fill_spectrum(SoftBody& body) {
+  const Spectrum spectrum = estimate_spectrum(body.tissue);
+  body.spectrum_stiffness = spectrum.stiffness;
+  body.spectrum_damping = spectrum.damping;
+  body.least_damping_time =
+      needs_damping(body.integrator) ? estimate_least_damping_time(body.tissue) : 0.0;
+}
+
+/// Substeps that the integrator needs at rest; infinite where it is never stable.
+double count_needed(double rate, const SoftBody& body) {
+  if (body.integrator == Integrator::symplectic_euler) {
+    return std::ceil(1.0 / (rate * stable_step(body.tissue)));
+  }
+  const double limit =
+      kLimitShare * find_step_limit(body.integrator,
+                                    Spectrum{body.spectrum_stiffness, body.spectrum_damping},
+                                    body.least_damping_time);
+  return std::ceil(1.0 / (rate * limit));
 }
 
 /// Substeps are what stable_step() allows at rest, n = ceil(dt / stable_step). Contact may raise
 /// them by a third, and to kSubstepsInImpact at least: more brings no more stability, for the
 /// massless tool gives way before a contact gets as stiff as its row sum says [contact: substeps].
 void choose_substeps(double rate, const Place& place, SoftBody& body) {
-  if (body.substeps == 0) {
-    const double needed = std::ceil(1.0 / (rate * stable_step(body.tissue)));
+  const bool chooses = body.substeps == 0;
+  if (chooses || needs_damping(body.integrator)) {
+    const double needed = count_needed(rate, body);
+    if (!(needed <= kMostSubsteps) && needs_damping(body.integrator)) {
+      palpate::refuse("scene: " + place("integrator"),
+                      std::string(integrator_name(body.integrator)),
+                      write_text("one that is stable where next to nothing is damped, as "
+                                 "symplectic_euler: this needs ",
+                                 needed, " substeps per tick, of 10000"));
+    }
     if (!(needed <= kMostSubsteps)) {
       refuse(place("tissue"), needed, "a tissue that needs at most 10000 substeps per tick");
     }
-    body.substeps = std::max(1, static_cast<int>(needed));
+    if (chooses) body.substeps = std::max(1, static_cast<int>(needed));
   }
   if (body.substeps_max == 0) {
     body.substeps_max = std::max(kSubstepsInImpact, body.substeps + std::max(1, body.substeps / 3));
@@ -165,9 +221,7 @@ Scene build_scene(Scene scene) {
     SoftBody& body = scene.bodies[b];
     choose_kernel(scene.gravity, place, body);
     body.rest_areas = compute_rest_areas(body.tissue);
-    const Spectrum spectrum = estimate_spectrum(body.tissue);
-    body.spectrum_stiffness = spectrum.stiffness;
-    body.spectrum_damping = spectrum.damping;
+    fill_spectrum(body);
     choose_substeps(scene.rate, place, body);
   }
   return scene;

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/dynamics/step.h"
+#include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/response/response.h"
 
@@ -17,6 +19,7 @@ enum class Kernel {
   reference,  ///< double, plain, one particle after the other
   packed,     ///< float, in vector code
   response,   ///< of a linear solid: quasi-static, from its precomputed response
+  automatic,  ///< build_scene chooses the fastest of these that the body's integrator has
 };
 
 /// A tissue and how it is moved.
@@ -26,19 +29,23 @@ struct SoftBody {
   int substeps_max = 0;  ///< contact may raise them to this; build_scene chooses when 0
 
   /// [N] by which the force may be wrong: what is at rest may then sleep
-  /// (packed/private/active_set.h), under the packed kernel. 0: all of the tissue moves in every
-  /// substep
+  /// (packed/private/active_set.h), under the packed kernel. 0: the tissue moves until it is at
+  /// rest to the last bit, which vector code hardly ever is
   double force_error = 0.0;
 
   /// packed is reference where Palpate has no vector code for this machine; build_scene chooses
   /// response in its place for a linear solid
-  Kernel kernel = Kernel::packed;
+  Kernel kernel = Kernel::automatic;
+  /// any but symplectic Euler under the reference kernel only. An implicit one allocates in every
+  /// step, and what cannot be solved is an alarm
+  Integrator integrator = Integrator::symplectic_euler;
   std::string simd_target;  ///< of the packed kernel: one of simd_targets(), empty for the best
 
   // filled in by build_scene
   std::vector<double> rest_areas;            ///< [m²] per triangle
   double spectrum_stiffness = 0.0;           ///< [1/s²] largest eigenvalue of M⁻¹K at rest
   double spectrum_damping = 0.0;             ///< [1/s] of M⁻¹C
+  double least_damping_time = 0.0;           ///< [s] of C over K, for an integrator that needs it
   std::shared_ptr<const Response> response;  ///< under the response kernel, else null
 };
 static_assert(alignof(SoftBody) == 8);
@@ -50,10 +57,28 @@ struct Instrument {
   double hold_stiffness = 500.0;  ///< [N/m] between tool and patch while attached
 };
 
+/// What moves and keeps its shape, a stone for one: a hull of spheres. Not simulated yet.
+struct RigidBody {
+  Vec3Array sphere_centres;                         ///< [m] in its own frame, (k, 3)
+  std::vector<double> sphere_radii;                 ///< [m] (k,), positive
+  double mass = 0.0;                                ///< [kg], positive
+  Vec3 inertia = Vec3::Zero();                      ///< [kg m²] about the axes of its frame
+  Vec3 position = Vec3::Zero();                     ///< [m] of its frame, at the start
+  Quaternion orientation = Quaternion::Identity();  ///< [-] of its frame, at the start
+};
+static_assert(alignof(RigidBody) == 8);
+
+/// What never moves, a bone or a table for one. Not simulated yet.
+struct Scenery {
+  SurfaceMesh mesh;  ///< [m] in the scene's frame
+};
+
 /// Tissues and the instruments that touch them: all that a tick needs and never changes. Each
 /// instrument has a hand of its own.
 struct Scene {
   std::vector<SoftBody> bodies = std::vector<SoftBody>(1);
+  std::vector<RigidBody> rigid;  ///< build_scene refuses any: they are not simulated yet
+  std::vector<Scenery> scenery;  ///< likewise
   std::vector<Instrument> instruments = std::vector<Instrument>(1);
   Vec3 gravity = Vec3::Zero();  ///< [m/s²]
   double rate = 1000.0;         ///< [Hz]

@@ -9,13 +9,37 @@
 #include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/tick/private/check_input.h"
 #include "palpate/sim/tick/private/choose_substeps.h"
+#include "palpate/sim/tick/private/cost_histograms.h"
 #include "palpate/sim/tick/private/follow_button.h"
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/move_tissue.h"
+#include "palpate/sim/tick/private/sleep.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
 namespace palpate {
 namespace {
+
+/// Begins a tick: the trees of the bodies that are awake follow their surfaces.
+void follow_bodies(const Scene& scene, World& world) noexcept {
+  if (world.measures_costs) {
+    std::ranges::fill(world.costs.bodies, BodyCost{});
+    std::ranges::fill(world.costs.instruments, InstrumentCost{});
+    std::ranges::fill(world.costs.pairs, PairCost{});
+  }
+  Stopwatch watch(world.measures_costs);
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    if (!world.bodies[b].asleep) follow_tissue(scene, b, world);
+    watch.add_to(world.costs.bodies[b].follow);
+  }
+}
+
+void begin_bodies(const Scene& scene, World& world) noexcept {
+  Stopwatch watch(world.measures_costs);
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    if (!world.bodies[b].asleep) begin_moving(scene, b, world);
+    watch.add_to(world.costs.bodies[b].step);
+  }
+}
 
 /// [m/s] No hand is faster: what is, is a device that jumps. It is followed at this speed, for the
 /// impact of a jump would tear the tissue.
@@ -49,9 +73,12 @@ void read_hand(const Scene& scene, const HapticSample& sample, double dt, std::s
   motion.hand = follow_hand(sample.position, dt, state);
   motion.travel = was_placed ? (motion.hand - state.hand).norm() : 0.0;
   motion.felt.setZero();
+  Stopwatch watch(world.measures_costs);
   if (place_among_bodies(motion.hand, instrument.tool.radius, world, state.tool)) {
+    watch.add_to(world.costs.instruments[i].read);
     for (std::size_t b = 0; b < world.bodies.size(); ++b) {
       find_touchable(scene, i, b, motion.hand, world);
+      watch.add_to(world.costs.pairs[i * world.bodies.size() + b].candidates);
     }
     follow_button(scene, i, sample.buttons, dt, world);
   }
@@ -61,16 +88,42 @@ void read_hand(const Scene& scene, const HapticSample& sample, double dt, std::s
                                        state.tool, list_surfaces(scene, i, world))
                  : std::numeric_limits<double>::infinity();
   state.hand = motion.hand;
+  watch.add_to(world.costs.instruments[i].read);
+}
+
+/// Shares out the time [s] in which a tool was balanced among what it may touch or holds.
+void note_balance(double seconds, std::size_t instrument, World& world) noexcept {
+  const std::size_t bodies = world.bodies.size();
+  const ToolState& tool = world.instruments[instrument].tool;
+  const auto weigh = [&](std::size_t body) noexcept {
+    double weight = world.pair(instrument, body).candidates.count;
+    for (int h = 0; h < tool.hold_count; ++h) {
+      const ToolState::Hold& hold = tool.holds[static_cast<std::size_t>(h)];
+      if (hold.body == static_cast<int>(body)) weight += 1.0;
+    }
+    return weight;
+  };
+  double all = 0.0;
+  for (std::size_t b = 0; b < bodies; ++b) all += weigh(b);
+  if (all == 0.0) {
+    world.costs.instruments[instrument].balance += seconds;
+    return;
+  }
+  for (std::size_t b = 0; b < bodies; ++b) {
+    world.costs.pairs[instrument * bodies + b].contact += seconds * weigh(b) / all;
+  }
 }
 
 /// Every tool moves to where its hand and the tissues as they stand balance.
 void balance_instruments(const Scene& scene, World& world) noexcept {
+  Stopwatch watch(world.measures_costs);
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
     ToolState& tool = world.instruments[i].tool;
     if (!tool.placed) continue;
     HandMotion& motion = workspace(world).hands[i];
     motion.felt += balance_tool(scene.instruments[i].tool, scene.instruments[i].coupling,
                                 motion.hand, list_surfaces(scene, i, world), tool);
+    if (watch.on()) note_balance(watch.lap(), i, world);
   }
 }
 
@@ -86,8 +139,10 @@ void take_load(std::size_t body, World& world) noexcept {
 /// Substep s of `finest`: the bodies whose turn it is go a step. One that takes longer steps stands
 /// still between them, and the force on it is the mean over the substeps.
 void move_bodies(const Scene& scene, double dt, int s, int finest, World& world) noexcept {
+  Stopwatch watch(world.measures_costs);
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
     SoftState& state = world.bodies[b];
+    if (state.asleep) continue;
     const int substeps_per_step = finest / state.substeps;
     if (substeps_per_step == 1) {
       take_load(b, world);
@@ -100,6 +155,7 @@ void move_bodies(const Scene& scene, double dt, int s, int finest, World& world)
       mean.take(substeps_per_step, state.load);
     }
     workspace(world).work[b] += move_tissue(scene, b, dt / state.substeps, s + 1 == finest, world);
+    watch.add_to(world.costs.bodies[b].step);
   }
 }
 
@@ -110,14 +166,19 @@ void raise(const Alarm& alarm, int body, World& world) noexcept {
 }
 
 /// Checks every body, and what is to be felt.
-void end_bodies(const Scene& scene, World& world) noexcept {
+void end_bodies(const Scene& scene, double dt, World& world) noexcept {
+  Stopwatch watch(world.measures_costs);
   const Workspace& work = workspace(world);
   // a contact that makes energy would count as a hand that gives it
   double most_work = 0.0;
   for (const HandMotion& motion : work.hands) most_work += motion.stored_energy;
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
-    const Alarm alarm = end_moving(scene, b, std::min(work.work[b], most_work), world);
+    const bool slept = world.bodies[b].asleep;
+    const Alarm alarm = slept ? end_asleep(scene, b, dt, world)
+                              : end_moving(scene, b, std::min(work.work[b], most_work), world);
     raise(alarm, static_cast<int>(b), world);
+    if (!slept && !world.alarm) fall_asleep(scene, b, dt, world);
+    watch.add_to(world.costs.bodies[b].guard);
   }
   for (const HandMotion& motion : work.hands) {
     if (motion.felt.allFinite()) continue;
@@ -177,11 +238,13 @@ void tick(const Scene& scene, std::span<const HapticSample> samples, double dt, 
     return fade_out(scene, world, commands);
   }
 
-  const std::size_t bodies = world.bodies.size(), instruments = world.instruments.size();
-  for (std::size_t b = 0; b < bodies; ++b) follow_tissue(scene, b, world);
+  Stopwatch whole(world.measures_costs);
+  const std::size_t instruments = world.instruments.size();
+  follow_bodies(scene, world);
   for (std::size_t i = 0; i < instruments; ++i) read_hand(scene, samples[i], dt, i, world);
   const int finest = choose_substeps(scene, dt, world);
-  for (std::size_t b = 0; b < bodies; ++b) begin_moving(scene, b, world);
+  wake_bodies(dt, world);
+  begin_bodies(scene, world);
 
   // Which triangles may be touched is settled once per tick. Where and how hard they are touched
   // changes with every substep: held over the tick, it would buzz on the hand and diverge.
@@ -190,7 +253,7 @@ void tick(const Scene& scene, std::span<const HapticSample> samples, double dt, 
     balance_instruments(scene, world);
     move_bodies(scene, dt, s, finest, world);
   }
-  end_bodies(scene, world);
+  end_bodies(scene, dt, world);
   if (world.alarm) {
     stand_still(scene, world);
     return fade_out(scene, world, commands);
@@ -200,6 +263,7 @@ void tick(const Scene& scene, std::span<const HapticSample> samples, double dt, 
     world.instruments[i].last_force = motion.felt / finest;
     commands[i] = {.force = world.instruments[i].last_force};
   }
+  world.costs.tick = whole.lap();
 }
 
 HapticCommand tick(const Scene& scene, const HapticSample& sample, double dt,

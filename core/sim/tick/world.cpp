@@ -40,7 +40,9 @@ const Scene& validated(const Scene& scene) {
 }
 
 TissueKernel choose_kernel(const Scene& scene, const SoftBody& body, const SoftState& state) {
-  if (body.kernel == Kernel::reference) return ReferenceKernel();
+  if (body.kernel == Kernel::reference || body.integrator != Integrator::symplectic_euler) {
+    return ReferenceKernel();
+  }
   if (!body.tissue.elastic.corners.empty()) return ResponseKernel(body, state.tree);
   if (simd_targets().empty() || !has_packed_form(body.tissue)) return ReferenceKernel();
   return PackedKernel(scene, body, state);
@@ -109,6 +111,10 @@ BodyInternals::BodyInternals(const Scene& scene, const SoftBody& body, const Sof
       wanted_substeps(body.substeps),
       surface_mass(compute_surface_mass(body.tissue)),
       vertex_scratch(count_surface(body), 0.0) {
+  rest.copy.resize(2 * sizeof(Vec3) * state.tissue.position.size());
+  if (const auto* packed = std::get_if<PackedKernel>(&kernel)) {
+    rest.copy.resize(2 * sizeof(float) * packed->state.displacement.size());
+  }
   if (scene.bodies.size() > 1) mean_load = MeanLoad(body.tissue.triangles, count_surface(body));
 }
 
@@ -140,6 +146,9 @@ World::World(const Scene& scene) : scene_identity(validated(scene).identity) {
       }
     }
   }
+  costs.bodies.resize(bodies.size());
+  costs.instruments.resize(instruments.size());
+  costs.pairs.resize(pairs.size());
   workspace_ = Owned(Workspace(*this));
 }
 

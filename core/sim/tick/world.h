@@ -8,6 +8,7 @@
 
 #include "palpate/sim/contact/find_candidates.h"
 #include "palpate/sim/dynamics/guard.h"
+#include "palpate/sim/tick/costs.h"
 #include "palpate/sim/tick/scene.h"
 #include "palpate/sim/tree/aabb_tree.h"
 
@@ -46,6 +47,10 @@ struct SoftState {
   Stretch stretch;   ///< (end_moving)
   Load load;         ///< of the last step: what all instruments do (balance_instruments)
   int substeps = 0;  ///< of the last tick (choose_substeps)
+  /// It has come to rest far from every instrument, and ticks leave it out until one comes near:
+  /// no bit of it would change (end_moving, wake_bodies). A program that writes into the tissue
+  /// sets this to false.
+  bool asleep = false;
 
  private:
   friend BodyInternals& internals(SoftState& body) noexcept;
@@ -53,6 +58,15 @@ struct SoftState {
   Owned<BodyInternals> internals_;
 };
 static_assert(alignof(SoftState) == 8);
+
+/// Where a rigid body is and how it moves. Not simulated yet.
+struct RigidState {
+  Vec3 position = Vec3::Zero();                     ///< [m] of its frame
+  Quaternion orientation = Quaternion::Identity();  ///< [-] of its frame
+  Vec3 velocity = Vec3::Zero();                     ///< [m/s]
+  Vec3 angular_velocity = Vec3::Zero();             ///< [rad/s]
+};
+static_assert(alignof(RigidState) == 8);
 
 /// An instrument of a running scene, and the hand that moves it.
 struct InstrumentState {
@@ -85,7 +99,13 @@ struct World {
   /// under another kernel, or where parts of the tissue may sleep.
   bool follows_all = true;
 
+  /// Whether tick() keeps `costs`. Forces are the same to the bit with and without, and a tick
+  /// takes some microseconds more.
+  bool measures_costs = false;
+  TickCosts costs;  ///< of the last tick (each stage its own)
+
   std::vector<SoftState> bodies;             ///< as Scene::bodies
+  std::vector<RigidState> rigid;             ///< as Scene::rigid, none yet
   std::vector<InstrumentState> instruments;  ///< as Scene::instruments
   std::vector<ContactPair> pairs;            ///< every instrument with every body: pair()
 

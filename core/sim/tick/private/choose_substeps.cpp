@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "palpate/sim/dynamics/private/measure_stretch.h"
+#include "palpate/sim/dynamics/private/step_limit.h"
 #include "palpate/sim/tick/private/linear_tick.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
@@ -30,8 +31,16 @@ constexpr double kStiffening = 1.2;
 ///
 ///     dt <= (sqrt(c² + 4 w²) - c) / w²
 ///
-/// which is 2/w (sqrt(1 + z²) - z) with z = c/(2w) [motion: step].
-double find_limit(double w2, double c) noexcept { return (std::sqrt(c * c + 4.0 * w2) - c) / w2; }
+/// which is 2/w (sqrt(1 + z²) - z) with z = c/(2w) [motion: step], and of other integrators what
+/// they have. What makes a tissue stiffer than at rest damps it no more.
+double find_limit(const SoftBody& body, double w2) noexcept {
+  const double c = body.spectrum_damping;
+  if (body.integrator == Integrator::symplectic_euler) {
+    return (std::sqrt(c * c + 4.0 * w2) - c) / w2;
+  }
+  const double damped_part = std::min(1.0, body.spectrum_stiffness / w2);
+  return find_step_limit(body.integrator, {w2, c}, damped_part * body.least_damping_time);
+}
 
 /// Takes note of a tissue that stretch has made stiffer, or that has come back.
 void follow_stretch(const Stretch& stretch, BodyInternals& work) noexcept {
@@ -46,17 +55,18 @@ void follow_stretch(const Stretch& stretch, BodyInternals& work) noexcept {
 /// rest dt/stable_step() of them are needed, of which body.substeps is the next whole number.
 double count_free_substeps(const SoftBody& body, double dt, const BodyInternals& work) noexcept {
   const double fewest = body.substeps, rest = work.spectrum.rest;
-  if (!(work.chosen_stiffness > rest)) return fewest;
-  const double c = body.spectrum_damping;
-  const double limit = find_limit(work.chosen_stiffness, c);
+  if (!(work.chosen_stiffness > rest) || is_implicit(body.integrator)) return fewest;
+  const double limit = find_limit(body, work.chosen_stiffness);
   if (!(rest > 0.0)) return std::max(fewest, std::ceil(dt / (kStepShare * limit)));
-  const double rest_limit = find_limit(rest, c);
+  const double rest_limit = find_limit(body, rest);
   const double needed = std::min(fewest, dt / (kStepShare * rest_limit));
   return std::max(fewest, std::ceil(needed * rest_limit / limit));
 }
 
 /// How many substeps contact asks for to be stable, with the contacts' part k/m of the spectrum:
-/// w² <= w0² + max k/m, summed over the instruments.
+/// w² <= w0² + max k/m, summed over the instruments. An implicit step leaves them only the
+/// contacts: of x'' - 2 x' + x + a x'' + b x' = 0, with a of the tissue and b of the contacts, b <=
+/// 4 + a is asked for.
 double count_stable_substeps(const Scene& scene, std::size_t body, double dt,
                              World& world) noexcept {
   const SoftBody& soft = scene.bodies[body];
@@ -69,7 +79,9 @@ double count_stable_substeps(const Scene& scene, std::size_t body, double dt,
                                        work.vertex_scratch, static_cast<int>(body));
   }
   if (!(contact > 0.0)) return 1.0;
-  const double limit = find_limit(work.chosen_stiffness + contact, soft.spectrum_damping);
+  const double limit = is_implicit(soft.integrator)
+                           ? 2.0 / std::sqrt(contact)
+                           : find_limit(soft, work.chosen_stiffness + contact);
   return std::ceil(dt / (kStepShare * limit));
 }
 

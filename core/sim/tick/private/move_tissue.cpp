@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/sim/tick/private/move_tissue.h"
 
+#include <exception>
+
 #include "palpate/sim/dynamics/private/measure_stretch.h"
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/model/tissue_model.h"
@@ -16,26 +18,27 @@ namespace {
 /// Makes a displacement measured in float no shorter than it was.
 constexpr double kWiden = 1.0 + 1e-6;
 
-/// [W] what the pushes do to the tissue at velocities v; times the substep it is their work to the
-/// last bit, because symplectic Euler moves particles with the new velocity.
-double compute_push_power(std::span<const Push> pushes, const TissueModel& tissue,
-                          std::span<const Vec3> v) noexcept {
-  const auto velocity_of = [&](int vertex) noexcept -> Vec3 {
-    if (tissue.skin.corners.empty()) return v[static_cast<std::size_t>(vertex)];
+/// Sum over the pushes of force times `field` where they push: [W] for the velocities of the
+/// particles, which times the substep is the pushes' work to the last bit, because symplectic Euler
+/// moves particles with the new velocity; [J], but for a constant, for their positions.
+double sum_over_pushes(std::span<const Push> pushes, const TissueModel& tissue,
+                       std::span<const Vec3> field) noexcept {
+  const auto value_at = [&](int vertex) noexcept -> Vec3 {
+    if (tissue.skin.corners.empty()) return field[static_cast<std::size_t>(vertex)];
     const auto& corners = tissue.skin.corners[static_cast<std::size_t>(vertex)];
     const auto& weights = tissue.skin.weights[static_cast<std::size_t>(vertex)];
     Vec3 sum = Vec3::Zero();
-    for (std::size_t k = 0; k < 4; ++k) sum += weights[k] * v[corners[k]];
+    for (std::size_t k = 0; k < 4; ++k) sum += weights[k] * field[corners[k]];
     return sum;
   };
-  double power = 0.0;
+  double total = 0.0;
   for (const Push& push : pushes) {
     const auto& [i, j, k] = tissue.triangles[static_cast<std::size_t>(push.triangle)];
-    const Vec3 patch = push.weights[0] * velocity_of(i) + push.weights[1] * velocity_of(j) +
-                       push.weights[2] * velocity_of(k);
-    power += push.force.dot(patch);
+    const Vec3 patch = push.weights[0] * value_at(i) + push.weights[1] * value_at(j) +
+                       push.weights[2] * value_at(k);
+    total += push.force.dot(patch);
   }
-  return power;
+  return total;
 }
 
 /// Adds `what` to `list` unless it is there in this tick already.
@@ -132,17 +135,45 @@ void choose_in_tree(PackedKernel& kernel, AabbTree& tree) noexcept {
 
 void begin(ReferenceKernel&, const Moved&) noexcept {}
 
-double step_kernel(ReferenceKernel&, const Moved& moved, double dt, bool) noexcept {
-  const TissueModel& tissue = moved.body.tissue;
-  SoftState& state = moved.state;
-  step(tissue, state.load, dt, state.tissue);
-  move_skin(tissue.skin, state.tissue.position, state.skin);
-  return dt * compute_push_power(state.load.pushes(), tissue, state.tissue.velocity);
+/// False where there is no solution, or no memory to find it with.
+bool step_implicitly(const SoftBody& body, double dt, OwnStepper& own, SoftState& state) noexcept {
+  try {
+    if (!own.stepper || own.model != &body.tissue) {
+      own.stepper = std::make_unique<ImplicitStepper>(body.tissue, body.integrator);
+      own.model = &body.tissue;
+    }
+    return own.stepper->step(state.load, dt, state.tissue) > 0;
+  } catch (const std::exception&) {
+    return false;
+  }
 }
 
-Alarm end(ReferenceKernel&, const Moved& moved, double work) noexcept {
+double step_kernel(ReferenceKernel& kernel, const Moved& moved, double dt, bool) noexcept {
+  const TissueModel& tissue = moved.body.tissue;
+  const Integrator integrator = moved.body.integrator;
+  SoftState& state = moved.state;
+  const std::span<const Push> pushes = state.load.pushes();
+  if (kernel.unsolved) return 0.0;
+  const double before = sum_over_pushes(pushes, tissue, state.tissue.position);
+  if (is_implicit(integrator)) {
+    kernel.unsolved = !step_implicitly(moved.body, dt, kernel.implicit, state);
+  } else {
+    step(tissue, state.load, dt, integrator, state.tissue);
+  }
+  move_skin(tissue.skin, state.tissue.position, state.skin);
+  if (integrator == Integrator::symplectic_euler) {
+    return dt * sum_over_pushes(pushes, tissue, state.tissue.velocity);
+  }
+  return sum_over_pushes(pushes, tissue, state.tissue.position) - before;
+}
+
+Alarm end(ReferenceKernel& kernel, const Moved& moved, double work) noexcept {
   const TissueModel& tissue = moved.body.tissue;
   SoftState& state = moved.state;
+  if (kernel.unsolved) {
+    const double step = 1.0 / (moved.scene.rate * state.substeps);
+    return {AlarmKind::not_solved, -1, step, step, state.tissue.time};
+  }
   state.stretch = measure_stretch(tissue, state.tissue.position);
   return check(tissue, moved.scene.gravity, state.tissue, work, state.guard, state.substeps);
 }
@@ -152,6 +183,7 @@ void begin(PackedKernel& kernel, const Moved& moved) noexcept {
   if (!kernel.active.on) return;
   wake_near(*kernel.model, moved.body.tissue, kernel.near.particles_in_use(), kernel.active,
             kernel.state);
+  kernel.began_still = kernel.state.slices.count == 0;
   choose_in_tree(kernel, moved.state.tree);
 }
 
@@ -161,7 +193,7 @@ double step_kernel(PackedKernel& kernel, const Moved& moved, double dt, bool las
   step(*kernel.model, state.load, dt, kernel.state, last ? &kernel.measure : nullptr);
   unpack_near(tissue, kernel, state);
   move_near_skin(tissue, kernel.near, state);
-  return dt * compute_push_power(state.load.pushes(), tissue, state.tissue.velocity);
+  return dt * sum_over_pushes(state.load.pushes(), tissue, state.tissue.velocity);
 }
 
 Alarm end(PackedKernel& kernel, const Moved& moved, double work) noexcept {

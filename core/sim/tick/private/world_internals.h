@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <variant>
 #include <vector>
 
 #include "palpate/sim/contact/private/touched_surface.h"
+#include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/packed/private/active_set.h"
 #include "palpate/sim/packed/private/packed_model.h"
 #include "palpate/sim/tick/private/mean_load.h"
@@ -44,8 +46,26 @@ struct Lag {
   double at_last_round = 0.0;  ///< [m] when the one before it did, and no box is older
 };
 
+/// An implicit stepper of one world alone: a copy of that world makes its own in its next step.
+struct OwnStepper {
+  OwnStepper() = default;
+  OwnStepper(const OwnStepper&) noexcept {}
+  OwnStepper(OwnStepper&&) noexcept = default;
+  OwnStepper& operator=(const OwnStepper&) noexcept {
+    stepper.reset();
+    return *this;
+  }
+  OwnStepper& operator=(OwnStepper&&) noexcept = default;
+
+  std::unique_ptr<ImplicitStepper> stepper;
+  const TissueModel* model = nullptr;  ///< that it was made for
+};
+
 /// The plain laws in double, on SoftState::tissue itself.
-struct ReferenceKernel {};
+struct ReferenceKernel {
+  OwnStepper implicit;    ///< empty under an explicit integrator (move_tissue)
+  bool unsolved = false;  ///< a step found no solution, and later ones were left out (move_tissue)
+};
 
 /// The same laws in float, in vector code. Between the substeps its own state is the truth, and
 /// SoftState::tissue is up to date where a tool may touch it.
@@ -56,6 +76,7 @@ struct PackedKernel {
   PackedState state;                   ///< (move_tissue)
   PackedMeasure measure;               ///< of the last substep (move_tissue)
   NearList near;                       ///< (begin_moving)
+  bool began_still = false;            ///< nothing of it moves in this tick (begin_moving)
   Lag lag;                             ///< (follow_tissue, end_moving)
   ActiveSet active;                    ///< off unless force_error allows (begin, end_moving)
   std::vector<unsigned char> in_tree;  ///< per slice: moves, and the tree follows (begin_moving)
@@ -74,6 +95,17 @@ struct ResponseKernel {
   std::vector<double> deepest;  ///< [m] per vertex of the surface: how far it may be moved
 };
 
+/// Whether a body may sleep, and as what (sleep.h).
+struct Rest {
+  bool at_any_step = false;     ///< not a particle of it moves, however long a step is (end_moving)
+  double step = 0.0;            ///< [s] with which a tick left every bit as it was (end_moving)
+  int substeps = 0;             ///< of that tick (end_moving)
+  Vec3 gravity = Vec3::Zero();  ///< [m/s²] with which it did (end_moving)
+  int patience = 0;             ///< ticks until it is tried again (end_moving)
+  bool is_tried = false;        ///< `copy` is of the tick before (end_moving)
+  std::vector<std::byte> copy;  ///< of all that a step reads and writes (end_moving)
+};
+
 using TissueKernel = std::variant<ReferenceKernel, PackedKernel, ResponseKernel>;
 
 /// What stands behind a SoftState: the kernel that moves its tissue, and buffers.
@@ -81,6 +113,7 @@ struct BodyInternals {
   BodyInternals(const Scene& scene, const SoftBody& body, const SoftState& state);
 
   TissueKernel kernel;
+  Rest rest;
   TreeCost tree_cost;                  ///< (follow_tissue)
   StretchSpectrum spectrum;            ///< never changes
   double chosen_stiffness;             ///< [1/s²] largest eigenvalue of M⁻¹K (choose_substeps)

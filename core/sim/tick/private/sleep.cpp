@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/tick/private/sleep.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "palpate/sim/dynamics/private/alarms.h"
+#include "palpate/sim/tick/private/choose_substeps.h"
+#include "palpate/sim/tick/private/follow_tissue.h"
+#include "palpate/sim/tick/private/world_internals.h"
+
+namespace palpate {
+namespace {
+
+/// Ticks between two tries to sleep, each of which copies the state of a body.
+constexpr int kPatience = 50;
+
+using Bytes = std::span<const std::byte>;
+
+/// All that a step of a body reads and writes, but for time.
+std::array<Bytes, 2> list_state(const SoftState& state) noexcept {
+  if (const PackedKernel* kernel = find_packed(state)) {
+    return {std::as_bytes(std::span(kernel->state.displacement)),
+            std::as_bytes(std::span(kernel->state.velocity))};
+  }
+  if (const ResponseKernel* kernel = find_response(state)) {
+    return {std::as_bytes(std::span(kernel->state.displacement)), Bytes()};
+  }
+  return {std::as_bytes(std::span(state.tissue.position)),
+          std::as_bytes(std::span(state.tissue.velocity))};
+}
+
+void keep_copy(const SoftState& state, std::vector<std::byte>& copy) noexcept {
+  std::byte* to = copy.data();
+  for (const Bytes part : list_state(state)) to = std::ranges::copy(part, to).out;
+}
+
+bool is_copy(const SoftState& state, const std::vector<std::byte>& copy) noexcept {
+  const std::byte* from = copy.data();
+  for (const Bytes part : list_state(state)) {
+    if (!part.empty() && std::memcmp(part.data(), from, part.size()) != 0) return false;
+    from += part.size();
+  }
+  return true;
+}
+
+/// An instrument may touch or holds the body, or remembers that its tool was on it.
+bool is_at_hand(std::size_t body, const World& world) noexcept {
+  for (std::size_t i = 0; i < world.instruments.size(); ++i) {
+    if (is_near(world, i, body)) return true;
+    const ToolState::Carrier& carrier = world.instruments[i].tool.carrier;
+    if (carrier.triangle >= 0 && carrier.body == static_cast<int>(body)) return true;
+  }
+  return false;
+}
+
+/// What follows the tissue a part at a time has seen all of it since it last moved.
+bool is_followed(const World& world, const SoftState& state) noexcept {
+  const PackedKernel* kernel = find_packed(state);
+  return !kernel || !lags(world, state) || kernel->lag.moved == kernel->lag.at_last_round;
+}
+
+/// Cheap, and false wherever something has moved by more than can be squared in float.
+bool may_be_at_rest(const SoftState& state) noexcept {
+  const PackedKernel* kernel = find_packed(state);
+  return !kernel || kernel->measure.largest_move == 0.0;
+}
+
+/// Parts of it may sleep alone.
+bool has_active_set(const SoftState& state) noexcept {
+  const PackedKernel* kernel = find_packed(state);
+  return kernel && kernel->active.on;
+}
+
+/// Not a particle was in motion in this tick, nor has begun to be.
+bool all_sleeps(const SoftState& state) noexcept {
+  const PackedKernel& kernel = *find_packed(state);
+  return kernel.began_still && kernel.state.slices.count == 0;
+}
+
+/// The tick has left every bit as it was. Found by a copy that is made once in a while, and
+/// compared one tick later.
+bool is_fixed(const SoftState& state, const World& world, Rest& rest) noexcept {
+  if (rest.is_tried && is_copy(state, rest.copy)) return true;
+  rest.is_tried = rest.patience == 0 && may_be_at_rest(state) && is_followed(world, state);
+  if (!rest.is_tried) return false;
+  keep_copy(state, rest.copy);
+  rest.patience = kPatience;
+  return false;
+}
+
+}  // namespace
+
+/// A tick of a body reads its state, its load, the length and number of its steps, and nothing
+/// else. Two that are alike in these are alike in what they write.
+void fall_asleep(const Scene& scene, std::size_t body, double dt, World& world) noexcept {
+  SoftState& state = world.bodies[body];
+  Rest& rest = internals(state).rest;
+  if (rest.patience > 0) --rest.patience;
+  const bool calm =
+      !is_at_hand(body, world) && state.load.push_count == 0 && state.guard.strained_checks == 0;
+  if (!calm) {
+    rest.is_tried = false;
+    rest.patience = kPatience;
+    return;
+  }
+  rest.at_any_step = has_active_set(state);
+  if (rest.at_any_step ? !all_sleeps(state) : !is_fixed(state, world, rest)) return;
+  rest.step = dt / state.substeps;
+  rest.substeps = state.substeps;
+  rest.gravity = state.load.gravity;
+  catch_up(scene.bodies[body], state);
+  state.asleep = true;
+}
+
+void wake_bodies(double dt, World& world) noexcept {
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    SoftState& state = world.bodies[b];
+    if (!state.asleep) continue;
+    const Rest& rest = internals(state).rest;
+    const bool alike =
+        rest.at_any_step || (state.substeps == rest.substeps && dt / state.substeps == rest.step &&
+                             state.load.gravity == rest.gravity);
+    state.asleep = alike && !is_at_hand(b, world);
+  }
+}
+
+/// Time is the sum of the steps, to the bit that they would have summed to. The guard forgets what
+/// it was given as time goes on (check_energy), and a linear solid has no energy to guard.
+Alarm end_asleep(const Scene& scene, std::size_t body, double dt, World& world) noexcept {
+  SoftState& state = world.bodies[body];
+  double& time = state.tissue.time;
+  for (int s = 0; s < state.substeps; ++s) time += dt / state.substeps;
+  if (PackedKernel* kernel = find_packed(state)) kernel->state.time = time;
+  if (find_response(state)) return {};
+  const double elapsed = std::max(0.0, time - state.guard.last_time);
+  Alarm alarm =
+      check_energy(scene.bodies[body].tissue, state.guard.last_energy, 0.0, elapsed, state.guard);
+  state.guard.last_time = time;
+  if (alarm) alarm.time = time;
+  return alarm;
+}
+
+}  // namespace palpate
