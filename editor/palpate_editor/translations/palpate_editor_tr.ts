@@ -5,6 +5,50 @@
 <context>
     <name>Editor</name>
     <message>
+        <source>Measured while the organ is felt.</source>
+        <translation>Organ hissedilirken ölçülür.</translation>
+    </message>
+    <message>
+        <source>Measured once the organ is compiled.</source>
+        <translation>Organ derlenince ölçülür.</translation>
+    </message>
+    <message>
+        <source>The organ is being pressed to measure it…</source>
+        <translation>Ölçmek için organa bastırılıyor…</translation>
+    </message>
+    <message>
+        <source>An alarm ended the press: see the Test stage.</source>
+        <translation>Basışı bir alarm bitirdi: Dene aşamasına bakın.</translation>
+    </message>
+    <message>
+        <source>Whole tick</source>
+        <translation>Adımın tümü</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Parça</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Ortanca</translation>
+    </message>
+    <message>
+        <source>A tick may take {time}.</source>
+        <translation>Bir adım en çok {time} sürebilir.</translation>
+    </message>
+    <message>
+        <source>{name}: {median}, p99 {p99}</source>
+        <translation>{name}: {median}, p99 {p99}</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Alet</translation>
+    </message>
+    <message>
+        <source>{tool} on {body}</source>
+        <translation>{tool} – {body}</translation>
+    </message>
+    <message>
         <source> (not looked up)</source>
         <translation> (aslına bakılmadı)</translation>
     </message>

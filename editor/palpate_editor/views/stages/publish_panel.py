@@ -3,6 +3,10 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
+import palpate
+from palpate.runs.costs import press_costs
 from palpate.translation import LANGUAGES
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QComboBox, QLineEdit, QPlainTextEdit, QPushButton, QWidget
@@ -10,7 +14,9 @@ from PySide6.QtWidgets import QComboBox, QLineEdit, QPlainTextEdit, QPushButton,
 from palpate_editor.document import Organ, Translation
 from palpate_editor.document.problems import Problem
 from palpate_editor.edits import SetTask
+from palpate_editor.views.budget_bar import BudgetBar, find_budget
 from palpate_editor.views.context import Context
+from palpate_editor.views.jobs import Progress
 from palpate_editor.views.publishing import Publishing
 from palpate_editor.views.stages.facts import Facts, write_label
 from palpate_editor.views.stages.stage_panel import StagePanel, Workers
@@ -62,6 +68,17 @@ class LanguageBox(QComboBox):
         event.ignore()
 
 
+@dataclass(frozen=True)
+class PressWork:
+    """Presses a scene and measures what its parts cost."""
+
+    scene: palpate.Scene
+
+    def __call__(self, progress: Progress) -> tuple[palpate.Scene, palpate.SceneCosts]:
+        del progress
+        return self.scene, press_costs(self.scene)
+
+
 class PublishPanel(StagePanel):
     """Names the scenario and publishes it."""
 
@@ -87,7 +104,10 @@ class PublishPanel(StagePanel):
 
     def __init__(self, context: Context, publishing: Publishing, parent: QWidget | None = None):
         self.publishing = publishing
+        self.pressed: palpate.Scene | None = None
+        """Of which the costs are measured, or shown."""
         super().__init__(context, parent)
+        context.stage_shown.connect(self._on_stage)
 
     @classmethod
     def make(cls, workers: Workers, parent: QWidget) -> PublishPanel:
@@ -114,6 +134,8 @@ class PublishPanel(StagePanel):
         )
         section.add(self.task)
         self.facts = self.section(tr("What is published")).add(Facts(self))
+        self.costs = self.section(tr("Cost of a tick"))
+        self.budget = self.costs.add(BudgetBar(tr("Measured once the organ is compiled."), self))
         self.button = self.main_button(tr("Publish…"), "publish")
         self.button.clicked.connect(self.publish)
         self.form.addWidget(self.button)
@@ -158,6 +180,8 @@ class PublishPanel(StagePanel):
         assessment, organ = self.context.assessment, self.context.session.organ
         tissue = assessment.tissue if assessment else None
         self.facts.parentWidget().setVisible(organ.surface is not None)
+        self.costs.setVisible(organ.surface is not None)
+        self._measure_costs()
         self.button.setEnabled(organ.surface is not None)
         if organ.surface is None:
             return
@@ -178,6 +202,39 @@ class PublishPanel(StagePanel):
                 (tr("Fixed vertices"), count(int(organ.fixed.sum()))),
             ]
         )
+
+    def _on_stage(self, stage: str) -> None:
+        del stage
+        self._measure_costs()
+
+    def _measure_costs(self) -> None:
+        """Presses the scene in the background, once, where a person can see what comes of it."""
+        found = self.context.assessment
+        scene = None if found is None else found.scene
+        if self.context.stage != self.stage or scene is self.pressed:
+            return
+        self.pressed = scene
+        if scene is None:
+            self.budget.wait(tr("Measured once the organ is compiled."))
+            return
+        self.budget.wait(tr("The organ is being pressed to measure it…"))
+        self.context.jobs.start_unseen(
+            "costs of a press", PressWork(scene), self._take_costs, self._refuse_costs
+        )
+
+    def _take_costs(self, measured: tuple[palpate.Scene, palpate.SceneCosts]) -> None:
+        scene, costs = measured
+        if scene is not self.pressed:
+            return
+        budget = find_budget(costs, scene.rate, self.context.session.organ)
+        if budget is None:
+            self.budget.wait(tr("An alarm ended the press: see the Test stage."))
+        else:
+            self.budget.show_budget(budget)
+
+    def _refuse_costs(self, problem: BaseException) -> None:
+        self.pressed = None
+        self.context.refuse(problem)
 
     def problems(self) -> list[Problem]:
         assessment = self.context.assessment

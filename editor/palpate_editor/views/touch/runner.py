@@ -20,6 +20,7 @@ from PySide6.QtCore import QObject, Signal
 from palpate_editor.compile import is_built_alike
 from palpate_editor.document import Organ
 from palpate_editor.document.problems import Problem
+from palpate_editor.views.budget_bar import find_budget
 from palpate_editor.views.context import Context
 from palpate_editor.views.jobs import Progress
 from palpate_editor.views.touch.force_plot import ForcePlot
@@ -27,6 +28,9 @@ from palpate_editor.views.touch.live_costs import LiveCosts
 from palpate_editor.views.touch.results import Outcome, read_felt
 from palpate_editor.views.touch.trial import Trial, advise, describe_end
 from palpate_editor.views.translations import say, tr
+
+MEASURED = 30
+"""Frames from one showing of what the parts of a run cost to the next, half a second."""
 
 
 @dataclass(frozen=True)
@@ -62,6 +66,8 @@ class Runner(QObject):
     """It waits, runs, is paused or has ended."""
     ended = Signal(object)
     """An Outcome."""
+    measured = Signal(object)
+    """A Budget: what the parts of the run have cost so far."""
 
     def __init__(
         self, context: Context, plot: ForcePlot, costs: LiveCosts, parent: QObject | None = None
@@ -74,7 +80,7 @@ class Runner(QObject):
         self._organ: Organ | None = None
         self._script: tuple[Place, PressTimes] | None = None
         self._tool_before: ViewTool[GLView] | ViewTool[FboView] | None = None
-        self._name, self._count = "", 0
+        self._name, self._count, self._frames = "", 0, 0
         self._folder = tempfile.TemporaryDirectory(prefix="palpate-test-")
         context.session.changed.connect(self._on_changed)
         context.assessed.connect(self._on_assessed)
@@ -173,6 +179,7 @@ class Runner(QObject):
         self._tool_before = view.tool
         if isinstance(request, HandRequest):
             view.tool = PointerHand(view, device, scene)
+        self._frames = 0
         self.plot.begin(self._name)
         self.costs.clear()
         facts = self.context.assessment.tissue
@@ -184,6 +191,14 @@ class Runner(QObject):
     def _take_frame(self, frame: Frame) -> None:
         self.plot.add(frame.time, frame.force)
         self.costs.show_frame(frame, self.trial.scene.rate)
+        self._frames += 1
+        if self._frames % MEASURED == 0:
+            self._tell_costs(self.trial.run.report(), self.trial.scene.rate)
+
+    def _tell_costs(self, report: palpate.LoopReport, rate: float) -> None:
+        budget = find_budget(report.part_costs, rate, self._organ)
+        if budget is not None:
+            self.measured.emit(budget)
 
     # ------------------------------------------------------------ ending
 
@@ -196,6 +211,7 @@ class Runner(QObject):
         trial.clear_view()
         trial.deleteLater()
         self.costs.show_report(report, trial.scene.rate)
+        self._tell_costs(report, trial.scene.rate)
         outcome = self._read_outcome(trial, report)
         if outcome is None:
             self.plot.finish()

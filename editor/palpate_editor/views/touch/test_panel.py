@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from palpate_editor.document import Organ
+from palpate_editor.views.budget_bar import BudgetBar
 from palpate_editor.views.context import Context
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.stages.stage_panel import StagePanel
@@ -66,6 +67,7 @@ class TestPanel(StagePanel):
         self.runner = Runner(context, self.plot, self.costs, self)
         self.runner.changed.connect(self._show_state)
         self.runner.ended.connect(self._take_outcome)
+        self.runner.measured.connect(self.budget.show_budget)
         self._place_tool = PlaceTool(context.session.organ.tool.radius, self)
         self._place_tool.picked.connect(self._take_place)
         self._place_tool.left.connect(self._end_pick)
@@ -100,6 +102,8 @@ class TestPanel(StagePanel):
         self.state = write_label("", "lead", self)
         self.state.setWordWrap(True)
         self.form.addWidget(self.state)
+        costs = self.section(tr("Cost of a tick"))
+        self.budget = costs.add(BudgetBar(tr("Measured while the organ is felt."), self))
         results = self.section(tr("Last run"))
         self.results = results.add(ResultsBox(self.context, self))
 
@@ -230,6 +234,7 @@ class TestPanel(StagePanel):
     def _on_changed(self, before: Organ, after: Organ) -> None:
         if before.surface is not after.surface:
             self.press_form.show_place(None)
+            self.budget.wait(tr("Measured while the organ is felt."))
         self._show_command()
 
     def good_news(self) -> list[str]:

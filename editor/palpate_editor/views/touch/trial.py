@@ -50,7 +50,7 @@ class Trial(QObject):
         super().__init__(parent)
         self.view, self.scene, self.device, self.record = view, scene, device, record
         options = palpate.LoopOptions()
-        options.duration = duration
+        options.duration, options.measures_costs = duration, True
         self.run = LiveRun(scene, device, record=record, options=options)
         self.report: palpate.LoopReport | None = None
         self.problem: OSError | None = None
