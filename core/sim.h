@@ -4,7 +4,6 @@
 // Every header of palpate::sim that is installed. A program that compiles often includes the few
 // that it needs.
 #include "palpate/sim/arm/calibration.h"
-#include "palpate/sim/arm/faulty.h"
 #include "palpate/sim/arm/kinematics.h"
 #include "palpate/sim/arm/plant.h"
 #include "palpate/sim/arm/serial_device.h"
@@ -39,6 +38,7 @@
 #include "palpate/sim/packed/simd_targets.h"
 #include "palpate/sim/response/response.h"
 #include "palpate/sim/session/record.h"
+#include "palpate/sim/tick/costs.h"
 #include "palpate/sim/tick/scene.h"
 #include "palpate/sim/tick/surface_pointer.h"
 #include "palpate/sim/tick/tick.h"

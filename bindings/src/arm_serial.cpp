@@ -5,7 +5,6 @@
 
 #include "bindings.h"
 #include "interrupt.h"
-#include "palpate/sim/arm/faulty.h"
 #include "palpate/sim/arm/simulated_arm.h"
 #include "palpate/sim/arm/transport.h"
 #include "palpate/sim/base/error.h"

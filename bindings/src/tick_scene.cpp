@@ -138,8 +138,8 @@ void bind_rigid(py::module_& m) {
   py::class_<Scenery> scenery(m, "Scenery",
                               "What never moves, a bone or a table for one. Not simulated yet: "
                               "build_scene refuses it.");
-  scenery.def(py::init([](const SurfaceMesh& mesh) { return Scenery{mesh}; }),
-              "mesh"_a, "Copies its mesh.");
+  scenery.def(py::init([](const SurfaceMesh& mesh) { return Scenery{mesh}; }), "mesh"_a,
+              "Copies its mesh.");
   scenery.def_readonly("mesh", &Scenery::mesh, "[m] in the scene's frame; read-only.");
   def_value(scenery, &Scenery::mesh);
   def_summary(scenery, [](const Scenery& self) {
@@ -313,8 +313,8 @@ void bind_world(py::module_& m) {
                     "Whose tissue raised it; -1 for what is of no body.")
       .def_readonly("tick_count", &World::tick_count, "How many ticks have been run.")
       .def_readonly("measures_costs", &World::measures_costs,
-                     "Whether tick() keeps costs: forces are the same to the bit with and without, "
-                     "and a tick takes some microseconds more.")
+                    "Whether tick() keeps costs: forces are the same to the bit with and without, "
+                    "and a tick takes some microseconds more.")
       .def_readonly("costs", &World::costs, "Of the last tick; read-only.");
   def_copy(world);
   def_summary(world, [](const World& self) {

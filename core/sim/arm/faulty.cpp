@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/arm/faulty.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/sim/arm/transport.h"
 #include "palpate/sim/base/private/random.h"
 #include "palpate/sim/base/private/refuse.h"
 

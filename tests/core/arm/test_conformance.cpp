@@ -12,8 +12,8 @@
 
 #include "calls.h"
 #include "core/arm/device_bench.h"
-#include "palpate/sim/arm/faulty.h"
 #include "palpate/sim/arm/simulated_arm.h"
+#include "palpate/sim/arm/transport.h"
 #include "palpate/sim/device/conformance.h"
 #include "palpate/sim/device/safe_device.h"
 #include "palpate/sim/device/simulated_devices.h"

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "core/arm/device_bench.h"
-#include "palpate/sim/arm/faulty.h"
+#include "palpate/sim/arm/transport.h"
 #include "palpate/sim/device/safe_device.h"
 #include "palpate/sim/device/simulated_devices.h"
 

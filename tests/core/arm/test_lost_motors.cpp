@@ -8,8 +8,8 @@
 
 #include "core/arm/device_bench.h"
 #include "core/loop/puppet.h"
-#include "palpate/sim/arm/faulty.h"
 #include "palpate/sim/arm/simulated_arm.h"
+#include "palpate/sim/arm/transport.h"
 
 using namespace palpate;
 using namespace palpate::testing;

@@ -8,7 +8,6 @@
 #include <thread>
 
 #include "core/tick/press_scene.h"
-#include "palpate/sim/arm/faulty.h"
 #include "palpate/sim/arm/serial_device.h"
 #include "palpate/sim/arm/simulated_arm.h"
 #include "palpate/sim/arm/transport.h"
