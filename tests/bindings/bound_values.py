@@ -71,6 +71,7 @@ def checked() -> palpate.DeviceCheck:
 
 MADE: dict[str, Callable[[], object]] = {
     "SurfaceMesh": lambda: sheet(3, 0.02),
+    "Scenery": lambda: palpate.Scenery(sheet(3, 0.02)),
     "Topology": lambda: palpate.build_topology(sheet(3, 0.02).triangles),
     "SolidMesh": lambda: SOLID,
     "Links": lambda: chain(4).springs,

@@ -22,6 +22,9 @@ COLOURS = {
     CONTACT: ("#e08a2b", "#c9a227", "#d2603a", "#a8792f"),
 }
 """By kind, one part after the other; seen on a light and on a dark ground."""
+LEAST_ROWS = 3
+"""Parts that there is room for before any is measured, so that what stands below stays there: one
+body, one tool, and the two together."""
 NEAR_SHARE, OVER_SHARE = 0.6, 1.0
 """[-] of a tick from where its p99 is near what it may be, and where it is over."""
 
@@ -99,7 +102,7 @@ class Swatch(QWidget):
 
     def __init__(self, parent: QWidget | None = None):
         super().__init__(parent)
-        self.colour = QColor()
+        self.colour = QColor(Qt.GlobalColor.transparent)
         self.setFixedSize(11, 11)
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -164,17 +167,16 @@ class BudgetBar(QWidget):
     def _show(self, budget: Budget | None) -> None:
         self.budget = self.stack.budget = budget
         parts = () if budget is None else budget.parts
-        while len(self.rows) < len(parts):
+        while len(self.rows) < max(len(parts), LEAST_ROWS):
             self._add_row()
-        for i, row in enumerate(self.rows):
-            for widget in row:
-                widget.setVisible(i < len(parts))
-            if i < len(parts):
-                swatch, name, value = row
-                swatch.colour = colour_of(parts[i])
-                swatch.update()
-                name.setText(parts[i].name)
-                value.setText(write_time(parts[i].median))
+        for i, (swatch, name, value) in enumerate(self.rows):
+            part = parts[i] if i < len(parts) else None
+            swatch.colour = QColor(Qt.GlobalColor.transparent) if part is None else colour_of(part)
+            name.setText("" if part is None else part.name)
+            value.setText("" if part is None else write_time(part.median))
+            for widget in (swatch, name, value):
+                widget.setVisible(part is not None or i < LEAST_ROWS)
+            swatch.update()
         self.stack.update()
 
     def _add_row(self) -> None:

@@ -114,7 +114,15 @@ def test_an_alarm_is_said_and_waiting_empties_the_bar(bar):
     bar.wait("later")
 
     assert bar.words.text() == bar.toolTip() == bar.accessibleDescription() == "later"
-    assert all(widget.isHidden() for row in bar.rows for widget in row)
+    assert all(name.text() == value.text() == "" for _, name, value in bar.rows)
+
+
+def test_what_stands_below_a_bar_stays_there_when_it_is_measured(bar):
+    before = bar.layout().totalHeightForWidth(bar.width())
+
+    bar.show_budget(make_budget())
+
+    assert bar.layout().totalHeightForWidth(bar.width()) == before
 
 
 def test_a_run_in_the_test_stage_fills_its_bar(qtbot, settings):
