@@ -30,6 +30,9 @@ Json print_body(const SoftBody& body) {
                   {"spectrum_stiffness", body.spectrum_stiffness},
                   {"spectrum_damping", body.spectrum_damping}};
   if (body.force_error > 0.0) printed["force_error"] = body.force_error;
+  if (body.integrator != Integrator::symplectic_euler) {
+    printed["integrator"] = std::string(integrator_name(body.integrator));
+  }
   return printed;
 }
 
@@ -77,6 +80,16 @@ Vec3 parse_vector(Fields& fields, const char* name) {
   return vector;
 }
 
+/// Symplectic Euler where there is none.
+Integrator parse_integrator(Fields& fields) {
+  constexpr std::size_t kMostNameBytes = 100;
+  if (!fields.has("integrator")) return Integrator::symplectic_euler;
+  const std::string name = fields.text("integrator", kMostNameBytes);
+  if (const auto integrator = find_integrator(name)) return *integrator;
+  fields.refuse("integrator", describe(Json(name)),
+                "an integrator that this program knows, such as symplectic_euler");
+}
+
 SoftBody parse_body(Fields fields) {
   constexpr std::int64_t kMostInt = std::numeric_limits<int>::max();
   SoftBody body;
@@ -85,6 +98,7 @@ SoftBody parse_body(Fields fields) {
   body.substeps = static_cast<int>(fields.whole("substeps", 1, kMostInt));
   body.substeps_max = static_cast<int>(fields.whole("substeps_max", 1, kMostInt));
   body.force_error = fields.number_or("force_error", 0.0);
+  body.integrator = parse_integrator(fields);
   body.spectrum_stiffness = fields.number("spectrum_stiffness");
   body.spectrum_damping = fields.number("spectrum_damping");
   fields.finish();

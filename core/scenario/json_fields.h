@@ -32,6 +32,7 @@ class Fields {
  public:
   Fields(const Json& object, std::string file, std::string where);
 
+  bool has(const char* name) const { return object_.contains(name); }
   const Json& any(const char* name);
   Fields object(const char* name);
   /// Of a list of 1 to `most` objects, in order.

@@ -108,11 +108,6 @@ void check_instrument(const Instrument& instrument, std::size_t i) {
 void check_body(const SoftBody& body, std::size_t b) {
   const TissueModel& tissue = body.tissue;
   check_number("scene.bodies[i].force_error", body.force_error, b);
-  if (body.integrator != Integrator::symplectic_euler) {
-    refuse(write_place("scene.bodies[i].integrator", b),
-           std::string(integrator_name(body.integrator)),
-           "symplectic_euler, which is what a file holds");
-  }
   check_number("scene.bodies[i].tissue.nodal_share", tissue.volumes.nodal_share, b);
   check_number("scene.bodies[i].tissue.elastic_nodal_share", tissue.elastic.nodal_share, b);
   check_number("scene.bodies[i].tissue.elastic_damping_time", tissue.elastic.damping_time, b);

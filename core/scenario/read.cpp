@@ -109,6 +109,7 @@ Scenario unpack(Container container, const std::string& file) {
     scenario.scene.identity = built.identity;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       bodies[b].kernel = built.bodies[b].kernel;
+      bodies[b].least_damping_time = built.bodies[b].least_damping_time;
       bodies[b].response = built.bodies[b].response;
     }
   } catch (const std::invalid_argument& problem) {

@@ -94,6 +94,13 @@ def test_an_appearance_has_the_fields_of_one_or_is_null():
     assert some["properties"].keys() == {f.name for f in fields(scene_parts.AppearancePart)}
 
 
+def test_the_schema_has_every_integrator():
+    scene = validator("palpate").schema["properties"]["content"]["properties"]["scene"]
+    body = scene["properties"]["bodies"]["items"]["properties"]
+
+    assert body["integrator"]["enum"] == [one.name for one in palpate.Integrator]
+
+
 CHANGES = {
     "newer version": set_in("version", 5),
     "unknown member": set_in("script", "x"),
@@ -102,6 +109,7 @@ CHANGES = {
     "unknown number": set_in("content|scene|pace", 1),
     "no substeps": set_in("content|scene|bodies|0|substeps", 0),
     "unknown law": set_in("content|scene|bodies|0|tissue|damping_law", "sticky"),
+    "an unknown integrator": set_in("content|scene|bodies|0|integrator", "leapfrog"),
     "no bodies": set_in("content|scene|bodies", []),
     "one body, no list": set_in("content|scene|bodies", {}),
     "too many instruments": set_in("content|scene|instruments", [{}] * 17),

@@ -74,6 +74,27 @@ TEST_CASE("a scene of two bodies and instruments that was read gives the very fo
   CHECK(scenario::pack(found).content == scenario::pack(made).content);
 }
 
+TEST_CASE("a body keeps its integrator, and one of symplectic Euler names none") {
+  Scenario made = make_pair();
+  made.scene.bodies[1].integrator = Integrator::runge_kutta_4;
+  made.scene.bodies[1].kernel = Kernel::automatic;
+  made.scene.bodies[1].force_error = 0.0;
+  made.scene.bodies[1].substeps = made.scene.bodies[1].substeps_max = 0;
+  made.scene = build_scene(made.scene);
+
+  const Container packed = scenario::pack(made);
+  const Scenario found = scenario::unpack(packed, "file");
+
+  CHECK(found.scene.bodies[0].integrator == Integrator::symplectic_euler);
+  CHECK(found.scene.bodies[1].integrator == Integrator::runge_kutta_4);
+  CHECK(found.scene.bodies[1].kernel == made.scene.bodies[1].kernel);
+  CHECK(packed.content.find("integrator") == packed.content.rfind("integrator"));
+  CHECK(felt_bits(found.scene) == felt_bits(made.scene));
+  CHECK(contains(
+      refuse_content("\"spectrum_damping\":", "\"integrator\":\"leapfrog\",\"spectrum_damping\":"),
+      "content.scene.bodies[1].integrator: got \"leapfrog\", expected an integrator"));
+}
+
 TEST_CASE("each body has its arrays under its number") {
   const Container packed = scenario::pack(make_pair());
 

@@ -200,10 +200,6 @@
         <translation>neredeyse hiçbir şeyin sönümlenmediği yerde kararlı olan biri, örneğin symplectic_euler: bunun her adımda 10000 yerine %1 alt adıma gereksinimi var</translation>
     </message>
     <message>
-        <source>symplectic_euler, which is what a file holds</source>
-        <translation>symplectic_euler, bir dosyada o bulunur</translation>
-    </message>
-    <message>
         <source>%1 MB for %2 particles under pushes on %3</source>
         <translation>%3 parçacığa bastırırken %2 parçacık için %1 MB</translation>
     </message>
@@ -1094,6 +1090,10 @@
     <message>
         <source>at least one to touch with</source>
         <translation>dokunmak için kullanılacak en az bir tane</translation>
+    </message>
+    <message>
+        <source>an integrator that this program knows, such as symplectic_euler</source>
+        <translation>bu programın bildiği bir zaman adımlayıcı, örneğin symplectic_euler</translation>
     </message>
     <message>
         <source>a list of 1 to %1</source>
