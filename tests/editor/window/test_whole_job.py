@@ -15,7 +15,7 @@ from palpate.runs.play import Play
 from palpate.runs.press import PressScript, find_top, write_script
 from palpate.runs.script_file import write_script_file
 from palpate.viewport import FboView, GLView
-from patience import PATIENCE, rest, settle
+from patience import PATIENCE, settle
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QFileDialog, QLineEdit
@@ -65,7 +65,7 @@ class Job:
     def picture(self, name: str, widget=None) -> None:
         """Into the build folder, to be looked at."""
         shown = widget or self.window
-        rest(self.qtbot, self.window)
+        self.qtbot.wait(300)  # the view refines its picture while nothing moves
         self.count += 1
         path = self.folder / f"{self.theme}_{self.count:02d}_{name}.png"
         assert shown.grab().save(str(path))
