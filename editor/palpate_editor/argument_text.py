@@ -13,31 +13,6 @@ import numpy as np
 
 MOST_LETTERS = 100_000
 """Of one argument: the system takes at most 128 KiB [execve(2), MAX_ARG_STRLEN]."""
-OPTIONS = {
-    "model.stiffness": ("--stiffness", "N/m"),
-    "model.bend_stiffness": ("--bend", "J"),
-    "model.stretch_coupling": ("--stretch-bend", "N"),
-    "model.home_stiffness": ("--home", "N/m3"),
-    "model.drag": ("--drag", "1/s"),
-    "model.pressure": ("--pressure", "Pa"),
-    "material.wall_thickness": ("--wall", "m"),
-    "material.density": ("--density", "kg/m3"),
-    "material.damping_ratio": ("--damping", ""),
-    "material.young_modulus": ("--young-modulus", "Pa"),
-    "material.poisson_ratio": ("--poisson", ""),
-    "fill.tetrahedra": ("--tetrahedra", ""),
-    "fill.nodal_share": ("--nodal-share", ""),
-    "tool.radius": ("--tool-radius", "m"),
-    "tool.stiffness": ("--tool-stiffness", "N/m3"),
-    "hand.coupling": ("--coupling", "N/m"),
-    "hand.force_max": ("--force-max", "N"),
-    "hand.hold_stiffness": ("--grip", "N/m"),
-    "hand.rate": ("--rate", ""),
-    "hand.force_error": ("--force-error", "N"),
-    "hand.substeps": ("--substeps", ""),
-}
-"""Constant -> its option, and the unit that must stand with the number."""
-
 LAWS = {
     "model.angle_law": "--angle-law",
     "model.damping_law": "--damping-law",

@@ -11,9 +11,8 @@ import pytest
 from palpate.runs.alarms import ALARMS, CAUSES, OPTIONS
 from palpate.runs.cause import find_cause
 from palpate_editor.argument_text import LAWS
-from palpate_editor.argument_text import OPTIONS as VERB
 from palpate_editor.compile import compile_organ
-from palpate_editor.document.constants import LAW_NAMES, find_constant
+from palpate_editor.document.constants import CONSTANTS, LAW_NAMES, find_constant
 from palpate_editor.edits import SetConstant
 from palpate_editor.shipped import make_organ
 from palpate_editor.views.touch.trial import advise, name_field
@@ -23,7 +22,7 @@ NAMED = {key for advice in ADVICES for key in advice.constants}
 
 
 def test_every_option_that_an_alarm_names_is_one_of_palpate_material():
-    verb = {key: option for key, (option, _) in VERB.items()} | LAWS
+    verb = {constant.key: constant.option for constant in CONSTANTS} | LAWS
 
     assert set(OPTIONS) == NAMED
     assert {verb[key] for key in NAMED} == set(OPTIONS.values())

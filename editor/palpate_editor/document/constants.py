@@ -29,6 +29,10 @@ class Constant:
     """What people call it."""
     unit: str
     """As shown; empty for a bare ratio."""
+    option: str
+    """Of the command line, and ..."""
+    option_unit: str
+    """... the unit that must stand with its number, in SI; empty for a bare number."""
     scale: float = 1.0
     """1 of the unit shown, in SI."""
     least: float = 0.0
@@ -118,25 +122,35 @@ MOST_SUBSTEPS = 1000
 """Of a tick. More take longer than a tick does on any machine."""
 
 CONSTANTS = (
-    Constant("material", "density", "Density", "kg/m³"),
-    Constant("material", "damping_ratio", "Damping ratio", "", above=False),
+    Constant("material", "density", "Density", "kg/m³", "--density", "kg/m3"),
+    Constant("material", "damping_ratio", "Damping ratio", "", "--damping", "", above=False),
     Constant(
         "material",
         "wall_thickness",
         "Wall thickness",
         "mm",
+        "--wall",
+        "m",
         scale=1e-3,
         optional=True,
         absent="solid",
     ),
-    Constant("material", "young_modulus", "Young's modulus", "kPa", scale=1e3),
-    Constant("material", "poisson_ratio", "Poisson's ratio", "", above=False, most=0.5),
-    Constant("model", "stiffness", "Stiffness", "N/m", kinds=SURFACES, chosen=True),
+    Constant(
+        "material", "young_modulus", "Young's modulus", "kPa", "--young-modulus", "Pa", scale=1e3
+    ),
+    Constant(
+        "material", "poisson_ratio", "Poisson's ratio", "", "--poisson", "", above=False, most=0.5
+    ),
+    Constant(
+        "model", "stiffness", "Stiffness", "N/m", "--stiffness", "N/m", kinds=SURFACES, chosen=True
+    ),
     Constant(
         "model",
         "bend_stiffness",
         "Bend stiffness",
         "mJ",
+        "--bend",
+        "J",
         scale=1e-3,
         above=False,
         kinds=MOLECULAR,
@@ -147,6 +161,8 @@ CONSTANTS = (
         "stretch_coupling",
         "Stretch-bend",
         "N",
+        "--stretch-bend",
+        "N",
         least=ANY,
         kinds=MOLECULAR,
         chosen=True,
@@ -156,18 +172,32 @@ CONSTANTS = (
         "home_stiffness",
         "Home springs",
         "N/mm³",
+        "--home",
+        "N/m3",
         scale=1e9,
         above=False,
         optional=True,
         absent="by kind",
         kinds=HOLLOW,
     ),
-    Constant("model", "pressure", "Pressure", "kPa", scale=1e3, least=ANY, kinds=HOLLOW),
-    Constant("model", "drag", "Drag", "1/s", above=False, kinds=SWINGING),
+    Constant(
+        "model",
+        "pressure",
+        "Pressure",
+        "kPa",
+        "--pressure",
+        "Pa",
+        scale=1e3,
+        least=ANY,
+        kinds=HOLLOW,
+    ),
+    Constant("model", "drag", "Drag", "1/s", "--drag", "1/s", above=False, kinds=SWINGING),
     Constant(
         "fill",
         "tetrahedra",
         "Tetrahedra",
+        "",
+        "--tetrahedra",
         "",
         least=LEAST_TETRAHEDRA,
         above=False,
@@ -175,18 +205,32 @@ CONSTANTS = (
         kinds=FILLED,
         whole=True,
     ),
-    Constant("fill", "nodal_share", "Nodal share", "", above=False, most=1.0, kinds=FILLED),
-    Constant("tool", "radius", "Tip radius", "mm", scale=1e-3),
-    Constant("tool", "stiffness", "Contact stiffness", "N/mm³", scale=1e9),
-    Constant("hand", "coupling", "Hand coupling", "N/m"),
-    Constant("hand", "force_max", "Largest force", "N"),
-    Constant("hand", "hold_stiffness", "Grip stiffness", "N/m"),
-    Constant("hand", "rate", "Tick rate", "Hz"),
+    Constant(
+        "fill",
+        "nodal_share",
+        "Nodal share",
+        "",
+        "--nodal-share",
+        "",
+        above=False,
+        most=1.0,
+        kinds=FILLED,
+    ),
+    Constant("tool", "radius", "Tip radius", "mm", "--tool-radius", "m", scale=1e-3),
+    Constant(
+        "tool", "stiffness", "Contact stiffness", "N/mm³", "--tool-stiffness", "N/m3", scale=1e9
+    ),
+    Constant("hand", "coupling", "Hand coupling", "N/m", "--coupling", "N/m"),
+    Constant("hand", "force_max", "Largest force", "N", "--force-max", "N"),
+    Constant("hand", "hold_stiffness", "Grip stiffness", "N/m", "--grip", "N/m"),
+    Constant("hand", "rate", "Tick rate", "Hz", "--rate", ""),
     Constant(
         "hand",
         "force_error",
         "Allowed force error",
         "mN",
+        "--force-error",
+        "N",
         scale=1e-3,
         above=False,
         kinds=SWINGING,
@@ -195,6 +239,8 @@ CONSTANTS = (
         "hand",
         "substeps",
         "Least substeps",
+        "",
+        "--substeps",
         "",
         above=False,
         most=MOST_SUBSTEPS,

@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import asdict
+from dataclasses import Field, asdict, fields
 from pathlib import Path
 from typing import Any
 
@@ -32,7 +32,7 @@ from palpate.scene.scene_parts import (
 from palpate_editor.document.organ import Decimation, Organ, Source, Translation, is_language
 from palpate_editor.document.surface import Surface
 
-FORMAT, VERSION = "organ", 5
+FORMAT = "organ"
 ARRAYS_OF_MODEL = ("fixed", "stiffness_scale")
 """Of the model part; arrays of the file stand for them."""
 TEXTS = ("name", "title", "task")
@@ -93,7 +93,31 @@ MIGRATIONS: dict[int, Callable[[Json, Arrays], tuple[Json, Arrays]]] = {
     3: choose_substeps,
     4: name_appearance,
 }
-"""Version -> what makes of a document of that version one of the next."""
+"""Version -> what makes of a document of that version one of the next, beside the new fields."""
+
+
+def list_new_fields() -> list[tuple[int, str, Field[Any]]]:
+    """(version, part, field) of every number that came after version 1 with its usual value."""
+    return [
+        (field.metadata["since"], name, field)
+        for name, kind in NUMBERS.items()
+        for field in fields(kind)
+        if "since" in field.metadata
+    ]
+
+
+VERSION = max(len(MIGRATIONS) + 1, *(version for version, _, _ in list_new_fields()), 0)
+"""The newest: of a migration, or of a field."""
+
+
+def migrate(step: int, content: Json, arrays: Arrays) -> tuple[Json, Arrays]:
+    """What makes of a document of version `step` one of the next."""
+    if step in MIGRATIONS:
+        content, arrays = MIGRATIONS[step](content, arrays)
+    for version, name, field in list_new_fields():
+        if version == step + 1 and isinstance(content.get(name), dict):
+            content[name] |= {field.name: field.default}
+    return content, arrays
 
 
 def write_organ(path: Path, organ: Organ) -> None:
@@ -149,7 +173,7 @@ def unpack_organ(content: Any, arrays: Mapping[str, Any], version: int, file: st
         if version < VERSION:
             check_parts(content, file)
         for step in range(version, VERSION):
-            content, owned = MIGRATIONS[step](content, owned)
+            content, owned = migrate(step, content, owned)
         return unpack(content, owned, file)
     except Refusal as refusal:
         raise FileError(file, refusal.where, refusal.got, refusal.expected) from None

@@ -16,7 +16,7 @@ from palpate.files.file_kind import OBJ, ORGAN, SCENE
 from palpate.files.refusal import Refusal
 from palpate.scene.scene_parts import FILLED
 
-from palpate_editor.argument_text import LAWS, NONE, OPTIONS
+from palpate_editor.argument_text import LAWS, NONE
 from palpate_editor.check import describe_model, split_refusal
 from palpate_editor.compile import compile_organ
 from palpate_editor.document import EMPTY, Organ
@@ -61,12 +61,12 @@ def add_material(parser: argparse.ArgumentParser) -> None:
         help="mass-spring, molecular, shell of prisms, solid, or linear solid (shallow presses)",
     )
     for constant in CONSTANTS:
-        option, unit = OPTIONS[constant.key]
+        unit = constant.option_unit
         default = getattr(getattr(EMPTY, constant.part), constant.field)
         usual = constant.absent if default is None else f"{default:g} {unit}".strip()
         also = f"; '{NONE}': {constant.absent}" if constant.optional else ""
         parser.add_argument(
-            option,
+            constant.option,
             dest=constant.key,
             type=read_constant(constant, unit),
             metavar=unit.upper() or "NUMBER",
@@ -115,7 +115,7 @@ def set_constants(call: argparse.Namespace, organ: Organ) -> Organ:
         value = getattr(call, constant.key)
         if value is not None:
             edit = SetConstant(constant.part, constant.field, None if value == NONE else value)
-            organ = apply(edit, organ, call.file, OPTIONS[constant.key][0])
+            organ = apply(edit, organ, call.file, constant.option)
     if call.reach is not None:
         everywhere = call.reach == NONE and NONE not in organ.regions
         organ = apply(SetReach("" if everywhere else call.reach), organ, call.file, "--reach")

@@ -16,9 +16,9 @@ import numpy as np
 from palpate.viewport import View
 
 from palpate_editor.appearance import write_colour
-from palpate_editor.argument_text import LAWS, NONE, OPTIONS, write_factors, write_ids
+from palpate_editor.argument_text import LAWS, NONE, write_factors, write_ids
 from palpate_editor.document import Organ, Source
-from palpate_editor.document.constants import CONSTANTS, SHORT_KINDS
+from palpate_editor.document.constants import CONSTANTS, SHORT_KINDS, find_constant
 from palpate_editor.edits import (
     Decimate,
     Edit,
@@ -105,7 +105,9 @@ def material_arguments(document: Path | str, options: Sequence[object]) -> Argum
 
 def constant_option(part: str, field: str, value: float | None) -> str:
     """One option with its unit; joined by = so that a negative number is no option itself."""
-    option, unit = OPTIONS[f"{part}.{field}"]
+    constant = find_constant(part, field)
+    assert constant is not None
+    option, unit = constant.option, constant.option_unit
     # 1/s is written 8/s, as quantities are read
     ending = "/s" if unit == "1/s" else unit
     return f"{option}={NONE}" if value is None else f"{option}={value:.12g}{ending}"
