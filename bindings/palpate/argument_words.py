@@ -35,6 +35,7 @@ WORDS = {
     "gravity": "[m/s²] shape (3,)",
     "hand_position": "[m] shape (3,)",
     "home": "[N/m] shape (n,) or empty, per particle",
+    "internal": "[-] or [m] shape (k,) or empty",
     "joints": "[rad] shape (3,): yaw, elevation, forearm",
     "lame": "[Pa] shape (t,), lambda of each tetrahedron",
     "latest": "[ns] of the monotonic clock",

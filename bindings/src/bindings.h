@@ -13,6 +13,7 @@ void bind_base(pybind11::module_& m);
 void bind_mesh(pybind11::module_& m);
 void bind_solid_mesh(pybind11::module_& m);
 void bind_model(pybind11::module_& m);
+void bind_law_tables(pybind11::module_& m);
 void bind_solid_tables(pybind11::module_& m);
 void bind_builders(pybind11::module_& m);
 void bind_membrane(pybind11::module_& m);

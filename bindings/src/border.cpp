@@ -88,6 +88,7 @@ void require_pushes(std::span<const Push> pushes, std::size_t triangles) {
 
 void require_fit(const TissueModel& model, const State& state) {
   require_count("state", state.position.size(), model.rest_position.size());
+  require_count("state.internal", state.internal.size(), count_internal(model));
 }
 
 void require_fit(const TissueModel& model, const Guard& guard) {

@@ -34,7 +34,11 @@ void bind_state(py::module_& m) {
   def_view(state, "velocity", &State::velocity, "[m/s], shape (n, 3); a view.");
   def_view(state, "force", &State::force,
            "[N] of the last evaluation, loads included, shape (n, 3); a view.");
-  def_value(state, &State::time, &State::position, &State::velocity, &State::force);
+  def_view(state, "internal", &State::internal,
+           "[-] or [m]: what laws with a memory keep, law by law, shape (k,); empty "
+           "without one; a view.");
+  def_value(state, &State::time, &State::position, &State::velocity, &State::force,
+            &State::internal);
   def_summary(state, [](const State& self) {
     return write_text(self.position.size(), " particles at ", self.time, " s");
   });
@@ -97,6 +101,8 @@ void bind_energy(py::module_& m) {
             &Energy::volumes, &Energy::strain, &Energy::home, &Energy::gravity, &Energy::pressure);
   def_repr(energy, {"kinetic", "links", "angles", "prisms", "volumes", "strain", "home", "gravity",
                     "pressure"});
+  m.def("count_internal", &count_internal, "model"_a,
+        "How many internal variables a state of the model has.");
   m.def(
       "compute_energy",
       [](const TissueModel& model, const Vec3& gravity, const State& state) {

@@ -2,6 +2,7 @@
 #include "bindings.h"
 #include "border.h"
 #include "palpate/sim/dynamics/forces.h"
+#include "palpate/sim/dynamics/state.h"
 #include "rows.h"
 
 namespace palpate::bindings {
@@ -164,18 +165,20 @@ void bind_body_forces(py::module_& m) {
   m.def(
       "compute_forces",
       [](const TissueModel& model, const Load& load, const Numbers& x, const Numbers& v,
-         const NumbersOut& f) {
+         const NumbersOut& f, const Numbers& internal) {
         const auto xs = points(x, "x"), vs = points(v, "v");
         const auto fs = points_out(f, "f");
         require_count("x", xs.size(), model.rest_position.size());
         require_like(xs, vs, "v");
         require_like(xs, fs, "f");
         require_pushes(load.pushes(), model.triangles.size());
-        compute_forces(model, load, xs, vs, fs);
+        const auto variables = numbers(internal, "internal");
+        if (!variables.empty()) require_count("internal", variables.size(), count_internal(model));
+        compute_forces(model, load, xs, vs, fs, variables);
       },
-      "model"_a, "load"_a, "x"_a, "v"_a, "f"_a,
+      "model"_a, "load"_a, "x"_a, "v"_a, "f"_a, "internal"_a = py::tuple(),
       "Sets f [N] to all of the above for a model under a load. The entries of fixed particles "
-      "hold what the support must carry.");
+      "hold what the support must carry. internal is State.internal; none stands for zeros.");
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pybind11/native_enum.h>
 
+#include <cctype>
+
 #include "bindings.h"
 #include "border.h"
 #include "palpate/sim/model/material.h"
+#include "palpate/sim/model/private/law_tables.h"
 #include "palpate/sim/model/tissue_model.h"
 #include "value.h"
 
@@ -53,126 +56,51 @@ void bind_material(py::module_& m) {
         "Raises ValueError naming the field, what it got and the admissible range.");
 }
 
-void bind_links(py::module_& m) {
-  py::class_<Links> links(
-      m, "Links",
-      "Pairs of particles that resist a change of distance: springs of the mass-spring model and "
-      "bonds of the molecular model.");
-  links.def(py::init([](const Integers& ends, const Numbers& rest_length, const Numbers& stiffness,
-                        const Numbers& damping) {
-              return Links{copy_index_rows<2>(ends, "ends"),
-                           copy_numbers(rest_length, "rest_length"),
-                           copy_numbers(stiffness, "stiffness"), copy_numbers(damping, "damping")};
-            }),
-            "ends"_a, "rest_length"_a, "stiffness"_a, "damping"_a, "Copies its tables.");
-  links.def(py::init<>());
-  def_table(links, "ends", &Links::ends,
-            "Particle indices, ends[l, 0] < ends[l, 1], shape (l, 2); a view, read-only.");
-  def_view(links, "rest_length", &Links::rest_length, "[m], shape (l,); a view.");
-  def_view(links, "stiffness", &Links::stiffness,
-           "[N/m], shape (l,); a bond's may be negative; a view.");
-  def_view(links, "damping", &Links::damping, "[N·s/m], shape (l,); a view.");
-  def_value(links, &Links::ends, &Links::rest_length, &Links::stiffness, &Links::damping);
-  def_summary(links, [](const Links& self) {
-    if (self.ends.empty()) return std::string("none");
-    const auto [least, most] = std::minmax_element(self.stiffness.begin(), self.stiffness.end());
-    return write_text(self.ends.size(), ", ", *least, " to ", *most, " N/m");
-  });
+template <std::size_t I>
+using LawRows = typename std::tuple_element_t<I, decltype(laws::kLaws)>::Rows;
+constexpr auto kLawIndices = std::make_index_sequence<std::tuple_size_v<decltype(laws::kLaws)>>();
+
+/// TissueModel(rest_position, mass, fixed, one argument for each law, ...), all by keyword.
+template <std::size_t... I>
+void def_tissue_init(py::class_<TissueModel>& cls, std::index_sequence<I...>) {
+  const TissueModel usual;
+  cls.def(py::init([](const Numbers& rest_position, const Numbers& mass, const Integers& fixed,
+                      const LawRows<I>&... rows, const Skin& skin, const Numbers& home,
+                      double pressure, const Integers& triangles, double drag,
+                      DampingLaw damping_law, AngleLaw angle_law) {
+            TissueModel model;
+            model.rest_position = copy_points(rest_position, "rest_position");
+            model.mass = copy_numbers(mass, "mass");
+            model.fixed = copy_indices(fixed, "fixed", model.rest_position.size());
+            ((model.*std::get<I>(laws::kLaws).of = rows), ...);
+            model.skin = skin;
+            model.home = copy_numbers(home, "home");
+            model.pressure = pressure;
+            model.triangles = copy_index_rows<3>(triangles, "triangles");
+            model.drag = drag;
+            model.damping_law = damping_law;
+            model.angle_law = angle_law;
+            validate(model);
+            return model;
+          }),
+          py::kw_only(), "rest_position"_a, "mass"_a, "fixed"_a = py::tuple(),
+          (py::arg(std::get<I>(laws::kLaws).name) = LawRows<I>())..., "skin"_a = Skin(),
+          "home"_a = py::tuple(), "pressure"_a = usual.pressure, "triangles"_a = py::tuple(),
+          "drag"_a = usual.drag, "damping_law"_a = usual.damping_law,
+          "angle_law"_a = usual.angle_law,
+          "Copies its tables and validates the whole. Raises ValueError.");
 }
 
-void bind_angles(py::module_& m) {
-  py::class_<Angles> angles(
-      m, "Angles",
-      "Triangles whose three corners resist a change of angle (molecular model, Eq 9 and 11). Row "
-      "a is one triangle; column c belongs to its corner c, or to the side opposite corner c.");
-  angles.def(py::init([](const Integers& corners, const Numbers& rest_cosine,
-                         const Numbers& rest_length, const Numbers& bend_stiffness,
-                         const Numbers& stretch_coupling, const Numbers& bond_share) {
-               return Angles{copy_index_rows<3>(corners, "corners"),
-                             copy_triples(rest_cosine, "rest_cosine"),
-                             copy_triples(rest_length, "rest_length"),
-                             copy_triples(bend_stiffness, "bend_stiffness"),
-                             copy_triples(stretch_coupling, "stretch_coupling"),
-                             copy_triples(bond_share, "bond_share")};
-             }),
-             "corners"_a, "rest_cosine"_a, "rest_length"_a, "bend_stiffness"_a,
-             "stretch_coupling"_a, "bond_share"_a, "Copies its tables.");
-  angles.def(py::init<>());
-  def_table(angles, "corners", &Angles::corners,
-            "Particle indices, shape (a, 3); a view, read-only.");
-  def_view(angles, "rest_cosine", &Angles::rest_cosine,
-           "[-] of the angle at the corner, shape (a, 3); a view.");
-  def_view(angles, "rest_length", &Angles::rest_length,
-           "[m] of the side opposite the corner, shape (a, 3); a view.");
-  def_view(angles, "bend_stiffness", &Angles::bend_stiffness,
-           "[J] K_theta of the corner, [N] under AngleLaw.eq10, shape (a, 3); a view.");
-  def_view(angles, "stretch_coupling", &Angles::stretch_coupling,
-           "[N] K_btheta of the corner, shape (a, 3); a view.");
-  def_view(angles, "bond_share", &Angles::bond_share,
-           "[N/m] this triangle's part of the bond opposite the corner, shape (a, 3); a view.");
-  def_value(angles, &Angles::corners, &Angles::rest_cosine, &Angles::rest_length,
-            &Angles::bend_stiffness, &Angles::stretch_coupling, &Angles::bond_share);
-  def_summary(angles,
-              [](const Angles& self) { return write_text(self.corners.size(), " triangles"); });
-}
-
-void bind_prisms(py::module_& m) {
-  py::class_<Prisms> prisms(
-      m, "Prisms",
-      "Triangular prisms of a wall that resist transverse shear, which is what makes a wall bend. "
-      "Row p joins a triangle of the inner face to the one above it; column c is the side opposite "
-      "corner c.");
-  prisms.def(py::init([](const Integers& corners, const Numbers& rest_difference,
-                         const Numbers& shear_stiffness, const Numbers& shear_damping) {
-               return Prisms{copy_index_rows<6>(corners, "corners"),
-                             copy_triples(rest_difference, "rest_difference"),
-                             copy_triples(shear_stiffness, "shear_stiffness"),
-                             copy_triples(shear_damping, "shear_damping")};
-             }),
-             "corners"_a, "rest_difference"_a, "shear_stiffness"_a, "shear_damping"_a,
-             "Copies its tables.");
-  prisms.def(py::init<>());
-  def_table(prisms, "corners", &Prisms::corners,
-            "Particles: three inner, then the three above them, shape (p, 6); a view, read-only.");
-  def_view(prisms, "rest_difference", &Prisms::rest_difference,
-           "[m] first diagonal less the second, shape (p, 3); a view.");
-  def_view(prisms, "shear_stiffness", &Prisms::shear_stiffness,
-           "[N/m] of that difference, shape (p, 3); a view.");
-  def_view(prisms, "shear_damping", &Prisms::shear_damping,
-           "[N·s/m] likewise, shape (p, 3); a view.");
-  def_value(prisms, &Prisms::corners, &Prisms::rest_difference, &Prisms::shear_stiffness,
-            &Prisms::shear_damping);
-  def_summary(prisms,
-              [](const Prisms& self) { return write_text(self.corners.size(), " prisms"); });
-}
-
-/// As validate() would refuse it anyway, but before a table is read by index.
-TissueModel make_model(const Numbers& rest_position, const Numbers& mass, const Integers& fixed,
-                       const Links& springs, const Links& bonds, const Angles& angles,
-                       const Prisms& prisms, const Volumes& volumes, const Elastic& elastic,
-                       const Skin& skin, const Numbers& home, double pressure,
-                       const Integers& triangles, double drag, DampingLaw damping_law,
-                       AngleLaw angle_law) {
-  auto rests = copy_points(rest_position, "rest_position");
-  auto fixed_rows = copy_indices(fixed, "fixed", rests.size());
-  TissueModel model{std::move(rests),
-                    copy_numbers(mass, "mass"),
-                    std::move(fixed_rows),
-                    springs,
-                    bonds,
-                    angles,
-                    prisms,
-                    volumes,
-                    elastic,
-                    skin,
-                    copy_numbers(home, "home"),
-                    pressure,
-                    copy_index_rows<3>(triangles, "triangles"),
-                    drag,
-                    damping_law,
-                    angle_law};
-  validate(model);
-  return model;
+/// A table of rows keeps their number; one of numbers alone may be replaced.
+template <class SomeTable>
+void def_law(py::class_<TissueModel>& model, const SomeTable& table) {
+  std::string doc = write_text(table.tissue, "; may be empty.");
+  doc[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(doc[0])));
+  if constexpr (laws::is_numbers<SomeTable>) {
+    model.def_readwrite(table.name, table.of, doc.c_str());
+  } else {
+    model.def_readonly(table.name, table.of, doc.c_str());
+  }
 }
 
 void bind_tissue_fields(py::class_<TissueModel>& model) {
@@ -180,13 +108,7 @@ void bind_tissue_fields(py::class_<TissueModel>& model) {
   def_view(model, "mass", &TissueModel::mass, "[kg], positive, shape (n,); a view.");
   def_table(model, "fixed", &TissueModel::fixed,
             "Particles held at rest, ascending, shape (k,); a view, read-only.");
-  model.def_readonly("springs", &TissueModel::springs, "Mass-spring model; may be empty.")
-      .def_readonly("bonds", &TissueModel::bonds, "Molecular model; may be empty.")
-      .def_readonly("angles", &TissueModel::angles, "Molecular model; may be empty.")
-      .def_readonly("prisms", &TissueModel::prisms, "Walls that bend; may be empty.")
-      .def_readonly("volumes", &TissueModel::volumes, "Solids; may be empty.")
-      .def_readonly("elastic", &TissueModel::elastic, "Linear solids; may be empty.")
-      .def_readonly("skin", &TissueModel::skin, "Solids under a finer surface; may be empty.");
+  laws::for_each_table([&](const auto& table) { def_law(model, table); });
   def_view(model, "home", &TissueModel::home,
            "[N/m] pull of every particle to its rest position, shape (n,) or empty; a view.");
   model.def_readwrite("pressure", &TissueModel::pressure, "[Pa] inside above outside.");
@@ -200,24 +122,20 @@ void bind_tissue_fields(py::class_<TissueModel>& model) {
 }
 
 void bind_tissue_model(py::module_& m) {
-  const TissueModel usual;
   py::class_<TissueModel> model(
       m, "TissueModel",
       "An organ as built: everything about it that a simulation never changes. Made by a build_ "
       "function, or from tables, which are validated.");
-  model.def(py::init(&make_model), py::kw_only(), "rest_position"_a, "mass"_a,
-            "fixed"_a = py::tuple(), "springs"_a = Links(), "bonds"_a = Links(),
-            "angles"_a = Angles(), "prisms"_a = Prisms(), "volumes"_a = Volumes(),
-            "elastic"_a = Elastic(), "skin"_a = Skin(), "home"_a = py::tuple(),
-            "pressure"_a = usual.pressure, "triangles"_a = py::tuple(), "drag"_a = usual.drag,
-            "damping_law"_a = usual.damping_law, "angle_law"_a = usual.angle_law,
-            "Copies its tables and validates the whole. Raises ValueError.");
+  def_tissue_init(model, kLawIndices);
   bind_tissue_fields(model);
-  def_value(model, &TissueModel::rest_position, &TissueModel::mass, &TissueModel::fixed,
-            &TissueModel::springs, &TissueModel::bonds, &TissueModel::angles, &TissueModel::prisms,
-            &TissueModel::volumes, &TissueModel::elastic, &TissueModel::skin, &TissueModel::home,
-            &TissueModel::pressure, &TissueModel::triangles, &TissueModel::drag,
-            &TissueModel::damping_law, &TissueModel::angle_law);
+  std::apply(
+      [&](const auto&... law) {
+        def_value(model, &TissueModel::rest_position, &TissueModel::mass, &TissueModel::fixed,
+                  law.of..., &TissueModel::skin, &TissueModel::home, &TissueModel::pressure,
+                  &TissueModel::triangles, &TissueModel::drag, &TissueModel::damping_law,
+                  &TissueModel::angle_law);
+      },
+      laws::kLaws);
   model.def("__repr__",
             [](const TissueModel& self) { return "<TissueModel: " + describe(self) + ">"; });
 
@@ -237,9 +155,7 @@ void bind_tissue_model(py::module_& m) {
 void bind_model(py::module_& m) {
   bind_laws(m);
   bind_material(m);
-  bind_links(m);
-  bind_angles(m);
-  bind_prisms(m);
+  bind_law_tables(m);
   bind_solid_tables(m);
   bind_tissue_model(m);
   bind_builders(m);

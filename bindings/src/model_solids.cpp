@@ -20,27 +20,6 @@ Volumes copy_volumes(int particle_count, const Integers& corners, const Numbers&
 }
 
 void bind_volumes(py::module_& m) {
-  py::class_<Volumes> volumes(
-      m, "Volumes",
-      "Tetrahedra that resist a change of volume, and with it being turned inside out. With J the "
-      "volume over that at rest, the part 1 - nodal_share of each tetrahedron's bulk acts on its "
-      "own J, the part nodal_share on the mean J around each of its particles.");
-  volumes.def(py::init<>());
-  def_table(volumes, "corners", &Volumes::corners,
-            "Particle indices, shape (t, 4); a view, read-only.");
-  def_view(volumes, "rest_volume", &Volumes::rest_volume, "[m³], positive, shape (t,); a view.");
-  def_view(volumes, "bulk", &Volumes::bulk,
-           "[Pa] lambda - mu: what springs leave to be done, shape (t,); a view.");
-  def_table(volumes, "first_around", &Volumes::first_around,
-            "Of each particle in around, and the end, shape (n + 1,); a view, read-only.");
-  def_table(volumes, "around", &Volumes::around,
-            "The rows around particle 0, those around 1, ... each ascending, shape (4 t,); a view, "
-            "read-only.");
-  volumes.def_readwrite("nodal_share", &Volumes::nodal_share, "[-] 0 to 1");
-  def_value(volumes, &Volumes::corners, &Volumes::rest_volume, &Volumes::bulk,
-            &Volumes::first_around, &Volumes::around, &Volumes::nodal_share);
-  def_summary(volumes,
-              [](const Volumes& self) { return write_text(self.corners.size(), " tetrahedra"); });
   m.def("build_volumes", &copy_volumes, "particle_count"_a, "corners"_a, "rest_volume"_a, "bulk"_a,
         "nodal_share"_a = 0.0,
         "Volumes with the tables of what lies around each particle filled in. Copies its tables.");
@@ -56,30 +35,6 @@ Elastic copy_elastic(int particle_count, const Integers& corners, const Numbers&
 }
 
 void bind_elastic(py::module_& m) {
-  py::class_<Elastic> elastic(
-      m, "Elastic",
-      "Tetrahedra of a linear elastic solid, for shallow presses: constant strain and Hooke's law. "
-      "The part nodal_share of lambda acts on the mean trace of the strain around each particle.");
-  elastic.def(py::init<>());
-  def_table(elastic, "corners", &Elastic::corners,
-            "Particle indices, shape (t, 4); a view, read-only.");
-  def_view(elastic, "lame", &Elastic::lame,
-           "[Pa] lambda, Lamé's first constant, shape (t,); a view.");
-  def_view(elastic, "shear", &Elastic::shear, "[Pa] mu, shape (t,); a view.");
-  def_table(elastic, "first_around", &Elastic::first_around,
-            "As in Volumes, shape (n + 1,); a view, read-only.");
-  def_table(elastic, "around", &Elastic::around, "As in Volumes, shape (4 t,); a view, read-only.");
-  def_table(elastic, "reach", &Elastic::reach,
-            "Particles that pushes may move, ascending, shape (k,); empty for all that carry the "
-            "surface; a "
-            "view, read-only.");
-  elastic.def_readwrite("nodal_share", &Elastic::nodal_share, "[-] 0 to 1")
-      .def_readwrite("damping_time", &Elastic::damping_time,
-                     "[s] in which strain follows stress (Kelvin-Voigt).");
-  def_value(elastic, &Elastic::corners, &Elastic::lame, &Elastic::shear, &Elastic::first_around,
-            &Elastic::around, &Elastic::reach, &Elastic::nodal_share, &Elastic::damping_time);
-  def_summary(elastic,
-              [](const Elastic& self) { return write_text(self.corners.size(), " tetrahedra"); });
   m.def("build_elastic", &copy_elastic, "particle_count"_a, "corners"_a, "lame"_a, "shear"_a,
         "nodal_share"_a = 0.0, "damping_time"_a = 0.0,
         "A linear solid's table with what lies around each particle filled in; pushes reach all of "
@@ -87,21 +42,6 @@ void bind_elastic(py::module_& m) {
 }
 
 void bind_skin(py::module_& m) {
-  py::class_<Skin> skin(
-      m, "Skin",
-      "How a fine surface rides on coarse tetrahedra: vertex v is at the sum over k of weights[v, "
-      "k] times the position of particle corners[v, k]. Empty where the particles themselves are "
-      "the surface.");
-  skin.def(py::init([](const Integers& corners, const Numbers& weights) {
-             return Skin{copy_index_rows<4>(corners, "corners"), copy_quads(weights, "weights")};
-           }),
-           "corners"_a, "weights"_a, "Copies its tables.");
-  skin.def(py::init<>());
-  def_table(skin, "corners", &Skin::corners, "Particle indices, shape (n, 4); a view, read-only.");
-  def_view(skin, "weights", &Skin::weights,
-           "[-] sum 1; below 0 outside of the tetrahedron, shape (n, 4); a view.");
-  def_value(skin, &Skin::corners, &Skin::weights);
-  def_summary(skin, [](const Skin& self) { return write_text(self.corners.size(), " vertices"); });
   m.def(
       "move_skin",
       [](const Skin& its, const Numbers& x, const NumbersOut& surface) {

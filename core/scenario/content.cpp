@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "palpate/scenario/json_fields.h"
+#include "palpate/scenario/tables.h"
 
 namespace palpate::scenario {
 namespace {
@@ -14,13 +15,12 @@ constexpr std::initializer_list<const char*> kDampingLaws = {"axis", "isotropic"
 constexpr std::initializer_list<const char*> kAngleLaws = {"gradient", "eq10"};
 
 Json print_tissue(const TissueModel& tissue) {
-  return {{"nodal_share", tissue.volumes.nodal_share},
-          {"elastic_nodal_share", tissue.elastic.nodal_share},
-          {"elastic_damping_time", tissue.elastic.damping_time},
-          {"pressure", tissue.pressure},
-          {"drag", tissue.drag},
-          {"damping_law", kDampingLaws.begin()[static_cast<int>(tissue.damping_law)]},
-          {"angle_law", kAngleLaws.begin()[static_cast<int>(tissue.angle_law)]}};
+  Json printed = {{"pressure", tissue.pressure},
+                  {"drag", tissue.drag},
+                  {"damping_law", kDampingLaws.begin()[static_cast<int>(tissue.damping_law)]},
+                  {"angle_law", kAngleLaws.begin()[static_cast<int>(tissue.angle_law)]}};
+  visit_law_numbers(tissue, [&](const char* field, double number) { printed[field] = number; });
+  return printed;
 }
 
 Json print_body(const SoftBody& body) {
@@ -57,9 +57,8 @@ Json print_scene(const Scene& scene) {
 }
 
 void parse_tissue(Fields fields, TissueModel& tissue) {
-  tissue.volumes.nodal_share = fields.number("nodal_share");
-  tissue.elastic.nodal_share = fields.number("elastic_nodal_share");
-  tissue.elastic.damping_time = fields.number("elastic_damping_time");
+  visit_law_numbers(tissue,
+                    [&](const char* field, double& number) { number = fields.number(field); });
   tissue.pressure = fields.number("pressure");
   tissue.drag = fields.number("drag");
   tissue.damping_law = static_cast<DampingLaw>(fields.choice("damping_law", kDampingLaws));

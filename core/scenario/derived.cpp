@@ -5,6 +5,7 @@
 
 #include "palpate/scenario/ranges.h"
 #include "palpate/sim/base/private/refuse.h"
+#include "palpate/sim/model/private/law_tables.h"
 
 namespace palpate::scenario {
 namespace {
@@ -20,6 +21,13 @@ void compare(const std::string& where, double found, double expected, double err
   if (std::abs(found - expected) <= error * std::abs(expected)) return;  // false for NaN too
   refuse(where, write_text(found), write_text(expected, ", which the tissue gives"));
 }
+
+static_assert(laws::kSprings.most_rows == kMostLinks && laws::kBonds.most_rows == kMostLinks);
+static_assert(laws::kAngles.most_rows == kMostTriangles);
+static_assert(laws::kPrisms.most_rows == kMostTriangles);
+static_assert(laws::kVolumes.most_rows == kMostTetrahedra);
+static_assert(laws::kElastic.most_rows == kMostElastic);
+static_assert(laws::kSkin.most_rows == kMostParticles);
 
 void check_list(const char* name, std::size_t count, std::size_t most) {
   if (count >= 1 && count <= most) return;
@@ -66,13 +74,10 @@ void check_counts(const Scene& scene) {
   };
   check("rest_position", kMostParticles, [](const Tissue& t) { return t.rest_position.size(); });
   check("fixed", kMostParticles, [](const Tissue& t) { return t.fixed.size(); });
-  check("springs", kMostLinks, [](const Tissue& t) { return t.springs.ends.size(); });
-  check("bonds", kMostLinks, [](const Tissue& t) { return t.bonds.ends.size(); });
-  check("angles", kMostTriangles, [](const Tissue& t) { return t.angles.corners.size(); });
-  check("prisms", kMostTriangles, [](const Tissue& t) { return t.prisms.corners.size(); });
-  check("volumes", kMostTetrahedra, [](const Tissue& t) { return t.volumes.corners.size(); });
-  check("elastic", kMostElastic, [](const Tissue& t) { return t.elastic.corners.size(); });
-  check("skin", kMostParticles, [](const Tissue& t) { return t.skin.corners.size(); });
+  laws::for_each_table([&](const auto& table) {
+    check(table.name, table.most_rows,
+          [&table](const Tissue& t) { return laws::count_rows(t, table); });
+  });
   check("triangles", kMostTriangles, [](const Tissue& t) { return t.triangles.size(); });
 }
 

@@ -5,45 +5,33 @@
 
 #include "palpate/scenario/json_fields.h"
 #include "palpate/scenario/table_array.h"
+#include "palpate/sim/model/private/law_tables.h"
 
 namespace palpate::scenario {
 namespace {
 
-/// A table that files of an earlier version could not hold, empty.
-template <class Row>
-void add_empty(const std::string& name, Container& container) {
-  container.arrays.emplace("scene/tissue/" + name, to_array(std::vector<Row>()));
-}
-
-/// Version 2 has walls of prisms, and solids: their volumes, and the skin that rides on them.
-void add_prisms_and_solids(Container& container) {
-  add_empty<std::array<int, 6>>("prisms/corners", container);
-  add_empty<std::array<double, 3>>("prisms/rest_difference", container);
-  add_empty<std::array<double, 3>>("prisms/shear_stiffness", container);
-  add_empty<std::array<double, 3>>("prisms/shear_damping", container);
-  add_empty<std::array<int, 4>>("volumes/corners", container);
-  add_empty<double>("volumes/rest_volume", container);
-  add_empty<double>("volumes/bulk", container);
-  add_empty<std::array<int, 4>>("skin/corners", container);
-  add_empty<std::array<double, 4>>("skin/weights", container);
+/// The tables and numbers that files of an earlier version could not hold: empty tables, and
+/// numbers as a new tissue has them.
+template <int version>
+void add_laws(Container& container) {
   Json content = parse_object(container.content, "", "content");
-  if (content.contains("scene") && content["scene"].contains("tissue")) {
-    content["scene"]["tissue"]["nodal_share"] = 0.0;
-  }
-  container.content = content.dump();
-}
-
-/// Version 3 has linear solids.
-void add_linear_solids(Container& container) {
-  add_empty<std::array<int, 4>>("elastic/corners", container);
-  add_empty<double>("elastic/lame", container);
-  add_empty<double>("elastic/shear", container);
-  add_empty<int>("elastic/reach", container);
-  Json content = parse_object(container.content, "", "content");
-  if (content.contains("scene") && content["scene"].contains("tissue")) {
-    content["scene"]["tissue"]["elastic_nodal_share"] = 0.0;
-    content["scene"]["tissue"]["elastic_damping_time"] = 0.0;
-  }
+  const bool has_tissue = content.contains("scene") && content["scene"].contains("tissue");
+  laws::for_each_table([&]<class Table>(const Table& table) {
+    if (table.version != version) return;
+    using T = typename Table::Rows;
+    const auto add = [&]<class Row>(const char* column, const std::vector<Row>& rows) {
+      container.arrays.emplace(std::string("scene/tissue/") + table.name + "/" + column,
+                               to_array(rows));
+    };
+    const T usual;
+    laws::for_each_column(
+        table, laws::Overloaded{[&](const laws::Scalar<T>& number) {
+                                  if (!has_tissue) return;
+                                  content["scene"]["tissue"][number.field] = usual.*number.value;
+                                },
+                                [](const laws::Derived<T>&) {},
+                                [&](const auto& column) { add(column.name, usual.*column.rows); }});
+  });
   container.content = content.dump();
 }
 
@@ -59,6 +47,7 @@ void move_members(std::initializer_list<const char*> names, Json& from, Json& to
 
 /// Version 4 has any number of bodies and instruments: what there was of each is the first.
 void add_bodies_and_instruments(Container& container) {
+  add_laws<4>(container);
   const std::string old_tissue = "scene/tissue/", old_areas = "scene/rest_areas";
   Arrays arrays;
   for (auto& [name, array] : container.arrays) {
@@ -80,7 +69,8 @@ void add_bodies_and_instruments(Container& container) {
   container.content = content.dump();
 }
 
-constexpr std::array<Migration, 3> kMigrations = {add_prisms_and_solids, add_linear_solids,
+/// Version 2 has walls of prisms, and solids; version 3 linear solids.
+constexpr std::array<Migration, 3> kMigrations = {add_laws<2>, add_laws<3>,
                                                   add_bodies_and_instruments};
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include "palpate/scenario/ranges.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 
 #include "palpate/scenario/table_array.h"
@@ -12,49 +11,55 @@
 namespace palpate::scenario {
 namespace {
 
+void append_numbers(std::vector<Range>& ranges) {
+  laws::for_each_table([&]<class Table>(const Table& table) {
+    laws::for_each_column(
+        table,
+        laws::Overloaded{[&](const laws::Scalar<typename Table::Rows>& number) {
+                           ranges.push_back({write_text("scene.bodies[i].tissue.", number.field),
+                                             number.unit, number.least, number.most});
+                         },
+                         [](const auto&) {}});
+  });
+}
+
+void append_columns(std::vector<Range>& ranges) {
+  laws::for_each_table([&]<class Table>(const Table& table) {
+    using T = typename Table::Rows;
+    laws::for_each_column(
+        table, laws::Overloaded{[&]<class Row>(const laws::Numbers<T, Row>& column) {
+                                  ranges.push_back({write_text("scene/bodies/i/tissue/", table.name,
+                                                               "/", column.name),
+                                                    column.unit, column.least, column.most});
+                                },
+                                [](const auto&) {}});
+  });
+}
+
 // CONTAINER.md has the same table
-constexpr std::array kRanges = {
-    Range{"scene.instruments[i].tool.radius", "m", 1e-5, 0.2},
-    Range{"scene.instruments[i].tool.stiffness", "N/m³", 1e3, 1e12},
-    Range{"scene.instruments[i].coupling.stiffness", "N/m", 0.1, 1e6},
-    Range{"scene.instruments[i].coupling.force_max", "N", 1e-3, 1e3},
-    Range{"scene.instruments[i].hold_stiffness", "N/m", 1e-3, 1e6},
-    Range{"scene.gravity", "m/s²", -1e3, 1e3},
-    Range{"scene.rate", "Hz", 1.0, 2e4},
-    Range{"scene.bodies[i].force_error", "N", 0.0, 10.0},
-    Range{"scene.bodies[i].tissue.nodal_share", "-", 0.0, 1.0},
-    Range{"scene.bodies[i].tissue.elastic_nodal_share", "-", 0.0, 1.0},
-    Range{"scene.bodies[i].tissue.elastic_damping_time", "s", 0.0, 100.0},
-    Range{"scene.bodies[i].tissue.pressure", "Pa", -1e6, 1e6},
-    Range{"scene.bodies[i].tissue.drag", "1/s", 0.0, 1e6},
-    Range{"scene/bodies/i/tissue/rest_position", "m", -10.0, 10.0},
-    Range{"scene/bodies/i/tissue/mass", "kg", 1e-15, 1e3},
-    Range{"scene/bodies/i/tissue/springs/rest_length", "m", 1e-9, 10.0},
-    Range{"scene/bodies/i/tissue/springs/stiffness", "N/m", -1e12, 1e12},
-    Range{"scene/bodies/i/tissue/springs/damping", "N s/m", -1e9, 1e9},
-    Range{"scene/bodies/i/tissue/bonds/rest_length", "m", 1e-9, 10.0},
-    Range{"scene/bodies/i/tissue/bonds/stiffness", "N/m", -1e12, 1e12},
-    Range{"scene/bodies/i/tissue/bonds/damping", "N s/m", -1e9, 1e9},
-    Range{"scene/bodies/i/tissue/angles/rest_cosine", "-", -1.0, 1.0},
-    Range{"scene/bodies/i/tissue/angles/rest_length", "m", 1e-9, 10.0},
-    Range{"scene/bodies/i/tissue/angles/bend_stiffness", "J or N", -1e9, 1e9},
-    Range{"scene/bodies/i/tissue/angles/stretch_coupling", "N", -1e9, 1e9},
-    Range{"scene/bodies/i/tissue/angles/bond_share", "N/m", -1e12, 1e12},
-    Range{"scene/bodies/i/tissue/prisms/rest_difference", "m", -10.0, 10.0},
-    Range{"scene/bodies/i/tissue/prisms/shear_stiffness", "N/m", -1e12, 1e12},
-    Range{"scene/bodies/i/tissue/prisms/shear_damping", "N s/m", -1e9, 1e9},
-    Range{"scene/bodies/i/tissue/volumes/rest_volume", "m³", 1e-20, 10.0},
-    Range{"scene/bodies/i/tissue/volumes/bulk", "Pa", -1e13, 1e13},
-    Range{"scene/bodies/i/tissue/elastic/lame", "Pa", -1e13, 1e13},
-    Range{"scene/bodies/i/tissue/elastic/shear", "Pa", 1e-6, 1e13},
-    Range{"scene/bodies/i/tissue/skin/weights", "-", -1e3, 1e3},
-    Range{"scene/bodies/i/tissue/home", "N/m", 0.0, 1e12},
-    Range{"scene/bodies/i/rest_areas", "m²", 0.0, 100.0},
-};
+std::vector<Range> build_ranges() {
+  std::vector<Range> ranges;
+  ranges.push_back({"scene.instruments[i].tool.radius", "m", 1e-5, 0.2});
+  ranges.push_back({"scene.instruments[i].tool.stiffness", "N/m³", 1e3, 1e12});
+  ranges.push_back({"scene.instruments[i].coupling.stiffness", "N/m", 0.1, 1e6});
+  ranges.push_back({"scene.instruments[i].coupling.force_max", "N", 1e-3, 1e3});
+  ranges.push_back({"scene.instruments[i].hold_stiffness", "N/m", 1e-3, 1e6});
+  ranges.push_back({"scene.gravity", "m/s²", -1e3, 1e3});
+  ranges.push_back({"scene.rate", "Hz", 1.0, 2e4});
+  ranges.push_back({"scene.bodies[i].force_error", "N", 0.0, 10.0});
+  append_numbers(ranges);
+  ranges.push_back({"scene.bodies[i].tissue.pressure", "Pa", -1e6, 1e6});
+  ranges.push_back({"scene.bodies[i].tissue.drag", "1/s", 0.0, 1e6});
+  ranges.push_back({"scene/bodies/i/tissue/rest_position", "m", -10.0, 10.0});
+  ranges.push_back({"scene/bodies/i/tissue/mass", "kg", 1e-15, 1e3});
+  append_columns(ranges);
+  ranges.push_back({"scene/bodies/i/tissue/home", "N/m", 0.0, 1e12});
+  ranges.push_back({"scene/bodies/i/rest_areas", "m²", 0.0, 100.0});
+  return ranges;
+}
 
 const Range& find_range(std::string_view name) {
-  return *std::find_if(kRanges.begin(), kRanges.end(),
-                       [&](const Range& range) { return range.name == name; });
+  return *std::ranges::find(list_ranges(), name, &Range::name);
 }
 
 bool holds(const Range& range, double value) noexcept {
@@ -76,7 +81,7 @@ void check_empty(const char* name, std::size_t count) {
   if (count != 0) refuse(name, write_text(count), "0, which is what a file holds");
 }
 
-void check_number(const char* name, double value, std::size_t index = 0) {
+void check_number(const std::string& name, double value, std::size_t index = 0) {
   const Range& range = find_range(name);
   if (!holds(range, value)) refuse_number(range, write_place(name, index), value);
 }
@@ -108,9 +113,9 @@ void check_instrument(const Instrument& instrument, std::size_t i) {
 void check_body(const SoftBody& body, std::size_t b) {
   const TissueModel& tissue = body.tissue;
   check_number("scene.bodies[i].force_error", body.force_error, b);
-  check_number("scene.bodies[i].tissue.nodal_share", tissue.volumes.nodal_share, b);
-  check_number("scene.bodies[i].tissue.elastic_nodal_share", tissue.elastic.nodal_share, b);
-  check_number("scene.bodies[i].tissue.elastic_damping_time", tissue.elastic.damping_time, b);
+  visit_law_numbers(tissue, [b](const char* field, double number) {
+    check_number(write_text("scene.bodies[i].tissue.", field), number, b);
+  });
   check_number("scene.bodies[i].tissue.pressure", tissue.pressure, b);
   check_number("scene.bodies[i].tissue.drag", tissue.drag, b);
   const auto check = [b](const std::string& name, const auto& table) {
@@ -124,7 +129,10 @@ void check_body(const SoftBody& body, std::size_t b) {
 
 }  // namespace
 
-std::span<const Range> list_ranges() noexcept { return kRanges; }
+const std::vector<Range>& list_ranges() {
+  static const std::vector<Range> ranges = build_ranges();
+  return ranges;
+}
 
 void check_ranges(const Scene& scene) {
   check_empty("scene.rigid", scene.rigid.size());

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <span>
+#include <string>
+#include <vector>
 
 #include "palpate/sim/tick/scene.h"
 
@@ -14,12 +15,13 @@ namespace palpate::scenario {
 struct Range {
   /// As in the file, i for the number of the body or the instrument: of a number
   /// scene.instruments[i].tool.radius, of a table scene/bodies/i/tissue/mass.
-  const char* name;
+  std::string name;
   const char* unit;
   double least, most;
 };
 
-std::span<const Range> list_ranges() noexcept;
+/// Those of laws stand in the table of laws (sim/model/private/law_tables.h).
+const std::vector<Range>& list_ranges();
 
 /// Throws std::invalid_argument: "scene.instruments[0].tool.radius: got this, expected that".
 void check_ranges(const Scene& scene);

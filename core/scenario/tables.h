@@ -3,68 +3,46 @@
 
 #include <string>
 
+#include "palpate/sim/model/private/law_tables.h"
 #include "palpate/sim/tick/scene.h"
 
 // Not installed: the tables of a scene, each under the name it has in a file.
 //
-// Writing and reading both walk this one list. It names every field there is, so a field that is
-// added to one of the structs does not compile before its place in the file has been thought of.
+// Writing and reading both walk this one list; its laws are those of the table of laws. A field
+// that is added to one of the structs does not compile before its place in the file has been
+// thought of.
 
 namespace palpate::scenario {
 
-template <class SomeLinks, class Visit>
-void visit_links(const std::string& name, SomeLinks& links, Visit& visit) {
-  auto& [ends, rest_length, stiffness, damping] = links;
-  visit(name + "/ends", ends);
-  visit(name + "/rest_length", rest_length);
-  visit(name + "/stiffness", stiffness);
-  visit(name + "/damping", damping);
+/// visit(name, table) for every column of a law or the skin; what follows from others is in no
+/// file, and numbers that stand alone are not tables.
+template <class SomeTissue, class Visit>
+void visit_laws(const std::string& folder, SomeTissue& tissue, Visit& visit) {
+  laws::for_each_table([&]<class Table>(const Table& table) {
+    using T = typename Table::Rows;
+    auto& rows = tissue.*table.of;
+    const auto take = [&](const auto& column) {
+      visit(folder + table.name + "/" + column.name, rows.*column.rows);
+    };
+    laws::for_each_column(
+        table, laws::Overloaded{
+                   [&]<std::size_t N>(const laws::Corners<T, N>& column) { take(column); },
+                   [&]<class Row>(const laws::Numbers<T, Row>& column) { take(column); },
+                   [&](const laws::Particles<T>& column) { take(column); }, [](const auto&) {}});
+  });
 }
 
-template <class SomeAngles, class Visit>
-void visit_angles(const std::string& name, SomeAngles& angles, Visit& visit) {
-  auto& [corners, rest_cosine, rest_length, bend_stiffness, stretch_coupling, bond_share] = angles;
-  visit(name + "/corners", corners);
-  visit(name + "/rest_cosine", rest_cosine);
-  visit(name + "/rest_length", rest_length);
-  visit(name + "/bend_stiffness", bend_stiffness);
-  visit(name + "/stretch_coupling", stretch_coupling);
-  visit(name + "/bond_share", bond_share);
-}
-
-template <class SomePrisms, class Visit>
-void visit_prisms(const std::string& name, SomePrisms& prisms, Visit& visit) {
-  auto& [corners, rest_difference, shear_stiffness, shear_damping] = prisms;
-  visit(name + "/corners", corners);
-  visit(name + "/rest_difference", rest_difference);
-  visit(name + "/shear_stiffness", shear_stiffness);
-  visit(name + "/shear_damping", shear_damping);
-}
-
-template <class SomeVolumes, class Visit>
-void visit_volumes(const std::string& name, SomeVolumes& volumes, Visit& visit) {
-  // the share stands alone; what lies around each particle follows from the corners
-  auto& [corners, rest_volume, bulk, first_around, around, nodal_share] = volumes;
-  visit(name + "/corners", corners);
-  visit(name + "/rest_volume", rest_volume);
-  visit(name + "/bulk", bulk);
-}
-
-template <class SomeElastic, class Visit>
-void visit_elastic(const std::string& name, SomeElastic& elastic, Visit& visit) {
-  // as of volumes
-  auto& [corners, lame, shear, first_around, around, reach, nodal_share, damping_time] = elastic;
-  visit(name + "/corners", corners);
-  visit(name + "/lame", lame);
-  visit(name + "/shear", shear);
-  visit(name + "/reach", reach);
-}
-
-template <class SomeSkin, class Visit>
-void visit_skin(const std::string& name, SomeSkin& skin, Visit& visit) {
-  auto& [corners, weights] = skin;
-  visit(name + "/corners", corners);
-  visit(name + "/weights", weights);
+/// visit(field, number) for every number of a law that stands alone.
+template <class SomeTissue, class Visit>
+void visit_law_numbers(SomeTissue& tissue, Visit visit) {
+  laws::for_each_table([&]<class Table>(const Table& table) {
+    using T = typename Table::Rows;
+    laws::for_each_column(table, laws::Overloaded{[&](const laws::Scalar<T>& number) {
+                                                    visit(number.field,
+                                                          (tissue.*table.of).*number.value);
+                                                  },
+                                                  [](const auto&) {}});
+  });
 }
 
 /// Where the arrays of a body are: "scene/bodies/0/".
@@ -78,21 +56,13 @@ void visit_body(const std::string& folder, SomeBody& body, Visit& visit) {
   // again: no file has them
   auto& [tissue, substeps, substeps_max, force_error, kernel, integrator, simd_target, rest_areas,
          spectrum_stiffness, spectrum_damping, least_damping_time, response] = body;
-  auto& [rest_position, mass, fixed, springs, bonds, angles, prisms, volumes, elastic, skin, home,
-         pressure, triangles, drag, damping_law, angle_law] = tissue;
   const std::string t = folder + "tissue/";
-  visit(t + "rest_position", rest_position);
-  visit(t + "mass", mass);
-  visit(t + "fixed", fixed);
-  visit_links(t + "springs", springs, visit);
-  visit_links(t + "bonds", bonds, visit);
-  visit_angles(t + "angles", angles, visit);
-  visit_prisms(t + "prisms", prisms, visit);
-  visit_volumes(t + "volumes", volumes, visit);
-  visit_elastic(t + "elastic", elastic, visit);
-  visit_skin(t + "skin", skin, visit);
-  visit(t + "home", home);
-  visit(t + "triangles", triangles);
+  visit(t + "rest_position", tissue.rest_position);
+  visit(t + "mass", tissue.mass);
+  visit(t + "fixed", tissue.fixed);
+  visit_laws(t, tissue, visit);
+  visit(t + "home", tissue.home);
+  visit(t + "triangles", tissue.triangles);
   visit(folder + "rest_areas", rest_areas);
 }
 

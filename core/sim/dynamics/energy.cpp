@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <span>
 
-#include "palpate/sim/dynamics/private/elastic_energy.h"
+#include "palpate/sim/dynamics/private/laws.h"
 #include "palpate/sim/dynamics/state.h"
 
 namespace palpate {
@@ -24,11 +24,10 @@ Energy compute_energy(const TissueModel& model, const Vec3& gravity, const State
     energy.kinetic += 0.5 * model.mass[i] * state.velocity[i].squaredNorm();
     energy.gravity -= model.mass[i] * gravity.dot(x[i]);
   }
-  energy.links = compute_link_energy(model.springs, at) + compute_link_energy(model.bonds, at);
-  if (model.angle_law == AngleLaw::gradient) energy.angles = compute_angle_energy(model.angles, at);
-  energy.prisms = compute_prism_energy(model.prisms, at);
-  energy.volumes = compute_volume_energy(model.volumes, at);
-  energy.strain = compute_linear_energy(model, at);
+  laws::for_each_part(model, std::span<const double>(state.internal),
+                      [&]<class Law>(Law, std::span<const double> part) {
+                        energy.*Law::kEnergy += Law::compute_energy(model, at, part);
+                      });
   energy.home = compute_home_energy(model, at);
   if (model.pressure != 0.0) {
     energy.pressure = -model.pressure * compute_enclosed_volume(model.triangles, x);

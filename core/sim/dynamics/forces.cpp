@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "palpate/sim/dynamics/private/laws.h"
 #include "palpate/sim/dynamics/private/prism_law.h"
 #include "palpate/sim/dynamics/private/tensions.h"
 #include "palpate/sim/dynamics/private/volume_law.h"
@@ -52,7 +53,7 @@ void accumulate_sides(const Angles& angles, std::span<const Vec3> x, std::span<V
     const Vec3 side_a = x[b] - x[c], side_b = x[c] - x[a], side_c = x[a] - x[b];
     const PerSide<double> length = {side_a.norm(), side_b.norm(), side_c.norm()};
     const PerSide<double> inverse = invert_lengths(angles.rest_length[row], length);
-    const PerSide<double> tension = compute_tensions(angles, row, length, inverse);
+    const PerSide<double> tension = compute_tensions(AngleRow(angles, row), length, inverse);
     const Vec3 pull_a = (tension[0] * inverse[0]) * side_a;
     const Vec3 pull_b = (tension[1] * inverse[1]) * side_b;
     const Vec3 pull_c = (tension[2] * inverse[2]) * side_c;
@@ -197,18 +198,12 @@ void accumulate_push_forces(std::span<const Triangle> triangles, const Skin& ski
 }
 
 void compute_forces(const TissueModel& model, const Load& load, std::span<const Vec3> x,
-                    std::span<const Vec3> v, std::span<Vec3> f) noexcept {
+                    std::span<const Vec3> v, std::span<Vec3> f,
+                    std::span<const double> internal) noexcept {
   std::fill(f.begin(), f.end(), Vec3::Zero());
-  accumulate_link_forces(model.springs, model.damping_law, x, v, f);
-  accumulate_link_forces(model.bonds, model.damping_law, x, v, f);
-  if (model.angle_law == AngleLaw::gradient) {
-    accumulate_angle_forces(model.angles, x, f);
-  } else {
-    accumulate_eq10_forces(model.angles, x, f);
-  }
-  accumulate_prism_forces(model.prisms, x, v, f);
-  accumulate_volume_forces(model.volumes, x, f);
-  accumulate_elastic_forces(model.elastic, model.rest_position, x, v, f);
+  laws::for_each_part(model, internal, [&]<class Law>(Law, std::span<const double> part) {
+    Law::accumulate({model, x, v, part}, f);
+  });
   accumulate_home_forces(model.home, model.rest_position, x, f);
   if (model.pressure != 0.0) accumulate_pressure_forces(model.triangles, model.pressure, x, f);
   if (load.gravity != Vec3::Zero()) accumulate_gravity(model.mass, load.gravity, f);

@@ -52,8 +52,9 @@ void accumulate_push_forces(std::span<const Triangle> triangles, const Skin& ski
                             std::span<const Push> pushes, std::span<Vec3> f) noexcept;
 
 /// Sets `f` to all of the above for a model under a load. The entries of fixed particles hold
-/// what the support must carry.
+/// what the support must carry. `internal` is State::internal; none stands for zeros.
 void compute_forces(const TissueModel& model, const Load& load, std::span<const Vec3> x,
-                    std::span<const Vec3> v, std::span<Vec3> f) noexcept;
+                    std::span<const Vec3> v, std::span<Vec3> f,
+                    std::span<const double> internal = {}) noexcept;
 
 }  // namespace palpate

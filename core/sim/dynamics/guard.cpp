@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "palpate/sim/dynamics/private/alarms.h"
-#include "palpate/sim/dynamics/private/elastic_energy.h"
 #include "palpate/sim/dynamics/private/free_particles.h"
+#include "palpate/sim/dynamics/private/laws.h"
 
 namespace palpate {
 namespace {
@@ -34,9 +34,10 @@ double compute_centred_energy(const TissueModel& model, const State& state, doub
     const Vec3 v = state.velocity[i] - (0.5 * dt / model.mass[i]) * state.force[i];
     kinetic += 0.5 * model.mass[i] * v.squaredNorm();
   });
-  return kinetic + compute_elastic_energy(model, [&](int i) -> Vec3 {
-           return state.position[i] - dt * state.velocity[i];
-         });
+  return kinetic + laws::compute_elastic_energy(
+                       model,
+                       [&](int i) -> Vec3 { return state.position[i] - dt * state.velocity[i]; },
+                       state.internal);
 }
 
 /// [J] what there is to blow up.

@@ -6,6 +6,7 @@
 
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/dynamics/forces.h"
+#include "palpate/sim/dynamics/private/advance_internal.h"
 #include "palpate/sim/dynamics/private/free_particles.h"
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/dynamics/tangent.h"
@@ -88,7 +89,7 @@ void ImplicitStepper::Solver::place(double dt, const Vector& u, const State& sta
 double ImplicitStepper::Solver::evaluate(const Load& load, double dt, const Vector& u,
                                          State& state) {
   place(dt, u, state);
-  compute_forces(model, load, position, velocity, state.force);
+  compute_forces(model, load, position, velocity, state.force, state.internal);
   residual = free.cwiseProduct(mass.cwiseProduct(u) - dt * flat(state.force));
   return residual.norm();
 }
@@ -111,7 +112,7 @@ bool ImplicitStepper::Solver::factorise(double dt, Projection projection) {
 int ImplicitStepper::Solver::step(const Load& load, double dt, State& state) {
   for (const int i : model.fixed) state.velocity[static_cast<std::size_t>(i)].setZero();
   position = state.position;
-  compute_forces(model, load, state.position, state.velocity, state.force);
+  compute_forces(model, load, state.position, state.velocity, state.force, state.internal);
   if (!factorise(dt, Projection::positive_semidefinite)) return 0;
   residual = flat(state.force) - (theta * dt) * (stiffness * flat(state.velocity));
   change = factor.solve(dt * free.cwiseProduct(residual));
@@ -122,6 +123,7 @@ int ImplicitStepper::Solver::step(const Load& load, double dt, State& state) {
   place(dt, change, state);
   flat(state.position) += dt * flat(velocity);
   flat(state.velocity) += change;
+  advance_internal(model, dt, state);
   state.time += dt;
   return iterations;
 }

@@ -15,12 +15,17 @@ struct State {
   Vec3Array position;  ///< [m]
   Vec3Array velocity;  ///< [m/s]
   Vec3Array force;     ///< [N] of the last evaluation, loads included
+  /// What laws with a memory keep, law by law (dynamics/private/laws.h); empty without one.
+  std::vector<double> internal;
 
   /// Work space of the explicit integrators; no meaning between steps.
   struct Scratch {
     Vec3Array position, velocity, slope_position, slope_velocity;
   } scratch;
 };
+
+/// How many internal variables a state of the model has.
+std::size_t count_internal(const TissueModel& model) noexcept;
 
 /// [J] each. AngleLaw::eq10 has no energy and counts 0.
 struct Energy {

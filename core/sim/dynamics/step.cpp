@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "palpate/sim/dynamics/forces.h"
+#include "palpate/sim/dynamics/private/advance_internal.h"
 #include "palpate/sim/dynamics/private/free_particles.h"
 
 namespace palpate {
@@ -24,7 +25,7 @@ constexpr std::array<std::pair<Integrator, std::string_view>, 7> kNames = {{
 /// x += dt v;  v += dt a(x, v), both with the old x and v.
 void step_explicit_euler(const TissueModel& model, const Load& load, double dt,
                          State& state) noexcept {
-  compute_forces(model, load, state.position, state.velocity, state.force);
+  compute_forces(model, load, state.position, state.velocity, state.force, state.internal);
   for_each_free(model, [&](int i) {
     state.position[i] += dt * state.velocity[i];
     state.velocity[i] += (dt / model.mass[i]) * state.force[i];
@@ -34,7 +35,7 @@ void step_explicit_euler(const TissueModel& model, const Load& load, double dt,
 /// v += dt a(x, v);  x += dt v with the new v: Eq 4-5 of the paper [BulutDandil22].
 void step_symplectic_euler(const TissueModel& model, const Load& load, double dt,
                            State& state) noexcept {
-  compute_forces(model, load, state.position, state.velocity, state.force);
+  compute_forces(model, load, state.position, state.velocity, state.force, state.internal);
   for_each_free(model, [&](int i) {
     state.velocity[i] += (dt / model.mass[i]) * state.force[i];
     state.position[i] += dt * state.velocity[i];
@@ -45,14 +46,14 @@ void step_symplectic_euler(const TissueModel& model, const Load& load, double dt
 void step_midpoint(const TissueModel& model, const Load& load, double dt, State& state) noexcept {
   Vec3Array& x = state.scratch.position;
   Vec3Array& v = state.scratch.velocity;
-  compute_forces(model, load, state.position, state.velocity, state.force);
+  compute_forces(model, load, state.position, state.velocity, state.force, state.internal);
   x = state.position;
   v = state.velocity;
   for_each_free(model, [&](int i) {
     x[i] += (0.5 * dt) * state.velocity[i];
     v[i] += (0.5 * dt / model.mass[i]) * state.force[i];
   });
-  compute_forces(model, load, x, v, state.force);
+  compute_forces(model, load, x, v, state.force, state.internal);
   for_each_free(model, [&](int i) {
     state.position[i] += dt * v[i];
     state.velocity[i] += (dt / model.mass[i]) * state.force[i];
@@ -77,7 +78,7 @@ void step_runge_kutta_4(const TissueModel& model, const Load& load, double dt,
   for (Vec3& slope : slope_v) slope.setZero();
 
   for (const Stage& stage : kStages) {
-    compute_forces(model, load, x, v, state.force);
+    compute_forces(model, load, x, v, state.force, state.internal);
     for_each_free(model, [&](int i) {
       const Vec3 velocity = v[i], acceleration = state.force[i] / model.mass[i];
       slope_x[i] += stage.weight * velocity;
@@ -136,6 +137,7 @@ void step(const TissueModel& model, const Load& load, double dt, Integrator inte
     default:
       assert(!"an implicit integrator needs an ImplicitStepper");
   }
+  advance_internal(model, dt, state);
   state.time += dt;
 }
 

@@ -5,6 +5,7 @@
 
 #include "palpate/sim/dynamics/private/free_particles.h"
 #include "palpate/sim/dynamics/private/lanczos.h"
+#include "palpate/sim/dynamics/private/laws.h"
 #include "palpate/sim/dynamics/private/measure_stretch.h"
 #include "palpate/sim/dynamics/private/tensions.h"
 #include "palpate/sim/dynamics/private/volume_law.h"
@@ -23,6 +24,15 @@ double measure_distance(std::span<const Vec3> x, int i, int j) noexcept {
   return (x[static_cast<std::size_t>(j)] - x[static_cast<std::size_t>(i)]).norm();
 }
 
+/// How many times as stiff links are as they are alone.
+double scale_links(const TissueModel& model) {
+  double scale = 1.0;
+  laws::for_each([&]<class Law>(Law) {
+    if constexpr (requires { Law::scale_links(model); }) scale *= Law::scale_links(model);
+  });
+  return scale;
+}
+
 /// Links that hold in every direction as they do along: their K is the same for x, y and z.
 double find_largest_of_taut_links(const TissueModel& model) {
   const int n = particle_count(model);
@@ -36,10 +46,11 @@ double find_largest_of_taut_links(const TissueModel& model) {
         k * scale[static_cast<std::size_t>(i)] * scale[static_cast<std::size_t>(j)];
     if (scaled != 0.0) entries.emplace_back(i, j, scaled);
   };
+  const double times = scale_links(model);
   for (const Links* links : {&model.springs, &model.bonds}) {
     for (std::size_t l = 0; l < links->ends.size(); ++l) {
       const auto [i, j] = links->ends[l];
-      const double k = std::abs(links->stiffness[l]);
+      const double k = times * std::abs(links->stiffness[l]);
       add(i, i, k), add(j, j, k), add(i, j, -k), add(j, i, -k);
     }
   }
@@ -53,26 +64,36 @@ double find_largest_of_taut_links(const TissueModel& model) {
   return largest.value + largest.residual;
 }
 
-/// Eq 9 and Eq 11, or Eq 10, and the shear of prisms, alone.
+/// The laws of a model that stiffen in one way, alone: no home springs, pressure or drag.
+TissueModel keep_laws(const TissueModel& model, laws::Stiffens stiffens) {
+  TissueModel kept = model;
+  laws::for_each([&]<class Law>(Law) {
+    if (Law::kStiffens == stiffens || Law::kStiffens == laws::Stiffens::as_the_others) return;
+    kept.*Law::table.of = {};
+  });
+  kept.home.clear();
+  kept.pressure = kept.drag = 0.0;
+  return kept;
+}
+
+bool has_laws(const TissueModel& model, laws::Stiffens stiffens) {
+  bool any = false;
+  laws::for_each([&]<class Law>(Law) {
+    any = any || (Law::kStiffens == stiffens && laws::is_present(model, Law::table));
+  });
+  return any;
+}
+
+/// Of Eq 9 and Eq 11, or Eq 10, and the shear of prisms, alone.
 double find_largest_of_angles(const TissueModel& model) {
-  if (model.angles.corners.empty() && model.prisms.corners.empty()) return 0.0;
-  TissueModel alone = model;
-  alone.springs = alone.bonds = {};
-  alone.volumes = {};
-  alone.home.clear();
-  alone.pressure = alone.drag = 0.0;
-  return estimate_spectrum(alone).stiffness;
+  if (!has_laws(model, laws::Stiffens::as_sides)) return 0.0;
+  return estimate_spectrum(keep_laws(model, laws::Stiffens::as_sides)).stiffness;
 }
 
 /// The part of volumes that has `share` of the bulk, by tetrahedra (nodal_share 0) or means (1).
 double find_largest_of_volumes(const TissueModel& model, double share, double nodal_share) {
   if (model.volumes.corners.empty() || share == 0.0) return 0.0;
-  TissueModel alone = model;
-  alone.springs = alone.bonds = {};
-  alone.angles = {};
-  alone.prisms = {};
-  alone.home.clear();
-  alone.drag = 0.0;
+  TissueModel alone = keep_laws(model, laws::Stiffens::as_volumes);
   for (double& bulk : alone.volumes.bulk) bulk *= share;
   alone.volumes.nodal_share = nodal_share;
   return estimate_spectrum(alone).stiffness;

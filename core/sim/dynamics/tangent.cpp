@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/sim/dynamics/private/elastic_tangent.h"
-#include "palpate/sim/dynamics/private/prism_tangent.h"
+#include "palpate/sim/dynamics/private/dual.h"
+#include "palpate/sim/dynamics/private/laws.h"
+#include "palpate/sim/dynamics/private/side_tangent.h"
 #include "palpate/sim/dynamics/private/tensions.h"
-#include "palpate/sim/dynamics/private/volume_tangent.h"
 
 namespace palpate {
 namespace {
@@ -156,7 +156,7 @@ Mat9 compute_exact(const Angles& angles, std::size_t row, const Sides& sides,
                    Tensions compute_tensions) {
   const PerSide<Dual> length = sides.variables();
   const PerSide<Dual> inverse = invert_lengths(angles.rest_length[row], length);
-  const PerSide<Dual> tension = compute_tensions(angles, row, length, inverse);
+  const PerSide<Dual> tension = compute_tensions(AngleRow(angles, row), length, inverse);
   Mat3 slopes;
   Mat9 k = Mat9::Zero();
   for (int c = 0; c < 3; ++c) {
@@ -182,7 +182,7 @@ Mat9 compute_projected(const Angles& energetic, std::size_t row, const Sides& si
   const PerSide<Dual> length = sides.variables();
   const PerSide<double>& rest = energetic.rest_length[row];
   const PerSide<Dual> slopes =
-      compute_angle_tensions(energetic, row, length, invert_lengths(rest, length));
+      compute_angle_tensions(AngleRow(energetic, row), length, invert_lengths(rest, length));
   const PerSide<double> inverse = invert_lengths(rest, sides.length);
   Mat3 hessian;
   Mat9 k = Mat9::Zero();
@@ -236,9 +236,10 @@ void add_angles_projected(const TissueModel& model, const SharedBonds& bonds,
   for (std::size_t t = 0; t < angles.corners.size(); ++t) {
     const Sides sides(angles.corners[t], x);
     const PerSide<double> inverse = invert_lengths(angles.rest_length[t], sides.length);
-    const PerSide<double> tension = model.angle_law == AngleLaw::gradient
-                                        ? compute_angle_tensions(angles, t, sides.length, inverse)
-                                        : compute_eq10_tensions(angles, t, sides.length, inverse);
+    const PerSide<double> tension =
+        model.angle_law == AngleLaw::gradient
+            ? compute_angle_tensions(AngleRow(angles, t), sides.length, inverse)
+            : compute_eq10_tensions(AngleRow(angles, t), sides.length, inverse);
     const Mat9 k = compute_projected(energetic, t, sides, bonds.share[t], tension);
     add_triangle(angles.corners[t], k, assembly);
   }
@@ -246,8 +247,8 @@ void add_angles_projected(const TissueModel& model, const SharedBonds& bonds,
 
 }  // namespace
 
-SparseMatrix compute_stiffness(const TissueModel& model, std::span<const Vec3> x,
-                               Projection projection) {
+SparseMatrix compute_side_stiffness(const TissueModel& model, std::span<const Vec3> x,
+                                    Projection projection, bool home) {
   const std::size_t link_count = model.springs.ends.size() + model.bonds.ends.size();
   Assembly assembly(model, 4 * link_count + 9 * model.angles.corners.size() + model.home.size());
   add_links(model.springs, model.springs.stiffness, x, projection, assembly);
@@ -259,13 +260,21 @@ SparseMatrix compute_stiffness(const TissueModel& model, std::span<const Vec3> x
     add_links(model.bonds, shared.remainder, x, projection, assembly);
     add_angles_projected(model, shared, x, assembly);
   }
-  for (int i = 0; i < static_cast<int>(model.home.size()); ++i) {
+  for (int i = 0; home && i < static_cast<int>(model.home.size()); ++i) {
     assembly.add(i, i, model.home[static_cast<std::size_t>(i)] * Mat3::Identity());
   }
-  SparseMatrix stiffness = assembly.build();
-  if (!model.prisms.corners.empty()) stiffness += compute_prism_stiffness(model, x, projection);
-  if (!model.volumes.corners.empty()) stiffness += compute_volume_stiffness(model, x, projection);
-  if (!model.elastic.corners.empty()) stiffness += compute_elastic_stiffness(model);
+  return assembly.build();
+}
+
+SparseMatrix compute_stiffness(const TissueModel& model, std::span<const Vec3> x,
+                               Projection projection) {
+  SparseMatrix stiffness = compute_side_stiffness(model, x, projection, true);
+  laws::for_each([&]<class Law>(Law) {
+    if constexpr (requires { Law::compute_stiffness(model, x, projection); }) {
+      if (!laws::is_present(model, Law::table)) return;
+      stiffness += Law::compute_stiffness(model, x, projection);
+    }
+  });
   return stiffness;
 }
 
@@ -286,10 +295,11 @@ SparseMatrix compute_damping(const TissueModel& model, std::span<const Vec3> x) 
     assembly.add(i, i, model.drag * model.mass[static_cast<std::size_t>(i)] * Mat3::Identity());
   }
   SparseMatrix damping = assembly.build();
-  if (!model.prisms.corners.empty()) damping += compute_prism_damping(model, x);
-  if (!model.elastic.corners.empty()) {
-    damping += model.elastic.damping_time * compute_elastic_stiffness(model);
-  }
+  laws::for_each([&]<class Law>(Law) {
+    if constexpr (requires { Law::compute_damping(model, x); }) {
+      if (laws::is_present(model, Law::table)) damping += Law::compute_damping(model, x);
+    }
+  });
   return damping;
 }
 

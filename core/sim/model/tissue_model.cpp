@@ -8,7 +8,7 @@
 
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/model/definiteness.h"
-#include "palpate/sim/model/private/check_prisms.h"
+#include "palpate/sim/model/private/check_law.h"
 #include "palpate/sim/model/private/check_solid.h"
 
 namespace palpate {
@@ -18,17 +18,8 @@ std::string name_row(const char* table, std::size_t row) {
   return write_text("model: ", table, ": row ", row);
 }
 
-std::string name_row(const char* table, const char* column, std::size_t row) {
-  return write_text("model: ", table, ".", column, ": row ", row);
-}
-
 bool is_positive(double number) { return std::isfinite(number) && number > 0.0; }
 bool is_not_negative(double number) { return std::isfinite(number) && number >= 0.0; }
-
-void check_size(const std::string& table, std::size_t found, std::size_t expected) {
-  if (found == expected) return;
-  refuse("model: " + table, write_text(found, " rows"), write_text(expected));
-}
 
 void check_particles(const TissueModel& model) {
   const std::size_t n = model.rest_position.size();
@@ -39,12 +30,12 @@ void check_particles(const TissueModel& model) {
     refuse(name_row("rest_position", i), write_text("(", x.x(), ", ", x.y(), ", ", x.z(), ") m"),
            "finite numbers");
   }
-  check_size("mass", model.mass.size(), n);
+  laws::check_size("model: mass", model.mass.size(), n);
   for (std::size_t i = 0; i < n; ++i) {
     if (is_positive(model.mass[i])) continue;
     refuse(name_row("mass", i), write_text(model.mass[i], " kg"), "a positive number");
   }
-  if (!model.home.empty()) check_size("home", model.home.size(), n);
+  if (!model.home.empty()) laws::check_size("model: home", model.home.size(), n);
   for (std::size_t i = 0; i < model.home.size(); ++i) {
     if (is_not_negative(model.home[i])) continue;
     refuse(name_row("home", i), write_text(model.home[i], " N/m"), "0 or a positive number");
@@ -63,85 +54,31 @@ void check_fixed(const std::vector<int>& fixed, int n) {
   }
 }
 
-void check_links(const Links& links, const char* table, int n, bool negative_stiffness) {
-  const std::size_t count = links.ends.size();
-  check_size(write_text(table, ".rest_length"), links.rest_length.size(), count);
-  check_size(write_text(table, ".stiffness"), links.stiffness.size(), count);
-  check_size(write_text(table, ".damping"), links.damping.size(), count);
-  for (std::size_t l = 0; l < count; ++l) {
-    const auto [i, j] = links.ends[l];
-    if (i < 0 || j <= i || j >= n) {
-      refuse(name_row(table, "ends", l), write_text(i, ", ", j),
-             write_text("two ascending particles, 0 to ", n - 1));
-    }
-    if (!is_positive(links.rest_length[l])) {
-      refuse(name_row(table, "rest_length", l), write_text(links.rest_length[l], " m"),
-             "a positive number");
-    }
-    const double k = links.stiffness[l];
-    if (negative_stiffness ? !std::isfinite(k) : !is_not_negative(k)) {
-      refuse(name_row(table, "stiffness", l), write_text(k, " N/m"),
-             negative_stiffness ? "a finite number" : "0 or a positive number");
-    }
-    if (!is_not_negative(links.damping[l])) {
-      refuse(name_row(table, "damping", l), write_text(links.damping[l], " N·s/m"),
-             "0 or a positive number");
-    }
-  }
-}
-
-void check_corners(const std::vector<Triangle>& triangles, const char* table, int n) {
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const auto [i, j, k] = triangles[t];
-    const bool in_range = std::min({i, j, k}) >= 0 && std::max({i, j, k}) < n;
-    if (in_range && i != j && j != k && k != i) continue;
-    refuse(name_row(table, t), write_text(i, ", ", j, ", ", k),
-           write_text("three different ones, 0 to ", n - 1));
-  }
-}
-
-void check_shape(const Angles& angles, std::size_t a) {
+/// The cosines are those that the rest lengths give.
+void check_shapes(const Angles& angles) {
   // the cosine of the law of cosines, less what rounding may have done to it
   constexpr double kCosineError = 1e-6;
-  const auto& length = angles.rest_length[a];
-  for (int c = 0; c < 3; ++c) {
-    const double one = length[(c + 1) % 3], two = length[(c + 2) % 3];
-    if (!is_positive(length[c])) {
-      refuse(name_row("angles", "rest_length", a), write_text(length[c], " m"),
-             "a positive number");
-    }
-    const double found = angles.rest_cosine[a][c];
-    if (!(std::abs(found) < 1.0)) {
-      refuse(name_row("angles", "rest_cosine", a), write_text(found), "between -1 and 1");
-    }
-    const double expected = (one * one + two * two - length[c] * length[c]) / (2.0 * one * two);
-    if (std::abs(found - expected) > kCosineError) {
-      refuse(name_row("angles", "rest_cosine", a), write_text(found),
+  for (std::size_t a = 0; a < angles.corners.size(); ++a) {
+    const auto& length = angles.rest_length[a];
+    for (int c = 0; c < 3; ++c) {
+      const double one = length[(c + 1) % 3], two = length[(c + 2) % 3];
+      const double found = angles.rest_cosine[a][c];
+      const double expected = (one * one + two * two - length[c] * length[c]) / (2.0 * one * two);
+      if (std::abs(found - expected) <= kCosineError) continue;
+      refuse(laws::name_row("angles", "rest_cosine", a), write_text(found),
              write_text(expected, ", which the rest lengths give"));
     }
   }
 }
 
-void check_angles(const Angles& angles, int n) {
-  const std::size_t count = angles.corners.size();
-  check_size("angles.rest_cosine", angles.rest_cosine.size(), count);
-  check_size("angles.rest_length", angles.rest_length.size(), count);
-  check_size("angles.bend_stiffness", angles.bend_stiffness.size(), count);
-  check_size("angles.stretch_coupling", angles.stretch_coupling.size(), count);
-  check_size("angles.bond_share", angles.bond_share.size(), count);
-  check_corners(angles.corners, "angles.corners", n);
-  const auto require_finite = [](const auto& column, const char* name, const char* unit) {
-    for (std::size_t a = 0; a < column.size(); ++a) {
-      for (const double number : column[a]) {
-        if (std::isfinite(number)) continue;
-        refuse(name_row("angles", name, a), write_text(number, unit), "a finite number");
-      }
-    }
-  };
-  require_finite(angles.bend_stiffness, "bend_stiffness", " J");
-  require_finite(angles.stretch_coupling, "stretch_coupling", " N");
-  require_finite(angles.bond_share, "bond_share", " N/m");
-  for (std::size_t a = 0; a < count; ++a) check_shape(angles, a);
+void check_triangles(const std::vector<Triangle>& triangles, int n) {
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto [i, j, k] = triangles[t];
+    const bool in_range = std::min({i, j, k}) >= 0 && std::max({i, j, k}) < n;
+    if (in_range && i != j && j != k && k != i) continue;
+    refuse(name_row("triangles", t), write_text(i, ", ", j, ", ", k),
+           write_text("three different ones, 0 to ", n - 1));
+  }
 }
 
 /// A bond of the triangles is the sum of their shares, or the triangle test below would judge
@@ -168,12 +105,12 @@ void check_bond_shares(const Links& bonds, const Angles& angles) {
     const double k = bonds.stiffness[l];
     if (at == shares.end()) {
       if (k >= 0.0) continue;
-      refuse(name_row("bonds", "stiffness", l), write_text(k, " N/m outside of every triangle"),
-             "0 or a positive number");
+      refuse(laws::name_row("bonds", "stiffness", l),
+             write_text(k, " N/m outside of every triangle"), "0 or a positive number");
     }
     Share& share = at->second;
     if (share.bond_found || std::abs(k - share.sum) > kSumError * share.size) {
-      refuse(name_row("bonds", "stiffness", l),
+      refuse(laws::name_row("bonds", "stiffness", l),
              share.bond_found ? "a second bond along the same side" : write_text(k, " N/m"),
              write_text(share.sum, " N/m, the sum of its triangles' shares, once"));
     }
@@ -181,7 +118,7 @@ void check_bond_shares(const Links& bonds, const Angles& angles) {
   }
   for (const auto& [ends, share] : shares) {
     if (share.bond_found || share.size == 0.0) continue;
-    refuse(name_row("angles", "bond_share", share.row),
+    refuse(laws::name_row("angles", "bond_share", share.row),
            write_text("shares of a bond ", ends[0], ", ", ends[1]), "that bond in the table");
   }
 }
@@ -193,27 +130,23 @@ double compute_total_mass(const TissueModel& model) {
 }
 
 std::string describe(const TissueModel& model) {
-  return write_text(
-      particle_count(model), " particles, ", model.fixed.size(), " of them held; ",
-      model.springs.ends.size(), " springs, ", model.bonds.ends.size(), " bonds, ",
-      3 * model.angles.corners.size(), " angles, ",
-      model.prisms.corners.empty() ? "" : write_text(model.prisms.corners.size(), " prisms, "),
-      describe_solid(model), model.home.empty() ? "no home springs" : "home springs",
-      "; total mass ", 1e3 * compute_total_mass(model), " g");
+  std::string text =
+      write_text(particle_count(model), " particles, ", model.fixed.size(), " of them held; ");
+  laws::for_each_table([&](const auto& table) { text += table.words(model.*table.of); });
+  return text + write_text(model.home.empty() ? "no home springs" : "home springs", "; total mass ",
+                           1e3 * compute_total_mass(model), " g");
 }
 
 void validate(const TissueModel& model) {
   const int n = particle_count(model);
   check_particles(model);
   check_fixed(model.fixed, n);
-  check_links(model.springs, "springs", n, false);
-  check_links(model.bonds, "bonds", n, true);
-  check_angles(model.angles, n);
+  laws::for_each_table([&](const auto& table) { laws::check_table(model, table); });
+  check_shapes(model.angles);
   check_bond_shares(model.bonds, model.angles);
   check_definiteness(model.angles, model.angle_law);
-  check_prisms(model);
   check_solid(model);
-  check_corners(model.triangles, "triangles", surface_count(model));
+  check_triangles(model.triangles, surface_count(model));
   if (!std::isfinite(model.pressure)) {
     refuse("model: pressure", write_text(model.pressure, " Pa"), "a finite number");
   }

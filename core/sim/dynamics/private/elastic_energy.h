@@ -22,24 +22,30 @@ double compute_link_energy(const Links& links, At at) noexcept {
   return sum;
 }
 
-/// Eq 9 and Eq 11: K_theta q² / 2 + K_btheta q (d + d') over all corners, d and d' of its arms.
+/// Eq 9 and Eq 11 of one triangle: K_theta q² / 2 + K_btheta q (d + d') over its corners, d and d'
+/// of the arms.
+inline double compute_angle_energy(const AngleRow& row, const PerSide<double>& length,
+                                   const PerSide<double>& cosine) noexcept {
+  double sum = 0.0;
+  for (int corner = 0; corner < 3; ++corner) {
+    const int one = (corner + 1) % 3, two = (corner + 2) % 3;
+    const double bend = cosine[corner] - row.rest_cosine[corner];
+    const double stretch = length[one] + length[two] - row.rest_length[one] - row.rest_length[two];
+    sum +=
+        (0.5 * row.bend_stiffness[corner] * bend + row.stretch_coupling[corner] * stretch) * bend;
+  }
+  return sum;
+}
+
 template <class At>
 double compute_angle_energy(const Angles& angles, At at) noexcept {
   double sum = 0.0;
   for (std::size_t row = 0; row < angles.corners.size(); ++row) {
     const auto [i, j, k] = angles.corners[row];
     const Vec3 a = at(i), b = at(j), c = at(k);
-    const PerSide<double>& rest = angles.rest_length[row];
     const PerSide<double> length = {(b - c).norm(), (c - a).norm(), (a - b).norm()};
-    const PerSide<double> cosine = compute_cosines(length, invert_lengths(rest, length));
-    for (int corner = 0; corner < 3; ++corner) {
-      const int one = (corner + 1) % 3, two = (corner + 2) % 3;
-      const double bend = cosine[corner] - angles.rest_cosine[row][corner];
-      const double stretch = length[one] + length[two] - rest[one] - rest[two];
-      sum += (0.5 * angles.bend_stiffness[row][corner] * bend +
-              angles.stretch_coupling[row][corner] * stretch) *
-             bend;
-    }
+    const PerSide<double> inverse = invert_lengths(angles.rest_length[row], length);
+    sum += compute_angle_energy(AngleRow(angles, row), length, compute_cosines(length, inverse));
   }
   return sum;
 }
@@ -86,16 +92,6 @@ double compute_home_energy(const TissueModel& model, At at) noexcept {
     sum += 0.5 * model.home[i] * Vec3(at(i) - model.rest_position[i]).squaredNorm();
   }
   return sum;
-}
-
-/// [J] of springs, bonds, angles, prisms, volumes, linear solids and home; Eq 10 has no energy.
-template <class At>
-double compute_elastic_energy(const TissueModel& model, At at) noexcept {
-  const double angles =
-      model.angle_law == AngleLaw::gradient ? compute_angle_energy(model.angles, at) : 0.0;
-  return compute_link_energy(model.springs, at) + compute_link_energy(model.bonds, at) + angles +
-         compute_prism_energy(model.prisms, at) + compute_volume_energy(model.volumes, at) +
-         compute_linear_energy(model, at) + compute_home_energy(model, at);
 }
 
 }  // namespace palpate

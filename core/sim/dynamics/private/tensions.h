@@ -50,6 +50,17 @@ PerSide<Real> compute_cosines(const PerSide<Real>& length, const PerSide<Real>& 
   return cosine;
 }
 
+/// What one row of Angles says of its triangle.
+struct AngleRow {
+  AngleRow(const Angles& angles, std::size_t row) noexcept
+      : rest_cosine(angles.rest_cosine[row]),
+        rest_length(angles.rest_length[row]),
+        bend_stiffness(angles.bend_stiffness[row]),
+        stretch_coupling(angles.stretch_coupling[row]) {}
+
+  PerSide<double> rest_cosine, rest_length, bend_stiffness, stretch_coupling;
+};
+
 /// Eq 9 and Eq 11 as tensions of the sides [N], positive where a side pulls its ends together.
 /// With q = cos - cos0 and d = l - l0 [laws: tension], for the corner A opposite side a and cyclic:
 ///
@@ -59,18 +70,16 @@ PerSide<Real> compute_cosines(const PerSide<Real>& length, const PerSide<Real>& 
 /// This is the gradient of the energy in the lengths, because d cos A/d(a,b,c) =
 /// a/(bc) (-1, cos C, cos B).
 template <class Real>
-PerSide<Real> compute_angle_tensions(const Angles& angles, std::size_t row,
-                                     const PerSide<Real>& length,
+PerSide<Real> compute_angle_tensions(const AngleRow& row, const PerSide<Real>& length,
                                      const PerSide<Real>& inverse) noexcept {
   const PerSide<Real> cosine = compute_cosines(length, inverse);
   PerSide<Real> w, s;
   for (int c = 0; c < 3; ++c) {
     const int i = (c + 1) % 3, j = (c + 2) % 3;
-    const Real bend = cosine[c] - Real(angles.rest_cosine[row][c]);
-    const Real stretch =
-        length[i] + length[j] - Real(angles.rest_length[row][i] + angles.rest_length[row][j]);
-    const Real coupling = Real(angles.stretch_coupling[row][c]);
-    const Real torque = Real(angles.bend_stiffness[row][c]) * bend + coupling * stretch;
+    const Real bend = cosine[c] - Real(row.rest_cosine[c]);
+    const Real stretch = length[i] + length[j] - Real(row.rest_length[i] + row.rest_length[j]);
+    const Real coupling = Real(row.stretch_coupling[c]);
+    const Real torque = Real(row.bend_stiffness[c]) * bend + coupling * stretch;
     w[c] = torque * length[c] * inverse[i] * inverse[j];
     s[c] = coupling * bend;
   }
@@ -85,14 +94,12 @@ PerSide<Real> compute_angle_tensions(const Angles& angles, std::size_t row,
 /// Eq 10 as a tension of the side opposite each corner [N]: tau_a = -K10_A q_A [laws: eq10]. A
 /// closed angle has a larger cosine, so its opposite side pushes and the angle reopens.
 template <class Real>
-PerSide<Real> compute_eq10_tensions(const Angles& angles, std::size_t row,
-                                    const PerSide<Real>& length,
+PerSide<Real> compute_eq10_tensions(const AngleRow& row, const PerSide<Real>& length,
                                     const PerSide<Real>& inverse) noexcept {
   const PerSide<Real> cosine = compute_cosines(length, inverse);
   PerSide<Real> tension;
   for (int c = 0; c < 3; ++c) {
-    tension[c] =
-        Real(angles.bend_stiffness[row][c]) * (Real(angles.rest_cosine[row][c]) - cosine[c]);
+    tension[c] = Real(row.bend_stiffness[c]) * (Real(row.rest_cosine[c]) - cosine[c]);
   }
   return tension;
 }

@@ -5,12 +5,9 @@
 
 namespace palpate {
 
-// What validate() and describe() have to say of the tables that only solids have.
+// What validate() checks of solids beside what the table of laws says.
 
 /// Throws std::invalid_argument where volumes or skin are not as their structs say.
 void check_solid(const TissueModel& model);
-
-/// "3657 tetrahedra, a skin of 600 vertices, "; nothing for a tissue that is all surface.
-std::string describe_solid(const TissueModel& model);
 
 }  // namespace palpate

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/dynamics/private/free_particles.h"
+#include "palpate/sim/model/private/law_tables.h"
 #include "palpate/sim/packed/private/follow_motion.h"
 
 namespace palpate {
@@ -102,20 +102,10 @@ double derive_product_limit(const ActiveRule& rule, double home_of_area, double 
 /// and far too careful for one whose dent can be seen: derive_product_limit().
 ActiveRule derive_active_rule(const TissueModel& model, double radius, double force_error) {
   const std::string where = "scene: force_error [N]";
-  if (!model.volumes.corners.empty()) {
-    refuse(where, "a tissue with volumes",
-           "0: solids are moved whole, for they have no home springs, and without those a push is "
-           "felt with one over its distance");
-  }
-  if (!model.prisms.corners.empty()) {
-    refuse(where, "a tissue with prisms",
-           "0: walls of prisms are moved whole, for what may sleep follows from how far springs "
-           "carry a pull, which is not how far a wall bends");
-  }
-  if (!model.elastic.corners.empty()) {
-    refuse(where, "a linear solid",
-           "0: it costs what is touched, so there is nothing to let sleep");
-  }
+  laws::for_each_law([&](const auto& law) {
+    if (law.whole.got == nullptr || !laws::is_present(model, law)) return;
+    refuse(where, law.whole.got, law.whole.expected);
+  });
   bool has_home = !model.home.empty() && !model.triangles.empty();
   for_each_free(
       model, [&](int i) { has_home = has_home && model.home[static_cast<std::size_t>(i)] > 0.0; });

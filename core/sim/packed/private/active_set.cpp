@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "palpate/sim/dynamics/forces.h"
-#include "palpate/sim/dynamics/private/elastic_energy.h"
+#include "palpate/sim/dynamics/private/laws.h"
 #include "palpate/sim/packed/private/follow_motion.h"
 #include "palpate/sim/packed/private/packed_kernels.h"
 
@@ -95,7 +95,7 @@ bool is_relaxed(const TissueModel& tissue, const State& state, double threshold)
   double home = 0.0;
   for (const double h : tissue.home) home += h;
   const auto where = [&](int i) -> const Vec3& { return state.position[at(i)]; };
-  return compute_elastic_energy(tissue, where) <= 0.5 * home * threshold * threshold;
+  return laws::compute_elastic_energy(tissue, where) <= 0.5 * home * threshold * threshold;
 }
 
 void measure_slices(const PackedModel& model, const TissueModel& tissue, ActiveSet& active) {

@@ -6,6 +6,7 @@
 
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/dynamics/private/tensions.h"
+#include "palpate/sim/model/private/law_tables.h"
 #include "palpate/sim/packed/private/pack_links.h"
 #include "palpate/sim/packed/private/pack_prisms.h"
 #include "palpate/sim/packed/private/pack_solid.h"
@@ -190,6 +191,9 @@ PackedModel pack(const TissueModel& model, std::string_view target, PackedOrder 
   packed.drag = static_cast<float>(model.drag);
   packed.damping_law = model.damping_law;
   packed.angle_law = model.angle_law;
+  laws::for_each_law([&]<class Law>(const Law& law) {
+    if constexpr (laws::is_numbers<Law>) packed.numbers.*law.of = model.*law.of;
+  });
   pack_particles(model, order, packed);
   const BondShares shares = share_bonds(model);
   const std::vector<bool> all(model.springs.ends.size(), true);

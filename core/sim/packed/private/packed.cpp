@@ -19,8 +19,10 @@ std::size_t find_in_slices(const PackedModel& model, std::size_t row) noexcept {
 
 /// Whether more than pushes is added to the force rows.
 bool has_added_forces(const PackedModel& model) noexcept {
-  return model.triangles.pack_count > 0 || model.skin.pack_count > 0 ||
-         model.prisms.pack_count > 0 || model.volumes.pack_count > 0;
+  if (model.skin.pack_count > 0) return true;
+  return std::ranges::any_of(model.kernels->laws, [&](const packed_kernels::PackedLaw& law) {
+    return law.is_present(model);
+  });
 }
 
 /// Calls take(row, weight) for every particle that carries a vertex of the surface.
@@ -134,6 +136,10 @@ PackedState::PackedState(const PackedModel& model, const TissueModel& tissue, co
       if (!velocity_rows[0].empty()) velocity_rows[0][4 * row + k] = v;
     }
   }
+  for (const packed_kernels::PackedLaw& law : model.kernels->laws) {
+    const bool has_some = law.count_internal != nullptr && law.is_present(model);
+    internal.emplace_back(has_some ? law.count_internal(model) : 0, 0.0f);
+  }
   last_displacement = displacement;
   if (model.skin.pack_count > 0) last_rows = position_rows[0];
 }
@@ -147,15 +153,18 @@ std::string_view simd_target(const PackedModel& model) noexcept {
 void step(const PackedModel& model, const Load& load, double dt, PackedState& state,
           PackedMeasure* measure) noexcept {
   if (measure != nullptr) *measure = {};
-  if (model.triangles.pack_count > 0) model.kernels->accumulate_triangles(model, state, measure);
-  if (model.prisms.pack_count > 0) model.kernels->accumulate_prisms(model, state, measure);
-  if (model.volumes.pack_count > 0) model.kernels->accumulate_volumes(model, state, measure);
+  const std::span<const packed_kernels::PackedLaw> laws = model.kernels->laws;
+  for (std::size_t law = 0; law < laws.size(); ++law) {
+    if (!laws[law].is_present(model)) continue;
+    laws[law].accumulate(model, state, state.internal[law], measure);
+  }
   if (model.skin.pack_count > 0) model.kernels->accumulate_pressure(model, state);
   add_pushes(model, load, state);
   model.kernels->advance(model, load.gravity.cast<float>(), static_cast<float>(dt), state, measure);
   state.checked = false;
   if (!has_added_forces(model)) clear_pushed(model, load, state);
   state.current = 1 - state.current;
+  state.last_dt = dt;
   state.time += dt;
 }
 

@@ -23,12 +23,22 @@ HWY_BEFORE_NAMESPACE();
 namespace palpate::packed_kernels {
 namespace HWY_NAMESPACE {
 
+template <const auto PackedModel::*packs>
+bool has_packs(const PackedModel& model) noexcept {
+  return (model.*packs).pack_count > 0;
+}
+
+/// In the sequence in which their forces are added.
+constexpr PackedLaw kLaws[] = {
+    {&has_packs<&PackedModel::triangles>, &accumulate_triangles},
+    {&has_packs<&PackedModel::prisms>, &accumulate_prisms},
+    {&has_packs<&PackedModel::volumes>, &accumulate_volumes},
+};
+
 const Kernels& kernels() noexcept {
   static const Kernels kernels = {hwy::TargetName(HWY_TARGET),
                                   static_cast<int>(kWidth),
-                                  &accumulate_triangles,
-                                  &accumulate_prisms,
-                                  &accumulate_volumes,
+                                  kLaws,
                                   &accumulate_pressure,
                                   &advance,
                                   &compute_pressure_work,

@@ -7,21 +7,25 @@
 
 namespace palpate::packed_kernels {
 
+/// Variables of a law's own, as its kernel lays them out.
+using Internal = CacheAligned<float>;
+
+/// A law in packed form.
+struct PackedLaw {
+  bool (*is_present)(const PackedModel& model) noexcept = nullptr;
+  /// Adds its forces to the force rows; to `measure` their energy, unless it is null.
+  void (*accumulate)(const PackedModel& model, PackedState& state, Internal& internal,
+                     PackedMeasure* measure) noexcept = nullptr;
+  /// How many variables it has; null for none.
+  std::size_t (*count_internal)(const PackedModel& model) noexcept = nullptr;
+};
+
 /// The kernels compiled for one vector target. Each works on models of its own width.
 struct Kernels {
   const char* target = nullptr;
   int width = 0;  ///< lanes
-
-  /// Adds the forces of bonds, angles and stretch-bend to the force rows; to `measure` their
-  /// energy, unless it is null.
-  void (*accumulate_triangles)(const PackedModel& model, PackedState& state,
-                               PackedMeasure* measure) noexcept = nullptr;
-  /// The same for what resists the shear of walls.
-  void (*accumulate_prisms)(const PackedModel& model, PackedState& state,
-                            PackedMeasure* measure) noexcept = nullptr;
-  /// The same for what resists a change of volume.
-  void (*accumulate_volumes)(const PackedModel& model, PackedState& state,
-                             PackedMeasure* measure) noexcept = nullptr;
+  /// All but springs and home springs, which advance() adds.
+  std::span<const PackedLaw> laws;
   /// Adds the forces of the pressure to the force rows.
   void (*accumulate_pressure)(const PackedModel& model, PackedState& state) noexcept = nullptr;
   /// Adds links, home springs, gravity [m/s²], drag and the force rows, moves every particle by

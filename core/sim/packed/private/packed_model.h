@@ -96,6 +96,7 @@ struct PackedModel {
   PackedTriangles skin;       ///< under pressure; empty without one
   PackedPrisms prisms;        ///< of walls; may be empty
   PackedVolumes volumes;      ///< of solids; may be empty
+  TissueModel numbers;        ///< the laws that are numbers alone; no rows
   Skin riding;                ///< TissueModel::skin, its corners as rows
   float pressure = 0.0f;      ///< [Pa]
   float drag = 0.0f;          ///< [1/s]
@@ -156,6 +157,9 @@ struct PackedState {
       slice_energy;                 ///< [J] elastic, when last measured; empty without an ActiveSet
   CacheAligned<float> pack_energy;  ///< [J] likewise
   double asleep_energy = 0.0;       ///< [J] of what is not in the lists
+
+  double last_dt = 0.0;                       ///< [s] of the step before
+  std::vector<CacheAligned<float>> internal;  ///< of each law of the kernels, variables of its own
 };
 
 }  // namespace palpate

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "palpate/sim/model/private/law_tables.h"
+
 namespace palpate {
 namespace {
 
@@ -16,30 +18,28 @@ constexpr int kPatch = 16;
 
 using Neighbours = std::vector<std::vector<int>>;
 
-/// Who moves with whom: over links and within triangles, tetrahedra and prisms, ascending.
+/// Who moves with whom: within each row of a law, and within triangles of the surface; ascending.
 Neighbours find_neighbours(const TissueModel& model) {
   Neighbours neighbours(model.rest_position.size());
   const auto join = [&](int i, int j) {
     neighbours[static_cast<std::size_t>(i)].push_back(j);
     neighbours[static_cast<std::size_t>(j)].push_back(i);
   };
-  for (const Links* links : {&model.springs, &model.bonds}) {
-    for (const auto& [i, j] : links->ends) join(i, j);
-  }
-  std::vector<const std::vector<Triangle>*> tables = {&model.angles.corners};
-  if (model.skin.corners.empty()) tables.push_back(&model.triangles);
-  for (const auto* triangles : tables) {
-    for (const auto& [i, j, k] : *triangles) join(i, j), join(j, k), join(k, i);
-  }
-  for (const auto& corners : model.volumes.corners) {
-    for (std::size_t p = 0; p < 4; ++p) join(corners[p], corners[(p + 1) % 4]);
-    join(corners[0], corners[2]), join(corners[1], corners[3]);
-  }
-  for (const auto& corners : model.prisms.corners) {
-    for (std::size_t p = 0; p < 6; ++p) {
-      for (std::size_t q = 0; q < p; ++q) join(corners[p], corners[q]);
+  const auto join_all = [&](const auto& rows) {
+    for (const auto& corners : rows) {
+      for (std::size_t p = 0; p < corners.size(); ++p) {
+        for (std::size_t q = 0; q < p; ++q) join(corners[p], corners[q]);
+      }
     }
-  }
+  };
+  laws::for_each_law([&]<class Law>(const Law& law) {
+    using T = typename Law::Rows;
+    laws::for_each_column(law, laws::Overloaded{[&]<std::size_t N>(const laws::Corners<T, N>& its) {
+                                                  join_all((model.*law.of).*its.rows);
+                                                },
+                                                [](const auto&) {}});
+  });
+  if (model.skin.corners.empty()) join_all(model.triangles);
   for (std::vector<int>& row : neighbours) {
     std::sort(row.begin(), row.end());
     row.erase(std::unique(row.begin(), row.end()), row.end());

@@ -105,7 +105,7 @@ void accumulate_damped_prisms(const PackedModel& model, PackedState& state,
   }
 }
 
-void accumulate_prisms(const PackedModel& model, PackedState& state,
+void accumulate_prisms(const PackedModel& model, PackedState& state, Internal&,
                        PackedMeasure* measure) noexcept {
   if (model.prisms.damping.empty()) {
     accumulate_damped_prisms<false>(model, state, measure);

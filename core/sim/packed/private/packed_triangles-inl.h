@@ -123,14 +123,10 @@ HWY_INLINE Sides compute_tensions(const PackedTriangles& triangles, std::size_t 
           pull(s.c, w.c, w.a, w.b, cosine.a, cosine.b)};
 }
 
-/// Bonds k (l - L)² / 2, angles and stretch-bend (K q / 2 + K_t (d + d')) q, where a lane holds a
-/// triangle.
+/// Bonds k (l - L)² / 2, angles and stretch-bend (K q / 2 + K_t (d + d')) q.
 template <AngleLaw law>
-HWY_INLINE void measure_pack(const PackedTriangles& triangles, std::size_t pack, const Sides& rest,
-                             const Measured& m, const Bent& bent, const Sides& stretch,
-                             Sums& sums) {
-  const int* corner = triangles.corner.data() + 3 * kWidth * pack;
-  const auto is_triangle = differ(corner, corner + kWidth);
+HWY_INLINE Real compute_pack_energy(const PackedTriangles& triangles, std::size_t pack,
+                                    const Bent& bent, const Sides& stretch) {
   const Real half = hn::Set(kLanes, 0.5f);
   const Sides bond = load_sides(triangles.bond_stiffness.block(pack)) * stretch * stretch;
   Real energy = hn::Mul(half, hn::Add(hn::Add(bond.a, bond.b), bond.c));
@@ -140,6 +136,17 @@ HWY_INLINE void measure_pack(const PackedTriangles& triangles, std::size_t pack,
     const Sides angle = multiply_add({half, half, half}, bending, coupled) * bent.bend;
     energy = hn::Add(energy, hn::Add(hn::Add(angle.a, angle.b), angle.c));
   }
+  return energy;
+}
+
+/// Energy and stretch, where a lane holds a triangle.
+template <AngleLaw law>
+HWY_INLINE void measure_pack(const PackedTriangles& triangles, std::size_t pack, const Sides& rest,
+                             const Measured& m, const Bent& bent, const Sides& stretch,
+                             Sums& sums) {
+  const int* corner = triangles.corner.data() + 3 * kWidth * pack;
+  const auto is_triangle = differ(corner, corner + kWidth);
+  const Real energy = compute_pack_energy<law>(triangles, pack, bent, stretch);
   sums.elastic = hn::Add(sums.elastic, hn::IfThenElseZero(is_triangle, energy));
   measure_part(is_triangle, m.length.a, invert(rest.a), sums);
   measure_part(is_triangle, m.length.b, invert(rest.b), sums);
@@ -236,7 +243,7 @@ void accumulate_under(const PackedModel& model, PackedState& state, PackedMeasur
   }
 }
 
-void accumulate_triangles(const PackedModel& model, PackedState& state,
+void accumulate_triangles(const PackedModel& model, PackedState& state, Internal&,
                           PackedMeasure* measure) noexcept {
   if (model.angle_law == AngleLaw::gradient) {
     accumulate_under<AngleLaw::gradient>(model, state, measure);

@@ -159,7 +159,7 @@ void push_measured(const PackedModel& model, PackedState& state, PackedMeasure* 
   }
 }
 
-void accumulate_volumes(const PackedModel& model, PackedState& state,
+void accumulate_volumes(const PackedModel& model, PackedState& state, Internal&,
                         PackedMeasure* measure) noexcept {
   if (model.volumes.stiffness_around.empty()) {
     push_measured<false>(model, state, measure);
