@@ -21,7 +21,7 @@ from palpate.files.read_file import read_file
 from palpate.files.refusal import Refusal
 from palpate.files.whole_file import write_whole
 from palpate.scene.mesh_file import read_mesh_file
-from palpate.scene.scene_parts import FILLED, ORIGINS, MaterialPart, SceneFile
+from palpate.scene.scene_parts import FILLED, ORIGINS, MaterialPart, ModelPart, SceneFile
 
 FORMAT, VERSION = "palpate scene", 1
 MOST_BYTES = 32 * 2**20
@@ -88,7 +88,14 @@ def build_tissue(scene: SceneFile, mesh: palpate.SurfaceMesh) -> palpate.TissueM
     options.pressure = model.pressure
     options.drag = model.drag
     options.damping_law = enumerator(palpate.DampingLaw, "model.damping_law", model.damping_law)
-    return BUILDERS[model.kind](scene, mesh, options)
+    return relax(BUILDERS[model.kind](scene, mesh, options), model)
+
+
+def relax(tissue: palpate.TissueModel, model: ModelPart) -> palpate.TissueModel:
+    """Gives a built tissue its Maxwell branches, but a linear solid, which has none."""
+    if model.kind != "linear_solid":
+        tissue.maxwell = palpate.Maxwell(model.relaxation, model.relaxation_time)
+    return tissue
 
 
 def has_constants_from_tissue(scene: SceneFile) -> bool:
@@ -150,10 +157,8 @@ def compile_scene(
     if len(scene.hand.gravity) != 3:
         raise ValueError(f"hand.gravity: got {len(scene.hand.gravity)} numbers, expected 3")
     hand = scene.hand
-    body = palpate.SoftBody(
-        tissue=build_tissue(scene, mesh) if tissue is None else tissue,
-        force_error=hand.force_error,
-    )
+    tissue = build_tissue(scene, mesh) if tissue is None else relax(tissue, scene.model)
+    body = palpate.SoftBody(tissue=tissue, force_error=hand.force_error)
     instrument = palpate.Instrument(
         tool=palpate.Tool(radius=scene.tool.radius, stiffness=scene.tool.stiffness),
         coupling=palpate.Coupling(stiffness=hand.coupling, force_max=hand.force_max),

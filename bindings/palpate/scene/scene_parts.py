@@ -64,6 +64,11 @@ class ModelPart:
     """[Pa]"""
     drag: float = 2.0
     """[1/s]"""
+    relaxation: float = field(default=0.0, metadata={"since": 6})
+    """[-] k_v/k: how much stiffer springs, bonds and angles are against a sudden strain than they
+    are in the end; 0 for tissue that does not relax."""
+    relaxation_time: float = field(default=0.5, metadata={"since": 6})
+    """[s] in which 63 % of that fades."""
     fixed: tuple[int, ...] = ()
     stiffness_scale: tuple[float, ...] = ()
 

@@ -92,6 +92,15 @@ struct Elastic {
   double damping_time = 0.0;  ///< [s] in which strain follows stress (Kelvin-Voigt)
 };
 
+/// Linear viscoelasticity: beside every spring, bond, angle and stretch-bend a Maxwell branch of
+/// `ratio` times its stiffness, whose force fades with `time` while the tissue holds still. A
+/// tissue is 1 + ratio times as stiff against a sudden push as against a slow one [laws:
+/// relaxation].
+struct Maxwell {
+  double ratio = 0.0;  ///< [-] k_v/k, 0 for none
+  double time = 0.5;   ///< [s] tau
+};
+
 /// How a fine surface rides on coarse tetrahedra. Vertex v of the surface is at the sum over k of
 /// weights[v][k] times the position of particle corners[v][k]. Empty where the particles
 /// themselves are the surface.
@@ -112,6 +121,7 @@ struct TissueModel {
   Prisms prisms;             ///< walls that bend; may be empty
   Volumes volumes;           ///< solids; may be empty
   Elastic elastic;           ///< linear solids, which have no other law; may be empty
+  Maxwell maxwell;           ///< what of links and angles relaxes
   Skin skin;                 ///< solids under a finer surface; may be empty
   std::vector<double> home;  ///< [N/m] pull of each particle to its rest; may be empty
   double pressure = 0.0;     ///< [Pa] inside above outside; 0 where there is a skin

@@ -8,6 +8,7 @@
 #include "palpate/sim/dynamics/private/elastic_energy.h"
 #include "palpate/sim/dynamics/private/elastic_tangent.h"
 #include "palpate/sim/dynamics/private/law.h"
+#include "palpate/sim/dynamics/private/maxwell_law.h"
 #include "palpate/sim/dynamics/private/prism_tangent.h"
 #include "palpate/sim/dynamics/private/volume_tangent.h"
 #include "palpate/sim/dynamics/state.h"
@@ -112,7 +113,7 @@ struct ElasticLaw {
 };
 
 /// In the sequence of kLaws.
-using All = std::tuple<SpringLaw, BondLaw, AnglesLaw, PrismLaw, VolumeLaw, ElasticLaw>;
+using All = std::tuple<SpringLaw, BondLaw, AnglesLaw, PrismLaw, VolumeLaw, ElasticLaw, MaxwellLaw>;
 static_assert(std::tuple_size_v<All> == std::tuple_size_v<decltype(kLaws)>);
 
 /// visit(law) for every law, an object without members.

@@ -216,8 +216,24 @@ inline constexpr auto kElastic = make_table(
                     Limit::not_negative, 0.0, 100.0,
                     "in which strain follows stress (Kelvin-Voigt)"});
 
+inline constexpr auto kMaxwell = make_table(
+    {"maxwell", "Maxwell", "numbers", "what of links and angles relaxes"}, &TissueModel::maxwell, 4,
+    0, {"a tissue that relaxes", "0: what relaxes is moved whole, for it is never quite at rest"},
+    +[](const Maxwell& maxwell) {
+      return maxwell.ratio == 0.0
+                 ? std::string()
+                 : write_text("relaxing by ", 100.0 * maxwell.ratio / (1.0 + maxwell.ratio),
+                              " % in ", maxwell.time, " s, ");
+    },
+    "Linear viscoelasticity: beside every spring, bond, angle and stretch-bend a Maxwell branch of "
+    "ratio times its stiffness, whose force fades with time while the tissue holds still.",
+    Scalar<Maxwell>{"ratio", &Maxwell::ratio, "maxwell_ratio", "-", Limit::not_negative, 0.0, 100.0,
+                    "k_v/k, 0 for none"},
+    Scalar<Maxwell>{"time", &Maxwell::time, "maxwell_time", "s", Limit::positive, 1e-4, 1e4,
+                    "tau, in which 63 % of the branch's force has faded"});
+
 /// Every law, in the sequence in which forces are summed.
-inline constexpr std::tuple kLaws{kSprings, kBonds, kAngles, kPrisms, kVolumes, kElastic};
+inline constexpr std::tuple kLaws{kSprings, kBonds, kAngles, kPrisms, kVolumes, kElastic, kMaxwell};
 
 /// How many members an aggregate has.
 struct AnyMember {

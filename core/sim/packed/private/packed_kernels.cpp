@@ -13,6 +13,7 @@
 #include <hwy/highway.h>
 
 #include "palpate/sim/packed/private/packed_compare-inl.h"
+#include "palpate/sim/packed/private/packed_maxwell-inl.h"
 #include "palpate/sim/packed/private/packed_prisms-inl.h"
 #include "palpate/sim/packed/private/packed_triangles-inl.h"
 #include "palpate/sim/packed/private/packed_volumes-inl.h"
@@ -33,6 +34,7 @@ constexpr PackedLaw kLaws[] = {
     {&has_packs<&PackedModel::triangles>, &accumulate_triangles},
     {&has_packs<&PackedModel::prisms>, &accumulate_prisms},
     {&has_packs<&PackedModel::volumes>, &accumulate_volumes},
+    {&relaxes, &accumulate_maxwell, &count_maxwell},
 };
 
 const Kernels& kernels() noexcept {
