@@ -2194,6 +2194,14 @@ Beklenen: {expected}.</translation>
         <translation>Sürükleme</translation>
     </message>
     <message>
+        <source>Relaxation</source>
+        <translation>Gevşeme</translation>
+    </message>
+    <message>
+        <source>Relaxation time</source>
+        <translation>Gevşeme süresi</translation>
+    </message>
+    <message>
         <source>Grip stiffness</source>
         <translation>Tutma katılığı</translation>
     </message>
