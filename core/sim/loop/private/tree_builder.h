@@ -12,9 +12,9 @@ namespace palpate {
 
 /// Builds trees for the haptic thread in a thread of its own.
 ///
-/// Both pass one desk to and fro: positions one way, a tree built over them the other, and then the
-/// old tree back, to be freed. Whose turn it is stands in an atomic number; nobody ever waits for
-/// the other with a lock, and the haptic thread neither allocates nor frees.
+/// Both share one buffer in turns: positions go one way, a tree built over them the other, and then
+/// the old tree back, to be freed. Whose turn it is stands in an atomic number; nobody ever waits
+/// for the other with a lock, and the haptic thread neither allocates nor frees.
 class TreeBuilder {
  public:
   /// For bodies with these triangles and vertices of their surface.

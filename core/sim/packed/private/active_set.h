@@ -9,7 +9,7 @@ namespace palpate {
 /// What decides which particles move.
 struct ActiveRule {
   double threshold = 0.0;  ///< [m] who has moved less is at rest, wherever the tool is
-  double reach = 0.0;      ///< [m] at rest; nobody so near to what the tool may touch ever sleeps
+  double reach = 0.0;      ///< [m] at rest; nothing so near to what the tool may touch sleeps
   double decay = 0.0;      ///< [m] the distance on which a pull along the surface falls to 1/e
   /// [m] times the depth of the tool, at most a decay length: who has moved less than that over
   /// how far it has moved in all is at rest too

@@ -161,8 +161,8 @@ HWY_INLINE void measure_slice(const PackedModel& model, std::size_t s, const Poi
 }
 
 /// How far the particles of a slice have gone since the last check, and how far fallen.
-HWY_INLINE void measure_way(const PackedModel& model, std::size_t s, const Points& gravity,
-                            const Points& move, const Points& v, Sums& sums) {
+HWY_INLINE void measure_moves(const PackedModel& model, std::size_t s, const Points& gravity,
+                              const Points& move, const Points& v, Sums& sums) {
   const Real square = dot(move, move);
   sums.move = hn::Max(square, sums.move);
   sums.nowhere = hn::MulAdd(hn::Zero(kLanes), hn::Add(square, dot(v, v)), sums.nowhere);
@@ -202,7 +202,7 @@ HWY_INLINE void advance_slice(const PackedModel& model, const Points& gravity, f
   if (state.checked) store_points(u, last);
   if constexpr (measured) {
     measure_slice(model, s, u, v, v_new, sums);
-    measure_way(model, s, gravity, u_new - load_points(last), v_new, sums);
+    measure_moves(model, s, gravity, u_new - load_points(last), v_new, sums);
   }
   store_points(v_new, velocity);
   store_points(u_new, displacement);

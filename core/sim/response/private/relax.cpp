@@ -49,8 +49,8 @@ Vec3 compute_displacement(const Response& response, const ResponseState& state,
   for (int n = 0; n < state.touched_count; ++n) {
     const auto column = 3 * static_cast<std::size_t>(state.touched[static_cast<std::size_t>(n)]);
     for (std::size_t k = 0; k < 3; ++k) {
-      const float* answer = &response.compliance[(column + k) * width + 3 * row];
-      sum += state.force[column + k] * Eigen::Map<const Vec3f>(answer);
+      const float* block = &response.compliance[(column + k) * width + 3 * row];
+      sum += state.force[column + k] * Eigen::Map<const Vec3f>(block);
     }
   }
   return sum.cast<double>();
