@@ -111,9 +111,12 @@ BodyInternals::BodyInternals(const Scene& scene, const SoftBody& body, const Sof
       wanted_substeps(body.substeps),
       surface_mass(compute_surface_mass(body.tissue)),
       vertex_scratch(count_surface(body), 0.0) {
-  rest.copy.resize(2 * sizeof(Vec3) * state.tissue.position.size());
+  rest.copy.resize(2 * sizeof(Vec3) * state.tissue.position.size() +
+                   sizeof(double) * state.tissue.internal.size());
   if (const auto* packed = std::get_if<PackedKernel>(&kernel)) {
-    rest.copy.resize(2 * sizeof(float) * packed->state.displacement.size());
+    std::size_t numbers = 2 * packed->state.displacement.size();
+    for (const auto& internal : packed->state.internal) numbers += internal.size();
+    rest.copy.resize(numbers * sizeof(float));
   }
   if (scene.bodies.size() > 1) mean_load = MeanLoad(body.tissue.triangles, count_surface(body));
 }

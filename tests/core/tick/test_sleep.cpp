@@ -32,6 +32,10 @@ std::vector<Case> make_cases() {
   Scene plain = press_scene();
   plain.bodies[0].kernel = Kernel::reference;
   cases.push_back({"reference", build_scene(std::move(plain)), 0.023, 0});
+  Scene relaxing = press_scene();
+  relaxing.bodies[0].kernel = Kernel::reference;
+  relaxing.bodies[0].tissue.maxwell = {.ratio = 0.5, .time = 0.05};
+  cases.push_back({"relaxing", build_scene(std::move(relaxing)), 0.023, 0});
   Scene solid;
   solid.gravity = {0.0, 0.0, -9.81};
   solid.bodies[0].tissue = scenes::make_linear_organ(5, 0.9, 0.2);

@@ -18,17 +18,24 @@ constexpr int kPatience = 50;
 
 using Bytes = std::span<const std::byte>;
 
-/// All that a step of a body reads and writes, but for time.
-std::array<Bytes, 2> list_state(const SoftState& state) noexcept {
+/// All that a step of a body reads and writes, but for time. At most as many laws keep variables
+/// of their own as there is room for here.
+std::array<Bytes, 8> list_state(const SoftState& state) noexcept {
   if (const PackedKernel* kernel = find_packed(state)) {
-    return {std::as_bytes(std::span(kernel->state.displacement)),
-            std::as_bytes(std::span(kernel->state.velocity))};
+    std::array<Bytes, 8> parts = {std::as_bytes(std::span(kernel->state.displacement)),
+                                  std::as_bytes(std::span(kernel->state.velocity))};
+    std::size_t next = 2;
+    for (const auto& internal : kernel->state.internal) {
+      if (!internal.empty()) parts[next++] = std::as_bytes(std::span(internal));
+    }
+    return parts;
   }
   if (const ResponseKernel* kernel = find_response(state)) {
-    return {std::as_bytes(std::span(kernel->state.displacement)), Bytes()};
+    return {std::as_bytes(std::span(kernel->state.displacement))};
   }
   return {std::as_bytes(std::span(state.tissue.position)),
-          std::as_bytes(std::span(state.tissue.velocity))};
+          std::as_bytes(std::span(state.tissue.velocity)),
+          std::as_bytes(std::span(state.tissue.internal))};
 }
 
 void keep_copy(const SoftState& state, std::vector<std::byte>& copy) noexcept {
