@@ -7,6 +7,7 @@
 
 #include "palpate/sim/contact/private/hold.h"
 #include "palpate/sim/model/tissue_model.h"
+#include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/tick/private/check_input.h"
 #include "palpate/sim/tick/private/choose_substeps.h"
 #include "palpate/sim/tick/private/cost_histograms.h"
@@ -196,8 +197,15 @@ void let_go(World& world) noexcept {
 
 /// Back to the last tick in which nothing was wrong, and no further [motion: alarm].
 void stand_still(const Scene& scene, World& world) noexcept {
+  const int alarm_body = world.alarm_body;
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
     SoftState& state = world.bodies[b];
+    if (PackedKernel* packed = find_packed(state); packed && static_cast<int>(b) != alarm_body) {
+      // its check found nothing, and forgot where the tick began
+      packed->state.checked = false;
+      recall_last_check(*packed->model, scene.bodies[b].tissue, packed->state,
+                        state.guard.last_position);
+    }
     std::copy(state.guard.last_position.begin(), state.guard.last_position.end(),
               state.tissue.position.begin());
     move_skin(scene.bodies[b].tissue.skin, state.tissue.position, state.skin);

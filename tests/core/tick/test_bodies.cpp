@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
 #include "calls.h"
 #include "core/tick/press_scene.h"
+#include "palpate/sim/packed/simd_targets.h"
 #include "palpate/sim/tick/private/check_input.h"
 #include "palpate/sim/tick/private/choose_substeps.h"
 #include "palpate/sim/tick/private/follow_tissue.h"
@@ -373,4 +375,37 @@ TEST_CASE("a refused scene of several bodies says which body or instrument") {
   spoilt = scene;
   spoilt.instruments.clear();
   CHECK(refusal(spoilt).starts_with("scene: instruments: got 0, expected at least one"));
+}
+
+TEST_CASE("an alarm of one body leaves every other where it was, at most a tick of motion off") {
+  for (const Kernel kernel : {Kernel::packed, Kernel::reference}) {
+    if (kernel == Kernel::packed && simd_targets().empty()) continue;
+    SoftBody sound = make_body(kAside), wild = make_body();
+    wild.kernel = Kernel::reference;
+    sound.kernel = kernel;
+    Scene scene;
+    scene.bodies = {wild, sound};
+    scene.gravity = {0.0, 0.0, -9.81};
+    const Scene two = build_scene(std::move(scene));
+    World world(two);
+    HapticSample away;
+    away.position = {0.0, 0.0, 0.2};
+    Vec3Array earlier;
+    for (int i = 0; i < 30; ++i) {
+      earlier = world.bodies[1].tissue.position;
+      tick(two, away, kDt, world);
+    }
+    const Vec3Array before = world.bodies[1].tissue.position;
+    const double moved = scenes::max_difference(before, two.bodies[1].tissue.rest_position);
+    const double step = scenes::max_difference(before, earlier);
+    REQUIRE(moved > 5.0 * step);
+    world.bodies[0].tissue.velocity.back().x() = std::numeric_limits<double>::quiet_NaN();
+
+    tick(two, away, kDt, world);
+
+    REQUIRE(world.alarm);
+    REQUIRE(world.alarm_body == 0);
+    const double off = scenes::max_difference(world.bodies[1].tissue.position, before);
+    CHECK(off <= (kernel == Kernel::packed ? 0.0 : 2.0 * step));
+  }
 }

@@ -60,25 +60,6 @@ void clear_pushed(const PackedModel& model, const Load& load, PackedState& state
   }
 }
 
-/// [m] where all was at the last check. What sleeps has not moved since.
-void recall_last_check(const PackedModel& model, const TissueModel& tissue,
-                       const PackedState& packed, Vec3Array& position) noexcept {
-  const auto width = static_cast<std::size_t>(model.width);
-  const auto recall = [&](std::size_t i, const CacheAligned<float>& displacement) noexcept {
-    const std::size_t at = find_in_slices(model, static_cast<std::size_t>(model.row[i]));
-    const float* u = displacement.data() + at;
-    position[i] = tissue.rest_position[i] + Vec3(u[0], u[width], u[2 * width]);
-  };
-  for (std::size_t i = 0; i < model.row.size(); ++i) recall(i, packed.displacement);
-  if (packed.checked) return;
-  for (const int slice : packed.slices.span()) {
-    const auto first = width * static_cast<std::size_t>(slice);
-    for (const int particle : std::span(model.particle).subspan(first, width)) {
-      if (particle >= 0) recall(static_cast<std::size_t>(particle), packed.last_displacement);
-    }
-  }
-}
-
 bool has_moved_far(const PackedMeasure& measure, const Guard& guard, int steps) noexcept {
   return !(measure.largest_move <= kFarthestMove * guard.shortest_rest_length * steps);
 }
@@ -105,6 +86,24 @@ void remember_rows(const PackedModel& model, PackedState& packed) noexcept {
 }
 
 }  // namespace
+
+void recall_last_check(const PackedModel& model, const TissueModel& tissue,
+                       const PackedState& packed, Vec3Array& position) noexcept {
+  const auto width = static_cast<std::size_t>(model.width);
+  const auto recall = [&](std::size_t i, const CacheAligned<float>& displacement) noexcept {
+    const std::size_t at = find_in_slices(model, static_cast<std::size_t>(model.row[i]));
+    const float* u = displacement.data() + at;
+    position[i] = tissue.rest_position[i] + Vec3(u[0], u[width], u[2 * width]);
+  };
+  for (std::size_t i = 0; i < model.row.size(); ++i) recall(i, packed.displacement);
+  if (packed.checked) return;
+  for (const int slice : packed.slices.span()) {
+    const auto first = width * static_cast<std::size_t>(slice);
+    for (const int particle : std::span(model.particle).subspan(first, width)) {
+      if (particle >= 0) recall(static_cast<std::size_t>(particle), packed.last_displacement);
+    }
+  }
+}
 
 PackedState::PackedState(const PackedModel& model, const TissueModel& tissue, const State& state)
     : time(state.time),

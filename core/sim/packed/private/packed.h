@@ -44,6 +44,11 @@ Alarm check(const PackedModel& model, const TissueModel& tissue, const State& st
             const PackedMeasure& measure, double work, PackedState& packed, Guard& guard,
             int steps) noexcept;
 
+/// Writes the positions [m] of all particles at the last check, or, while `packed` says that it has
+/// been checked since its last step, now. What sleeps has not moved since.
+void recall_last_check(const PackedModel& model, const TissueModel& tissue,
+                       const PackedState& packed, Vec3Array& position) noexcept;
+
 /// Writes time, and positions [m] and velocities [m/s] of all particles that move, into `state`, in
 /// the tissue's own numbering.
 void unpack(const PackedModel& model, const TissueModel& tissue, const PackedState& packed,
