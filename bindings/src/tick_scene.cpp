@@ -301,10 +301,10 @@ void bind_world(py::module_& m) {
       .def(
           "pair",
           [](const py::object& self, int instrument, int body) -> py::object {
-            const auto& world = self.cast<const World&>();
-            require_index("instrument", instrument, world.instruments.size());
-            require_index("body", body, world.bodies.size());
-            return self.attr("pairs")[py::int_(instrument * world.bodies.size() + body)];
+            const auto& its = self.cast<const World&>();
+            require_index("instrument", instrument, its.instruments.size());
+            require_index("body", body, its.bodies.size());
+            return self.attr("pairs")[py::int_(instrument * its.bodies.size() + body)];
           },
           "instrument"_a, "body"_a, "An instrument with a body; read-only.")
       .def_readonly("alarm", &World::alarm,
