@@ -289,16 +289,16 @@ class Links:
     def __init__(self) -> None: ...
     @property
     def ends(self) -> NDArray[np.int32]:
-        """Particle indices, ends[l, 0] < ends[l, 1], shape (l, 2); a view, read-only."""
+        """particle indices, ends[l, 0] < ends[l, 1], shape (rows, 2); a view, read-only."""
     @property
     def rest_length(self) -> NDArray[np.float64]:
-        """[m], shape (l,); a view."""
+        """[m], shape (rows,); a view."""
     @property
     def stiffness(self) -> NDArray[np.float64]:
-        """[N/m], shape (l,); a bond's may be negative; a view."""
+        """[N/m] a bond's may be negative, shape (rows,); a view."""
     @property
     def damping(self) -> NDArray[np.float64]:
-        """[N·s/m], shape (l,); a view."""
+        """[N·s/m], shape (rows,); a view."""
     def __copy__(self) -> Links:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> Links:
@@ -333,22 +333,22 @@ class Angles:
     def __init__(self) -> None: ...
     @property
     def corners(self) -> NDArray[np.int32]:
-        """Particle indices, shape (a, 3); a view, read-only."""
+        """particle indices, shape (rows, 3); a view, read-only."""
     @property
     def rest_cosine(self) -> NDArray[np.float64]:
-        """[-] of the angle at the corner, shape (a, 3); a view."""
+        """[-] of the angle at the corner, shape (rows, 3); a view."""
     @property
     def rest_length(self) -> NDArray[np.float64]:
-        """[m] of the side opposite the corner, shape (a, 3); a view."""
+        """[m] of the side opposite the corner, shape (rows, 3); a view."""
     @property
     def bend_stiffness(self) -> NDArray[np.float64]:
-        """[J] K_theta of the corner, [N] under AngleLaw.eq10, shape (a, 3); a view."""
+        """[J] K_theta of the corner, [N] under AngleLaw.eq10, shape (rows, 3); a view."""
     @property
     def stretch_coupling(self) -> NDArray[np.float64]:
-        """[N] K_btheta of the corner, shape (a, 3); a view."""
+        """[N] K_btheta of the corner, shape (rows, 3); a view."""
     @property
     def bond_share(self) -> NDArray[np.float64]:
-        """[N/m] this triangle's part of the bond opposite the corner, shape (a, 3); a view."""
+        """[N/m] this triangle's part of the bond opposite the corner, shape (rows, 3); a view."""
     def __copy__(self) -> Angles:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> Angles:
@@ -381,16 +381,18 @@ class Prisms:
     def __init__(self) -> None: ...
     @property
     def corners(self) -> NDArray[np.int32]:
-        """Particles: three inner, then the three above them, shape (p, 6); a view, read-only."""
+        """particles: three inner, then the three above them, shape (rows, 6); a view,
+        read-only.
+        """
     @property
     def rest_difference(self) -> NDArray[np.float64]:
-        """[m] first diagonal less the second, shape (p, 3); a view."""
+        """[m] first diagonal less the second, shape (rows, 3); a view."""
     @property
     def shear_stiffness(self) -> NDArray[np.float64]:
-        """[N/m] of that difference, shape (p, 3); a view."""
+        """[N/m] of that difference, shape (rows, 3); a view."""
     @property
     def shear_damping(self) -> NDArray[np.float64]:
-        """[N·s/m] likewise, shape (p, 3); a view."""
+        """[N·s/m] likewise, shape (rows, 3); a view."""
     def __copy__(self) -> Prisms:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> Prisms:
@@ -409,19 +411,19 @@ class Volumes:
         """Every field at its first value."""
     @property
     def corners(self) -> NDArray[np.int32]:
-        """Particle indices, shape (t, 4); a view, read-only."""
+        """particle indices, shape (rows, 4); a view, read-only."""
     @property
     def rest_volume(self) -> NDArray[np.float64]:
-        """[m³], positive, shape (t,); a view."""
+        """[m³] positive, shape (rows,); a view."""
     @property
     def bulk(self) -> NDArray[np.float64]:
-        """[Pa] lambda - mu: what springs leave to be done, shape (t,); a view."""
+        """[Pa] lambda - mu: what springs leave to be done, shape (rows,); a view."""
     @property
     def first_around(self) -> NDArray[np.int32]:
-        """Of each particle in around, and the end, shape (n + 1,); a view, read-only."""
+        """of each particle in around, and the end, shape (n + 1,); a view, read-only."""
     @property
     def around(self) -> NDArray[np.int32]:
-        """The rows around particle 0, those around 1, ... each ascending, shape (4 t,); a view,
+        """the rows around particle 0, those around 1, ... each ascending, shape (k,); a view,
         read-only.
         """
     nodal_share: float
@@ -431,6 +433,106 @@ class Volumes:
     def __deepcopy__(self, memo: dict[int, object]) -> Volumes:
         """A copy of its own."""
     def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """What it is, on one line."""
+
+class Elastic:
+    """Tetrahedra of a linear elastic solid, for shallow presses: constant strain and Hooke's
+    law. The part nodal_share of lambda acts on the mean trace of the strain around each
+    particle.
+    """
+    def __init__(self) -> None:
+        """Every field at its first value."""
+    @property
+    def corners(self) -> NDArray[np.int32]:
+        """particle indices, shape (rows, 4); a view, read-only."""
+    @property
+    def lame(self) -> NDArray[np.float64]:
+        """[Pa] lambda, Lamé's first constant, shape (rows,); a view."""
+    @property
+    def shear(self) -> NDArray[np.float64]:
+        """[Pa] mu, shape (rows,); a view."""
+    @property
+    def first_around(self) -> NDArray[np.int32]:
+        """as in Volumes, shape (n + 1,); a view, read-only."""
+    @property
+    def around(self) -> NDArray[np.int32]:
+        """as in Volumes, shape (k,); a view, read-only."""
+    @property
+    def reach(self) -> NDArray[np.int32]:
+        """particles that pushes may move, ascending; empty for all that carry the surface,
+        shape (rows,); a view, read-only.
+        """
+    nodal_share: float
+    """[-] 0 to 1"""
+    damping_time: float
+    """[s] in which strain follows stress (Kelvin-Voigt)"""
+    def __copy__(self) -> Elastic:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Elastic:
+        """A copy of its own."""
+    def __getstate__(
+        self, /
+    ) -> tuple[object, object, object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """What it is, on one line."""
+
+class Maxwell:
+    """Linear viscoelasticity: beside every spring, bond, angle and stretch-bend a Maxwell
+    branch of ratio times its stiffness, whose force fades with time while the tissue holds
+    still.
+    """
+    @overload
+    def __init__(self, ratio: float = ..., time: float = ...) -> None:
+        """__init__(*args, **kwargs)
+
+        Copies its tables.
+
+        Arguments are the fields of these names, with their shapes and units.
+        """
+    @overload
+    def __init__(self) -> None: ...
+    ratio: float
+    """[-] k_v/k, 0 for none"""
+    time: float
+    """[s] tau, in which 63 % of the branch's force has faded"""
+    def __copy__(self) -> Maxwell:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Maxwell:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """What it is, on one line."""
+
+class Skin:
+    """How a fine surface rides on coarse tetrahedra: vertex v is at the sum over k of
+    weights[v, k] times the position of particle corners[v, k]. Empty where the particles
+    themselves are the surface.
+    """
+    @overload
+    def __init__(self, corners: ArrayLike, weights: ArrayLike) -> None:
+        """__init__(*args, **kwargs)
+
+        Copies its tables.
+
+        Arguments are the fields of these names, with their shapes and units.
+        """
+    @overload
+    def __init__(self) -> None: ...
+    @property
+    def corners(self) -> NDArray[np.int32]:
+        """particle indices, shape (rows, 4); a view, read-only."""
+    @property
+    def weights(self) -> NDArray[np.float64]:
+        """[-] sum 1; below 0 outside of the tetrahedron, shape (rows, 4); a view."""
+    def __copy__(self) -> Skin:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Skin:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """What it is, on one line."""
@@ -451,48 +553,6 @@ def build_volumes(
         nodal_share: [-] 0 to 1
     """
 
-class Elastic:
-    """Tetrahedra of a linear elastic solid, for shallow presses: constant strain and Hooke's
-    law. The part nodal_share of lambda acts on the mean trace of the strain around each
-    particle.
-    """
-    def __init__(self) -> None:
-        """Every field at its first value."""
-    @property
-    def corners(self) -> NDArray[np.int32]:
-        """Particle indices, shape (t, 4); a view, read-only."""
-    @property
-    def lame(self) -> NDArray[np.float64]:
-        """[Pa] lambda, Lamé's first constant, shape (t,); a view."""
-    @property
-    def shear(self) -> NDArray[np.float64]:
-        """[Pa] mu, shape (t,); a view."""
-    @property
-    def first_around(self) -> NDArray[np.int32]:
-        """As in Volumes, shape (n + 1,); a view, read-only."""
-    @property
-    def around(self) -> NDArray[np.int32]:
-        """As in Volumes, shape (4 t,); a view, read-only."""
-    @property
-    def reach(self) -> NDArray[np.int32]:
-        """Particles that pushes may move, ascending, shape (k,); empty for all that carry the
-        surface; a view, read-only.
-        """
-    nodal_share: float
-    """[-] 0 to 1"""
-    damping_time: float
-    """[s] in which strain follows stress (Kelvin-Voigt)."""
-    def __copy__(self) -> Elastic:
-        """A copy of its own."""
-    def __deepcopy__(self, memo: dict[int, object]) -> Elastic:
-        """A copy of its own."""
-    def __getstate__(
-        self, /
-    ) -> tuple[object, object, object, object, object, object, object, object]: ...
-    def __setstate__(self, arg0: tuple) -> None: ...
-    def __repr__(self) -> str:
-        """What it is, on one line."""
-
 def build_elastic(
     particle_count: int,
     corners: ArrayLike,
@@ -511,36 +571,6 @@ def build_elastic(
         nodal_share: [-] 0 to 1
         damping_time: [s] in which strain follows stress
     """
-
-class Skin:
-    """How a fine surface rides on coarse tetrahedra: vertex v is at the sum over k of
-    weights[v, k] times the position of particle corners[v, k]. Empty where the particles
-    themselves are the surface.
-    """
-    @overload
-    def __init__(self, corners: ArrayLike, weights: ArrayLike) -> None:
-        """__init__(*args, **kwargs)
-
-        Copies its tables.
-
-        Arguments are the fields of these names, with their shapes and units.
-        """
-    @overload
-    def __init__(self) -> None: ...
-    @property
-    def corners(self) -> NDArray[np.int32]:
-        """Particle indices, shape (n, 4); a view, read-only."""
-    @property
-    def weights(self) -> NDArray[np.float64]:
-        """[-] sum 1; below 0 outside of the tetrahedron, shape (n, 4); a view."""
-    def __copy__(self) -> Skin:
-        """A copy of its own."""
-    def __deepcopy__(self, memo: dict[int, object]) -> Skin:
-        """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object]: ...
-    def __setstate__(self, arg0: tuple) -> None: ...
-    def __repr__(self) -> str:
-        """What it is, on one line."""
 
 def move_skin(skin: Skin, x: ArrayLike, surface: NDArray[np.float64]) -> None:
     """Sets surface [m] to where the vertices of a surface are that rides on particles at x [m].
@@ -566,6 +596,7 @@ class TissueModel:
         prisms: Prisms = ...,
         volumes: Volumes = ...,
         elastic: Elastic = ...,
+        maxwell: Maxwell = ...,
         skin: Skin = ...,
         home: ArrayLike = ...,
         pressure: float = ...,
@@ -604,7 +635,9 @@ class TissueModel:
         """Solids; may be empty."""
     @property
     def elastic(self) -> Elastic:
-        """Linear solids; may be empty."""
+        """Linear solids, which have no other law; may be empty."""
+    maxwell: Maxwell
+    """What of links and angles relaxes; may be empty."""
     @property
     def skin(self) -> Skin:
         """Solids under a finer surface; may be empty."""
@@ -631,6 +664,7 @@ class TissueModel:
     def __getstate__(
         self, /
     ) -> tuple[
+        object,
         object,
         object,
         object,
@@ -1060,11 +1094,16 @@ class State:
     @property
     def force(self) -> NDArray[np.float64]:
         """[N] of the last evaluation, loads included, shape (n, 3); a view."""
+    @property
+    def internal(self) -> NDArray[np.float64]:
+        """[-] or [m]: what laws with a memory keep, law by law, shape (k,); empty without one;
+        a view.
+        """
     def __copy__(self) -> State:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> State:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """What it is, on one line."""
@@ -1248,15 +1287,21 @@ def accumulate_drag(mass: ArrayLike, drag: float, v: ArrayLike, f: NDArray[np.fl
     """
 
 def compute_forces(
-    model: TissueModel, load: Load, x: ArrayLike, v: ArrayLike, f: NDArray[np.float64]
+    model: TissueModel,
+    load: Load,
+    x: ArrayLike,
+    v: ArrayLike,
+    f: NDArray[np.float64],
+    internal: ArrayLike = ...,
 ) -> None:
     """Sets f [N] to all of the above for a model under a load. The entries of fixed particles
-    hold what the support must carry.
+    hold what the support must carry. internal is State.internal; none stands for zeros.
 
     Args:
         x: [m] shape (n, 3), positions
         v: [m/s] shape (n, 3), velocities
         f: [N] shape (n, 3), float64, C order, written to
+        internal: [-] or [m] shape (k,) or empty
     """
 
 class ResponseSize:
@@ -1364,6 +1409,9 @@ class Energy:
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
+
+def count_internal(model: TissueModel) -> int:
+    """How many internal variables a state of the model has."""
 
 @overload
 def compute_energy(model: TissueModel, gravity: ArrayLike, state: State) -> Energy:

@@ -24,12 +24,12 @@ FILES = (
         "sim/session/private/record_writer.cpp",
     ),
     *("scenario/*.cpp", "sim/mesh/*.cpp", "sim/model/*.cpp"),
-    *("sim/model/private/*.cpp", "sim/model/private/check_options.h"),
+    *("sim/model/private/*.cpp", "sim/model/private/*.h"),
 )
 """Where what a window opens is read and built: meshes, organs, published files, devices."""
 CALL = re.compile(
     r"\b(?:throw FileError|throw NotDurable|throw DeviceError|throw std::invalid_argument"
-    r"|(?<!void )(?:refuse|require))\("
+    r"|(?<!void )(?:refuse|refuse_beside|require))\("
 )
 LITERAL = re.compile(r'"((?:[^"\\]|\\.)*)"')
 TOLD = re.compile(
@@ -38,6 +38,14 @@ TOLD = re.compile(
     re.DOTALL,
 )
 """Functions that give what was found, or what is wrong with it."""
+LIMITS = re.compile(r"const char\* describe\(Limit limit\) noexcept \{(.*?)\n\}", re.DOTALL)
+"""What a number of a law may be."""
+COUNTS = re.compile(r"std::array kExpected = \{(.*?)\};", re.DOTALL)
+"""What a row of a law joins, before a number."""
+WHOLE_TISSUE = re.compile(r'\{("a [^"]*"),\s*((?:"[^"]*"\s*)+)\},')
+"""Why no part of a tissue with a law may sleep."""
+LAW = re.compile(r'make_(?:table|links)\(\s*(?://[^\n]*\s*)?\{"(\w+)"')
+"""A law that a linear solid refuses beside it."""
 CHOSEN = re.compile(r"return \{[^{};]*, (?:true|false), (.*?)\};")
 """A unit or an axis, whether it is guessed, and why."""
 PRINTED = re.compile(r'snprintf\(\w+, sizeof \w+, ("[^"]*")')
@@ -80,6 +88,13 @@ def read_file(path: Path) -> Iterator[str]:
     for body in NOTED.findall(source):
         for told in re.findall(r"(?:note \+?=|return) (.*?);\n", body, re.DOTALL):
             yield from build_templates(told)
+    for body in LIMITS.findall(source):
+        yield from (count_places(told) for told in LITERAL.findall(body))
+    for body in COUNTS.findall(source):
+        yield from (f"{told}%1" for told in LITERAL.findall(body) if told)
+    yield from (law for law in LAW.findall(source) if law not in ("elastic", "skin"))
+    for reason in WHOLE_TISSUE.findall(source):
+        yield from ("".join(LITERAL.findall(part)) for part in reason)
     yield from ADVICE.findall(source)
     if path.stem == "units":
         told = [*CHOSEN.findall(source), *PRINTED.findall(re.sub(r"%[.\d]*[a-z]", "%1", source))]

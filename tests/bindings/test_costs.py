@@ -123,8 +123,8 @@ def test_a_file_holds_the_integrator_of_a_body(scene, tmp_path, name):
     tissue = copy.copy(scene.bodies[0].tissue)
     tissue.drag = 400.0  # explicit Euler and midpoint need it
     body = palpate.SoftBody(tissue=tissue, integrator=palpate.Integrator[name])
-    made = palpate.scenario.Scenario()
-    made.scene = palpate.build_scene(palpate.Scene(bodies=[body]))
+    built = palpate.build_scene(palpate.Scene(bodies=[body]))
+    made = palpate.scenario.Scenario(scene=built)
 
     palpate.scenario.write(tmp_path / "one.palpate", made)
 

@@ -904,6 +904,26 @@
         <translation>yuva yayı olmayan parçacıkları olan bir doku</translation>
     </message>
     <message>
+        <source>a tissue that relaxes</source>
+        <translation>gevşeyen bir doku</translation>
+    </message>
+    <message>
+        <source>0: what relaxes is moved whole, for it is never quite at rest</source>
+        <translation>0: gevşeyen doku bütünüyle hareket ettirilir, çünkü hiçbir zaman tam durmaz</translation>
+    </message>
+    <message>
+        <source>maxwell</source>
+        <translation>Maxwell kolları</translation>
+    </message>
+    <message>
+        <source>three different particles, 0 to %1</source>
+        <translation>0 ile %1 arasında üç farklı parçacık</translation>
+    </message>
+    <message>
+        <source>five different particles, 0 to %1</source>
+        <translation>0 ile %1 arasında beş farklı parçacık</translation>
+    </message>
+    <message>
         <source>a tissue with prisms</source>
         <translation>prizmaları olan bir doku</translation>
     </message>

@@ -64,13 +64,13 @@ inline void check_size(const std::string& where, std::size_t got, std::size_t ex
 template <std::size_t N>
 void check_corners(const char* table, const char* column,
                    const std::vector<std::array<int, N>>& rows, int particles) {
-  constexpr std::array kCounts = {"",
-                                  "",
-                                  "two ascending",
-                                  "three different",
-                                  "four different",
-                                  "five different",
-                                  "six different"};
+  constexpr std::array kExpected = {"",
+                                    "",
+                                    "two ascending particles, 0 to ",
+                                    "three different particles, 0 to ",
+                                    "four different particles, 0 to ",
+                                    "five different particles, 0 to ",
+                                    "six different particles, 0 to "};
   for (std::size_t row = 0; row < rows.size(); ++row) {
     std::array<int, N> ids = rows[row];
     const bool ascends = std::ranges::is_sorted(ids);
@@ -79,8 +79,7 @@ void check_corners(const char* table, const char* column,
     if (ids.front() >= 0 && ids.back() < particles && different && (N > 2 || ascends)) continue;
     std::string got;
     for (const int id : rows[row]) got += write_text(got.empty() ? "" : ", ", id);
-    refuse(name_row(table, column, row), got,
-           write_text(kCounts[N], " particles, 0 to ", particles - 1));
+    refuse(name_row(table, column, row), got, write_text(kExpected[N], particles - 1));
   }
 }
 
