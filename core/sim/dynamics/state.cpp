@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/sim/dynamics/state.h"
 
-#include "palpate/sim/dynamics/private/advance_internal.h"
 #include "palpate/sim/dynamics/private/laws.h"
 
 namespace palpate {

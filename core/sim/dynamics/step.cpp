@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "palpate/sim/dynamics/forces.h"
-#include "palpate/sim/dynamics/private/advance_internal.h"
 #include "palpate/sim/dynamics/private/free_particles.h"
+#include "palpate/sim/dynamics/private/law.h"
 
 namespace palpate {
 namespace {

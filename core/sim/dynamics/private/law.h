@@ -16,6 +16,14 @@
 //     count_internal(model), advance_internal(model, x, dt, internal)   variables of its own
 //     scale_links(model)                 how many times as stiff as alone it makes links
 
+namespace palpate {
+
+/// Ends a step of dt [s] that has moved the particles: internal variables follow, each law by its
+/// own equation, over the step as a whole. Forces within a step take them as they were before it.
+void advance_internal(const TissueModel& model, double dt, State& state) noexcept;
+
+}  // namespace palpate
+
 namespace palpate::laws {
 
 /// What laws pull on. `internal` are the variables of the one law that is asked; none stand for
