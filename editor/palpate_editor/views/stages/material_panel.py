@@ -11,6 +11,7 @@ import palpate
 from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QHBoxLayout, QPushButton, QVBoxLayout
 
 from palpate_editor.document import Organ
+from palpate_editor.document.constants import CONSTANTS
 from palpate_editor.edits import FixLowest, FixVertices, SetGravity
 from palpate_editor.views.stages.constant_form import ChoiceField, ConstantField, build_grid
 from palpate_editor.views.stages.facts import Fact, Facts, Section, write_label
@@ -33,14 +34,7 @@ TISSUE = (
     "material.damping_ratio",
     "material.wall_thickness",
 )
-LINKS = (
-    "model.stiffness",
-    "model.bend_stiffness",
-    "model.stretch_coupling",
-    "model.home_stiffness",
-    "model.drag",
-    "model.pressure",
-)
+LINKS = tuple(constant.key for constant in CONSTANTS if constant.part == "model")
 TIP = ("tool.radius", "tool.stiffness")
 HAND = (
     "hand.coupling",
