@@ -199,6 +199,8 @@ def test_every_number_of_a_scene_file_changes_what_is_compiled(organ, part, name
             np.asarray(t.angles.stretch_coupling).tolist(),
             t.pressure,
             t.drag,
+            t.maxwell.ratio,
+            t.maxwell.time,
             s.instruments[0].tool.radius,
             s.instruments[0].tool.stiffness,
             s.instruments[0].coupling.stiffness,
