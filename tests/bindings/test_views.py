@@ -168,7 +168,8 @@ def test_options_that_read_as_copies_refuse_writing():
 
 
 def test_structured_rows_share_memory_with_a_record():
-    record = palpate.Record(hand=np.zeros(3, palpate.HapticSample.dtype))
+    felt = np.zeros(3, palpate.Felt.dtype)
+    record = palpate.Record(hand=np.zeros(3, palpate.HapticSample.dtype), felt=felt)
 
     record.hand["position"][1, 2] = 0.5
 
@@ -188,7 +189,8 @@ def test_rows_survive_the_way_through_a_file_of_numpy(tmp_path):
     hand["orientation"][:, 3] = 1.0
     np.save(tmp_path / "hand.npy", hand)
 
-    record = palpate.Record(hand=np.load(tmp_path / "hand.npy"))
+    felt = np.zeros(3, palpate.Felt.dtype)
+    record = palpate.Record(hand=np.load(tmp_path / "hand.npy"), felt=felt)
 
     assert np.array_equal(record.hand["position"], hand["position"])
     assert np.array_equal(record.hand["orientation"], hand["orientation"])

@@ -94,20 +94,6 @@ void sync_name(const std::string& path) {
 
 }  // namespace
 
-std::size_t count_ticks(const Record& record) {
-  const auto lanes = static_cast<std::size_t>(validated(record.instruments));
-  if (record.hand.size() != record.felt.size()) {
-    throw std::invalid_argument("record: got " + std::to_string(record.hand.size()) +
-                                " hand samples and " + std::to_string(record.felt.size()) +
-                                " felt ones, expected as many of both");
-  }
-  if (record.hand.size() % lanes != 0) {
-    refuse("record: hand", write_text(record.hand.size(), " samples"),
-           write_text("a multiple of ", lanes, ", one for each instrument in every tick"));
-  }
-  return record.hand.size() / lanes;
-}
-
 struct Recorder::Impl {
   Impl(const std::string& path_in, const std::string& header_json, RecordCodec codec,
        const Layout& layout)
