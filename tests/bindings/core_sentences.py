@@ -20,6 +20,7 @@ FILES = (
     ),
     *(
         "sim/session/record.cpp",
+        "sim/session/count_ticks.cpp",
         "sim/session/private/record_file.cpp",
         "sim/session/private/record_writer.cpp",
     ),

@@ -57,6 +57,22 @@ double find_largest_growth(const TissueModel& model, Integrator integrator, doub
   return largest;
 }
 
+constexpr Integrator kExplicit[] = {Integrator::explicit_euler, Integrator::symplectic_euler,
+                                    Integrator::midpoint, Integrator::runge_kutta_4};
+
+std::vector<Scene> make_damped_scenes() {
+  TissueModel chain = scenes::make_chain_model(8, 1e-3, 100.0, 0.1);
+  chain.springs.damping[2] = 0.4;
+  std::vector<Scene> all;
+  all.push_back({"oscillator", scenes::make_oscillator_model(1e-3, 100.0, 0.13), 1e-5});
+  all.push_back({"overdamped oscillator", scenes::make_oscillator_model(1e-3, 100.0, 0.9), 1e-5});
+  all.push_back({"chain", chain, 1e-5});
+  all.push_back(
+      {"organ, links damped", scenes::make_spring_organ(0, {.damping_ratio = 0.2}), 5e-12});
+  all.push_back({"organ, drag", scenes::make_molecular_organ(0, {.drag = 300.0}), 5e-12});
+  return all;
+}
+
 }  // namespace
 
 TEST_CASE("symplectic Euler keeps within its bound at 0.98 of 2/w and passes 1000 E0 at 1.05") {
@@ -91,18 +107,8 @@ TEST_CASE("Runge-Kutta 4 loses energy at 0.98 of 2.828/w and passes 1000 E0 at 1
 }
 
 TEST_CASE("damped, every explicit integrator is stable just up to where its step matrix is") {
-  TissueModel chain = scenes::make_chain_model(8, 1e-3, 100.0, 0.1);
-  chain.springs.damping[2] = 0.4;
-  std::vector<Scene> all;
-  all.push_back({"oscillator", scenes::make_oscillator_model(1e-3, 100.0, 0.13), 1e-5});
-  all.push_back({"overdamped oscillator", scenes::make_oscillator_model(1e-3, 100.0, 0.9), 1e-5});
-  all.push_back({"chain", chain, 1e-5});
-  all.push_back(
-      {"organ, links damped", scenes::make_spring_organ(0, {.damping_ratio = 0.2}), 5e-12});
-  all.push_back({"organ, drag", scenes::make_molecular_organ(0, {.drag = 300.0}), 5e-12});
-  for (const Scene& scene : all) {
-    for (const Integrator integrator : {Integrator::explicit_euler, Integrator::symplectic_euler,
-                                        Integrator::midpoint, Integrator::runge_kutta_4}) {
+  for (const Scene& scene : make_damped_scenes()) {
+    for (const Integrator integrator : kExplicit) {
       CAPTURE(scene.name);
       CAPTURE(std::string(integrator_name(integrator)));
       const LinearTissue tissue(scene.model);
@@ -122,18 +128,8 @@ TEST_CASE("damped, every explicit integrator is stable just up to where its step
 }
 
 TEST_CASE("stable_step of every explicit integrator lies between 0.4 and 1.0 of where it fails") {
-  TissueModel chain = scenes::make_chain_model(8, 1e-3, 100.0, 0.1);
-  chain.springs.damping[2] = 0.4;
-  std::vector<Scene> all;
-  all.push_back({"oscillator", scenes::make_oscillator_model(1e-3, 100.0, 0.13), 1e-5});
-  all.push_back({"overdamped oscillator", scenes::make_oscillator_model(1e-3, 100.0, 0.9), 1e-5});
-  all.push_back({"chain", chain, 1e-5});
-  all.push_back(
-      {"organ, links damped", scenes::make_spring_organ(0, {.damping_ratio = 0.2}), 5e-12});
-  all.push_back({"organ, drag", scenes::make_molecular_organ(0, {.drag = 300.0}), 5e-12});
-  for (const Scene& scene : all) {
-    for (const Integrator integrator : {Integrator::explicit_euler, Integrator::symplectic_euler,
-                                        Integrator::midpoint, Integrator::runge_kutta_4}) {
+  for (const Scene& scene : make_damped_scenes()) {
+    for (const Integrator integrator : kExplicit) {
       CAPTURE(scene.name);
       CAPTURE(std::string(integrator_name(integrator)));
       const LinearTissue tissue(scene.model);
