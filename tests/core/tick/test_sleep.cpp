@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
+#include <array>
 #include <string>
 
 #include "core/tick/press_scene.h"
@@ -9,6 +10,7 @@
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/world_internals.h"
 #include "scenes/linear_solids.h"
+#include "scenes/solids.h"
 #include "skip.h"
 
 using namespace palpate;
@@ -207,6 +209,88 @@ TEST_CASE("a body beside one that is pressed sleeps, and changes no bit of what 
   CHECK(slept > 0);
   CHECK(alone > 100);
   CHECK_FALSE(sleeps.alarm);
+}
+
+/// A wall of springs below the hand, and a covered solid with volumes beside it, in vector code and
+/// with nothing granted.
+Scene make_packed_pair() {
+  Scene scene = press_scene();
+  SoftBody solid;
+  solid.tissue = scenes::make_covered_organ(3, 0.9, {.damping_ratio = 0.1});
+  for (Vec3& x : solid.tissue.rest_position) x.x() += 0.3;
+  scene.bodies.push_back(solid);
+  scene.gravity = {0.0, 0.0, -9.81};
+  for (SoftBody& body : scene.bodies) {
+    body.tissue.drag = 60.0;
+    body.kernel = Kernel::packed;
+  }
+  return build_scene(std::move(scene));
+}
+
+/// [m]
+double largest_distance(const SoftState& a, const SoftState& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.tissue.position.size(); ++i) {
+    largest = std::max(largest, (a.tissue.position[i] - b.tissue.position[i]).norm());
+  }
+  return largest;
+}
+
+TEST_CASE("vector code beside other bodies sleeps within a micrometre of where it would rest") {
+  SKIP_UNLESS(!simd_targets().empty(), "no vector code");
+  const Scene scene = make_packed_pair();
+  const Case presses{"packed pair", scene, 0.023, 0};
+  World sleeps(scene), wakes(scene);
+  constexpr int kSettles = 3000, kVisit = 500;
+  std::array<int, 2> slept = {0, 0};
+  double apart = 0.0, strongest = 0.0;
+  for (int i = 0; i < 2 * kSettles + kVisit; ++i) {
+    const HapticSample sample = i < kSettles ? at(kFar) : visit(presses, i - kSettles);
+    const Vec3 force = tick(scene, sample, kDt, sleeps).force;
+    const Vec3 awake = tick(scene, sample, kDt, wakes).force;
+    for (SoftState& body : wakes.bodies) body.asleep = false;
+    strongest = std::max(strongest, awake.norm());
+    REQUIRE((force - awake).norm() < 1e-4);  // [N]
+    for (std::size_t b = 0; b < 2; ++b) slept[b] += sleeps.bodies[b].asleep;
+    if (i == kSettles - 1) CHECK((slept[0] > 0 && slept[1] > 0));
+    if (sleeps.instruments[0].tool.touching) REQUIRE_FALSE(sleeps.bodies[0].asleep);
+    if (i % 100 != 0) continue;
+    catch_up(scene, sleeps);
+    catch_up(scene, wakes);
+    for (std::size_t b = 0; b < 2; ++b) {
+      apart = std::max(apart, largest_distance(sleeps.bodies[b], wakes.bodies[b]));
+    }
+  }
+  CHECK(strongest > 0.1);
+  CHECK(apart > 0.0);
+  CHECK(apart < 1e-6);
+  CHECK((sleeps.bodies[0].asleep && sleeps.bodies[1].asleep));
+  CHECK_FALSE(sleeps.alarm);
+}
+
+TEST_CASE("vector code beside other bodies stays awake while it swings or creeps") {
+  SKIP_UNLESS(!simd_targets().empty(), "no vector code");
+  const Scene scene = make_packed_pair();
+  World world(scene);
+  Vec3Array before = world.bodies[0].tissue.position;
+  int moved = 0;
+  for (int i = 1; i <= 1000; ++i) {
+    tick(scene, at(kFar), kDt, world);
+    if (i % 50 != 0) continue;
+    catch_up(scene, world);
+    double largest = 0.0;
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      largest = std::max(
+          largest, (world.bodies[0].tissue.position[k] - before[k]).lpNorm<Eigen::Infinity>());
+    }
+    before = world.bodies[0].tissue.position;
+    // tries and these samples lie up to 50 ticks apart
+    if (largest > 4e-7) {
+      CHECK_FALSE(world.bodies[0].asleep);
+      ++moved;
+    }
+  }
+  CHECK(moved > 1);
 }
 
 TEST_CASE("a tree that is exchanged while its body sleeps finds the tool as the old one did") {

@@ -103,6 +103,7 @@ struct Rest {
   Vec3 gravity = Vec3::Zero();  ///< [m/s²] with which it did (end_moving)
   int patience = 0;             ///< ticks until it is tried again (end_moving)
   bool is_tried = false;        ///< `copy` is of the tick before (end_moving)
+  bool has_copy = false;        ///< `copy` is of a tick since which it has been calm (end_moving)
   std::vector<std::byte> copy;  ///< of all that a step reads and writes (end_moving)
 };
 
