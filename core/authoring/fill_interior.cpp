@@ -16,6 +16,8 @@ namespace {
 /// Mesh_3 at a cell size L gives this many tetrahedra per volume of L³, from 5.4 on the shipped
 /// spleen to 6.8 on the kidney, whose surface is large for its volume.
 constexpr double kTetrahedraPerCell = 6.0;
+/// [-] A cell size that was chosen for the most there may be gives as many but for rounding.
+constexpr double kRounding = 1e-9;
 
 void check_surface(const SurfaceMesh& surface) {
   validate(surface);
@@ -36,21 +38,6 @@ void check_surface(const SurfaceMesh& surface) {
            crossing ? write_text(crossing->size(), " triangles that cross others")
                     : std::string("more triangles upon each other than can be counted"),
            "a surface that does not cross itself");
-  }
-}
-
-void check_cell_size(const SurfaceMesh& surface, double cell_size) {
-  if (!(std::isfinite(cell_size) && cell_size > 0.0)) {
-    refuse("fill: cell_size", write_text(cell_size, " m"), "a positive number");
-  }
-  const double volume = compute_volume(surface);
-  const double expected = kTetrahedraPerCell * volume / std::pow(cell_size, 3);
-  if (expected > kMostTetrahedra) {
-    refuse(
-        "fill: cell_size",
-        write_text(1e3 * cell_size, " mm, which gives about ", std::round(expected), " tetrahedra"),
-        write_text("at least ", 1e3 * std::cbrt(kTetrahedraPerCell * volume / kMostTetrahedra),
-                   " mm for at most ", kMostTetrahedra));
   }
 }
 
@@ -77,6 +64,21 @@ SolidMesh tidy(const SolidMesh& solid) {
 }
 
 }  // namespace
+
+void check_cell_size(const SurfaceMesh& surface, double cell_size) {
+  if (!(std::isfinite(cell_size) && cell_size > 0.0)) {
+    refuse("fill: cell_size", write_text(cell_size, " m"), "a positive number");
+  }
+  const double volume = compute_volume(surface);
+  const double expected = kTetrahedraPerCell * volume / std::pow(cell_size, 3);
+  if (expected > kMostTetrahedra * (1.0 + kRounding)) {
+    refuse(
+        "fill: cell_size",
+        write_text(1e3 * cell_size, " mm, which gives about ", std::round(expected), " tetrahedra"),
+        write_text("at least ", 1e3 * std::cbrt(kTetrahedraPerCell * volume / kMostTetrahedra),
+                   " mm for at most ", kMostTetrahedra));
+  }
+}
 
 double choose_cell_size(const SurfaceMesh& surface, int tetrahedron_count) {
   check_surface(surface);

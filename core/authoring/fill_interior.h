@@ -12,6 +12,10 @@ inline constexpr int kMostTetrahedra = 40'000;
 /// third. Throws as fill_interior does for the surface.
 double choose_cell_size(const SurfaceMesh& surface, int tetrahedron_count);
 
+/// Throws std::invalid_argument, with the smallest size there may be, where `cell_size` [m] is not
+/// positive or would fill a closed surface with more than kMostTetrahedra.
+void check_cell_size(const SurfaceMesh& surface, double cell_size);
+
 /// Tetrahedra of about `cell_size` [m] that fill a closed surface, slivers perturbed and exuded.
 /// Their outside lies within a seventh of `cell_size` of the surface but has other vertices: the
 /// surface rides on them as a Skin. The same surface and size give the same tetrahedra.

@@ -7,6 +7,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 import palpate
+from palpate import scenario
 from palpate.scene.scene_file import build_material, enumerator
 
 from palpate_editor import authoring
@@ -48,6 +49,7 @@ def build_filled(organ: Organ) -> palpate.TissueModel:
     reach = find_reach(organ)
     surface = palpate.SurfaceMesh(organ.surface.vertices, organ.surface.triangles)
     solid = fill_surface(organ.surface, organ.fill.tetrahedra)
+    check_room(solid, organ.model.kind)
     nearest = find_nearest(np.asarray(solid.vertices), organ.surface.vertices)
     outside = np.zeros(len(nearest), dtype=bool)
     outside[palpate.find_boundary(solid)] = True
@@ -63,6 +65,17 @@ def build_filled(organ: Organ) -> palpate.TissueModel:
     model = build(solid, build_material(organ.material), options)
     model = palpate.cover_with_skin(model, surface)
     return model if reach is None else palpate.limit_reach(model, reach)
+
+
+def check_room(solid: palpate.SolidMesh, kind: str) -> None:
+    """Raises ValueError for more tetrahedra than a published file has room for."""
+    most = scenario.MOST_ELASTIC if kind == "linear_solid" else scenario.MOST_TETRAHEDRA
+    count = len(solid.tetrahedra)
+    if count > most:
+        raise ValueError(
+            f"fill.tetrahedra: got {count}, expected at most {most} in a solid of this kind, which "
+            "a published file has room for: ask for fewer"
+        )
 
 
 def find_reach(organ: Organ) -> np.ndarray | None:

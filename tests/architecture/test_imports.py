@@ -214,7 +214,7 @@ def test_an_import_within_a_function_or_for_annotations_alone_counts_in_a_circle
     graph = build_graph()
 
     assert "palpate.cli.verbs" in graph["palpate.cli.main"], "in load_verbs"
-    assert "palpate_editor.document.organ" in graph["palpate_editor.document.constants"]
+    assert "palpate.study.accuracy" in graph["palpate.study.findings"]
 
 
 def test_no_modules_import_each_other_in_a_circle():

@@ -9,7 +9,13 @@ import subprocess
 import sys
 
 import pytest
-from palpate.cli.main import EDITOR_VERBS, build_parser, load_verbs, main
+from palpate.cli.main import (
+    EDITOR_VERBS,
+    build_parser,
+    join_negative_values,
+    load_verbs,
+    main,
+)
 from palpate.command.verb import quantity
 
 OUR_VERBS = ("doctor", "press", "replay", "render", "bench")
@@ -112,3 +118,26 @@ def test_a_verb_of_a_missing_distribution_says_what_to_install(monkeypatch, caps
 
     assert "palpate-editor" in capsys.readouterr().err
     assert "import" in EDITOR_VERBS
+
+
+def test_a_negative_number_with_its_unit_is_a_value_and_no_option():
+    """argparse takes -2kPa for an option, and -2 for a number."""
+    words = ["material", "a.organ", "--pressure", "-2kPa", "--gravity", "-1,0,-9.8"]
+
+    joined = join_negative_values([*words, "--share", "-.5", "--json", "-o", "a.organ"])
+
+    assert joined == [
+        *("material", "a.organ", "--pressure=-2kPa", "--gravity=-1,0,-9.8"),
+        *("--share=-.5", "--json", "-o", "a.organ"),
+    ]
+    assert join_negative_values(["a", "--b=1", "-2"]) == ["a", "--b=1", "-2"]
+    assert join_negative_values(["a", "--", "--b", "-2"]) == ["a", "--", "--b", "-2"]
+    call = build_parser(load_verbs()).parse_args(joined[:4] + ["--stretch-bend=-2N"])
+    assert getattr(call, "model.pressure") == -2e3
+    assert call.gravity == (-1.0, 0.0, -9.8)
+
+
+def test_a_negative_stretch_bend_is_read_as_a_person_writes_it(tmp_path, capsys):
+    assert main(["material", str(tmp_path / "none.organ"), "--stretch-bend", "-2N"]) == 1
+
+    assert "none.organ" in capsys.readouterr().err  # the call is right, the file is not there

@@ -247,7 +247,7 @@ def test_every_constant_of_the_table_has_its_option(tmp_path, capsys):
     run(capsys, "material", tmp_path / "a.organ", "--young", "6kPa", "--poisson", "0.4",
         "--tool-stiffness", "2e7N/m3", "--force-max", "3N", "--grip", "400N/m",
         "--rate", "1000", "--gravity", "0,0,-9.81", "--damping-law", "isotropic",
-        "-o", tmp_path / "a.organ")  # fmt: skip
+        "--kind", "solid", "-o", tmp_path / "a.organ")  # fmt: skip
 
     found = read_organ(tmp_path / "a.organ")
     assert (found.material.young_modulus, found.material.poisson_ratio) == (6e3, 0.4)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import argparse
 import json
 import os
+import re
 import sys
 from collections.abc import Sequence
 from importlib.metadata import entry_points, version
@@ -24,6 +25,8 @@ EDITOR_VERBS = (
     *("publish", "organs", "demo", "editor"),
 )
 """Verbs of the palpate-editor distribution, to say what to install where it is missing."""
+NEGATIVE = re.compile(r"-\.?\d")
+"""How a negative number begins; no option does."""
 
 
 def load_verbs() -> dict[str, Verb]:
@@ -73,10 +76,24 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 2
     parser = build_parser(verbs)
     try:
-        call = parser.parse_args(arguments)
+        call = parser.parse_args(join_negative_values(arguments))
     except SystemExit as stop:  # argparse has already said what is wrong
         return int(stop.code or 0)
     return run(verbs[call.verb], call)
+
+
+def join_negative_values(arguments: Sequence[str]) -> list[str]:
+    """The arguments with `--pressure -2kPa` as `--pressure=-2kPa`: argparse knows bare negative
+    numbers only, and takes one with a unit for an option. What stands behind -- stays as it is."""
+    joined: list[str] = []
+    for word in arguments:
+        before = joined[-1] if joined else ""
+        is_value = NEGATIVE.match(word) and "--" not in joined
+        if is_value and before.startswith("--") and "=" not in before:
+            joined[-1] = f"{before}={word}"
+        else:
+            joined.append(word)
+    return joined
 
 
 def run(verb: Verb, call: argparse.Namespace) -> int:

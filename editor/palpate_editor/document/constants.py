@@ -8,14 +8,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from palpate.scene.scene_parts import FILLED, KINDS, ORIGINS, SPRING_RULES, ModelPart
 
 from palpate_editor.document.phrase import Phrase, phrase
-
-if TYPE_CHECKING:
-    from palpate_editor.document.organ import Organ
 
 
 @dataclass(frozen=True)
@@ -61,19 +57,6 @@ class Constant:
         if not math.isfinite(value) or (self.whole and value != int(value)):
             return False
         return (value > self.least if self.above else value >= self.least) and value <= self.most
-
-    def find_idle(self, organ: Organ) -> Phrase | None:
-        """Why it has no effect on this organ though its model could make use of it; else None."""
-        model = organ.model
-        from_tissue = model.kind not in SURFACES or model.constants == "tissue"
-        if self.key not in ELASTIC or from_tissue or organ.material.wall_thickness is not None:
-            return None
-        if organ.fixed.any() and organ.fixed.all():  # tells a stone from what must be able to move
-            return None
-        return phrase(
-            "Has no effect here: springs and bonds take the stiffness that is chosen below. It "
-            "counts in a solid, and in a wall that has a thickness."
-        )
 
     def describe(self, value: float | None) -> Phrase:
         """A value [SI] in the unit shown: "5 kPa"; what no value means where it may have none."""
@@ -309,17 +292,19 @@ VALUE_NAMES = {
 """What people call what can be chosen."""
 
 
+KINDS_OF_LAWS = {
+    "angle_law": MOLECULAR,
+    "constants": SURFACES,
+    "damping_law": SWINGING,
+    "spring_rule": ("mass_spring",),
+}
+"""The model kinds on which a choice has an effect."""
+
+
 def counts_choice(field: str, model: ModelPart) -> bool:
     """Whether a law of `field` has an effect on a model."""
-    if field == "angle_law":
-        return model.kind == "molecular"
-    if field == "constants":
-        return model.kind in SURFACES
-    if field == "damping_law":
-        return model.kind in SWINGING
-    if field == "spring_rule":
-        return model.kind == "mass_spring" and model.constants == "tissue"
-    return True
+    counts = model.kind in KINDS_OF_LAWS.get(field, KINDS)
+    return counts and (field != "spring_rule" or model.constants == "tissue")
 
 
 def find_constant(part: str, field: str) -> Constant | None:

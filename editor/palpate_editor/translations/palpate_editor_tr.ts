@@ -2166,6 +2166,14 @@ Beklenen: {expected}.</translation>
         <source>kidney stone</source>
         <translation>böbrek taşı</translation>
     </message>
+    <message>
+        <source>Has no effect here: {why}. It counts in a solid, and where the tissue gives a wall its constants.</source>
+        <translation>Burada etkisi yoktur: {why}. Dolu bir cisimde ve duvarın sabitlerini doku verdiğinde hesaba katılır.</translation>
+    </message>
+    <message>
+        <source>Springs and bonds take the stiffness below, and home springs their own value, so Young's modulus and Poisson's ratio have no effect on the force: the wall is only compared with them.</source>
+        <translation>Yaylar ve bağlar aşağıdaki katılığı, yuva yayları kendi değerlerini alır; bu yüzden Young modülünün ve Poisson oranının kuvvete etkisi yoktur: duvar yalnızca onlarla karşılaştırılır.</translation>
+    </message>
 </context>
 <context>
     <name>constants</name>
@@ -2760,10 +2768,6 @@ Beklenen: {expected}.</translation>
         <translation>Yerçekimi yok</translation>
     </message>
     <message>
-        <source>Has no effect here: springs and bonds take the stiffness that is chosen below. It counts in a solid, and in a wall that has a thickness.</source>
-        <translation>Burada etkisi yok: yaylar ve bağlar aşağıda seçilen katılığı alır. Dolu cisimde ve kalınlığı olan bir duvarda sayılır.</translation>
-    </message>
-    <message>
         <source>Material of {tissue}</source>
         <translation>Malzeme: {tissue}</translation>
     </message>
@@ -2846,6 +2850,14 @@ Beklenen: {expected}.</translation>
     <message>
         <source>{value:g} {unit}</source>
         <translation>{value:g} {unit}</translation>
+    </message>
+    <message>
+        <source>springs and bonds take the stiffness that is chosen</source>
+        <translation>yaylar ve bağlar seçilen katılığı alır</translation>
+    </message>
+    <message>
+        <source>springs, bonds and home springs take the stiffness that is chosen</source>
+        <translation>yaylar, bağlar ve yuva yayları seçilen katılığı alır</translation>
     </message>
 </context>
 <context>

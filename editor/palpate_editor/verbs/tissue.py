@@ -22,6 +22,7 @@ from palpate_editor.compile import compile_organ
 from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.constants import CHOICES, CONSTANTS, SHORT_KINDS, Constant
 from palpate_editor.document.files import write_organ
+from palpate_editor.document.idle import Idle, find_idle, find_idle_choice, say_unused
 from palpate_editor.edits import FixLowest, SetChoice, SetConstant, SetGravity, SetReach
 from palpate_editor.kinds import compare_kinds, describe_kinds
 from palpate_editor.scene_files import name_mesh, write_scene
@@ -126,9 +127,53 @@ def set_constants(call: argparse.Namespace, organ: Organ) -> Organ:
     return organ
 
 
+def require_effects(call: argparse.Namespace, organ: Organ) -> None:
+    """Raises Refusal for the first option that changes nothing that `organ`, as the call leaves
+    it, is felt by."""
+    for constant in CONSTANTS:
+        value = getattr(call, constant.key)
+        idle = None if value is None else find_idle(constant, organ)
+        if idle is not None:
+            shown = constant.describe(None if value == NONE else value)
+            refuse_idle(call, constant.option, shown, idle)
+    for key, option in LAWS.items():
+        value = getattr(call, key)
+        idle = value and find_idle_choice(key.removeprefix("model."), value, organ)
+        if idle:
+            refuse_idle(call, option, value, idle)
+    if call.reach not in (None, NONE) and organ.model.kind != "linear_solid":
+        refuse_idle(
+            call,
+            "--reach",
+            call.reach,
+            Idle(say_unused(organ.model.kind), "--kind linear with it"),
+        )
+
+
+def refuse_idle(call: argparse.Namespace, option: str, value: str, idle: Idle) -> None:
+    raise Refusal(call.file, option, f"{value}, which has no effect here: {idle.why}", idle.instead)
+
+
+def require_compared(call: argparse.Namespace) -> None:
+    """Raises Refusal for an option that no kind has a use for where all are compared."""
+    options = [(c.option, getattr(call, c.key)) for c in CONSTANTS if c.chosen]
+    options += [(option, getattr(call, key)) for key, option in LAWS.items()]
+    for option, value in [*options, ("--kind", call.kind)]:
+        if value is not None and option != LAWS["model.damping_law"]:
+            idle = Idle(
+                "without --out every kind is built of the tissue and compared",
+                "--out with it",
+            )
+            refuse_idle(call, option, f"{value}", idle)
+
+
 def run_material(call: argparse.Namespace) -> Report:
     read = ReadFile.of(call.file)
+    if call.out is None:
+        require_compared(call)
     organ = set_constants(call, open_any(call.file))
+    if call.out is not None:
+        require_effects(call, organ)
     if call.out is None:
         return {"out": None, **compare_kinds(organ, call.file)}
     if organ.model.kind in FILLED and call.out.suffix != ".organ":

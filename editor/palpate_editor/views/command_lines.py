@@ -18,7 +18,13 @@ from palpate.viewport import View
 from palpate_editor.appearance import write_colour
 from palpate_editor.argument_text import LAWS, NONE, write_factors, write_ids
 from palpate_editor.document import Organ, Source
-from palpate_editor.document.constants import CONSTANTS, SHORT_KINDS, find_constant
+from palpate_editor.document.constants import (
+    CONSTANTS,
+    SHORT_KINDS,
+    counts_choice,
+    find_constant,
+)
+from palpate_editor.document.idle import find_idle
 from palpate_editor.edits import (
     Decimate,
     Edit,
@@ -114,7 +120,10 @@ def constant_option(part: str, field: str, value: float | None) -> str:
 
 
 def constant_arguments(edit: SetConstant, organ: Organ, document: Path | str) -> Arguments:
-    del organ
+    constant = find_constant(edit.part, edit.field)
+    if constant is not None and find_idle(constant, organ) is not None:
+        # no form shows it: it was out of its range, and its check has been answered
+        return ["palpate", "repair", document, "--problem", "constant", "-o", document]
     return material_arguments(document, [constant_option(edit.part, edit.field, edit.value)])
 
 
@@ -148,14 +157,16 @@ def appearance_arguments(edit: SetAppearance, organ: Organ, document: Path | str
 
 
 def all_arguments(edit: SetMaterial, organ: Organ, document: Path | str) -> Arguments:
-    """Everything that a pasted material brings."""
+    """Everything that a pasted material brings and that has an effect."""
     del edit
     model = organ.model
     options: Arguments = ["--kind", KINDS[model.kind]]
     for key, option in LAWS.items():
-        options += [option, getattr(model, key.removeprefix("model."))]
+        field = key.removeprefix("model.")
+        if counts_choice(field, model):
+            options += [option, getattr(model, field)]
     for constant in CONSTANTS:
-        if constant.part in ("material", "model"):
+        if constant.part in ("material", "model") and find_idle(constant, organ) is None:
             value = getattr(getattr(organ, constant.part), constant.field)
             if value is not None or constant.optional:
                 options.append(constant_option(constant.part, constant.field, value))

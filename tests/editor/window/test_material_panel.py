@@ -12,6 +12,7 @@ from hands import action, child, click, type_into
 from palpate.scene.scene_parts import FillPart
 from palpate_editor.compile import build_organ
 from palpate_editor.document.constants import CONSTANTS, SHORT_KINDS
+from palpate_editor.document.idle import find_idle
 from palpate_editor.edits import FixLowest, RemoveRegion, SetChoice, SetConstant, SetRegion
 from palpate_editor.own_values import read_own_values
 from palpate_editor.views.quantity_box import QuantityBox, read_number, write_number
@@ -187,6 +188,7 @@ def test_a_box_takes_letters_of_numbers_only(qtbot):
 def test_a_wall_takes_its_constants_from_its_tissue_and_says_how_well(panel, qtbot):
     window = panel.window()
     window.context.apply(SetConstant("material", "wall_thickness", 2e-3))
+    window.context.apply(SetConstant("model", "home_stiffness", None))
     type_into(child(panel, "material.young_modulus"), "50")
     window.context.apply(SetChoice("kind", "molecular"))
     settle(qtbot, window)
@@ -273,8 +275,16 @@ def test_young_modulus_cannot_be_edited_where_it_does_nothing_and_says_why(panel
     assert "Has no effect here" in modulus.toolTip()
     assert "have no effect" in panel.origin_note.text()
     window.context.apply(SetConstant("material", "wall_thickness", 2e-3))
+    window.context.apply(SetConstant("model", "home_stiffness", 1e6))
+    assert not modulus.isEnabled() and "home springs take" in modulus.toolTip()
+    assert "no effect on the force" in panel.origin_note.text()
+    window.context.apply(SetConstant("model", "home_stiffness", None))  # which it then gives
     assert modulus.isEnabled() and "Has no effect" not in modulus.toolTip()
-    window.session.history.undo()
+    assert not child(panel, "material.poisson_ratio").isEnabled()
+    window.context.apply(SetChoice("constants", "tissue"))
+    assert modulus.isEnabled() and child(panel, "material.poisson_ratio").isEnabled()
+    for _ in range(4):
+        window.session.history.undo()
     window.menu_actions.use_solid()
     assert modulus.isEnabled()
 
@@ -284,7 +294,7 @@ def test_what_has_no_effect_changes_no_number_of_the_tissue(panel):
     changed = replace(organ, material=replace(organ.material, young_modulus=9e4))
     for constant in CONSTANTS:
         if constant.key == "material.young_modulus":
-            assert constant.find_idle(organ) is not None
+            assert find_idle(constant, organ) is not None
     one, other = (build_organ(o) for o in (organ, changed))
     assert np.array_equal(one.springs.stiffness, other.springs.stiffness)
     assert np.array_equal(one.home, other.home)

@@ -1939,5 +1939,9 @@
         <source>with other characters</source>
         <translation>başka karakterler içeriyor</translation>
     </message>
+    <message>
+        <source>at most %1 in a solid of this kind, which a published file has room for: ask for fewer</source>
+        <translation>bu türden bir dolu cisimde en çok %1; yayımlanan dosyada bu kadarına yer vardır: daha azını isteyin</translation>
+    </message>
 </context>
 </TS>

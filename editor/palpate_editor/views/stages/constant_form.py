@@ -17,6 +17,7 @@ from palpate_editor.document.constants import (
     counts_choice,
     find_constant,
 )
+from palpate_editor.document.idle import Idle, find_idle
 from palpate_editor.edits import SetChoice, SetConstant
 from palpate_editor.views.context import Context
 from palpate_editor.views.quantity_box import QuantityBox, QuantityRow
@@ -32,6 +33,14 @@ WALL = 2e-3
 def choice_text(value: str) -> str:
     """What a law is called."""
     return str(say(VALUE_NAMES.get(value, value)))
+
+
+def say_idle(idle: Idle) -> str:
+    """Why a number has no effect, as its field says it."""
+    return tr(
+        "Has no effect here: {why}. It counts in a solid, and where the tissue gives a wall its "
+        "constants."
+    ).format(why=say(idle.why))
 
 
 class ConstantField(QuantityRow):
@@ -66,10 +75,10 @@ class ConstantField(QuantityRow):
         self.label.setVisible(shown)
         self.setVisible(shown)
         self.show_value(getattr(getattr(organ, self.constant.part), self.constant.field))
-        idle = self.constant.find_idle(organ)
+        idle = find_idle(self.constant, organ)
         self.label.setEnabled(idle is None)
         self.setEnabled(idle is None)
-        why = str(say(idle if idle is not None else self.constant.describe_range()))
+        why = say(self.constant.describe_range()) if idle is None else say_idle(idle)
         for widget in (self, self.label, self.box):
             widget.setToolTip(f"{say(self.constant.label)}: {why}")
 

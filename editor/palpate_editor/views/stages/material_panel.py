@@ -81,6 +81,12 @@ def say_origin(organ: Organ) -> str:
             "Springs and bonds take the stiffness below, so Young's modulus and Poisson's ratio "
             "have no effect. They count in a solid, and in a wall that has a thickness."
         )
+    if organ.model.home_stiffness is not None:
+        return tr(
+            "Springs and bonds take the stiffness below, and home springs their own value, so "
+            "Young's modulus and Poisson's ratio have no effect on the force: the wall is only "
+            "compared with them."
+        )
     return tr(
         "Springs and bonds take the stiffness below. Young's modulus sets the home springs of a "
         "hollow organ where they have no own value, and what its wall is compared with."

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which numbers and laws have no effect on an organ as it is, and which would have one instead."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from palpate_editor.document.constants import (
+    ELASTIC,
+    KINDS_OF_LAWS,
+    SHORT_KINDS,
+    SURFACES,
+    VALUE_NAMES,
+    Constant,
+    counts_choice,
+)
+from palpate_editor.document.organ import Organ
+from palpate_editor.document.phrase import phrase
+
+
+@dataclass(frozen=True)
+class Idle:
+    """Why something has no effect."""
+
+    why: str
+    """A Phrase where a window says it; numbers of other models are hidden there."""
+    instead: str
+    """Options of the command line that have an effect in its place, or give it one."""
+
+
+def find_idle(constant: Constant, organ: Organ) -> Idle | None:
+    """Why a number has no effect on the force of an organ; None where it has one."""
+    if organ.model.kind not in constant.kinds:
+        return find_idle_in_kind(constant, organ.model.kind)
+    if constant.chosen and organ.model.constants == "tissue":
+        return Idle(
+            "the tissue gives springs and bonds their constants",
+            "--young-modulus and --wall, or --constants chosen with it",
+        )
+    return find_idle_modulus(constant, organ) if constant.key in ELASTIC else None
+
+
+def find_idle_in_kind(constant: Constant, kind: str) -> Idle:
+    """Of a number that a model of this kind has no use for."""
+    if constant.chosen and kind not in SURFACES:
+        return Idle(
+            "Young's modulus and Poisson's ratio give this model its constants",
+            "--young-modulus and --poisson",
+        )
+    if constant.key == "model.home_stiffness":
+        return Idle("a solid has no home springs: fixed vertices hold it", "--fix-lowest")
+    return Idle(say_unused(kind), f"a model that uses it: --kind {list_kinds(constant.kinds)}")
+
+
+def find_idle_modulus(constant: Constant, organ: Organ) -> Idle | None:
+    """Of Young's modulus and Poisson's ratio, where springs and bonds are chosen by hand."""
+    model, walled = organ.model, organ.material.wall_thickness is not None
+    if model.kind not in SURFACES or model.constants == "tissue":
+        return None
+    if organ.fixed.any() and organ.fixed.all():  # tells a stone from what must be able to move
+        return None
+    is_modulus = constant.key == "material.young_modulus"
+    if is_modulus and walled and model.home_stiffness is None:  # it gives the home springs
+        return None
+    why = phrase("springs and bonds take the stiffness that is chosen")
+    if not walled:
+        return Idle(why, "--kind solid with it, or a wall (--wall) and --constants tissue")
+    if is_modulus:
+        return Idle(
+            phrase("springs, bonds and home springs take the stiffness that is chosen"),
+            "--constants tissue with it, or --home none, which takes home springs from it",
+        )
+    return Idle(why, "--constants tissue with it")
+
+
+def find_idle_choice(field: str, value: str, organ: Organ) -> Idle | None:
+    """Why a law of `field` has no effect on the force of an organ; None where it has one."""
+    model = organ.model
+    if counts_choice(field, model):
+        return None
+    if field == "constants":
+        if value == "tissue":  # which is where those of a wall or a solid come from
+            return None
+        return Idle(
+            "Young's modulus and Poisson's ratio give this model its constants",
+            "--kind mss or mms with it",
+        )
+    if field == "spring_rule" and model.kind == "mass_spring":
+        return Idle("springs take the stiffness that is chosen", "--constants tissue with it")
+    kinds = list_kinds(KINDS_OF_LAWS[field])
+    return Idle(say_unused(model.kind), f"a model that uses it: --kind {kinds}")
+
+
+def say_unused(kind: str) -> str:
+    return f"{VALUE_NAMES.get(kind, kind)} makes no use of it"
+
+
+def list_kinds(kinds: tuple[str, ...]) -> str:
+    """As the command line calls them: "mss, mms or shell"."""
+    names = [short for short, kind in SHORT_KINDS.items() if kind in kinds]
+    return " or ".join(filter(None, [", ".join(names[:-1]), names[-1]]))
