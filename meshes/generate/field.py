@@ -103,35 +103,52 @@ def ellipsoid_field(
 
 def rod(p: Array, a: Point, b: Point, ra: float, rb: float | None = None) -> Array:
     """A capsule between two points whose radius [mm] goes from ra to rb."""
-    rb = ra if rb is None else rb
-    a, b = np.asarray(a, float), np.asarray(b, float)
-    axis, q = b - a, p - a
-    length2 = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]
-    along = q[:, 0] * axis[0] + q[:, 1] * axis[1] + q[:, 2] * axis[2]
-    t = np.clip(along / length2, 0.0, 1.0)
-    return measure(q - t[:, None] * axis) - (ra + (rb - ra) * t)
+    return rods(p, np.array([[*a, ra], [*b, ra if rb is None else rb]], float))
+
+
+def rods(p: Array, nodes: Array) -> Array:
+    """Distance to the nearest of the rods between each two rows (x, y, z, radius) that follow each
+    other, (points,)."""
+    x, y, z, r = (column[:, None] for column in nodes.T)
+    u, v, w = (column[1:] - column[:-1] for column in (x, y, z))
+    qx, qy, qz = (p[:, axis] - column[:-1] for axis, column in enumerate((x, y, z)))
+    t = (qx * u + qy * v + qz * w) / (u * u + v * v + w * w)
+    t = np.minimum(np.maximum(t, 0.0), 1.0)
+    qx, qy, qz = qx - t * u, qy - t * v, qz - t * w
+    apart = np.sqrt(qx * qx + qy * qy + qz * qz) - (r[:-1] + (r[1:] - r[:-1]) * t)
+    return np.asarray(apart.min(axis=0))
 
 
 def tube_field(p: Array, nodes: Nodes, steps: int = 8) -> Array:
     """A ball swept along a Catmull-Rom spline through rows (x, y, z, radius) [mm]."""
-    spine = draw_spline(nodes, steps)
+    spine, pieces, around = cut_spline(nodes, steps)
     nearest = np.full(len(p), np.inf)
     # a piece that cannot be the nearest is left out, which changes no bit of what comes out
-    at_most = np.full(len(p), np.inf)
-    for x, y, z, radius in spine[::steps]:
-        at_most = np.minimum(at_most, ball(p, (x, y, z), radius))
-    for first in range(0, len(spine) - 1, steps):
-        piece = spine[first : first + steps + 1]
-        middle = piece[steps // 2][:3]
-        reach = max(math.dist(middle, row[:3]) + row[3] for row in piece)
-        near = np.flatnonzero(ball(p, middle, reach) <= at_most + SLACK)
-        if len(near) == 0:
-            continue
-        q, found = p[near], nearest[near]
-        for a, b in zip(piece, piece[1:], strict=False):
-            found = np.minimum(found, rod(q, a[:3], b[:3], a[3], b[3]))
-        nearest[near] = found
+    at_most = balls(p, spine[::steps]).min(axis=0)
+    for piece, near_piece in zip(pieces, balls(p, around) <= at_most + SLACK, strict=True):
+        near = np.flatnonzero(near_piece)
+        if len(near) > 0:
+            nearest[near] = np.minimum(nearest[near], rods(p[near], piece))
     return nearest
+
+
+def balls(p: Array, rows: Array) -> Array:
+    """Distance to each of balls (x, y, z, radius), (balls, points)."""
+    x, y, z, r = (column[:, None] for column in rows.T)
+    dx, dy, dz = p[:, 0] - x, p[:, 1] - y, p[:, 2] - z
+    return np.asarray(np.sqrt(dx * dx + dy * dy + dz * dz) - r)
+
+
+@lru_cache(maxsize=64)
+def cut_spline(nodes: Nodes, steps: int) -> tuple[Array, list[Array], Array]:
+    """The points of draw_spline; those of each of its pieces; and a ball around each piece."""
+    spine = draw_spline(nodes, steps)
+    pieces = [spine[first : first + steps + 1] for first in range(0, len(spine) - 1, steps)]
+    around = []
+    for piece in pieces:
+        middle = piece[steps // 2][:3]
+        around.append([*middle, max(math.dist(middle, row[:3]) + row[3] for row in piece)])
+    return np.array(spine), [np.array(piece) for piece in pieces], np.array(around)
 
 
 @lru_cache(maxsize=64)
@@ -174,10 +191,16 @@ def ramp(x: Array, low: float, high: float) -> Array:
     return t * t * (3.0 - 2.0 * t)
 
 
+@lru_cache(maxsize=8)
+def draw_heights(seed: int, size: int) -> Array:
+    """Random numbers of -1 to 1, (size, size, size)."""
+    return np.random.default_rng(seed).random((size, size, size)) * 2.0 - 1.0
+
+
 def bumps(p: Array, height: float, length: float, seed: int) -> Array:
     """Hills of about `height` [mm], `length` [mm] apart, others for each seed (value noise)."""
     size = 32
-    heights = np.random.default_rng(seed).random((size, size, size)) * 2.0 - 1.0
+    heights = draw_heights(seed, size)
     q = p / length + 0.5 * size
     floor = np.floor(q)
     t = q - floor
