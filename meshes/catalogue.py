@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import copy
+import functools
 import hashlib
 import json
 import tomllib
@@ -104,9 +106,20 @@ class ToolMesh:
     """Of the OBJ."""
 
 
+def read_tables(path: Path) -> dict[str, Any]:
+    """The tables of a file, parsed again only once it was changed."""
+    return copy.deepcopy(parse(path, path.stat().st_mtime_ns))
+
+
+@functools.lru_cache(maxsize=8)
+def parse(path: Path, changed: int) -> dict[str, Any]:
+    del changed
+    return tomllib.loads(path.read_text(encoding="utf-8"))
+
+
 def read_tool_catalogue() -> dict[str, dict[str, ToolMesh]]:
     """The parts of every instrument, in the order of the file; read_tool says what they are."""
-    tables = tomllib.loads(CATALOGUE.read_text(encoding="utf-8"))["tools"]
+    tables = read_tables(CATALOGUE)["tools"]
     return {
         name: {part: ToolMesh(**row) for part, row in table["parts"].items()}
         for name, table in tables.items()
@@ -115,13 +128,13 @@ def read_tool_catalogue() -> dict[str, dict[str, ToolMesh]]:
 
 def read_catalogue() -> dict[str, Entry]:
     """Every organ, in the order of the file."""
-    tables = tomllib.loads(CATALOGUE.read_text(encoding="utf-8"))["organs"]
+    tables = read_tables(CATALOGUE)["organs"]
     return {name: Entry(name, **freeze(table)) for name, table in tables.items()}
 
 
 def read_tissues() -> dict[str, Tissue]:
     """Every tissue, in the order of the file."""
-    tables = tomllib.loads(TISSUES.read_text(encoding="utf-8"))
+    tables = read_tables(TISSUES)
     return {
         name: Tissue(
             name=name,
@@ -140,7 +153,7 @@ def read_tissues() -> dict[str, Tissue]:
 
 def read_terms() -> dict[str, str]:
     """Author, licence, unit and axes, which all meshes share."""
-    tables = tomllib.loads(CATALOGUE.read_text(encoding="utf-8"))
+    tables = read_tables(CATALOGUE)
     return {key: value for key, value in tables.items() if isinstance(value, str)}
 
 
