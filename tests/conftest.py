@@ -15,10 +15,14 @@ from data_folder import find_data
 
 CHECKOUT = Path(__file__).resolve().parents[1]
 
-# before anybody imports Qt: no test may need a display
-os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+# before anybody imports Qt: no test may need a display. The screen of none has 800 x 800 pixels:
+# what people work on has room for a window with all its docks
+SCREEN = CHECKOUT / "tests" / "wide_screen.json"
+os.environ.setdefault("QT_QPA_PLATFORM", f"offscreen:configfile={SCREEN}")
 # the software renderer draws in the thread that asks: its work counts as that thread's
 os.environ.setdefault("LP_NUM_THREADS", "0")
+# before anybody imports numpy: what waits for threads of linear algebra, waits at work
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 # what tests compile is kept as ./run's own builds are
 if shutil.which("ccache"):
     os.environ.setdefault("CMAKE_CXX_COMPILER_LAUNCHER", "ccache")
@@ -79,18 +83,24 @@ def user_data(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.Monk
 
 FEW_DIRECTIONS = 4
 """Of the sky, in place of a hundred."""
+FEW_CELLS = 24
+"""Of the floor, each way."""
 
 
 @pytest.fixture
 def rough_frames(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
-    """No frame is refined, and folds are shaded roughly, unless a test is marked `fine`.
+    """Frames are as small as while things move, none is refined, and folds and floor are shaded
+    roughly, unless a test is marked `fine`.
 
     A processor that stands in for a graphics card spends most of its time on that.
     """
+    from palpate.render import ground
     from palpate.viewport import canvas, sky_light
 
     if not request.node.get_closest_marker("fine"):
         monkeypatch.setattr(sky_light, "DIRECTIONS", FEW_DIRECTIONS)
+        monkeypatch.setattr(ground, "CELLS", FEW_CELLS)
+        monkeypatch.setattr(canvas, "QUICK_SIZES", canvas.QUICK_SIZES[:1] * 5)
         monkeypatch.setattr(canvas.Canvas, "refine", lambda *frame: False)
 
 

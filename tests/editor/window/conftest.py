@@ -70,7 +70,6 @@ def make_editor(
         made.append(editor)
         editor.show()
         qtbot.waitExposed(editor.window)
-        # the screen of no display has 800 x 800 pixels: what people open it on has room for this
         editor.window.resize(SIZE)
         settle(qtbot, editor.window)
         return editor

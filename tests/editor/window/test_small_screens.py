@@ -10,6 +10,7 @@ import sys
 
 import pytest
 from hands import child, type_into
+from palpate_editor.views import window as window_module
 from patience import PATIENCE, settle
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtTest import QTest
@@ -232,7 +233,12 @@ def test_a_width_that_a_person_gave_a_dock_is_the_one_that_comes_back(qtbot, win
     qtbot.waitUntil(lambda: scene.width() == 340)
 
 
-def test_a_layout_that_a_small_screen_folded_comes_back_as_it_was_kept(qtbot, make_editor):
+def test_a_layout_that_a_small_screen_folded_comes_back_as_it_was_kept(
+    qtbot, make_editor, monkeypatch
+):
+    small = QSize(800, 760)
+    monkeypatch.setattr(window_module, "SIZE", small)
+    monkeypatch.setattr(window_module, "find_room", lambda window: small)
     kept = make_editor(theme="dark", language="en").window
     docks = kept.docks.docks
     kept.resizeDocks([docks["log"], docks["force"]], [300, 420], Qt.Orientation.Horizontal)
@@ -242,7 +248,7 @@ def test_a_layout_that_a_small_screen_folded_comes_back_as_it_was_kept(qtbot, ma
     kept.may_close = True
     kept.close()
 
-    # the screen of no display has 800 x 800 pixels; a window of the size of the first follows
+    # the docks of both were folded, until their windows got the size that make_editor gives them
     restored = make_editor(theme="dark", language="en").window.docks.docks
 
     for name, width in widths.items():
