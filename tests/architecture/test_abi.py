@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import re
 import subprocess
 from pathlib import Path
@@ -11,12 +12,14 @@ import numpy as np
 import palpate
 import palpate.scenario
 import pytest
+from palpate.files.whole_file import write_whole
 from test_play_example import TICKS, build_player, make_scene
 from tree import CHECKOUT
 
 INCLUDE = CHECKOUT / "build/release/include"
 GENERATED = CHECKOUT / "build/release/generated"
 EIGEN = "/usr/include/eigen3"
+KEPT = CHECKOUT / "build/layouts"
 WIDER = ("-mavx2", "-mavx2 -mfma", "-march=skylake-avx512", "-march=native -O3")
 """What makes Eigen align more than the library's own flags do."""
 
@@ -33,11 +36,18 @@ def lay_out(folder: Path, *flags: str) -> dict[str, tuple[str, str]]:
     """Size and alignment [byte] of every struct of the public headers, as a program sees them."""
     folder.mkdir()
     (folder / "all.cpp").write_text('#include "palpate/sim.h"\n', encoding="utf-8")
-    require("g++", "-std=c++20", "-fsyntax-only", "-fdump-lang-class", *flags, "-I", INCLUDE,
-            "-I", GENERATED, "-isystem", EIGEN, "-DPALPATE_RECORD_FILES", "-DPALPATE_SERIAL",
-            "all.cpp", cwd=folder)  # fmt: skip
-    (dump,) = folder.glob("*.class")
-    found = LAYOUT.findall(dump.read_text(encoding="utf-8"))
+    command = ["g++", "-std=c++20", *flags, "-I", INCLUDE, "-I", GENERATED, "-isystem", EIGEN,
+               "-DPALPATE_RECORD_FILES", "-DPALPATE_SERIAL", "all.cpp"]  # fmt: skip
+    # kept as a compiler's cache keeps objects: by all that the compiler reads, and itself
+    source = require(*command, "-E", cwd=folder)
+    key = hashlib.sha256("\n".join([require("g++", "--version"), *flags, source]).encode())
+    kept = KEPT / f"{key.hexdigest()}.class"
+    if not kept.exists():
+        require(*command, "-fsyntax-only", "-fdump-lang-class", cwd=folder)
+        (dump,) = folder.glob("*.class")
+        KEPT.mkdir(exist_ok=True)
+        write_whole(kept, dump.read_bytes())
+    found = LAYOUT.findall(kept.read_text(encoding="utf-8"))
     return {name: (size, alignment) for name, size, alignment in found}
 
 

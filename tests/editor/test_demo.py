@@ -3,13 +3,17 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
+import io
 import json
 from pathlib import Path
 
 import palpate
 import pytest
 from palpate.cli.main import main
+from palpate.render import openness
+from palpate.runs.run import picture_of_record
 from palpate_editor import demo as demo_module
 from palpate_editor.document.defaults import CONSTANTS
 from palpate_editor.open_organ import open_organ
@@ -26,21 +30,51 @@ FIELDS = {
 }
 
 
+PICTURE_SIZE = {"size": (320, 180), "supersample": 1}
+
+
 def demo(out: Path, *words: str) -> dict:
-    assert main(["demo", "--no-window", "--out", str(out), *words]) == 0
+    """Its summary. The picture is as small and as roughly lit as one can be that is only told from
+    others; test_render.py looks at pictures as they are."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(openness, "DIRECTIONS", 8)
+        patch.setattr(
+            demo_module,
+            "picture_of_record",
+            lambda out, record, time, options, title: picture_of_record(
+                out, record, time, options | PICTURE_SIZE, title
+            ),
+        )
+        assert main(["demo", "--no-window", "--out", str(out), *words]) == 0
     return json.loads((out / "summary.json").read_text())
 
 
-@pytest.fixture(scope="session")
+def run_here(verb: str, *arguments: object) -> dict:
+    """As run_elsewhere, but in this process, which has imported everything: where the demo ran in
+    processes of their own before, on another organ."""
+    said = io.StringIO()
+    with contextlib.redirect_stdout(said):
+        assert main([verb, *map(str, arguments), "--json"]) == 0
+    return json.loads(said.getvalue())
+
+
+@pytest.fixture
+def in_one_process(monkeypatch) -> None:
+    monkeypatch.setattr(demo_module, "run_elsewhere", run_here)
+
+
+@pytest.fixture(scope="module")
 def own(tmp_path_factory):
     out = tmp_path_factory.mktemp("demo_own")
     return out, demo(out)
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def spleen(tmp_path_factory, shared_data):
     out = tmp_path_factory.mktemp("demo_spleen")
-    return out, demo(out, "--mesh", str(shared_data("organs/VH_F_Spleen.glb")))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(demo_module, "run_elsewhere", run_here)
+        return out, demo(out, "--mesh", str(shared_data("organs/VH_F_Spleen.glb")))
 
 
 def check_summary(out: Path, summary: dict) -> None:
@@ -87,7 +121,7 @@ def test_the_demo_runs_the_whole_way_on_a_real_spleen(spleen):
 
 
 def test_the_demo_keeps_the_hole_of_a_real_pancreas_exported_as_an_stl_and_says_so(
-    tmp_path, shared_data, capsys
+    tmp_path, shared_data, capsys, in_one_process
 ):
     source = shared_data("organs/VH_F_Pancreas.glb")
     stl = tmp_path / "pancreas.stl"

