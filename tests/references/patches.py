@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The part of a P2 body's surface that a ball may touch, and how it responds there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.sparse as sparse
+from bodies import Floats, Ints, find_surface
+from contact import Patch, find_gap
+from elasticity import Body, Press
+
+BLOCK = 128
+"""Loads that are solved for at once."""
+FACING = 0.15
+"""Cosine between a facet's normal and the press, at least."""
+DEEP = 1.8
+"""Of the ball's radius: how far from the place a facet may lie."""
+# Dunavant's seven points, exact to degree five
+POINTS = np.array(
+    [[1 / 3, 1 / 3, 1 / 3]]
+    + [
+        np.roll([1 - 2 * a, a, a], k).tolist()
+        for a in (0.470142064105115, 0.101286507323456)
+        for k in range(3)
+    ]
+)
+WEIGHTS = np.array([0.225] + 3 * [0.132394152788506] + 3 * [0.125939180544827])
+
+
+@dataclass(frozen=True)
+class Footprint:
+    """Facets under a ball: the nodes of their points and what area belongs to each."""
+
+    nodes: Ints
+    """(q, 6) of the body, three corners and the middles after them."""
+    shape: Floats
+    """(q, 6) P2 shape functions."""
+    position: Floats
+    """[m] (q, 3) at rest."""
+    area: Floats
+    """[m²] (q,) of the surface at rest."""
+    facing: Floats
+    """(q,) Cosine between the facet's normal and the press."""
+
+
+def find_footprint(
+    body: Body, point: Floats, direction: Floats, reach: float, radius: float
+) -> Footprint:
+    """Facets that face the press and have a corner within `reach` [m] of its axis."""
+    x = body.basis.mesh.p.T
+    faces = find_surface(body.basis.mesh.t.T)
+    corners = x[faces] - point
+    height = corners @ direction
+    beside = np.linalg.norm(corners - height[..., None] * direction, axis=2).min(axis=1)
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    area = 0.5 * np.linalg.norm(normal, axis=1)
+    # find_surface gives the corners as the tetrahedron has them: outward where those turn right
+    facing = normal @ direction / (2.0 * area)
+    near = np.linalg.norm(corners, axis=2).min(axis=1) < DEEP * radius
+    on = (beside < reach) & (facing > FACING) & near
+    nodes = find_nodes(body, faces[on])
+    shape = np.concatenate(
+        [POINTS * (2.0 * POINTS - 1.0)]
+        + [4.0 * POINTS[:, [i]] * POINTS[:, [j]] for i, j in ((0, 1), (1, 2), (2, 0))],
+        axis=1,
+    )
+    count, each = int(on.sum()), len(POINTS)
+    return Footprint(
+        np.repeat(nodes, each, axis=0),
+        np.tile(shape, (count, 1)),
+        np.einsum("qk,fkd->fqd", POINTS, x[faces[on]]).reshape(-1, 3),
+        (area[on][:, None] * WEIGHTS).ravel(),
+        np.repeat(facing[on], each),
+    )
+
+
+def find_nodes(body: Body, faces: Ints) -> Ints:
+    """The six nodes of triangles that are given by their vertices."""
+    mesh, basis = body.basis.mesh, body.basis
+    ends = np.sort(mesh.edges.T, axis=1).astype(np.int64)
+    count = mesh.p.shape[1]
+    keys = ends[:, 0] * count + ends[:, 1]
+    order = np.argsort(keys)
+    nodes = [basis.nodal_dofs[0][faces]]
+    for i, j in ((0, 1), (1, 2), (2, 0)):
+        pair = np.sort(faces[:, [i, j]], axis=1).astype(np.int64)
+        found = order[np.searchsorted(keys[order], pair[:, 0] * count + pair[:, 1])]
+        nodes.append(basis.edge_dofs[0][found][:, None])
+    return np.concatenate(nodes, axis=1)
+
+
+def condense(
+    press: Press, print_: Footprint, point: Floats, direction: Floats, radius: float, touch: float
+) -> Patch:
+    """The body condensed to the nodes of a footprint, with the gap of a ball to it."""
+    touched = np.unique(print_.nodes)
+    touched = touched[np.isin(touched, press.free)]
+    number = np.full(press.body.node_count, -1)
+    number[touched] = np.arange(len(touched))
+    at = 3 * np.searchsorted(press.free, touched)[:, None] + np.arange(3)
+    compliance = np.empty((len(touched), len(touched)))
+    for first in range(0, len(touched), BLOCK):
+        part = slice(first, min(first + BLOCK, len(touched)))
+        loads = np.zeros((press.size, part.stop - first))
+        for axis in range(3):
+            loads[at[part, axis], np.arange(part.stop - first)] = direction[axis]
+        compliance[:, part] = np.einsum("nak,a->nk", press.factor(loads)[at], direction)
+    rows = np.repeat(np.arange(len(print_.nodes)), 6)
+    columns = number[print_.nodes].ravel()
+    values = np.where(columns >= 0, print_.shape.ravel(), 0.0)
+    shape = sparse.csr_matrix(
+        (values, (rows, np.maximum(columns, 0))), shape=(len(print_.nodes), len(touched))
+    )
+    gap = find_gap(print_.position - point, direction, radius, touch)
+    kept = np.isfinite(gap)
+    area = (print_.area * print_.facing)[kept]
+    return Patch(0.5 * (compliance + compliance.T), shape[kept], area, gap[kept])
