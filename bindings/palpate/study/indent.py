@@ -69,6 +69,8 @@ class Probe:
     def __init__(self, scene: palpate.Scene, place: Place):
         self.scene, self.place = scene, place
         self.world = palpate.World(scene)
+        self.tool = self.world.instruments[0].tool
+        self.radius, self.period = scene.instruments[0].tool.radius, 1.0 / scene.rate
         self.sample = palpate.HapticSample()
         self.hand = -CLEARANCE
         """[m] of the hand's tip below the surface at rest."""
@@ -76,11 +78,8 @@ class Probe:
         self.go(0.0)
 
     def tick(self) -> None:
-        tip = self.place.point + self.place.outward * (
-            self.scene.instruments[0].tool.radius - self.hand
-        )
-        self.sample.position = tip
-        palpate.tick(self.scene, self.sample, 1.0 / self.scene.rate, self.world)
+        self.sample.position = self.place.point + self.place.outward * (self.radius - self.hand)
+        palpate.tick(self.scene, self.sample, self.period, self.world)
         alarm = self.world.alarm
         if alarm.kind != palpate.AlarmKind.none:
             raise RuntimeError(
@@ -99,14 +98,12 @@ class Probe:
         count = max(1, round(INTERVAL * self.scene.rate))
         before = None
         for _ in range(round(PATIENCE / INTERVAL)):
-            lag = 0.0
+            middle = np.zeros(3)
             for _ in range(count):
                 self.tick()
-                off = np.asarray(self.world.instruments[0].tool.position) - np.asarray(
-                    self.sample.position
-                )
                 # the mean over a while: what still swings has its middle there
-                lag += float(off @ self.place.outward) / count
+                middle += self.tool.position
+            lag = float((middle / count - self.sample.position) @ self.place.outward)
             force = self.scene.instruments[0].coupling.stiffness * lag
             if before is not None and abs(force - before) <= SETTLED * abs(force) + 1e-9:
                 break

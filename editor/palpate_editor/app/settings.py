@@ -87,9 +87,9 @@ class Settings:
     def layout(self, layout: tuple[QByteArray, QByteArray] | None) -> None:
         self.store.remove("window")
         if layout is not None:
-            self._keep("window/version", LAYOUT_VERSION)
-            self._keep("window/geometry", layout[0])
-            self._keep("window/docks", layout[1])
+            self.store.setValue("window/version", LAYOUT_VERSION)
+            self.store.setValue("window/geometry", layout[0])
+            self.store.setValue("window/docks", layout[1])
         self.store.sync()
 
     @property
@@ -105,7 +105,8 @@ class Settings:
     def dock_sizes(self, sizes: dict[str, QSize]) -> None:
         self.store.remove("window/sizes")
         for name, size in sizes.items():
-            self._keep(f"window/sizes/{name}", size)
+            self.store.setValue(f"window/sizes/{name}", size)
+        self.store.sync()
 
     @property
     def last_folder(self) -> Path | None:
