@@ -38,7 +38,7 @@ def pack(entries: dict[str, bytes] | Entries, method: int = zipfile.ZIP_STORED) 
         warnings.simplefilter("ignore", UserWarning)  # of names given twice
         for info, data in entries:
             info.compress_type = method
-            archive.writestr(info, data)
+            archive.writestr(info, data, compresslevel=1)  # bombs are large
     return file.getvalue()
 
 

@@ -133,7 +133,7 @@ def test_stable_step_lies_between_0_6_and_1_on_generated_organs(name, kind):
 @cache
 def generate_organ(name: str) -> palpate.SurfaceMesh:
     generate = pytest.importorskip("palpate_meshes.generate")
-    return palpate.SurfaceMesh(*getattr(generate, name)(vertices=600))
+    return palpate.SurfaceMesh(*getattr(generate, name)(vertices=300))
 
 
 @pytest.mark.parametrize("kind", BUILDERS)

@@ -14,12 +14,19 @@ from organs import make_organ
 from palpate.cli.main import main
 from palpate.runs.press import find_top
 from palpate.scene.scene_parts import HandPart, MaterialPart, ModelPart, ToolPart
+from palpate.study import indent
 from palpate.study.indent import measure_indentation
 from palpate_editor.compile import compile_organ
 from palpate_editor.document import Organ
 from palpate_editor.document.files import read_organ, write_organ
 
 DEPTH = np.linspace(5e-4, 5e-3, 10)
+
+
+@pytest.fixture(autouse=True)
+def few_stops(monkeypatch) -> None:
+    """Half as many depths at which the tool comes to rest: the curve and its fit have the same."""
+    monkeypatch.setattr(indent, "STOPS", 5)
 
 
 @pytest.fixture(scope="module")

@@ -47,7 +47,8 @@ def test_one_factor_near_one_makes_a_solid_organ_feel_as_theory_says(monkeypatch
     assert fit.misses_shape()
 
 
-def test_the_modulus_of_a_solid_is_found_again_from_a_noisy_curve(tmp_path, capsys):
+def test_the_modulus_of_a_solid_is_found_again_from_a_noisy_curve(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(indent, "STOPS", 5)
     organ = SetConstant("fill", "tetrahedra", 600)(make_layer_organ(5e-3, SPHERE))
     write_organ(tmp_path / "layer.organ", organ)
     depths = np.linspace(1e-3, 3e-3, 8)

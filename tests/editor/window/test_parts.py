@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hands import click
+from hands import click, log_of
 from palpate_editor.views.stages.parts_preview import MARK
 from palpate_editor.views.tasks import ImportWork
 from patience import rest, settle
@@ -58,6 +58,23 @@ def test_parts_that_cannot_be_used_together_are_shown_to_choose_from(qtbot, hear
     assert drawn(window) == sum(len(part.surface.triangles) for part in parts[1:])
     click(panel.chooser.show_button)
     assert drawn(window) == 0 and not window.welcome.isHidden()
+
+
+def test_a_heart_of_too_many_parts_can_be_imported_in_part(qtbot, heart_window):
+    window = heart_window
+    assert "Choose fewer of its parts" in window.messages.text
+    panel = window.import_panel
+    assert panel.parts.count() == 14
+
+    click(panel.none_button)
+    assert not panel.import_button.isEnabled()
+    row = next(i for i in range(14) if "aortic_valve" in panel.parts.item(i).text())
+    panel.parts.item(row).setCheckState(Qt.CheckState.Checked)
+    click(panel.import_button)
+    settle(qtbot, window)
+
+    assert window.session.organ.source.parts == ("VH_M_aortic_valve",)
+    assert "--part VH_M_aortic_valve" in log_of(window)
 
 
 def test_a_part_says_how_much_of_it_there_is(heart_window):

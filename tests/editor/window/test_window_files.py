@@ -60,24 +60,6 @@ def test_a_damaged_document_is_a_sentence_and_changes_nothing(qtbot, spleen_wind
     assert window.session.organ is organ
 
 
-def test_a_heart_of_too_many_parts_can_be_imported_in_part(qtbot, window, shared_data):
-    drop(window, shared_data("organs/VH_M_Heart.glb"))
-    settle(qtbot, window)
-    assert "Choose fewer of its parts" in window.messages.text
-    panel = window.import_panel
-    assert panel.parts.count() == 14
-
-    click(panel.none_button)
-    assert not panel.import_button.isEnabled()
-    row = next(i for i in range(14) if "aortic_valve" in panel.parts.item(i).text())
-    panel.parts.item(row).setCheckState(Qt.CheckState.Checked)
-    click(panel.import_button)
-    settle(qtbot, window)
-
-    assert window.session.organ.source.parts == ("VH_M_aortic_valve",)
-    assert "--part VH_M_aortic_valve" in log_of(window)
-
-
 def test_another_unit_makes_another_size_and_can_be_undone(qtbot, spleen_window):
     window, panel = spleen_window, spleen_window.import_panel
     window.show_stage("import")
