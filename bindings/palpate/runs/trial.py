@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A press of a scene at several places, tick by tick: what is felt, and what carries it.
+
+Counts and forces are the same on every machine; nothing here is measured by a clock.
+"""
+
+from __future__ import annotations
+
+from copy import copy
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+import palpate
+from palpate.runs.press import Place, find_place, find_top, take_surface
+
+DEPTH = 3e-3
+"""[m] of the hand's tip below the surface at rest."""
+SPEED = 0.06
+"""[m/s] of the hand."""
+CLEARANCE = 2e-4
+"""[m] over the surface, where the hand begins."""
+HOLD, MEAN = 0.05, 0.02
+"""[s] at the depth, and at the end of that, over which forces are averaged."""
+PLACES = 5
+FAR = 1.0
+"""[m] over the surface, where a hand touches nothing."""
+
+
+@dataclass(frozen=True)
+class Trial:
+    """One press."""
+
+    place: Place
+    force: float
+    """[N] along the outward direction, at the end of the hold."""
+    home_share: float | None
+    """[-] of that, through home springs; None where there are none, or nothing was felt."""
+    substeps: int
+    """Of a tick in touch, the most."""
+    stopped: bool
+    """An alarm ended the press."""
+
+
+def choose_places(scene: palpate.Scene, count: int = PLACES) -> list[Place]:
+    """Places of the first body that give way, as far from each other as can be; the top is one.
+
+    Fewer where there are fewer. A body that is held everywhere has its top alone.
+    """
+    x, _ = take_surface(scene, 0)
+    free = x[find_giving(scene.bodies[0].tissue)]
+    top = find_top(scene)
+    if not len(free):
+        return [top]
+    places = [find_place(scene, free[np.linalg.norm(free - top.point, axis=1).argmin()])]
+    while len(places) < count:
+        points = np.array([place.point for place in places])
+        apart = np.linalg.norm(free[:, None] - points[None], axis=2).min(axis=1)
+        if apart.max() <= 2.0 * scene.instruments[0].tool.radius:
+            break
+        places.append(find_place(scene, free[apart.argmax()]))
+    return places
+
+
+def find_giving(tissue: palpate.TissueModel) -> NDArray[np.bool_]:
+    """(n,) of the surface's vertices: those that particles carry which are not held and which, of a
+    linear solid, can be pushed."""
+    moves = np.ones(len(tissue.mass), dtype=bool)
+    moves[np.asarray(tissue.fixed, dtype=int)] = False
+    reach = np.asarray(tissue.elastic.reach, dtype=int)
+    if reach.size:
+        moves &= np.isin(np.arange(len(moves)), reach)
+    corners = np.asarray(tissue.skin.corners)
+    if not len(corners):
+        return moves
+    return (moves[corners] | (np.asarray(tissue.skin.weights) <= 0.0)).all(axis=1)
+
+
+def press_places(
+    scene: palpate.Scene, places: list[Place], hold: float = HOLD, depth: float = DEPTH
+) -> list[Trial]:
+    """Presses each place of a scene from rest with its first instrument, as fast as the machine
+    can. Without gravity: an organ that sags is another at every place, and comes to rest late.
+
+    Args:
+        scene: The result of build_scene.
+        places: Of the first body.
+        hold: [s] at the depth; where it is 0, forces are those of a tissue that still moves.
+        depth: [m] of the hand.
+    """
+    weightless = copy(scene)
+    weightless.gravity = [0.0, 0.0, 0.0]
+    tissue, untouched = scene.bodies[0].tissue, None
+    if len(tissue.home) and tissue.pressure != 0.0:  # which moves what nothing touches
+        untouched = run_press(weightless, places[0], hold, depth, FAR)[1]
+    return [press_place(weightless, place, hold, depth, untouched) for place in places]
+
+
+def press_place(
+    scene: palpate.Scene,
+    place: Place,
+    hold: float,
+    depth: float,
+    untouched: NDArray[np.float64] | None,
+) -> Trial:
+    force, home, substeps, stopped = run_press(scene, place, hold, depth, 0.0)
+    along = float(force @ place.outward)
+    share = None
+    if len(scene.bodies[0].tissue.home) and along > 0.0 and not stopped:
+        carried = home if untouched is None else home - untouched
+        share = float(carried @ place.outward) / along
+    return Trial(place, along, share, substeps, stopped)
+
+
+def run_press(
+    scene: palpate.Scene, place: Place, hold: float, depth: float, above: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64], int, bool]:
+    """Force on the hand [N] (3,), that of home springs on the tissue [N] (3,), both as means over
+    the end; the most substeps of a tick in touch; whether an alarm ended it."""
+    world, sample = palpate.World(scene), palpate.HapticSample()
+    radius = scene.instruments[0].tool.radius
+    down = int(np.ceil((depth + CLEARANCE) / SPEED * scene.rate))
+    ticks = down + round(hold * scene.rate)
+    mean = max(1, min(round(MEAN * scene.rate), ticks - down))
+    force, home, substeps = np.zeros(3), np.zeros(3), 0
+    for tick in range(1, ticks + 1):
+        height = CLEARANCE - (CLEARANCE + depth) * min(1.0, tick / down) + above
+        sample.position = place.point + place.outward * (radius + height)
+        command = palpate.tick(scene, sample, 1.0 / scene.rate, world)
+        if world.alarm.kind != palpate.AlarmKind.none:
+            return force, home, substeps, True
+        if np.any(command.force):
+            substeps = max(substeps, world.bodies[0].substeps)
+        if tick > ticks - mean:
+            force += np.asarray(command.force) / mean
+            home += pull_home(scene.bodies[0].tissue, world) / mean
+    return force, home, substeps, False
+
+
+def pull_home(tissue: palpate.TissueModel, world: palpate.World) -> NDArray[np.float64]:
+    """[N] (3,) of all home springs together on the tissue: -sum k_i u_i."""
+    home = np.asarray(tissue.home)
+    if not home.size:
+        return np.zeros(3)
+    moved = np.asarray(world.bodies[0].tissue.position) - np.asarray(tissue.rest_position)
+    moved[np.asarray(tissue.fixed, dtype=int)] = 0.0
+    return np.asarray(-home @ moved)
