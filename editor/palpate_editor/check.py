@@ -25,6 +25,7 @@ from palpate_editor.compile import (
     mesh_of,
 )
 from palpate_editor.document import Organ, Surface
+from palpate_editor.document.cost_rules import compute_tick_share
 from palpate_editor.document.problems import (
     Facts,
     Problem,
@@ -35,6 +36,7 @@ from palpate_editor.document.problems import (
 from palpate_editor.document.rules import find_problems
 from palpate_editor.fixes import find_fix
 from palpate_editor.open_organ import open_organ
+from palpate_editor.trial import measure_trial
 
 measured: WeakKeyDictionary[Surface, tuple[authoring.MeshReport, SurfaceFacts]] = (
     WeakKeyDictionary()
@@ -133,6 +135,7 @@ def build(
         links=len(tissue.springs.ends) + len(tissue.bonds.ends),
         tetrahedra=len(palpate.list_tetrahedra(tissue)),
         default_home=home,
+        trial=measure_trial(organ, scene),
         wall=compare_with_wall(organ, tissue),
     )
 
@@ -211,12 +214,17 @@ def check_file(path: Path) -> Report:
     """
     assessment = assess(open_organ(path))
     scene, tissue = assessment.scene, assessment.facts.tissue
+    trial = tissue.trial if tissue else None
     judged = [p for p in assessment.problems if path.suffix != ".json" or p.stage != "publish"]
     return {
         "file": str(path),
         "description": "cannot be built" if scene is None else describe_model(scene),
         # JSON has no infinity, which is the margin of what cannot swing
         "stability_margin": tissue.margin if tissue and isfinite(tissue.margin or inf) else None,
+        "substeps_in_touch": trial.substeps if trial else None,
+        "tick_share_in_touch": compute_tick_share(assessment.organ, assessment.facts),
+        "press_depth_m": trial.depth if trial else None,
+        "home_shares": list(trial.home_shares) if trial else [],
         "problems": list(map(describe_problem, judged)),
     }
 

@@ -8,7 +8,7 @@ import math
 from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.constants import CHOICES
 from palpate_editor.document.defaults import FIXED_SHARE, WALL_THICKNESS
-from palpate_editor.document.material_rules import EDGES_PER_RADIUS
+from palpate_editor.document.material_rules import EDGES_PER_RADIUS, GRAVITY
 from palpate_editor.document.problems import Facts, Problem
 from palpate_editor.document.rules import SIZE_LEAST, SIZE_MOST
 from palpate_editor.edits import (
@@ -17,6 +17,7 @@ from palpate_editor.edits import (
     KeepLargestShell,
     SetChoice,
     SetConstant,
+    SetGravity,
     SetReach,
     SetTask,
     SetUnit,
@@ -50,6 +51,10 @@ def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
     if problem.key == "indefinite" and facts.tissue is not None:
         wanted = move_inside(organ.model.stretch_coupling, *(facts.tissue.coupling_range or (0, 0)))
         return SetConstant("model", "stretch_coupling", wanted)
+    if problem.key == "gravity":
+        size = math.hypot(*organ.hand.gravity)
+        x, y, z = (GRAVITY * each / size for each in organ.hand.gravity)
+        return SetGravity((x, y, z))
     if problem.key == "no_title" and organ.name.strip():
         return SetTask(scenario_title=organ.name)
     return {
@@ -58,6 +63,7 @@ def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
         "open_solid": SetConstant("material", "wall_thickness", WALL_THICKNESS),
         "loose": FixLowest(FIXED_SHARE),
         "reach": SetReach(""),
+        "springs_poisson": SetChoice("kind", "molecular"),
     }.get(problem.key)
 
 

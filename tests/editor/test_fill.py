@@ -16,8 +16,8 @@ from palpate_editor import _authoring
 from palpate_editor.check import assess
 from palpate_editor.compile import build_organ
 from palpate_editor.document.constants import MOST_TETRAHEDRA
+from palpate_editor.document.cost_rules import compute_tick_share
 from palpate_editor.document.files import read_organ, write_organ
-from palpate_editor.document.rules import compute_tick_share
 from palpate_editor.edits import EditError, RemoveRegion, SetChoice, SetConstant, SetReach
 from palpate_editor.fill import fill_surface
 from palpate_editor.shipped import make_organ as make_shipped

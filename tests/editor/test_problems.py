@@ -13,13 +13,19 @@ from palpate_editor import check
 from palpate_editor.check import Assessment, assess
 from palpate_editor.document import EMPTY, Organ, Surface
 from palpate_editor.document.constants import CONSTANTS
+from palpate_editor.document.cost_rules import TICK_SHARE, compute_tick_share
 from palpate_editor.document.problems import SEVERITIES
-from palpate_editor.document.rules import TICK_SHARE, compute_tick_share
 from palpate_editor.views.stages.panels import list_stages
 
 STAGES = list_stages()
 CONFIRMED = replace(make_organ().source, unit_guessed=False, up_guessed=False)
 SOUND = replace(make_organ(), source=CONFIRMED)
+WALL = replace(
+    SOUND,
+    material=replace(SOUND.material, wall_thickness=2e-3),
+    model=replace(SOUND.model, kind="shell", home_stiffness=None),
+)
+"""Which no home springs carry, and no tetrahedra."""
 
 
 def on(surface: Surface, organ: Organ = SOUND) -> Organ:
@@ -72,7 +78,7 @@ WRONG = {
     "holes": (on(open_surface()), "repair", "note", "a hole of "),
     "self_intersections": (on(crossed()), "repair", "warning", "triangles that cross others"),
     "angles": (on(needles()), "decimate", "warning", "a smallest angle of"),
-    "too_slow": (on(surface_of(2000), with_part("model", stiffness=1e6)), "decimate", "warning",
+    "too_slow": (on(surface_of(2000), with_part("model", stiffness=1e5)), "decimate", "warning",
                  "2000 vertices"),
     "too_many": (on(grid(142)), "decimate", "error", "20164 vertices"),
     "constant": (with_part("material", density=-1.0), "material", "error", "-1 kg/m³"),
@@ -86,7 +92,20 @@ WRONG = {
     "reach": (replace(with_part("model", kind="linear_solid"), fill=FillPart(reach="apex")),
               "material", "error", "'apex'"),
     "slow_solid": (replace(with_part("model", kind="solid"), fill=FillPart(9000)), "material",
-                   "warning", "steps a tick"),
+                   "warning", "steps a tick in touch"),
+    "coarse_contact": (replace(with_part("model", kind="solid"), fill=FillPart(300)), "material",
+                       "warning", "under a contact radius of 6.0 mm (a tip of 12 mm pressed 3 mm)"),
+    "filling": (replace(with_part("model", kind="solid"), fill=FillPart(6000)), "material", "note",
+                "than the 6000 that were asked for"),
+    "home_share": (SOUND, "material", "warning", "of the felt force through home springs"),
+    "no_home": (with_part("model", home_stiffness=0.0), "material", "warning", "of 0 N/m in all"),
+    "gravity": (with_part("hand", gravity=(0.0, 588.6, -784.8)), "material", "warning",
+                "981 m/s², 100 times that of the Earth: "),
+    "springs_poisson": (replace(WALL, model=replace(WALL.model, kind="mass_spring",
+                                                    constants="tissue")),
+                        "material", "warning", "0.45, but springs stretch like 0.3"),
+    "too_many_substeps": (with_part("model", stiffness=5e8), "material", "error",
+                          "steps a tick, of 0."),
     "small_tip": (with_part("tool", radius=1e-3), "material", "warning", "1.0 mm"),
     "untested": (SOUND, "test", "note", "never felt"),
     "no_title": (untitled(SOUND), "publish", "error", "no title"),
@@ -105,7 +124,7 @@ def keys(assessment: Assessment) -> set[str]:
 
 
 def test_a_sound_organ_that_was_felt_has_no_problems():
-    found = assess(SOUND, tested=True)
+    found = assess(WALL, tested=True)
 
     assert found.problems == () and found.errors == ()
     assert found.scene is not None and found.facts.tissue.margin >= 1.0
@@ -127,14 +146,14 @@ def test_a_problem_is_found_at_its_stage(key):
 
 @pytest.mark.parametrize("key", WRONG)
 def test_a_problem_is_not_found_where_it_is_not(key):
-    organ = SOUND if key != "self_intersections" else on(surface_of(60))
+    organ = WALL if key != "self_intersections" else on(surface_of(60))
 
     assert key not in keys(assess(organ, tested=True))
 
 
 FIXABLE = {
     "unit_guessed", "up_guessed", "inward", "shells", "constant", "choice", "open_solid",
-    "indefinite", "loose", "reach", "small_tip", "no_title",
+    "indefinite", "loose", "reach", "small_tip", "no_title", "gravity", "springs_poisson",
 }  # fmt: skip
 
 
@@ -194,12 +213,68 @@ def test_problems_come_in_the_order_of_the_stages():
     assert order == sorted(order) and len(set(order)) >= 5
 
 
+def test_a_weight_is_told_with_what_it_pulls_with_and_its_fix_keeps_its_direction():
+    organ = WRONG["gravity"][0]
+
+    [problem] = [p for p in assess(organ).problems if p.key == "gravity"]
+
+    mass = assess(organ).facts.tissue.total_mass
+    assert f"{1e3 * mass:.4g} g of tissue weigh {981.0 * mass:.3g} N" in problem.got
+    assert problem.fix(organ).hand.gravity == pytest.approx((0.0, 5.886, -7.848))
+
+
+def test_weight_as_on_earth_in_any_direction_is_no_problem():
+    for gravity in ((0.0, 0.0, 0.0), (0.0, 0.0, -9.81), (9.8, 0.0, 1.0)):
+        assert "gravity" not in keys(assess(with_part("hand", gravity=gravity)))
+
+
+def test_a_tissue_too_slow_for_any_machine_is_an_error_and_one_for_this_a_warning():
+    organs = [on(surface_of(600), with_part("model", stiffness=k)) for k in (1e2, 1e6, 2e7)]
+
+    found = [[p.severity for p in assess(o).problems if p.key == "too_slow"] for o in organs]
+
+    assert found == [[], ["warning"], ["error"]]
+
+
+def test_what_is_asked_for_instead_gives_as_many_tetrahedra_as_were_wanted():
+    organ = replace(with_part("model", kind="solid"), fill=FillPart(6000))
+    [problem] = [p for p in assess(organ).problems if p.key == "filling"]
+
+    asked = replace(organ, fill=FillPart(problem.expected.values["other"]))
+
+    assert assess(asked).facts.tissue.tetrahedra == pytest.approx(6000, rel=0.1)
+
+
+def test_a_tick_is_judged_by_its_substeps_in_touch():
+    organ = replace(with_part("model", kind="solid"), fill=FillPart(1200))
+
+    facts = assess(organ).facts
+
+    air, touch = facts.tissue.substeps, facts.tissue.trial.substeps
+    assert touch > air
+    assert compute_tick_share(organ, facts) == pytest.approx(
+        18e-9 * facts.tissue.tetrahedra * touch * organ.hand.rate
+    )
+
+
+def test_a_linear_solid_has_its_cost_in_touch():
+    organ = replace(with_part("model", kind="linear_solid"), fill=FillPart(600))
+
+    found = assess(organ)
+
+    assert found.facts.tissue.trial.substeps >= 3
+    assert 0.0 < compute_tick_share(organ, found.facts) < 1.0
+    hilum = replace(organ, fill=FillPart(600, reach=""))
+    assert assess(hilum).facts.tissue.trial.substeps >= 3
+
+
 def test_the_share_of_a_tick_grows_with_the_vertices():
     small, large = assess(on(surface_of(60))), assess(on(surface_of(600)))
 
     assert compute_tick_share(small.organ, small.facts) < TICK_SHARE
+    substeps = [found.facts.tissue.trial.substeps for found in (small, large)]
     assert compute_tick_share(large.organ, large.facts) == pytest.approx(
-        10 * compute_tick_share(small.organ, small.facts)
+        10 * substeps[1] / substeps[0] * compute_tick_share(small.organ, small.facts)
     )
     assert compute_tick_share(EMPTY, assess(EMPTY).facts) is None
 

@@ -150,11 +150,59 @@ def test_a_chain_of_verbs_makes_a_published_file_out_of_a_mesh(source, tmp_path,
     assert (decimated["vertices"], decimated["triangles"]) == (600, 1196)
     assert made["bonds"] == 1794 and made["fixed"] > 0  # what a call does not name stays
     assert [p["problem"] for p in checked["problems"] if p["severity"] == "error"] == ["no_title"]
-    assert published["published"] and published["problems"] == []
+    assert published["published"]
+    assert [p["problem"] for p in published["problems"]] == ["home_share"]
     found = read_organ(organ)
     assert len(found.imported.vertices) == 4274 and found.vertex_count == 600
     assert scenario.read(str(out)).title == "Dalak"
     assert open_organ(out).model == found.model
+
+
+def test_check_says_what_a_press_comes_to(tmp_path, capsys):
+    write_organ(tmp_path / "a.organ", SPLEEN)
+
+    checked = run(capsys, "check", tmp_path / "a.organ")
+
+    shares = checked["home_shares"]
+    assert len(shares) == 5 and all(0.5 < share < 1.1 for share in shares)
+    assert checked["press_depth_m"] == 3e-3 and checked["substeps_in_touch"] >= 3
+    assert 0.0 < checked["tick_share_in_touch"] < 0.1
+    assert main(["check", str(tmp_path / "a.organ")]) == 0
+    said = capsys.readouterr().out
+    low, high = (f"{100 * share:.0f}%" for share in (min(shares), max(shares)))
+    assert f"home springs: {low} to {high} of the felt force at 5 places pressed 3 mm" in said
+    assert f"in touch: {checked['substeps_in_touch']} substeps, about 0% of a tick" in said
+
+
+@pytest.mark.parametrize(
+    ("options", "refusal"),
+    [
+        ("--fix-lowest 1", "fixed: got every vertex fixed, expected some that can move"),
+        ("--stiffness 5e8N/m", "steps a tick, of 0."),
+        ("--kind solid --tetrahedra 12000 --young-modulus 9MPa", "of the time there is"),
+    ],
+)
+def test_what_publish_would_refuse_of_a_tissue_is_refused_when_it_is_chosen(
+    options, refusal, tmp_path, capsys
+):
+    write_organ(tmp_path / "a.organ", SPLEEN)
+
+    assert main(["material", str(tmp_path / "a.organ"), *options.split(), "-o",
+                 str(tmp_path / "b.organ")]) == 1  # fmt: skip
+
+    assert refusal in capsys.readouterr().err
+    assert not (tmp_path / "b.organ").exists()
+
+
+def test_what_is_doubtful_about_a_tissue_is_said_when_it_is_chosen(tmp_path, capsys):
+    organ = tmp_path / "a.organ"
+    write_organ(organ, SPLEEN)
+
+    made = run(capsys, "material", organ, "--gravity", "0,0,-981", "-o", organ)
+
+    assert [p["problem"] for p in made["problems"]] == ["gravity", "home_share"]
+    assert main(["material", str(organ), "--gravity", "0,0,-981", "-o", str(organ)]) == 0
+    assert "warning hand.gravity: got 981 m/s², 100 times" in capsys.readouterr().out
 
 
 def test_publishing_what_is_not_ready_exits_1_with_the_list(tmp_path, capsys):

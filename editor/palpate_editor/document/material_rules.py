@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import hypot
 
 from palpate.scene.scene_parts import FILLED
 
-from palpate_editor.document.constants import CHOICES, CONSTANTS
+from palpate_editor.document.constants import CHOICES, CONSTANTS, SURFACES
 from palpate_editor.document.organ import Organ
 from palpate_editor.document.phrase import phrase
 from palpate_editor.document.problems import Facts, Problem, TissueFacts
@@ -17,6 +18,13 @@ EDGES_PER_RADIUS = 0.5
 
 RIGID = 1e9
 """[Pa] Stone and bone are stiffer than this and may be held everywhere; no soft tissue is."""
+
+
+GRAVITY, MOST_GRAVITY = 9.81, 1.1
+"""[m/s²] of the Earth, and how many times that is taken without a word."""
+
+POISSON_ERROR = 0.05
+"""[-] by which springs may miss a Poisson's ratio."""
 
 
 def find_material_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
@@ -37,6 +45,8 @@ def find_material_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
     elif facts.tissue.refusal is not None and not wrong:
         yield from refuse_tissue(facts.tissue)
     yield from find_support_problems(organ)
+    yield from find_gravity_problems(organ, facts.tissue)
+    yield from find_poisson_problems(organ, facts.tissue)
     edge, radius = facts.surface.mean_edge, organ.tool.radius
     if 0.0 < radius < EDGES_PER_RADIUS * edge:
         yield Problem(
@@ -106,6 +116,8 @@ def find_support_problems(organ: Organ) -> Iterator[Problem]:
     none_of_its_own = organ.material.wall_thickness is None or organ.model.kind == "shell"
     no_home = home == 0.0 or (home is None and none_of_its_own)
     no_home |= organ.model.kind in FILLED
+    if no_home and organ.fixed.any() and organ.model.kind in SURFACES and not rigid:
+        yield from find_hollow_problems(organ)
     if no_home and not organ.fixed.any():
         yield Problem(
             "loose",
@@ -115,3 +127,68 @@ def find_support_problems(organ: Organ) -> Iterator[Problem]:
             phrase("neither home springs nor fixed vertices"),
             phrase("something that holds the organ in its place"),
         )
+
+
+def find_hollow_problems(organ: Organ) -> Iterator[Problem]:
+    """Of a surface without home springs."""
+    if organ.model.pressure != 0.0:
+        return
+    yield Problem(
+        "no_home",
+        "warning",
+        "material",
+        "model.home_stiffness",
+        phrase(
+            "home springs of 0 N/m in all: a surface of springs has no stiffness across itself and "
+            "caves in under the tip"
+        ),
+        phrase("home springs, a pressure inside, a wall that bends, or a solid"),
+    )
+
+
+def find_gravity_problems(organ: Organ, tissue: TissueFacts) -> Iterator[Problem]:
+    size = hypot(*organ.hand.gravity)
+    if not size > MOST_GRAVITY * GRAVITY:
+        return
+    mass = tissue.total_mass or 0.0
+    yield Problem(
+        "gravity",
+        "warning",
+        "material",
+        "hand.gravity",
+        phrase(
+            "{size:.4g} m/s², {times:.3g} times that of the Earth: {mass:.4g} g of tissue weigh "
+            "{weight:.3g} N",
+            size=size,
+            times=size / GRAVITY,
+            mass=1e3 * mass,
+            weight=mass * size,
+        ),
+        phrase("at most {most:g} m/s², turned to where the organ lies", most=GRAVITY),
+    )
+
+
+def find_poisson_problems(organ: Organ, tissue: TissueFacts) -> Iterator[Problem]:
+    """Whether springs are to have a Poisson's ratio that is not theirs."""
+    model, nu, wall = organ.model, organ.material.poisson_ratio, tissue.wall
+    if model.kind != "mass_spring" or model.constants != "tissue" or wall is None:
+        return
+    if abs(wall.poisson_ratio - nu) <= POISSON_ERROR:
+        return
+    yield Problem(
+        "springs_poisson",
+        "warning",
+        "material",
+        "material.poisson_ratio",
+        phrase(
+            "{nu:g}, but springs stretch like {like:.2f}: {least:.2f} to {most:.2f} times as stiff "
+            "as the wall, by direction and place",
+            nu=nu,
+            like=wall.poisson_ratio,
+            least=wall.least,
+            most=wall.most,
+        ),
+        phrase(
+            "about {like:.2f}, or the molecular model, which can have any", like=wall.poisson_ratio
+        ),
+    )

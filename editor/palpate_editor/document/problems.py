@@ -64,6 +64,21 @@ class WallFit:
 
 
 @dataclass(frozen=True)
+class TrialFacts:
+    """What came of pressing the tissue, place by place."""
+
+    depth: float
+    """[m] of each press."""
+    substeps: int
+    """Per tick, the most that a press takes; those in the air where nothing was felt."""
+    home_shares: tuple[float, ...] = ()
+    """[-] of the felt force that home springs carry, of each place where something was felt; none
+    where the tissue has no home springs."""
+    edges: tuple[float, ...] = ()
+    """[m] of the tetrahedra at the surface, of each place; none for a surface."""
+
+
+@dataclass(frozen=True)
 class TissueFacts:
     """What came of building the tissue."""
 
@@ -81,6 +96,8 @@ class TissueFacts:
     """Of a solid."""
     default_home: float | None = None
     """[N/m³] What home springs are where the designer says nothing."""
+    trial: TrialFacts | None = None
+    """None where there is no tissue."""
     wall: WallFit | None = None
     """None for a solid, and where triangles are too thin to be compared."""
     refusal: tuple[str, str, str] | None = None

@@ -6,26 +6,22 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from palpate.scenario import MOST_PARTICLES
-from palpate.scene.scene_parts import FILLED
 
+from palpate_editor.document.cost_rules import (
+    find_cost_problems,
+    find_substep_problems,
+    find_surface_cost_problems,
+)
 from palpate_editor.document.material_rules import find_material_problems
 from palpate_editor.document.organ import Organ
 from palpate_editor.document.phrase import Phrase, phrase
+from palpate_editor.document.press_rules import find_press_problems
 from palpate_editor.document.problems import Facts, Problem, SurfaceFacts
 
 SIZE_LEAST, SIZE_MOST = 5e-3, 0.6
 """[m] No organ is smaller or larger from corner to corner: its unit is another."""
 ANGLE_LEAST = 15.0
 """[degree] Needles make a model stiff and its stretch-bend range collapse [laws: degenerate]."""
-TICK_SHARE = 0.7
-"""[-] of a tick that may be spent on the tissue; the rest is for the hand and the machine."""
-SUBSTEP_COST = {"mass_spring": 10e-9, "molecular": 16e-9, "shell": 65e-9, "solid": 35e-9}
-"""[s] per vertex, or per tetrahedron of a solid, on the reference machine: all of a pressed tick
-over the substeps in the air (./run bench: mss_dashpot_tick, mms_dashpot_tick, shell_tick,
-solid_tick). A press asks a solid for about twice as many, which is in its figure. A linear solid
-costs by what is touched, whatever its size."""
-SUBSTEPS_IN_CONTACT = 3
-"""A touched tissue takes at least as many (core/sim/tick/tick.cpp)."""
 
 
 def find_problems(organ: Organ, facts: Facts) -> list[Problem]:
@@ -36,7 +32,9 @@ def find_problems(organ: Organ, facts: Facts) -> list[Problem]:
         find_repair_problems,
         find_decimate_problems,
         find_material_problems,
-        find_fill_problems,
+        find_press_problems,
+        find_cost_problems,
+        find_substep_problems,
         find_test_problems,
         find_publish_problems,
     ):
@@ -166,52 +164,7 @@ def find_decimate_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
             phrase("{count} vertices", count=organ.vertex_count),
             phrase("at most {most}: decimate", most=MOST_PARTICLES),
         )
-    cost = compute_tick_share(organ, facts)
-    if cost is not None and cost > TICK_SHARE and organ.model.kind not in FILLED:
-        yield Problem(
-            "too_slow",
-            "warning",
-            "decimate",
-            "vertices",
-            phrase(
-                "{count} vertices, {substeps} steps a tick: about {share:.0%} of the time there is",
-                count=organ.vertex_count,
-                substeps=facts.tissue.substeps if facts.tissue else 0,
-                share=cost,
-            ),
-            phrase(
-                "at most {share:.0%}: fewer vertices, softer links or more mass", share=TICK_SHARE
-            ),
-        )
-
-
-def compute_tick_share(organ: Organ, facts: Facts) -> float | None:
-    """[-] of a tick that this tissue takes on the reference machine, None where there is none."""
-    each = SUBSTEP_COST.get(organ.model.kind)
-    if facts.tissue is None or not facts.tissue.substeps or each is None:
-        return None
-    substeps = max(SUBSTEPS_IN_CONTACT, facts.tissue.substeps)
-    return each * (facts.tissue.tetrahedra or organ.vertex_count) * substeps * organ.hand.rate
-
-
-def find_fill_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
-    """Whether a solid has too many tetrahedra for its time."""
-    cost = compute_tick_share(organ, facts)
-    if cost is None or cost <= TICK_SHARE or facts.tissue is None or not facts.tissue.tetrahedra:
-        return
-    yield Problem(
-        "slow_solid",
-        "warning",
-        "material",
-        "fill.tetrahedra",
-        phrase(
-            "{count}, {substeps} steps a tick: about {share:.0%} of the time there is",
-            count=facts.tissue.tetrahedra,
-            substeps=facts.tissue.substeps,
-            share=cost,
-        ),
-        phrase("at most {share:.0%}: fewer tetrahedra, or a softer tissue", share=TICK_SHARE),
-    )
+    yield from find_surface_cost_problems(organ, facts)
 
 
 def find_test_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:

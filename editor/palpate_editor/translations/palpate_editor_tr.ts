@@ -281,10 +281,6 @@
         <translation>Betikli bası, bir günden ötekine karşılaştırılabilen sayılar verir.</translation>
     </message>
     <message>
-        <source>A tick takes</source>
-        <translation>Bir adım süresi</translation>
-    </message>
-    <message>
         <source>A wall can have its constants from the tissue: choose so under Constants, and read what the model makes of the wall. A shell of prisms bends as well.</source>
         <translation>Bir duvarın sabitleri dokudan gelebilir: Sabitler altında öyle seçin ve modelin duvardan ne çıkardığını okuyun. Prizmalardan kabuk eğilir de.</translation>
     </message>
@@ -2174,6 +2170,22 @@ Beklenen: {expected}.</translation>
         <source>Springs and bonds take the stiffness below, and home springs their own value, so Young's modulus and Poisson's ratio have no effect on the force: the wall is only compared with them.</source>
         <translation>Yaylar ve bağlar aşağıdaki katılığı, yuva yayları kendi değerlerini alır; bu yüzden Young modülünün ve Poisson oranının kuvvete etkisi yoktur: duvar yalnızca onlarla karşılaştırılır.</translation>
     </message>
+    <message>
+        <source>A tick in touch takes</source>
+        <translation>Temasta bir adım süresi</translation>
+    </message>
+    <message>
+        <source>Home springs carry</source>
+        <translation>Yuva yaylarının payı</translation>
+    </message>
+    <message>
+        <source>{span} % of the force</source>
+        <translation>kuvvetin %{span} kadarı</translation>
+    </message>
+    <message>
+        <source>Substeps in touch</source>
+        <translation>Temasta alt adım</translation>
+    </message>
 </context>
 <context>
     <name>constants</name>
@@ -2644,14 +2656,6 @@ Beklenen: {expected}.</translation>
         <translation>{count} köşe</translation>
     </message>
     <message>
-        <source>{count} vertices, {substeps} steps a tick: about {share:.0%} of the time there is</source>
-        <translation>{count} köşe, adım başına {substeps} alt adım: eldeki zamanın yaklaşık {share:.0%} kadarı</translation>
-    </message>
-    <message>
-        <source>{count}, {substeps} steps a tick: about {share:.0%} of the time there is</source>
-        <translation>{count}, adım başına {substeps} alt adım: eldeki zamanın yaklaşık {share:.0%} kadarı</translation>
-    </message>
-    <message>
         <source>{field} must be one of {allowed}, got {got}.</source>
         <translation>{field} şunlardan biri olmalı: {allowed}; verilen {got}.</translation>
     </message>
@@ -2858,6 +2862,78 @@ Beklenen: {expected}.</translation>
     <message>
         <source>springs, bonds and home springs take the stiffness that is chosen</source>
         <translation>yaylar, bağlar ve yuva yayları seçilen katılığı alır</translation>
+    </message>
+    <message>
+        <source>about {asked}</source>
+        <translation>yaklaşık {asked}</translation>
+    </message>
+    <message>
+        <source>about {asked}: to have them ask for {other}</source>
+        <translation>yaklaşık {asked}: bu kadarı için {other} isteyin</translation>
+    </message>
+    <message>
+        <source>{made}, {share:.0%} fewer than the {asked} that were asked for</source>
+        <translation>{made}; istenen {asked} sayısından {share:.0%} az</translation>
+    </message>
+    <message>
+        <source>{made}, {share:.0%} more than the {asked} that were asked for</source>
+        <translation>{made}; istenen {asked} sayısından {share:.0%} çok</translation>
+    </message>
+    <message>
+        <source>about {like:.2f}, or the molecular model, which can have any</source>
+        <translation>yaklaşık {like:.2f} ya da her değeri alabilen moleküler model</translation>
+    </message>
+    <message>
+        <source>at most {most:.0%}: else a foundation of springs is felt, which Young's modulus does not set; a solid has none, nor has a wall that bends</source>
+        <translation>en çok {most:.0%}: yoksa duyulan, Young modülünün belirlemediği bir yay yatağıdır; dolu cisimde ve bükülen duvarda böyle yay yoktur</translation>
+    </message>
+    <message>
+        <source>at most {most:g} m/s², turned to where the organ lies</source>
+        <translation>en çok {most:g} m/s², organın yatışına göre döndürülmüş</translation>
+    </message>
+    <message>
+        <source>at most {most}: a softer or heavier tissue, less damping or larger triangles</source>
+        <translation>en çok {most}: daha yumuşak ya da daha ağır bir doku, daha az sönüm ya da daha büyük üçgenler</translation>
+    </message>
+    <message>
+        <source>edges of at most {edge:.1f} mm for {times:g} times: more tetrahedra or a larger tip, or constants that are fitted to a measured curve</source>
+        <translation>{times:g} kat için en çok {edge:.1f} mm kenar: daha çok dörtyüzlü, daha büyük bir uç ya da ölçülmüş bir eğriye uydurulmuş sabitler</translation>
+    </message>
+    <message>
+        <source>edges of {low:.1f} to {high:.1f} mm at the surface under a contact radius of {contact:.1f} mm (a tip of {radius:g} mm pressed {depth:g} mm): by place the force is about {least:.1f} to {most:.1f} times that of the tissue</source>
+        <translation>{contact:.1f} mm temas yarıçapı altında ({depth:g} mm bastırılan {radius:g} mm uç) yüzeydeki kenarlar {low:.1f} ile {high:.1f} mm arasında: kuvvet yerine göre dokununkinin yaklaşık {least:.1f} ile {most:.1f} katı</translation>
+    </message>
+    <message>
+        <source>home springs of 0 N/m in all: a surface of springs has no stiffness across itself and caves in under the tip</source>
+        <translation>yuva yayları toplam 0 N/m: yaylardan bir yüzeyin kendine dik katılığı yoktur, ucun altında çöker</translation>
+    </message>
+    <message>
+        <source>home springs, a pressure inside, a wall that bends, or a solid</source>
+        <translation>yuva yayları, içeride bir basınç, bükülen bir duvar ya da dolu bir cisim</translation>
+    </message>
+    <message>
+        <source>{count} steps a tick, of {step:.2g} us at most</source>
+        <translation>adım başına {count} alt adım, her biri en çok {step:.2g} us</translation>
+    </message>
+    <message>
+        <source>{count} vertices, {substeps} steps a tick in touch: about {share:.0%} of the time there is</source>
+        <translation>{count} köşe, temasta adım başına {substeps} alt adım: eldeki zamanın yaklaşık {share:.0%} kadarı</translation>
+    </message>
+    <message>
+        <source>{count}, {substeps} steps a tick in touch: about {share:.0%} of the time there is</source>
+        <translation>{count}, temasta adım başına {substeps} alt adım: eldeki zamanın yaklaşık {share:.0%} kadarı</translation>
+    </message>
+    <message>
+        <source>{least:.0%} to {most:.0%} of the felt force through home springs, by place ({count} pressed {depth:g} mm)</source>
+        <translation>duyulan kuvvetin {least:.0%} ile {most:.0%} arası, yerine göre, yuva yaylarından gelir ({depth:g} mm bastırılan {count} yer)</translation>
+    </message>
+    <message>
+        <source>{nu:g}, but springs stretch like {like:.2f}: {least:.2f} to {most:.2f} times as stiff as the wall, by direction and place</source>
+        <translation>{nu:g}, oysa yaylar {like:.2f} gibi gerilir: yöne ve yere göre duvarın {least:.2f} ile {most:.2f} katı kadar katı</translation>
+    </message>
+    <message>
+        <source>{size:.4g} m/s², {times:.3g} times that of the Earth: {mass:.4g} g of tissue weigh {weight:.3g} N</source>
+        <translation>{size:.4g} m/s², Dünya ivmesinin {times:.3g} katı: {mass:.4g} g doku {weight:.3g} N ağırlığındadır</translation>
     </message>
 </context>
 <context>

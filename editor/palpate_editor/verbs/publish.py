@@ -59,7 +59,31 @@ def hint(problem: Report) -> str:
 
 def describe_check(report: Report) -> str:
     heading = f"{report['file']}: {report['description']}"
-    return "\n".join([heading, *describe_problems(report["problems"])])
+    lines = [heading, *describe_press(report), *describe_problems(report["problems"])]
+    return "\n".join(lines)
+
+
+def describe_press(report: Report) -> list[str]:
+    """What a press of it comes to."""
+    lines, shares = [], report["home_shares"]
+    if report["tick_share_in_touch"] is not None:
+        lines.append(
+            f"  in touch: {report['substeps_in_touch']} substeps, about "
+            f"{report['tick_share_in_touch']:.0%} of a tick on the reference machine"
+        )
+    if shares:
+        lines.append(
+            f"  home springs: {say_span(shares)} of the felt force at {len(shares)} "
+            f"{'places' if len(shares) > 1 else 'place'} pressed "
+            f"{1e3 * report['press_depth_m']:g} mm"
+        )
+    return lines
+
+
+def say_span(shares: list[float]) -> str:
+    """52% to 99%; one number where both are the same."""
+    least, most = (f"{round(100.0 * share) + 0:d}%" for share in (min(shares), max(shares)))
+    return least if least == most else f"{least} to {most}"
 
 
 def has_errors(report: Report) -> bool:

@@ -17,7 +17,13 @@ from palpate.files.refusal import Refusal
 from palpate.scene.scene_parts import FILLED
 
 from palpate_editor.argument_text import LAWS, NONE
-from palpate_editor.check import describe_model, split_refusal
+from palpate_editor.check import (
+    Assessment,
+    assess,
+    describe_model,
+    describe_problem,
+    split_refusal,
+)
 from palpate_editor.compile import compile_organ
 from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.constants import CHOICES, CONSTANTS, SHORT_KINDS, Constant
@@ -27,6 +33,7 @@ from palpate_editor.edits import FixLowest, SetChoice, SetConstant, SetGravity, 
 from palpate_editor.kinds import compare_kinds, describe_kinds
 from palpate_editor.scene_files import name_mesh, write_scene
 from palpate_editor.verbs.files import ReadFile, apply, open_any
+from palpate_editor.verbs.publish import describe_problems
 
 
 def read_constant(constant: Constant, unit: str) -> Callable[[str], float | str]:
@@ -183,10 +190,9 @@ def run_material(call: argparse.Namespace) -> Report:
             call.out.name,
             "a name ending in .organ: a scene file has no tetrahedra",
         )
-    try:
-        compiled = compile_organ(organ, say_size)
-    except ValueError as problem:
-        raise Refusal(call.file, *split_refusal(str(problem))) from None
+    assessment = build_assessed(call, organ)
+    compiled = assessment.scene
+    assert compiled is not None
     read.check(call.out)
     if call.out.suffix == ".organ":
         write_organ(call.out, organ)
@@ -212,7 +218,23 @@ def run_material(call: argparse.Namespace) -> Report:
         "stable_step_ms": 1e3 * palpate.stable_step(tissue),
         "substeps": compiled.bodies[0].substeps,
         "description": describe_model(compiled),
+        "problems": [describe_problem(p) for p in assessment.problems if p.stage == "material"],
     }
+
+
+def build_assessed(call: argparse.Namespace, organ: Organ) -> Assessment:
+    """The organ built and judged as `check` and `publish` judge its tissue. Raises Refusal for what
+    cannot be built, and for the first error of the tissue."""
+    assessment = assess(organ, measured=say_size)
+    if assessment.scene is None:
+        try:
+            compile_organ(organ)
+        except ValueError as problem:
+            raise Refusal(call.file, *split_refusal(str(problem))) from None
+    for problem in assessment.errors:
+        if problem.stage == "material" or assessment.scene is None:
+            raise Refusal(call.file, problem.where, problem.got, problem.expected)
+    return assessment
 
 
 def say_size(size: palpate.ResponseSize) -> None:
@@ -225,9 +247,10 @@ def describe_material(report: Report) -> str:
     if report["out"] is None:
         return describe_kinds(report)
     written = f"wrote {report['out']}: {report['description']}, {report['fixed']} fixed"
-    if report["response_bytes"] is not None:  # nothing of it swings
-        return written
-    return f"{written}, stable step {report['stable_step_ms']:.3f} ms"
+    if report["response_bytes"] is None:  # else nothing of it swings
+        written += f", stable step {report['stable_step_ms']:.3f} ms"
+    lines = describe_problems(report["problems"]) if report["problems"] else []
+    return "\n".join([written, *lines])
 
 
 VERBS = [

@@ -18,8 +18,8 @@ from palpate_editor import authoring, check
 from palpate_editor.app.session import Session
 from palpate_editor.compile import mesh_of
 from palpate_editor.document import Organ, Surface
+from palpate_editor.document.cost_rules import compute_tick_share
 from palpate_editor.document.problems import Problem, TissueFacts
-from palpate_editor.document.rules import compute_tick_share
 from palpate_editor.views.jobs import Jobs, Progress
 from palpate_editor.views.translations import say_memory, tr
 

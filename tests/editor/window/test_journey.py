@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from hands import CONTROL, SHIFT, action, child, choose_file, click, drop, log_of, press, type_into
 from palpate import scenario
-from palpate_editor.document import rules
+from palpate_editor.document import cost_rules
 from palpate_editor.document.files import read_organ
 from patience import PATIENCE, settle
 from PySide6.QtCore import Qt
@@ -214,7 +214,7 @@ def test_a_fix_button_solves_what_its_check_found(qtbot, spleen_window):
 
 
 def test_ticks_follow_the_problems(qtbot, window, spleen, monkeypatch):
-    monkeypatch.setattr(rules, "TICK_SHARE", 0.05)  # so that 4274 vertices are too many
+    monkeypatch.setattr(cost_rules, "TICK_SHARE", 0.05)  # so that 4274 vertices are too many
     assert not window.stage_bar.steps["import"].verdict.known
 
     window.files.open(spleen)

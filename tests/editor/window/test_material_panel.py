@@ -99,6 +99,28 @@ def test_mass_substeps_and_margin_follow_at_once(panel, qtbot):
     assert words()["Stability margin"].endswith("×")
 
 
+def test_what_home_springs_carry_and_a_tick_in_touch_takes_stand_among_the_results(panel, qtbot):
+    window, words = panel.window(), panel.facts.texts
+    window.context.apply(SetConstant("model", "home_stiffness", 1e6))
+    settle(qtbot, window)
+
+    trial = panel.context.assessment.tissue.trial
+    low, high = (round(100 * share) for share in (min(trial.home_shares), max(trial.home_shares)))
+    assert words()["Home springs carry"] == f"{low} – {high} % of the force"
+    assert words()["Substeps in touch"] == f"{trial.substeps}"
+    assert re.fullmatch(r"about \d+ % of its time", words()["A tick in touch takes"])
+    checks = [row.label.text() for row in panel.rows if not row.isHidden()]
+    assert any(f"Home springs: {low}% to {high}% of the felt force" in text for text in checks)
+
+    window.menu_actions.use_linear()
+    window.context.apply(SetConstant("fill", "tetrahedra", 600))
+    settle(qtbot, window)
+
+    assert "Home springs carry" not in words() and "A tick in touch takes" in words()
+    checks = [row.label.text() for row in panel.rows if not row.isHidden()]
+    assert any("under a contact radius of 3.0 mm" in text for text in checks)
+
+
 def test_a_wall_makes_the_organ_hollow_and_lighter(panel, qtbot):
     window, before = panel.window(), panel.facts.texts()["Total mass"]
     field = next(f for f in panel.fields if f.objectName() == "" and hasattr(f, "constant")
@@ -147,7 +169,7 @@ def test_a_linear_solid_tells_its_memory_and_asks_for_nothing_that_swings(panel,
     settle(qtbot, window)
 
     words = panel.facts.texts()
-    assert list(words) == ["Total mass", "Tetrahedra", "Its response"]
+    assert list(words) == ["Total mass", "Tetrahedra", "Its response", "A tick in touch takes"]
     assert re.fullmatch(r"[\d.]+\u00a0MB for \d+ of \d+ particles", words["Its response"])
     assert not panel.links.isVisible()
     assert "up to 15 % of the thickness" in panel.origin_note.text()

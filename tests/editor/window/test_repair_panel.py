@@ -11,7 +11,7 @@ import palpate
 import pytest
 from hands import child, click, log_of
 from palpate_editor.document import Organ, Surface
-from palpate_editor.document.rules import TICK_SHARE
+from palpate_editor.document.cost_rules import TICK_SHARE
 from palpate_editor.views.assessment import Assessment
 from patience import rest, settle
 from touch_context import build_organ

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from palpate_editor.document import Decimation, Organ
-from palpate_editor.document.rules import TICK_SHARE
+from palpate_editor.document.cost_rules import TICK_SHARE
 from palpate_editor.edits import UseImported
 from palpate_editor.views.context import Context
 from palpate_editor.views.stages.facts import write_label

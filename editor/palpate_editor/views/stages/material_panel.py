@@ -12,6 +12,9 @@ from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QHBoxLayout, QPushButto
 
 from palpate_editor.document import Organ
 from palpate_editor.document.constants import CONSTANTS
+from palpate_editor.document.cost_rules import TICK_SHARE, count_substeps
+from palpate_editor.document.press_rules import MOST_HOME_SHARE
+from palpate_editor.document.problems import TissueFacts
 from palpate_editor.edits import FixLowest, FixVertices, SetGravity
 from palpate_editor.views.stages.constant_form import ChoiceField, ConstantField, build_grid
 from palpate_editor.views.stages.facts import Fact, Facts, Section, write_label
@@ -24,8 +27,6 @@ WEIGHT = (0.0, 0.0, -9.81)
 """[m/s²]"""
 GOOD_MARGIN = 1.05
 """[-] below it the margin is shown as a warning."""
-FULL = 0.7
-"""[-] of a tick that may be spent on the tissue before it is shown as a warning."""
 
 TISSUE = (
     "material.young_modulus",
@@ -91,6 +92,26 @@ def say_origin(organ: Organ) -> str:
         "Springs and bonds take the stiffness below. Young's modulus sets the home springs of a "
         "hollow organ where they have no own value, and what its wall is compared with."
     )
+
+
+def home_rows(tissue: TissueFacts) -> list[Fact]:
+    """What of the felt force home springs carry."""
+    shares = () if tissue.trial is None else tissue.trial.home_shares
+    if not shares:
+        return []
+    least, most = (f"{round(100.0 * share) + 0:d}" for share in (min(shares), max(shares)))
+    span = most if least == most else f"{least} \N{EN DASH} {most}"
+    tone = "good" if max(shares) <= MOST_HOME_SHARE else "warning"
+    return [(tr("Home springs carry"), tr("{span} % of the force").format(span=span), tone)]
+
+
+def share_rows(share: float | None) -> list[Fact]:
+    """What of its time a tick takes."""
+    if share is None:
+        return []
+    tone = "good" if share <= TICK_SHARE else "warning"
+    text = tr("about {share} % of its time").format(share=f"{100 * share:.0f}")
+    return [(tr("A tick in touch takes"), text, tone)]
 
 
 class MaterialPanel(StagePanel):
@@ -266,22 +287,19 @@ class MaterialPanel(StagePanel):
             rows.append((tr("Tetrahedra"), count(tissue.tetrahedra)))
         scene = assessment.scene
         if scene is not None and scene.bodies[0].response is not None:  # nothing of it swings
-            return [*rows, (tr("Its response"), say_memory(scene.bodies[0].response.size))]
+            rows.append((tr("Its response"), say_memory(scene.bodies[0].response.size)))
+            return rows + share_rows(share)
         rows += [
             (tr("Links"), count(tissue.links)),
             (tr("Substeps a tick"), count(tissue.substeps)),
+            (tr("Substeps in touch"), count(count_substeps(tissue))),
             (tr("Longest stable step"), quantity(None if step is None else 1e3 * step, "ms", 3)),
         ]
         # what is held everywhere cannot swing, and has no margin to speak of
         if tissue.margin is not None and isfinite(tissue.margin):
             tone = "good" if tissue.margin >= GOOD_MARGIN else "warning"
             rows.append((tr("Stability margin"), f"{number(tissue.margin, 3)} ×", tone))
-        rows += self.wall_rows()
-        if share is not None:
-            tone = "good" if share <= FULL else "warning"
-            text = tr("about {share} % of its time").format(share=f"{100 * share:.0f}")
-            rows.append((tr("A tick takes"), text, tone))
-        return rows
+        return rows + self.wall_rows() + home_rows(tissue) + share_rows(share)
 
     def wall_rows(self) -> list[Fact]:
         """How the springs and bonds of a wall compare with its material."""

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The rules about what a press feels: what carries it, and what is too coarse for it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import cbrt, sqrt
+
+from palpate_editor.document.constants import MOST_TETRAHEDRA
+from palpate_editor.document.organ import Organ
+from palpate_editor.document.phrase import Phrase, phrase
+from palpate_editor.document.problems import Facts, Problem, TissueFacts
+
+MOST_HOME_SHARE = 0.5
+"""[-] of the felt force. Beyond it a foundation of springs is felt, and not the tissue."""
+EDGE_FACTOR = 1.15
+"""[-] How much too stiff a contact of radius a is on edges h, over h/a where h is large [accuracy:
+patch]."""
+MOST_PATCH_FACTOR = 1.25
+"""[-] of the tissue's force, up to which a filling is not warned of."""
+FEWER = 0.15
+"""[-] of the tetrahedra that were asked for: how many more or fewer are told."""
+
+
+def compute_patch_factor(edge: float, contact_radius: float) -> float:
+    """[-] How many times too large the force of a tip is on tetrahedra with edges [m] at the
+    surface, about: cbrt(1 + (1.15 h/a)³), fitted to what the tick gives [accuracy: patch]."""
+    return cbrt(1.0 + (EDGE_FACTOR * edge / contact_radius) ** 3)
+
+
+def compute_contact_radius(radius: float, depth: float) -> float:
+    """[m] a = sqrt(R d) of a tip pressed in by no more than its radius [Hertz82]."""
+    return sqrt(radius * min(depth, radius))
+
+
+def find_press_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
+    """Of the Material stage."""
+    if facts.tissue is None or facts.tissue.trial is None:
+        return
+    yield from find_home_problems(facts.tissue)
+    yield from find_patch_problems(organ, facts.tissue)
+    yield from find_filling_problems(organ, facts.tissue)
+
+
+def find_home_problems(tissue: TissueFacts) -> Iterator[Problem]:
+    assert tissue.trial is not None
+    shares = tissue.trial.home_shares
+    if not shares or max(shares) <= MOST_HOME_SHARE:
+        return
+    yield Problem(
+        "home_share",
+        "warning",
+        "material",
+        "model.home_stiffness",
+        phrase(
+            "{least:.0%} to {most:.0%} of the felt force through home springs, by place ({count} "
+            "pressed {depth:g} mm)",
+            least=min(shares),
+            most=max(shares),
+            count=len(shares),
+            depth=1e3 * tissue.trial.depth,
+        ),
+        phrase(
+            "at most {most:.0%}: else a foundation of springs is felt, which Young's modulus does "
+            "not set; a solid has none, nor has a wall that bends",
+            most=MOST_HOME_SHARE,
+        ),
+    )
+
+
+def find_patch_problems(organ: Organ, tissue: TissueFacts) -> Iterator[Problem]:
+    """Whether the tetrahedra are too large for what the tip touches."""
+    assert tissue.trial is not None
+    edges, radius, depth = tissue.trial.edges, organ.tool.radius, tissue.trial.depth
+    if not edges or not radius > 0.0:
+        return
+    contact = compute_contact_radius(radius, depth)
+    least, most = (compute_patch_factor(edge, contact) for edge in (min(edges), max(edges)))
+    if most <= MOST_PATCH_FACTOR:
+        return
+    fine = contact * cbrt(MOST_PATCH_FACTOR**3 - 1.0) / EDGE_FACTOR
+    yield Problem(
+        "coarse_contact",
+        "warning",
+        "material",
+        "fill.tetrahedra",
+        phrase(
+            "edges of {low:.1f} to {high:.1f} mm at the surface under a contact radius of "
+            "{contact:.1f} mm (a tip of {radius:g} mm pressed {depth:g} mm): by place the force is "
+            "about {least:.1f} to {most:.1f} times that of the tissue",
+            low=1e3 * min(edges),
+            high=1e3 * max(edges),
+            contact=1e3 * contact,
+            radius=1e3 * radius,
+            depth=1e3 * depth,
+            least=least,
+            most=most,
+        ),
+        phrase(
+            "edges of at most {edge:.1f} mm for {times:g} times: more tetrahedra or a larger tip, "
+            "or constants that are fitted to a measured curve",
+            edge=1e3 * fine,
+            times=MOST_PATCH_FACTOR,
+        ),
+    )
+
+
+def find_filling_problems(organ: Organ, tissue: TissueFacts) -> Iterator[Problem]:
+    """Whether a solid has as many tetrahedra as were asked for."""
+    made, asked = tissue.tetrahedra, organ.fill.tetrahedra
+    if made and abs(made - asked) > FEWER * asked:
+        yield Problem(
+            "filling",
+            "note",
+            "material",
+            "fill.tetrahedra",
+            say_difference(made, asked),
+            say_filling(organ, made),
+        )
+
+
+def say_filling(organ: Organ, made: int) -> Phrase:
+    """What to ask for, where so many can be had."""
+    asked = organ.fill.tetrahedra
+    other = 10 * round(0.1 * asked * asked / made)
+    if other > MOST_TETRAHEDRA:
+        return phrase("about {asked}", asked=asked)
+    return phrase("about {asked}: to have them ask for {other}", asked=asked, other=other)
+
+
+def say_difference(made: int, asked: int) -> Phrase:
+    share = abs(made / asked - 1.0)
+    if made < asked:
+        return phrase(
+            "{made}, {share:.0%} fewer than the {asked} that were asked for",
+            made=made,
+            share=share,
+            asked=asked,
+        )
+    return phrase(
+        "{made}, {share:.0%} more than the {asked} that were asked for",
+        made=made,
+        share=share,
+        asked=asked,
+    )

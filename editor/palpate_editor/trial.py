@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a press of an organ comes to, for the rules: place by place, and the same everywhere."""
+
+from __future__ import annotations
+
+import numpy as np
+import palpate
+from numpy.typing import NDArray
+from palpate.runs.press import Place
+from palpate.runs.trial import DEPTH, HOLD, choose_places, press_places
+
+from palpate_editor.document import Organ
+from palpate_editor.document.cost_rules import estimate_tick
+from palpate_editor.document.problems import TrialFacts
+
+LONG_TICK, LONGEST_TICK = 2e-3, 20e-3
+"""[s] of the reference machine: longer ticks are pressed at one place only, or not at all, so that
+a check does not take longer than a person waits."""
+NEAREST = 6
+"""Triangles of tetrahedra at a place, of which edges are measured."""
+
+
+def measure_trial(organ: Organ, scene: palpate.Scene) -> TrialFacts:
+    """Presses a compiled organ at several places that give way, on any thread."""
+    body = scene.bodies[0]
+    places = choose_places(scene)
+    tetrahedra = np.asarray(palpate.list_tetrahedra(body.tissue))
+    edges = measure_edges(body.tissue, tetrahedra, places) if len(tetrahedra) else ()
+    tick = estimate_tick(organ, len(tetrahedra), body.substeps) or 0.0
+    if tick > LONGEST_TICK:
+        return TrialFacts(DEPTH, body.substeps, (), edges)
+    # of tissue without home springs only the substeps are asked for
+    is_carried = len(body.tissue.home) > 0
+    pressed = places if is_carried and tick <= LONG_TICK else places[:1]
+    trials = press_places(scene, pressed, HOLD if is_carried else 0.0)
+    return TrialFacts(
+        depth=DEPTH,
+        substeps=max((t.substeps for t in trials if t.substeps), default=body.substeps),
+        home_shares=tuple(t.home_share for t in trials if t.home_share is not None),
+        edges=edges,
+    )
+
+
+def measure_edges(
+    tissue: palpate.TissueModel, tetrahedra: NDArray[np.int32], places: list[Place]
+) -> tuple[float, ...]:
+    """[m] mean edge of the tetrahedra at the surface, of each place."""
+    x = np.asarray(tissue.rest_position)
+    faces = np.asarray(palpate.find_boundary(palpate.SolidMesh(x, tetrahedra)))
+    lengths = np.linalg.norm(x[faces] - x[np.roll(faces, 1, axis=1)], axis=2).mean(axis=1)
+    middles = x[faces].mean(axis=1)
+    near = [np.linalg.norm(middles - p.point, axis=1).argsort()[:NEAREST] for p in places]
+    return tuple(float(lengths[rows].mean()) for rows in near)
