@@ -114,7 +114,7 @@ TEST_CASE("a press held still is what the swinging reference comes to rest in" *
   move(quick, touch + 0.001, touch - 0.004, 200, one);
   move(reference, touch + 0.001, touch - 0.004, 200, other);
   const HapticCommand a = move(quick, touch - 0.004, touch - 0.004, 200, one);
-  const HapticCommand b = move(reference, touch - 0.004, touch - 0.004, 600, other);
+  const HapticCommand b = move(reference, touch - 0.004, touch - 0.004, 300, other);
 
   CHECK(!one.alarm);
   CHECK(b.force.z() > 0.03);
