@@ -307,6 +307,7 @@ def test_press_takes_a_published_file_and_writes_the_script_that_play_repeats(tm
         assert np.array_equal(a, b)
 
 
+@pytest.mark.usefixtures("little_sky")
 def test_render_draws_a_published_file_and_a_record_made_with_it(tmp_path, capsys):
     path = publish(tmp_path)
     record = tmp_path / "press.prec"

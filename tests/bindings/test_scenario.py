@@ -229,13 +229,14 @@ def test_a_large_file_that_is_wrong_at_its_very_end_is_refused_within_the_limits
 # --- kills -----------------------------------------------------------------------------------
 
 
-def test_a_kill_while_saving_leaves_the_old_or_the_new_file_whole(tmp_path):
+@pytest.mark.parametrize("kills", [20, pytest.param(100, marks=pytest.mark.verify)])
+def test_a_kill_while_saving_leaves_the_old_or_the_new_file_whole(kills, tmp_path):
     noise = np.random.default_rng(7).integers(0, 256, 4 << 20, np.uint8)  # most of the time to save
     for name, scene in (("old", organ_scene(1)), ("new", molecular_scene())):
         made = scenario.Scenario(scene=scene, title=name, authored_arrays={"noise": noise})
         scenario.write(tmp_path / name, made)
     random.seed(7)
-    moments = [random.uniform(0.0, 0.1) for _ in range(50)]
+    moments = [random.uniform(0.0, 0.1) for _ in range(kills)]
     (tmp_path / "folder").mkdir()
 
     found = json.loads(
@@ -243,7 +244,7 @@ def test_a_kill_while_saving_leaves_the_old_or_the_new_file_whole(tmp_path):
                    tmp_path / "old", tmp_path / "new", *moments)
     )  # fmt: skip
 
-    assert len(found) == 50
+    assert len(found) == kills
     assert {words for words, _ in found} == {"old", "new"}
     # some kills came in the middle of a file, or none of this was shown
     assert any(in_the_middle for _, in_the_middle in found)

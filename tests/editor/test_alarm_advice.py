@@ -12,6 +12,7 @@ from palpate.runs.alarms import ALARMS, CAUSES, OPTIONS
 from palpate.runs.cause import find_cause
 from palpate_editor.argument_text import LAWS
 from palpate_editor.compile import compile_organ
+from palpate_editor.document import Organ
 from palpate_editor.document.constants import CONSTANTS, LAW_NAMES, find_constant
 from palpate_editor.edits import SetConstant
 from palpate_editor.shipped import make_organ
@@ -38,8 +39,12 @@ def test_a_window_names_the_stage_and_the_label_of_a_constant(key, qapp):
     assert name_field(key) == f"Material \N{SINGLE RIGHT-POINTING ANGLE QUOTATION MARK} {label}"
 
 
-def test_a_run_that_ends_in_the_window_names_fields_and_no_options(qapp):
-    organ = make_organ("spleen", 300)
+@pytest.fixture(scope="module")
+def organ() -> Organ:
+    return make_organ("spleen", 300)
+
+
+def test_a_run_that_ends_in_the_window_names_fields_and_no_options(qapp, organ):
     scene = compile_organ(SetConstant("tool", "stiffness", 3e10)(organ))
     alarm = palpate.Alarm()
     alarm.kind, alarm.time, alarm.value, alarm.limit = palpate.AlarmKind.energy, 0.5, 2e-3, 1e-3
@@ -51,8 +56,7 @@ def test_a_run_that_ends_in_the_window_names_fields_and_no_options(qapp):
     assert name_field("tool.stiffness") in told
 
 
-def test_asked_for_substeps_are_taken_where_the_tissue_needs_fewer():
-    organ = make_organ("spleen", 300)
+def test_asked_for_substeps_are_taken_where_the_tissue_needs_fewer(organ):
     usual = compile_organ(organ)
 
     more = compile_organ(SetConstant("hand", "substeps", usual.bodies[0].substeps + 5.0)(organ))

@@ -88,6 +88,7 @@ def test_the_unit_given_is_the_unit_used(shared_data, capsys):
     assert given["size_mm"] == pytest.approx([1e-3 * length for length in stated["size_mm"]])
 
 
+@pytest.mark.usefixtures("little_sky")
 def test_a_chain_of_verbs_makes_a_scene_that_can_be_pressed_replayed_and_drawn(spleen, capsys):
     folder = spleen.parent
     scene, record = folder / "spleen.scene.json", folder / "press.prec"
@@ -112,7 +113,7 @@ def test_a_chain_of_verbs_makes_a_scene_that_can_be_pressed_replayed_and_drawn(s
         capsys, "press", scene, "--depth", "4mm", "--record", record, "--plot", folder / "press.png"
     )
     replayed = report_of(capsys, "replay", record)
-    drawn = report_of(capsys, "render", record, "-o", folder / "picture.png", "--size", "640x360")
+    drawn = report_of(capsys, "render", record, "-o", folder / "picture.png", "--size", "320x180")
 
     assert made["particles"] == 600 and made["bonds"] == 1794 and made["total_mass_g"] > 100.0
     assert not [p for p in checked["problems"] if p["severity"] == "error"]

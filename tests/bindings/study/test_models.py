@@ -150,7 +150,11 @@ def find_cell(kind: str, body: str) -> str:
     raise AssertionError(f"no table has {body}")
 
 
-@pytest.mark.parametrize("body", ["spleen", "kidney", "liver", "gallbladder", "stomach"])
+@pytest.mark.parametrize(
+    "body",
+    ["spleen", "gallbladder"]
+    + [pytest.param(body, marks=pytest.mark.verify) for body in ("kidney", "liver", "stomach")],
+)
 def test_what_is_written_in_accuracy_md_is_what_comes_out(body):
     rows = compare_linear([read_reference(body)])
 
