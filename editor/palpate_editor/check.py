@@ -26,11 +26,13 @@ from palpate_editor.compile import (
 )
 from palpate_editor.document import Organ, Surface
 from palpate_editor.document.cost_rules import compute_tick_share
+from palpate_editor.document.press_rules import compute_contact_radius, compute_patch_factor
 from palpate_editor.document.problems import (
     Facts,
     Problem,
     SurfaceFacts,
     TissueFacts,
+    TrialFacts,
     WallFit,
 )
 from palpate_editor.document.rules import find_problems
@@ -224,9 +226,24 @@ def check_file(path: Path) -> Report:
         "substeps_in_touch": trial.substeps if trial else None,
         "tick_share_in_touch": compute_tick_share(assessment.organ, assessment.facts),
         "press_depth_m": trial.depth if trial else None,
-        "home_shares": list(trial.home_shares) if trial else [],
+        "places": describe_places(assessment.organ, trial) if trial else [],
         "problems": list(map(describe_problem, judged)),
     }
+
+
+def describe_places(organ: Organ, trial: TrialFacts) -> list[Report]:
+    """What a press feels, place by place."""
+    contact = compute_contact_radius(organ.tool.radius, trial.depth)
+    return [
+        {
+            "point_m": list(place.point),
+            "home_share": place.home_share,
+            "edge_m": place.edge,
+            "contact_radius_m": contact,
+            "times_too_stiff": place.edge and compute_patch_factor(place.edge, contact),
+        }
+        for place in trial.places
+    ]
 
 
 def describe_problem(problem: Problem) -> Report:

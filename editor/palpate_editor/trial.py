@@ -7,11 +7,11 @@ import numpy as np
 import palpate
 from numpy.typing import NDArray
 from palpate.runs.press import Place
-from palpate.runs.trial import DEPTH, HOLD, choose_places, press_places
+from palpate.runs.trial import DEPTH, HOLD, Trial, choose_places, press_places
 
 from palpate_editor.document import Organ
 from palpate_editor.document.cost_rules import estimate_tick
-from palpate_editor.document.problems import TrialFacts
+from palpate_editor.document.problems import PlaceFacts, TrialFacts
 
 LONG_TICK, LONGEST_TICK = 2e-3, 20e-3
 """[s] of the reference machine: longer ticks are pressed at one place only, or not at all, so that
@@ -25,20 +25,27 @@ def measure_trial(organ: Organ, scene: palpate.Scene) -> TrialFacts:
     body = scene.bodies[0]
     places = choose_places(scene)
     tetrahedra = np.asarray(palpate.list_tetrahedra(body.tissue))
-    edges = measure_edges(body.tissue, tetrahedra, places) if len(tetrahedra) else ()
     tick = estimate_tick(organ, len(tetrahedra), body.substeps) or 0.0
-    if tick > LONGEST_TICK:
-        return TrialFacts(DEPTH, body.substeps, (), edges)
     # of tissue without home springs only the substeps are asked for
     is_carried = len(body.tissue.home) > 0
     pressed = places if is_carried and tick <= LONG_TICK else places[:1]
-    trials = press_places(scene, pressed, HOLD if is_carried else 0.0)
+    trials: list[Trial | None] = [None] * len(places)
+    if tick <= LONGEST_TICK:
+        found = press_places(scene, pressed, HOLD if is_carried else 0.0)
+        trials[: len(found)] = found
+    edges: list[float | None] = [None] * len(places)
+    if len(tetrahedra):
+        edges = list(measure_edges(body.tissue, tetrahedra, places))
     return TrialFacts(
         depth=DEPTH,
-        substeps=max((t.substeps for t in trials if t.substeps), default=body.substeps),
-        home_shares=tuple(t.home_share for t in trials if t.home_share is not None),
-        edges=edges,
+        substeps=max((t.substeps for t in trials if t and t.substeps), default=body.substeps),
+        places=tuple(map(describe_place, places, trials, edges)),
     )
+
+
+def describe_place(place: Place, trial: Trial | None, edge: float | None) -> PlaceFacts:
+    x, y, z = map(float, place.point)
+    return PlaceFacts((x, y, z), None if trial is None else trial.home_share, edge)
 
 
 def measure_edges(

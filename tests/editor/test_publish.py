@@ -163,7 +163,7 @@ def test_check_says_what_a_press_comes_to(tmp_path, capsys):
 
     checked = run(capsys, "check", tmp_path / "a.organ")
 
-    shares = checked["home_shares"]
+    shares = [place["home_share"] for place in checked["places"]]
     assert len(shares) == 5 and all(0.5 < share < 1.1 for share in shares)
     assert checked["press_depth_m"] == 3e-3 and checked["substeps_in_touch"] >= 3
     assert 0.0 < checked["tick_share_in_touch"] < 0.1
@@ -172,6 +172,20 @@ def test_check_says_what_a_press_comes_to(tmp_path, capsys):
     low, high = (f"{100 * share:.0f}%" for share in (min(shares), max(shares)))
     assert f"home springs: {low} to {high} of the felt force at 5 places pressed 3 mm" in said
     assert f"in touch: {checked['substeps_in_touch']} substeps, about 0% of a tick" in said
+
+
+def test_check_says_of_a_solid_what_its_tetrahedra_are_for_the_tip_place_by_place(tmp_path, capsys):
+    organ = replace(SPLEEN, model=replace(SPLEEN.model, kind="solid"))
+    write_organ(tmp_path / "a.organ", organ)
+
+    checked = run(capsys, "check", tmp_path / "a.organ")
+
+    assert len(checked["places"]) == 5
+    for place in checked["places"]:
+        assert place["home_share"] is None and len(place["point_m"]) == 3
+        assert place["contact_radius_m"] == pytest.approx((0.012 * 0.003) ** 0.5)
+        ratio = 0.85 * place["edge_m"] / place["contact_radius_m"]
+        assert place["times_too_stiff"] == pytest.approx((1.0 + ratio**2) ** 0.5)
 
 
 @pytest.mark.parametrize(
@@ -191,6 +205,16 @@ def test_what_publish_would_refuse_of_a_tissue_is_refused_when_it_is_chosen(
                  str(tmp_path / "b.organ")]) == 1  # fmt: skip
 
     assert refusal in capsys.readouterr().err
+    assert not (tmp_path / "b.organ").exists()
+
+
+def test_a_surface_too_slow_for_any_machine_is_refused_when_it_is_chosen(tmp_path, capsys):
+    write_organ(tmp_path / "a.organ", make_organ(600))
+    words = ["--stiffness", "2e7N/m", "-o", str(tmp_path / "b.organ")]
+
+    assert main(["material", str(tmp_path / "a.organ"), *words]) == 1
+
+    assert "steps a tick in touch: about" in capsys.readouterr().err
     assert not (tmp_path / "b.organ").exists()
 
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import cbrt, sqrt
+from math import hypot, sqrt
 
 from palpate_editor.document.constants import MOST_TETRAHEDRA
 from palpate_editor.document.organ import Organ
@@ -13,7 +13,7 @@ from palpate_editor.document.problems import Facts, Problem, TissueFacts
 
 MOST_HOME_SHARE = 0.5
 """[-] of the felt force. Beyond it a foundation of springs is felt, and not the tissue."""
-EDGE_FACTOR = 1.15
+EDGE_FACTOR = 0.85
 """[-] How much too stiff a contact of radius a is on edges h, over h/a where h is large [accuracy:
 patch]."""
 MOST_PATCH_FACTOR = 1.25
@@ -24,8 +24,8 @@ FEWER = 0.15
 
 def compute_patch_factor(edge: float, contact_radius: float) -> float:
     """[-] How many times too large the force of a tip is on tetrahedra with edges [m] at the
-    surface, about: cbrt(1 + (1.15 h/a)³), fitted to what the tick gives [accuracy: patch]."""
-    return cbrt(1.0 + (EDGE_FACTOR * edge / contact_radius) ** 3)
+    surface, about: sqrt(1 + (0.85 h/a)²), fitted to what the tick gives [accuracy: patch]."""
+    return hypot(1.0, EDGE_FACTOR * edge / contact_radius)
 
 
 def compute_contact_radius(radius: float, depth: float) -> float:
@@ -78,7 +78,7 @@ def find_patch_problems(organ: Organ, tissue: TissueFacts) -> Iterator[Problem]:
     least, most = (compute_patch_factor(edge, contact) for edge in (min(edges), max(edges)))
     if most <= MOST_PATCH_FACTOR:
         return
-    fine = contact * cbrt(MOST_PATCH_FACTOR**3 - 1.0) / EDGE_FACTOR
+    fine = contact * sqrt(MOST_PATCH_FACTOR**2 - 1.0) / EDGE_FACTOR
     yield Problem(
         "coarse_contact",
         "warning",

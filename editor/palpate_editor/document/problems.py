@@ -64,6 +64,19 @@ class WallFit:
 
 
 @dataclass(frozen=True)
+class PlaceFacts:
+    """What came of pressing the tissue at one place."""
+
+    point: tuple[float, float, float]
+    """[m] on the surface at rest."""
+    home_share: float | None = None
+    """[-] of the felt force that home springs carry; None where there are none, or where it was not
+    pressed or nothing was felt."""
+    edge: float | None = None
+    """[m] of the tetrahedra at the surface there; None for a surface."""
+
+
+@dataclass(frozen=True)
 class TrialFacts:
     """What came of pressing the tissue, place by place."""
 
@@ -71,11 +84,17 @@ class TrialFacts:
     """[m] of each press."""
     substeps: int
     """Per tick, the most that a press takes; those in the air where nothing was felt."""
-    home_shares: tuple[float, ...] = ()
-    """[-] of the felt force that home springs carry, of each place where something was felt; none
-    where the tissue has no home springs."""
-    edges: tuple[float, ...] = ()
-    """[m] of the tetrahedra at the surface, of each place; none for a surface."""
+    places: tuple[PlaceFacts, ...] = ()
+
+    @property
+    def home_shares(self) -> tuple[float, ...]:
+        """[-] Of the places that have one."""
+        return tuple(p.home_share for p in self.places if p.home_share is not None)
+
+    @property
+    def edges(self) -> tuple[float, ...]:
+        """[m] Of the places that have one."""
+        return tuple(p.edge for p in self.places if p.edge is not None)
 
 
 @dataclass(frozen=True)

@@ -65,7 +65,8 @@ def describe_check(report: Report) -> str:
 
 def describe_press(report: Report) -> list[str]:
     """What a press of it comes to."""
-    lines, shares = [], report["home_shares"]
+    lines: list[str] = []
+    shares = [p["home_share"] for p in report["places"] if p["home_share"] is not None]
     if report["tick_share_in_touch"] is not None:
         lines.append(
             f"  in touch: {report['substeps_in_touch']} substeps, about "

@@ -29,6 +29,7 @@ from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.constants import CHOICES, CONSTANTS, SHORT_KINDS, Constant
 from palpate_editor.document.files import write_organ
 from palpate_editor.document.idle import Idle, find_idle, find_idle_choice, say_unused
+from palpate_editor.document.problems import Problem
 from palpate_editor.edits import FixLowest, SetChoice, SetConstant, SetGravity, SetReach
 from palpate_editor.kinds import compare_kinds, describe_kinds
 from palpate_editor.scene_files import name_mesh, write_scene
@@ -218,7 +219,7 @@ def run_material(call: argparse.Namespace) -> Report:
         "stable_step_ms": 1e3 * palpate.stable_step(tissue),
         "substeps": compiled.bodies[0].substeps,
         "description": describe_model(compiled),
-        "problems": [describe_problem(p) for p in assessment.problems if p.stage == "material"],
+        "problems": [describe_problem(p) for p in assessment.problems if is_of_tissue(p)],
     }
 
 
@@ -232,9 +233,14 @@ def build_assessed(call: argparse.Namespace, organ: Organ) -> Assessment:
         except ValueError as problem:
             raise Refusal(call.file, *split_refusal(str(problem))) from None
     for problem in assessment.errors:
-        if problem.stage == "material" or assessment.scene is None:
+        if is_of_tissue(problem) or assessment.scene is None:
             raise Refusal(call.file, problem.where, problem.got, problem.expected)
     return assessment
+
+
+def is_of_tissue(problem: Problem) -> bool:
+    """Whether the material has a part in it, and not the surface alone."""
+    return problem.stage == "material" or problem.key == "too_slow"
 
 
 def say_size(size: palpate.ResponseSize) -> None:
