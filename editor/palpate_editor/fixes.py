@@ -63,6 +63,7 @@ def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
         "open_solid": SetConstant("material", "wall_thickness", WALL_THICKNESS),
         "loose": FixLowest(FIXED_SHARE),
         "reach": SetReach(""),
+        "locking": SetConstant("fill", "nodal_share", EMPTY.fill.nodal_share),
         "springs_poisson": SetChoice("kind", "molecular"),
     }.get(problem.key)
 

@@ -43,6 +43,8 @@ IDLE = [
      "expected --fix-lowest"),
     (SPLEEN, "--kind linear --relaxation 0.5", "--relaxation: got 0.5",
      "Linear solid, shallow presses makes no use of it", "--kind mss, mms, shell or solid"),
+    (SPLEEN, "--relaxation-time 0.2s", "--relaxation-time: got 0.2 s", "a relaxation of 0",
+     "--relaxation above 0 with it"),
     (SPLEEN, "--tetrahedra 900", "--tetrahedra: got 900", "makes no use of it",
      "--kind solid or linear"),
     (SPLEEN, "--angle-law eq10", "--angle-law: got eq10", "makes no use of it", "--kind mms"),
@@ -82,6 +84,7 @@ def test_an_option_without_effect_is_refused_with_what_would_have_one(
         (WALLED, "--constants tissue --young-modulus 6kPa --poisson 0.3"),
         (SPLEEN, "--kind solid --young-modulus 6kPa --poisson 0.3 --constants tissue"),
         (SPLEEN, "--kind mms --bend 1mJ --angle-law eq10"),
+        (SPLEEN, "--relaxation 0.5 --relaxation-time 0.2s"),
         (SPLEEN, "--stiffness 60N/m --drag 3/s --gravity 0,0,-9.81"),
     ],
 )

@@ -97,6 +97,9 @@ WRONG = {
                        "warning", "under a contact radius of 6.0 mm (a tip of 12 mm pressed 3 mm)"),
     "filling": (replace(with_part("model", kind="solid"), fill=FillPart(6000)), "material", "note",
                 "than the 6000 that were asked for"),
+    "locking": (replace(with_part("model", kind="solid"), fill=FillPart(300, 0.2),
+                        material=replace(SOUND.material, poisson_ratio=0.49)), "material",
+                "warning", "0.2 with a Poisson's ratio of 0.49"),
     "home_share": (SOUND, "material", "warning", "of the felt force through home springs"),
     "no_home": (with_part("model", home_stiffness=0.0), "material", "warning", "of 0 N/m in all"),
     "gravity": (with_part("hand", gravity=(0.0, 588.6, -784.8)), "material", "warning",
@@ -154,6 +157,7 @@ def test_a_problem_is_not_found_where_it_is_not(key):
 FIXABLE = {
     "unit_guessed", "up_guessed", "inward", "shells", "constant", "choice", "open_solid",
     "indefinite", "loose", "reach", "small_tip", "no_title", "gravity", "springs_poisson",
+    "locking",
 }  # fmt: skip
 
 

@@ -23,7 +23,11 @@ from palpate.study.half_space import compute_sphere_force
 from palpate.study.indent import measure_indentation
 from palpate_editor.compile import compile_organ
 from palpate_editor.document import Organ
-from palpate_editor.document.press_rules import compute_contact_radius, compute_patch_factor
+from palpate_editor.document.press_rules import (
+    LOCKED,
+    compute_contact_radius,
+    compute_patch_factor,
+)
 from palpate_editor.shipped import make_organ as make_shipped
 from palpate_editor.trial import measure_edges
 
@@ -129,6 +133,26 @@ def test_a_shipped_organ_is_about_as_much_too_stiff_under_a_tip_as_is_told(monke
     # where its tetrahedra are small it is told that less is wrong
     assert felt[:, 0].argmin() == told[:, 0].argmin()
     require_near(felt, told)
+
+
+@pytest.mark.parametrize("kind", ["solid", "linear_solid"])
+def test_near_incompressible_tetrahedra_lock_as_much_as_is_told(kind, monkeypatch):
+    """A ball of 20 mm at nu = 0.49: without the nodal average beside 0.9 of it."""
+    monkeypatch.setattr(indent, "STOPS", 4)
+    forces = {}
+    for share in (0.0, 0.9):
+        organ = make_layer_organ(6e-3, 0.02)
+        organ = replace(
+            organ,
+            model=replace(organ.model, kind=kind),
+            material=replace(organ.material, poisson_ratio=0.49),
+            fill=FillPart(1500, share),
+        )
+        scene = compile_organ(organ)
+        place = find_place(scene, np.zeros(3))
+        forces[share] = measure_indentation(scene, place, DEPTHS[:1])[0]
+
+    assert 0.7 * LOCKED < forces[0.0] / forces[0.9] < LOCKED
 
 
 SIZES = [("solid", count) for count in (700, 1500, 4000, 10000)]

@@ -26,6 +26,8 @@ class Idle:
     """A Phrase where a window says it; numbers of other models are hidden there."""
     instead: str
     """Options of the command line that have an effect in its place, or give it one."""
+    where: str = ""
+    """Where it counts, as a window says it."""
 
 
 def find_idle(constant: Constant, organ: Organ) -> Idle | None:
@@ -36,6 +38,12 @@ def find_idle(constant: Constant, organ: Organ) -> Idle | None:
         return Idle(
             "the tissue gives springs and bonds their constants",
             "--young-modulus and --wall, or --constants chosen with it",
+        )
+    if constant.key == "model.relaxation_time" and organ.model.relaxation == 0.0:
+        return Idle(
+            phrase("a relaxation of 0 has no time"),
+            "--relaxation above 0 with it",
+            phrase("It counts where the relaxation is above 0."),
         )
     return find_idle_modulus(constant, organ) if constant.key in ELASTIC else None
 
@@ -63,14 +71,17 @@ def find_idle_modulus(constant: Constant, organ: Organ) -> Idle | None:
     if is_modulus and walled and model.home_stiffness is None:  # it gives the home springs
         return None
     why = phrase("springs and bonds take the stiffness that is chosen")
+    where = phrase("It counts in a solid, and where the tissue gives a wall its constants.")
     if not walled:
-        return Idle(why, "--kind solid with it, or a wall (--wall) and --constants tissue")
+        instead = "--kind solid with it, or a wall (--wall) and --constants tissue"
+        return Idle(why, instead, where)
     if is_modulus:
         return Idle(
             phrase("springs, bonds and home springs take the stiffness that is chosen"),
             "--constants tissue with it, or --home none, which takes home springs from it",
+            where,
         )
-    return Idle(why, "--constants tissue with it")
+    return Idle(why, "--constants tissue with it", where)
 
 
 def find_idle_choice(field: str, value: str, organ: Organ) -> Idle | None:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from math import hypot, sqrt
 
 from palpate_editor.document.constants import MOST_TETRAHEDRA
+from palpate_editor.document.defaults import FILL
 from palpate_editor.document.organ import Organ
 from palpate_editor.document.phrase import Phrase, phrase
 from palpate_editor.document.problems import Facts, Problem, TissueFacts
@@ -18,6 +19,9 @@ EDGE_FACTOR = 0.85
 patch]."""
 MOST_PATCH_FACTOR = 1.25
 """[-] of the tissue's force, up to which a filling is not warned of."""
+LOCKING_POISSON, LOCKING_SHARE, LOCKED = 0.46, 0.7, 2.0
+"""[-] Above this Poisson's ratio and below this nodal share volumes lock; how much stiffer than at
+a share of 0.9, at most [accuracy: patch]."""
 FEWER = 0.15
 """[-] of the tetrahedra that were asked for: how many more or fewer are told."""
 
@@ -40,6 +44,7 @@ def find_press_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
     yield from find_home_problems(facts.tissue)
     yield from find_patch_problems(organ, facts.tissue)
     yield from find_filling_problems(organ, facts.tissue)
+    yield from find_locking_problems(organ, facts.tissue)
 
 
 def find_home_problems(tissue: TissueFacts) -> Iterator[Problem]:
@@ -117,6 +122,28 @@ def find_filling_problems(organ: Organ, tissue: TissueFacts) -> Iterator[Problem
             say_difference(made, asked),
             say_filling(organ, made),
         )
+
+
+def find_locking_problems(organ: Organ, tissue: TissueFacts) -> Iterator[Problem]:
+    """Whether a solid is nearly incompressible in each tetrahedron by itself."""
+    nu, share = organ.material.poisson_ratio, organ.fill.nodal_share
+    if not tissue.tetrahedra or nu <= LOCKING_POISSON or share >= LOCKING_SHARE:
+        return
+    yield Problem(
+        "locking",
+        "warning",
+        "material",
+        "fill.nodal_share",
+        phrase(
+            "{share:g} with a Poisson's ratio of {nu:g}: single tetrahedra that hardly change "
+            "their volume lock, and the force is up to {times:g} times that at {usual:g}",
+            share=share,
+            nu=nu,
+            times=LOCKED,
+            usual=FILL.nodal_share,
+        ),
+        phrase("a nodal share of about {usual:g}", usual=FILL.nodal_share),
+    )
 
 
 def say_filling(organ: Organ, made: int) -> Phrase:

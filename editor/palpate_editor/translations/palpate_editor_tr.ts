@@ -2163,10 +2163,6 @@ Beklenen: {expected}.</translation>
         <translation>böbrek taşı</translation>
     </message>
     <message>
-        <source>Has no effect here: {why}. It counts in a solid, and where the tissue gives a wall its constants.</source>
-        <translation>Burada etkisi yoktur: {why}. Dolu bir cisimde ve duvarın sabitlerini doku verdiğinde hesaba katılır.</translation>
-    </message>
-    <message>
         <source>Springs and bonds take the stiffness below, and home springs their own value, so Young's modulus and Poisson's ratio have no effect on the force: the wall is only compared with them.</source>
         <translation>Yaylar ve bağlar aşağıdaki katılığı, yuva yayları kendi değerlerini alır; bu yüzden Young modülünün ve Poisson oranının kuvvete etkisi yoktur: duvar yalnızca onlarla karşılaştırılır.</translation>
     </message>
@@ -2185,6 +2181,10 @@ Beklenen: {expected}.</translation>
     <message>
         <source>Substeps in touch</source>
         <translation>Temasta alt adım</translation>
+    </message>
+    <message>
+        <source>Has no effect here: {why}. {where}</source>
+        <translation>Burada etkisi yoktur: {why}. {where}</translation>
     </message>
 </context>
 <context>
@@ -2934,6 +2934,26 @@ Beklenen: {expected}.</translation>
     <message>
         <source>{size:.4g} m/s², {times:.3g} times that of the Earth: {mass:.4g} g of tissue weigh {weight:.3g} N</source>
         <translation>{size:.4g} m/s², Dünya ivmesinin {times:.3g} katı: {mass:.4g} g doku {weight:.3g} N ağırlığındadır</translation>
+    </message>
+    <message>
+        <source>{share:g} with a Poisson's ratio of {nu:g}: single tetrahedra that hardly change their volume lock, and the force is up to {times:g} times that at {usual:g}</source>
+        <translation>{nu:g} Poisson oranıyla {share:g}: hacmini neredeyse değiştirmeyen tek tek dörtyüzlüler kilitlenir ve kuvvet {usual:g} değerindekinin {times:g} katına kadar çıkar</translation>
+    </message>
+    <message>
+        <source>a nodal share of about {usual:g}</source>
+        <translation>yaklaşık {usual:g} düğüm payı</translation>
+    </message>
+    <message>
+        <source>It counts in a solid, and where the tissue gives a wall its constants.</source>
+        <translation>Dolu bir cisimde ve duvarın sabitlerini doku verdiğinde hesaba katılır.</translation>
+    </message>
+    <message>
+        <source>a relaxation of 0 has no time</source>
+        <translation>0 olan bir gevşemenin süresi yoktur</translation>
+    </message>
+    <message>
+        <source>It counts where the relaxation is above 0.</source>
+        <translation>Gevşeme 0'dan büyük olduğunda hesaba katılır.</translation>
     </message>
 </context>
 <context>

@@ -37,10 +37,7 @@ def choice_text(value: str) -> str:
 
 def say_idle(idle: Idle) -> str:
     """Why a number has no effect, as its field says it."""
-    return tr(
-        "Has no effect here: {why}. It counts in a solid, and where the tissue gives a wall its "
-        "constants."
-    ).format(why=say(idle.why))
+    return tr("Has no effect here: {why}. {where}").format(why=say(idle.why), where=say(idle.where))
 
 
 class ConstantField(QuantityRow):
