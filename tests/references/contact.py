@@ -46,7 +46,7 @@ class Contact:
     force: float
     """[N] along the press."""
     radius: float
-    """[m] of the circle that has the area of the contact."""
+    """[m] of the circle that has the area of the contact, or to its farthest point."""
 
 
 class NoContact(Exception):

@@ -49,16 +49,20 @@ class Ball:
         overlap = np.maximum(self.touch(u, centre)[0], 0.0)
         return float(0.5 * self.stiffness * (self.under.area * overlap**2).sum())
 
-    def forces(self, u: Floats, centre: Floats) -> tuple[Floats, float, float]:
-        """The gradient of the energy (nodes, 3), the force along the press, the contact's area."""
+    def forces(self, u: Floats, centre: Floats) -> tuple[Floats, float]:
+        """The gradient of the energy (nodes, 3) and the force along the press [N]."""
         overlap, normal, _ = self.touch(u, centre)
         push = self.stiffness * self.under.area * np.maximum(overlap, 0.0)
         each = -(push[:, None] * normal)[:, None, :] * self.under.shape[:, :, None]
         gradient = np.zeros_like(u)
         np.add.at(gradient, self.under.nodes, each)
-        facing = -(normal @ self.direction)
-        area = (self.under.area * facing)[overlap > 0.0].sum()
-        return gradient, float(push @ facing), float(area)
+        return gradient, float(-(push @ (normal @ self.direction)))
+
+    def find_width(self, u: Floats, centre: Floats) -> float:
+        """[m] How far from the axis of the press the ball is touched."""
+        overlap, normal, distance = self.touch(u, centre)
+        beside = normal - (normal @ self.direction)[:, None] * self.direction
+        return float((distance * np.linalg.norm(beside, axis=1))[overlap > 0.0].max(initial=0.0))
 
     def tangent(self, u: Floats, centre: Floats, number: Floats, size: int) -> sparse.csc_matrix:
         """The lower half over the free freedoms."""
@@ -99,8 +103,7 @@ def follow(press: Press, under: Footprint, spot, radius, depths, touch, stiffnes
             last, u, there = (u, there), v, there + reach
             step = min(1.5 * step, 3.0 * FIRST * radius)
         centre = spot.point + (touch - depth) * spot.direction
-        _, force, area = ball.forces(u, centre)
-        found.append(Contact(depth, force, float(np.sqrt(area / np.pi))))
+        found.append(Contact(depth, ball.forces(u, centre)[1], ball.find_width(u, centre)))
     return found
 
 
@@ -112,7 +115,7 @@ def balance(press: Press, ball: Ball, guess: Floats, before: Floats, centre: Flo
     freedoms = (3 * press.free[:, None] + np.arange(3)).ravel()
     number[freedoms] = np.arange(len(freedoms))
     for _ in range(NEWTON_MAX):
-        gradient, force, _ = ball.forces(u, centre)
+        gradient, force = ball.forces(u, centre)
         right = (body.forces(u, "neo_hookean") + gradient)[press.free].ravel()
         if np.abs(right).sum() < RESIDUAL * max(force, 1e-9):
             return u

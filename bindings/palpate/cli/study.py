@@ -5,13 +5,19 @@ from __future__ import annotations
 
 import argparse
 from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 from palpate.command.output import add_output
-from palpate.command.verb import Report, Verb
+from palpate.command.verb import Report, Verb, WrongCall
 from palpate.files.file_kind import FINDINGS, PICTURE
 from palpate.study.findings import write_findings
 from palpate.study.reference import list_references, read_reference
 
+if TYPE_CHECKING:  # it loads SciPy
+    from palpate.study.tool import PressedScene
+
+BLOCK = "block"
 SHIPPED = ("spleen", "kidney", "liver", "gallbladder", "stomach")
 
 
@@ -22,6 +28,14 @@ def add_study(parser: argparse.ArgumentParser) -> None:
         action="append",
         choices=list_references(),
         help="may be repeated; without it the shipped organs",
+    )
+    parser.add_argument(
+        "--tool",
+        nargs="+",
+        type=Path,
+        metavar="FILE.palpate",
+        help="press published scenes of shipped organs with balls of 2 to 8 mm instead; "
+        f"{BLOCK!r} is one of 3000 tetrahedra",
     )
     parser.add_argument("--deep", action="store_true", help="deep presses and pulls too")
     add_output(
@@ -36,6 +50,8 @@ def add_study(parser: argparse.ArgumentParser) -> None:
 
 def run_study(call: argparse.Namespace) -> Report:
     # loads SciPy, which every other command does without
+    if call.tool:
+        return run_tool(call)
     from palpate.study.accuracy import compare_deep, compare_linear
 
     references = [read_reference(name) for name in call.reference or SHIPPED]
@@ -91,7 +107,47 @@ def run_study(call: argparse.Namespace) -> Report:
     return report
 
 
+def run_tool(call: argparse.Namespace) -> Report:
+    from palpate.study.contact_reference import LAWS
+    from palpate.study.tool import compare_tool, open_pressed
+    from palpate.study.tool_block import open_blocks
+
+    for option in ("reference", "deep", "findings", "chart"):
+        if getattr(call, option):
+            raise WrongCall(f"--{option} is of models beside references, and not of --tool")
+    scenes = []
+    for path in call.tool:
+        scenes += open_blocks() if str(path) == BLOCK else [open_pressed(path)]
+    return {
+        "scenes": [describe_pressed(scene) for scene in scenes],
+        "tool_rows": [
+            asdict(row) for scene in scenes for law in LAWS for row in compare_tool(scene, law)
+        ],
+    }
+
+
+def describe_pressed(scene: PressedScene) -> Report:
+    return {
+        "file": scene.file,
+        "body": scene.name,
+        "title": scene.reference.title,
+        "kind": scene.kind,
+        "constants_derived": scene.derived,
+        "young_modulus_Pa": scene.young_modulus,
+        "tool_radius_m": scene.radius,
+        "held": scene.reference.held,
+        "command": scene.reference.command,
+        "places": [
+            {"name": place.name, "thickness_m": place.thickness} for place in scene.reference.places
+        ],
+    }
+
+
 def describe_study(report: Report) -> str:
+    if "tool_rows" in report:
+        from palpate.study.tool import ToolRow, write_tool_tables
+
+        return write_tool_tables(report["scenes"], [ToolRow(**row) for row in report["tool_rows"]])
     from palpate.study.accuracy import Row
     from palpate.study.tables import write_tables
 

@@ -54,7 +54,8 @@ class Result:
     force: float
     """[N] along the press."""
     contact_radius: float
-    """[m] of the circle that has the area of the contact."""
+    """[m] of the circle that has the area of the contact; neo-Hookean, how far from the axis the
+    ball is touched at most."""
     force_error: float
     """[-] of the force: what the last refinement of the linear problem changed."""
 

@@ -185,6 +185,6 @@ def test_the_layer_that_ships_feels_what_the_formulas_say():
         for result in case.results:
             if result.depth <= 0.13 * case.radius:
                 formula = compute_sphere_force(result.depth, case.radius, 0.02, *SOFT)
-                assert result.force == pytest.approx(formula, rel=0.03)
+                assert result.force == pytest.approx(formula, rel=0.015)
                 series = dimitriadis(result.depth, case.radius, 0.02)
-                assert result.force == pytest.approx(series, rel=0.03)
+                assert result.force == pytest.approx(series, rel=0.015)

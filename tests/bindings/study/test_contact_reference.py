@@ -20,7 +20,7 @@ from palpate.study.contact_reference import (
     read_contact_reference,
 )
 
-ORGANS = {"spleen", "kidney"}
+ORGANS = {"spleen", "kidney", "liver", "stomach"}
 PUBLISHED = Path(__file__).parents[3] / "meshes" / "published"
 
 

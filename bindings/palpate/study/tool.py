@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a hand feels of a published scene, beside a ball in the same body solved offline.
+
+The scene's own tick is pressed at the places of a contact reference, with its own ball and with the
+others, to the same depths; at rest there, the force on the hand is held against the reference's
+[accuracy: tool].
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+import palpate
+from palpate.files.refusal import Refusal
+from palpate.runs.press import Place
+from palpate.scene.authored import read_constants
+from palpate.study.contact_reference import (
+    Case,
+    ContactReference,
+    Spot,
+    list_contact_references,
+    read_contact_reference,
+)
+from palpate.study.indent import OutOfReach, measure_indentation
+from palpate.study.tables import write_table
+
+
+@dataclass(frozen=True)
+class ToolRow:
+    """A ball at one depth of one place."""
+
+    body: str
+    place: str
+    law: str
+    """Of the truth: linear or neo_hookean."""
+    radius: float
+    """[m] of the ball."""
+    own: bool
+    """Whether it is the scene's own."""
+    thickness: float
+    """[m]"""
+    depth: float
+    """[m] of the ball beyond its first touch."""
+    contact_radius: float
+    """[m] of the truth's contact."""
+    truth: float
+    """[N] at the Young's modulus that the scene states."""
+    truth_error: float
+    felt: float | None
+    """[N]; None where the tool does not get there."""
+    ratio: float | None
+    """[-] felt over truth."""
+    note: str = ""
+    """Why nothing is felt."""
+
+
+@dataclass(frozen=True)
+class PressedScene:
+    """A scene with the reference of its body."""
+
+    name: str
+    file: str
+    """"" for a scene that is built here."""
+    kind: str
+    """Of its model, in words."""
+    derived: bool
+    """Whether the model's constants come from the Young's modulus."""
+    young_modulus: float
+    """[Pa] that the scene states."""
+    radius: float
+    """[m] of its own ball."""
+    reference: ContactReference
+    load: Callable[[], palpate.Scene]
+    """A scene that may be changed."""
+
+
+def open_pressed(path: Path) -> PressedScene:
+    """A published scene of a surface that has a contact reference, held where that is held.
+
+    Raises Refusal or OSError.
+    """
+    scenario = palpate.scenario.read(path)
+    constants = read_constants(path, scenario)
+    try:
+        made_of = json.loads(scenario.authored)["content"]["source"]["sha256"]
+    except (ValueError, LookupError, TypeError):
+        raise Refusal(path, "authored.source", "no hash", "what `palpate publish` writes") from None
+    reference = find_reference(path, made_of)
+    require_same(path, scenario.scene, constants.material.poisson_ratio, reference)
+    return PressedScene(
+        name=reference.name,
+        file=str(path),
+        kind=constants.model.kind.replace("_", " "),
+        derived=constants.model.constants != "chosen",
+        young_modulus=constants.material.young_modulus,
+        radius=constants.tool.radius,
+        reference=reference,
+        load=lambda: palpate.scenario.read(path).scene,
+    )
+
+
+def find_reference(path: Path, made_of: str) -> ContactReference:
+    """Of the surface with this hash. Raises Refusal."""
+    known = [read_contact_reference(name) for name in list_contact_references()]
+    shaped = [reference for reference in known if reference.shape is not None]
+    for reference in shaped:
+        if reference.shape.sha256 == made_of:
+            return reference
+    expected = "the surface of one of " + ", ".join(reference.name for reference in shaped)
+    raise Refusal(path, "source.sha256", f"{str(made_of)[:12]}...", expected)
+
+
+def require_same(
+    path: Path, scene: palpate.Scene, poisson_ratio: float, reference: ContactReference
+) -> None:
+    """The reference is of the same Poisson's ratio, held at the same vertices. Raises Refusal."""
+    fixed = sorted(np.asarray(scene.bodies[0].tissue.fixed).tolist())
+    if len(scene.bodies) != 1:
+        raise Refusal(path, "scene.bodies", str(len(scene.bodies)), "one body")
+    if fixed != list(reference.fixed or ()):
+        expected = f"the {len(reference.fixed or ())} that {reference.name} is held at"
+        raise Refusal(path, "fixed", f"{len(fixed)} vertices", expected)
+    if poisson_ratio != reference.poisson_ratio:
+        got, expected = f"{poisson_ratio:g}", f"{reference.poisson_ratio:g}"
+        raise Refusal(path, "material.poisson_ratio", got, expected)
+
+
+def compare_tool(
+    pressed: PressedScene, law: str, radii: Iterable[float] | None = None
+) -> list[ToolRow]:
+    """Every case of a law, or of some balls [m]; rows in the order of the reference."""
+    cases = pressed.reference.list_cases(law)
+    if radii is not None:
+        cases = [case for case in cases if case.radius in set(radii)]
+    return [row for case in cases for row in compare_case(pressed, case)]
+
+
+def compare_case(pressed: PressedScene, case: Case) -> list[ToolRow]:
+    reference = pressed.reference
+    spot = reference.find_place(case.place)
+    scale = pressed.young_modulus / reference.young_modulus
+    felt, note = press_case(pressed, spot, case)
+    own = abs(case.radius - pressed.radius) < 1e-9
+    rows = []
+    for result, force in zip(case.results, felt, strict=True):
+        truth = scale * result.force
+        rows.append(
+            ToolRow(
+                pressed.name, case.place, case.law, case.radius, own, spot.thickness,
+                result.depth, result.contact_radius, truth, result.force_error,
+                force, None if force is None else force / truth, note if force is None else "",
+            )
+        )  # fmt: skip
+    return rows
+
+
+def press_case(pressed: PressedScene, spot: Spot, case: Case) -> tuple[list[float | None], str]:
+    """Forces [N] at the depths of a case as far as the tool gets, and why not farther."""
+    scene = pressed.load()
+    scene.instruments[0].tool.radius = case.radius
+    outward = np.array(spot.direction)
+    # the tip is at the place of this when the ball first touches
+    start = np.array(spot.point) + (case.touch - case.radius) * outward
+    depths = np.array([result.depth for result in case.results])
+    note = ""
+    for count in range(len(depths), 0, -1):
+        try:
+            found = measure_indentation(scene, Place(start, outward), depths[:count])
+        except (OutOfReach, RuntimeError) as problem:
+            note = note or str(problem)
+            continue
+        return [*found.tolist(), *[None] * (len(depths) - count)], note
+    return [None] * len(depths), note
+
+
+def write_tool_tables(scenes: Sequence[dict], rows: Sequence[ToolRow]) -> str:
+    """A table of balls for every scene, and what each scene's constants are."""
+    parts = [
+        "Force on the hand over that of a rigid, frictionless ball in the same body, by finite "
+        "elements: mean of the places and depths (least to most). Depths from the first touch."
+    ]
+    for scene in scenes:
+        mine = [row for row in rows if row.body == scene["body"]]
+        parts += [describe_scene(scene), write_table(HEAD, list_balls(mine))]
+    return "\n\n".join(parts)
+
+
+HEAD = ("ball", "truth", "depth", "contact radius", "truth's force", "felt over truth", "deepest")
+
+
+def describe_scene(scene: dict) -> str:
+    modulus = f"E {1e-3 * scene['young_modulus_Pa']:g} kPa"
+    how = (
+        f"constants derived from its {modulus}"
+        if scene["constants_derived"]
+        else f"constants chosen, and not derived from the {modulus} that it states"
+    )
+    places = ", ".join(
+        f"{place['name']} {1e3 * place['thickness_m']:.0f} mm" for place in scene["places"]
+    )
+    return f"**{scene['title']}**: {scene['kind']}, {how}; places (thickness): {places}"
+
+
+def list_balls(rows: Sequence[ToolRow]) -> list[list[str]]:
+    keys = dict.fromkeys((row.radius, row.law, row.own) for row in rows)
+    return [
+        describe_ball([row for row in rows if (row.radius, row.law, row.own) == key])
+        for key in sorted(keys)
+    ]
+
+
+def describe_ball(rows: Sequence[ToolRow]) -> list[str]:
+    first = rows[0]
+    deepest = [max((r for r in rows if r.place == p), key=lambda r: r.depth)
+               for p in dict.fromkeys(row.place for row in rows)]  # fmt: skip
+    lost = sum(row.felt is None for row in rows)
+    return [
+        f"{1e3 * first.radius:g} mm" + (", the scene's own" if first.own else ""),
+        first.law.replace("_", "-"),
+        write_range([1e3 * row.depth for row in rows], "mm"),
+        write_range([1e3 * row.contact_radius for row in rows], "mm"),
+        write_range([1e3 * row.truth for row in rows], "mN"),
+        write_ratios(rows) + (f"; {lost} of {len(rows)} not reached" if lost else ""),
+        write_ratios(deepest),
+    ]
+
+
+def write_range(values: Sequence[float], unit: str) -> str:
+    return f"{min(values):.3g} to {max(values):.3g} {unit}"
+
+
+def write_ratios(rows: Sequence[ToolRow]) -> str:
+    ratios = [row.ratio for row in rows if row.ratio is not None]
+    if not ratios:
+        return "-"
+    mean = sum(ratios) / len(ratios)
+    return f"{mean:.2f} ({min(ratios):.2f} to {max(ratios):.2f})"
