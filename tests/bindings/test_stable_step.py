@@ -112,6 +112,9 @@ SHARED_ORGANS = {
     "M_Heart": ["VH_M_heart_left_ventricle"],
 }
 
+SAMPLE = ("F_Pancreas", "F_Spleen", "M_Heart")
+"""Of them, what every run reads."""
+
 BUILDERS = {
     "mass_spring": lambda mesh, material: palpate.build_mass_spring(mesh, material, 52.0),
     "molecular": molecular,
@@ -137,7 +140,13 @@ def generate_organ(name: str) -> palpate.SurfaceMesh:
 
 
 @pytest.mark.parametrize("kind", BUILDERS)
-@pytest.mark.parametrize("name", SHARED_ORGANS)
+@pytest.mark.parametrize(
+    "name",
+    [
+        name if name in SAMPLE else pytest.param(name, marks=pytest.mark.verify)
+        for name in SHARED_ORGANS
+    ],
+)
 def test_stable_step_lies_between_0_6_and_1_on_shared_organs(name, kind, shared_data):
     mesh = decimate_organ(shared_data(f"organs/VH_{name}.glb"), tuple(SHARED_ORGANS[name]))
 
