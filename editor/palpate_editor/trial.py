@@ -16,6 +16,9 @@ from palpate_editor.document.problems import PlaceFacts, TrialFacts
 LONG_TICK, LONGEST_TICK = 2e-3, 20e-3
 """[s] of the reference machine: longer ticks are pressed at one place only, or not at all, so that
 a check does not take longer than a person waits."""
+LEAST_DEPTHS = 2.0
+"""Depths of the press that an organ is large: a tool that goes through all of it, as where its unit
+is wrong, touches every triangle in every substep."""
 NEAREST = 6
 """Triangles of tetrahedra at a place, of which edges are measured."""
 
@@ -30,7 +33,8 @@ def measure_trial(organ: Organ, scene: palpate.Scene) -> TrialFacts:
     is_carried = len(body.tissue.home) > 0
     pressed = places if is_carried and tick <= LONG_TICK else places[:1]
     trials: list[Trial | None] = [None] * len(places)
-    if tick <= LONGEST_TICK:
+    is_large = palpate.compute_diagonal(body.tissue.rest_position) >= LEAST_DEPTHS * DEPTH
+    if tick <= LONGEST_TICK and is_large:
         found = press_places(scene, pressed, HOLD if is_carried else 0.0)
         trials[: len(found)] = found
     edges: list[float | None] = [None] * len(places)

@@ -301,3 +301,14 @@ def test_what_did_change_is_built_again():
 
     assert after.scene is not before.scene
     assert after.facts.tissue.stable_step < before.facts.tissue.stable_step
+
+
+def test_an_organ_that_a_press_goes_through_is_not_pressed():
+    """One in centimetres whose unit was metres: 1.2 mm large, beside a press of 3 mm."""
+    small = Surface(0.01 * SOUND.surface.vertices, SOUND.surface.triangles)
+
+    pressed, not_pressed = (assess(o).facts.tissue for o in (SOUND, on(small)))
+
+    assert all(place.home_share is not None for place in pressed.trial.places)
+    assert all(place.home_share is None for place in not_pressed.trial.places)
+    assert not_pressed.trial.substeps == not_pressed.substeps
