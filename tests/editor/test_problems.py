@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ from palpate_editor.check import Assessment, assess
 from palpate_editor.document import EMPTY, Organ, Surface
 from palpate_editor.document.constants import CONSTANTS
 from palpate_editor.document.cost_rules import TICK_SHARE, compute_tick_share
-from palpate_editor.document.problems import SEVERITIES
+from palpate_editor.document.problems import SEVERITIES, Problem
 from palpate_editor.views.stages.panels import list_stages
 
 STAGES = list_stages()
@@ -134,11 +135,18 @@ def test_a_sound_organ_that_was_felt_has_no_problems():
     assert found.report.vertices == 60
 
 
+@cache
+def find_problem(key: str) -> Problem:
+    """The one of that key in its organ, which is assessed once."""
+    [problem] = [p for p in assess(WRONG[key][0], tested=False).problems if p.key == key]
+    return problem
+
+
 @pytest.mark.parametrize("key", WRONG)
 def test_a_problem_is_found_at_its_stage(key):
-    organ, stage, severity, words = WRONG[key]
+    _, stage, severity, words = WRONG[key]
 
-    [problem] = [p for p in assess(organ, tested=False).problems if p.key == key]
+    problem = find_problem(key)
 
     assert (problem.stage, problem.severity) == (stage, severity)
     assert words in problem.got
@@ -163,8 +171,7 @@ FIXABLE = {
 
 @pytest.mark.parametrize("key", WRONG)
 def test_a_fix_that_is_offered_mends_the_problem(key):
-    organ = WRONG[key][0]
-    [problem] = [p for p in assess(organ, tested=False).problems if p.key == key]
+    organ, problem = WRONG[key][0], find_problem(key)
 
     assert (problem.fix is not None) == (key in FIXABLE)
     if problem.fix is not None:
