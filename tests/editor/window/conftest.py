@@ -9,7 +9,9 @@ from pathlib import Path
 
 import pytest
 from palpate import translation
+from palpate.runs.trial import choose_places
 from palpate.viewport.gl_view import build_format
+from palpate_editor import trial
 from palpate_editor.app.settings import Settings
 from palpate_editor.document import EMPTY
 from palpate_editor.edits import Decimate, decimate_organ
@@ -48,6 +50,13 @@ def end_widgets_in_the_window_thread(
 @pytest.fixture(autouse=True)
 def draw_roughly(rough_frames: None) -> None:
     """Half of what a window costs is how fine its frames are."""
+
+
+@pytest.fixture(autouse=True)
+def press_one_place(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a window says of an organ is worked out after every edit of every test, mostly by
+    pressing it at several places; test_problems.py does that."""
+    monkeypatch.setattr(trial, "choose_places", lambda scene: choose_places(scene, count=1))
 
 
 @pytest.fixture
