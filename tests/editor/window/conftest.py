@@ -53,10 +53,11 @@ def draw_roughly(rough_frames: None) -> None:
 
 
 @pytest.fixture(autouse=True)
-def press_one_place(monkeypatch: pytest.MonkeyPatch) -> None:
+def press_one_place(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
     """What a window says of an organ is worked out after every edit of every test, mostly by
-    pressing it at several places; test_problems.py does that."""
-    monkeypatch.setattr(trial, "choose_places", lambda scene: choose_places(scene, count=1))
+    pressing it at several places: at one, unless a test is marked `several_places`."""
+    if not request.node.get_closest_marker("several_places"):
+        monkeypatch.setattr(trial, "choose_places", lambda scene: choose_places(scene, count=1))
 
 
 @pytest.fixture

@@ -99,6 +99,7 @@ def test_mass_substeps_and_margin_follow_at_once(panel, qtbot):
     assert words()["Stability margin"].endswith("×")
 
 
+@pytest.mark.several_places
 def test_what_home_springs_carry_and_a_tick_in_touch_takes_stand_among_the_results(panel, qtbot):
     window, words = panel.window(), panel.facts.texts
     window.context.apply(SetConstant("model", "home_stiffness", 1e6))
