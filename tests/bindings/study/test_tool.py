@@ -27,7 +27,7 @@ from palpate.study.tool_block import build_mesh, open_blocks
 CHECKOUT = Path(__file__).parents[3]
 PUBLISHED = CHECKOUT / "meshes" / "published"
 ACCURACY = CHECKOUT / "core" / "ACCURACY.md"
-ORGANS = ("spleen", "kidney", "liver", "stomach")
+ORGANS = ("spleen", "kidney", "liver", "gallbladder", "stomach")
 
 
 @pytest.fixture(scope="module")
