@@ -53,9 +53,7 @@ def test_balls_of_two_to_eight_millimetres_are_pressed_at_three_places(name):
 
     places = {spot.name for spot in reference.places}
     assert len(places) == 3
-    # the largest in the gallbladder is not solved yet
-    radii = (2e-3, 3e-3, 5e-3) if name == "gallbladder" else (2e-3, 3e-3, 5e-3, 8e-3)
-    assert found >= {(place, radius) for place in places for radius in radii}
+    assert found >= {(place, radius) for place in places for radius in (2e-3, 3e-3, 5e-3, 8e-3)}
 
 
 @pytest.mark.parametrize("name", sorted(ORGANS))
