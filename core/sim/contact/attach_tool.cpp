@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/contact/private/near_contact.h"
 #include "palpate/sim/contact/private/touched_surface.h"
 
 namespace palpate {
@@ -77,9 +78,10 @@ double add_row_sums(const Triangle& t, const Vec3& weights, double stiffness,
 double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
                                std::span<const Triangle> triangles, std::span<const Vec3> x,
                                std::span<const double> mass, const ToolState& state,
-                               std::span<double> scratch, int body) noexcept {
-  const std::span<const int> near(candidates.triangles.data(),
-                                  static_cast<std::size_t>(candidates.count));
+                               std::span<double> scratch, int body,
+                               const NearField* near) noexcept {
+  const std::span<const int> touchable(candidates.triangles.data(),
+                                       static_cast<std::size_t>(candidates.count));
   const std::span<const ToolState::Hold> holds(state.holds.data(),
                                                static_cast<std::size_t>(state.hold_count));
   const auto triangle = [&](int t) noexcept -> const Triangle& {
@@ -88,7 +90,7 @@ double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
   const auto corner = [&](const Triangle& t, std::size_t c) noexcept -> const Vec3& {
     return x[static_cast<std::size_t>(t[c])];
   };
-  for (const int t : near) {
+  for (const int t : touchable) {
     for (const int i : triangle(t)) scratch[static_cast<std::size_t>(i)] = 0.0;
   }
   for (const ToolState::Hold& hold : holds) {
@@ -97,13 +99,16 @@ double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
   }
   double largest = 0.0;
   Contact contact;
-  for (std::size_t i = 0; i < near.size(); ++i) {
-    const Triangle& t = triangle(near[i]);
-    if (find_contact(tool, candidates.areas[i], state.position, corner(t, 0), corner(t, 1),
-                     corner(t, 2), contact)) {
-      largest =
-          std::max(largest, add_row_sums(t, contact.weights, contact.stiffness, mass, scratch));
+  for (std::size_t i = 0; i < touchable.size(); ++i) {
+    const Triangle& t = triangle(touchable[i]);
+    const Vec3 &a = corner(t, 0), &b = corner(t, 1), &c = corner(t, 2);
+    if (!find_contact(tool, candidates.areas[i], state.position, a, b, c, contact)) continue;
+    if (near) {
+      const NearGain gain{candidates.near.gain, candidates.near.stiffening};
+      const Contact closest = contact;
+      find_near_contact(*near, tool, closest, state.position, a, b, c, gain, contact);
     }
+    largest = std::max(largest, add_row_sums(t, contact.weights, contact.stiffness, mass, scratch));
   }
   for (const ToolState::Hold& hold : holds) {
     if (hold.body != body) continue;

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/contact/private/near_contact.h"
 #include "palpate/sim/contact/private/touched_surface.h"
 #include "palpate/sim/tree/private/box.h"
 
@@ -107,9 +108,10 @@ Contact read_lane(const ContactLanes& lanes, std::size_t lane) noexcept {
           lanes.stiffness[lane]};
 }
 
-/// Calls `take(triangle, contact)` for every contact in force with the centre at p.
+/// Calls `take(triangle, contact)` for every triangle that the hard law touches with the centre at
+/// p.
 template <class Take>
-void for_each_contact(const Tool& tool, const TouchedSurface& surface, const Vec3& p,
+void for_each_closest(const Tool& tool, const TouchedSurface& surface, const Vec3& p,
                       Take take) noexcept {
   const Candidates& candidates = *surface.candidates;
   const ContactLanes& lanes = candidates.lanes;
@@ -130,7 +132,42 @@ void for_each_contact(const Tool& tool, const TouchedSurface& surface, const Vec
   }
 }
 
+/// Contacts at p under the law of the surface's near field; once for each p.
+void find_near(const Tool& tool, const TouchedSurface& surface, const Vec3& p) noexcept {
+  NearContacts& near = surface.candidates->near;
+  if (near.found && near.centre == p) return;
+  near.count = 0;
+  for_each_closest(tool, surface, p, [&](int t, const Contact& contact) noexcept {
+    const auto at = static_cast<std::size_t>(near.count++);
+    near.triangle[at] = t;
+    near.closest[at] = contact;
+  });
+  find_near_contacts(*surface.near, tool, surface.triangles, surface.x, p, near);
+}
+
+/// Calls `take(triangle, contact)` for every contact with the centre at p; under a near field some
+/// may be without force.
+template <class Take>
+void for_each_contact(const Tool& tool, const TouchedSurface& surface, const Vec3& p,
+                      Take take) noexcept {
+  if (!surface.near) return for_each_closest(tool, surface, p, take);
+  find_near(tool, surface, p);
+  const NearContacts& near = surface.candidates->near;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(near.count); ++i) {
+    take(near.triangle[i], near.contact[i]);
+  }
+}
+
 /// Calls `take(body, triangle, contact)` for those of all surfaces, one surface after the other.
+template <class Take>
+void for_each_closest(const Surroundings& around, const Vec3& p, Take take) noexcept {
+  for (std::size_t b = 0; b < around.surfaces.size(); ++b) {
+    for_each_closest(
+        around.tool, around.surfaces[b], p,
+        [&](int t, const Contact& contact) noexcept { take(static_cast<int>(b), t, contact); });
+  }
+}
+
 template <class Take>
 void for_each_contact(const Surroundings& around, const Vec3& p, Take take) noexcept {
   for (std::size_t b = 0; b < around.surfaces.size(); ++b) {
@@ -169,7 +206,7 @@ Vec3 shorten(const Surroundings& around, const Vec3& p, const Touch& touch, Vec3
   if (step.norm() <= 0.5 * (touch.smallest_distance - kClearance * around.tool.radius)) return step;
   step = limit(step, 0.5 * around.tool.radius);
   double part = 1.0;
-  for_each_contact(around, p, [&](int, int, const Contact& contact) noexcept {
+  for_each_closest(around, p, [&](int, int, const Contact& contact) noexcept {
     const double approach = -step.dot(contact.direction);
     const double room = 0.5 * (contact.distance - kClearance * around.tool.radius);
     if (approach > 0.0) part = std::min(part, std::max(0.0, room) / approach);
@@ -228,12 +265,15 @@ Vec3 write_pushes(const Surroundings& around, ToolState& state) noexcept {
   state.carrier.triangle = -1;
   state.touching = false;
   for_each_contact(around, state.position, [&](int body, int t, const Contact& contact) noexcept {
+    if (!(contact.force > 0.0)) return;
     const Vec3 force = contact.force * contact.direction;
     Load& load = *around.surfaces[static_cast<std::size_t>(body)].load;
     if (load.add({t, contact.weights, -force})) {
       sum += force;
       state.touching = true;
     }
+  });
+  for_each_closest(around, state.position, [&](int body, int t, const Contact& contact) noexcept {
     if (contact.distance >= nearest) return;
     nearest = contact.distance;
     state.carrier = {t, contact.weights, compute_point_of(around, body, t, contact.weights),
@@ -271,6 +311,7 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
   bool near = state.hold_count > 0;
   for (const TouchedSurface& surface : surfaces) {
     surface.candidates->lanes.reach = -1.0;  // the tissue has moved since they were filled
+    surface.candidates->near.found = false;
     surface.load->clear();
     near = near || surface.candidates->count > 0;
   }

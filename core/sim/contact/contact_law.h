@@ -2,10 +2,12 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "palpate/sim/contact/find_candidates.h"
 #include "palpate/sim/contact/tool.h"
 #include "palpate/sim/model/load.h"
+#include "palpate/sim/model/tissue_model.h"
 
 namespace palpate {
 
@@ -20,16 +22,6 @@ inline constexpr double kNoArm = 1e-9;
 /// Cosine between arm and normal from which a contact counts in full.
 inline constexpr double kFullFacing = 0.25;
 
-/// How the tip touches one triangle.
-struct Contact {
-  Vec3 weights = Vec3::Zero();    ///< barycentric, of the closest point
-  Vec3 direction = Vec3::Zero();  ///< unit, from the closest point to the tool's centre
-  double distance = 0.0;          ///< [m] between the two
-  double force = 0.0;             ///< [N] along direction on the tool, against it on the tissue
-  double stiffness = 0.0;         ///< [N/m] d force / d depth
-};
-static_assert(sizeof(Contact) == 72 && alignof(Contact) == 8);
-
 /// The contact of a tip at `centre` with the triangle a, b, c of `rest_area` [m²]; false where
 /// there is none, or where the centre lies behind the triangle.
 bool find_contact(const Tool& tool, double rest_area, const Vec3& centre, const Vec3& a,
@@ -42,6 +34,32 @@ inline Vec3 compute_point(const Triangle& t, const Vec3& weights,
          weights[1] * x[static_cast<std::size_t>(t[1])] +
          weights[2] * x[static_cast<std::size_t>(t[2])];
 }
+
+/// What a body's tissue does near a ball, and what its mesh does of that already: with it a ball is
+/// felt as on tissue, however large the triangles are beside it [contact: near field].
+struct NearField {
+  double modulus = 0.0;  ///< [Pa] E* = E / (1 - nu²), positive
+
+  // each (n,) per vertex of the surface
+  std::vector<double> far_compliance;  ///< [m/N] of the body beyond that of a half space
+  std::vector<double> curvature;       ///< [1/m] of the surface at rest, positive where it is convex
+
+  // the compliance of the mesh, along normals: of vertex v under a force on neighbour[k] it is
+  // compliance[k] [m/N], k from first[v] up to first[v + 1]
+  std::vector<int> first;         ///< (n + 1,)
+  std::vector<int> neighbour;     ///< ascending
+  std::vector<float> compliance;  ///< [m/N]
+};
+
+/// The near field of a model, with the far compliance 0: solves for a unit force on each vertex of
+/// the surface about the model at rest and keeps what that does within `reach` [m]. Throws
+/// std::invalid_argument for a modulus or reach that is not positive, and for a model that can move
+/// without being strained.
+NearField build_near_field(const TissueModel& model, double modulus, double reach);
+
+/// Throws std::invalid_argument for arrays that do not fit each other or a surface of so many
+/// vertices, and for numbers that are not finite.
+void validate(const NearField& near, int surface_vertices);
 
 /// The hand's spring: what pulls the tool to where the device is.
 struct Coupling {
@@ -73,10 +91,11 @@ void release_tool(ToolState& state) noexcept;
 
 /// Largest extra eigenvalue [1/s²] that contacts and holds may add to M⁻¹K: the row-sum bound
 /// max over particles of sum k_t w / m [contact: substeps]. For choosing this tick's substeps.
-/// `body` tells which holds are on this surface.
+/// `body` tells which holds are on this surface, `near` under which law it is touched.
 double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
                                std::span<const Triangle> triangles, std::span<const Vec3> x,
                                std::span<const double> mass, const ToolState& state,
-                               std::span<double> scratch, int body = 0) noexcept;
+                               std::span<double> scratch, int body = 0,
+                               const NearField* near = nullptr) noexcept;
 
 }  // namespace palpate

@@ -10,6 +10,16 @@
 
 namespace palpate {
 
+/// How the tip touches one triangle.
+struct Contact {
+  Vec3 weights = Vec3::Zero();    ///< barycentric, of the closest point
+  Vec3 direction = Vec3::Zero();  ///< unit, from the closest point to the tool's centre
+  double distance = 0.0;          ///< [m] between the two
+  double force = 0.0;             ///< [N] along direction on the tool, against it on the tissue
+  double stiffness = 0.0;         ///< [N/m] d force / d depth
+};
+static_assert(sizeof(Contact) == 72 && alignof(Contact) == 8);
+
 /// The contacts of a tip with many triangles at once, in vector code: the law of find_contact
 /// (contact_law.h), in double. Columns hold one number per lane.
 struct ContactLanes {
@@ -39,6 +49,25 @@ struct ContactLanes {
 };
 static_assert(alignof(ContactLanes) == 8);
 
+/// Contacts under the law of a NearField (contact_law.h), and work space for them.
+struct NearContacts {
+  NearContacts() = default;
+  /// Room for so many triangles, of a surface with so many vertices.
+  NearContacts(int triangles, int vertices);
+
+  std::vector<int> triangle;
+  std::vector<Contact> closest;  ///< the contact that the hard law would have
+  std::vector<Contact> contact;  ///< with the distance of the closest point
+  int count = 0;
+  Vec3 centre = Vec3::Zero();  ///< [m] of the tip
+  bool found = false;          ///< all this is that of `centre`
+  double mesh_compliance = 0.0;   ///< [m/N] of the patch under the tip, beyond the far field's
+  bool knows_compliance = false;  ///< in this tick
+  double gain = 1.0;              ///< [-] force over that of the pressures alone
+  double stiffening = 1.0;        ///< [-] its slope over theirs
+  std::vector<double> weight;     ///< (n,) per vertex, 0 between calls
+};
+
 /// Triangles the tool may touch during one tick, ascending, with the area of each [m²].
 struct Candidates {
   explicit Candidates(int capacity = 0)
@@ -50,6 +79,7 @@ struct Candidates {
   Vec3 from = Vec3::Zero();  ///< [m] the path they were looked for along
   Vec3 to = Vec3::Zero();    ///< [m]
   ContactLanes lanes;        ///< balance_tool's vector code and its work space; may be empty
+  NearContacts near;         ///< balance_tool's, with a NearField; may be empty without one
 };
 static_assert(alignof(Candidates) == 8);
 

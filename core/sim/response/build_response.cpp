@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Eigenvalues>
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 
 #include "palpate/sim/base/private/refuse.h"
-#include "palpate/sim/dynamics/tangent.h"
+#include "palpate/sim/response/private/free_stiffness.h"
 #include "palpate/sim/response/response.h"
 
 namespace palpate {
 namespace {
-
-using SparseMatrix = Eigen::SparseMatrix<double>;
 
 /// Per particle, whether it carries some of the surface: that of the triangles.
 std::vector<bool> mark_carriers(const TissueModel& model) {
@@ -63,51 +60,6 @@ void check_size(const ResponseSize& size, std::size_t most) {
                     " MB: fill with fewer tetrahedra, or limit the reach of pushes"));
 }
 
-/// K of the free particles alone.
-struct FreeStiffness {
-  explicit FreeStiffness(const TissueModel& model) : number(model.rest_position.size(), 0) {
-    for (const int i : model.fixed) number[static_cast<std::size_t>(i)] = -1;
-    for (int& n : number) {
-      if (n == 0) n = count++;
-    }
-    const SparseMatrix whole = compute_stiffness(model, model.rest_position, Projection::none);
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(static_cast<std::size_t>(whole.nonZeros()));
-    for (Eigen::Index column = 0; column < whole.outerSize(); ++column) {
-      for (SparseMatrix::InnerIterator entry(whole, column); entry; ++entry) {
-        const Eigen::Index i = place(entry.row()), j = place(entry.col());
-        if (i >= 0 && j >= 0) entries.emplace_back(i, j, entry.value());
-      }
-    }
-    matrix.resize(3 * count, 3 * count);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-  }
-
-  /// Of a coordinate of the model, among those of the free; -1 where it is held.
-  Eigen::Index place(Eigen::Index coordinate) const {
-    const int n = number[static_cast<std::size_t>(coordinate / 3)];
-    return n < 0 ? -1 : 3 * Eigen::Index{n} + coordinate % 3;
-  }
-
-  std::vector<int> number;  ///< per particle, -1 where it is held
-  int count = 0;
-  SparseMatrix matrix;
-};
-
-using Factors = Eigen::SimplicialLDLT<SparseMatrix>;
-
-/// A body that is not held has rigid motions without resistance, and rounding makes of these
-/// pivots that are tiny or negative.
-void factor(const FreeStiffness& stiffness, Factors& factors) {
-  constexpr double kLeastPivot = 1e-9;
-  factors.compute(stiffness.matrix);
-  const bool solved = factors.info() == Eigen::Success;
-  const Eigen::VectorXd pivots = solved ? Eigen::VectorXd(factors.vectorD()) : Eigen::VectorXd();
-  if (solved && pivots.minCoeff() > kLeastPivot * pivots.maxCoeff()) return;
-  refuse("linear solid: fixed", "a body that can move without being strained",
-         "particles held that do not lie on one line, or home springs");
-}
-
 /// Writes the surface's part of displacements of all free particles.
 template <class Displacements>
 void keep(const FreeStiffness& stiffness, const Response& response, const Displacements& u,
@@ -116,31 +68,6 @@ void keep(const FreeStiffness& stiffness, const Response& response, const Displa
     const Eigen::Index at = stiffness.place(3 * Eigen::Index{i});
     for (int axis = 0; axis < 3; ++axis) *row++ = static_cast<float>(u[at + axis]);
   }
-}
-
-/// So many right sides are solved for in one pass over the factors, which is what such a pass
-/// costs.
-constexpr Eigen::Index kAtOnce = 16;
-using Sides = Eigen::Matrix<double, Eigen::Dynamic, kAtOnce, Eigen::RowMajor>;
-
-/// K u = f by its factors, P K Pᵀ = L D Lᵀ.
-Sides solve(const Factors& factors, const Sides& f) {
-  const SparseMatrix& lower = factors.matrixL().nestedExpression();
-  const Eigen::VectorXd pivots = factors.vectorD();
-  Sides u = factors.permutationP() * f;
-  for (Eigen::Index j = 0; j < u.rows(); ++j) {
-    if (u.row(j).isZero(0.0)) continue;  // nothing has come down to it from a few unit forces
-    for (SparseMatrix::InnerIterator entry(lower, j); entry; ++entry) {
-      if (entry.row() > j) u.row(entry.row()) -= entry.value() * u.row(j);
-    }
-  }
-  for (Eigen::Index j = u.rows() - 1; j >= 0; --j) {
-    u.row(j) /= pivots[j];
-    for (SparseMatrix::InnerIterator entry(lower, j); entry; ++entry) {
-      if (entry.row() > j) u.row(j) -= entry.value() * u.row(entry.row());
-    }
-  }
-  return factors.permutationPinv() * u;
 }
 
 /// Where unit forces act, in the order of the table's rows.
@@ -245,7 +172,7 @@ Response build_response(const TissueModel& model, const Vec3& gravity, std::size
   check_size(response.size, most);
   const FreeStiffness stiffness(model);
   Factors factors;
-  factor(stiffness, factors);
+  factor("linear solid", stiffness, factors);
   solve_compliance(stiffness, factors, response);
   solve_sag(model, gravity, stiffness, factors, response);
   response.self_compliance = compute_self_compliance(model, response);

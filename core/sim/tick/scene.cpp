@@ -86,6 +86,7 @@ void validate(const SoftBody& body, const Scene& scene, const Place& place) {
     throw std::invalid_argument("scene: " + place(error.what()));
   }
   if (body.tissue.triangles.empty()) refuse(place("tissue.triangles"), 0, "at least one to touch");
+  if (body.near_field) palpate::validate(*body.near_field, surface_count(body.tissue));
   check_force_error(body, scene, place);
   check_target(place("simd_target"), body.simd_target);
   if (body.substeps < 0 || body.substeps > kMostSubsteps) {

@@ -39,6 +39,9 @@ struct SoftBody {
   /// any but symplectic Euler under the reference kernel only. An implicit one allocates in every
   /// step, and what cannot be solved is an alarm
   Integrator integrator = Integrator::symplectic_euler;
+  /// how a ball is felt where triangles are larger than what it touches (build_near_field); null:
+  /// by the hard law alone, as a wall or a bone
+  std::shared_ptr<const NearField> near_field;
   std::string simd_target;  ///< of the packed kernel: one of simd_targets(), empty for the best
 
   // filled in by build_scene

@@ -147,6 +147,9 @@ World::World(const Scene& scene) : scene_identity(validated(scene).identity) {
       if (const PackedKernel* packed = find_packed(bodies[b])) {
         pairs.back().candidates.lanes = ContactLanes(count, simd_target(*packed->model));
       }
+      if (scene.bodies[b].near_field) {
+        pairs.back().candidates.near = {count, surface_count(scene.bodies[b].tissue)};
+      }
     }
   }
   costs.bodies.resize(bodies.size());
@@ -168,7 +171,7 @@ std::span<const TouchedSurface> list_surfaces(const Scene& scene, std::size_t in
   for (std::size_t b = 0; b < surfaces.size(); ++b) {
     ContactPair& pair = world.pair(instrument, b);
     surfaces[b] = {&pair.candidates, scene.bodies[b].tissue.triangles,
-                   surface_position(world.bodies[b]), &pair.load};
+                   surface_position(world.bodies[b]), &pair.load, scene.bodies[b].near_field.get()};
   }
   return surfaces;
 }

@@ -15,6 +15,7 @@ struct TouchedSurface {
   std::span<const Triangle> triangles;
   std::span<const Vec3> x;  ///< [m]
   Load* load = nullptr;
+  const NearField* near = nullptr;  ///< null under the hard law alone
 };
 
 /// The pushes of all surfaces cancel the hand's spring, and each gets its own into its load.

@@ -59,7 +59,8 @@ double bound_contact_share(const Scene& scene, std::size_t body, const ResponseK
     const ToolState& tool = world.instruments[i].tool;
     bound_contact_stiffness(scene.instruments[i].tool, candidates, triangles,
                             surface_position(world.bodies[body]), work.surface_mass, tool,
-                            work.vertex_scratch, static_cast<int>(body));
+                            work.vertex_scratch, static_cast<int>(body),
+                            scene.bodies[body].near_field.get());
     for (int c = 0; c < candidates.count; ++c) {
       take(candidates.triangles[static_cast<std::size_t>(c)]);
     }

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/sim/contact/tool.h"
+
+namespace palpate {
+
+/// What a ball does to the part of one triangle under it: sums over that part of the pressure of
+/// the near field [contact: near field].
+struct Footprint {
+  double normal_force = 0.0;      ///< [N] along the triangle's normal
+  double whole_force = 0.0;       ///< [N] that of the whole circle
+  Vec3 normal = Vec3::Zero();     ///< unit, of the triangle
+  Vec3 force = Vec3::Zero();      ///< [N] on the ball, each part along the ball's normal
+  Vec3 weights = Vec3::Zero();    ///< barycentric, of the centre of pressure
+  double stiffness = 0.0;         ///< [N/m] d normal_force / d depth
+  double depth = 0.0;             ///< [m] of the ball's lowest point below the triangle's plane
+};
+
+/// The pressure p [Pa] of a ball of radius R [m] where it overlaps tissue by o [m]:
+///
+///     p = min(k_A o, E*/pi sqrt(x) (1 + b1 x + b2 x²)),   x = o / R
+///
+/// so that a flat half space that stands still feels Hertz's force at small depth, and at depths up
+/// to 2 R that of a neo-Hookean one (Poisson's ratio 0.45) within 3 %. Never stiffer than the hard
+/// law's k_A.
+struct NearPressure {
+  double modulus = 0.0;    ///< [Pa] E* = E / (1 - nu²)
+  double radius = 0.0;     ///< [m]
+  double stiffness = 0.0;  ///< [N/m³] k_A
+
+  double pressure(double overlap) const noexcept;
+  double slope(double overlap) const noexcept;  ///< [N/m³]
+};
+
+/// Integrates over the part of a triangle that lies inside the circle which the ball cuts out of
+/// its plane; false where there is none, or the centre is not above the plane.
+bool integrate_footprint(const NearPressure& law, const Vec3& centre, const Vec3& a, const Vec3& b,
+                         const Vec3& c, Footprint& footprint) noexcept;
+
+}  // namespace palpate
