@@ -13,6 +13,9 @@ namespace {
 
 constexpr int kNewtonSteps = 3;
 
+// [m] a step that is left out where contacts are costly to find: 5e-6 N of the hand's spring
+constexpr double kShortestStep = 1e-8;
+
 // part of the radius that the tool's own steps keep its centre off the surface: halving what is
 // left would end in rounding, on the wrong side
 constexpr double kClearance = 1e-3;
@@ -248,6 +251,13 @@ Vec3 take_newton_step(const Surroundings& around, const Coupling& coupling, cons
   return p + keep_near_way(*around.surfaces.front().candidates, p, step);
 }
 
+/// Footprints cost ten times what closest points do.
+bool has_near_field(const Surroundings& around) noexcept {
+  return std::ranges::any_of(around.surfaces, [](const TouchedSurface& surface) noexcept {
+    return surface.near && surface.candidates->count > 0;
+  });
+}
+
 /// The step of a tool that rides on the motion of the nearest surface, along their common normal:
 /// since the last substep the tissue has moved and the tool has not. Left behind, it would be
 /// passed over by any surface faster than distance per substep, which is not fast for an impact.
@@ -323,8 +333,12 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
   if (!near) state.position = hand_position;
 
   state.position += ride(around, state);
+  const double shortest = has_near_field(around) ? kShortestStep : 0.0;
   for (int i = 0; i < kNewtonSteps; ++i) {
-    state.position = take_newton_step(around, coupling, hand_position, state.position);
+    const Vec3 next = take_newton_step(around, coupling, hand_position, state.position);
+    // contacts stay those of where it is
+    if (next != hand_position && (next - state.position).norm() < shortest) break;
+    state.position = next;
   }
   const Vec3 touch = write_pushes(around, state);
   const Vec3 felt =

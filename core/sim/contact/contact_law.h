@@ -42,7 +42,7 @@ struct NearField {
 
   // each (n,) per vertex of the surface
   std::vector<double> far_compliance;  ///< [m/N] of the body beyond that of a half space
-  std::vector<double> curvature;       ///< [1/m] of the surface at rest, positive where it is convex
+  std::vector<double> curvature;  ///< [1/m] of the surface at rest, positive where it is convex
 
   // the compliance of the mesh, along normals: of vertex v under a force on neighbour[k] it is
   // compliance[k] [m/N], k from first[v] up to first[v + 1]
@@ -51,11 +51,12 @@ struct NearField {
   std::vector<float> compliance;  ///< [m/N]
 };
 
-/// The near field of a model, with the far compliance 0: solves for a unit force on each vertex of
-/// the surface about the model at rest and keeps what that does within `reach` [m]. Throws
-/// std::invalid_argument for a modulus or reach that is not positive, and for a model that can move
-/// without being strained.
-NearField build_near_field(const TissueModel& model, double modulus, double reach);
+/// The near field of a model touched by balls of up to `radius` [m]: solves for a unit force on
+/// each vertex of the surface about the model at rest and keeps what that does where such a ball
+/// may press as well. The far compliance is what a wide patch is moved beyond a half space. Throws
+/// std::invalid_argument for a modulus [Pa] or radius that is not positive, and for a model that
+/// can move without being strained.
+NearField build_near_field(const TissueModel& model, double modulus, double radius);
 
 /// Throws std::invalid_argument for arrays that do not fit each other or a surface of so many
 /// vertices, and for numbers that are not finite.

@@ -59,8 +59,8 @@ struct NearContacts {
   std::vector<Contact> closest;  ///< the contact that the hard law would have
   std::vector<Contact> contact;  ///< with the distance of the closest point
   int count = 0;
-  Vec3 centre = Vec3::Zero();  ///< [m] of the tip
-  bool found = false;          ///< all this is that of `centre`
+  Vec3 centre = Vec3::Zero();     ///< [m] of the tip
+  bool found = false;             ///< all this is that of `centre`
   double mesh_compliance = 0.0;   ///< [m/N] of the patch under the tip, beyond the far field's
   bool knows_compliance = false;  ///< in this tick
   double gain = 1.0;              ///< [-] force over that of the pressures alone

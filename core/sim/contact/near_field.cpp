@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "palpate/sim/base/private/refuse.h"
@@ -32,13 +33,14 @@ struct Surface {
   Vec3Array normals;  // unit
 };
 
-/// The unit force along its normal on a vertex, one of the sides.
-void push(const Surface& surface, const FreeStiffness& stiffness, std::size_t v, Eigen::Index side,
-          Sides& force) {
+/// A force [N] along its normal on a vertex, one of the sides.
+void push(const Surface& surface, const FreeStiffness& stiffness, std::size_t v, double f,
+          Eigen::Index side, Sides& force) {
   surface.for_each_carrier(v, [&](int particle, double weight) {
     const Eigen::Index at = stiffness.place(3 * Eigen::Index{particle});
     if (at < 0) return;
-    for (int axis = 0; axis < 3; ++axis) force(at + axis, side) += weight * surface.normals[v][axis];
+    for (int axis = 0; axis < 3; ++axis)
+      force(at + axis, side) += f * weight * surface.normals[v][axis];
   });
 }
 
@@ -49,7 +51,8 @@ double find_displacement(const Surface& surface, const FreeStiffness& stiffness,
   surface.for_each_carrier(v, [&](int particle, double weight) {
     const Eigen::Index at = stiffness.place(3 * Eigen::Index{particle});
     if (at < 0) return;
-    for (int axis = 0; axis < 3; ++axis) sum += weight * surface.normals[v][axis] * u(at + axis, side);
+    for (int axis = 0; axis < 3; ++axis)
+      sum += weight * surface.normals[v][axis] * u(at + axis, side);
   });
   return sum;
 }
@@ -73,12 +76,84 @@ std::vector<double> compute_curvature(const Surface& surface) {
   return sum;
 }
 
-std::vector<std::size_t> find_near(const Surface& surface, std::size_t v, double reach) {
-  std::vector<std::size_t> near;
+/// The vertices around one, and the parts of its wide patch that they carry.
+struct Neighbours {
+  std::vector<std::size_t> vertex;
+  std::vector<double> distance;  // [m]
+};
+
+Neighbours find_neighbours(const Surface& surface, std::size_t v, double reach) {
+  Neighbours near;
   for (std::size_t u = 0; u < surface.x.size(); ++u) {
-    if ((surface.x[u] - surface.x[v]).norm() < reach) near.push_back(u);
+    const double distance = (surface.x[u] - surface.x[v]).norm();
+    if (!(distance < reach)) continue;
+    near.vertex.push_back(u);
+    near.distance.push_back(distance);
   }
   return near;
+}
+
+/// [m²] Of the surface, a third of each triangle to each of its corners.
+std::vector<double> share_area(const Surface& surface) {
+  std::vector<double> area(surface.x.size(), 0.0);
+  for (const auto& [i, j, k] : surface.model.triangles) {
+    const Vec3 across = (surface.x[j] - surface.x[i]).cross(surface.x[k] - surface.x[i]);
+    for (const int v : {i, j, k}) area[static_cast<std::size_t>(v)] += across.norm() / 6.0;
+  }
+  return area;
+}
+
+/// [m] The longest edges that are not rare: of the triangles by which touch is coarsest.
+double find_edge_length(const Surface& surface) {
+  std::vector<double> squares;
+  for (const Triangle& t : surface.model.triangles) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto i = static_cast<std::size_t>(t[c]), j = static_cast<std::size_t>(t[(c + 1) % 3]);
+      squares.push_back((surface.x[j] - surface.x[i]).squaredNorm());
+    }
+  }
+  const auto at = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() * 9 / 10);
+  std::nth_element(squares.begin(), at, squares.end());
+  return std::sqrt(*at);
+}
+
+/// The radius of a uniform patch [m] whose compliance the mesh can tell: two edges of the elements
+/// that carry it.
+constexpr double kPatchEdges = 2.0;
+/// and no less than this, where elements are finer than what is near
+constexpr double kLeastPatch = 0.008;
+
+/// [m] Edges of the elements, or of the surface where that is all there is.
+double find_patch_radius(const Surface& surface) {
+  double longest = 0.0;
+  const auto& elements = surface.model.skin.corners;
+  for (const auto& corners : elements) {
+    for (std::size_t c = 1; c < 4; ++c) {
+      const Vec3 edge = surface.model.rest_position[static_cast<std::size_t>(corners[c])] -
+                        surface.model.rest_position[static_cast<std::size_t>(corners[0])];
+      longest += edge.norm() / (3.0 * static_cast<double>(elements.size()));
+    }
+  }
+  if (elements.empty()) longest = find_edge_length(surface);
+  return std::max(kLeastPatch, kPatchEdges * longest);
+}
+
+/// A uniform pressure on a disc of radius a moves a half space by 16 / (3 pi² E* a), the mean over
+/// the disc [Johnson85, 3.4]. Here the patch is what vertices carry: `a` is the radius of the disc
+/// whose points are as far apart, on the mean of squares.
+double find_far_compliance(const NearField& near, const Surface& surface,
+                           const std::vector<double>& weight, const std::vector<std::size_t>& patch,
+                           const Eigen::VectorXd& moved) {
+  double spread = 0.0, compliance = 0.0;
+  for (const std::size_t u : patch) {
+    compliance += weight[u] * moved[static_cast<Eigen::Index>(u)];
+    for (const std::size_t w : patch) {
+      spread += weight[u] * weight[w] * (surface.x[u] - surface.x[w]).squaredNorm();
+    }
+  }
+  const double radius = std::sqrt(spread);
+  constexpr double kPi = std::numbers::pi;
+  return compliance - 16.0 / (3.0 * kPi * kPi * near.modulus * radius);
 }
 
 void require_positive(const char* what, double value) {
@@ -130,9 +205,61 @@ void validate(const NearField& near, int surface_vertices) {
   check_finite("compliance", near.compliance);
 }
 
-NearField build_near_field(const TissueModel& model, double modulus, double reach) {
+namespace {
+
+/// What vertices do under unit forces, and under uniform patches, around `begin` up to `end`.
+void solve_around(const Surface& surface, const FreeStiffness& stiffness, const Factors& factors,
+                  std::size_t begin, std::size_t end, double reach, NearField& near) {
+  Sides force = Sides::Zero(3 * stiffness.count, kAtOnce);
+  for (std::size_t v = begin; v < end; ++v) {
+    push(surface, stiffness, v, 1.0, static_cast<Eigen::Index>(v - begin), force);
+  }
+  const Sides u = solve(factors, force);
+  for (std::size_t v = begin; v < end; ++v) {
+    for (const std::size_t other : find_neighbours(surface, v, reach).vertex) {
+      near.neighbour.push_back(static_cast<int>(other));
+      near.compliance.push_back(static_cast<float>(
+          find_displacement(surface, stiffness, other, u, static_cast<Eigen::Index>(v - begin))));
+    }
+    near.first.push_back(static_cast<int>(near.neighbour.size()));
+  }
+}
+
+void solve_far(const Surface& surface, const FreeStiffness& stiffness, const Factors& factors,
+               const std::vector<double>& area, double radius, std::size_t begin, std::size_t end,
+               NearField& near) {
+  std::vector<std::vector<std::size_t>> patches;
+  std::vector<std::vector<double>> weights;
+  Sides force = Sides::Zero(3 * stiffness.count, kAtOnce);
+  for (std::size_t v = begin; v < end; ++v) {
+    const Neighbours around = find_neighbours(surface, v, radius);
+    std::vector<double> weight(surface.x.size(), 0.0);
+    double sum = 0.0;
+    for (const std::size_t w : around.vertex) sum += area[w];
+    for (const std::size_t w : around.vertex) {
+      weight[w] = sum > 0.0 ? area[w] / sum : 1.0;
+      push(surface, stiffness, w, weight[w], static_cast<Eigen::Index>(v - begin), force);
+    }
+    patches.push_back(around.vertex);
+    weights.push_back(std::move(weight));
+  }
+  const Sides u = solve(factors, force);
+  Eigen::VectorXd moved(static_cast<Eigen::Index>(surface.x.size()));
+  for (std::size_t v = begin; v < end; ++v) {
+    for (const std::size_t w : patches[v - begin]) {
+      moved[static_cast<Eigen::Index>(w)] =
+          find_displacement(surface, stiffness, w, u, static_cast<Eigen::Index>(v - begin));
+    }
+    near.far_compliance[v] =
+        find_far_compliance(near, surface, weights[v - begin], patches[v - begin], moved);
+  }
+}
+
+}  // namespace
+
+NearField build_near_field(const TissueModel& model, double modulus, double radius) {
   require_positive("modulus [Pa]", modulus);
-  require_positive("reach [m]", reach);
+  require_positive("radius [m]", radius);
   const Surface surface(model);
   const FreeStiffness stiffness(model);
   Factors factors;
@@ -143,23 +270,14 @@ NearField build_near_field(const TissueModel& model, double modulus, double reac
   near.far_compliance.assign(surface.x.size(), 0.0);
   near.curvature = compute_curvature(surface);
   near.first.push_back(0);
+  const double reach = 2.0 * (radius + find_edge_length(surface));
+  const double patch = find_patch_radius(surface);
+  const std::vector<double> area = share_area(surface);
   constexpr auto kSides = static_cast<std::size_t>(kAtOnce);
   for (std::size_t begin = 0; begin < surface.x.size(); begin += kSides) {
     const std::size_t end = std::min(begin + kSides, surface.x.size());
-    Sides force = Sides::Zero(3 * stiffness.count, kAtOnce);
-    for (std::size_t v = begin; v < end; ++v) {
-      push(surface, stiffness, v, static_cast<Eigen::Index>(v - begin), force);
-    }
-    const Sides u = solve(factors, force);
-    for (std::size_t v = begin; v < end; ++v) {
-      for (const std::size_t other : find_near(surface, v, reach)) {
-        const double moved = find_displacement(surface, stiffness, other, u,
-                                               static_cast<Eigen::Index>(v - begin));
-        near.neighbour.push_back(static_cast<int>(other));
-        near.compliance.push_back(static_cast<float>(moved));
-      }
-      near.first.push_back(static_cast<int>(near.neighbour.size()));
-    }
+    solve_around(surface, stiffness, factors, begin, end, reach, near);
+    solve_far(surface, stiffness, factors, area, patch, begin, end, near);
   }
   return near;
 }

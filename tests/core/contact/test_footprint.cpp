@@ -80,8 +80,7 @@ TEST_CASE("on a rigid plane the footprint gives the half space's force whatever 
         CAPTURE(part);
         const double depth = part * radius;
         const Total total = press(mesh, radius, {0.0011, 0.0007, radius - depth});
-        CHECK(total.force.z() ==
-              doctest::Approx(compute_half_space(radius, depth)).epsilon(0.03));
+        CHECK(total.force.z() == doctest::Approx(compute_half_space(radius, depth)).epsilon(0.03));
       }
     }
   }

@@ -92,8 +92,7 @@ void add_edge(const Circle& circle, const Ray& to_rim, const Vec3& normal, const
   const double squared_length = edge.squaredNorm();
   if (!(squared_length > 0.0)) return;
   const double along = from.dot(edge);
-  const double root =
-      along * along - squared_length * (from.squaredNorm() - circle.squared_radius);
+  const double root = along * along - squared_length * (from.squaredNorm() - circle.squared_radius);
   double t0 = 1.0, t1 = 1.0;
   if (root > 0.0) {
     const double half = std::sqrt(root);
@@ -153,8 +152,7 @@ bool integrate_footprint(const NearPressure& law, const Vec3& centre, const Vec3
   const double whole = 2.0 * std::numbers::pi * circle.squared_radius * to_rim.force;
   if (!(sums.force > 1e-9 * whole)) return false;
 
-  const Vec3 middle = find_weights(ab, ac, normal, twice_area,
-                                   foot + sums.moment / sums.force - a);
+  const Vec3 middle = find_weights(ab, ac, normal, twice_area, foot + sums.moment / sums.force - a);
   footprint.normal_force = sums.force;
   footprint.whole_force = whole;
   footprint.normal = normal;

@@ -8,13 +8,13 @@ namespace palpate {
 /// What a ball does to the part of one triangle under it: sums over that part of the pressure of
 /// the near field [contact: near field].
 struct Footprint {
-  double normal_force = 0.0;      ///< [N] along the triangle's normal
-  double whole_force = 0.0;       ///< [N] that of the whole circle
-  Vec3 normal = Vec3::Zero();     ///< unit, of the triangle
-  Vec3 force = Vec3::Zero();      ///< [N] on the ball, each part along the ball's normal
-  Vec3 weights = Vec3::Zero();    ///< barycentric, of the centre of pressure
-  double stiffness = 0.0;         ///< [N/m] d normal_force / d depth
-  double depth = 0.0;             ///< [m] of the ball's lowest point below the triangle's plane
+  double normal_force = 0.0;    ///< [N] along the triangle's normal
+  double whole_force = 0.0;     ///< [N] that of the whole circle
+  Vec3 normal = Vec3::Zero();   ///< unit, of the triangle
+  Vec3 force = Vec3::Zero();    ///< [N] on the ball, each part along the ball's normal
+  Vec3 weights = Vec3::Zero();  ///< barycentric, of the centre of pressure
+  double stiffness = 0.0;       ///< [N/m] d normal_force / d depth
+  double depth = 0.0;           ///< [m] of the ball's lowest point below the triangle's plane
 };
 
 /// The pressure p [Pa] of a ball of radius R [m] where it overlaps tissue by o [m]:

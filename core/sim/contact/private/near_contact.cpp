@@ -92,7 +92,8 @@ NearGain find_gain(const NearField& near, const Tool& tool, const Patch& patch,
   const double left = 1.0 - mesh_compliance * steep;
   const LocalPress flat{near.modulus, tool.radius, 0.0, 0.0};
   NearGain gain;
-  gain.force = std::clamp(press.compute_force(s) * patch.force / patch.whole, kLeastGain, kMostGain);
+  gain.force =
+      std::clamp(press.compute_force(s) * patch.force / patch.whole, kLeastGain, kMostGain);
   gain.slope = std::clamp(steep / (std::max(left, 0.1) * flat.compute_slope(depth)), gain.force,
                           10.0 * kMostGain);
   return gain;
@@ -159,8 +160,8 @@ double LocalPress::find_depth(double depth) const noexcept {
 }
 
 void find_near_contacts(const NearField& near, const Tool& tool,
-                        std::span<const Triangle> triangles, std::span<const Vec3> x,
-                        const Vec3& p, NearContacts& contacts) noexcept {
+                        std::span<const Triangle> triangles, std::span<const Vec3> x, const Vec3& p,
+                        NearContacts& contacts) noexcept {
   const NearPressure law = make_law(near, tool);
   Patch patch;
   for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
@@ -180,8 +181,8 @@ void find_near_contacts(const NearField& near, const Tool& tool,
   NearGain gain;
   if (patch.force > 0.0) {
     if (!contacts.knows_compliance) {
-      contacts.mesh_compliance = compute_mesh_compliance(near, triangles, contacts) -
-                                 patch.far / patch.force;
+      contacts.mesh_compliance =
+          compute_mesh_compliance(near, triangles, contacts) - patch.far / patch.force;
       contacts.knows_compliance = true;
     }
     gain = find_gain(near, tool, patch, contacts.mesh_compliance);

@@ -32,8 +32,9 @@ struct LocalPress {
 
 /// Takes up contacts->closest, which the caller has filled, and writes contacts->contact for the
 /// centre p.
-void find_near_contacts(const NearField& near, const Tool& tool, std::span<const Triangle> triangles,
-                        std::span<const Vec3> x, const Vec3& p, NearContacts& contacts) noexcept;
+void find_near_contacts(const NearField& near, const Tool& tool,
+                        std::span<const Triangle> triangles, std::span<const Vec3> x, const Vec3& p,
+                        NearContacts& contacts) noexcept;
 
 /// The contact of one triangle with pressures as they are.
 bool find_near_contact(const NearField& near, const Tool& tool, const Contact& closest,
