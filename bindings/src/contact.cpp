@@ -294,6 +294,36 @@ void bind_balance(py::module_& m) {
       "of sum k_t w / m. scratch holds one number per particle.");
 }
 
+void bind_near_field(py::module_& m) {
+  py::class_<NearField, std::shared_ptr<NearField>> near(
+      m, "NearField",
+      "What a body's tissue does near a ball, and what its mesh does of that already: with it a "
+      "ball is felt as on tissue, however large the triangles are. Made by build_near_field.");
+  near.def_readonly("modulus", &NearField::modulus, "[Pa] E / (1 - nu²).");
+  def_table(near, "far_compliance", &NearField::far_compliance,
+            "[m/N] per vertex of the surface, shape (n,): of the body beyond that of a half space; "
+            "a view, read-only.");
+  def_table(near, "curvature", &NearField::curvature,
+            "[1/m] per vertex, shape (n,): of the surface at rest, positive where it is convex; a "
+            "view, read-only.");
+  def_table(near, "first", &NearField::first,
+            "Of each vertex in neighbour and compliance, shape (n + 1,); a view, read-only.");
+  def_table(near, "neighbour", &NearField::neighbour,
+            "Vertices around each vertex, ascending, shape (k,); a view, read-only.");
+  near.def_property_readonly(
+      "compliance",
+      [](const py::object& self) {
+        return view_floats(self.cast<const NearField&>().compliance, 1, self);
+      },
+      "[m/N] of the mesh, shape (k, 1): what a vertex moves along its normal under 1 N along that "
+      "of a neighbour; a view, read-only.");
+  m.def("build_near_field", &build_near_field, "model"_a, "modulus"_a, "radius"_a,
+        py::call_guard<py::gil_scoped_release>(),
+        "The near field of a model touched by balls of up to radius [m], with the modulus [Pa] E / "
+        "(1 - nu²): solves for a unit force on each vertex of the surface. Raises ValueError for "
+        "numbers that are not positive, and for a body that is not held.");
+}
+
 }  // namespace
 
 void bind_contact(py::module_& m) {
@@ -301,6 +331,7 @@ void bind_contact(py::module_& m) {
   bind_queries(m);
   bind_tool(m);
   bind_contact_law(m);
+  bind_near_field(m);
   bind_candidates(m);
   bind_balance(m);
 }

@@ -50,7 +50,10 @@ void bind_body_fields(py::class_<SoftBody>& body) {
                      "the reference kernel only. An implicit one allocates in every step, and what "
                      "cannot be solved is an alarm.")
       .def_readwrite("simd_target", &SoftBody::simd_target,
-                     "Of the packed kernel: one of simd_targets(), empty for the best.");
+                     "Of the packed kernel: one of simd_targets(), empty for the best.")
+      .def_readwrite("contact_modulus", &SoftBody::contact_modulus,
+                     "[Pa] E / (1 - nu²) of a solid organ: balls are felt as on such tissue, "
+                     "whatever the size of its triangles; 0: by the hard law alone.");
   def_table(body, "rest_areas", &SoftBody::rest_areas,
             "[m²] per triangle, shape (t,), filled in by build_scene; a view, read-only.");
   body.def_readonly("spectrum_stiffness", &SoftBody::spectrum_stiffness,
@@ -63,7 +66,11 @@ void bind_body_fields(py::class_<SoftBody>& body) {
           "response",
           // Python knows no const; everything of a Response is read-only
           [](const SoftBody& self) { return std::const_pointer_cast<Response>(self.response); },
-          "Under the response kernel, filled in by build_scene; else None.");
+          "Under the response kernel, filled in by build_scene; else None.")
+      .def_property_readonly(
+          "near_field",
+          [](const SoftBody& self) { return std::const_pointer_cast<NearField>(self.near_field); },
+          "With a contact_modulus, filled in by build_scene; else None.");
 }
 
 std::string describe_body(const SoftBody& body) {
@@ -77,27 +84,29 @@ std::string describe_body(const SoftBody& body) {
 void bind_body(py::module_& m) {
   const SoftBody usual;
   py::class_<SoftBody> body(m, "SoftBody", "A tissue and how it is moved.");
-  body.def(
-      py::init([](const TissueModel* tissue, int substeps, int substeps_max, double force_error,
-                  Kernel kernel, Integrator integrator, const std::string& simd_target) {
-        SoftBody made;
-        if (tissue) made.tissue = *tissue;
-        made.substeps = substeps;
-        made.substeps_max = substeps_max;
-        made.force_error = force_error;
-        made.kernel = kernel;
-        made.integrator = integrator;
-        made.simd_target = simd_target;
-        return made;
-      }),
-      py::kw_only(), "tissue"_a = py::none(), "substeps"_a = usual.substeps,
-      "substeps_max"_a = usual.substeps_max, "force_error"_a = usual.force_error,
-      "kernel"_a = usual.kernel, "integrator"_a = usual.integrator,
-      "simd_target"_a = usual.simd_target, "Copies its tissue.");
+  body.def(py::init([](const TissueModel* tissue, int substeps, int substeps_max,
+                       double force_error, Kernel kernel, Integrator integrator,
+                       const std::string& simd_target, double contact_modulus) {
+             SoftBody made;
+             if (tissue) made.tissue = *tissue;
+             made.substeps = substeps;
+             made.substeps_max = substeps_max;
+             made.force_error = force_error;
+             made.kernel = kernel;
+             made.integrator = integrator;
+             made.simd_target = simd_target;
+             made.contact_modulus = contact_modulus;
+             return made;
+           }),
+           py::kw_only(), "tissue"_a = py::none(), "substeps"_a = usual.substeps,
+           "substeps_max"_a = usual.substeps_max, "force_error"_a = usual.force_error,
+           "kernel"_a = usual.kernel, "integrator"_a = usual.integrator,
+           "simd_target"_a = usual.simd_target, "contact_modulus"_a = usual.contact_modulus,
+           "Copies its tissue.");
   bind_body_fields(body);
   def_value(body, &SoftBody::tissue, &SoftBody::substeps, &SoftBody::substeps_max,
             &SoftBody::force_error, &SoftBody::kernel, &SoftBody::integrator,
-            &SoftBody::simd_target);
+            &SoftBody::simd_target, &SoftBody::contact_modulus);
   def_summary(body, &describe_body);
 }
 

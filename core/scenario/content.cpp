@@ -23,6 +23,10 @@ Json print_tissue(const TissueModel& tissue) {
   return printed;
 }
 
+/// A law of contact beside the hard one, and which form of it.
+constexpr const char* kNearField = "near_field";
+constexpr int kContactVersion = 1;
+
 Json print_body(const SoftBody& body) {
   Json printed = {{"tissue", print_tissue(body.tissue)},
                   {"substeps", body.substeps},
@@ -30,6 +34,10 @@ Json print_body(const SoftBody& body) {
                   {"spectrum_stiffness", body.spectrum_stiffness},
                   {"spectrum_damping", body.spectrum_damping}};
   if (body.force_error > 0.0) printed["force_error"] = body.force_error;
+  if (body.contact_modulus > 0.0) {
+    printed["contact"] = {
+        {"law", kNearField}, {"version", kContactVersion}, {"modulus", body.contact_modulus}};
+  }
   if (body.integrator != Integrator::symplectic_euler) {
     printed["integrator"] = std::string(integrator_name(body.integrator));
   }
@@ -89,6 +97,17 @@ Integrator parse_integrator(Fields& fields) {
                 "an integrator that this program knows, such as symplectic_euler");
 }
 
+/// [Pa] Of the near field; 0, the hard law, where there is none.
+double parse_contact(Fields& fields) {
+  if (!fields.has("contact")) return 0.0;
+  Fields contact = fields.object("contact");
+  contact.choice("law", {kNearField});
+  contact.whole("version", kContactVersion, kContactVersion);
+  const double modulus = contact.number("modulus");
+  contact.finish();
+  return modulus;
+}
+
 SoftBody parse_body(Fields fields) {
   constexpr std::int64_t kMostInt = std::numeric_limits<int>::max();
   SoftBody body;
@@ -97,6 +116,7 @@ SoftBody parse_body(Fields fields) {
   body.substeps = static_cast<int>(fields.whole("substeps", 1, kMostInt));
   body.substeps_max = static_cast<int>(fields.whole("substeps_max", 1, kMostInt));
   body.force_error = fields.number_or("force_error", 0.0);
+  body.contact_modulus = parse_contact(fields);
   body.integrator = parse_integrator(fields);
   body.spectrum_stiffness = fields.number("spectrum_stiffness");
   body.spectrum_damping = fields.number("spectrum_damping");

@@ -47,6 +47,7 @@ std::vector<Range> build_ranges() {
   ranges.push_back({"scene.gravity", "m/s²", -1e3, 1e3});
   ranges.push_back({"scene.rate", "Hz", 1.0, 2e4});
   ranges.push_back({"scene.bodies[i].force_error", "N", 0.0, 10.0});
+  ranges.push_back({"scene.bodies[i].contact.modulus", "Pa", 1.0, 1e9});
   append_numbers(ranges);
   ranges.push_back({"scene.bodies[i].tissue.pressure", "Pa", -1e6, 1e6});
   ranges.push_back({"scene.bodies[i].tissue.drag", "1/s", 0.0, 1e6});
@@ -113,6 +114,9 @@ void check_instrument(const Instrument& instrument, std::size_t i) {
 void check_body(const SoftBody& body, std::size_t b) {
   const TissueModel& tissue = body.tissue;
   check_number("scene.bodies[i].force_error", body.force_error, b);
+  if (body.contact_modulus != 0.0) {
+    check_number("scene.bodies[i].contact.modulus", body.contact_modulus, b);
+  }
   visit_law_numbers(tissue, [b](const char* field, double number) {
     check_number(write_text("scene.bodies[i].tissue.", field), number, b);
   });

@@ -52,10 +52,11 @@ inline std::string name_folder(std::size_t body) {
 
 template <class SomeBody, class Visit>
 void visit_body(const std::string& folder, SomeBody& body, Visit& visit) {
-  // kernel and vector target belong to the machine a scene runs on, and a response is solved for
-  // again: no file has them
-  auto& [tissue, substeps, substeps_max, force_error, kernel, integrator, simd_target, rest_areas,
-         spectrum_stiffness, spectrum_damping, least_damping_time, response] = body;
+  // kernel and vector target belong to the machine a scene runs on, a response and a near field are
+  // solved for again: no file has them
+  auto& [tissue, substeps, substeps_max, force_error, kernel, integrator, simd_target,
+         contact_modulus, rest_areas, spectrum_stiffness, spectrum_damping, least_damping_time,
+         response, near_field] = body;
   const std::string t = folder + "tissue/";
   visit(t + "rest_position", tissue.rest_position);
   visit(t + "mass", tissue.mass);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <string>
 
@@ -17,7 +18,12 @@ struct Surface {
   explicit Surface(const TissueModel& m)
       : model(m),
         x(compute_surface(m, m.rest_position)),
-        normals(compute_vertex_normals(x, m.triangles)) {}
+        normals(compute_vertex_normals(x, m.triangles)),
+        touched(x.size(), false) {
+    for (const Triangle& t : m.triangles) {
+      for (const int v : t) touched[static_cast<std::size_t>(v)] = true;
+    }
+  }
 
   /// Calls take(particle, weight) for what carries a vertex.
   template <class Take>
@@ -29,8 +35,9 @@ struct Surface {
   }
 
   const TissueModel& model;
-  Vec3Array x;        // [m]
-  Vec3Array normals;  // unit
+  Vec3Array x;                // [m]
+  Vec3Array normals;          // unit
+  std::vector<bool> touched;  // a corner of a triangle: not one inside of a solid
 };
 
 /// A force [N] along its normal on a vertex, one of the sides.
@@ -76,19 +83,12 @@ std::vector<double> compute_curvature(const Surface& surface) {
   return sum;
 }
 
-/// The vertices around one, and the parts of its wide patch that they carry.
-struct Neighbours {
-  std::vector<std::size_t> vertex;
-  std::vector<double> distance;  // [m]
-};
-
-Neighbours find_neighbours(const Surface& surface, std::size_t v, double reach) {
-  Neighbours near;
+/// The vertices around one of the surface, itself among them; none around another.
+std::vector<std::size_t> find_neighbours(const Surface& surface, std::size_t v, double reach) {
+  std::vector<std::size_t> near;
+  if (!surface.touched[v]) return near;
   for (std::size_t u = 0; u < surface.x.size(); ++u) {
-    const double distance = (surface.x[u] - surface.x[v]).norm();
-    if (!(distance < reach)) continue;
-    near.vertex.push_back(u);
-    near.distance.push_back(distance);
+    if (surface.touched[u] && (surface.x[u] - surface.x[v]).norm() < reach) near.push_back(u);
   }
   return near;
 }
@@ -151,6 +151,8 @@ double find_far_compliance(const NearField& near, const Surface& surface,
       spread += weight[u] * weight[w] * (surface.x[u] - surface.x[w]).squaredNorm();
     }
   }
+  // a patch of one vertex, or of none, tells nothing
+  if (!(spread > 0.0)) return 0.0;
   const double radius = std::sqrt(spread);
   constexpr double kPi = std::numbers::pi;
   return compliance - 16.0 / (3.0 * kPi * kPi * near.modulus * radius);
@@ -216,7 +218,7 @@ void solve_around(const Surface& surface, const FreeStiffness& stiffness, const 
   }
   const Sides u = solve(factors, force);
   for (std::size_t v = begin; v < end; ++v) {
-    for (const std::size_t other : find_neighbours(surface, v, reach).vertex) {
+    for (const std::size_t other : find_neighbours(surface, v, reach)) {
       near.neighbour.push_back(static_cast<int>(other));
       near.compliance.push_back(static_cast<float>(
           find_displacement(surface, stiffness, other, u, static_cast<Eigen::Index>(v - begin))));
@@ -232,15 +234,15 @@ void solve_far(const Surface& surface, const FreeStiffness& stiffness, const Fac
   std::vector<std::vector<double>> weights;
   Sides force = Sides::Zero(3 * stiffness.count, kAtOnce);
   for (std::size_t v = begin; v < end; ++v) {
-    const Neighbours around = find_neighbours(surface, v, radius);
+    const std::vector<std::size_t> around = find_neighbours(surface, v, radius);
     std::vector<double> weight(surface.x.size(), 0.0);
     double sum = 0.0;
-    for (const std::size_t w : around.vertex) sum += area[w];
-    for (const std::size_t w : around.vertex) {
+    for (const std::size_t w : around) sum += area[w];
+    for (const std::size_t w : around) {
       weight[w] = sum > 0.0 ? area[w] / sum : 1.0;
       push(surface, stiffness, w, weight[w], static_cast<Eigen::Index>(v - begin), force);
     }
-    patches.push_back(around.vertex);
+    patches.push_back(around);
     weights.push_back(std::move(weight));
   }
   const Sides u = solve(factors, force);
@@ -276,6 +278,12 @@ NearField build_near_field(const TissueModel& model, double modulus, double radi
   constexpr auto kSides = static_cast<std::size_t>(kAtOnce);
   for (std::size_t begin = 0; begin < surface.x.size(); begin += kSides) {
     const std::size_t end = std::min(begin + kSides, surface.x.size());
+    const auto inner = surface.touched.begin();
+    if (std::none_of(inner + static_cast<std::ptrdiff_t>(begin),
+                     inner + static_cast<std::ptrdiff_t>(end), std::identity())) {
+      near.first.resize(end + 1, near.first.back());
+      continue;
+    }
     solve_around(surface, stiffness, factors, begin, end, reach, near);
     solve_far(surface, stiffness, factors, area, patch, begin, end, near);
   }

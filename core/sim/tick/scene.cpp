@@ -86,7 +86,10 @@ void validate(const SoftBody& body, const Scene& scene, const Place& place) {
     throw std::invalid_argument("scene: " + place(error.what()));
   }
   if (body.tissue.triangles.empty()) refuse(place("tissue.triangles"), 0, "at least one to touch");
-  if (body.near_field) palpate::validate(*body.near_field, surface_count(body.tissue));
+  if (!(body.contact_modulus >= 0.0) || !std::isfinite(body.contact_modulus)) {
+    refuse(place("contact_modulus [Pa]"), body.contact_modulus,
+           "0 for the hard law, or E / (1 - nu^2) of the tissue");
+  }
   check_force_error(body, scene, place);
   check_target(place("simd_target"), body.simd_target);
   if (body.substeps < 0 || body.substeps > kMostSubsteps) {
@@ -205,6 +208,13 @@ void choose_substeps(double rate, const Place& place, SoftBody& body) {
   }
 }
 
+void build_contact(double radius, SoftBody& body) {
+  body.near_field.reset();
+  if (body.contact_modulus == 0.0) return;
+  body.near_field = std::make_shared<const NearField>(
+      build_near_field(body.tissue, body.contact_modulus, radius));
+}
+
 }  // namespace
 
 Scene make_scene(TissueModel tissue) {
@@ -224,6 +234,7 @@ Scene build_scene(Scene scene) {
     body.rest_areas = compute_rest_areas(body.tissue);
     fill_spectrum(body);
     choose_substeps(scene.rate, place, body);
+    build_contact(find_largest_radius(scene), body);
   }
   return scene;
 }

@@ -39,10 +39,11 @@ struct SoftBody {
   /// any but symplectic Euler under the reference kernel only. An implicit one allocates in every
   /// step, and what cannot be solved is an alarm
   Integrator integrator = Integrator::symplectic_euler;
-  /// how a ball is felt where triangles are larger than what it touches (build_near_field); null:
-  /// by the hard law alone, as a wall or a bone
-  std::shared_ptr<const NearField> near_field;
   std::string simd_target;  ///< of the packed kernel: one of simd_targets(), empty for the best
+
+  /// [Pa] E* = E / (1 - nu²) of a solid organ: balls are felt as on such tissue, whatever the size
+  /// of its triangles [contact: near field]. 0: by the hard law alone, as a wall or a bone
+  double contact_modulus = 0.0;
 
   // filled in by build_scene
   std::vector<double> rest_areas;            ///< [m²] per triangle
@@ -50,6 +51,7 @@ struct SoftBody {
   double spectrum_damping = 0.0;             ///< [1/s] of M⁻¹C
   double least_damping_time = 0.0;           ///< [s] of C over K, for an integrator that needs it
   std::shared_ptr<const Response> response;  ///< under the response kernel, else null
+  std::shared_ptr<const NearField> near_field;  ///< with a contact_modulus, else null
 };
 static_assert(alignof(SoftBody) == 8);
 

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "palpate/sim/contact/private/near_contact.h"
+#include "palpate/sim/response/response.h"
+#include "scenes/linear_solids.h"
+
+using namespace palpate;
+
+namespace {
+
+constexpr double kModulus = 6270.0;  ///< [Pa]
+
+NearField make_flat(int vertices) {
+  NearField near;
+  near.modulus = kModulus;
+  near.far_compliance.assign(static_cast<std::size_t>(vertices), 0.0);
+  near.curvature = near.far_compliance;
+  near.first.assign(static_cast<std::size_t>(vertices) + 1, 0);
+  return near;
+}
+
+}  // namespace
+
+TEST_CASE("the half space is Hertz's at small depth, and its slope the derivative of its force") {
+  const LocalPress half{kModulus, 0.003, 0.0, 0.0};
+  const double s = 1e-6;
+  CHECK(half.compute_force(s) ==
+        doctest::Approx(4.0 / 3.0 * kModulus * std::sqrt(0.003) * std::pow(s, 1.5)).epsilon(1e-3));
+  // 69 % of Hertz's at two radii
+  const double deep = 4.0 / 3.0 * kModulus * std::sqrt(0.003) * std::pow(0.006, 1.5);
+  CHECK(half.compute_force(0.006) == doctest::Approx(0.69 * deep).epsilon(0.01));
+  for (const double at : {1e-5, 1e-3, 4e-3, 5.9e-3, 7e-3}) {
+    const double step = 1e-9;
+    const double slope = (half.compute_force(at + step) - half.compute_force(at - step)) / 2e-9;
+    CAPTURE(at);
+    CHECK(half.compute_slope(at) == doctest::Approx(slope).epsilon(1e-5));
+  }
+  // a dome gives way more: 1 / R is the sum of both
+  const LocalPress dome{kModulus, 0.003, 1.0 / 0.006, 0.0};
+  CHECK(dome.compute_force(s) / half.compute_force(s) ==
+        doctest::Approx(std::sqrt(2.0 / 3.0)).epsilon(1e-9));
+}
+
+TEST_CASE("the depth of a local press solves s - dC F(s) = d, up to twice d") {
+  for (const double compliance : {-0.05, -0.01, 0.0, 0.01, 0.03}) {
+    const LocalPress press{kModulus, 0.003, 10.0, compliance};
+    for (const double depth : {1e-7, 1e-4, 1e-3, 2e-3}) {
+      const double s = press.find_depth(depth);
+      CAPTURE(compliance);
+      CAPTURE(depth);
+      if (s < 2.0 * depth) {
+        CHECK(s - compliance * press.compute_force(s) == doctest::Approx(depth).epsilon(1e-9));
+      }
+    }
+  }
+  // a mesh that has left nothing of the dent
+  CHECK(LocalPress{kModulus, 0.003, 0.0, 10.0}.find_depth(1e-3) == 2e-3);
+}
+
+TEST_CASE("a near field has the compliance of the mesh along normals, as its response has it") {
+  const TissueModel model = scenes::make_linear_organ(4, 0.9);
+  const NearField near = build_near_field(model, kModulus, 0.003);
+  const Response response = build_response(model);
+  validate(near, surface_count(model));
+
+  const Vec3Array normals = compute_vertex_normals(model.rest_position, model.triangles);
+  int compared = 0;
+  for (std::size_t v = 0; v < model.rest_position.size(); ++v) {
+    for (int k = near.first[v]; k < near.first[v + 1]; ++k) {
+      const int u = near.neighbour[static_cast<std::size_t>(k)];
+      const double compliance = near.compliance[static_cast<std::size_t>(k)];
+      const int row = response.row[static_cast<std::size_t>(u)], column = response.column[v];
+      if (row < 0 || column < 0) {
+        CHECK(compliance == 0.0);
+        continue;
+      }
+      double expected = 0.0;
+      for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+          const auto at = static_cast<std::size_t>(3 * column + i) * 3u *
+                              static_cast<std::size_t>(response.size.moved) +
+                          static_cast<std::size_t>(3 * row + j);
+          expected += normals[v][i] * static_cast<double>(response.compliance[at]) *
+                      normals[static_cast<std::size_t>(u)][j];
+        }
+      }
+      CHECK(compliance == doctest::Approx(expected).epsilon(1e-4).scale(1e-3));
+      ++compared;
+    }
+  }
+  CHECK(compared > 200);
+}
+
+TEST_CASE("the far compliance of a thick block is that of a layer") {
+  const SolidMesh solid = scenes::make_block({0.1, 0.1, 0.05}, {10, 10, 5});
+  SolidOptions options;
+  for (std::size_t i = 0; i < solid.vertices.size(); ++i) {
+    if (solid.vertices[i].z() < -0.0249) options.fixed.push_back(static_cast<int>(i));
+  }
+  Material material = scenes::make_material({});
+  material.young_modulus = 5000.0;
+  material.poisson_ratio = 0.45;
+  const TissueModel model = build_linear_solid(solid, material, options);
+  const NearField near = build_near_field(model, kModulus, 0.003);
+  const double alpha = -(1.2876 - 1.4678 * 0.45 + 1.3442 * 0.45 * 0.45) / 0.55;
+  const double layer = alpha / (std::numbers::pi * kModulus * 0.05);
+  const double hertz = 1.0 / (2.0 * kModulus * std::sqrt(0.003 * 0.001));
+  for (std::size_t v = 0; v < model.rest_position.size(); ++v) {
+    const Vec3& x = model.rest_position[v];
+    if (x.z() < 0.0249 || x.head<2>().norm() > 0.015) continue;
+    // what is off of it, beside the compliance of a 3 mm ball 1 mm deep
+    CHECK(std::abs(near.far_compliance[v] - layer) < 0.03 * hertz);
+    CHECK(std::abs(near.curvature[v]) < 1e-9);
+  }
+}
+
+TEST_CASE("the curvature of a ball's surface is that of the ball") {
+  const TissueModel model = scenes::make_covered_linear_organ(4, 0.9);
+  TissueModel ball = model;
+  const NearField near = build_near_field(model, kModulus, 0.003);
+  // 45 x 32 x 27 mm: mean curvatures between those of the longest and the shortest axis
+  for (const double curvature : near.curvature) {
+    CHECK(curvature > 0.5 * 0.027 / (0.045 * 0.045));
+    CHECK(curvature < 2.0 * 0.045 / (0.027 * 0.027));
+  }
+}
+
+TEST_CASE("a near field that fits nothing is refused with what is wrong") {
+  const auto check = [](auto change, const char* text) {
+    NearField near = make_flat(4);
+    near.first = {0, 1, 1, 1, 1};
+    near.neighbour = {2};
+    near.compliance = {1e-3F};
+    validate(near, 4);
+    change(near);
+    CHECK_THROWS_WITH_AS(validate(near, 4), doctest::Contains(text), std::invalid_argument);
+  };
+  check([](NearField& near) { near.modulus = 0.0; }, "near field: modulus [Pa]: got 0");
+  check([](NearField& near) { near.curvature.pop_back(); }, "near field: curvature: got 3 values");
+  check([](NearField& near) { near.first[1] = 2; }, "near field: first");
+  check([](NearField& near) { near.neighbour[0] = 4; }, "near field: neighbour: got 4");
+  check([](NearField& near) { near.compliance.clear(); }, "near field: compliance");
+  check([](NearField& near) { near.far_compliance[0] = std::nan(""); },
+        "near field: far_compliance");
+  const TissueModel loose = [] {
+    TissueModel model = scenes::make_linear_organ(3, 0.9);
+    model.fixed.clear();
+    return model;
+  }();
+  CHECK_THROWS_WITH_AS(build_near_field(loose, kModulus, 0.003),
+                       doctest::Contains("near field: fixed"), std::invalid_argument);
+  CHECK_THROWS_AS(build_near_field(scenes::make_linear_organ(3, 0.9), kModulus, -1.0),
+                  std::invalid_argument);
+}

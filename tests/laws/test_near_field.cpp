@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "palpate/sim/contact/private/near_contact.h"
+#include "palpate/sim/mesh/mesh.h"
+#include "palpate/sim/tick/tick.h"
+#include "palpate/sim/tree/queries.h"
+#include "scenes/kernels.h"
+#include "scenes/linear_solids.h"
+
+// What is felt of a solid under a ball, through the tick [contact: near field].
+
+using namespace palpate;
+
+namespace {
+
+constexpr double kYoung = 5000.0, kPoisson = 0.45;                 // of scenes::make_material
+constexpr double kModulus = kYoung / (1.0 - kPoisson * kPoisson);  ///< [Pa]
+constexpr double kTick = 1e-3;
+constexpr double kThickness = 0.05;  ///< [m]
+
+enum class Kind { springs, linear };
+
+struct Press {
+  double force = 0.0;  ///< [N] along the normal
+  double depth = 0.0;  ///< [m] of the tool below where it touched
+  double aside = 0.0;  ///< [N]
+  double noise = 0.0;  ///< [N] of second differences, root mean square
+};
+
+/// A block of 100 x 100 x 50 mm, held below, of 24 n³ tetrahedra.
+Scene make_block_scene(Kind kind, int n, double radius, double modulus) {
+  const SolidMesh solid = scenes::make_block({0.1, 0.1, kThickness}, {2 * n, 2 * n, n});
+  SolidOptions options;
+  options.nodal_share = 0.9;
+  for (std::size_t i = 0; i < solid.vertices.size(); ++i) {
+    if (solid.vertices[i].z() < -0.499 * kThickness) options.fixed.push_back(static_cast<int>(i));
+  }
+  Material material = scenes::make_material({});
+  material.young_modulus = kYoung;
+  material.poisson_ratio = kPoisson;
+  Scene scene;
+  if (kind == Kind::springs) {
+    options.drag = 60.0;
+    scene.bodies[0].tissue = build_solid(solid, material, options);
+    scene.bodies[0].kernel = scenes::kernel_under_test();
+  } else {
+    scene.bodies[0].tissue = build_linear_solid(solid, material, options);
+  }
+  scene.bodies[0].contact_modulus = modulus;
+  scene.instruments[0].tool.radius = radius;
+  scene.instruments[0].coupling.stiffness = 1000.0;
+  return build_scene(std::move(scene));
+}
+
+HapticSample hand_at(const Vec3& position) {
+  HapticSample sample;
+  sample.position = position;
+  return sample;
+}
+
+/// Presses the top of a block until the tool is `depth` deep, and waits there.
+Press press(const Scene& scene, const Vec3& at, double depth, int ticks) {
+  World world(scene);
+  const double top = 0.5 * kThickness, radius = scene.instruments[0].tool.radius;
+  Press found;
+  double last = 0.0, before = 0.0, lower = 0.0;
+  for (int i = 0; i < ticks; ++i) {
+    const double down = std::min(1.0, 3.0 * i / ticks) * (depth + 0.001);
+    const double aim = top + radius + 0.001 - down;
+    // the spring of the hand gives way: the hand follows until the tool is where it is meant to be
+    if (2 * i > ticks) lower += 0.03 * (world.instruments[0].tool.position.z() - aim);
+    const Vec3 hand(at.x(), at.y(), aim - lower);
+    const Vec3 force = tick(scene, hand_at(hand), kTick, world).force;
+    found.force = force.z();
+    found.aside = force.head<2>().norm();
+    if (i >= ticks - 100) {
+      found.noise += (force.z() - 2.0 * last + before) * (force.z() - 2.0 * last + before) / 100.0;
+    }
+    before = last;
+    last = force.z();
+  }
+  REQUIRE_FALSE(world.alarm);
+  found.depth = top + radius - world.instruments[0].tool.position.z();
+  found.noise = std::sqrt(found.noise);
+  return found;
+}
+
+/// [N] Of a layer on a rigid base to which it is bonded: the half space at the depth that is left
+/// when the layer's own compliance is taken off, alpha_0 of [Dimitriadis02].
+double compute_layer(double radius, double depth) {
+  const double alpha =
+      -(1.2876 - 1.4678 * kPoisson + 1.3442 * kPoisson * kPoisson) / (1.0 - kPoisson);
+  const double far = alpha / (std::numbers::pi * kModulus * kThickness);
+  const LocalPress layer{kModulus, radius, 0.0, -far};
+  return layer.compute_force(layer.find_depth(depth));
+}
+
+const std::array<Vec3, 3> kPlaces = {Vec3(0.001, 0.002, 0.0), Vec3(-0.0121, 0.0047, 0.0),
+                                     Vec3(0.0083, -0.0061, 0.0)};
+
+}  // namespace
+
+TEST_CASE("a ball in a thick layer is felt within 7 % of theory on any mesh, springs or linear") {
+  for (const Kind kind : {Kind::springs, Kind::linear}) {
+    for (const int n : {3, 5}) {
+      for (const auto& [radius, depth] : {std::pair(0.002, 0.001), std::pair(0.003, 0.001),
+                                          std::pair(0.005, 0.002), std::pair(0.008, 0.002)}) {
+        if (n == 5 && radius != 0.003) continue;
+        const Scene scene = make_block_scene(kind, n, radius, kModulus);
+        const int ticks = kind == Kind::linear ? 500 : 2000;
+        const Press found = press(scene, kPlaces[static_cast<std::size_t>(n) % 3], depth, ticks);
+        CAPTURE(static_cast<int>(kind));
+        CAPTURE(n);
+        CAPTURE(radius);
+        CHECK(found.depth == doctest::Approx(depth).epsilon(0.05));
+        CHECK(found.force == doctest::Approx(compute_layer(radius, found.depth)).epsilon(0.07));
+        CHECK(found.noise < 1e-3);
+      }
+    }
+  }
+}
+
+TEST_CASE("by the hard law alone the same press is that of the mesh, three times too strong") {
+  const Press felt = press(make_block_scene(Kind::springs, 3, 0.003, 0.0), kPlaces[0], 0.001, 2000);
+  CHECK(felt.force > 3.0 * compute_layer(0.003, felt.depth));
+}
+
+TEST_CASE("dragged over three elements a ball is pulled aside by less than a twentieth") {
+  const Scene scene = make_block_scene(Kind::linear, 5, 0.003, kModulus);
+  World world(scene);
+  const double low = 0.5 * kThickness + 0.003 - 0.0015, sag = 0.00006;
+  double work = 0.0, aside = 0.0, pressed = 0.0, least = 1e9, most = 0.0;
+  Vec3 last(-0.015, 0.0013, low + 0.004), force = Vec3::Zero();
+  constexpr int kDown = 150, kAcross = 500;
+  for (int i = 0; i < 2 * kDown + 2 * kAcross; ++i) {
+    Vec3 hand(-0.015, 0.0013, low - sag);
+    const int back = i - kDown - kAcross;
+    if (i < kDown) hand.z() += 0.004 * (1.0 - double(i) / kDown);
+    if (i >= kDown && back < 0) hand.x() += 0.03 * double(i - kDown) / kAcross;
+    if (back >= 0 && back < kAcross) hand.x() += 0.03 * (1.0 - double(back) / kAcross);
+    if (back >= kAcross) hand.z() += 0.004 * double(back - kAcross) / kDown;
+    const Vec3 now = tick(scene, hand_at(hand), kTick, world).force;
+    work += 0.5 * (force + now).dot(hand - last);
+    if (i > kDown + 50 && back < kAcross) {
+      aside = std::max(aside, now.head<2>().norm());
+      pressed = std::max(pressed, now.z());
+      least = std::min(least, now.z());
+      most = std::max(most, now.z());
+    }
+    force = now;
+    last = hand;
+  }
+  REQUIRE_FALSE(world.alarm);
+  CHECK(pressed > 0.005);
+  CHECK(aside < 0.05 * pressed);
+  CHECK(most < 1.08 * least);
+  // of the force on the hand: a closed path gives the hand nothing
+  CHECK(work < 0.01 * pressed * 0.0015);
+}
+
+TEST_CASE("a tool that hovers over a near field feels exactly nothing") {
+  const Scene scene = make_block_scene(Kind::springs, 3, 0.003, kModulus);
+  World world(scene);
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 hand(0.001 * i / 50.0, 0.002, 0.5 * kThickness + 0.0031);
+    REQUIRE(tick(scene, hand_at(hand), kTick, world).force == Vec3::Zero());
+  }
+}
+
+TEST_CASE("what a ball does to a near field is what is done to the ball") {
+  const Scene scene = make_block_scene(Kind::springs, 3, 0.003, kModulus);
+  World world(scene);
+  for (int i = 0; i < 300; ++i) {
+    const double depth = std::min(0.002, 1e-5 * i);
+    tick(scene, hand_at({0.004, 0.002, 0.5 * kThickness + 0.003 - depth}), kTick, world);
+  }
+  const InstrumentState& instrument = world.instruments[0];
+  Vec3 pushed = Vec3::Zero();
+  for (const Push& push : world.pairs[0].load.pushes()) pushed += push.force;
+  const Vec3 pull =
+      scene.instruments[0].coupling.stiffness * (instrument.tool.position - instrument.hand);
+  REQUIRE(pushed.norm() > 0.005);
+  CHECK((pushed + pull + instrument.tool.residual).norm() < 1e-9);
+}
+
+TEST_CASE("T3: no flick at 1 or 3 m/s passes through a soft solid under its near field") {
+  Scene scene;
+  scene.bodies[0].tissue = scenes::make_covered_organ(4, 0.9, {.damping_ratio = 0.05});
+  scene.bodies[0].kernel = scenes::kernel_under_test();
+  scene.bodies[0].contact_modulus = kModulus;
+  scene.instruments[0].tool = {.radius = 0.003, .stiffness = 3e7};
+  const Scene built = build_scene(std::move(scene));
+  const TissueModel& tissue = built.bodies[0].tissue;
+  const Vec3Array x = compute_surface(tissue, tissue.rest_position);
+  const Vec3Array normals = compute_vertex_normals(x, tissue.triangles);
+  for (const double speed : {1.0, 3.0}) {
+    int crossed = 0, touched = 0, alarms = 0;
+    for (int place = 0; place < 20; ++place) {
+      const auto v = static_cast<std::size_t>((place * 7919L) % static_cast<long>(x.size()));
+      World world(built);
+      const Vec3 start = x[v] + 0.008 * normals[v];
+      const int ticks = static_cast<int>(std::ceil(0.020 / speed / kTick)) + 20;
+      bool inside = false, felt = false;
+      for (int i = 0; i <= ticks; ++i) {
+        const Vec3 hand = start - std::min(0.020, speed * kTick * i) * normals[v];
+        felt = tick(built, hand_at(hand), kTick, world).force.norm() > 0.0 || felt;
+        inside = inside || compute_winding_number(tissue.triangles, world.bodies[0].skin,
+                                                  world.instruments[0].tool.position) > 0.5;
+      }
+      crossed += inside;
+      touched += felt;
+      alarms += static_cast<bool>(world.alarm);
+    }
+    CAPTURE(speed);
+    CHECK(crossed == 0);
+    CHECK(touched == 20);
+    CHECK(alarms == 0);
+  }
+}
