@@ -313,9 +313,11 @@ void bind_near_field(py::module_& m) {
   near.def_property_readonly(
       "compliance",
       [](const py::object& self) {
-        return view_floats(self.cast<const NearField&>().compliance, 1, self);
+        const auto& table = self.cast<const NearField&>().compliance;
+        return read_only(
+            py::array_t<float>(static_cast<py::ssize_t>(table.size()), table.data(), self));
       },
-      "[m/N] of the mesh, shape (k, 1): what a vertex moves along its normal under 1 N along that "
+      "[m/N] of the mesh, shape (k,): what a vertex moves along its normal under 1 N along that "
       "of a neighbour; a view, read-only.");
   m.def("build_near_field", &build_near_field, "model"_a, "modulus"_a, "radius"_a,
         py::call_guard<py::gil_scoped_release>(),

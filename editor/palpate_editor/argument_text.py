@@ -16,6 +16,7 @@ MOST_LETTERS = 100_000
 LAWS = {
     "model.angle_law": "--angle-law",
     "model.damping_law": "--damping-law",
+    "model.contact_law": "--contact-law",
     "model.constants": "--constants",
     "model.spring_rule": "--spring-rule",
 }

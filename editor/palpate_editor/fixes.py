@@ -64,6 +64,7 @@ def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
         "loose": FixLowest(FIXED_SHARE),
         "reach": SetReach(""),
         "locking": SetConstant("fill", "nodal_share", EMPTY.fill.nodal_share),
+        "coarse_contact": SetChoice("contact_law", "near_field"),
         "springs_poisson": SetChoice("kind", "molecular"),
     }.get(problem.key)
 

@@ -21,7 +21,14 @@ from palpate.files.read_file import read_file
 from palpate.files.refusal import Refusal
 from palpate.files.whole_file import write_whole
 from palpate.scene.mesh_file import read_mesh_file
-from palpate.scene.scene_parts import FILLED, ORIGINS, MaterialPart, ModelPart, SceneFile
+from palpate.scene.scene_parts import (
+    CONTACT_LAWS,
+    FILLED,
+    ORIGINS,
+    MaterialPart,
+    ModelPart,
+    SceneFile,
+)
 
 FORMAT, VERSION = "palpate scene", 1
 MOST_BYTES = 32 * 2**20
@@ -158,7 +165,9 @@ def compile_scene(
         raise ValueError(f"hand.gravity: got {len(scene.hand.gravity)} numbers, expected 3")
     hand = scene.hand
     tissue = build_tissue(scene, mesh) if tissue is None else relax(tissue, scene.model)
-    body = palpate.SoftBody(tissue=tissue, force_error=hand.force_error)
+    body = palpate.SoftBody(
+        tissue=tissue, force_error=hand.force_error, contact_modulus=find_contact_modulus(scene)
+    )
     instrument = palpate.Instrument(
         tool=palpate.Tool(radius=scene.tool.radius, stiffness=scene.tool.stiffness),
         coupling=palpate.Coupling(stiffness=hand.coupling, force_max=hand.force_max),
@@ -171,6 +180,19 @@ def compile_scene(
     built = palpate.build_scene(compiled)
     raise_substeps(built.bodies[0], hand.substeps)
     return built
+
+
+def find_contact_modulus(scene: SceneFile) -> float:
+    """[Pa] E / (1 - nu²) of a solid with a near field; 0 for the hard law."""
+    model, material = scene.model, scene.material
+    if model.contact_law not in CONTACT_LAWS:
+        expected = ", ".join(CONTACT_LAWS)
+        raise ValueError(
+            f"model.contact_law: got {model.contact_law!r}, expected one of {expected}"
+        )
+    if model.kind not in FILLED or model.contact_law == "hard":
+        return 0.0
+    return material.young_modulus / (1.0 - material.poisson_ratio**2)
 
 
 def raise_substeps(body: palpate.SoftBody, least: int) -> None:

@@ -14,6 +14,8 @@ FILLED = ("solid", "linear_solid")
 """Those of tetrahedra inside the surface."""
 ORIGINS = ("chosen", "tissue")
 """Where the constants of springs, bonds and angles come from: the model part, or the material."""
+CONTACT_LAWS = ("near_field", "hard")
+"""How a solid is felt under a ball."""
 SPRING_RULES = ("van_gelder", "lloyd")
 """How the constants of springs follow from the material."""
 
@@ -69,6 +71,9 @@ class ModelPart:
     are in the end; 0 for tissue that does not relax."""
     relaxation_time: float = field(default=0.5, metadata={"since": 6})
     """[s] in which 63 % of that fades."""
+    contact_law: str = field(default="near_field", metadata={"since": 7})
+    """Of solids. near_field: as on tissue of Young's modulus and Poisson's ratio, however large its
+    triangles are; hard: as the mesh gives way, as the walls of hollow organs."""
     fixed: tuple[int, ...] = ()
     stiffness_scale: tuple[float, ...] = ()
 

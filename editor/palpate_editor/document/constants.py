@@ -9,7 +9,14 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from palpate.scene.scene_parts import FILLED, KINDS, ORIGINS, SPRING_RULES, ModelPart
+from palpate.scene.scene_parts import (
+    CONTACT_LAWS,
+    FILLED,
+    KINDS,
+    ORIGINS,
+    SPRING_RULES,
+    ModelPart,
+)
 
 from palpate_editor.document.phrase import Phrase, phrase
 
@@ -262,6 +269,7 @@ CHOICES = {
     "model.spring_rule": SPRING_RULES,
     "model.angle_law": ("gradient", "eq10"),
     "model.damping_law": ("axis", "isotropic"),
+    "model.contact_law": CONTACT_LAWS,
 }
 
 
@@ -271,6 +279,7 @@ LAW_NAMES = {
     "spring_rule": "Rule of springs",
     "angle_law": "Law of angles",
     "damping_law": "Damping",
+    "contact_law": "Contact",
 }
 """What people call a choice."""
 
@@ -288,6 +297,8 @@ VALUE_NAMES = {
     "eq10": "Opposite edge (Eq 10)",
     "axis": "Along the link",
     "isotropic": "In all directions",
+    "near_field": "As on tissue",
+    "hard": "As on the mesh",
 }
 """What people call what can be chosen."""
 
@@ -295,6 +306,7 @@ VALUE_NAMES = {
 KINDS_OF_LAWS = {
     "angle_law": MOLECULAR,
     "constants": SURFACES,
+    "contact_law": FILLED,
     "damping_law": SWINGING,
     "spring_rule": ("mass_spring",),
 }

@@ -21,6 +21,7 @@ from palpate.files.refusal import Refusal
 from palpate.scenario import MOST_LANGUAGES, Container, read_container, write_container
 from palpate.scene.scene_parts import (
     AppearancePart,
+    FILLED,
     FillPart,
     HandPart,
     MaterialPart,
@@ -87,11 +88,19 @@ def rename_field(part: Any, place: str, old: str, new: str) -> None:
     part[new] = part.pop(old)
 
 
+def keep_hard_contact(content: Json, arrays: Arrays) -> tuple[Json, Arrays]:
+    """Version 7 has a law of contact; before, solids were felt as their mesh gives way."""
+    if content["model"].get("kind") in FILLED:
+        content["model"] |= {"contact_law": "hard"}
+    return content, arrays
+
+
 MIGRATIONS: dict[int, Callable[[Json, Arrays], tuple[Json, Arrays]]] = {
     1: choose_constants,
     2: choose_filling,
     3: choose_substeps,
     4: name_appearance,
+    6: keep_hard_contact,
 }
 """Version -> what makes of a document of that version one of the next, beside the new fields."""
 
@@ -106,7 +115,9 @@ def list_new_fields() -> list[tuple[int, str, Field[Any]]]:
     ]
 
 
-VERSION = max(len(MIGRATIONS) + 1, *(version for version, _, _ in list_new_fields()), 0)
+VERSION = max(
+    *(version + 1 for version in MIGRATIONS), *(version for version, _, _ in list_new_fields()), 0
+)
 """The newest: of a migration, or of a field."""
 
 
@@ -116,7 +127,7 @@ def migrate(step: int, content: Json, arrays: Arrays) -> tuple[Json, Arrays]:
         content, arrays = MIGRATIONS[step](content, arrays)
     for version, name, field in list_new_fields():
         if version == step + 1 and isinstance(content.get(name), dict):
-            content[name] |= {field.name: field.default}
+            content[name] = {field.name: field.default} | content[name]
     return content, arrays
 
 

@@ -48,7 +48,8 @@ def find_material_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
     yield from find_gravity_problems(organ, facts.tissue)
     yield from find_poisson_problems(organ, facts.tissue)
     edge, radius = facts.surface.mean_edge, organ.tool.radius
-    if 0.0 < radius < EDGES_PER_RADIUS * edge:
+    near_field = organ.model.kind in FILLED and organ.model.contact_law == "near_field"
+    if not near_field and 0.0 < radius < EDGES_PER_RADIUS * edge:
         yield Problem(
             "small_tip",
             "warning",

@@ -74,10 +74,10 @@ def find_home_problems(tissue: TissueFacts) -> Iterator[Problem]:
 
 
 def find_patch_problems(organ: Organ, tissue: TissueFacts) -> Iterator[Problem]:
-    """Whether the tetrahedra are too large for what the tip touches."""
+    """Whether the tetrahedra are too large for what the tip touches, where they are felt."""
     assert tissue.trial is not None
     edges, radius, depth = tissue.trial.edges, organ.tool.radius, tissue.trial.depth
-    if not edges or not radius > 0.0:
+    if not edges or not radius > 0.0 or organ.model.contact_law != "hard":
         return
     contact = compute_contact_radius(radius, depth)
     least, most = (compute_patch_factor(edge, contact) for edge in (min(edges), max(edges)))
@@ -88,7 +88,7 @@ def find_patch_problems(organ: Organ, tissue: TissueFacts) -> Iterator[Problem]:
         "coarse_contact",
         "warning",
         "material",
-        "fill.tetrahedra",
+        "model.contact_law",
         phrase(
             "edges of {low:.1f} to {high:.1f} mm at the surface under a contact radius of "
             "{contact:.1f} mm (a tip of {radius:g} mm pressed {depth:g} mm): by place the force is "
@@ -102,8 +102,8 @@ def find_patch_problems(organ: Organ, tissue: TissueFacts) -> Iterator[Problem]:
             most=most,
         ),
         phrase(
-            "edges of at most {edge:.1f} mm for {times:g} times: more tetrahedra or a larger tip, "
-            "or constants that are fitted to a measured curve",
+            "contact as on tissue, which is felt alike on any mesh; or edges of at most {edge:.1f} "
+            "mm for {times:g} times: more tetrahedra or a larger tip",
             edge=1e3 * fine,
             times=MOST_PATCH_FACTOR,
         ),

@@ -2310,6 +2310,10 @@ Beklenen: {expected}.</translation>
         <translation>Sönüm</translation>
     </message>
     <message>
+        <source>Contact</source>
+        <translation>Temas</translation>
+    </message>
+    <message>
         <source>Mass–spring (MSS)</source>
         <translation>Kütle–yay (MSS)</translation>
     </message>
@@ -2360,6 +2364,14 @@ Beklenen: {expected}.</translation>
     <message>
         <source>In all directions</source>
         <translation>Her yönde</translation>
+    </message>
+    <message>
+        <source>As on tissue</source>
+        <translation>Dokudaki gibi</translation>
+    </message>
+    <message>
+        <source>As on the mesh</source>
+        <translation>Ağdaki gibi</translation>
     </message>
     <message>
         <source>none</source>
@@ -2896,8 +2908,8 @@ Beklenen: {expected}.</translation>
         <translation>en çok {most}: daha yumuşak ya da daha ağır bir doku, daha az sönüm ya da daha büyük üçgenler</translation>
     </message>
     <message>
-        <source>edges of at most {edge:.1f} mm for {times:g} times: more tetrahedra or a larger tip, or constants that are fitted to a measured curve</source>
-        <translation>{times:g} kat için en çok {edge:.1f} mm kenar: daha çok dörtyüzlü, daha büyük bir uç ya da ölçülmüş bir eğriye uydurulmuş sabitler</translation>
+        <source>contact as on tissue, which is felt alike on any mesh; or edges of at most {edge:.1f} mm for {times:g} times: more tetrahedra or a larger tip</source>
+        <translation>her ağda aynı hissedilen, dokudaki gibi temas; ya da {times:g} kat için en çok {edge:.1f} mm kenar: daha çok dörtyüzlü ya da daha büyük bir uç</translation>
     </message>
     <message>
         <source>edges of {low:.1f} to {high:.1f} mm at the surface under a contact radius of {contact:.1f} mm (a tip of {radius:g} mm pressed {depth:g} mm): by place the force is about {least:.1f} to {most:.1f} times that of the tissue</source>

@@ -172,7 +172,8 @@ class MaterialPanel(StagePanel):
         self.links = self.section(tr("Springs and bonds"))
         self.add_constants(self.links, LINKS, self.build_laws())
         self.build_support(self.section(tr("What holds it")))
-        self.add_constants(self.section(tr("Tip of the tool")), TIP)
+        contact = ChoiceField(self.context, "contact_law", self)
+        self.add_constants(self.section(tr("Tip of the tool")), TIP, [contact])
         self.add_constants(self.section(tr("Hand")), HAND)
         self.fields += [self.kind, self.origin]
         self.context.assessor.said.connect(self.show_building)
