@@ -1997,6 +1997,46 @@ def compute_point(t: Sequence[int], weights: ArrayLike, x: ArrayLike) -> NDArray
         x: [m] shape (n, 3), positions
     """
 
+class NearField:
+    """What a body's tissue does near a ball, and what its mesh does of that already: with it a
+    ball is felt as on tissue, however large the triangles are. Made by build_near_field.
+    """
+    @property
+    def modulus(self) -> float:
+        """[Pa] E / (1 - nu²)."""
+    @property
+    def far_compliance(self) -> NDArray[np.float64]:
+        """[m/N] per vertex of the surface, shape (n,): of the body beyond that of a half space;
+        a view, read-only.
+        """
+    @property
+    def curvature(self) -> NDArray[np.float64]:
+        """[1/m] per vertex, shape (n,): of the surface at rest, positive where it is convex; a
+        view, read-only.
+        """
+    @property
+    def first(self) -> NDArray[np.int32]:
+        """Of each vertex in neighbour and compliance, shape (n + 1,); a view, read-only."""
+    @property
+    def neighbour(self) -> NDArray[np.int32]:
+        """Vertices around each vertex, ascending, shape (k,); a view, read-only."""
+    @property
+    def compliance(self) -> NDArray[np.float32]:
+        """[m/N] of the mesh, shape (k,): what a vertex moves along its normal under 1 N along
+        that of a neighbour; a view, read-only.
+        """
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
+
+def build_near_field(model: TissueModel, modulus: float, radius: float) -> NearField:
+    """The near field of a model touched by balls of up to radius [m], with the modulus [Pa] E /
+    (1 - nu²): solves for a unit force on each vertex of the surface. Raises ValueError for
+    numbers that are not positive, and for a body that is not held.
+
+    Args:
+        radius: [m]
+    """
+
 CANDIDATE_MARGIN: float
 
 class Candidates:
@@ -2097,6 +2137,7 @@ def bound_contact_stiffness(
     state: ToolState,
     scratch: NDArray[np.float64],
     body: int = ...,
+    near: NearField | None = ...,
 ) -> float:
     """Largest extra eigenvalue [1/s²] that contacts and holds may add to M⁻¹K: max over
     particles of sum k_t w / m. scratch holds one number per particle.
@@ -2510,6 +2551,7 @@ class SoftBody:
         kernel: Kernel = ...,
         integrator: Integrator = ...,
         simd_target: str = ...,
+        contact_modulus: float = ...,
     ) -> None:
         """Copies its tissue.
 
@@ -2536,6 +2578,10 @@ class SoftBody:
     """
     simd_target: str
     """Of the packed kernel: one of simd_targets(), empty for the best."""
+    contact_modulus: float
+    """[Pa] E / (1 - nu²) of a solid organ: balls are felt as on such tissue, whatever the size
+    of its triangles; 0: by the hard law alone.
+    """
     @property
     def rest_areas(self) -> NDArray[np.float64]:
         """[m²] per triangle, shape (t,), filled in by build_scene; a view, read-only."""
@@ -2551,11 +2597,16 @@ class SoftBody:
     @property
     def response(self) -> Response:
         """Under the response kernel, filled in by build_scene; else None."""
+    @property
+    def near_field(self) -> NearField:
+        """With a contact_modulus, filled in by build_scene; else None."""
     def __copy__(self) -> SoftBody:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> SoftBody:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
+    def __getstate__(
+        self, /
+    ) -> tuple[object, object, object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """What it is, on one line."""

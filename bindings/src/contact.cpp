@@ -277,7 +277,7 @@ void bind_balance(py::module_& m) {
       "bound_contact_stiffness",
       [](const Tool& tool, const Candidates& candidates, const Integers& triangles,
          const Numbers& x, const Numbers& mass, const ToolState& state, const NumbersOut& scratch,
-         int body) {
+         int body, const NearField* near) {
         const Surface surface(triangles, x);
         require_fit(candidates, surface.triangles.size());
         require_fit(state, surface.triangles.size());
@@ -286,10 +286,10 @@ void bind_balance(py::module_& m) {
         const auto room = entries_out(scratch, "scratch");
         require_count("scratch", room.size(), surface.x.size());
         return bound_contact_stiffness(tool, candidates, surface.triangles, surface.x, masses,
-                                       state, room, body);
+                                       state, room, body, near);
       },
       "tool"_a, "candidates"_a, "triangles"_a, "x"_a, "mass"_a, "state"_a, "scratch"_a,
-      "body"_a = 0,
+      "body"_a = 0, "near"_a = py::none(),
       "Largest extra eigenvalue [1/s²] that contacts and holds may add to M⁻¹K: max over particles "
       "of sum k_t w / m. scratch holds one number per particle.");
 }

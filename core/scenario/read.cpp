@@ -111,6 +111,7 @@ Scenario unpack(Container container, const std::string& file) {
       bodies[b].kernel = built.bodies[b].kernel;
       bodies[b].least_damping_time = built.bodies[b].least_damping_time;
       bodies[b].response = built.bodies[b].response;
+      bodies[b].near_field = built.bodies[b].near_field;
     }
   } catch (const std::invalid_argument& problem) {
     refuse(file, problem.what());

@@ -87,6 +87,7 @@ MADE: dict[str, Callable[[], object]] = {
     ),
     "SolidOptions": lambda: palpate.SolidOptions(stiffness_scale=[2.0] * 500, fixed=[1, 2]),
     "CouplingRange": lambda: palpate.CouplingRange(-0.5, float("inf")),
+    "NearField": lambda: palpate.build_near_field(held_solid(), 5e3, 3e-3),
     "Response": lambda: palpate.build_response(held_solid()),
     "State": full_state,
     "Load": full_load,

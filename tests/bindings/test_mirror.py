@@ -29,6 +29,8 @@ NOT_MIRRORED = {
     "Owned": "hides in C++ what stands behind a SoftState or a World",
     "SoftState.SoftState": "a World makes those of its scene",
     "tick(commands)": "what C++ writes into its argument, Python is given back",
+    "NearContacts": "inside of balance_tool with a near field",
+    "Candidates.near": "inside of balance_tool with a near field",
     "ResponseState": "inside of World; Python reads SoftState.tissue",
     "World.follows_all": "inside of the loop; worlds of Python follow all",
     "AabbTree.refit_steps": "inside of the tick",

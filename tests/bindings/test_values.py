@@ -21,14 +21,14 @@ VALUES = [name for name, kind in all_classes() if "__setstate__" in vars(kind)]
 MADE_VALUES = [name for name in VALUES if name not in NOT_MADE]
 NO_VALUES = {
     "AabbTree", "World", "SoftState", "InstrumentState", "ContactPair",
-    "Response", "VelocityWindow", "TickLog", "ImplicitStepper",
+    "Response", "NearField", "VelocityWindow", "TickLog", "ImplicitStepper",
     "HapticDevice", "ScriptedDevice", "PointerDevice", "ReplayDevice", "SafeDevice",
     "SurfacePointer", "MailboxDevice",
     "SerialDevice", "FaultyDevice", "SimulatedArm", "Transport", "NativeCore", "SerialTransport",
     "FaultyTransport", "PtyDevice", "Loop", "DeviceLoop", "Recorder",
 }  # fmt: skip
 """What runs, or holds what it cannot share."""
-WORK_SPACE = {"State": {"scratch"}, "Candidates": {"lanes"}}
+WORK_SPACE = {"State": {"scratch"}, "Candidates": {"lanes", "near"}}
 
 
 def read_fields(value: object) -> dict[str, object]:

@@ -94,7 +94,8 @@ WRONG = {
               "material", "error", "'apex'"),
     "slow_solid": (replace(with_part("model", kind="solid"), fill=FillPart(9000)), "material",
                    "warning", "steps a tick in touch"),
-    "coarse_contact": (replace(with_part("model", kind="solid"), fill=FillPart(300)), "material",
+    "coarse_contact": (replace(with_part("model", kind="solid", contact_law="hard"),
+                               fill=FillPart(300)), "material",
                        "warning", "under a contact radius of 6.0 mm (a tip of 12 mm pressed 3 mm)"),
     "filling": (replace(with_part("model", kind="solid"), fill=FillPart(6000)), "material", "note",
                 "than the 6000 that were asked for"),
@@ -165,7 +166,7 @@ def test_a_problem_is_not_found_where_it_is_not(key):
 FIXABLE = {
     "unit_guessed", "up_guessed", "inward", "shells", "constant", "choice", "open_solid",
     "indefinite", "loose", "reach", "small_tip", "no_title", "gravity", "springs_poisson",
-    "locking",
+    "locking", "coarse_contact",
 }  # fmt: skip
 
 

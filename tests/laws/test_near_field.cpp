@@ -95,8 +95,10 @@ double compute_layer(double radius, double depth) {
   const double alpha =
       -(1.2876 - 1.4678 * kPoisson + 1.3442 * kPoisson * kPoisson) / (1.0 - kPoisson);
   const double far = alpha / (std::numbers::pi * kModulus * kThickness);
-  const LocalPress layer{kModulus, radius, 0.0, -far};
-  return layer.compute_force(layer.find_depth(depth));
+  const LocalPress half{kModulus, radius, 0.0, 0.0};
+  double s = depth;
+  for (int i = 0; i < 50; ++i) s = depth - far * half.compute_force(s);
+  return half.compute_force(s);
 }
 
 const std::array<Vec3, 3> kPlaces = {Vec3(0.001, 0.002, 0.0), Vec3(-0.0121, 0.0047, 0.0),
@@ -107,9 +109,10 @@ const std::array<Vec3, 3> kPlaces = {Vec3(0.001, 0.002, 0.0), Vec3(-0.0121, 0.00
 TEST_CASE("a ball in a thick layer is felt within 7 % of theory on any mesh, springs or linear") {
   for (const Kind kind : {Kind::springs, Kind::linear}) {
     for (const int n : {3, 5}) {
-      for (const auto& [radius, depth] : {std::pair(0.002, 0.001), std::pair(0.003, 0.001),
-                                          std::pair(0.005, 0.002), std::pair(0.008, 0.002)}) {
-        if (n == 5 && radius != 0.003) continue;
+      for (const auto& [radius, depth] :
+           {std::pair(0.002, 0.001), std::pair(0.003, 0.001), std::pair(0.005, 0.002),
+            std::pair(0.008, 0.002), std::pair(0.020, 0.001)}) {
+        if (n == 5 && radius != 0.003 && radius != 0.020) continue;
         const Scene scene = make_block_scene(kind, n, radius, kModulus);
         const int ticks = kind == Kind::linear ? 500 : 2000;
         const Press found = press(scene, kPlaces[static_cast<std::size_t>(n) % 3], depth, ticks);

@@ -58,10 +58,6 @@ struct NearField {
 /// can move without being strained.
 NearField build_near_field(const TissueModel& model, double modulus, double radius);
 
-/// Throws std::invalid_argument for arrays that do not fit each other or a surface of so many
-/// vertices, and for numbers that are not finite.
-void validate(const NearField& near, int surface_vertices);
-
 /// The hand's spring: what pulls the tool to where the device is.
 struct Coupling {
   double stiffness = 500.0;  ///< [N/m] K of Eq 12

@@ -163,20 +163,6 @@ void require_positive(const char* what, double value) {
   refuse(std::string("near field: ") + what, write_text(value), "a positive number");
 }
 
-void check_count(const char* what, std::size_t found, std::size_t expected) {
-  if (found == expected) return;
-  refuse(std::string("near field: ") + what, write_text(found, " values"), write_text(expected));
-}
-
-template <class Values>
-void check_finite(const char* what, const Values& values) {
-  for (const auto value : values) {
-    if (std::isfinite(value)) continue;
-    refuse(std::string("near field: ") + what, write_text(static_cast<double>(value)),
-           "finite numbers");
-  }
-}
-
 }  // namespace
 
 NearContacts::NearContacts(int triangles, int vertices)
@@ -184,28 +170,6 @@ NearContacts::NearContacts(int triangles, int vertices)
       closest(static_cast<std::size_t>(triangles)),
       contact(static_cast<std::size_t>(triangles)),
       weight(static_cast<std::size_t>(vertices), 0.0) {}
-
-void validate(const NearField& near, int surface_vertices) {
-  require_positive("modulus [Pa]", near.modulus);
-  const auto n = static_cast<std::size_t>(surface_vertices);
-  check_count("far_compliance", near.far_compliance.size(), n);
-  check_count("curvature", near.curvature.size(), n);
-  check_count("first", near.first.size(), n + 1);
-  check_count("compliance", near.compliance.size(), near.neighbour.size());
-  const auto count = static_cast<int>(near.neighbour.size());
-  const bool ascends = std::ranges::is_sorted(near.first);
-  if (!ascends || near.first.front() != 0 || near.first.back() != count) {
-    refuse("near field: first", "rows that do not follow one another",
-           write_text("ascending ones from 0 to ", count));
-  }
-  for (const int u : near.neighbour) {
-    if (u >= 0 && u < surface_vertices) continue;
-    refuse("near field: neighbour", write_text(u), write_text("0 to ", surface_vertices - 1));
-  }
-  check_finite("far_compliance", near.far_compliance);
-  check_finite("curvature", near.curvature);
-  check_finite("compliance", near.compliance);
-}
 
 namespace {
 

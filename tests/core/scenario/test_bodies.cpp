@@ -95,6 +95,36 @@ TEST_CASE("a body keeps its integrator, and one of symplectic Euler names none")
       "content.scene.bodies[1].integrator: got \"leapfrog\", expected an integrator"));
 }
 
+TEST_CASE("a body keeps its law of contact, and one of the hard law names none") {
+  Scenario made = make_pair();
+  made.scene.bodies[0].tissue.fixed = {0, 1, 2};
+  made.scene.bodies[0].contact_modulus = 6270.0;
+  made.scene = build_scene(made.scene);
+
+  const Container packed = scenario::pack(made);
+  const Scenario found = scenario::unpack(packed, "file");
+
+  CHECK(found.scene.bodies[0].contact_modulus == 6270.0);
+  REQUIRE(found.scene.bodies[0].near_field);
+  CHECK(found.scene.bodies[0].near_field->compliance ==
+        made.scene.bodies[0].near_field->compliance);
+  CHECK(found.scene.bodies[1].contact_modulus == 0.0);
+  CHECK_FALSE(found.scene.bodies[1].near_field);
+  CHECK(packed.content.find("near_field") == packed.content.rfind("near_field"));
+  CHECK(felt_bits(found.scene) == felt_bits(made.scene));
+  const auto refuse = [](const std::string& contact) {
+    return refuse_content("\"spectrum_damping\":",
+                          "\"contact\":" + contact + ",\"spectrum_damping\":");
+  };
+  const std::string place = "content.scene.bodies[1].contact";
+  CHECK(contains(refuse(R"({"law":"soft","version":1,"modulus":10})"), place + ".law: got"));
+  CHECK(contains(refuse(R"({"law":"near_field","version":2,"modulus":10})"),
+                 place + ".version: got 2"));
+  CHECK(contains(refuse(R"({"law":"near_field","version":1,"modulus":-10})"),
+                 "contact.modulus: got -10"));
+  CHECK(contains(refuse(R"({"law":"near_field","version":1})"), place + ".modulus"));
+}
+
 TEST_CASE("each body has its arrays under its number") {
   const Container packed = scenario::pack(make_pair());
 

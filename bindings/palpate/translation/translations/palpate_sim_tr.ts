@@ -1060,6 +1060,10 @@
         <translation>yanıt verdi ama kalibrasyonunu ya da bir rapor göndermedi</translation>
     </message>
     <message>
+        <source>0 for the hard law, or E / (1 - nu^2) of the tissue</source>
+        <translation>sert yasa için 0, ya da dokunun E / (1 - nu^2) değeri</translation>
+    </message>
+    <message>
         <source>any number</source>
         <translation>herhangi bir sayı</translation>
     </message>

@@ -52,7 +52,7 @@ struct Circle {
 
 /// Sums over the footprint, in the plane: about the circle's centre.
 struct Sums {
-  double force = 0.0, stiffness = 0.0;
+  double force = 0.0, stiffness = 0.0, area = 0.0;
   Vec3 moment = Vec3::Zero(), sideways = Vec3::Zero();
 };
 
@@ -60,6 +60,7 @@ struct Sums {
 /// along `edge`, which lies inside the circle. `twice_area` of the triangle with the whole edge.
 void add_inside(const Circle& circle, const Vec3& from, const Vec3& edge, double t0, double t1,
                 double twice_area, Sums& sums) noexcept {
+  sums.area += 0.5 * (t1 - t0) * twice_area;
   for (std::size_t i = 0; i < kNodes.size(); ++i) {
     const Vec3 y = from + (t0 + kNodes[i] * (t1 - t0)) * edge;
     const double part = kWeights[i] * (t1 - t0) * twice_area;
@@ -78,6 +79,7 @@ void add_sector(const Circle& circle, const Ray& to_rim, const Vec3& normal, con
   const double radius = std::sqrt(circle.squared_radius);
   // the integral of unit vectors over the angle is the difference of the ends, turned back
   const Vec3 turned = (to / to.norm() - from / from.norm()).cross(normal);
+  sums.area += 0.5 * circle.squared_radius * angle;
   sums.force += circle.squared_radius * angle * to_rim.force;
   sums.stiffness += circle.squared_radius * angle * to_rim.stiffness;
   sums.moment += circle.squared_radius * radius * to_rim.moment * turned;
@@ -155,6 +157,7 @@ bool integrate_footprint(const NearPressure& law, const Vec3& centre, const Vec3
   const Vec3 middle = find_weights(ab, ac, normal, twice_area, foot + sums.moment / sums.force - a);
   footprint.normal_force = sums.force;
   footprint.whole_force = whole;
+  footprint.area = std::max(0.0, sums.area);
   footprint.normal = normal;
   footprint.force = sums.force * normal - sums.sideways;
   footprint.weights = middle.cwiseMax(0.0) / middle.cwiseMax(0.0).sum();

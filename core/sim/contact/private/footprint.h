@@ -14,6 +14,7 @@ struct Footprint {
   Vec3 force = Vec3::Zero();    ///< [N] on the ball, each part along the ball's normal
   Vec3 weights = Vec3::Zero();  ///< barycentric, of the centre of pressure
   double stiffness = 0.0;       ///< [N/m] d normal_force / d depth
+  double area = 0.0;            ///< [m²]
   double depth = 0.0;           ///< [m] of the ball's lowest point below the triangle's plane
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "palpate/sim/contact/private/footprint.h"
 
@@ -13,8 +14,9 @@ namespace {
 /// beyond, the force goes on along its tangent [contact: near field].
 constexpr double kFirst = -0.1327, kSecond = -0.0104, kDeepest = 2.0;
 
-/// The mesh is taken to have left at least this part of the dent: beyond, its law folds back.
-constexpr double kMostDepth = 2.0;
+/// The part of a dent that a mesh is taken to have left. One as soft as tissue leaves a fifth; one
+/// that leaves less is too soft itself, and no contact makes up for that.
+constexpr double kLeastLeft = 0.15, kMostLeft = 1.6;
 
 /// What a mesh may make of the pressures, either way.
 constexpr double kLeastGain = 0.3, kMostGain = 8.0;
@@ -33,22 +35,28 @@ double find_share(const Contact& closest, const Vec3& normal) noexcept {
 
 /// Sums over the footprints of one body, each weighted by its force.
 struct Patch {
-  double force = 0.0;      // [N]
-  double whole = 0.0;      // [N²]
-  double depth = 0.0;      // [N m]
-  double far = 0.0;        // [m]
-  double curvature = 0.0;  // [N/m]
+  double force = 0.0;          // [N]
+  double whole = 0.0;          // [N²]
+  double depth = 0.0;          // [N m] below each plane
+  double area = 0.0;           // [m²]
+  double far = 0.0;            // [m]
+  double curvature = 0.0;      // [N/m]
+  Vec3 normal = Vec3::Zero();  // [N]
+  Vec3 centre = Vec3::Zero();  // [N m] of pressure, from the ball's
 
-  void add(const NearField& near, const Triangle& triangle, double share,
+  void add(const NearField& near, const Triangle& triangle, const Vec3& at, double share,
            const Footprint& part) noexcept {
     const double q = share * part.normal_force;
     force += q;
     whole += q * part.whole_force;
+    area += share * part.area;
     depth += q * part.depth;
+    normal += q * part.normal;
+    centre += q * at;
     for (std::size_t c = 0; c < 3; ++c) {
-      const double at = q * part.weights[static_cast<Eigen::Index>(c)];
-      far += at * near.far_compliance[static_cast<std::size_t>(triangle[c])];
-      curvature += at * near.curvature[static_cast<std::size_t>(triangle[c])];
+      const double carried = q * part.weights[static_cast<Eigen::Index>(c)];
+      far += carried * near.far_compliance[static_cast<std::size_t>(triangle[c])];
+      curvature += carried * near.curvature[static_cast<std::size_t>(triangle[c])];
     }
   }
 };
@@ -84,18 +92,30 @@ double compute_mesh_compliance(const NearField& near, std::span<const Triangle> 
   return force > 0.0 ? sum / (force * force) : 0.0;
 }
 
+/// How far the normals of a patch agree, 0 to 1: below the first number each of its planes is
+/// pressed by itself, as the walls of a groove are, above the second all are one dent.
+constexpr double kGroove = 0.5, kDent = 0.8;
+
+/// Of one dent: the ball's lowest point, along the mean normal, below the centre of pressure, and
+/// the pressures in all. Of several planes: the mean below each, and the force on a whole one. The
+/// half space has F(s) at the depth s, of which the mesh has left that.
 NearGain find_gain(const NearField& near, const Tool& tool, const Patch& patch,
                    double mesh_compliance) noexcept {
-  LocalPress press{near.modulus, tool.radius, patch.curvature / patch.force, mesh_compliance};
-  const double depth = patch.depth / patch.force, s = press.find_depth(depth);
-  const double steep = press.compute_slope(s);
-  const double left = 1.0 - mesh_compliance * steep;
+  const double agreement = patch.normal.norm() / patch.force;
+  const double dent = std::clamp((agreement - kGroove) / (kDent - kGroove), 0.0, 1.0);
+  const Vec3 normal = patch.normal / std::max(patch.normal.norm(), 1e-300);
+  const double below = tool.radius + patch.centre.dot(normal) / patch.force;
+  const double depth = dent * below + (1.0 - dent) * patch.depth / patch.force;
+  const double pressed = dent * patch.force + (1.0 - dent) * patch.whole / patch.force;
+
+  const LocalPress press{near.modulus, tool.radius, patch.curvature / patch.force, mesh_compliance};
   const LocalPress flat{near.modulus, tool.radius, 0.0, 0.0};
+  const double least = std::max(depth, 1e-3 * patch.depth / patch.force);
+  const double s = press.find_depth(least, patch.area);
   NearGain gain;
-  gain.force =
-      std::clamp(press.compute_force(s) * patch.force / patch.whole, kLeastGain, kMostGain);
-  gain.slope = std::clamp(steep / (std::max(left, 0.1) * flat.compute_slope(depth)), gain.force,
-                          10.0 * kMostGain);
+  gain.force = std::clamp(press.compute_force(s) / pressed, kLeastGain, kMostGain);
+  gain.slope = std::clamp(press.compute_slope(s) * s / (least * flat.compute_slope(least)),
+                          gain.force, 10.0 * kMostGain);
   return gain;
 }
 
@@ -145,18 +165,26 @@ double LocalPress::compute_slope(double s) const noexcept {
          (1.0 + x * (5.0 / 3.0 * kFirst + x * 7.0 / 3.0 * kSecond));
 }
 
-/// Newton's steps from s = depth come from one side only, for F is convex; where dC > 0 the law
-/// folds back at dC F' = 1, and there is no root beyond.
-double LocalPress::find_depth(double depth) const noexcept {
-  constexpr int kSteps = 8;
-  double s = depth;
-  for (int i = 0; i < kSteps; ++i) {
-    const double left = 1.0 - mesh_compliance * compute_slope(s);
-    if (!(left > 0.0)) return kMostDepth * depth;
-    s -= (s - mesh_compliance * compute_force(s) - depth) / left;
-    if (!(s < kMostDepth * depth)) return kMostDepth * depth;
+/// With dC a_now/a(s) in place of dC, and F = 4/3 E* a s,
+///
+///     s - 4/3 E* a_now dC s = depth
+///
+/// has one root; with dC itself it would have none where a patch is wider than elements are, for a
+/// mesh that gives way as tissue does takes 4/5 of any dent. a_now is the radius of contact: where
+/// the mesh has taken nothing the ball cuts a flat surface, sqrt(2) times as wide as it is touched
+/// [Hertz82], and where it has taken those 4/5 the surface lies against the ball. Between the two,
+/// a_now² goes with the part y = depth/s that the mesh has left: (1/2 + (1 - y) 5/8) area/pi.
+double LocalPress::find_depth(double depth, double area) const noexcept {
+  const double widest = std::sqrt(area * std::numbers::inv_pi);
+  const double share = 4.0 / 3.0 * modulus * widest * mesh_compliance;
+  double y = 1.0;
+  for (int i = 0; i < 6; ++i) {
+    const double root = std::sqrt(std::max(0.05, 1.125 - 0.625 * y));
+    const double slope = 1.0 - 0.3125 * share / root;
+    if (!(slope > 0.1)) return depth / kLeastLeft;
+    y = std::clamp(y - (y + share * root - 1.0) / slope, kLeastLeft, kMostLeft);
   }
-  return s;
+  return depth / y;
 }
 
 void find_near_contacts(const NearField& near, const Tool& tool,
@@ -176,7 +204,7 @@ void find_near_contacts(const NearField& near, const Tool& tool,
     if (!integrate_footprint(law, p, corner(0), corner(1), corner(2), part)) continue;
     const double share = find_share(closest, part.normal);
     contacts.contact[i] = press(part, closest, share);
-    patch.add(near, t, share, part);
+    patch.add(near, t, compute_point(t, part.weights, x) - p, share, part);
   }
   NearGain gain;
   if (patch.force > 0.0) {

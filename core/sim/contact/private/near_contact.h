@@ -15,8 +15,8 @@ struct NearGain {
 };
 
 /// What is felt of a press `depth` [m] deep into triangles where they are now, of a ball of
-/// `radius` [m]: F(s) where s - dC F(s) = depth, s at most 2 depth. dC [m/N] is the compliance of
-/// the mesh under the patch that tissue does not have; `curvature` [1/m] is the tissue's.
+/// `radius` [m]: F(s) where s - dC F(s) = depth. dC [m/N] is the compliance of the mesh under the
+/// patch that tissue does not have; `curvature` [1/m] is the tissue's.
 struct LocalPress {
   double modulus = 0.0;          ///< [Pa] E*
   double radius = 0.0;           ///< [m]
@@ -26,8 +26,9 @@ struct LocalPress {
   /// [N] on the half space, and [N/m] its slope, at s [m].
   double compute_force(double s) const noexcept;
   double compute_slope(double s) const noexcept;
-  /// [m]
-  double find_depth(double depth) const noexcept;
+  /// [m] s, where the ball cuts triangles on `area` [m²] in all. dC is that of the patch as it is,
+  /// and goes as one over its radius.
+  double find_depth(double depth, double area) const noexcept;
 };
 
 /// Takes up contacts->closest, which the caller has filled, and writes contacts->contact for the

@@ -146,7 +146,7 @@ void fall_asleep(const Scene& scene, std::size_t body, double dt, World& world) 
   rest.substeps = state.substeps;
   rest.gravity = state.load.gravity;
   catch_up(scene.bodies[body], state);
-  rest.is_tried = rest.has_copy = false;
+  rest.has_copy = false;
   state.asleep = true;
 }
 

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The law by which a solid is felt under a ball: chosen, kept, published and offered."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import palpate
+import pytest
+from organs import make_organ
+from palpate.cli.main import main
+from palpate.scene.scene_parts import FILLED, FillPart
+from palpate_editor.check import assess
+from palpate_editor.compile import compile_organ
+from palpate_editor.document.files import pack_organ, read_organ, unpack_organ, write_organ
+from palpate_editor.edits import SetChoice
+
+SPLEEN = replace(make_organ(), fill=FillPart(300))
+MODULUS = SPLEEN.material.young_modulus / (1.0 - SPLEEN.material.poisson_ratio**2)
+
+
+def make_kind(kind: str, **model: str):
+    return replace(SPLEEN, model=replace(SPLEEN.model, kind=kind, **model))
+
+
+@pytest.mark.parametrize("kind", FILLED)
+def test_a_solid_is_felt_by_its_near_field_unless_the_hard_law_is_chosen(kind):
+    scene = compile_organ(make_kind(kind))
+
+    assert scene.bodies[0].contact_modulus == pytest.approx(MODULUS)
+    assert scene.bodies[0].near_field.modulus == pytest.approx(MODULUS)
+    hard = compile_organ(make_kind(kind, contact_law="hard"))
+    assert hard.bodies[0].contact_modulus == 0.0 and hard.bodies[0].near_field is None
+
+
+def test_a_wall_keeps_the_hard_law():
+    assert compile_organ(SPLEEN).bodies[0].contact_modulus == 0.0
+
+
+@pytest.mark.parametrize("version", range(1, 7))
+def test_a_solid_of_an_older_file_keeps_the_hard_law_and_a_wall_may_become_a_near_field(version):
+    for kind in (*FILLED, "mass_spring"):
+        content, arrays = pack_organ(make_kind(kind))
+        content = json.loads(json.dumps(content))
+        del content["model"]["contact_law"]
+        if version < 5:
+            content["look"] = content.pop("appearance")
+            if content["look"]:
+                content["look"]["softness"] = content["look"].pop("subsurface")
+        if version < 3:
+            content.pop("fill")
+
+        found = unpack_organ(content, arrays, version, "old.organ")
+
+        assert found.model.contact_law == ("hard" if kind in FILLED else "near_field")
+
+
+def test_the_command_line_chooses_the_law_and_it_is_kept(tmp_path, capsys):
+    source, made = tmp_path / "spleen.organ", tmp_path / "hard.organ"
+    write_organ(source, SPLEEN)
+    call = ["material", str(source), "--kind", "solid", "--contact-law", "hard"]
+
+    assert main([*call, "--out", str(made)]) == 0, capsys.readouterr()
+
+    assert read_organ(made).model.contact_law == "hard"
+    capsys.readouterr()
+    assert main(["material", str(source), "--contact-law", "hard", "--out", str(made)]) != 0
+    assert "--contact-law: got hard, which has no effect here" in capsys.readouterr().err
+
+
+def test_what_is_felt_of_a_solid_does_not_depend_on_its_tetrahedra():
+    """By the hard law 300 tetrahedra are felt more than half as strongly again as 1200."""
+    ratios = {}
+    for law in ("hard", "near_field"):
+        forces = [
+            press(compile_organ(replace(make_kind("solid", contact_law=law), fill=FillPart(count))))
+            for count in (300, 1200)
+        ]
+        ratios[law] = forces[0] / forces[1]
+
+    assert ratios["hard"] > 1.3
+    assert ratios["near_field"] == pytest.approx(1.0, abs=0.15)
+
+
+def press(scene: palpate.Scene, depth: float = 1.5e-3) -> float:
+    """[N] Held that deep below the top, seen from above."""
+    tissue = scene.bodies[0].tissue
+    x = palpate.compute_surface(tissue, tissue.rest_position)
+    top = x[np.argmax(x[:, 2])]
+    world = palpate.World(scene)
+    radius = scene.instruments[0].tool.radius
+    force = 0.0
+    lower = 0.0
+    for i in range(1500):
+        aim = top[2] + radius + 1e-3 - min(1.0, i / 500) * (depth + 1e-3)
+        if i > 700:
+            lower += 0.03 * (world.instruments[0].tool.position[2] - aim)
+        sample = palpate.HapticSample(position=(top[0], top[1], aim - lower))
+        force = palpate.tick(scene, sample, 1e-3, world).force[2]
+    assert world.alarm.kind is palpate.AlarmKind.none
+    return force
+
+
+def test_check_offers_the_near_field_where_the_mesh_is_felt():
+    hard, near = make_kind("solid", contact_law="hard"), make_kind("solid")
+
+    assert "coarse_contact" in {problem.key for problem in assess(hard).problems}
+    assert "coarse_contact" not in {problem.key for problem in assess(near).problems}
+    assert SetChoice("contact_law", "near_field")(hard).model.contact_law == "near_field"
