@@ -2029,11 +2029,12 @@ class NearField:
         """Raises TypeError: not to be pickled."""
 
 def build_near_field(model: TissueModel, modulus: float, radius: float) -> NearField:
-    """The near field of a model touched by balls of up to radius [m], with the modulus [Pa] E /
-    (1 - nu²): solves for a unit force on each vertex of the surface. Raises ValueError for
-    numbers that are not positive, and for a body that is not held.
+    """The near field of a model touched by balls of up to radius [m]; modulus [Pa] is E / (1 -
+    nu²). Solves for a unit force on each vertex of the surface. Raises ValueError for
+    numbers that are not positive.
 
     Args:
+        modulus: [Pa] E / (1 - nu²) of the tissue
         radius: [m]
     """
 

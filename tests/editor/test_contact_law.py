@@ -6,8 +6,6 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 
-import numpy as np
-import palpate
 import pytest
 from organs import make_organ
 from palpate.cli.main import main
@@ -68,39 +66,6 @@ def test_the_command_line_chooses_the_law_and_it_is_kept(tmp_path, capsys):
     capsys.readouterr()
     assert main(["material", str(source), "--contact-law", "hard", "--out", str(made)]) != 0
     assert "--contact-law: got hard, which has no effect here" in capsys.readouterr().err
-
-
-def test_what_is_felt_of_a_solid_does_not_depend_on_its_tetrahedra():
-    """By the hard law 300 tetrahedra are felt more than half as strongly again as 1200."""
-    ratios = {}
-    for law in ("hard", "near_field"):
-        forces = [
-            press(compile_organ(replace(make_kind("solid", contact_law=law), fill=FillPart(count))))
-            for count in (300, 1200)
-        ]
-        ratios[law] = forces[0] / forces[1]
-
-    assert ratios["hard"] > 1.3
-    assert ratios["near_field"] == pytest.approx(1.0, abs=0.15)
-
-
-def press(scene: palpate.Scene, depth: float = 1.5e-3) -> float:
-    """[N] Held that deep below the top, seen from above."""
-    tissue = scene.bodies[0].tissue
-    x = palpate.compute_surface(tissue, tissue.rest_position)
-    top = x[np.argmax(x[:, 2])]
-    world = palpate.World(scene)
-    radius = scene.instruments[0].tool.radius
-    force = 0.0
-    lower = 0.0
-    for i in range(1500):
-        aim = top[2] + radius + 1e-3 - min(1.0, i / 500) * (depth + 1e-3)
-        if i > 700:
-            lower += 0.03 * (world.instruments[0].tool.position[2] - aim)
-        sample = palpate.HapticSample(position=(top[0], top[1], aim - lower))
-        force = palpate.tick(scene, sample, 1e-3, world).force[2]
-    assert world.alarm.kind is palpate.AlarmKind.none
-    return force
 
 
 def test_check_offers_the_near_field_where_the_mesh_is_felt():

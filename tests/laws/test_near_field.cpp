@@ -190,6 +190,19 @@ TEST_CASE("what a ball does to a near field is what is done to the ball") {
   CHECK((pushed + pull + instrument.tool.residual).norm() < 1e-9);
 }
 
+TEST_CASE("a near field gives the same bits where the tick follows only what is touched") {
+  const Scene scene = make_block_scene(Kind::springs, 3, 0.003, kModulus);
+  World all(scene), part(scene);
+  part.follows_all = false;
+  for (int i = 0; i < 600; ++i) {
+    const double down = std::min(0.004, 2e-5 * i);
+    const Vec3 hand(0.004 + 1e-5 * i, 0.002, 0.5 * kThickness + 0.005 - down);
+    REQUIRE(tick(scene, hand_at(hand), kTick, all).force ==
+            tick(scene, hand_at(hand), kTick, part).force);
+  }
+  CHECK(all.instruments[0].tool.touching);
+}
+
 TEST_CASE("T3: no flick at 1 or 3 m/s passes through a soft solid under its near field") {
   Scene scene;
   scene.bodies[0].tissue = scenes::make_covered_organ(4, 0.9, {.damping_ratio = 0.05});

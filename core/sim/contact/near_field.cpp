@@ -221,15 +221,27 @@ void solve_far(const Surface& surface, const FreeStiffness& stiffness, const Fac
   }
 }
 
+/// Weak springs hold a body that nothing holds. What they let it move as a whole is in the
+/// compliance of a patch and in the far compliance alike, and only their difference counts.
+void ground(FreeStiffness& stiffness, Factors& factors) {
+  constexpr double kPart = 1e-2;
+  const double mean = stiffness.matrix.diagonal().mean();
+  SparseMatrix springs(stiffness.matrix.rows(), stiffness.matrix.cols());
+  springs.setIdentity();
+  stiffness.matrix += kPart * mean * springs;
+  if (factor(stiffness, factors)) return;
+  refuse("near field: tissue", "a stiffness that cannot be solved with", "one that is positive");
+}
+
 }  // namespace
 
 NearField build_near_field(const TissueModel& model, double modulus, double radius) {
   require_positive("modulus [Pa]", modulus);
   require_positive("radius [m]", radius);
   const Surface surface(model);
-  const FreeStiffness stiffness(model);
+  FreeStiffness stiffness(model);
   Factors factors;
-  factor("near field", stiffness, factors);
+  if (!factor(stiffness, factors)) ground(stiffness, factors);
 
   NearField near;
   near.modulus = modulus;

@@ -172,7 +172,10 @@ Response build_response(const TissueModel& model, const Vec3& gravity, std::size
   check_size(response.size, most);
   const FreeStiffness stiffness(model);
   Factors factors;
-  factor("linear solid", stiffness, factors);
+  if (!factor(stiffness, factors)) {
+    refuse("linear solid: fixed", "a body that can move without being strained",
+           "particles held that do not lie on one line, or home springs");
+  }
   solve_compliance(stiffness, factors, response);
   solve_sag(model, gravity, stiffness, factors, response);
   response.self_compliance = compute_self_compliance(model, response);

@@ -20,8 +20,8 @@ from palpate.files.json_part import json_kind, read_part, read_value
 from palpate.files.refusal import Refusal
 from palpate.scenario import MOST_LANGUAGES, Container, read_container, write_container
 from palpate.scene.scene_parts import (
-    AppearancePart,
     FILLED,
+    AppearancePart,
     FillPart,
     HandPart,
     MaterialPart,

@@ -119,6 +119,10 @@ def test_what_home_springs_carry_and_a_tick_in_touch_takes_stand_among_the_resul
 
     assert "Home springs carry" not in words() and "A tick in touch takes" in words()
     checks = [row.label.text() for row in panel.rows if not row.isHidden()]
+    assert not any("under a contact radius of 3.0 mm" in text for text in checks)
+    window.context.apply(SetChoice("contact_law", "hard"))
+    settle(qtbot, window)
+    checks = [row.label.text() for row in panel.rows if not row.isHidden()]
     assert any("under a contact radius of 3.0 mm" in text for text in checks)
 
 

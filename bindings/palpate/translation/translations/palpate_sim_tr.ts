@@ -1064,6 +1064,14 @@
         <translation>sert yasa için 0, ya da dokunun E / (1 - nu^2) değeri</translation>
     </message>
     <message>
+        <source>a stiffness that cannot be solved with</source>
+        <translation>çözülemeyen bir katılık</translation>
+    </message>
+    <message>
+        <source>one that is positive</source>
+        <translation>pozitif bir katılık</translation>
+    </message>
+    <message>
         <source>any number</source>
         <translation>herhangi bir sayı</translation>
     </message>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/sim/response/private/free_stiffness.h"
 
-#include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/dynamics/tangent.h"
 
 namespace palpate {
@@ -26,14 +25,12 @@ FreeStiffness::FreeStiffness(const TissueModel& model) : number(model.rest_posit
 
 /// A body that is not held has rigid motions without resistance, and rounding makes of these
 /// pivots that are tiny or negative.
-void factor(const std::string& where, const FreeStiffness& stiffness, Factors& factors) {
+bool factor(const FreeStiffness& stiffness, Factors& factors) {
   constexpr double kLeastPivot = 1e-9;
   factors.compute(stiffness.matrix);
   const bool solved = factors.info() == Eigen::Success;
   const Eigen::VectorXd pivots = solved ? Eigen::VectorXd(factors.vectorD()) : Eigen::VectorXd();
-  if (solved && pivots.minCoeff() > kLeastPivot * pivots.maxCoeff()) return;
-  refuse(where + ": fixed", "a body that can move without being strained",
-         "particles held that do not lie on one line, or home springs");
+  return solved && pivots.minCoeff() > kLeastPivot * pivots.maxCoeff();
 }
 
 Sides solve(const Factors& factors, const Sides& f) {

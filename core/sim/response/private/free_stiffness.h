@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/SparseCholesky>
-#include <string>
 #include <vector>
 
 #include "palpate/sim/model/tissue_model.h"
@@ -28,9 +27,8 @@ struct FreeStiffness {
 
 using Factors = Eigen::SimplicialLDLT<SparseMatrix>;
 
-/// Throws std::invalid_argument, which begins with `where`, for a body that can move without being
-/// strained.
-void factor(const std::string& where, const FreeStiffness& stiffness, Factors& factors);
+/// False for a body that can move without being strained.
+bool factor(const FreeStiffness& stiffness, Factors& factors);
 
 /// So many right sides are solved for in one pass over the factors, which is what such a pass
 /// costs.
