@@ -22,7 +22,7 @@ constexpr double kLeastLeft = 0.15, kMostLeft = 1.6;
 constexpr double kLeastGain = 0.3, kMostGain = 8.0;
 
 /// Part of the radius from which the hard law holds as well, so that nothing passes.
-constexpr double kBarrierFrom = 0.5;
+constexpr double kBarrierFrom = 0.75;
 
 NearPressure make_law(const NearField& near, const Tool& tool) noexcept {
   return {near.modulus, tool.radius, tool.stiffness};
