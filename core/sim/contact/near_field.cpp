@@ -17,60 +17,60 @@ namespace {
 struct Surface {
   explicit Surface(const TissueModel& m)
       : model(m),
-        x(compute_surface(m, m.rest_position)),
-        normals(compute_vertex_normals(x, m.triangles)),
-        touched(x.size(), false) {
-    for (const Triangle& t : m.triangles) {
+        mesh{compute_surface(m, m.rest_position), m.triangles},
+        normals(compute_vertex_normals(mesh.vertices, mesh.triangles)),
+        touched(mesh.vertices.size(), false) {
+    for (const Triangle& t : mesh.triangles) {
       for (const int v : t) touched[static_cast<std::size_t>(v)] = true;
     }
   }
 
-  /// Calls take(particle, weight) for what carries a vertex.
-  template <class Take>
-  void for_each_carrier(std::size_t v, Take take) const {
-    if (model.skin.corners.empty()) return take(static_cast<int>(v), 1.0);
-    for (std::size_t k = 0; k < 4; ++k) {
-      take(model.skin.corners[v][k], model.skin.weights[v][k]);
-    }
-  }
+  std::size_t size() const { return mesh.vertices.size(); }
+  const Vec3& x(std::size_t v) const { return mesh.vertices[v]; }
 
   const TissueModel& model;
-  Vec3Array x;                // [m]
+  SurfaceMesh mesh;           // [m]
   Vec3Array normals;          // unit
   std::vector<bool> touched;  // a corner of a triangle: not one inside of a solid
 };
 
+/// Calls take(coordinate of the free, part) for what a vertex moves along its normal with.
+template <class Take>
+void for_each_carrier(const Surface& surface, const FreeStiffness& stiffness, std::size_t v,
+                      Take take) {
+  const auto visit = [&](int particle, double weight) {
+    const Eigen::Index at = stiffness.place(3 * Eigen::Index{particle});
+    if (at < 0) return;
+    for (int axis = 0; axis < 3; ++axis) take(at + axis, weight * surface.normals[v][axis]);
+  };
+  const Skin& skin = surface.model.skin;
+  if (skin.corners.empty()) return visit(static_cast<int>(v), 1.0);
+  for (std::size_t k = 0; k < 4; ++k) visit(skin.corners[v][k], skin.weights[v][k]);
+}
+
 /// A force [N] along its normal on a vertex, one of the sides.
 void push(const Surface& surface, const FreeStiffness& stiffness, std::size_t v, double f,
           Eigen::Index side, Sides& force) {
-  surface.for_each_carrier(v, [&](int particle, double weight) {
-    const Eigen::Index at = stiffness.place(3 * Eigen::Index{particle});
-    if (at < 0) return;
-    for (int axis = 0; axis < 3; ++axis)
-      force(at + axis, side) += f * weight * surface.normals[v][axis];
-  });
+  for_each_carrier(surface, stiffness, v,
+                   [&](Eigen::Index at, double part) { force(at, side) += f * part; });
 }
 
 /// [m] along its normal.
 double find_displacement(const Surface& surface, const FreeStiffness& stiffness, std::size_t v,
                          const Sides& u, Eigen::Index side) {
   double sum = 0.0;
-  surface.for_each_carrier(v, [&](int particle, double weight) {
-    const Eigen::Index at = stiffness.place(3 * Eigen::Index{particle});
-    if (at < 0) return;
-    for (int axis = 0; axis < 3; ++axis)
-      sum += weight * surface.normals[v][axis] * u(at + axis, side);
-  });
+  for_each_carrier(surface, stiffness, v,
+                   [&](Eigen::Index at, double part) { sum += part * u(at, side); });
   return sum;
 }
 
 /// [1/m] How fast normals turn along the edges at each vertex, their mean.
 std::vector<double> compute_curvature(const Surface& surface) {
-  std::vector<double> sum(surface.x.size(), 0.0), count(surface.x.size(), 0.0);
-  for (const Triangle& t : surface.model.triangles) {
+  std::vector<double> sum(surface.size(), 0.0), count(surface.size(), 0.0);
+  for (const Triangle& t : surface.mesh.triangles) {
     for (std::size_t c = 0; c < 3; ++c) {
       const auto i = static_cast<std::size_t>(t[c]), j = static_cast<std::size_t>(t[(c + 1) % 3]);
-      const Vec3 edge = surface.x[j] - surface.x[i];
+      const Vec3 edge = surface.x(j) - surface.x(i);
       const double turned = (surface.normals[j] - surface.normals[i]).dot(edge);
       if (!(edge.squaredNorm() > 0.0)) continue;
       for (const std::size_t v : {i, j}) {
@@ -87,29 +87,19 @@ std::vector<double> compute_curvature(const Surface& surface) {
 std::vector<std::size_t> find_neighbours(const Surface& surface, std::size_t v, double reach) {
   std::vector<std::size_t> near;
   if (!surface.touched[v]) return near;
-  for (std::size_t u = 0; u < surface.x.size(); ++u) {
-    if (surface.touched[u] && (surface.x[u] - surface.x[v]).norm() < reach) near.push_back(u);
+  for (std::size_t u = 0; u < surface.size(); ++u) {
+    if (surface.touched[u] && (surface.x(u) - surface.x(v)).norm() < reach) near.push_back(u);
   }
   return near;
-}
-
-/// [m²] Of the surface, a third of each triangle to each of its corners.
-std::vector<double> share_area(const Surface& surface) {
-  std::vector<double> area(surface.x.size(), 0.0);
-  for (const auto& [i, j, k] : surface.model.triangles) {
-    const Vec3 across = (surface.x[j] - surface.x[i]).cross(surface.x[k] - surface.x[i]);
-    for (const int v : {i, j, k}) area[static_cast<std::size_t>(v)] += across.norm() / 6.0;
-  }
-  return area;
 }
 
 /// [m] The longest edges that are not rare: of the triangles by which touch is coarsest.
 double find_edge_length(const Surface& surface) {
   std::vector<double> squares;
-  for (const Triangle& t : surface.model.triangles) {
+  for (const Triangle& t : surface.mesh.triangles) {
     for (std::size_t c = 0; c < 3; ++c) {
       const auto i = static_cast<std::size_t>(t[c]), j = static_cast<std::size_t>(t[(c + 1) % 3]);
-      squares.push_back((surface.x[j] - surface.x[i]).squaredNorm());
+      squares.push_back((surface.x(j) - surface.x(i)).squaredNorm());
     }
   }
   const auto at = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() * 9 / 10);
@@ -138,24 +128,43 @@ double find_patch_radius(const Surface& surface) {
   return std::max(kLeastPatch, kPatchEdges * longest);
 }
 
+/// A uniform pressure, by what of it vertices carry.
+struct Patch {
+  std::vector<std::size_t> vertices;
+  std::vector<double> weights;  // sum to 1
+};
+
+Patch make_patch(const Surface& surface, const std::vector<double>& area, std::size_t v,
+                 double radius) {
+  Patch patch{find_neighbours(surface, v, radius), {}};
+  double sum = 0.0;
+  for (const std::size_t u : patch.vertices) sum += area[u];
+  for (const std::size_t u : patch.vertices) patch.weights.push_back(area[u] / sum);
+  return patch;
+}
+
+/// [m²] The mean of squared distances between any two points of a patch: twice that from their
+/// middle.
+double measure_spread(const Surface& surface, const Patch& patch) {
+  Vec3 middle = Vec3::Zero();
+  double squares = 0.0;
+  for (std::size_t k = 0; k < patch.vertices.size(); ++k) {
+    middle += patch.weights[k] * surface.x(patch.vertices[k]);
+  }
+  for (std::size_t k = 0; k < patch.vertices.size(); ++k) {
+    squares += patch.weights[k] * (surface.x(patch.vertices[k]) - middle).squaredNorm();
+  }
+  return 2.0 * squares;
+}
+
 /// A uniform pressure on a disc of radius a moves a half space by 16 / (3 pi² E* a), the mean over
 /// the disc [Johnson85, 3.4]. Here the patch is what vertices carry: `a` is the radius of the disc
 /// whose points are as far apart, on the mean of squares.
-double find_far_compliance(const NearField& near, const Surface& surface,
-                           const std::vector<double>& weight, const std::vector<std::size_t>& patch,
-                           const Eigen::VectorXd& moved) {
-  double spread = 0.0, compliance = 0.0;
-  for (const std::size_t u : patch) {
-    compliance += weight[u] * moved[static_cast<Eigen::Index>(u)];
-    for (const std::size_t w : patch) {
-      spread += weight[u] * weight[w] * (surface.x[u] - surface.x[w]).squaredNorm();
-    }
-  }
+double find_far_compliance(double modulus, double compliance, double spread) {
+  constexpr double kPi = std::numbers::pi;
   // a patch of one vertex, or of none, tells nothing
   if (!(spread > 0.0)) return 0.0;
-  const double radius = std::sqrt(spread);
-  constexpr double kPi = std::numbers::pi;
-  return compliance - 16.0 / (3.0 * kPi * kPi * near.modulus * radius);
+  return compliance - 16.0 / (3.0 * kPi * kPi * modulus * std::sqrt(spread));
 }
 
 void require_positive(const char* what, double value) {
@@ -163,17 +172,7 @@ void require_positive(const char* what, double value) {
   refuse(std::string("near field: ") + what, write_text(value), "a positive number");
 }
 
-}  // namespace
-
-NearContacts::NearContacts(int triangles, int vertices)
-    : triangle(static_cast<std::size_t>(triangles)),
-      closest(static_cast<std::size_t>(triangles)),
-      contact(static_cast<std::size_t>(triangles)),
-      weight(static_cast<std::size_t>(vertices), 0.0) {}
-
-namespace {
-
-/// What vertices do under unit forces, and under uniform patches, around `begin` up to `end`.
+/// What vertices from `begin` up to `end` and those around them do under unit forces.
 void solve_around(const Surface& surface, const FreeStiffness& stiffness, const Factors& factors,
                   std::size_t begin, std::size_t end, double reach, NearField& near) {
   Sides force = Sides::Zero(3 * stiffness.count, kAtOnce);
@@ -191,33 +190,29 @@ void solve_around(const Surface& surface, const FreeStiffness& stiffness, const 
   }
 }
 
+/// The far compliance of the same, each under a patch of its own.
 void solve_far(const Surface& surface, const FreeStiffness& stiffness, const Factors& factors,
                const std::vector<double>& area, double radius, std::size_t begin, std::size_t end,
                NearField& near) {
-  std::vector<std::vector<std::size_t>> patches;
-  std::vector<std::vector<double>> weights;
+  std::vector<Patch> patches;
   Sides force = Sides::Zero(3 * stiffness.count, kAtOnce);
   for (std::size_t v = begin; v < end; ++v) {
-    const std::vector<std::size_t> around = find_neighbours(surface, v, radius);
-    std::vector<double> weight(surface.x.size(), 0.0);
-    double sum = 0.0;
-    for (const std::size_t w : around) sum += area[w];
-    for (const std::size_t w : around) {
-      weight[w] = sum > 0.0 ? area[w] / sum : 1.0;
-      push(surface, stiffness, w, weight[w], static_cast<Eigen::Index>(v - begin), force);
+    const Patch& patch = patches.emplace_back(make_patch(surface, area, v, radius));
+    for (std::size_t k = 0; k < patch.vertices.size(); ++k) {
+      push(surface, stiffness, patch.vertices[k], patch.weights[k],
+           static_cast<Eigen::Index>(v - begin), force);
     }
-    patches.push_back(around);
-    weights.push_back(std::move(weight));
   }
   const Sides u = solve(factors, force);
-  Eigen::VectorXd moved(static_cast<Eigen::Index>(surface.x.size()));
   for (std::size_t v = begin; v < end; ++v) {
-    for (const std::size_t w : patches[v - begin]) {
-      moved[static_cast<Eigen::Index>(w)] =
-          find_displacement(surface, stiffness, w, u, static_cast<Eigen::Index>(v - begin));
+    const Patch& patch = patches[v - begin];
+    double compliance = 0.0;
+    for (std::size_t k = 0; k < patch.vertices.size(); ++k) {
+      compliance += patch.weights[k] * find_displacement(surface, stiffness, patch.vertices[k], u,
+                                                         static_cast<Eigen::Index>(v - begin));
     }
     near.far_compliance[v] =
-        find_far_compliance(near, surface, weights[v - begin], patches[v - begin], moved);
+        find_far_compliance(near.modulus, compliance, measure_spread(surface, patch));
   }
 }
 
@@ -235,6 +230,12 @@ void ground(FreeStiffness& stiffness, Factors& factors) {
 
 }  // namespace
 
+NearContacts::NearContacts(int triangles, int vertices)
+    : triangle(static_cast<std::size_t>(triangles)),
+      closest(static_cast<std::size_t>(triangles)),
+      contact(static_cast<std::size_t>(triangles)),
+      weight(static_cast<std::size_t>(vertices), 0.0) {}
+
 NearField build_near_field(const TissueModel& model, double modulus, double radius) {
   require_positive("modulus [Pa]", modulus);
   require_positive("radius [m]", radius);
@@ -245,15 +246,15 @@ NearField build_near_field(const TissueModel& model, double modulus, double radi
 
   NearField near;
   near.modulus = modulus;
-  near.far_compliance.assign(surface.x.size(), 0.0);
+  near.far_compliance.assign(surface.size(), 0.0);
   near.curvature = compute_curvature(surface);
   near.first.push_back(0);
   const double reach = 2.0 * (radius + find_edge_length(surface));
   const double patch = find_patch_radius(surface);
-  const std::vector<double> area = share_area(surface);
+  const std::vector<double> area = compute_vertex_areas(surface.mesh);
   constexpr auto kSides = static_cast<std::size_t>(kAtOnce);
-  for (std::size_t begin = 0; begin < surface.x.size(); begin += kSides) {
-    const std::size_t end = std::min(begin + kSides, surface.x.size());
+  for (std::size_t begin = 0; begin < surface.size(); begin += kSides) {
+    const std::size_t end = std::min(begin + kSides, surface.size());
     const auto inner = surface.touched.begin();
     if (std::none_of(inner + static_cast<std::ptrdiff_t>(begin),
                      inner + static_cast<std::ptrdiff_t>(end), std::identity())) {

@@ -119,7 +119,7 @@ NearGain find_gain(const NearField& near, const Tool& tool, const Patch& patch,
   return gain;
 }
 
-/// Pressures times the gain, and the barrier: what the hard law has beyond half a radius.
+/// Pressures times the gain, and the barrier: what the hard law has beyond kBarrierFrom.
 Contact combine(const Tool& tool, const Contact& closest, const Contact& soft,
                 const NearGain& gain) noexcept {
   Contact contact = closest;
