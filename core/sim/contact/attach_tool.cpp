@@ -98,8 +98,15 @@ double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
     for (const int i : triangle(hold.triangle)) scratch[static_cast<std::size_t>(i)] = 0.0;
   }
   double largest = 0.0;
+  // what balance_tool has found where the tool and the tissue still are
+  const bool is_found = near && candidates.near.found && candidates.near.centre == state.position;
+  for (std::size_t i = 0; is_found && i < static_cast<std::size_t>(candidates.near.count); ++i) {
+    const Contact& found = candidates.near.contact[i];
+    largest = std::max(largest, add_row_sums(triangle(candidates.near.triangle[i]), found.weights,
+                                             found.stiffness, mass, scratch));
+  }
   Contact contact;
-  for (std::size_t i = 0; i < touchable.size(); ++i) {
+  for (std::size_t i = 0; !is_found && i < touchable.size(); ++i) {
     const Triangle& t = triangle(touchable[i]);
     const Vec3 &a = corner(t, 0), &b = corner(t, 1), &c = corner(t, 2);
     if (!find_contact(tool, candidates.areas[i], state.position, a, b, c, contact)) continue;

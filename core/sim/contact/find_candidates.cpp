@@ -14,7 +14,7 @@ void find_candidates(const AabbTree& tree, std::span<const Vec3> x, const Tool& 
                                       tool.radius + kCandidateMargin, candidates.triangles);
   candidates.from = tool_position;
   candidates.to = hand_position;
-  candidates.near.knows_compliance = false;
+  candidates.near.knows_compliance = candidates.near.found = false;
   candidates.count = std::min(found, static_cast<int>(candidates.triangles.size()));
   for (std::size_t i = 0; i < static_cast<std::size_t>(candidates.count); ++i) {
     candidates.areas[i] = rest_areas[static_cast<std::size_t>(candidates.triangles[i])];

@@ -157,7 +157,7 @@ void find_touchable(const Scene& scene, std::size_t instrument, std::size_t body
   const Tool& tool = scene.instruments[instrument].tool;
   const Vec3& from = world.instruments[instrument].tool.position;
   const std::vector<double>& areas = scene.bodies[body].rest_areas;
-  candidates.near.knows_compliance = false;
+  candidates.near.knows_compliance = candidates.near.found = false;
   if (!lags(world, state) || state.asleep) {
     find_candidates(state.tree, surface_position(state), tool, from, hand, areas, candidates);
     return;
