@@ -108,7 +108,7 @@ def run_study(call: argparse.Namespace) -> Report:
 
 
 def run_tool(call: argparse.Namespace) -> Report:
-    from palpate.study.contact_reference import LAWS
+    from palpate.study.reference import LAWS
     from palpate.study.tool import compare_tool, open_pressed
     from palpate.study.tool_block import open_blocks
 

@@ -17,19 +17,10 @@ from numpy.typing import NDArray
 
 from palpate.files.json_part import is_whole, read_part
 from palpate.files.refusal import Refusal
+from palpate.study.reference import LAWS, Shape
 
 FOLDER = Path(__file__).parent / "contacts"
 FORMAT, VERSION = "palpate-contact-reference", 1
-LAWS = ("linear", "neo_hookean")
-
-
-@dataclass(frozen=True)
-class Shape:
-    """The shipped surface that a body was made from."""
-
-    file: str
-    """In meshes/published."""
-    sha256: str
 
 
 @dataclass(frozen=True)
@@ -61,8 +52,8 @@ class Result:
 
 
 @dataclass(frozen=True)
-class Case:
-    """A ball pressed at a place, to several depths."""
+class Head:
+    """A ball pressed at a place: a case of a file, but for its results."""
 
     place: str
     law: str
@@ -76,6 +67,12 @@ class Case:
     freedoms: int
     key: str
     """Of all that the case depends on; the solver goes by it."""
+
+
+@dataclass(frozen=True)
+class Case(Head):
+    """A ball pressed at a place, to several depths."""
+
     results: tuple[Result, ...]
 
     def find_force(self, depth: float) -> float:
@@ -204,20 +201,6 @@ def read_case(path: Path, where: str, data: Any) -> Case:
     head = {name: value for name, value in data.items() if name != "results"}
     case = read_part(path, where, Head, head, whole=True)
     return Case(**vars(case), results=results)
-
-
-@dataclass(frozen=True)
-class Head:
-    """A case but for its results, as the file has it."""
-
-    place: str
-    law: str
-    radius: float
-    touch: float
-    elements: str
-    tetrahedra: int
-    freedoms: int
-    key: str
 
 
 def check(path: Path, reference: ContactReference) -> None:

@@ -14,9 +14,7 @@ from palpate_editor.compile import build_organ
 from palpate_editor.document.constants import CONSTANTS, SHORT_KINDS
 from palpate_editor.document.idle import find_idle
 from palpate_editor.edits import FixLowest, RemoveRegion, SetChoice, SetConstant, SetRegion
-from palpate_editor.own_values import read_own_values
 from palpate_editor.views.quantity_box import QuantityBox, read_number, write_number
-from palpate_editor.views.stages.published_dialog import PublishedDialog
 from patience import settle
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -237,61 +235,6 @@ def test_a_wall_takes_its_constants_from_its_tissue_and_says_how_well(panel, qtb
     assert panel.context.session.organ.model.stiffness == pytest.approx(100.0, rel=0.5)
     window.context.session.history.undo()
     assert panel.context.session.organ.model.constants == "tissue"
-
-
-def table_of(dialog) -> list[tuple[str, ...]]:
-    table = dialog.table
-    return [
-        tuple(table.item(row, column).text() for column in range(4))
-        for row in range(table.rowCount())
-    ]
-
-
-def test_published_values_are_in_reach_at_the_top_of_the_form_and_can_be_used(panel, qtbot):
-    panel.window().resize(1280, 720)
-    published = panel.published
-    published.box.setCurrentIndex([t.name for t in published.tissues].index("gallbladder"))
-    area = panel.window().stage_dock.stack.currentWidget().viewport()
-    button = child(panel, "show_published")
-    assert area.rect().contains(button.mapTo(area, button.rect().bottomRight()))
-
-    click(button)
-    rows = table_of(published.dialog)
-    modulus = next(row for row in rows if row[0] == "Young's modulus" and "Karimi" in row[3])
-    assert modulus[1] == "230 – 280\N{NO-BREAK SPACE}kPa"
-    click(child(panel, "use_tissue"))
-
-    organ = panel.context.session.organ
-    assert organ.material.young_modulus == 2.5e5
-    assert organ.material.wall_thickness == 2.5e-3
-    assert panel.context.session.history.undoText() == "Material of gallbladder wall"
-
-
-def test_a_designer_adds_a_published_value_and_removes_it_again(panel, user_data):
-    click(child(panel, "show_published"))
-    dialog = panel.published.dialog
-    before = table_of(dialog)
-    dialog.table.selectRow(0)
-    assert not dialog.remove_button.isEnabled()  # what ships stays
-    dialog.low.lineEdit().setText("4.5")
-    dialog.high.lineEdit().setText("7")
-    dialog.method.setText("indentation")
-    click(dialog.add_button)
-    assert "needs its source" in panel.window().messages.text
-    dialog.source.setText("Doe et al., J Biomech 2024")
-    click(dialog.add_button)
-
-    added = ("Young's modulus", "4.5 – 7\N{NO-BREAK SPACE}kPa", "indentation")
-    assert table_of(dialog) == [*before, (*added, "Doe et al., J Biomech 2024")]
-    again = PublishedDialog(panel.context, panel)
-    assert table_of(again) == table_of(dialog)
-    kept = read_own_values(user_data / "palpate" / "published_values.json")
-    assert [(value.low, value.high) for value in kept] == [(4500.0, 7000.0)]
-
-    dialog.table.selectRow(len(before))
-    click(dialog.remove_button)
-    assert table_of(dialog) == before
-    assert read_own_values(user_data / "palpate" / "published_values.json") == ()
 
 
 def test_young_modulus_cannot_be_edited_where_it_does_nothing_and_says_why(panel, qtbot):

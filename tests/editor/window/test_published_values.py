@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Published values of tissues, at the top of the Material stage: read, used, added and removed."""
+
+from __future__ import annotations
+
+import pytest
+from hands import child, click
+from palpate_editor.own_values import read_own_values
+from palpate_editor.views.stages.published_dialog import PublishedDialog
+
+pytestmark = pytest.mark.window
+
+
+@pytest.fixture
+def panel(spleen_window):
+    spleen_window.show_stage("material")
+    return spleen_window.material_panel
+
+
+def table_of(dialog) -> list[tuple[str, ...]]:
+    table = dialog.table
+    return [
+        tuple(table.item(row, column).text() for column in range(4))
+        for row in range(table.rowCount())
+    ]
+
+
+def test_published_values_are_in_reach_at_the_top_of_the_form_and_can_be_used(panel, qtbot):
+    panel.window().resize(1280, 720)
+    published = panel.published
+    published.box.setCurrentIndex([t.name for t in published.tissues].index("gallbladder"))
+    area = panel.window().stage_dock.stack.currentWidget().viewport()
+    button = child(panel, "show_published")
+    assert area.rect().contains(button.mapTo(area, button.rect().bottomRight()))
+
+    click(button)
+    rows = table_of(published.dialog)
+    modulus = next(row for row in rows if row[0] == "Young's modulus" and "Karimi" in row[3])
+    assert modulus[1] == "230 – 280\N{NO-BREAK SPACE}kPa"
+    click(child(panel, "use_tissue"))
+
+    organ = panel.context.session.organ
+    assert organ.material.young_modulus == 2.5e5
+    assert organ.material.wall_thickness == 2.5e-3
+    assert panel.context.session.history.undoText() == "Material of gallbladder wall"
+
+
+def test_a_designer_adds_a_published_value_and_removes_it_again(panel, user_data):
+    click(child(panel, "show_published"))
+    dialog = panel.published.dialog
+    before = table_of(dialog)
+    dialog.table.selectRow(0)
+    assert not dialog.remove_button.isEnabled()  # what ships stays
+    dialog.low.lineEdit().setText("4.5")
+    dialog.high.lineEdit().setText("7")
+    dialog.method.setText("indentation")
+    click(dialog.add_button)
+    assert "needs its source" in panel.window().messages.text
+    dialog.source.setText("Doe et al., J Biomech 2024")
+    click(dialog.add_button)
+
+    added = ("Young's modulus", "4.5 – 7\N{NO-BREAK SPACE}kPa", "indentation")
+    assert table_of(dialog) == [*before, (*added, "Doe et al., J Biomech 2024")]
+    again = PublishedDialog(panel.context, panel)
+    assert table_of(again) == table_of(dialog)
+    kept = read_own_values(user_data / "palpate" / "published_values.json")
+    assert [(value.low, value.high) for value in kept] == [(4500.0, 7000.0)]
+
+    dialog.table.selectRow(len(before))
+    click(dialog.remove_button)
+    assert table_of(dialog) == before
+    assert read_own_values(user_data / "palpate" / "published_values.json") == ()
