@@ -6,8 +6,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from math import inf, isfinite
-from pathlib import Path
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -25,19 +23,15 @@ from palpate_editor.compile import (
     mesh_of,
 )
 from palpate_editor.document import Organ, Surface
-from palpate_editor.document.cost_rules import compute_tick_share
-from palpate_editor.document.press_rules import compute_contact_radius, compute_patch_factor
 from palpate_editor.document.problems import (
     Facts,
     Problem,
     SurfaceFacts,
     TissueFacts,
-    TrialFacts,
     WallFit,
 )
 from palpate_editor.document.rules import find_problems
 from palpate_editor.fixes import find_fix
-from palpate_editor.open_organ import open_organ
 from palpate_editor.trial import measure_trial
 
 measured: WeakKeyDictionary[Surface, tuple[authoring.MeshReport, SurfaceFacts]] = (
@@ -206,44 +200,6 @@ def find_coupling_range(organ: Organ) -> tuple[float, float] | None:
     if low < organ.model.stretch_coupling < high or not low < high:
         return None
     return float(low), float(high)
-
-
-def check_file(path: Path) -> Report:
-    """Everything wrong or doubtful about a working file or a scene file.
-
-    A scene file has neither title nor task, so it is not held to those. Raises Refusal, FileError
-    or OSError where the file cannot be read.
-    """
-    assessment = assess(open_organ(path))
-    scene, tissue = assessment.scene, assessment.facts.tissue
-    trial = tissue.trial if tissue else None
-    judged = [p for p in assessment.problems if path.suffix != ".json" or p.stage != "publish"]
-    return {
-        "file": str(path),
-        "description": "cannot be built" if scene is None else describe_model(scene),
-        # JSON has no infinity, which is the margin of what cannot swing
-        "stability_margin": tissue.margin if tissue and isfinite(tissue.margin or inf) else None,
-        "substeps_in_touch": trial.substeps if trial else None,
-        "tick_share_in_touch": compute_tick_share(assessment.organ, assessment.facts),
-        "press_depth_m": trial.depth if trial else None,
-        "places": describe_places(assessment.organ, trial) if trial else [],
-        "problems": list(map(describe_problem, judged)),
-    }
-
-
-def describe_places(organ: Organ, trial: TrialFacts) -> list[Report]:
-    """What a press feels, place by place."""
-    contact = compute_contact_radius(organ.tool.radius, trial.depth)
-    return [
-        {
-            "point_m": list(place.point),
-            "home_share": place.home_share,
-            "edge_m": place.edge,
-            "contact_radius_m": contact,
-            "times_too_stiff": place.edge and compute_patch_factor(place.edge, contact),
-        }
-        for place in trial.places
-    ]
 
 
 def describe_problem(problem: Problem) -> Report:

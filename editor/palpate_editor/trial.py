@@ -7,7 +7,14 @@ import numpy as np
 import palpate
 from numpy.typing import NDArray
 from palpate.runs.press import Place
-from palpate.runs.trial import DEPTH, HOLD, Trial, choose_places, press_places
+from palpate.runs.trial import (
+    DEPTH,
+    HOLD,
+    Trial,
+    choose_places,
+    press_places,
+)
+from palpate.runs.validated import Depths, Validity
 
 from palpate_editor.document import Organ
 from palpate_editor.document.cost_rules import estimate_tick
@@ -40,16 +47,32 @@ def measure_trial(organ: Organ, scene: palpate.Scene) -> TrialFacts:
     edges: list[float | None] = [None] * len(places)
     if len(tetrahedra):
         edges = list(measure_edges(body.tissue, tetrahedra, places))
+    depths = Depths(scene, organ.material.wall_thickness)
     return TrialFacts(
         depth=DEPTH,
         substeps=max((t.substeps for t in trials if t and t.substeps), default=body.substeps),
-        places=tuple(map(describe_place, places, trials, edges)),
+        places=tuple(
+            describe_place(place, depths.find(place), trial, edge)
+            for place, trial, edge in zip(places, trials, edges, strict=True)
+        ),
     )
 
 
-def describe_place(place: Place, trial: Trial | None, edge: float | None) -> PlaceFacts:
+def describe_place(
+    place: Place,
+    validity: Validity,
+    trial: Trial | None = None,
+    edge: float | None = None,
+) -> PlaceFacts:
     x, y, z = map(float, place.point)
-    return PlaceFacts((x, y, z), None if trial is None else trial.home_share, edge)
+    return PlaceFacts(
+        point=(x, y, z),
+        home_share=None if trial is None else trial.home_share,
+        edge=edge,
+        thickness=validity.thickness,
+        validated=validity.depth,
+        bound=validity.bound,
+    )
 
 
 def measure_edges(

@@ -18,6 +18,11 @@ CONTACT_LAWS = ("near_field", "hard")
 """How a solid is felt under a ball."""
 SPRING_RULES = ("van_gelder", "lloyd")
 """How the constants of springs follow from the material."""
+VALIDATED_PART, VALIDATED_RADII = 0.10, 1.5
+"""[-] To which depth a press is validated: the smaller of these parts of the thickness and of the
+tip's radius [accuracy: tool]."""
+VALIDATED_TIPS = (2e-3, 8e-3)
+"""[m] The least and the largest radius of a tip that is validated to any depth."""
 
 
 @dataclass(frozen=True)

@@ -74,6 +74,22 @@ class PlaceFacts:
     pressed or nothing was felt."""
     edge: float | None = None
     """[m] of the tetrahedra at the surface there; None for a surface."""
+    thickness: float | None = None
+    """[m] of the organ along the press, a hollow one with its far wall; None for a sheet."""
+    validated: float = 0.0
+    """[m] How deep the tool may go for its force to be validated; 0 for no depth."""
+    bound: str = "tip"
+    """Which length that comes from: thickness, radius or wall; tip where that is too small or too
+    large itself."""
+
+
+@dataclass(frozen=True)
+class PressFacts:
+    """A press that someone means to make."""
+
+    depth: float
+    """[m] of the hand's tip below the surface at rest."""
+    place: PlaceFacts
 
 
 @dataclass(frozen=True)
@@ -90,6 +106,11 @@ class TrialFacts:
     def home_shares(self) -> tuple[float, ...]:
         """[-] Of the places that have one."""
         return tuple(p.home_share for p in self.places if p.home_share is not None)
+
+    @property
+    def validated(self) -> tuple[float, ...]:
+        """[m] Of the places that are validated to some depth."""
+        return tuple(p.validated for p in self.places if p.validated > 0.0)
 
     @property
     def edges(self) -> tuple[float, ...]:

@@ -2186,6 +2186,22 @@ Beklenen: {expected}.</translation>
         <source>Has no effect here: {why}. {where}</source>
         <translation>Burada etkisi yoktur: {why}. {where}</translation>
     </message>
+    <message>
+        <source>Validated to</source>
+        <translation>Doğrulanan derinlik</translation>
+    </message>
+    <message>
+        <source>no depth: only tips of {least} to {most} mm are</source>
+        <translation>yok: yalnız {least} ile {most} mm arası uçlar için var</translation>
+    </message>
+    <message>
+        <source>{span} mm deep, by place</source>
+        <translation>yerine göre {span} mm</translation>
+    </message>
+    <message>
+        <source>The press stays within the {depth} mm that are validated there.</source>
+        <translation>Basış, orada doğrulanmış olan {depth} mm içinde kalıyor.</translation>
+    </message>
 </context>
 <context>
     <name>constants</name>
@@ -2966,6 +2982,34 @@ Beklenen: {expected}.</translation>
     <message>
         <source>It counts where the relaxation is above 0.</source>
         <translation>Gevşeme 0'dan büyük olduğunda hesaba katılır.</translation>
+    </message>
+    <message>
+        <source>{depth:.1f} mm deep at {x}, {y}, {z} mm, where {validated:.1f} mm are validated: a tenth of the thickness of {length:.1f} mm</source>
+        <translation>{x}, {y}, {z} mm yerinde {depth:.1f} mm derin; orada {validated:.1f} mm doğrulanmıştır: {length:.1f} mm kalınlığın onda biri</translation>
+    </message>
+    <message>
+        <source>{depth:.1f} mm deep at {x}, {y}, {z} mm, where {validated:.1f} mm are validated: the thickness of its wall, {length:.1f} mm</source>
+        <translation>{x}, {y}, {z} mm yerinde {depth:.1f} mm derin; orada {validated:.1f} mm doğrulanmıştır: duvarın kalınlığı, {length:.1f} mm</translation>
+    </message>
+    <message>
+        <source>{depth:.1f} mm deep at {x}, {y}, {z} mm, where {validated:.1f} mm are validated: one and a half times the tip's radius of {length:.1f} mm</source>
+        <translation>{x}, {y}, {z} mm yerinde {depth:.1f} mm derin; orada {validated:.1f} mm doğrulanmıştır: ucun {length:.1f} mm yarıçapının bir buçuk katı</translation>
+    </message>
+    <message>
+        <source>a press of {depth:.1f} mm with a tip of {radius:g} mm, for which no depth is validated</source>
+        <translation>{radius:g} mm uçla {depth:.1f} mm basış; bu uç için hiçbir derinlik doğrulanmamıştır</translation>
+    </message>
+    <message>
+        <source>a tip of {least:g} to {most:g} mm, as the balls that forces were compared with</source>
+        <translation>{least:g} ile {most:g} mm arası bir uç: kuvvetlerin karşılaştırıldığı bilyeler gibi</translation>
+    </message>
+    <message>
+        <source>at most {validated:.1f} mm, or a tip of {radius:.1f} mm: deeper no truth was solved to compare the force with</source>
+        <translation>en çok {validated:.1f} mm ya da {radius:.1f} mm bir uç: daha derini için kuvvetin karşılaştırılacağı bir çözüm yoktur</translation>
+    </message>
+    <message>
+        <source>at most {validated:.1f} mm: deeper no truth was solved to compare the force with</source>
+        <translation>en çok {validated:.1f} mm: daha derini için kuvvetin karşılaştırılacağı bir çözüm yoktur</translation>
     </message>
 </context>
 <context>

@@ -3,7 +3,17 @@
 
 from __future__ import annotations
 
-from palpate_editor.verbs import appearance, calibrate, demo, mesh, organs, paint, publish, tissue
+from palpate_editor.verbs import (
+    appearance,
+    calibrate,
+    check,
+    demo,
+    mesh,
+    organs,
+    paint,
+    publish,
+    tissue,
+)
 from palpate_editor.verbs.editor import EDITOR
 
 VERBS = [
@@ -12,6 +22,7 @@ VERBS = [
     *appearance.VERBS,
     *paint.VERBS,
     *calibrate.VERBS,
+    *check.VERBS,
     *publish.VERBS,
     *organs.VERBS,
     *demo.VERBS,

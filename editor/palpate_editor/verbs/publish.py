@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The verbs before a trainee gets an organ: check, repair, publish."""
+"""The verbs before a trainee gets an organ: repair, publish."""
 
 from __future__ import annotations
 
@@ -12,11 +12,12 @@ from palpate.command.verb import Report, Verb
 from palpate.files.file_kind import PUBLISHED
 from palpate.files.refusal import Refusal
 
-from palpate_editor.check import assess, check_file, describe_problem
+from palpate_editor.check import assess, describe_problem
 from palpate_editor.document import Organ
 from palpate_editor.document.problems import Problem
 from palpate_editor.edits import FillHoles, SetTask
 from palpate_editor.publish import PublishError, publish
+from palpate_editor.verbs.check import describe_problems
 from palpate_editor.verbs.files import (
     OUTPUTS,
     ReadFile,
@@ -30,66 +31,6 @@ EVERY_HOLE = 2**31 - 1
 """[edges] More than any hole has."""
 NO_PROBLEM = ""
 """The name of none."""
-
-# ---------------------------------------------------------------- check
-
-
-def add_check(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("file", type=Path, help=".organ, .palpate or .scene.json")
-
-
-def run_check(call: argparse.Namespace) -> Report:
-    return check_file(call.file)
-
-
-def describe_problems(problems: list[Report]) -> list[str]:
-    lines = [
-        f"  {p['severity']:7} {p['where']}: got {p['got']}, expected {p['expected']}" + hint(p)
-        for p in problems
-    ]
-    return lines or ["  no problems"]
-
-
-def hint(problem: Report) -> str:
-    """Which call repairs it."""
-    if problem["problem"] in ("no_title", "no_task"):
-        return f" (palpate publish --{problem['where']})"
-    return f" (palpate repair --problem {problem['problem']})" if problem["fix"] else ""
-
-
-def describe_check(report: Report) -> str:
-    heading = f"{report['file']}: {report['description']}"
-    lines = [heading, *describe_press(report), *describe_problems(report["problems"])]
-    return "\n".join(lines)
-
-
-def describe_press(report: Report) -> list[str]:
-    """What a press of it comes to."""
-    lines: list[str] = []
-    shares = [p["home_share"] for p in report["places"] if p["home_share"] is not None]
-    if report["tick_share_in_touch"] is not None:
-        lines.append(
-            f"  in touch: {report['substeps_in_touch']} substeps, about "
-            f"{report['tick_share_in_touch']:.0%} of a tick on the reference machine"
-        )
-    if shares:
-        lines.append(
-            f"  home springs: {say_span(shares)} of the felt force at {len(shares)} "
-            f"{'places' if len(shares) > 1 else 'place'} pressed "
-            f"{1e3 * report['press_depth_m']:g} mm"
-        )
-    return lines
-
-
-def say_span(shares: list[float]) -> str:
-    """52% to 99%; one number where both are the same."""
-    least, most = (f"{round(100.0 * share) + 0:d}%" for share in (min(shares), max(shares)))
-    return least if least == most else f"{least} to {most}"
-
-
-def has_errors(report: Report) -> bool:
-    return any(p["severity"] == "error" for p in report["problems"])
-
 
 # ---------------------------------------------------------------- repair
 
@@ -219,15 +160,6 @@ def describe_publish(report: Report) -> str:
 
 
 VERBS = [
-    Verb(
-        "check",
-        "list every problem of an organ",
-        "palpate check spleen.organ",
-        add_check,
-        run_check,
-        describe_check,
-        failed=has_errors,
-    ),
     Verb(
         "repair",
         "repair the problems of an organ that need no choice",

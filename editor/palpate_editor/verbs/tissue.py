@@ -33,8 +33,8 @@ from palpate_editor.document.problems import Problem
 from palpate_editor.edits import FixLowest, SetChoice, SetConstant, SetGravity, SetReach
 from palpate_editor.kinds import compare_kinds, describe_kinds
 from palpate_editor.scene_files import name_mesh, write_scene
+from palpate_editor.verbs.check import describe_problems
 from palpate_editor.verbs.files import ReadFile, apply, open_any
-from palpate_editor.verbs.publish import describe_problems
 
 
 def read_constant(constant: Constant, unit: str) -> Callable[[str], float | str]:

@@ -10,6 +10,8 @@ import numpy as np
 import palpate
 import pytest
 from palpate.cli.main import main
+from palpate.runs.press import find_top
+from palpate.runs.validated import find_validity
 from palpate_editor.compile import compile_organ
 from palpate_editor.document import EMPTY
 from palpate_editor.edits import FixVertices, PaintStiffness, SetChoice, SetConstant, SetTask
@@ -67,6 +69,27 @@ def wait_force(panel, qtbot, accept):
 
 
 # ---------------------------------------------------------------- scripted
+
+
+def test_a_script_that_goes_deeper_than_what_is_validated_is_told_at_once(panel, qtbot):
+    def checks():
+        return [row.label.text() for row in panel.rows if not row.isHidden()]
+
+    qtbot.waitUntil(lambda: panel.context.assessment is not None, timeout=LONG)
+    panel.show_checks()
+    assert not any("validated" in text for text in checks())  # by hand nobody knows how deep
+
+    panel.tabs.setCurrentIndex(1)
+    panel.press_form._take_depth(20e-3)
+    [told] = [text for text in checks() if "validated" in text]
+    top = find_top(panel.context.assessment.scene)
+    validity = find_validity(panel.context.assessment.scene, top)
+    assert f"20.0 mm deep at 0, 0, {1e3 * top.point[2]:.0f} mm" in told
+    assert f"Expected: at most {1e3 * validity.depth:.1f} mm" in told
+
+    panel.press_form._take_depth(0.9 * validity.depth)
+    [news] = [text for text in checks() if "validated" in text]
+    assert news.startswith("The press stays within the ")
 
 
 def test_a_scripted_press_in_the_window_feels_what_the_command_line_feels(

@@ -15,6 +15,7 @@ from palpate_editor.document.constants import CONSTANTS, SHORT_KINDS
 from palpate_editor.document.idle import find_idle
 from palpate_editor.edits import FixLowest, RemoveRegion, SetChoice, SetConstant, SetRegion
 from palpate_editor.views.quantity_box import QuantityBox, read_number, write_number
+from palpate_editor.views.translations import number
 from patience import settle
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -98,6 +99,20 @@ def test_mass_substeps_and_margin_follow_at_once(panel, qtbot):
 
 
 @pytest.mark.several_places
+def test_to_which_depth_the_places_are_validated_stands_among_the_results(panel, qtbot):
+    window, words = panel.window(), panel.facts.texts
+
+    depths = panel.context.assessment.tissue.trial.validated
+    span = sorted({number(1e3 * depth, 2) for depth in (min(depths), max(depths))}, key=float)
+    assert words()["Validated to"] == f"{' – '.join(span)} mm deep, by place"
+
+    window.context.apply(SetConstant("tool", "radius", 12e-3))
+    settle(qtbot, window)
+
+    assert words()["Validated to"] == "no depth: only tips of 2 to 8 mm are"
+
+
+@pytest.mark.several_places
 def test_what_home_springs_carry_and_a_tick_in_touch_takes_stand_among_the_results(panel, qtbot):
     window, words = panel.window(), panel.facts.texts
     window.context.apply(SetConstant("model", "home_stiffness", 1e6))
@@ -172,7 +187,9 @@ def test_a_linear_solid_tells_its_memory_and_asks_for_nothing_that_swings(panel,
     settle(qtbot, window)
 
     words = panel.facts.texts()
-    assert list(words) == ["Total mass", "Tetrahedra", "Its response", "A tick in touch takes"]
+    assert list(words) == [
+        "Total mass", "Tetrahedra", "Its response", "A tick in touch takes", "Validated to"
+    ]  # fmt: skip
     assert re.fullmatch(r"[\d.]+\u00a0MB for \d+ of \d+ particles", words["Its response"])
     assert not panel.links.isVisible()
     assert "up to 15 % of the thickness" in panel.origin_note.text()

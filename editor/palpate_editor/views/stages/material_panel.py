@@ -8,6 +8,7 @@ from math import isfinite
 
 import numpy as np
 import palpate
+from palpate.scene.scene_parts import VALIDATED_TIPS
 from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QHBoxLayout, QPushButton, QVBoxLayout
 
 from palpate_editor.document import Organ
@@ -103,6 +104,20 @@ def home_rows(tissue: TissueFacts) -> list[Fact]:
     span = most if least == most else f"{least} \N{EN DASH} {most}"
     tone = "good" if max(shares) <= MOST_HOME_SHARE else "warning"
     return [(tr("Home springs carry"), tr("{span} % of the force").format(span=span), tone)]
+
+
+def validity_rows(tissue: TissueFacts) -> list[Fact]:
+    """How deep the tool may go, by place."""
+    if tissue.trial is None:
+        return []
+    depths = tissue.trial.validated
+    if not depths:
+        tips = [number(1e3 * radius, 2) for radius in VALIDATED_TIPS]
+        text = tr("no depth: only tips of {least} to {most} mm are")
+        return [(tr("Validated to"), text.format(least=tips[0], most=tips[1]))]
+    least, most = (number(1e3 * depth, 2) for depth in (min(depths), max(depths)))
+    span = most if least == most else f"{least} \N{EN DASH} {most}"
+    return [(tr("Validated to"), tr("{span} mm deep, by place").format(span=span))]
 
 
 def share_rows(share: float | None) -> list[Fact]:
@@ -289,7 +304,7 @@ class MaterialPanel(StagePanel):
         scene = assessment.scene
         if scene is not None and scene.bodies[0].response is not None:  # nothing of it swings
             rows.append((tr("Its response"), say_memory(scene.bodies[0].response.size)))
-            return rows + share_rows(share)
+            return rows + share_rows(share) + validity_rows(tissue)
         rows += [
             (tr("Links"), count(tissue.links)),
             (tr("Substeps a tick"), count(tissue.substeps)),
@@ -300,7 +315,8 @@ class MaterialPanel(StagePanel):
         if tissue.margin is not None and isfinite(tissue.margin):
             tone = "good" if tissue.margin >= GOOD_MARGIN else "warning"
             rows.append((tr("Stability margin"), f"{number(tissue.margin, 3)} ×", tone))
-        return rows + self.wall_rows() + home_rows(tissue) + share_rows(share)
+        rows += self.wall_rows() + home_rows(tissue) + share_rows(share)
+        return rows + validity_rows(tissue)
 
     def wall_rows(self) -> list[Fact]:
         """How the springs and bonds of a wall compare with its material."""

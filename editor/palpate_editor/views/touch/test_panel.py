@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from palpate_editor.document import Organ
+from palpate_editor.document.problems import Problem
 from palpate_editor.views.budget_bar import BudgetBar
 from palpate_editor.views.context import Context
 from palpate_editor.views.stages.facts import write_label
@@ -23,6 +24,7 @@ from palpate_editor.views.stages.stage_panel import StagePanel
 from palpate_editor.views.theme import fixed_font
 from palpate_editor.views.touch.force_plot import ForcePlot
 from palpate_editor.views.touch.live_costs import LiveCosts
+from palpate_editor.views.touch.meant_press import judge_press
 from palpate_editor.views.touch.place_tool import PlaceTool
 from palpate_editor.views.touch.press_form import PressForm, write_command
 from palpate_editor.views.touch.results import Outcome
@@ -79,6 +81,7 @@ class TestPanel(StagePanel):
         self.plot.said.connect(self._say)
         self.press_form.refused.connect(context.tell)
         self.press_form.changed.connect(self._show_marker)
+        self.press_form.changed.connect(self.show_checks)
         context.assessed.connect(self._show_marker)
         self._show_command()
         self._show_state()
@@ -220,6 +223,7 @@ class TestPanel(StagePanel):
         self.stop()
         self._show_page(index)
         self._show_marker()
+        self.show_checks()
 
     def _show_page(self, shown: int) -> None:
         # not a stack of pages: that would be as high as the highest of them
@@ -238,9 +242,17 @@ class TestPanel(StagePanel):
         self._show_command()
 
     def good_news(self) -> list[str]:
-        if not self.context.session.is_tested:
-            return []
-        return [tr("The organ was felt as it is now.")]
+        felt = [tr("The organ was felt as it is now.")] if self.context.session.is_tested else []
+        return felt + self._judge_press()[1]
+
+    def problems(self) -> list[Problem]:
+        """Those of the organ, and whether the script goes deeper than what is validated."""
+        return super().problems() + self._judge_press()[0]
+
+    def _judge_press(self) -> tuple[list[Problem], list[str]]:
+        if self.tabs.currentIndex() != PRESS:
+            return [], []
+        return judge_press(self.context.assessment, self.press_form)
 
     # ------------------------------------------------------------ the place
 
