@@ -28,14 +28,20 @@ if shutil.which("ccache"):
     os.environ.setdefault("CMAKE_CXX_COMPILER_LAUNCHER", "ccache")
 
 
+# marks of tests that run only where -m asks for one of these marks
+TIERS = {"landing": ("landing", "window"), "verify": ("verify",)}
+
+
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Tests marked `verify` run only where -m asks for them."""
-    if "verify" in config.getoption("markexpr"):
-        return
-    sweeps = [item for item in items if item.get_closest_marker("verify")]
-    if sweeps:
-        config.hook.pytest_deselected(items=sweeps)
-        items[:] = [item for item in items if not item.get_closest_marker("verify")]
+    """Tests of a later tier are left out: those of a landing run by `.ci/run`, their windows with
+    all others on its X server; sweeps at full length by `./run verify`."""
+    asked = config.getoption("markexpr")
+    left_out = {tier for tier, by in TIERS.items() if not any(mark in asked for mark in by)}
+    later = [item for item in items if any(map(item.get_closest_marker, left_out))]
+    if later:
+        config.hook.pytest_deselected(items=later)
+        kept = set(items).difference(later)
+        items[:] = [item for item in items if item in kept]
 
 
 def pytest_collection_finish() -> None:

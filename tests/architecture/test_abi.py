@@ -69,7 +69,11 @@ def play(flags: str, path: Path) -> np.ndarray:
 
 
 @pytest.mark.parametrize(
-    "flags", ["-march=native -O3", pytest.param("-mavx2", marks=pytest.mark.verify)]
+    "flags",
+    [
+        pytest.param("-march=native -O3", marks=pytest.mark.landing),
+        pytest.param("-mavx2", marks=pytest.mark.verify),
+    ],
 )
 def test_a_program_compiled_for_a_wider_machine_feels_the_forces_of_a_plain_one(flags, tmp_path):
     path = tmp_path / "dome.palpate"

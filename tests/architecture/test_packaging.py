@@ -85,6 +85,7 @@ def test_a_wheel_of_palpate_holds_types_and_its_licence_and_nothing_of_the_edito
     assert {name.split("/")[0] for name in names} == {"palpate", "palpate-0.1.0.dist-info"}
 
 
+@pytest.mark.landing
 def test_a_wheel_of_palpate_editor_holds_types_its_licence_the_generators_and_all_that_ships(
     tmp_path,
 ):

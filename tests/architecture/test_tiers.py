@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is run when: sweeps at full length stay out of the everyday tests, and are found by name."""
+"""What is run when: what takes long stays out of the everyday tests, and is found by name."""
 
 from __future__ import annotations
 
@@ -14,6 +14,13 @@ TESTS = """
 import pytest
 
 def test_a_sample(): pass
+
+@pytest.mark.landing
+def test_all_scenes(): pass
+
+@pytest.mark.window
+@pytest.mark.landing
+def test_a_rare_dialog(): pass
 
 @pytest.mark.verify
 def test_the_whole_sweep(): pass
@@ -40,3 +47,18 @@ def test_a_sweep_stays_out_of_the_everyday_tests(tmp_path):
 
 def test_a_sweep_runs_where_the_mark_verify_is_asked_for(tmp_path):
     assert collect(tmp_path, "-m", "verify") == {"test_the_whole_sweep"}
+
+
+def test_what_a_landing_asks_stays_out_too_and_is_found_by_its_mark(tmp_path):
+    assert collect(tmp_path, "-m", "landing and not window") == {"test_all_scenes"}
+
+
+def test_every_test_of_windows_runs_where_windows_are_asked_for(tmp_path):
+    assert collect(tmp_path, "-m", "window") == {"test_a_rare_dialog"}
+
+
+def test_a_landing_runs_all_three():
+    """In .ci/run: the everyday tests, those that they leave out, and every window."""
+    steps = [line for line in (CHECKOUT / ".ci/run").read_text().splitlines() if "step " in line]
+    for command in ("./run test", "./run landing", "./run windows"):
+        assert any(line.endswith(command) for line in steps), command

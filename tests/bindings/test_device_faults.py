@@ -146,6 +146,7 @@ def test_an_unplugged_device_ends_the_run_with_1_and_the_reason_first(organ, tmp
     assert palpate.replay(open_scene(organ), rows).equal
 
 
+@pytest.mark.landing
 def test_a_device_that_is_late_at_first_is_enabled_and_gives_its_force(organ, tmp_path):
     record = tmp_path / "late.prec"
     happens = {"frames": press_late(3.0, 1.0), "scene": open_scene(organ)}
@@ -225,6 +226,7 @@ def end_normally(organ: Path, folder: Path, count: int) -> list[str]:
     return list(found.values())
 
 
+@pytest.mark.landing
 def test_runs_that_end_as_they_should_leave_a_device_without_a_fault(organ, tmp_path):
     assert end_normally(organ, tmp_path, 3) == ["none"] * 3
 

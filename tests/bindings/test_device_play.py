@@ -79,6 +79,7 @@ def test_the_mouse_holds_the_simulated_arm_with_the_limits_of_its_motors(tmp_pat
     assert 1.0 < safety.force_continuous < safety.force_max < 5.0
 
 
+@pytest.mark.landing
 def test_an_organ_felt_through_the_whole_device_is_the_one_the_ideal_device_feels():
     scene = palpate.scenario.read(GALLBLADDER).scene
 

@@ -46,6 +46,7 @@ def test_before_a_device_is_connected_the_window_says_what_to_do(open_device):
     assert window.bar.devices.findData("native") >= 0
 
 
+@pytest.mark.landing
 def test_joints_tip_rates_and_round_trips_are_those_of_the_device(open_device, qtbot):
     window = open_device()
     link = connect(window, qtbot)
@@ -140,6 +141,7 @@ def test_what_is_no_device_is_refused_in_a_sentence(open_device, qtbot, name, se
 # ---------------------------------------------------------------- calibration
 
 
+@pytest.mark.landing
 def test_a_guided_calibration_finds_angles_and_torques_and_shows_how_far_off_home_it_is(
     open_device, qtbot
 ):
@@ -208,8 +210,20 @@ def test_an_arm_that_moves_while_it_is_read_is_refused_in_a_sentence(open_device
     ("memory", "language", "state", "advice"),
     [
         ({"calibrated": False}, "en", "Blank board", "No calibration was ever stored in it"),
-        ({"calibrated": False}, "tr", "Boş kart", "İçine hiç kalibrasyon yazılmamış"),
-        ({"damaged": True}, "en", "Calibration damaged", "in its EEPROM is damaged"),
+        pytest.param(
+            {"calibrated": False},
+            "tr",
+            "Boş kart",
+            "İçine hiç kalibrasyon yazılmamış",
+            marks=pytest.mark.landing,
+        ),
+        pytest.param(
+            {"damaged": True},
+            "en",
+            "Calibration damaged",
+            "in its EEPROM is damaged",
+            marks=pytest.mark.landing,
+        ),
         ({"damaged": True}, "tr", "Kalibrasyon bozuk", "en yeni kopyası bozuk"),
     ],
 )
@@ -264,6 +278,7 @@ def test_a_device_that_is_not_sound_says_so(open_device, qtbot):
 # ---------------------------------------------------------------- closing
 
 
+@pytest.mark.landing
 def test_a_window_that_is_closed_under_force_leaves_the_motors_off(open_device, qtbot):
     window = open_device()
     link = connect(window, qtbot)

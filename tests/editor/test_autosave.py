@@ -180,6 +180,7 @@ def test_a_killed_editor_leaves_word_of_its_file(context, tmp_path):
     assert read_organ(document).task == "0 left"
 
 
+@pytest.mark.landing
 def test_restoring_over_unsaved_work_keeps_what_was_restored(context, qtbot):
     session, autosave, folder = context
     kill_an_editor(folder, 1)
@@ -191,6 +192,7 @@ def test_restoring_over_unsaved_work_keeps_what_was_restored(context, qtbot):
     assert read_organ(file).task == "0 left"
 
 
+@pytest.mark.landing
 def test_several_editors_leave_several_files_the_newest_first(context):
     folder = context[2]
     for edits in (1, 2):

@@ -45,6 +45,7 @@ def test_one_factor_near_one_makes_a_solid_organ_feel_as_theory_says(monkeypatch
     assert fit.residual < 0.05 * fit.force.max()
 
 
+@pytest.mark.landing
 def test_the_modulus_of_a_solid_is_found_again_from_a_noisy_curve(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(indent, "STOPS", 5)
     organ = SetConstant("fill", "tetrahedra", 600)(make_layer_organ(5e-3, SPHERE))

@@ -120,6 +120,7 @@ def test_the_demo_runs_the_whole_way_on_a_real_spleen(spleen):
     assert summary["border_loops"] == []
 
 
+@pytest.mark.landing
 def test_the_demo_keeps_the_hole_of_a_real_pancreas_exported_as_an_stl_and_says_so(
     tmp_path, shared_data, capsys, in_one_process
 ):

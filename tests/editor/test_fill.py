@@ -152,6 +152,7 @@ def test_a_filling_that_cannot_be_is_refused_with_a_sentence(file, words, senten
     assert file.read_bytes() == before
 
 
+@pytest.mark.landing
 def test_a_response_too_large_for_memory_is_refused_before_it_is_solved(file, capsys, monkeypatch):
     """Of a body that is not flat, more tetrahedra than files hold make one."""
     monkeypatch.setattr("palpate.scenario.MOST_ELASTIC", 40_000)

@@ -101,6 +101,7 @@ def test_a_layer_answers_a_flat_punch_as_theory_says(nodal_share, expected):
     )
 
 
+@pytest.mark.landing
 def test_finer_cells_bring_both_ways_of_volumes_together():
     coarse, fine = (punch_ratio(c, 0.0) - punch_ratio(c, 0.9) for c in (COARSE, FINE))
 

@@ -99,6 +99,7 @@ def test_a_hostile_file_gives_a_report_or_a_sentence(name, shared_data, hostile_
 
 
 @pytest.mark.parametrize("name", LARGE)
+@pytest.mark.landing
 def test_a_large_organ_of_nested_parts_has_a_report_too(name, shared_data, ends):
     path = shared_data(f"organs/{name}.glb")
 

@@ -53,6 +53,7 @@ def published(said, organ_file) -> Path:
     return file
 
 
+@pytest.mark.landing
 def test_its_memory_is_said_when_it_is_built(said, published):
     size = palpate.measure_response(scenario.read(published).scene.bodies[0].tissue)
 

@@ -143,7 +143,12 @@ def find_problem(key: str) -> Problem:
     return problem
 
 
-@pytest.mark.parametrize("key", WRONG)
+COSTLY = ("slow_solid", "too_many_substeps")
+
+
+@pytest.mark.parametrize(
+    "key", [pytest.param(key, marks=pytest.mark.landing) if key in COSTLY else key for key in WRONG]
+)
 def test_a_problem_is_found_at_its_stage(key):
     _, stage, severity, words = WRONG[key]
 
@@ -240,6 +245,7 @@ def test_weight_as_on_earth_in_any_direction_is_no_problem():
         assert "gravity" not in keys(assess(with_part("hand", gravity=gravity)))
 
 
+@pytest.mark.landing
 def test_a_tissue_too_slow_for_any_machine_is_an_error_and_one_for_this_a_warning():
     organs = [on(surface_of(600), with_part("model", stiffness=k)) for k in (1e2, 1e6, 2e7)]
 
@@ -248,6 +254,7 @@ def test_a_tissue_too_slow_for_any_machine_is_an_error_and_one_for_this_a_warnin
     assert found == [[], ["warning"], ["error"]]
 
 
+@pytest.mark.landing
 def test_what_is_asked_for_instead_gives_as_many_tetrahedra_as_were_wanted():
     organ = replace(with_part("model", kind="solid"), fill=FillPart(6000))
     [problem] = [p for p in assess(organ).problems if p.key == "filling"]

@@ -202,6 +202,8 @@ def inspected(shared_data, spleen, tmp_path_factory) -> dict[str, End]:
     return run_in_forks(prepare, each, files, tmp_path_factory.mktemp("inspected"), LIMITS)
 
 
+# the reader in its confined process, which all go through, is asked every time in test_hostile.py
+@pytest.mark.landing
 @pytest.mark.parametrize("name", hostile_files() or ["(none found)"])
 def test_a_hostile_file_gives_a_report_or_a_sentence(name, shared_data, inspected):
     code, said, complained = inspected[str(shared_data(f"hostile/{name}"))]

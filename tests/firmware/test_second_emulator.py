@@ -130,6 +130,7 @@ def test_on_another_emulator_the_image_streams_states_and_its_motors_get_what_th
     assert all(result == 0 for _, result in board.host.answers)
 
 
+@pytest.mark.landing
 def test_on_another_emulator_the_local_law_follows_the_newest_samples(board):
     board.ramp_up(150)
     for counts in (500, 512, 524):
@@ -142,7 +143,7 @@ def test_on_another_emulator_the_local_law_follows_the_newest_samples(board):
     assert board.host.damaged == 0
 
 
-@pytest.mark.parametrize("baud", [1_000_000, 500_000])
+@pytest.mark.parametrize("baud", [1_000_000, pytest.param(500_000, marks=pytest.mark.landing)])
 @pytest.mark.parametrize("kind", ["torque", "law"])
 def test_on_another_emulator_no_command_is_lost_wherever_in_the_millisecond_it_ends(
     kind, baud, emulator, record_property
@@ -186,6 +187,7 @@ def test_on_another_emulator_a_silent_host_loses_its_torque_within_a_millisecond
     assert board.duty == (0, 0, 0)
 
 
+@pytest.mark.landing
 def test_on_another_emulator_the_worst_millisecond_is_as_full_as_on_ours(board, record_property):
     board.ramp_up(100)
     begin = board.cycle

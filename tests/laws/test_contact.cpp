@@ -254,7 +254,8 @@ TEST_CASE("T1: with closest points held over the substeps the same press buzzes"
   CHECK(frozen.noise > 1e-3);
 }
 
-TEST_CASE("T3: none of 100 flicks at 1 and at 3 m/s passes through the wall") {
+TEST_CASE("T3: none of 100 flicks at 1 and at 3 m/s passes through the wall" *
+          doctest::test_suite("landing")) {
   check_flicks(8, 100);  // 642 vertices
 }
 

@@ -158,7 +158,8 @@ Scene with_one_substep(Scene scene, double dt) {
 
 }  // namespace
 
-TEST_CASE("a hand held still in any organ, at any depth and coupling, feels a force that settles") {
+TEST_CASE("a hand held still in any organ, at any depth and coupling, feels a force that settles" *
+          doctest::test_suite("landing")) {
   for (const Organ& organ : make_organs()) {
     for (const double coupling : {200.0, 500.0, 1000.0}) {
       const Scene scene = make_scene(organ, coupling);

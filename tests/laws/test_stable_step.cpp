@@ -213,7 +213,8 @@ TEST_CASE("what cannot swing has no limit") {
   CHECK(stable_step(dust, 100.0) == Approx(0.9 * 0.1));  // only the coupling swings: w = 20
 }
 
-TEST_CASE("on a mesh of an organ's size Lanczos and a long power iteration agree") {
+TEST_CASE("on a mesh of an organ's size Lanczos and a long power iteration agree" *
+          doctest::test_suite("landing")) {
   const TissueModel model = scenes::make_spring_organ(3, {.damping_ratio = 0.2});  // 642 particles
   const LinearTissue tissue(model);
   const auto by_power = [](const MatrixXd& matrix) {

@@ -122,6 +122,7 @@ def test_a_disc_that_is_wide_feels_what_a_layer_says():
     assert found.force == pytest.approx(compute_sphere_force(depth, radius, 0.01, *SOFT), rel=0.02)
 
 
+@pytest.mark.landing
 def test_a_shallow_press_is_the_same_in_a_linear_and_a_neo_hookean_disc():
     disc = build_disc(BLOCK_RADIUS, BLOCK_HEIGHT, 3e-3, *SOFT, fine=20.0, flat=0.4)
     depths = np.array([0.03e-3])
@@ -146,6 +147,7 @@ def find_middle(law: str, radius: float) -> Case:
     )
 
 
+@pytest.mark.landing
 def test_the_block_that_ships_is_the_disc_of_its_area():
     disc, block = press_beside(find_middle("linear", 3e-3), 1.0)
 

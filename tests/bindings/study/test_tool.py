@@ -102,6 +102,7 @@ def test_another_poisson_ratio_is_refused(spleen):
         require_same(Path(spleen.file), spleen.load(), 0.3, spleen.reference)
 
 
+@pytest.mark.landing
 def test_a_block_of_three_thousand_tetrahedra_is_too_stiff_under_a_ball():
     springs, linear = open_blocks()
     case = next(c for c in springs.reference.list_cases("linear") if c.radius == 3e-3)

@@ -62,7 +62,8 @@ TEST_CASE("a block answers a change of volume as its material does, at every nod
   }
 }
 
-TEST_CASE("averaged over the axes a block answers shear as its material does") {
+TEST_CASE("averaged over the axes a block answers shear as its material does" *
+          doctest::test_suite("landing")) {
   const Material material{.young_modulus = 5e3, .poisson_ratio = 0.45};
   const TissueModel model =
       build_solid(scenes::make_block({0.02, 0.02, 0.02}, {6, 6, 6}), material);

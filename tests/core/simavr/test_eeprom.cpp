@@ -41,7 +41,8 @@ std::uint32_t serial_after_power_up(const std::array<std::uint8_t, 1024>& eeprom
 }  // namespace
 
 TEST_CASE(
-    "the image of the chip: a stored calibration is answered, told, and there after power-up") {
+    "the image of the chip: a stored calibration is answered, told, and there after power-up" *
+    doctest::test_suite("landing")) {
   SimBench bench(1000000, false);
   begin_store(bench, pages_of(77));
   CHECK(bench.host.state.first_fault == PALPATE_FAULT_CALIBRATION);

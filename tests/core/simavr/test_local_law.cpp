@@ -30,7 +30,8 @@ void check_calm(double delay) {
 
 }  // namespace
 
-TEST_CASE("a spring 1.5 times too stiff to come late calms on the chip with the driver's law") {
+TEST_CASE("a spring 1.5 times too stiff to come late calms on the chip with the driver's law" *
+          doctest::test_suite("landing")) {
   check_calm(2e-3);
 }
 

@@ -198,7 +198,8 @@ TEST_CASE("the image of the chip: a frame said again and again loses its torque 
   bench.check_latched(PALPATE_FAULT_HOST_SILENT);
 }
 
-TEST_CASE("the image of the chip: leaps to and fro and a stuck sensor are found") {
+TEST_CASE("the image of the chip: leaps to and fro and a stuck sensor are found" *
+          doctest::test_suite("landing")) {
   Driven leaping(1000000);
   int ms = 0;
   for (; !leaping.is_limp() && ms < 100; ++ms) {
@@ -218,7 +219,8 @@ TEST_CASE("the image of the chip: leaps to and fro and a stuck sensor are found"
   stuck.check_latched(PALPATE_FAULT_SENSOR);
 }
 
-TEST_CASE("the image of the chip: a host that floods the wire makes no tick late") {
+TEST_CASE("the image of the chip: a host that floods the wire makes no tick late" *
+          doctest::test_suite("landing")) {
   for (int baud : kBauds) {
     Driven bench(baud);
     bench.chip.start_profile();
@@ -238,7 +240,8 @@ TEST_CASE("the image of the chip: a host that floods the wire makes no tick late
   }
 }
 
-TEST_CASE("the image of the chip: no command is lost, wherever in the millisecond it ends") {
+TEST_CASE("the image of the chip: no command is lost, wherever in the millisecond it ends" *
+          doctest::test_suite("landing")) {
   for (int baud : kBauds) {
     for (bool law : {false, true}) check_phases(baud, law, 89);
   }

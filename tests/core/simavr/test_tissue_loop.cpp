@@ -83,7 +83,8 @@ void write_forces(const Forces& felt, const std::string& path) {
 }  // namespace
 
 TEST_CASE(
-    "the gallbladder is pressed through driver, wire and image as an ideal device presses it") {
+    "the gallbladder is pressed through driver, wire and image as an ideal device presses it" *
+    doctest::test_suite("landing")) {
   const Scene scene = scenario::read(PALPATE_MESHES "/gallbladder.palpate").scene;
   const Vec3 point = find_top(scene.bodies[0].tissue);
   Forces felt;

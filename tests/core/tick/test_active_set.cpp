@@ -322,7 +322,8 @@ TEST_CASE("a tip that chatters on the wall is felt rightly only once it lies sti
   CHECK(compare(full, follow(make_wall(true, allowed), keys), 250, 400) < allowed);
 }
 
-TEST_CASE("a tool that pulls along the wall is felt within what is allowed") {
+TEST_CASE("a tool that pulls along the wall is felt within what is allowed" *
+          doctest::test_suite("landing")) {
   SKIP_UNLESS(can_sleep(), "this build has no vector code");
   const std::vector<Key> keys = {{0, 0, 0.024},
                                  {100, 0, 0.0219},

@@ -48,7 +48,8 @@ std::string refusal(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("every integrator runs in the tick and holds a press with the force of the others") {
+TEST_CASE("every integrator runs in the tick and holds a press with the force of the others" *
+          doctest::test_suite("landing")) {
   const Scene usual = make_scene_of(Integrator::symplectic_euler);
   World reference(usual);
   const double expected = press(usual, reference);

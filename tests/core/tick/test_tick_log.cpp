@@ -73,7 +73,8 @@ TEST_CASE("a tick of several instruments is in the log whole or not at all") {
   CHECK_THROWS_AS(TickLog(10, kMostLoggedInstruments + 1), std::invalid_argument);
 }
 
-TEST_CASE("two threads pass a million ticks through a small log without a torn or a lost one") {
+TEST_CASE("two threads pass a million ticks through a small log without a torn or a lost one" *
+          doctest::test_suite("landing")) {
   TickLog log(64);
   constexpr std::int64_t kCount = 1000000;
   std::thread haptic([&] {

@@ -95,6 +95,7 @@ def test_buttons_lead_to_an_added_stage_and_on_from_it(measuring):
     assert window.context.stage == "material"
 
 
+@pytest.mark.landing
 def test_a_problem_of_an_added_stage_stands_in_bar_panel_and_log(qtbot, measuring, monkeypatch):
     found = Problem("size", "warning", "measure", "x", phrase("too wide"), phrase("less"))
     rules = check.find_problems

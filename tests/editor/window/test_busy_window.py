@@ -108,6 +108,7 @@ def test_cancelling_lets_the_window_go_on_and_changes_nothing(qtbot, spleen_wind
     assert window.session.organ is before
 
 
+@pytest.mark.landing
 def test_a_second_long_work_is_refused_with_a_sentence(qtbot, spleen_window, monkeypatch):
     window, held = spleen_window, threading.Event()
     real = tasks.decimate_organ
@@ -122,6 +123,7 @@ def test_a_second_long_work_is_refused_with_a_sentence(qtbot, spleen_window, mon
     assert window.session.organ.vertex_count == 1200
 
 
+@pytest.mark.landing
 def test_work_that_changed_organ_meanwhile_is_refused(qtbot, spleen_window, spleen, monkeypatch):
     window, held = spleen_window, threading.Event()
     real = tasks.decimate_organ

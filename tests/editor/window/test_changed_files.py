@@ -46,6 +46,7 @@ def questions(window) -> list[str]:
 # ---------------------------------------------------------------- importing over a document
 
 
+@pytest.mark.landing
 def test_a_mesh_over_an_open_document_begins_one_without_a_file(qtbot, liver_window, liver, spleen):
     window, before = liver_window, liver.read_bytes()
 
@@ -63,7 +64,13 @@ def test_a_mesh_over_an_open_document_begins_one_without_a_file(qtbot, liver_win
     assert liver.read_bytes() == before
 
 
-@pytest.mark.parametrize("action", ["dropped", "opened", "chosen"])
+@pytest.mark.parametrize(
+    "action",
+    [
+        "chosen",
+        *(pytest.param(action, marks=pytest.mark.landing) for action in ("dropped", "opened")),
+    ],
+)
 def test_a_mesh_over_unsaved_changes_asks_first(qtbot, liver_window, spleen, action):
     window = liver_window
     window.context.apply(SetName("liver, changed"))
@@ -97,6 +104,7 @@ def test_a_mesh_that_cannot_be_imported_leaves_the_open_document(
     assert window.session.organ is organ and window.session.path == liver
 
 
+@pytest.mark.landing
 def test_other_parts_of_the_same_file_stay_in_its_document(qtbot, spleen_window, tmp_path):
     window, path = spleen_window, tmp_path / "mine.organ"
     window.files.write(path)
@@ -155,6 +163,7 @@ def test_it_can_be_overwritten_knowingly_and_is_ours_from_then_on(overtaken, liv
     assert questions(overtaken) == [] and read_organ(liver).name == "mine again"
 
 
+@pytest.mark.landing
 def test_it_can_be_read_again(qtbot, overtaken):
     overtaken.files.save()
     answer(overtaken, "changed_file", RELOAD)
@@ -163,6 +172,7 @@ def test_it_can_be_read_again(qtbot, overtaken):
     assert overtaken.session.organ.name == "theirs" and overtaken.session.saved
 
 
+@pytest.mark.landing
 def test_both_can_be_kept(qtbot, overtaken, liver, tmp_path):
     overtaken.files.save()
     answer(overtaken, "changed_file", SAVE_AS)
@@ -173,6 +183,7 @@ def test_both_can_be_kept(qtbot, overtaken, liver, tmp_path):
     assert overtaken.session.path == tmp_path / "mine.organ"
 
 
+@pytest.mark.landing
 def test_a_file_that_was_only_touched_or_is_gone_is_saved_without_a_question(liver_window, liver):
     window = liver_window
     liver.touch()

@@ -70,6 +70,7 @@ def test_the_log_typed_again_makes_the_same_organ(qtbot, window, spleen, folder,
         assert getattr(again, part) == getattr(organ, part)
 
 
+@pytest.mark.landing
 def test_a_part_and_a_unit_that_were_asked_for_stand_in_the_line(qtbot, window, shared_data):
     heart = shared_data("organs/VH_M_Heart.glb")
     window.tasks.import_mesh(heart, ["VH_M_aortic_valve"])
@@ -83,6 +84,7 @@ def test_a_part_and_a_unit_that_were_asked_for_stand_in_the_line(qtbot, window, 
     assert os.fspath(call.file) == str(heart)
 
 
+@pytest.mark.landing
 def test_a_pasted_material_is_one_line_with_all_its_numbers(qtbot, spleen_window):
     window = spleen_window
     window.menu_actions.use_mms()
@@ -137,6 +139,7 @@ def test_strokes_regions_and_words_typed_again_make_the_same_organ(qtbot, window
     assert same(read_organ(folder / "b.organ"), window.session.organ)
 
 
+@pytest.mark.landing
 def test_a_stroke_over_a_large_organ_fits_the_arguments_of_a_command():
     ids = np.arange(0, 200_000, 2)
     values = np.linspace(1.0, 2.0, len(ids))

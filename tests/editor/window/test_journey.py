@@ -60,6 +60,7 @@ def test_a_mesh_becomes_a_published_scenario_by_mouse_and_keys(qtbot, window, sp
     assert "palpate publish" in log_of(window)
 
 
+@pytest.mark.landing
 def test_what_was_saved_comes_back_when_it_is_opened(qtbot, spleen_window, tmp_path):
     window, organ = spleen_window, spleen_window.session.organ
     window.files.write(tmp_path / "kept.organ")
@@ -100,7 +101,13 @@ def type_into_title(window, title):
     type_into(child(window, "title"), title)
 
 
-@pytest.mark.parametrize("redo", [(Qt.Key.Key_Z, CONTROL | SHIFT), (Qt.Key.Key_Y, CONTROL)])
+@pytest.mark.parametrize(
+    "redo",
+    [
+        (Qt.Key.Key_Z, CONTROL | SHIFT),
+        pytest.param((Qt.Key.Key_Y, CONTROL), marks=pytest.mark.landing),
+    ],
+)
 def test_undo_and_redo_give_back_the_very_same_organs(qtbot, spleen_window, redo):
     window, session = spleen_window, spleen_window.session
     before = session.organ
@@ -117,6 +124,7 @@ def test_undo_and_redo_give_back_the_very_same_organs(qtbot, spleen_window, redo
     assert after.material.density == 1030.0
 
 
+@pytest.mark.landing
 def test_every_edit_has_a_line_in_the_history(spleen_window):
     history = spleen_window.session.history
 
@@ -143,6 +151,7 @@ def test_closing_asks_while_something_is_unsaved(qtbot, spleen_window):
     assert not window.isVisible()
 
 
+@pytest.mark.landing
 def test_saving_when_asked_goes_on_to_what_was_wanted(qtbot, spleen_window, tmp_path):
     window = spleen_window
     window.files.write(tmp_path / "mine.organ")
@@ -157,6 +166,7 @@ def test_saving_when_asked_goes_on_to_what_was_wanted(qtbot, spleen_window, tmp_
     assert read_organ(tmp_path / "mine.organ").model.kind == "molecular"
 
 
+@pytest.mark.landing
 def test_play_starts_the_player_in_a_process_of_its_own(qtbot, spleen_window, tmp_path):
     window = spleen_window
     type_into_title(window, "A spleen")
@@ -176,6 +186,7 @@ def test_play_starts_the_player_in_a_process_of_its_own(qtbot, spleen_window, tm
     assert window.publishing.child_processes.running == []
 
 
+@pytest.mark.landing
 def test_the_device_window_opens_from_the_menu_and_ends_with_the_editor(qtbot, spleen_window):
     window = spleen_window
 
@@ -201,6 +212,7 @@ def test_publishing_is_refused_with_the_red_checks(qtbot, spleen_window):
     assert any(row.startswith("No title.") for row in rows)
 
 
+@pytest.mark.landing
 def test_a_fix_button_solves_what_its_check_found(qtbot, spleen_window):
     window = spleen_window
     press(window, Qt.Key.Key_6, CONTROL)
@@ -213,6 +225,7 @@ def test_a_fix_button_solves_what_its_check_found(qtbot, spleen_window):
     assert window.stage_dock.verdict("publish").errors == 0
 
 
+@pytest.mark.landing
 def test_ticks_follow_the_problems(qtbot, window, spleen, monkeypatch):
     monkeypatch.setattr(cost_rules, "TICK_SHARE", 0.05)  # so that 4274 vertices are too many
     assert not window.stage_bar.steps["import"].verdict.known

@@ -131,6 +131,7 @@ def test_the_panel_says_what_a_press_felt_and_the_plot_holds_every_tick(panel, q
     assert panel.costs.text("cost") != "–"
 
 
+@pytest.mark.landing
 def test_a_stiffer_place_presses_harder_and_undo_gives_back_the_softer_one(panel, qtbot):
     session = panel.context.session
     soft = press(panel, qtbot).felt["peak_force_N"]
@@ -146,6 +147,7 @@ def test_a_stiffer_place_presses_harder_and_undo_gives_back_the_softer_one(panel
     assert again == pytest.approx(soft, rel=0.05)
 
 
+@pytest.mark.landing
 def test_fixed_vertices_do_not_move_while_others_do(panel, qtbot):
     session = panel.context.session
     x = session.organ.surface.vertices
@@ -164,6 +166,7 @@ def test_fixed_vertices_do_not_move_while_others_do(panel, qtbot):
     assert moved[~session.organ.fixed].max() > 1e-4
 
 
+@pytest.mark.landing
 def test_a_press_marks_the_organ_as_tested_and_an_edit_takes_that_back(panel, qtbot):
     session = panel.context.session
     assert not session.is_tested
@@ -364,6 +367,7 @@ def scene_that_blows_up(organ) -> palpate.Scene:
     return scene
 
 
+@pytest.mark.landing
 def test_the_plot_exports_every_row_of_every_run(panel, qtbot, tmp_path):
     press(panel, qtbot)
     panel.plot.export_csv(tmp_path / "forces")
@@ -385,6 +389,7 @@ def feel(window, qtbot):
     return window.test_panel.runner.trial
 
 
+@pytest.mark.landing
 def test_the_main_window_closes_in_the_middle_of_a_run(spleen_window, qtbot):
     trial = feel(spleen_window, qtbot)
     spleen_window.may_close = True
@@ -392,6 +397,7 @@ def test_the_main_window_closes_in_the_middle_of_a_run(spleen_window, qtbot):
     assert trial.report is not None and not trial.run.running
 
 
+@pytest.mark.landing
 def test_undo_in_the_middle_of_a_run_ends_it_and_shows_the_organ_of_before(spleen_window, qtbot):
     window = spleen_window
     feel(window, qtbot)
@@ -402,6 +408,7 @@ def test_undo_in_the_middle_of_a_run_ends_it_and_shows_the_organ_of_before(splee
     assert np.allclose(shown, window.session.organ.surface.vertices, atol=1e-6)
 
 
+@pytest.mark.landing
 def test_a_new_document_ends_the_run(spleen_window, qtbot):
     trial = feel(spleen_window, qtbot)
     spleen_window.session.clear()

@@ -58,6 +58,7 @@ def test_a_number_that_is_refused_stays_in_red_with_a_sentence(panel):
     assert not box.property("refused")
 
 
+@pytest.mark.landing
 def test_arrow_keys_step_by_a_tenth_of_the_decade(panel):
     box = child(panel, "model.stiffness")
     type_into(box, "150")
@@ -67,6 +68,7 @@ def test_arrow_keys_step_by_a_tenth_of_the_decade(panel):
     assert panel.context.session.organ.model.stiffness == 160.0
 
 
+@pytest.mark.landing
 def test_the_wheel_over_a_field_without_the_cursor_changes_nothing(panel, qtbot):
     from PySide6.QtCore import QPoint, QPointF
     from PySide6.QtGui import QWheelEvent
@@ -113,6 +115,7 @@ def test_to_which_depth_the_places_are_validated_stands_among_the_results(panel,
 
 
 @pytest.mark.several_places
+@pytest.mark.landing
 def test_what_home_springs_carry_and_a_tick_in_touch_takes_stand_among_the_results(panel, qtbot):
     window, words = panel.window(), panel.facts.texts
     window.context.apply(SetConstant("model", "home_stiffness", 1e6))
@@ -139,6 +142,7 @@ def test_what_home_springs_carry_and_a_tick_in_touch_takes_stand_among_the_resul
     assert any("under a contact radius of 3.0 mm" in text for text in checks)
 
 
+@pytest.mark.landing
 def test_a_wall_makes_the_organ_hollow_and_lighter(panel, qtbot):
     window, before = panel.window(), panel.facts.texts()["Total mass"]
     field = next(f for f in panel.fields if f.objectName() == "" and hasattr(f, "constant")
@@ -153,6 +157,7 @@ def test_a_wall_makes_the_organ_hollow_and_lighter(panel, qtbot):
     assert not field.tick.isChecked()
 
 
+@pytest.mark.landing
 def test_fields_of_the_molecular_model_show_with_it_alone(panel):
     bend = child(panel, "model.bend_stiffness")
     assert not bend.isVisible()
@@ -164,6 +169,7 @@ def test_fields_of_the_molecular_model_show_with_it_alone(panel):
     assert panel.context.session.organ.model.kind == "molecular"
 
 
+@pytest.mark.landing
 def test_a_coupling_that_no_triangle_can_take_says_which_it_can(panel, qtbot):
     window = panel.window()
     window.menu_actions.use_mms()
@@ -179,6 +185,7 @@ def test_a_coupling_that_no_triangle_can_take_says_which_it_can(panel, qtbot):
     assert panel.context.assessment.scene is not None
 
 
+@pytest.mark.landing
 def test_a_linear_solid_tells_its_memory_and_asks_for_nothing_that_swings(panel, qtbot):
     window = panel.window()
     window.context.apply(FixLowest(0.2))
@@ -254,6 +261,7 @@ def test_a_wall_takes_its_constants_from_its_tissue_and_says_how_well(panel, qtb
     assert panel.context.session.organ.model.constants == "tissue"
 
 
+@pytest.mark.landing
 def test_young_modulus_cannot_be_edited_where_it_does_nothing_and_says_why(panel, qtbot):
     window, modulus = panel.window(), child(panel, "material.young_modulus")
     assert panel.context.session.organ.model.kind == "mass_spring"
@@ -295,6 +303,7 @@ def test_every_kind_of_tissue_stands_in_the_menu_and_the_one_in_use_is_marked(pa
         assert [n for n in SHORT_KINDS if action(window, n).isChecked()] == [name]
 
 
+@pytest.mark.landing
 def test_the_history_says_which_law_and_which_value(panel):
     window = panel.window()
     window.menu_actions.use_solid()
@@ -305,6 +314,7 @@ def test_the_history_says_which_law_and_which_value(panel):
     assert texts[-2:] == ["Model: Solid (MSS+V)", "Young's modulus: 7.5 kPa"]
 
 
+@pytest.mark.landing
 def test_no_field_moves_when_the_organ_is_looked_at_or_refused(panel, qtbot):
     window = panel.window()
     settle(qtbot, window)
@@ -359,6 +369,7 @@ def test_a_solid_is_filled_as_its_designer_says(panel, qtbot):
     assert window.session.organ.fill == FillPart()
 
 
+@pytest.mark.landing
 def test_a_linear_solid_is_reached_where_a_region_says(panel, qtbot):
     window, reach, said = panel.window(), panel.filling.reach, []
     window.context.apply(FixLowest(0.2))

@@ -289,6 +289,7 @@ def test_a_selection_is_kept_under_a_name_and_taken_up_again(context, qtbot):
 # ---------------------------------------------------------------- large surfaces
 
 
+@pytest.mark.landing
 def test_a_large_surface_is_painted_and_selected_by_threads_with_the_same_result(
     qtbot, settings, monkeypatch
 ):

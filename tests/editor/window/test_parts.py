@@ -60,6 +60,7 @@ def test_parts_that_cannot_be_used_together_are_shown_to_choose_from(qtbot, hear
     assert drawn(window) == 0 and not window.welcome.isHidden()
 
 
+@pytest.mark.landing
 def test_a_heart_of_too_many_parts_can_be_imported_in_part(qtbot, heart_window):
     window = heart_window
     assert "Choose fewer of its parts" in window.messages.text
@@ -88,6 +89,7 @@ def test_a_part_says_how_much_of_it_there_is(heart_window):
     assert f"{1e3 * np.ptp(x[:, 0]):.0f} ×" in words and words.endswith("mm")
 
 
+@pytest.mark.landing
 def test_the_part_under_the_pointer_stands_out_until_it_leaves(heart_window):
     window, panel = heart_window, heart_window.import_panel
     things = window.view.scenery._things
@@ -116,6 +118,7 @@ def test_a_search_leaves_what_it_finds_and_all_and_none_keep_to_that(heart_windo
     assert len(visible(panel)) == 14
 
 
+@pytest.mark.landing
 def test_the_organ_has_the_view_again_when_parts_were_imported(qtbot, heart_window):
     window, panel = heart_window, heart_window.import_panel
     panel.chooser.search.setText("aortic valve")

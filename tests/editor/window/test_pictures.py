@@ -32,7 +32,7 @@ def cut_middle(picture):
 @pytest.mark.parametrize(
     ("theme", "drawn"),
     [
-        pytest.param("dark", ALL, marks=pytest.mark.fine),
+        pytest.param("dark", ALL, marks=[pytest.mark.fine, pytest.mark.landing]),
         ("light", ("material",)),
         pytest.param("light", ALL, marks=[pytest.mark.fine, pytest.mark.verify]),
     ],

@@ -73,6 +73,7 @@ def test_many_holes_are_grouped_by_size_the_largest_first(holed):
     assert f"21 holes of 3 to {max(sizes)} edges" in checks
 
 
+@pytest.mark.landing
 def test_a_click_on_a_hole_shows_it_from_outside(qtbot, holed, checkout):
     view, tree = holed.view, holed.stage_dock.panels["repair"].holes.tree
     x = holed.session.organ.surface.vertices
@@ -109,6 +110,7 @@ def test_chosen_holes_are_filled_and_undo_opens_them(qtbot, holed):
     assert holed.session.organ is before
 
 
+@pytest.mark.landing
 def test_all_holes_are_filled_by_one_button_with_its_command(qtbot, holed):
     panel = holed.stage_dock.panels["repair"]
 
@@ -134,7 +136,10 @@ def test_what_cannot_be_told_is_neither_good_nor_bad_and_says_why(qtbot, holed):
     assert value.property("tone") == "good"
 
 
-@pytest.mark.parametrize("share", [0.5 * TICK_SHARE, TICK_SHARE, 0.98])
+@pytest.mark.parametrize(
+    "share",
+    [TICK_SHARE, *(pytest.param(x, marks=pytest.mark.landing) for x in (0.5 * TICK_SHARE, 0.98))],
+)
 def test_a_tick_that_takes_too_long_has_no_tick(qtbot, holed, share):
     """The check said "98 %, at most 70 %" above a green "98 %"."""
     holed.session.restore(build_organ(), None)

@@ -28,6 +28,7 @@ def test_every_shipped_organ_has_a_button_with_a_name_and_a_picture(qtbot, windo
         assert shown.width() > 80 and rows.std() > 15.0, name
 
 
+@pytest.mark.landing
 def test_the_pictures_follow_the_theme(make_editor):
     brightness = {}
     for theme in ("dark", "light"):

@@ -52,7 +52,7 @@ print(json.dumps(found))
 LANGUAGES = ("en", "tr")
 SCREENS = [((1280, 720), 1), ((1920, 1080), 2), ((1280, 720), 2), ((1366, 768), 1.5)]
 SAMPLE_OR_ALL = [
-    SCREENS[0], SCREENS[2],
+    SCREENS[0], pytest.param(*SCREENS[2], marks=pytest.mark.landing),
     *(pytest.param(*screen, marks=pytest.mark.verify) for screen in SCREENS[1::2]),
 ]  # fmt: skip
 SMALLEST = SCREENS[2]
@@ -170,6 +170,7 @@ def test_the_editor_fits_its_screen_in_every_stage(opened, size, factor, languag
         assert width <= free[0] and height <= free[1], (free, sizes)
 
 
+@pytest.mark.landing
 @pytest.mark.parametrize("language", ["tr", pytest.param("en", marks=pytest.mark.verify)])
 def test_on_640_by_360_pixels_every_control_is_reached_by_scrolling(opened, language):
     free, sizes, counts, missed = opened(*SMALLEST, language, reached=(language,))
@@ -240,6 +241,7 @@ def test_a_width_that_a_person_gave_a_dock_is_the_one_that_comes_back(qtbot, win
     qtbot.waitUntil(lambda: scene.width() == 340)
 
 
+@pytest.mark.landing
 def test_a_layout_that_a_small_screen_folded_comes_back_as_it_was_kept(
     qtbot, make_editor, monkeypatch
 ):
@@ -265,6 +267,7 @@ def test_a_layout_that_a_small_screen_folded_comes_back_as_it_was_kept(
         )
 
 
+@pytest.mark.landing
 def test_enter_in_the_field_of_vertices_decimates(qtbot, window, spleen):
     window.files.open(spleen)
     settle(qtbot, window)

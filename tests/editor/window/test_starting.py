@@ -92,6 +92,7 @@ def test_a_file_that_is_not_there_is_refused_before_a_window_opens(tmp_path):
     assert "no such file" in done.stderr
 
 
+@pytest.mark.landing
 def test_what_a_killed_editor_left_unsaved_is_offered_and_taken_up(
     qtbot, make_editor, spleen, tmp_path
 ):
@@ -120,6 +121,7 @@ def test_what_a_killed_editor_left_unsaved_is_offered_and_taken_up(
     qtbot.waitUntil(lambda: not find_recoveries(tmp_path / "recovery"), timeout=PATIENCE)
 
 
+@pytest.mark.landing
 def test_what_is_thrown_away_is_not_offered_again(qtbot, make_editor, spleen_window, tmp_path):
     from palpate_editor.app.recovery import RecoveryFile
 

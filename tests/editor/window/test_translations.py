@@ -130,6 +130,7 @@ def test_the_window_is_turkish_and_back_with_the_same_organ(qtbot, make_editor):
     assert editor.settings.language == "en"
 
 
+@pytest.mark.landing
 def test_a_turkish_window_says_in_turkish_how_published_values_were_measured(
     qtbot, make_editor, spleen
 ):

@@ -95,6 +95,7 @@ def job(request, qtbot, make_editor, checkout) -> Job:
     return Job(qtbot, window, folder, request.param)
 
 
+@pytest.mark.landing
 def test_the_whole_main_job_with_mouse_and_keys(job, spleen, tmp_path, capsys):
     job.picture("empty")
     import_and_decimate(job, spleen)

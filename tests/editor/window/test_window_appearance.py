@@ -34,6 +34,7 @@ def contrast(front: str, back: str) -> float:
     return (light + 0.05) / (dark + 0.05)
 
 
+@pytest.mark.landing
 def test_a_theme_changes_window_and_viewport_and_is_kept(qtbot, spleen_window):
     window = spleen_window
     dark, dark_view = pixels(window.stage_dock).mean(), pixels(window.view)[5, 5].mean()
@@ -58,6 +59,7 @@ def test_all_text_can_be_read_on_its_ground(theme):
     assert contrast("#ffffff", colours.accent) >= 4.5
 
 
+@pytest.mark.landing
 def test_every_dock_and_bar_can_be_kept(window):
     for widget in [*window.findChildren(QDockWidget), *window.findChildren(QToolBar)]:
         assert widget.objectName(), widget
@@ -117,6 +119,7 @@ def test_the_status_bar_says_what_is_under_the_pointer(qtbot, spleen_window):
     qtbot.waitUntil(lambda: window.status.place.text() == "")
 
 
+@pytest.mark.landing
 def test_the_tool_strip_gives_the_mouse_and_takes_it_back(qtbot, spleen_window):
     window = spleen_window
     window.show_stage("material")
@@ -143,6 +146,7 @@ def test_views_look_along_the_axes(spleen_window):
     assert view.camera.basis()[2][2] < -0.99
 
 
+@pytest.mark.landing
 def test_a_click_on_an_end_of_the_axes_looks_from_there(qtbot, spleen_window):
     gizmo, camera = spleen_window.gizmo, spleen_window.view.camera
     _, _, place, _ = next(end for end in gizmo.ends() if end[:2] == ("x", 1))
@@ -153,6 +157,7 @@ def test_a_click_on_an_end_of_the_axes_looks_from_there(qtbot, spleen_window):
     assert gizmo.geometry().right() < spleen_window.view.width()
 
 
+@pytest.mark.landing
 def test_a_material_is_copied_and_pasted(qtbot, spleen_window):
     window, session = spleen_window, spleen_window.session
     window.menu_actions.use_mms()
@@ -170,6 +175,7 @@ def test_a_material_is_copied_and_pasted(qtbot, spleen_window):
     assert "no material on the clipboard" in window.messages.text
 
 
+@pytest.mark.landing
 def test_a_tool_with_more_options_than_the_one_before_shows_all_of_them(qtbot, window):
     window.files.open_shipped("spleen")
     settle(qtbot, window)
@@ -183,6 +189,7 @@ def test_a_tool_with_more_options_than_the_one_before_shows_all_of_them(qtbot, w
     qtbot.waitUntil(lambda: area.height() >= holder.sizeHint().height(), timeout=PATIENCE)
 
 
+@pytest.mark.landing
 def test_the_dock_of_the_stages_grows_with_what_its_panels_have_to_show(qtbot, window):
     dock = window.stage_dock
     window.resizeDocks([window.docks.docks["stage"]], [10], Qt.Orientation.Horizontal)

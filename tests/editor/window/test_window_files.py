@@ -23,6 +23,7 @@ def test_a_mesh_that_is_dropped_comes_in(qtbot, window, spleen):
     assert not window.welcome.isHidden()
 
 
+@pytest.mark.landing
 def test_a_file_that_is_nothing_to_us_is_refused_with_a_sentence(window, tmp_path):
     stranger = tmp_path / "letter.txt"
     stranger.write_text("Dear surgeon")
@@ -62,6 +63,7 @@ def test_a_damaged_document_is_a_sentence_and_changes_nothing(qtbot, spleen_wind
     assert window.session.organ is organ
 
 
+@pytest.mark.landing
 def test_another_unit_makes_another_size_and_can_be_undone(qtbot, spleen_window):
     window, panel = spleen_window, spleen_window.import_panel
     window.show_stage("import")
@@ -98,6 +100,7 @@ def test_recent_files_are_listed_and_missing_ones_are_grey(qtbot, window, spleen
     assert window.session.organ.vertex_count == 4274
 
 
+@pytest.mark.landing
 def test_the_welcome_offers_recent_files(qtbot, window, spleen):
     window.settings.add_recent(spleen)
     window.welcome.refresh()
@@ -109,6 +112,7 @@ def test_the_welcome_offers_recent_files(qtbot, window, spleen):
     assert window.session.organ.vertex_count == 4274
 
 
+@pytest.mark.landing
 def test_a_disk_that_refuses_is_a_sentence(spleen_window, tmp_path):
     window = spleen_window
 
@@ -118,6 +122,7 @@ def test_a_disk_that_refuses_is_a_sentence(spleen_window, tmp_path):
     assert window.isWindowModified()
 
 
+@pytest.mark.landing
 def test_a_picture_is_what_the_viewport_shows(qtbot, spleen_window, tmp_path):
     window = spleen_window
 
