@@ -10,6 +10,7 @@ import palpate
 from palpate.command.verb import Report
 from palpate.runs.script_file import read_script_file
 from palpate.runs.validated import measure_script
+from palpate.scene.scene_parts import FILLED
 
 from palpate_editor.check import Assessment, assess, describe_model, describe_problem
 from palpate_editor.document import Organ
@@ -46,6 +47,7 @@ def check_file(path: Path, depth: float | None = None, script: Path | None = Non
         "substeps_in_touch": trial.substeps if trial else None,
         "tick_share_in_touch": compute_tick_share(assessment.organ, assessment.facts),
         "press_depth_m": trial.depth if trial else None,
+        "contact_law": find_contact_law(assessment.organ),
         "places": describe_places(assessment.organ, trial) if trial else [],
         "meant_presses": list(map(describe_meant, presses)),
         "problems": list(map(describe_problem, judged)),
@@ -70,6 +72,11 @@ def list_presses(
     return presses
 
 
+def find_contact_law(organ: Organ) -> str:
+    """By which a ball is felt; that of a surface is the hard one, whatever it would be filled."""
+    return organ.model.contact_law if organ.model.kind in FILLED else "hard"
+
+
 def describe_places(organ: Organ, trial: TrialFacts) -> list[Report]:
     """What a press feels, place by place."""
     contact = compute_contact_radius(organ.tool.radius, trial.depth)
@@ -80,6 +87,8 @@ def describe_places(organ: Organ, trial: TrialFacts) -> list[Report]:
             "edge_m": place.edge,
             "contact_radius_m": contact,
             "times_too_stiff": place.edge and compute_patch_factor(place.edge, contact),
+            "hard_force_N": place.forces and place.forces[0],
+            "near_field_force_N": place.forces and place.forces[1],
             **describe_validity(place),
         }
         for place in trial.places

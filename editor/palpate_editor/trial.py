@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import palpate
 from numpy.typing import NDArray
@@ -12,9 +14,12 @@ from palpate.runs.trial import (
     HOLD,
     Trial,
     choose_places,
+    compare_contact,
     press_places,
 )
 from palpate.runs.validated import Depths, Validity
+from palpate.scene.scene_file import find_contact_modulus
+from palpate.scene.scene_parts import FILLED, SceneFile
 
 from palpate_editor.document import Organ
 from palpate_editor.document.cost_rules import estimate_tick
@@ -47,15 +52,30 @@ def measure_trial(organ: Organ, scene: palpate.Scene) -> TrialFacts:
     edges: list[float | None] = [None] * len(places)
     if len(tetrahedra):
         edges = list(measure_edges(body.tissue, tetrahedra, places))
+    forces: list[tuple[float, float] | None] = [None] * len(places)
+    if has_hard_law(organ) and tick <= LONGEST_TICK and is_large:
+        pressed = places if tick <= LONG_TICK else places[:1]
+        forces[: len(pressed)] = compare_contact(scene, pressed, find_near_modulus(organ))
     depths = Depths(scene, organ.material.wall_thickness)
     return TrialFacts(
         depth=DEPTH,
         substeps=max((t.substeps for t in trials if t and t.substeps), default=body.substeps),
         places=tuple(
-            describe_place(place, depths.find(place), trial, edge)
-            for place, trial, edge in zip(places, trials, edges, strict=True)
+            describe_place(place, depths.find(place), trial, edge, force)
+            for place, trial, edge, force in zip(places, trials, edges, forces, strict=True)
         ),
     )
+
+
+def has_hard_law(organ: Organ) -> bool:
+    """Whether a solid is felt as its mesh gives way, and could be felt as tissue."""
+    return organ.model.kind in FILLED and organ.model.contact_law == "hard"
+
+
+def find_near_modulus(organ: Organ) -> float:
+    """[Pa] that the organ's contact would have with a near field."""
+    model = replace(organ.model, contact_law="near_field")
+    return find_contact_modulus(SceneFile(organ=None, material=organ.material, model=model))
 
 
 def describe_place(
@@ -63,6 +83,7 @@ def describe_place(
     validity: Validity,
     trial: Trial | None = None,
     edge: float | None = None,
+    forces: tuple[float, float] | None = None,
 ) -> PlaceFacts:
     x, y, z = map(float, place.point)
     return PlaceFacts(
@@ -72,6 +93,7 @@ def describe_place(
         thickness=validity.thickness,
         validated=validity.depth,
         bound=validity.bound,
+        forces=forces,
     )
 
 

@@ -23,6 +23,8 @@ CLEARANCE = 2e-4
 """[m] over the surface, where the hand begins."""
 HOLD, MEAN = 0.05, 0.02
 """[s] at the depth, and at the end of that, over which forces are averaged."""
+LONG_HOLD, LONG_MEAN = 0.3, 0.25
+"""[s] the same for two laws that are compared: an organ that swings as a whole has its middle."""
 PLACES = 5
 FAR = 1.0
 """[m] over the surface, where a hand touches nothing."""
@@ -78,7 +80,11 @@ def find_giving(tissue: palpate.TissueModel) -> NDArray[np.bool_]:
 
 
 def press_places(
-    scene: palpate.Scene, places: list[Place], hold: float = HOLD, depth: float = DEPTH
+    scene: palpate.Scene,
+    places: list[Place],
+    hold: float = HOLD,
+    depth: float = DEPTH,
+    mean: float = MEAN,
 ) -> list[Trial]:
     """Presses each place of a scene from rest with its first instrument, as fast as the machine
     can. Without gravity: an organ that sags is another at every place, and comes to rest late.
@@ -88,13 +94,45 @@ def press_places(
         places: Of the first body.
         hold: [s] at the depth; where it is 0, forces are those of a tissue that still moves.
         depth: [m] of the hand.
+        mean: [s] at the end of the hold, over which forces are averaged.
     """
     weightless = copy(scene)
     weightless.gravity = [0.0, 0.0, 0.0]
     tissue, untouched = scene.bodies[0].tissue, None
     if len(tissue.home) and tissue.pressure != 0.0:  # which moves what nothing touches
-        untouched = run_press(weightless, places[0], hold, depth, FAR)[1]
-    return [press_place(weightless, place, hold, depth, untouched) for place in places]
+        untouched = run_press(weightless, places[0], hold, depth, mean, FAR)[1]
+    return [press_place(weightless, place, hold, depth, mean, untouched) for place in places]
+
+
+def compare_contact(
+    scene: palpate.Scene, places: list[Place], modulus: float, depth: float = DEPTH
+) -> list[tuple[float, float] | None]:
+    """Force [N] on the hand at each place of a solid under the hard law and by its near field;
+    None where an alarm ended a press.
+
+    Args:
+        scene: The result of build_scene, of either law.
+        places: Of the first body.
+        modulus: [Pa] E / (1 - nu²) of the near field.
+        depth: [m] of the hand.
+    """
+    hard, near = (
+        press_places(with_contact(scene, each), places, LONG_HOLD, depth, LONG_MEAN)
+        for each in (0.0, modulus)
+    )
+    return [
+        None if one.stopped or other.stopped else (one.force, other.force)
+        for one, other in zip(hard, near, strict=True)
+    ]
+
+
+def with_contact(scene: palpate.Scene, modulus: float) -> palpate.Scene:
+    """The same scene with another contact modulus [Pa] of its first body; 0 for the hard law."""
+    if scene.bodies[0].contact_modulus == modulus:
+        return scene
+    changed = copy(scene)
+    changed.bodies[0].contact_modulus = modulus
+    return palpate.build_scene(changed)
 
 
 def press_place(
@@ -102,9 +140,10 @@ def press_place(
     place: Place,
     hold: float,
     depth: float,
+    mean: float,
     untouched: NDArray[np.float64] | None,
 ) -> Trial:
-    force, home, substeps, stopped = run_press(scene, place, hold, depth, 0.0)
+    force, home, substeps, stopped = run_press(scene, place, hold, depth, mean, 0.0)
     along = float(force @ place.outward)
     share = None
     if len(scene.bodies[0].tissue.home) and along > 0.0 and not stopped:
@@ -114,7 +153,7 @@ def press_place(
 
 
 def run_press(
-    scene: palpate.Scene, place: Place, hold: float, depth: float, above: float
+    scene: palpate.Scene, place: Place, hold: float, depth: float, mean: float, above: float
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], int, bool]:
     """Force on the hand [N] (3,), that of home springs on the tissue [N] (3,), both as means over
     the end; the most substeps of a tick in touch; whether an alarm ended it."""
@@ -122,7 +161,7 @@ def run_press(
     radius = scene.instruments[0].tool.radius
     down = int(np.ceil((depth + CLEARANCE) / SPEED * scene.rate))
     ticks = down + round(hold * scene.rate)
-    mean = max(1, min(round(MEAN * scene.rate), ticks - down))
+    averaged = max(1, min(round(mean * scene.rate), ticks - down))
     force, home, substeps = np.zeros(3), np.zeros(3), 0
     for tick in range(1, ticks + 1):
         height = CLEARANCE - (CLEARANCE + depth) * min(1.0, tick / down) + above
@@ -132,9 +171,9 @@ def run_press(
             return force, home, substeps, True
         if np.any(command.force):
             substeps = max(substeps, world.bodies[0].substeps)
-        if tick > ticks - mean:
-            force += np.asarray(command.force) / mean
-            home += pull_home(scene.bodies[0].tissue, world) / mean
+        if tick > ticks - averaged:
+            force += np.asarray(command.force) / averaged
+            home += pull_home(scene.bodies[0].tissue, world) / averaged
     return force, home, substeps, False
 
 

@@ -81,6 +81,9 @@ class PlaceFacts:
     bound: str = "tip"
     """Which length that comes from: thickness, radius or wall; tip where that is too small or too
     large itself."""
+    forces: tuple[float, float] | None = None
+    """[N] felt at the depth of the trial under the hard law and by the near field, of a solid that
+    has the hard law; None of any other, and where it was not pressed."""
 
 
 @dataclass(frozen=True)
@@ -111,6 +114,11 @@ class TrialFacts:
     def validated(self) -> tuple[float, ...]:
         """[m] Of the places that are validated to some depth."""
         return tuple(p.validated for p in self.places if p.validated > 0.0)
+
+    @property
+    def offer(self) -> tuple[PlaceFacts, ...]:
+        """The places whose force under either law of contact is known."""
+        return tuple(p for p in self.places if p.forces is not None)
 
     @property
     def edges(self) -> tuple[float, ...]:

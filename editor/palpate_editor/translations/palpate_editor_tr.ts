@@ -2202,6 +2202,18 @@ Beklenen: {expected}.</translation>
         <source>The press stays within the {depth} mm that are validated there.</source>
         <translation>Basış, orada doğrulanmış olan {depth} mm içinde kalıyor.</translation>
     </message>
+    <message>
+        <source>Feel it as on tissue</source>
+        <translation>Dokudaki gibi hissedilsin</translation>
+    </message>
+    <message>
+        <source>Contact as on the mesh, which files of before have, lets the tetrahedra be felt. A hand that presses {depth} deep feels by either law:</source>
+        <translation>Önceki dosyaların yasası olan ağdaki gibi temas, dörtyüzlüleri hissettirir. {depth} derine basan elin iki yasayla duyduğu:</translation>
+    </message>
+    <message>
+        <source>Place [mm]</source>
+        <translation>Yer [mm]</translation>
+    </message>
 </context>
 <context>
     <name>constants</name>

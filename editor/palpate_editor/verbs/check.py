@@ -16,6 +16,7 @@ BOUNDS = {
     "thickness": f"{VALIDATED_PART:g} of the thickness",
     "radius": f"{VALIDATED_RADII:g} radii of the tip",
     "wall": "the thickness of its wall",
+    "tip": "",
 }
 """What a validated depth comes from."""
 
@@ -79,25 +80,44 @@ def describe_press(report: Report) -> list[str]:
 
 
 def describe_places(report: Report) -> list[str]:
-    """To which depth each place is validated, and what that comes from."""
+    """To which depth each place is validated, and under a law of contact that another could
+    replace, what is felt there by both."""
     places = report["places"]
-    if not places:
-        return []
-    if places[0]["validated_by"] == "tip":
+    lines = []
+    if places and places[0]["validated_by"] == "tip":
         least, most = (f"{1e3 * radius:g}" for radius in VALIDATED_TIPS)
-        return [f"  no depth is validated: only tips of {least} to {most} mm are"]
-    return lay_out(
-        [["place [mm]", "thickness [mm]", "validated to [mm]"], *map(list_cells, places)]
-    )
+        lines.append(f"  no depth is validated: only tips of {least} to {most} mm are")
+    offered = any(place["hard_force_N"] is not None for place in places)
+    if offered:
+        lines.append(
+            f"  the hard law of contact; pressed {1e3 * report['press_depth_m']:g} mm a hand feels "
+            "by it, and by the near field:"
+        )
+    if not lines or offered:
+        lines += lay_out([name_columns(offered), *(list_cells(p, offered) for p in places)])
+    return lines if places else []
 
 
-def list_cells(place: Report) -> list[str]:
+def name_columns(offered: bool) -> list[str]:
+    forces = ["hard [mN]", "near field [mN]"] if offered else []
+    return ["place [mm]", "thickness [mm]", *forces, "validated to [mm]"]
+
+
+def list_cells(place: Report, offered: bool) -> list[str]:
     """Of one row, as text."""
+    forces = [place["hard_force_N"], place["near_field_force_N"]] if offered else []
+    depth = f"{1e3 * place['validated_depth_m']:.1f}  {BOUNDS[place['validated_by']]}"
     return [
         ", ".join(str(round(1e3 * c)) for c in place["point_m"]),
-        "-" if place["thickness_m"] is None else f"{1e3 * place['thickness_m']:.1f}",
-        f"{1e3 * place['validated_depth_m']:.1f}  {BOUNDS[place['validated_by']]}",
+        say_or_dash(place["thickness_m"], ".1f"),
+        *(say_or_dash(force, ".0f") for force in forces),
+        depth if place["validated_depth_m"] else "-",
     ]
+
+
+def say_or_dash(value: float | None, form: str) -> str:
+    """In thousandths."""
+    return "-" if value is None else format(1e3 * value, form)
 
 
 def lay_out(rows: list[list[str]]) -> list[str]:

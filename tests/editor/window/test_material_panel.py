@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from hands import action, child, click, type_into
 from palpate.scene.scene_parts import FillPart
 from palpate_editor.compile import build_organ
 from palpate_editor.document.constants import CONSTANTS, SHORT_KINDS
+from palpate_editor.document.files import read_organ
 from palpate_editor.document.idle import find_idle
 from palpate_editor.edits import FixLowest, RemoveRegion, SetChoice, SetConstant, SetRegion
 from palpate_editor.views.quantity_box import QuantityBox, read_number, write_number
@@ -112,6 +114,33 @@ def test_to_which_depth_the_places_are_validated_stands_among_the_results(panel,
     settle(qtbot, window)
 
     assert words()["Validated to"] == "no depth: only tips of 2 to 8 mm are"
+
+
+OLD_SOLID = Path(__file__).parents[2] / "scenes" / "published" / "solid_v6.organ"
+
+
+def test_a_solid_of_an_old_file_is_offered_the_near_field_with_the_forces_of_both_laws(
+    window, qtbot
+):
+    window.session.restore(read_organ(OLD_SOLID), None)
+    settle(qtbot, window)
+    window.show_stage("material")
+    panel = window.material_panel
+    offer = panel.offer
+
+    [place] = panel.context.assessment.tissue.trial.offer
+    before = offer.texts()
+    assert offer.isVisible() and before[0][1:] == ["As on the mesh", "As on tissue"]
+    assert before[1][1:] == [f"{number(1e3 * force, 3)}\u00a0mN" for force in place.forces]
+
+    click(offer.button)
+    assert not offer.isVisible()
+    settle(qtbot, window)
+    assert window.session.organ.model.contact_law == "near_field" and not offer.isVisible()
+
+    window.session.history.undo()
+    settle(qtbot, window)
+    assert offer.isVisible() and offer.texts() == before
 
 
 @pytest.mark.several_places

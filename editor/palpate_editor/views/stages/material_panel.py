@@ -17,7 +17,9 @@ from palpate_editor.document.cost_rules import TICK_SHARE, count_substeps
 from palpate_editor.document.press_rules import MOST_HOME_SHARE
 from palpate_editor.document.problems import TissueFacts
 from palpate_editor.edits import FixLowest, FixVertices, SetGravity
+from palpate_editor.trial import has_hard_law
 from palpate_editor.views.stages.constant_form import ChoiceField, ConstantField, build_grid
+from palpate_editor.views.stages.contact_offer import ContactOffer
 from palpate_editor.views.stages.facts import Fact, Facts, Section, write_label
 from palpate_editor.views.stages.fill_form import FillForm
 from palpate_editor.views.stages.published_values import PublishedValues
@@ -188,7 +190,9 @@ class MaterialPanel(StagePanel):
         self.add_constants(self.links, LINKS, self.build_laws())
         self.build_support(self.section(tr("What holds it")))
         contact = ChoiceField(self.context, "contact_law", self)
-        self.add_constants(self.section(tr("Tip of the tool")), TIP, [contact])
+        tip = self.section(tr("Tip of the tool"))
+        self.add_constants(tip, TIP, [contact])
+        self.offer = tip.add(ContactOffer(self.context, self))
         self.add_constants(self.section(tr("Hand")), HAND)
         self.fields += [self.kind, self.origin]
         self.context.assessor.said.connect(self.show_building)
@@ -253,6 +257,8 @@ class MaterialPanel(StagePanel):
             field.show_organ(organ)
         self.origin_note.setText(say_origin(organ))
         self.filling.show_organ(organ)
+        if not has_hard_law(organ):
+            self.offer.hide()
         self.links.setVisible(organ.model.kind != "linear_solid")
         there = organ.surface is not None
         self.lowest.setEnabled(there)
@@ -275,6 +281,7 @@ class MaterialPanel(StagePanel):
                 field.default = (tissue.default_home if tissue else None) or 0.0
                 field.show_organ(self.context.session.organ)
         tissue = assessment.tissue
+        self.offer.show_trial(tissue.trial if tissue else None)
         self.facts.parentWidget().setVisible(assessment.organ.surface is not None)
         span = tissue.coupling_range if tissue else None
         self.range.setVisible(span is not None)
