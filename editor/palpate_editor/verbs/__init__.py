@@ -8,6 +8,7 @@ from palpate_editor.verbs import (
     calibrate,
     check,
     demo,
+    felt,
     mesh,
     organs,
     paint,
@@ -25,6 +26,7 @@ VERBS = [
     *check.VERBS,
     *publish.VERBS,
     *organs.VERBS,
+    *felt.VERBS,
     *demo.VERBS,
     EDITOR,
 ]
