@@ -13,6 +13,9 @@ namespace {
 
 constexpr int kNewtonSteps = 3;
 
+// where contacts are soft until a barrier: a step that ends in it is followed by some that come out
+constexpr int kNewtonStepsNear = 6;
+
 // [m] a step that is left out where contacts are costly to find: 5e-6 N of the hand's spring
 constexpr double kShortestStep = 1e-8;
 
@@ -333,8 +336,9 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
   if (!near) state.position = hand_position;
 
   state.position += ride(around, state);
-  const double shortest = has_near_field(around) ? kShortestStep : 0.0;
-  for (int i = 0; i < kNewtonSteps; ++i) {
+  const bool soft = has_near_field(around);
+  const double shortest = soft ? kShortestStep : 0.0;
+  for (int i = 0; i < (soft ? kNewtonStepsNear : kNewtonSteps); ++i) {
     const Vec3 next = take_newton_step(around, coupling, hand_position, state.position);
     // contacts stay those of where it is
     if (next != hand_position && (next - state.position).norm() < shortest) break;

@@ -64,6 +64,26 @@ TEST_CASE("a mesh as soft as tissue leaves a fifth of the dent, and the press is
   CHECK(soft.find_depth(depth, std::numbers::pi * a * a) == doctest::Approx(depth / 0.15));
 }
 
+TEST_CASE("where the barrier begins, the slope of a contact is the derivative of its force") {
+  NearField near;
+  near.modulus = kModulus;
+  const Tool tool{.radius = 0.003, .stiffness = 3e7};
+  const Vec3 a(-0.01, -0.01, 0.0), b(0.01, -0.01, 0.0), c(0.0, 0.01, 0.0);
+  const auto touch = [&](double depth) {
+    const Vec3 centre(0.0, -0.004, tool.radius - depth);
+    Contact closest, contact;
+    REQUIRE(find_contact(tool, 2e-4, centre, a, b, c, closest));
+    REQUIRE(find_near_contact(near, tool, closest, centre, a, b, c, {}, contact));
+    return contact;
+  };
+  for (const double x : {0.5, 0.7, 0.76, 0.8, 0.85, 0.89}) {
+    CAPTURE(x);
+    const double depth = x * tool.radius, h = 1e-7;
+    const double slope = (touch(depth + h).force - touch(depth - h).force) / (2.0 * h);
+    CHECK(touch(depth).stiffness == doctest::Approx(slope).epsilon(0.02));
+  }
+}
+
 TEST_CASE("a near field has the compliance of the mesh along normals, as its response has it") {
   const TissueModel model = scenes::make_linear_organ(4, 0.9);
   const NearField near = build_near_field(model, kModulus, 0.003);

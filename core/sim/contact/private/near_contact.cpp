@@ -129,7 +129,13 @@ Contact combine(const Tool& tool, const Contact& closest, const Contact& soft,
   const Vec3 sum = gain.force * soft.force * soft.direction + hard * closest.direction;
   const double force = sum.norm(), shares = gain.force * soft.force + hard;
   contact.force = force;
-  contact.stiffness = gain.slope * soft.stiffness + (beyond > 0.0 ? closest.stiffness : 0.0);
+  contact.stiffness = gain.slope * soft.stiffness;
+  // (f b/d)' = f' b/d + f (d - b)/d²: with f' alone Newton's steps would leave a push of many
+  // newtons
+  if (beyond > 0.0) {
+    contact.stiffness +=
+        (closest.stiffness * beyond + closest.force * (1.0 - beyond / depth)) / depth;
+  }
   if (!(force > 0.0)) return contact;
   contact.direction = sum / force;
   contact.weights = (gain.force * soft.force * soft.weights + hard * closest.weights) / shares;
