@@ -28,6 +28,8 @@ from palpate.runs.run import read_scene
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 ORGANS = CHECKOUT / "meshes" / "published"
+SPRINGS = CHECKOUT / "tests" / "scenes" / "springs"
+"""Organs as surfaces of springs, which later versions can be held against."""
 PRESS = PressScript(depth=3e-3, speed=0.03, hold=0.2)
 ROUNDS = 20
 FAR = (0.0, 0.0, 0.5)
@@ -35,7 +37,8 @@ FAR = (0.0, 0.0, 0.5)
 
 
 def open_organ(name: str) -> palpate.Scene:
-    return read_scene(ORGANS / f"{name}.palpate")
+    folder = SPRINGS if (SPRINGS / f"{name}.palpate").exists() else ORGANS
+    return read_scene(folder / f"{name}.palpate")
 
 
 def time_ticks(scene: palpate.Scene, count: int | None = None) -> list[float]:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import numpy as np
 import palpate
@@ -143,9 +144,13 @@ def test_a_call_that_makes_no_sense_says_so(words, code, sentence, capsys):
     assert sentence in capsys.readouterr().err
 
 
-def test_the_shipped_organs_run_with_the_constants_and_particles_of_their_published_files():
-    for mesh in meshes.read_shipped(["gallbladder", "spleen"]):
-        published = palpate.scenario.read(meshes.find_published() / f"{mesh.name}.palpate").scene
+SPRINGS = Path(__file__).resolve().parents[1] / "scenes" / "springs"
+
+
+def test_surfaces_of_springs_run_with_the_constants_and_particles_of_their_published_files():
+    for name in ("gallbladder", "spleen"):
+        mesh = meshes.read_published(SPRINGS / f"{name}.palpate")
+        published = palpate.scenario.read(SPRINGS / f"{name}.palpate").scene
         mass_spring, molecular = mesh.build()
         same = molecular if len(published.bodies[0].tissue.bonds.ends) else mass_spring
 

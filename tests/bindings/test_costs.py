@@ -18,7 +18,8 @@ from palpate.runs.run import read_scene
 from surfaces import organ_scene
 
 DT = 1e-3
-ORGANS = Path(__file__).resolve().parents[2] / "meshes" / "published"
+STONE = Path(__file__).resolve().parents[2] / "meshes" / "published" / "kidney_stone.palpate"
+SHEET = Path(__file__).resolve().parents[1] / "scenes" / "springs" / "simple_tissue.palpate"
 TOUCH = PressScript(depth=2e-3, speed=0.1, hold=0.05)
 
 
@@ -56,16 +57,16 @@ def test_samples_are_some_of_each_instrument(scene):
         palpate.measure_costs(scene, [])
 
 
-@pytest.mark.parametrize("name", ["kidney_stone", "simple_tissue"])
-def test_a_shipped_organ_sleeps_where_its_plain_code_rests_and_wakes_for_the_tool(name):
-    organ = change_body(read_scene(ORGANS / f"{name}.palpate"), kernel=palpate.Kernel.reference)
+@pytest.mark.parametrize("path", [STONE, SHEET], ids=["held everywhere", "swings"])
+def test_an_organ_sleeps_where_its_plain_code_rests_and_wakes_for_the_tool(path):
+    organ = change_body(read_scene(path), kernel=palpate.Kernel.reference)
     frames, times = write_script(find_top(organ), organ.instruments[0].tool.radius, TOUCH)
     hand = palpate.ScriptedDevice(frames)
     sleepy, fresh = palpate.World(organ), palpate.World(organ)
     for _ in range(120):
         palpate.tick(organ, hand.read(0.0), DT, sleepy)
     # one that never rests trembles by rounding
-    assert sleepy.bodies[0].asleep == (name == "kidney_stone")
+    assert sleepy.bodies[0].asleep == (path == STONE)
     still, time = np.array(sleepy.bodies[0].tissue.position), sleepy.bodies[0].tissue.time
     palpate.tick(organ, hand.read(0.0), DT, sleepy)
     assert sleepy.bodies[0].tissue.time == pytest.approx(time + DT)

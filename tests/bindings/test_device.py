@@ -22,7 +22,7 @@ from palpate.device.poses import HOME, HOME_JOINTS, POSES, average_counts
 from palpate.device.selftest import run_selftest
 
 SCHEMAS = Path(palpate.__file__).parent / "schemas"
-GALLBLADDER = Path(__file__).resolve().parents[2] / "meshes" / "published" / "gallbladder.palpate"
+GALLBLADDER = Path(__file__).resolve().parents[1] / "scenes" / "springs" / "gallbladder.palpate"
 
 
 def call(capsys, *words: object) -> tuple[int, dict, str]:

@@ -17,7 +17,7 @@ from palpate.device.names import split_hand
 from palpate.runs.play import Play, open_play, play_headless
 from published import publish, write_press
 
-GALLBLADDER = Path(__file__).resolve().parents[2] / "meshes" / "published" / "gallbladder.palpate"
+GALLBLADDER = Path(__file__).resolve().parents[1] / "scenes" / "springs" / "gallbladder.palpate"
 
 
 def test_devices_are_named_by_what_is_held_and_who_moves_it():

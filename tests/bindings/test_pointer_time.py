@@ -15,7 +15,7 @@ from PySide6.QtCore import QEvent, QPoint, QPointF
 from surfaces import organ_scene
 from windows import turn_wheel
 
-ORGANS = Path(__file__).resolve().parents[2] / "meshes" / "published"
+ORGANS = Path(__file__).resolve().parents[1] / "scenes" / "springs"
 MIDDLE = QPoint(160, 120)
 PRESS, MOVE, RELEASE = (
     QEvent.Type.MouseButtonPress,

@@ -11,7 +11,8 @@ import palpate
 from palpate.runs.press import CLEARANCE, RAMP, Place, PressScript, find_place, write_script
 from palpate.runs.run import read_scene
 
-PUBLISHED = Path(__file__).resolve().parents[2] / "meshes" / "published"
+CHECKOUT = Path(__file__).resolve().parents[2]
+PUBLISHED, SPRINGS = CHECKOUT / "meshes" / "published", CHECKOUT / "tests" / "scenes" / "springs"
 
 
 @dataclass

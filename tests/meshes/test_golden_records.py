@@ -8,8 +8,9 @@ import json
 import numpy as np
 import palpate
 import pytest
-from golden_records import GOLDEN, PLAIN, RECORDS, Golden, open_scene
+from golden_records import GOLDEN, PLAIN, RECORDS, SCENES, SPRINGS, Golden, open_scene
 from palpate_editor.shipped import list_organs
+from palpate_meshes.catalogue import PUBLISHED
 
 MEANT = (
     "the replay of {name} is {force:.2g} N and {position:.2g} m off, first at tick {tick}; if that "
@@ -42,11 +43,12 @@ def test_a_record_of_one_instrument_is_written_byte_for_byte_as_ever(golden, tmp
 
 
 def test_every_shipped_organ_is_kept_for_every_target_pressed_and_pulled():
-    organs = {entry.name for entry, _ in list_organs()}
+    shipped = {PUBLISHED / f"{entry.name}.palpate" for entry, _ in list_organs()}
 
     assert {path.name for path in RECORDS.iterdir()} == {golden.path.name for golden in GOLDEN}
-    for target in ("AVX3", "AVX2", "SSE4", PLAIN):
-        assert {golden.organ for golden in GOLDEN if golden.target == target} == organs
+    pressed = {path.read_bytes() for path in SCENES.values()}
+    assert all(path.read_bytes() in pressed for path in shipped)
+    assert set(SPRINGS.glob("*.palpate")) <= set(SCENES.values())
     for golden in GOLDEN:
         record = palpate.read_record(golden.path)
         header = json.loads(record.header)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What shipped organs bear: no press, flick or pull ends a run while the simulation is sound."""
+"""What organs bear: no press, flick or pull ends a run while the simulation is sound."""
 
 from __future__ import annotations
 
@@ -7,8 +7,9 @@ import numpy as np
 import palpate
 import pytest
 from palpate.runs.press import find_place, find_top
+from palpate.runs.run import read_scene
 from palpate_editor.shipped import list_organs
-from scripted_hands import find_scattered_place, open_organ_scene, press, pull
+from scripted_hands import SPRINGS, find_scattered_place, open_organ_scene, press, pull
 
 ORGANS = [entry.name for entry, _ in list_organs()]
 NONE = palpate.AlarmKind.none
@@ -17,16 +18,20 @@ AFTER = 500
 """Ticks of a pull after it was let go by the button."""
 
 
+def open_springs() -> palpate.Scene:
+    return read_scene(SPRINGS / "gallbladder.palpate")
+
+
 def find_ends(places, **script) -> dict[int, str]:
-    """Which of the presses of a gallbladder at these places ended in an alarm, and in which."""
-    scene = open_organ_scene("gallbladder")
+    """Which of the presses of a gallbladder of springs ended in an alarm, and in which."""
+    scene = open_springs()
     felt = {k: press(scene, find_scattered_place(scene, k), **script) for k in places}
     return {k: run.alarm.name for k, run in felt.items() if run.alarm != NONE}
 
 
 @pytest.mark.landing
 def test_a_wall_that_snaps_through_ends_no_press_and_feels_as_with_four_times_the_substeps():
-    scene, finer = open_organ_scene("gallbladder"), open_organ_scene("gallbladder")
+    scene, finer = open_springs(), open_springs()
     finer.bodies[0].substeps, finer.bodies[0].substeps_max = (
         4 * scene.bodies[0].substeps,
         4 * scene.bodies[0].substeps_max,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is timed: shipped organs with their own constants, and generated surfaces of any size.
+"""What is timed: surfaces of springs, those of shipped organs and generated ones of any size.
 
 Particles are renumbered once, before anything is timed (reverse Cuthill-McKee), so that the naive
 form has the order that suits it best and no ratio comes from a file's numbering.
@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 import palpate
 from palpate.files.refusal import Refusal
+from palpate.runs.press import take_surface
 from palpate.scene.mesh_file import read_mesh_file
 from palpate.scene.scene_file import compile_scene
 from palpate.scene.scene_parts import HandPart, MaterialPart, ModelPart, SceneFile
@@ -48,7 +49,7 @@ class BenchMesh:
 
 
 def read_shipped(names: Sequence[str] = ()) -> list[BenchMesh]:
-    """Every organ that ships, or those named, with the constants of its published file."""
+    """Every organ that ships, or those named: see read_published."""
     folder = find_published()
     meshes = sorted(path.stem for path in folder.glob("*.obj"))
     unknown = sorted(set(names) - set(meshes))
@@ -72,22 +73,28 @@ def find_published() -> Path:
 
 
 def read_published(path: Path) -> BenchMesh:
-    """A published file: its own surface, constants, fixed particles and painted stiffness."""
+    """A published file's surface, with its painted stiffness and what of it is fixed.
+
+    Constants of springs are its own where it has any: solids and walls of prisms are timed as
+    bodies (palpate.bench.bodies), and their surfaces in the test bed.
+    """
     # loads what draws, which every other command does without
     from palpate.scene.authored import read_constants
 
     scenario = palpate.scenario.read(path)
-    tissue = scenario.scene.bodies[0].tissue
-    mesh = palpate.SurfaceMesh(np.array(tissue.rest_position), np.array(tissue.triangles))
     scene = read_constants(path, scenario)
+    constants = f"published ({scene.model.kind.replace('_', '-')})"
+    if scene.model.kind not in ("mass_spring", "molecular"):
+        scene = replace(scene, material=MATERIAL, model=MODEL)
+        constants = "test bed"
     scale = np.asarray(scenario.authored_arrays.get("stiffness_scale", ()), dtype=float)
     model = replace(
         scene.model,
-        fixed=tuple(np.asarray(tissue.fixed).tolist()),
+        fixed=tuple(np.asarray(scenario.authored_arrays.get("fixed", ())).tolist()),
         stiffness_scale=tuple(scale.tolist()) if (scale != 1.0).any() else (),
     )
-    kind = scene.model.kind.replace("_", "-")
-    return prepare(path.stem, mesh, replace(scene, model=model), f"published ({kind})")
+    mesh = palpate.SurfaceMesh(*take_surface(scenario.scene, 0))
+    return prepare(path.stem, mesh, replace(scene, model=model), constants)
 
 
 def read_surface(path: Path) -> BenchMesh:

@@ -111,8 +111,8 @@ def describe_table1(report: Report) -> str:
     lines += [
         f"the paper: {paper['contact_rate_hz']:.0f} Hz and {paper['frame_rate_hz']:.0f} frames/s "
         "for every organ, which are settings of a loop and a display",
-        "contact: refit of the tree and a ball query; deformation: the substeps that the shipped "
-        "constants need",
+        "contact: refit of the tree and a ball query; deformation: the substeps that springs of "
+        "the file, or of the test bed, need",
         "  in a held press of 3 mm; whole tick: both, the tool's balance, the force and the alarm. "
         "CPU time, one core",
         f"frames: {width} x {height}, the organ's own appearance, edges smoothed, no shadows, "

@@ -19,6 +19,7 @@ import palpate
 from palpate.files.refusal import Refusal
 from palpate.runs.press import Place
 from palpate.scene.authored import read_constants
+from palpate.scene.scene_parts import ModelPart
 from palpate.study.contact_reference import (
     Case,
     ContactReference,
@@ -28,6 +29,9 @@ from palpate.study.contact_reference import (
 )
 from palpate.study.indent import OutOfReach, measure_indentation
 from palpate.study.tables import write_table
+
+SURFACES = ("mass_spring", "molecular")
+"""Kinds whose constants may be chosen."""
 
 
 @dataclass(frozen=True)
@@ -91,12 +95,12 @@ def open_pressed(path: Path) -> PressedScene:
     except (ValueError, LookupError, TypeError):
         raise Refusal(path, "authored.source", "no hash", "what `palpate publish` writes") from None
     reference = find_reference(path, made_of)
-    require_same(path, scenario.scene, constants.material.poisson_ratio, reference)
+    require_same(path, scenario, constants.material.poisson_ratio, reference)
     return PressedScene(
         name=reference.name,
         file=str(path),
         kind=constants.model.kind.replace("_", " "),
-        derived=constants.model.constants != "chosen",
+        derived=derives_constants(constants.model),
         young_modulus=constants.material.young_modulus,
         radius=constants.tool.radius,
         reference=reference,
@@ -115,19 +119,27 @@ def find_reference(path: Path, made_of: str) -> ContactReference:
     raise Refusal(path, "source.sha256", f"{str(made_of)[:12]}...", expected)
 
 
+def derives_constants(model: ModelPart) -> bool:
+    """Whether they follow from Young's modulus and Poisson's ratio."""
+    return model.kind not in SURFACES or model.constants == "tissue"
+
+
 def require_same(
-    path: Path, scene: palpate.Scene, poisson_ratio: float, reference: ContactReference
+    path: Path, scenario: palpate.scenario.Scenario, poisson_ratio: float, ref: ContactReference
 ) -> None:
     """The reference is of the same Poisson's ratio, held at the same vertices. Raises Refusal."""
-    fixed = sorted(np.asarray(scene.bodies[0].tissue.fixed).tolist())
-    if len(scene.bodies) != 1:
-        raise Refusal(path, "scene.bodies", str(len(scene.bodies)), "one body")
-    if fixed != list(reference.fixed or ()):
-        expected = f"the {len(reference.fixed or ())} that {reference.name} is held at"
+    bodies = scenario.scene.bodies
+    if len(bodies) != 1:
+        raise Refusal(path, "scene.bodies", str(len(bodies)), "one body")
+    # of the surface, as the document has them: a solid's own particles have other numbers
+    fixed = sorted(np.asarray(scenario.authored_arrays.get("fixed", ())).tolist())
+    if fixed != list(ref.fixed or ()):
+        expected = f"the {len(ref.fixed or ())} that {ref.name} is held at"
         raise Refusal(path, "fixed", f"{len(fixed)} vertices", expected)
-    if poisson_ratio != reference.poisson_ratio:
-        got, expected = f"{poisson_ratio:g}", f"{reference.poisson_ratio:g}"
-        raise Refusal(path, "material.poisson_ratio", got, expected)
+    if poisson_ratio != ref.poisson_ratio:
+        raise Refusal(
+            path, "material.poisson_ratio", f"{poisson_ratio:g}", f"{ref.poisson_ratio:g}"
+        )
 
 
 def compare_tool(
@@ -161,8 +173,7 @@ def compare_case(pressed: PressedScene, case: Case) -> list[ToolRow]:
 
 def press_case(pressed: PressedScene, spot: Spot, case: Case) -> tuple[list[float | None], str]:
     """Forces [N] at the depths of a case as far as the tool gets, and why not farther."""
-    scene = pressed.load()
-    scene.instruments[0].tool.radius = case.radius
+    scene = load_with_ball(pressed, case.radius)
     outward = np.array(spot.direction)
     # the tip is at the place of this when the ball first touches
     start = np.array(spot.point) + (case.touch - case.radius) * outward
@@ -176,6 +187,15 @@ def press_case(pressed: PressedScene, spot: Spot, case: Case) -> tuple[list[floa
             continue
         return [*found.tolist(), *[None] * (len(depths) - count)], note
     return [None] * len(depths), note
+
+
+def load_with_ball(pressed: PressedScene, radius: float) -> palpate.Scene:
+    scene = pressed.load()
+    if radius != scene.instruments[0].tool.radius:
+        scene.instruments[0].tool.radius = radius
+        # the near field reaches as far as the ball does
+        scene = palpate.build_scene(scene)
+    return scene
 
 
 def write_tool_tables(scenes: Sequence[dict], rows: Sequence[ToolRow]) -> str:

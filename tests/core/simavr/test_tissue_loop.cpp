@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole way: a hand that holds the simulated arm, the chip's image, the wire, the driver, the
-// tick, a shipped organ, and back, in virtual time.
+// tick, an organ of springs, and back, in virtual time.
 //
 // With PALPATE_CHARTS set to a folder the forces are left there for firmware/draw_charts.py.
 #include <doctest/doctest.h>
@@ -85,7 +85,7 @@ void write_forces(const Forces& felt, const std::string& path) {
 TEST_CASE(
     "the gallbladder is pressed through driver, wire and image as an ideal device presses it" *
     doctest::test_suite("landing")) {
-  const Scene scene = scenario::read(PALPATE_MESHES "/gallbladder.palpate").scene;
+  const Scene scene = scenario::read(PALPATE_SPRINGS "/gallbladder.palpate").scene;
   const Vec3 point = find_top(scene.bodies[0].tissue);
   Forces felt;
   press_ideal(scene, point, felt);
