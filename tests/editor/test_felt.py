@@ -171,6 +171,14 @@ def test_of_a_foundation_home_springs_carry_all_and_the_springs_along_it_next_to
     assert row.links_twice == pytest.approx(1.0, abs=0.05)
 
 
+def test_angles_of_which_no_triangle_takes_more_are_not_doubled():
+    """A wall's own constants under plane stress are at the end of what is stable."""
+    wall = compile_organ(make_ellipsoid("molecular", HARD, 100))
+
+    assert stiffen(wall, "angles", 1.0) is not None
+    assert stiffen(wall, "angles") is None
+
+
 def test_a_solid_with_a_near_field_keeps_it_when_its_springs_are_doubled():
     scene = with_contact(open_blocks()[0].load(), 6e3)
 
@@ -178,6 +186,27 @@ def test_a_solid_with_a_near_field_keeps_it_when_its_springs_are_doubled():
 
     assert changed.bodies[0].contact_modulus == 6e3 and changed.bodies[0].near_field is not None
     assert stiffen(scene, "home") is None
+
+
+SPRINGS = Path(__file__).parents[1] / "scenes" / "springs"
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "kidney",
+        *(pytest.param(name, marks=pytest.mark.verify)
+          for name in ("spleen", "liver", "gallbladder", "stomach")),
+    ],
+)  # fmt: skip
+def test_the_row_of_a_scene_is_what_comes_out(name):
+    row = measure_shares(name, palpate.scenario.read(str(SPRINGS / f"{name}.palpate")).scene)
+
+    felt, share, *twice = find_row(f"springs/{name}.palpate", row.law)
+    assert 1e3 * row.felt == pytest.approx(felt, rel=0.02)
+    assert 100.0 * row.home_share == pytest.approx(share, abs=2.0)
+    found = [row.home_twice, row.links_twice, row.angles_twice]
+    assert twice == pytest.approx([each for each in found if each is not None], abs=0.03)
 
 
 # --- what touch costs --------------------------------------------------------------------------

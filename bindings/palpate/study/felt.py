@@ -157,7 +157,8 @@ FIELDS = (
 
 
 def stiffen(scene: palpate.Scene, part: str, times: float = TWICE) -> palpate.Scene | None:
-    """The scene with home springs, links or angles so many times as stiff; None without any."""
+    """The scene with home springs, links or angles so many times as stiff; None without any, and
+    where its triangles cannot take as much."""
     body = scene.bodies[0]
     tissue = body.tissue
     tables = {name: getattr(tissue, name) for name in FIELDS}
@@ -174,9 +175,11 @@ def stiffen(scene: palpate.Scene, part: str, times: float = TWICE) -> palpate.Sc
         there = np.any(angles.bend_stiffness) or np.any(angles.stretch_coupling)
     if not there:
         return None
-    stiff = palpate.SoftBody(
-        tissue=palpate.TissueModel(**tables | stiffened), contact_modulus=body.contact_modulus
-    )
+    try:
+        changed = palpate.TissueModel(**tables | stiffened)
+    except ValueError:  # a triangle takes so much of angles, and no more
+        return None
+    stiff = palpate.SoftBody(tissue=changed, contact_modulus=body.contact_modulus)
     return palpate.build_scene(
         palpate.Scene(bodies=[stiff], instruments=list(scene.instruments), rate=scene.rate)
     )
