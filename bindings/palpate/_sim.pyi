@@ -479,6 +479,41 @@ class Elastic:
     def __repr__(self) -> str:
         """What it is, on one line."""
 
+class Hyperelastic:
+    """Tetrahedra of a solid that may be strained and turned far, of the corotated or the
+    neo-Hookean law. The part nodal_share of lambda acts on the mean J around each particle.
+    """
+    def __init__(self) -> None:
+        """Every field at its first value."""
+    @property
+    def corners(self) -> NDArray[np.int32]:
+        """particle indices, shape (rows, 4); a view, read-only."""
+    @property
+    def lame(self) -> NDArray[np.float64]:
+        """[Pa] lambda, Lamé's first constant, shape (rows,); a view."""
+    @property
+    def shear(self) -> NDArray[np.float64]:
+        """[Pa] mu, shape (rows,); a view."""
+    @property
+    def viscosity(self) -> NDArray[np.float64]:
+        """[Pa·s] eta: 2 eta times the rate of Green's strain, shape (rows,); a view."""
+    @property
+    def first_around(self) -> NDArray[np.int32]:
+        """as in Volumes, shape (n + 1,); a view, read-only."""
+    @property
+    def around(self) -> NDArray[np.int32]:
+        """as in Volumes, shape (k,); a view, read-only."""
+    nodal_share: float
+    """[-] 0 to 1"""
+    def __copy__(self) -> Hyperelastic:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Hyperelastic:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """What it is, on one line."""
+
 class Maxwell:
     """Linear viscoelasticity: beside every spring, bond, angle and stretch-bend a Maxwell
     branch of ratio times its stiffness, whose force fades with time while the tissue holds
@@ -572,6 +607,25 @@ def build_elastic(
         damping_time: [s] in which strain follows stress
     """
 
+def build_hyperelastic(
+    particle_count: int,
+    corners: ArrayLike,
+    lame: ArrayLike,
+    shear: ArrayLike,
+    viscosity: ArrayLike,
+    nodal_share: float = ...,
+) -> Hyperelastic:
+    """A table of the corotated or the neo-Hookean law with what lies around each particle
+    filled in. Copies its tables.
+
+    Args:
+        corners: particle indices, shape (t, 4)
+        lame: [Pa] shape (t,), lambda of each tetrahedron
+        shear: [Pa] shape (t,), mu of each tetrahedron
+        viscosity: [Pa·s] shape (t,), eta of each tetrahedron
+        nodal_share: [-] 0 to 1
+    """
+
 def move_skin(skin: Skin, x: ArrayLike, surface: NDArray[np.float64]) -> None:
     """Sets surface [m] to where the vertices of a surface are that rides on particles at x [m].
 
@@ -596,6 +650,8 @@ class TissueModel:
         prisms: Prisms = ...,
         volumes: Volumes = ...,
         elastic: Elastic = ...,
+        corotated: Hyperelastic = ...,
+        neo_hookean: Hyperelastic = ...,
         maxwell: Maxwell = ...,
         skin: Skin = ...,
         home: ArrayLike = ...,
@@ -636,6 +692,12 @@ class TissueModel:
     @property
     def elastic(self) -> Elastic:
         """Linear solids, which have no other law; may be empty."""
+    @property
+    def corotated(self) -> Hyperelastic:
+        """Corotated solids; may be empty."""
+    @property
+    def neo_hookean(self) -> Hyperelastic:
+        """Neo-Hookean solids; may be empty."""
     maxwell: Maxwell
     """What of links and angles relaxes; may be empty."""
     @property
@@ -664,6 +726,8 @@ class TissueModel:
     def __getstate__(
         self, /
     ) -> tuple[
+        object,
+        object,
         object,
         object,
         object,
@@ -960,7 +1024,7 @@ def compute_eq10_residuals(angles: Angles) -> NDArray[np.float64]:
     """[-] per row, shape (a,): |S_eq10 - S| / |S| of the slopes at rest after convert_to_eq10."""
 
 def list_tetrahedra(model: TissueModel) -> NDArray[np.int32]:
-    """Tetrahedra of a solid of either law, shape (t, 4)."""
+    """Tetrahedra of a solid of any law, shape (t, 4)."""
 
 def compute_surface(model: TissueModel, x: ArrayLike) -> NDArray[np.float64]:
     """[m] shape (n, 3), where the vertices of the model's surface are with its particles at x
@@ -1053,6 +1117,20 @@ def build_linear_solid(
 ) -> TissueModel:
     """The linear elastic model of the same solid, for shallow presses: Hooke's law in every
     tetrahedron, no links. Raises ValueError as build_solid does.
+    """
+
+def build_corotated_solid(
+    solid: SolidMesh, material: Material, options: SolidOptions = ...
+) -> TissueModel:
+    """The same solid of tetrahedra that may be strained and turned far, of corotated linear
+    elasticity. Raises ValueError as build_solid does.
+    """
+
+def build_neo_hookean_solid(
+    solid: SolidMesh, material: Material, options: SolidOptions = ...
+) -> TissueModel:
+    """The same solid of tetrahedra that may be strained and turned far, of the stable
+    neo-Hookean law. Raises ValueError as build_solid does.
     """
 
 def limit_reach(model: TissueModel, surface_vertices: ArrayLike) -> TissueModel:
@@ -1231,6 +1309,32 @@ def accumulate_elastic_forces(
         f: [N] shape (n, 3), float64, C order, written to
     """
 
+def accumulate_corotated_forces(
+    table: Hyperelastic, rest: ArrayLike, x: ArrayLike, v: ArrayLike, f: NDArray[np.float64]
+) -> None:
+    """Adds into f [N] what resists finite strain by the corotated law; see Hyperelastic. rest
+    [m] are the places at rest.
+
+    Args:
+        rest: [m] shape (n, 3), particles at rest
+        x: [m] shape (n, 3), positions
+        v: [m/s] shape (n, 3), velocities
+        f: [N] shape (n, 3), float64, C order, written to
+    """
+
+def accumulate_neo_hookean_forces(
+    table: Hyperelastic, rest: ArrayLike, x: ArrayLike, v: ArrayLike, f: NDArray[np.float64]
+) -> None:
+    """Adds into f [N] what resists finite strain by the neo-Hookean law; see Hyperelastic. rest
+    [m] are the places at rest.
+
+    Args:
+        rest: [m] shape (n, 3), particles at rest
+        x: [m] shape (n, 3), positions
+        v: [m/s] shape (n, 3), velocities
+        f: [N] shape (n, 3), float64, C order, written to
+    """
+
 def accumulate_home_forces(
     home: ArrayLike, rest: ArrayLike, x: ArrayLike, f: NDArray[np.float64]
 ) -> None:
@@ -1388,7 +1492,7 @@ class Energy:
     volumes: float
     """[J] Of tetrahedra."""
     strain: float
-    """[J] Of linear solids."""
+    """[J] Of linear, corotated and neo-Hookean solids."""
     home: float
     """[J] Of the pull to where particles rest."""
     gravity: float
@@ -1436,7 +1540,7 @@ class Projection(enum.Enum):
 
 def compute_stiffness(model: TissueModel, x: ArrayLike, projection: Projection) -> csc_matrix:
     """K = -df/dx at positions x [N/m], (3n, 3n), springs, bonds, angles, prisms, volumes,
-    linear solids and home; pressure and pushes are left out. Rows and columns of fixed
+    solids of every law and home; pressure and pushes are left out. Rows and columns of fixed
     particles are zero.
 
     Args:
@@ -1444,8 +1548,8 @@ def compute_stiffness(model: TissueModel, x: ArrayLike, projection: Projection) 
     """
 
 def compute_damping(model: TissueModel, x: ArrayLike) -> csc_matrix:
-    """C = -df/dv at positions x [N·s/m], (3n, 3n), links, prisms, linear solids and drag. Fixed
-    as above.
+    """C = -df/dv at positions x [N·s/m], (3n, 3n), links, prisms, solids and drag. Fixed as
+    above.
 
     Args:
         x: [m] shape (n, 3), positions
@@ -1548,7 +1652,9 @@ def stable_step(model: TissueModel, coupling: float = ...) -> float:
 @overload
 def stable_step(model: TissueModel, integrator: Integrator) -> float: ...
 def has_packed_form(model: TissueModel) -> bool:
-    """Whether a tissue can be packed, where there is vector code: all can but linear solids."""
+    """Whether a tissue can be packed, where there is vector code: all can but linear, corotated
+    and neo-Hookean solids.
+    """
 
 def simd_targets() -> list[str]:
     """The vector targets this machine can run ('AVX3', 'AVX2', 'SSE4', ...), the best first;

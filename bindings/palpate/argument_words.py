@@ -76,6 +76,7 @@ WORDS = {
     "v": "[m/s] shape (n, 3), velocities",
     "value": "the reading, [-] in its own unit",
     "vertices": "[m] shape (n, 3)",
+    "viscosity": "[Pa·s] shape (t,), eta of each tetrahedron",
     "weights": "[-] shape (3,), barycentric",
     "work": "[J]",
     "x": "[m] shape (n, 3), positions",

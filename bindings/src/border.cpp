@@ -69,6 +69,19 @@ void require_elastic(const Elastic& elastic, std::size_t particles) {
   }
 }
 
+void require_hyperelastic(const Hyperelastic& table, std::size_t particles) {
+  const std::size_t count = table.corners.size();
+  require_below(std::span<const std::array<int, 4>>(table.corners), particles, "table.corners");
+  require_count("table.lame", table.lame.size(), count);
+  require_count("table.shear", table.shear.size(), count);
+  require_count("table.viscosity", table.viscosity.size(), count);
+  // as of volumes
+  if (count > 0 && table.first_around.size() > particles + 1) {
+    refuse("table.first_around", std::to_string(table.first_around.size()) + " entries",
+           std::to_string(particles + 1));
+  }
+}
+
 void require_positive(const char* name, double value) {
   if (!(value > 0.0) || !std::isfinite(value)) refuse(name, text(value), "a positive number");
 }

@@ -22,6 +22,7 @@ void require_links(const Links& links, std::size_t particles);
 void require_angles(const Angles& angles, std::size_t particles);
 void require_volumes(const Volumes& volumes, std::size_t particles);
 void require_elastic(const Elastic& elastic, std::size_t particles);
+void require_hyperelastic(const Hyperelastic& table, std::size_t particles);
 
 void require_positive(const char* name, double value);
 void require_finite(const char* name, const Vec3& value);

@@ -89,7 +89,7 @@ void bind_energy(py::module_& m) {
       .def_readwrite("angles", &Energy::angles, "[J] Eq 9 and Eq 11.")
       .def_readwrite("prisms", &Energy::prisms, "[J] Transverse shear of walls.")
       .def_readwrite("volumes", &Energy::volumes, "[J] Of tetrahedra.")
-      .def_readwrite("strain", &Energy::strain, "[J] Of linear solids.")
+      .def_readwrite("strain", &Energy::strain, "[J] Of linear, corotated and neo-Hookean solids.")
       .def_readwrite("home", &Energy::home, "[J] Of the pull to where particles rest.")
       .def_readwrite("gravity", &Energy::gravity, "[J] Relative to the origin.")
       .def_readwrite("pressure", &Energy::pressure,
@@ -127,8 +127,9 @@ void bind_tangent(py::module_& m) {
         return compute_stiffness(model, xs, projection);
       },
       "model"_a, "x"_a, "projection"_a,
-      "K = -df/dx at positions x [N/m], (3n, 3n), springs, bonds, angles, prisms, volumes, linear "
-      "solids and home; pressure and pushes are left out. Rows and columns of fixed particles are "
+      "K = -df/dx at positions x [N/m], (3n, 3n), springs, bonds, angles, prisms, volumes, "
+      "solids of every law and home; pressure and pushes are left out. Rows and columns of fixed "
+      "particles are "
       "zero.");
   m.def(
       "compute_damping",
@@ -138,7 +139,7 @@ void bind_tangent(py::module_& m) {
         return compute_damping(model, xs);
       },
       "model"_a, "x"_a,
-      "C = -df/dv at positions x [N·s/m], (3n, 3n), links, prisms, linear solids and drag. "
+      "C = -df/dv at positions x [N·s/m], (3n, 3n), links, prisms, solids and drag. "
       "Fixed as above.");
 }
 
@@ -248,7 +249,8 @@ void bind_stable_step(py::module_& m) {
         "stable, because something swings that nothing damps: explicit Euler and the explicit "
         "midpoint rule feed it energy at any step.");
   m.def("has_packed_form", &has_packed_form, "model"_a,
-        "Whether a tissue can be packed, where there is vector code: all can but linear solids.");
+        "Whether a tissue can be packed, where there is vector code: all can but linear, "
+        "corotated and neo-Hookean solids.");
   m.def("simd_targets", &simd_targets,
         "The vector targets this machine can run ('AVX3', 'AVX2', 'SSE4', ...), the best first; "
         "empty where Palpate was built without vector code.");

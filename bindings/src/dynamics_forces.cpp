@@ -96,6 +96,24 @@ void bind_elastic_forces(py::module_& m) {
       "Adds to f [N] what resists strain; rest [m] are the places at rest.");
 }
 
+/// One of the two laws of Hyperelastic.
+template <auto accumulate>
+void bind_hyperelastic_forces(py::module_& m, const char* name, const char* doc) {
+  m.def(
+      name,
+      [](const Hyperelastic& table, const Numbers& rest, const Numbers& x, const Numbers& v,
+         const NumbersOut& f) {
+        const auto rests = points(rest, "rest"), xs = points(x, "x"), vs = points(v, "v");
+        const auto fs = points_out(f, "f");
+        require_like(xs, rests, "rest");
+        require_like(xs, vs, "v");
+        require_like(xs, fs, "f");
+        require_hyperelastic(table, xs.size());
+        accumulate(table, rests, xs, vs, fs);
+      },
+      "table"_a, "rest"_a, "x"_a, "v"_a, "f"_a, doc);
+}
+
 void bind_surface_forces(py::module_& m) {
   m.def(
       "accumulate_home_forces",
@@ -188,6 +206,14 @@ void bind_forces(py::module_& m) {
   bind_prism_forces(m);
   bind_volume_forces(m);
   bind_elastic_forces(m);
+  bind_hyperelastic_forces<&accumulate_corotated_forces>(
+      m, "accumulate_corotated_forces",
+      "Adds into f [N] what resists finite strain by the corotated law; see Hyperelastic. rest [m] "
+      "are the places at rest.");
+  bind_hyperelastic_forces<&accumulate_neo_hookean_forces>(
+      m, "accumulate_neo_hookean_forces",
+      "Adds into f [N] what resists finite strain by the neo-Hookean law; see Hyperelastic. rest "
+      "[m] are the places at rest.");
   bind_surface_forces(m);
   bind_body_forces(m);
 }

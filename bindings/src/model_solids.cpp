@@ -41,6 +41,23 @@ void bind_elastic(py::module_& m) {
         "its surface. Copies its tables.");
 }
 
+Hyperelastic copy_hyperelastic(int particle_count, const Integers& corners, const Numbers& lame,
+                               const Numbers& shear, const Numbers& viscosity, double nodal_share) {
+  auto rows = copy_index_rows<4>(corners, "corners");
+  if (particle_count < 0) refuse("particle_count", std::to_string(particle_count), "0 or more");
+  require_below<4>(rows, static_cast<std::size_t>(particle_count), "corners");
+  return build_hyperelastic(particle_count, std::move(rows), copy_numbers(lame, "lame"),
+                            copy_numbers(shear, "shear"), copy_numbers(viscosity, "viscosity"),
+                            nodal_share);
+}
+
+void bind_hyperelastic(py::module_& m) {
+  m.def("build_hyperelastic", &copy_hyperelastic, "particle_count"_a, "corners"_a, "lame"_a,
+        "shear"_a, "viscosity"_a, "nodal_share"_a = 0.0,
+        "A table of the corotated or the neo-Hookean law with what lies around each particle "
+        "filled in. Copies its tables.");
+}
+
 void bind_skin(py::module_& m) {
   m.def(
       "move_skin",
@@ -62,7 +79,7 @@ void bind_surface_of_model(py::module_& m) {
       [](const TissueModel& model) {
         return own(std::vector<std::array<int, 4>>(list_tetrahedra(model)));
       },
-      "model"_a, "Tetrahedra of a solid of either law, shape (t, 4).");
+      "model"_a, "Tetrahedra of a solid of any law, shape (t, 4).");
   m.def(
       "compute_surface",
       [](const TissueModel& model, const Numbers& x) {
@@ -147,6 +164,7 @@ void bind_lame(py::module_& m) {
 void bind_solid_tables(py::module_& m) {
   bind_volumes(m);
   bind_elastic(m);
+  bind_hyperelastic(m);
   bind_skin(m);
 }
 
@@ -172,6 +190,22 @@ void bind_solids(py::module_& m) {
       "solid"_a, "material"_a, "options"_a = Options(), py::call_guard<py::gil_scoped_release>(),
       "The linear elastic model of the same solid, for shallow presses: Hooke's law in every "
       "tetrahedron, no links. Raises ValueError as build_solid does.");
+  m.def(
+      "build_corotated_solid",
+      [](const SolidMesh& solid, const Material& material, const Options& options) {
+        return build_corotated_solid(solid, material, fit_mask(options, solid.vertices.size()));
+      },
+      "solid"_a, "material"_a, "options"_a = Options(), py::call_guard<py::gil_scoped_release>(),
+      "The same solid of tetrahedra that may be strained and turned far, of corotated linear "
+      "elasticity. Raises ValueError as build_solid does.");
+  m.def(
+      "build_neo_hookean_solid",
+      [](const SolidMesh& solid, const Material& material, const Options& options) {
+        return build_neo_hookean_solid(solid, material, fit_mask(options, solid.vertices.size()));
+      },
+      "solid"_a, "material"_a, "options"_a = Options(), py::call_guard<py::gil_scoped_release>(),
+      "The same solid of tetrahedra that may be strained and turned far, of the stable "
+      "neo-Hookean law. Raises ValueError as build_solid does.");
   m.def(
       "limit_reach",
       [](const TissueModel& model, const Integers& surface_vertices) {

@@ -4,34 +4,59 @@
 #include <array>
 
 #include "palpate/scenario/json_fields.h"
+#include "palpate/scenario/scenario.h"
 #include "palpate/scenario/table_array.h"
+#include "palpate/scenario/tables.h"
 #include "palpate/sim/model/private/law_tables.h"
 
 namespace palpate::scenario {
 namespace {
 
-/// The tables and numbers that files of an earlier version could not hold: empty tables, and
-/// numbers as a new tissue has them.
+/// Gives the tissue of one body, arrays of which lie in `folder`, the tables and numbers that files
+/// of an earlier version could not hold: empty tables, and numbers as a new tissue has them. `body`
+/// holds its numbers, or does not where the file is damaged.
 template <int version>
-void add_laws(Container& container) {
-  Json content = parse_object(container.content, "", "content");
-  const bool has_tissue = content.contains("scene") && content["scene"].contains("tissue");
+void add_laws(const std::string& folder, Json& body, Arrays& arrays) {
+  const bool has_tissue = body.is_object() && body.contains("tissue") && body["tissue"].is_object();
   laws::for_each_table([&]<class Table>(const Table& table) {
     if (table.version != version) return;
     using T = typename Table::Rows;
-    const auto add = [&]<class Row>(const char* column, const std::vector<Row>& rows) {
-      container.arrays.emplace(std::string("scene/tissue/") + table.name + "/" + column,
-                               to_array(rows));
-    };
     const T usual;
-    laws::for_each_column(
-        table, laws::Overloaded{[&](const laws::Scalar<T>& number) {
-                                  if (!has_tissue) return;
-                                  content["scene"]["tissue"][number.field] = usual.*number.value;
-                                },
-                                [](const laws::Derived<T>&) {},
-                                [&](const auto& column) { add(column.name, usual.*column.rows); }});
+    laws::for_each_column(table, laws::Overloaded{[&](const laws::Scalar<T>& number) {
+                                                    if (has_tissue)
+                                                      body["tissue"][number.field] =
+                                                          usual.*number.value;
+                                                  },
+                                                  [](const laws::Derived<T>&) {},
+                                                  [&](const auto& column) {
+                                                    arrays.emplace(folder + "tissue/" + table.name +
+                                                                       "/" + column.name,
+                                                                   to_array(usual.*column.rows));
+                                                  }});
   });
+}
+
+/// Of files that had one body, and no list of them.
+template <int version>
+void add_laws(Container& container) {
+  Json content = parse_object(container.content, "", "content");
+  Json none;
+  add_laws<version>("scene/", content.contains("scene") ? content["scene"] : none,
+                    container.arrays);
+  container.content = content.dump();
+}
+
+/// Of files with a list of bodies.
+template <int version>
+void add_laws_to_bodies(Container& container) {
+  Json content = parse_object(container.content, "", "content");
+  const bool has_scene = content.contains("scene") && content["scene"].is_object();
+  if (!has_scene || !content["scene"].contains("bodies")) return;
+  Json& bodies = content["scene"]["bodies"];
+  if (!bodies.is_array() || bodies.size() > kMostBodies) return;  // refused by the reader
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    add_laws<version>(name_folder(b), bodies[b], container.arrays);
+  }
   container.content = content.dump();
 }
 
@@ -69,9 +94,10 @@ void add_bodies_and_instruments(Container& container) {
   container.content = content.dump();
 }
 
-/// Version 2 has walls of prisms, and solids; version 3 linear solids.
-constexpr std::array<Migration, 3> kMigrations = {add_laws<2>, add_laws<3>,
-                                                  add_bodies_and_instruments};
+/// Version 2 has walls of prisms, and solids; version 3 linear solids; version 5 corotated and
+/// neo-Hookean ones.
+constexpr std::array<Migration, 4> kMigrations = {
+    add_laws<2>, add_laws<3>, add_bodies_and_instruments, add_laws_to_bodies<5>};
 
 }  // namespace
 

@@ -66,6 +66,13 @@ void find_around(const std::string& file, const std::string& folder, TissueModel
   Elastic& elastic = tissue.elastic;
   check_tetrahedra(file, folder + "tissue/volumes", volumes.corners, particle_count(tissue));
   check_tetrahedra(file, folder + "tissue/elastic", elastic.corners, particle_count(tissue));
+  for (const auto& [name, table] :
+       {std::pair("corotated", &tissue.corotated), std::pair("neo_hookean", &tissue.neo_hookean)}) {
+    check_tetrahedra(file, folder + "tissue/" + name, table->corners, particle_count(tissue));
+    *table = build_hyperelastic(particle_count(tissue), std::move(table->corners),
+                                std::move(table->lame), std::move(table->shear),
+                                std::move(table->viscosity), table->nodal_share);
+  }
   std::vector<int> reach = std::move(elastic.reach);
   elastic =
       build_elastic(particle_count(tissue), std::move(elastic.corners), std::move(elastic.lame),

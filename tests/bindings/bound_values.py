@@ -79,6 +79,7 @@ MADE: dict[str, Callable[[], object]] = {
     "Prisms": lambda: palpate.Prisms([(0, 1, 2, 3, 4, 5)], *[[(0.1, 0.2, 0.3)]] * 3),
     "Volumes": lambda: palpate.build_volumes(4, [(0, 1, 2, 3)], [1e-6], [5e3], 0.5),
     "Elastic": lambda: held_solid().elastic,
+    "Hyperelastic": lambda: palpate.build_corotated_solid(SOLID, palpate.Material()).corotated,
     "Maxwell": lambda: palpate.Maxwell(0.5, 0.3),
     "Skin": lambda: palpate.Skin([(0, 1, 2, 3)], [(0.1, 0.2, 0.3, 0.4)]),
     "TissueModel": lambda: organ_scene(1).bodies[0].tissue,

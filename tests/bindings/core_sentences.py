@@ -46,7 +46,7 @@ COUNTS = re.compile(r"std::array kExpected = \{(.*?)\};", re.DOTALL)
 """What a row of a law joins, before a number."""
 WHOLE_TISSUE = re.compile(r'\{("a [^"]*"),\s*((?:"[^"]*"\s*)+)\},')
 """Why no part of a tissue with a law may sleep."""
-LAW = re.compile(r'make_(?:table|links)\(\s*(?://[^\n]*\s*)?\{"(\w+)"')
+LAW = re.compile(r'make_(?:table|links|hyperelastic)\(\s*(?://[^\n]*\s*)?\{"(\w+)"')
 """A law that a linear solid refuses beside it."""
 CHOSEN = re.compile(r"return \{[^{};]*, (?:true|false), (.*?)\};")
 """A unit or an axis, whether it is guessed, and why."""

@@ -75,7 +75,7 @@ def find_range(path: tuple[str | int, ...]) -> tuple[float, float] | None:
 
 
 def read(data: bytes) -> scenario.Scenario:
-    container = scenario.unpack_container(data, "a.palpate", "palpate", 4)
+    container = scenario.unpack_container(data, "a.palpate", "palpate", 5)
     return scenario.unpack(container, "a.palpate")
 
 

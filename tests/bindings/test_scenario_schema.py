@@ -102,7 +102,7 @@ def test_the_schema_has_every_integrator():
 
 
 CHANGES = {
-    "newer version": set_in("version", 5),
+    "newer version": set_in("version", 6),
     "unknown member": set_in("script", "x"),
     "no title": remove("content|title"),
     "text for a number": set_in("content|scene|rate", "fast"),

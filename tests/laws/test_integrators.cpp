@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "palpate/sim/dynamics/step.h"
-#include "scenes/solids.h"
+#include "scenes/hyperelastic_solids.h"
 #include "scenes/tissues.h"
 
 using namespace palpate;
@@ -88,6 +88,25 @@ TEST_CASE("every integrator converges with its order on a solid of springs and v
 
     CHECK(measure_order(model, load, start, integrator, 0.005, steps) ==
           Approx(order).epsilon(0.1));
+  }
+}
+
+TEST_CASE("every integrator converges with its order on tetrahedra at finite strain") {
+  Load load(1);
+  load.gravity = {0.0, 2.0, -9.81};
+  for (const scenes::FiniteLaw& law : scenes::kFiniteLaws) {
+    const TissueModel model = scenes::make_finite_organ(law, 2, 0.9, {.damping_ratio = 0.1});
+    State start(model);
+    scenes::shake(model, 1e-3, 0.1, start);
+    for (const auto& each : kEvery) {
+      CAPTURE(std::string(law.name));
+      CAPTURE(std::string(integrator_name(each.integrator)));
+      const auto [integrator, order] = each;
+      const int steps = integrator == Integrator::runge_kutta_4 ? 15 : order == 2 ? 25 : 100;
+
+      CHECK(measure_order(model, load, start, integrator, 0.005, steps) ==
+            Approx(order).epsilon(0.1));
+    }
   }
 }
 

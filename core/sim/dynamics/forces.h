@@ -35,6 +35,14 @@ void accumulate_elastic_forces(const Elastic& elastic, std::span<const Vec3> res
                                std::span<const Vec3> x, std::span<const Vec3> v,
                                std::span<Vec3> f) noexcept;
 
+/// What resists finite strain; see Hyperelastic. `rest` [m] are the places at rest.
+void accumulate_corotated_forces(const Hyperelastic& table, std::span<const Vec3> rest,
+                                 std::span<const Vec3> x, std::span<const Vec3> v,
+                                 std::span<Vec3> f) noexcept;
+void accumulate_neo_hookean_forces(const Hyperelastic& table, std::span<const Vec3> rest,
+                                   std::span<const Vec3> x, std::span<const Vec3> v,
+                                   std::span<Vec3> f) noexcept;
+
 void accumulate_home_forces(std::span<const double> home, std::span<const Vec3> rest,
                             std::span<const Vec3> x, std::span<Vec3> f) noexcept;
 

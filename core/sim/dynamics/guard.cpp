@@ -104,6 +104,37 @@ Alarm check_volumes(const Volumes& volumes, const Vec3Array& x) noexcept {
   return {};
 }
 
+Alarm check_volumes(const Hyperelastic& table, const Vec3Array& rest, const Vec3Array& x) noexcept {
+  for (std::size_t t = 0; t < table.corners.size(); ++t) {
+    const auto& [a, b, c, d] = table.corners[t];
+    const double part =
+        compute_volume(x[a], x[b], x[c], x[d]) / compute_volume(rest[a], rest[b], rest[c], rest[d]);
+    if (part < kSmallestVolume) {
+      return {AlarmKind::inverted, static_cast<int>(t), part, kSmallestVolume};
+    }
+  }
+  return {};
+}
+
+/// [m] Over all links, and all edges of tetrahedra at finite strain.
+double find_shortest_rest_length(const TissueModel& model) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Links* links : {&model.springs, &model.bonds}) {
+    for (const double length : links->rest_length) shortest = std::min(shortest, length);
+  }
+  const Vec3Array& x = model.rest_position;
+  for (const Hyperelastic* table : {&model.corotated, &model.neo_hookean}) {
+    for (const auto& corners : table->corners) {
+      for (std::size_t p = 0; p < 4; ++p) {
+        for (std::size_t q = 0; q < p; ++q) {
+          shortest = std::min(shortest, (x[corners[p]] - x[corners[q]]).norm());
+        }
+      }
+    }
+  }
+  return shortest;
+}
+
 }  // namespace
 
 Alarm check_particles(const State& state, const Guard& guard, int steps) noexcept {
@@ -126,6 +157,8 @@ Alarm check_strains(const TissueModel& model, const Vec3Array& x, Guard& guard) 
   const auto springs = static_cast<int>(model.springs.ends.size());
   if (!alarm) alarm = check_links(model.bonds, x, springs, longest);
   if (!alarm) alarm = check_volumes(model.volumes, x);
+  if (!alarm) alarm = check_volumes(model.corotated, model.rest_position, x);
+  if (!alarm) alarm = check_volumes(model.neo_hookean, model.rest_position, x);
   if (!alarm) alarm = longest;
   guard.strained_checks = alarm ? guard.strained_checks + 1 : 0;
   return guard.strained_checks >= kStrainedChecks ? alarm : Alarm{};
@@ -182,18 +215,12 @@ Alarm confirm(const TissueModel& model, const Alarm& far, const Alarm& strained,
 Guard::Guard(const TissueModel& model, const Vec3&, const State& state)
     : last_position(state.position),
       last_time(state.time),
-      shortest_rest_length(std::numeric_limits<double>::infinity()),
+      shortest_rest_length(find_shortest_rest_length(model)),
       start_energy(compute_centred_energy(model, state, 0.0)),
       last_energy(start_energy),
       given_energy(start_energy),
       unnoticed_energy(compute_unnoticed_energy(model)),
-      reference_energy(std::max(start_energy, unnoticed_energy)) {
-  for (const Links* links : {&model.springs, &model.bonds}) {
-    for (const double length : links->rest_length) {
-      shortest_rest_length = std::min(shortest_rest_length, length);
-    }
-  }
-}
+      reference_energy(std::max(start_energy, unnoticed_energy)) {}
 
 Alarm check(const TissueModel& model, const Vec3& gravity, const State& state, double work,
             Guard& guard, int steps) noexcept {

@@ -13,6 +13,8 @@ struct Stretch {
   double shortest = 1.0;         ///< [-] at most 1
   double smallest_volume = 1.0;  ///< [-] of a tetrahedron; at most 1, below 0 inside out
   double smallest_mean = 1.0;    ///< [-] of the tetrahedra around a particle; at most 1
+  double largest_face = 1.0;     ///< [-] of an area in a tetrahedron at finite strain; at least 1
+  double stiffening = 0.0;       ///< [-] of its shear, in parts of mu, beyond that at rest
 };
 
 /// How stiff M⁻¹K of a tissue may get, from which of its terms; all in 1/s².
@@ -27,6 +29,8 @@ struct StretchSpectrum {
   double pressure = 0.0;  ///< of pressure alone: a bound
   double volumes = 0.0;   ///< of each tetrahedron's volume alone
   double means = 0.0;     ///< of mean volumes alone
+  double shear = 0.0;     ///< of mu at finite strain alone: a bound
+  double faces = 0.0;     ///< of what goes with areas at finite strain alone: a bound
 };
 
 enum class AlarmKind {

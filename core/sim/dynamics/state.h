@@ -34,7 +34,7 @@ struct Energy {
   double angles = 0.0;   ///< Eq 9 and Eq 11
   double prisms = 0.0;   ///< transverse shear of walls
   double volumes = 0.0;  ///< of tetrahedra
-  double strain = 0.0;   ///< of linear solids
+  double strain = 0.0;   ///< of linear, corotated and neo-Hookean solids
   double home = 0.0;
   double gravity = 0.0;   ///< relative to the origin
   double pressure = 0.0;  ///< -p V; its gradient is the pressure force on closed surfaces

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
@@ -105,6 +106,60 @@ double stiffen_volumes(double part, double longest) noexcept {
   return compute_volume_law(std::min(part, 1.0)).curvature * longest * longest;
 }
 
+/// visit(law) for those of tetrahedra at finite strain.
+template <class Visit>
+void for_each_strain(Visit visit) {
+  laws::for_each([&]<class Law>(Law law) {
+    if constexpr (Law::kStiffens == laws::Stiffens::as_strains) visit(law);
+  });
+}
+
+/// Largest eigenvalue of M⁻¹ sum of V mu g_p·g_q over the tetrahedra of a table: mu |F|²/2 of any
+/// F, which no less resists than shear does, the same for x, y and z.
+double find_largest_of_shear(const TissueModel& model, const Hyperelastic& table) {
+  if (table.corners.empty()) return 0.0;
+  const int n = particle_count(model);
+  std::vector<double> scale(static_cast<std::size_t>(n), 0.0);  // [1/sqrt(kg)]
+  for_each_free(model, [&](int i) { scale[i] = 1.0 / std::sqrt(model.mass[i]); });
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t t = 0; t < table.corners.size(); ++t) {
+    const RestTetrahedron tetrahedron(table, t, model.rest_position);
+    for (int p = 0; p < 4; ++p) {
+      for (int q = 0; q < 4; ++q) {
+        const int i = tetrahedron.corners[p], j = tetrahedron.corners[q];
+        const double k = table.shear[t] / tetrahedron.volume *
+                         tetrahedron.slopes.col(p).dot(tetrahedron.slopes.col(q));
+        entries.emplace_back(i, j, k * scale[i] * scale[j]);
+      }
+    }
+  }
+  Eigen::SparseMatrix<double> matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Largest largest =
+      find_largest_eigenvalue(n, [&](const auto& v) -> Eigen::VectorXd { return matrix * v; });
+  return largest.value + largest.residual;
+}
+
+/// Of what goes with areas: the means, and what the law itself has of J.
+template <class Law>
+double find_largest_of_faces(const TissueModel& model, double shear) {
+  using Density = typename Law::Density;
+  Hyperelastic table = model.*Law::table.of;
+  if (table.corners.empty()) return 0.0;
+  if (!Density::kAreaLame) {
+    for (double& lame : table.lame) lame *= table.nodal_share;
+    table.nodal_share = 1.0;
+  }
+  for (double& mu : table.shear) mu = 0.0;
+  for (double& eta : table.viscosity) eta = 0.0;
+  TissueModel alone;
+  alone.rest_position = model.rest_position;
+  alone.mass = model.mass;
+  alone.fixed = model.fixed;
+  alone.*Law::table.of = std::move(table);
+  return estimate_spectrum(alone).stiffness + Density::kAreaShear * shear;
+}
+
 /// No eigenvalue of M⁻¹K exceeds the largest sum of the blocks in a row of K, over the mass: a
 /// triangle has p/6 times its sides in each.
 double bound_pressure(const TissueModel& model) {
@@ -126,6 +181,31 @@ double bound_pressure(const TissueModel& model) {
   return largest;
 }
 
+/// Adds the principal stretches of every tetrahedron of a table, each under as much pressure of the
+/// means around its particles as there is anywhere.
+template <class Law>
+void add_strains(const TissueModel& model, std::span<const Vec3> x, Stretch& stretch) noexcept {
+  const Hyperelastic& table = model.*Law::table.of;
+  const auto at = [x](int i) noexcept -> const Vec3& { return x[i]; };
+  double swell = 0.0;
+  for_each_mean(table, model.rest_position, at, [&](std::size_t, const MeanVolume& mean) noexcept {
+    swell = std::max(swell, std::abs(mean.swell));
+  });
+  for (std::size_t t = 0; t < table.corners.size(); ++t) {
+    const RestTetrahedron tetrahedron(table, t, model.rest_position);
+    const Mat3 f = compute_deformation(tetrahedron, model.rest_position, at);
+    Eigen::SelfAdjointEigenSolver<Mat3> solver;
+    solver.computeDirect(f.transpose() * f, Eigen::EigenvaluesOnly);
+    const Vec3 stretches = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+    const double least = f.determinant() < 0.0 ? -stretches[0] : stretches[0];
+    stretch.largest_face = std::max(stretch.largest_face, stretches[2] * stretches[1]);
+    const double own = Law::Density::compute_stiffening({stretches[2], stretches[1], least},
+                                                        find_moduli(table, t));
+    const double of_means = table.nodal_share * table.lame[t] / table.shear[t] * swell;
+    stretch.stiffening = std::max(stretch.stiffening, own + of_means * stretches[2]);
+  }
+}
+
 }  // namespace
 
 Stretch measure_stretch(const TissueModel& model, std::span<const Vec3> x) noexcept {
@@ -143,6 +223,7 @@ Stretch measure_stretch(const TissueModel& model, std::span<const Vec3> x) noexc
     add_part(measure_distance(x, k, i), rest[1], stretch);
     add_part(measure_distance(x, i, j), rest[2], stretch);
   }
+  for_each_strain([&]<class Law>(Law) { add_strains<Law>(model, x, stretch); });
   const Volumes& volumes = model.volumes;
   for (std::size_t t = 0; t < volumes.corners.size(); ++t) {
     const double part = measure_volume(volumes, t, x) / volumes.rest_volume[t];
@@ -163,6 +244,11 @@ StretchSpectrum::StretchSpectrum(const TissueModel& model, double rest_in)
       pressure(bound_pressure(model)),
       volumes(find_largest_of_volumes(model, 1.0 - model.volumes.nodal_share, 0.0)),
       means(find_largest_of_volumes(model, model.volumes.nodal_share, 1.0)) {
+  for_each_strain([&]<class Law>(Law) {
+    const double of_mu = find_largest_of_shear(model, model.*Law::table.of);
+    shear += of_mu;
+    faces += find_largest_of_faces<Law>(model, of_mu);
+  });
   taut = std::max(rest, find_largest_of_taut_links(model) + angles + pressure + volumes + means);
 }
 
@@ -171,7 +257,8 @@ StretchSpectrum::StretchSpectrum(const TissueModel& model, double rest_in)
 ///     k n n^T + k s/(1+s) (I - n n^T) = (1-b) k n n^T + b k I,   b = s/(1+s)
 ///
 /// so that a whole tissue lies between rest (b = 0) and `taut` (b = 1); one that is shorter holds
-/// less. Volumes stiffen as they are squeezed. Gradients of angles go with 1/l, their part of K
+/// less. Volumes stiffen as they are squeezed, tetrahedra at finite strain with the squares of
+/// their areas and as their law says of shear. Gradients of angles go with 1/l, their part of K
 /// with 1/l²; those of pressure with l. What is left out is how turned links come to lie and what
 /// the torque of a bent angle adds; the bound held with both in every shape that was tried
 /// (tests/core/dynamics/test_stretch.cpp).
@@ -181,7 +268,9 @@ double bound_stiffness(const StretchSpectrum& spectrum, const Stretch& stretch) 
   return spectrum.rest + taut * (spectrum.taut - spectrum.rest) +
          (inverse * inverse - 1.0) * spectrum.angles + (stretch.longest - 1.0) * spectrum.pressure +
          (stiffen_volumes(stretch.smallest_volume, stretch.longest) - 1.0) * spectrum.volumes +
-         (stiffen_volumes(stretch.smallest_mean, stretch.longest) - 1.0) * spectrum.means;
+         (stiffen_volumes(stretch.smallest_mean, stretch.longest) - 1.0) * spectrum.means +
+         stretch.stiffening * spectrum.shear +
+         (stretch.largest_face * stretch.largest_face - 1.0) * spectrum.faces;
 }
 
 }  // namespace palpate

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "palpate/sim/dynamics/private/dual.h"
+#include "palpate/sim/dynamics/private/law_tangents.h"
 #include "palpate/sim/dynamics/private/laws.h"
-#include "palpate/sim/dynamics/private/side_tangent.h"
 #include "palpate/sim/dynamics/private/tensions.h"
 
 namespace palpate {

@@ -15,12 +15,12 @@ enum class Projection {
 };
 
 /// K = -df/dx at positions x and zero velocity [N/m], (3n, 3n), springs, bonds, angles, prisms,
-/// volumes, linear solids and home; pressure and pushes are left out. Rows and columns of fixed
-/// particles are zero.
+/// volumes, solids of every law and home; pressure and pushes are left out. Rows and columns of
+/// fixed particles are zero.
 Eigen::SparseMatrix<double> compute_stiffness(const TissueModel& model, std::span<const Vec3> x,
                                               Projection projection);
 
-/// C = -df/dv at positions x [N·s/m], (3n, 3n), links, prisms, linear solids and drag. Fixed as
+/// C = -df/dv at positions x [N·s/m], (3n, 3n), links, prisms, solids and drag. Fixed as
 /// above.
 Eigen::SparseMatrix<double> compute_damping(const TissueModel& model, std::span<const Vec3> x);
 

@@ -49,6 +49,15 @@ TissueModel build_solid(const SolidMesh& solid, const Material& material,
 TissueModel build_linear_solid(const SolidMesh& solid, const Material& material,
                                const SolidOptions& options = {});
 
+/// Solids of the same body whose tetrahedra may be strained and turned far: of corotated linear
+/// elasticity [laws: corotated], and of the stable neo-Hookean law [laws: neo-hookean]. No links.
+/// Tetrahedra have the viscosity that the links of build_solid would give them [laws: viscosity];
+/// the damping law of the options has no part in it. Throw as build_solid does.
+TissueModel build_corotated_solid(const SolidMesh& solid, const Material& material,
+                                  const SolidOptions& options = {});
+TissueModel build_neo_hookean_solid(const SolidMesh& solid, const Material& material,
+                                    const SolidOptions& options = {});
+
 /// The same linear solid for pushes on these vertices of its surface alone, in any order: the
 /// precomputed response has room for no others (response.h), and elsewhere it does not give.
 /// Throws std::invalid_argument for another model, no vertices, or one that is not there.

@@ -92,6 +92,22 @@ struct Elastic {
   double damping_time = 0.0;  ///< [s] in which strain follows stress (Kelvin-Voigt)
 };
 
+/// Tetrahedra of a solid that may be strained and turned far: the deformation gradient F of each is
+/// constant, and the law of the table that they stand in gives its stress [laws: corotated],
+/// [laws: neo-hookean].
+///
+/// Of lambda the part 1 - nodal_share acts on each tetrahedron's own volume, as its law says; the
+/// part nodal_share on the mean J around each of its particles, as lambda (J - 1)²/2.
+struct Hyperelastic {
+  std::vector<std::array<int, 4>> corners;  ///< particle indices, (b - a) x (c - a) towards d
+  std::vector<double> lame;                 ///< [Pa] lambda, Lamé's first constant
+  std::vector<double> shear;                ///< [Pa] mu
+  std::vector<double> viscosity;            ///< [Pa·s] eta: 2 eta times the rate of Green's strain
+  std::vector<int> first_around;            ///< as in Volumes; see build_hyperelastic
+  std::vector<int> around;
+  double nodal_share = 0.0;  ///< [-] 0 to 1
+};
+
 /// Linear viscoelasticity: beside every spring, bond, angle and stretch-bend a Maxwell branch of
 /// `ratio` times its stiffness, whose force fades with `time` while the tissue holds still. A
 /// tissue is 1 + ratio times as stiff against a sudden push as against a slow one [laws:
@@ -121,6 +137,8 @@ struct TissueModel {
   Prisms prisms;             ///< walls that bend; may be empty
   Volumes volumes;           ///< solids; may be empty
   Elastic elastic;           ///< linear solids, which have no other law; may be empty
+  Hyperelastic corotated;    ///< solids of the corotated law; may be empty
+  Hyperelastic neo_hookean;  ///< solids of the neo-Hookean law; may be empty
   Maxwell maxwell;           ///< what of links and angles relaxes
   Skin skin;                 ///< solids under a finer surface; may be empty
   std::vector<double> home;  ///< [N/m] pull of each particle to its rest; may be empty
@@ -166,9 +184,18 @@ Elastic build_elastic(int particle_count, std::vector<std::array<int, 4>> corner
                       std::vector<double> lame, std::vector<double> shear, double nodal_share = 0.0,
                       double damping_time = 0.0);
 
-/// Tetrahedra of a solid of either law: those of its volumes, or of its elastic table.
+/// A table of the corotated or the neo-Hookean law likewise.
+Hyperelastic build_hyperelastic(int particle_count, std::vector<std::array<int, 4>> corners,
+                                std::vector<double> lame, std::vector<double> shear,
+                                std::vector<double> viscosity, double nodal_share = 0.0);
+
+/// Tetrahedra of a solid of any law: those of the first of its tables that has some.
 inline const std::vector<std::array<int, 4>>& list_tetrahedra(const TissueModel& model) noexcept {
-  return model.elastic.corners.empty() ? model.volumes.corners : model.elastic.corners;
+  if (!model.elastic.corners.empty()) return model.elastic.corners;
+  for (const Hyperelastic* table : {&model.corotated, &model.neo_hookean}) {
+    if (!table->corners.empty()) return table->corners;
+  }
+  return model.volumes.corners;
 }
 
 /// Sets `surface` [m] to where the vertices of a surface are that rides on particles at x [m].

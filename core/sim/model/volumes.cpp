@@ -51,6 +51,19 @@ Elastic build_elastic(int particle_count, std::vector<std::array<int, 4>> corner
   return elastic;
 }
 
+Hyperelastic build_hyperelastic(int particle_count, std::vector<std::array<int, 4>> corners,
+                                std::vector<double> lame, std::vector<double> shear,
+                                std::vector<double> viscosity, double nodal_share) {
+  Hyperelastic table;
+  table.corners = std::move(corners);
+  table.lame = std::move(lame);
+  table.shear = std::move(shear);
+  table.viscosity = std::move(viscosity);
+  table.nodal_share = nodal_share;
+  find_around(particle_count, table);
+  return table;
+}
+
 void move_skin(const Skin& skin, std::span<const Vec3> x, std::span<Vec3> surface) noexcept {
   for (std::size_t v = 0; v < skin.corners.size(); ++v) {
     const auto& [a, b, c, d] = skin.corners[v];

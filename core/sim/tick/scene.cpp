@@ -13,6 +13,7 @@
 #include "palpate/sim/dynamics/private/step_limit.h"
 #include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/packed/private/follow_motion.h"
+#include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/packed/simd_targets.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
@@ -151,6 +152,14 @@ void choose_kernel(const Vec3& gravity, const Place& place, SoftBody& body) {
           "scene: " + place("kernel"), chosen,
           write_text("automatic or reference with the integrator ",
                      integrator_name(body.integrator), ": the others step by symplectic_euler"));
+    }
+    body.kernel = Kernel::reference;
+  }
+  if (!linear && !has_packed_form(body.tissue)) {
+    if (body.kernel == Kernel::packed) {
+      palpate::refuse("scene: " + place("kernel"), "packed",
+                      "automatic or reference for a corotated or neo-Hookean solid, which vector "
+                      "code does not step");
     }
     body.kernel = Kernel::reference;
   }

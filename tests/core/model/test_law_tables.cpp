@@ -6,6 +6,7 @@
 #include <string>
 
 #include "palpate/sim/model/private/law_tables.h"
+#include "scenes/hyperelastic_solids.h"
 #include "scenes/linear_solids.h"
 #include "scenes/shells.h"
 #include "scenes/solids.h"
@@ -21,7 +22,9 @@ TissueModel make_tissue(const Law& law) {
   relaxing.maxwell = {.ratio = 0.5, .time = 0.3};
   for (const TissueModel& model :
        {scenes::make_spring_organ(1), scenes::make_molecular_organ(1), scenes::make_shell_organ(1),
-        scenes::make_solid_organ(2, 0.9), scenes::make_linear_organ(2, 0.9), relaxing}) {
+        scenes::make_solid_organ(2, 0.9), scenes::make_linear_organ(2, 0.9),
+        scenes::make_finite_organ(scenes::kFiniteLaws[0], 2, 0.9),
+        scenes::make_finite_organ(scenes::kFiniteLaws[1], 2, 0.9), relaxing}) {
     if (laws::is_present(model, law)) return model;
   }
   FAIL("no tissue here has the law ", law.name);

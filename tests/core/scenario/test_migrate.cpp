@@ -65,13 +65,36 @@ TEST_CASE("what a file of one body had at the top is its first body and its firs
   scenario::migrate(scenario::migrations(), moved);
 
   CHECK(moved.version == scenario::newest_version());
-  CHECK(moved.arrays.size() == old.arrays.size());
+  // and the four columns of each of the two laws that only a newer file can have
+  CHECK(moved.arrays.size() == old.arrays.size() + 8);
   CHECK(moved.arrays.at("scene/bodies/0/tissue/mass") == old.arrays.at("scene/tissue/mass"));
   CHECK(moved.arrays.at("scene/bodies/0/rest_areas") == old.arrays.at("scene/rest_areas"));
   CHECK(moved.arrays.at("authored/notes") == old.arrays.at("authored/notes"));
   CHECK(contains(moved.content, R"("instruments":[{"coupling":{"force_max":3.0,)"));
   CHECK(scenario::unpack(old, "file").scene.bodies[0].substeps ==
         scenario::unpack(moved, "file").scene.bodies[0].substeps);
+}
+
+TEST_CASE("a file of several bodies gets the tables of later laws for each of them, empty") {
+  Container moved = scenario::read_container(PALPATE_PUBLISHED "/v4.palpate", "palpate", 4);
+  scenario::migrate(scenario::migrations(), moved);
+
+  for (const char* body : {"0", "1"}) {
+    for (const char* law : {"corotated", "neo_hookean"}) {
+      const std::string table = std::string("scene/bodies/") + body + "/tissue/" + law;
+      CHECK(moved.arrays.at(table + "/corners").bytes.empty());
+      CHECK(moved.arrays.at(table + "/viscosity").bytes.empty());
+    }
+  }
+  CHECK(contains(moved.content, R"("corotated_nodal_share":0.0)"));
+}
+
+TEST_CASE("a file whose bodies are no list, or hold no tissue, is refused and not filled in") {
+  for (const char* bodies : {"7", "[7]", "[{}]", "[{\"tissue\": 7}]"}) {
+    Container old = scenario::read_container(PALPATE_PUBLISHED "/v4.palpate", "palpate", 4);
+    old.content = std::string("{\"scene\": {\"bodies\": ") + bodies + "}}";
+    CHECK_THROWS_AS(scenario::unpack(old, "file"), FileError);
+  }
 }
 
 TEST_CASE("a file that says it is older and has what only a newer one can have is refused") {

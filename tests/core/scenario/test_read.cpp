@@ -66,16 +66,19 @@ TEST_CASE("every table, every number and the authored document come back") {
   const Container first = scenario::pack(made), second = scenario::pack(found);
   CHECK(first.content == second.content);
   CHECK(first.arrays == second.arrays);
-  CHECK(first.arrays.size() == 35);
+  CHECK(first.arrays.size() == 43);
   for (const auto& each : first.arrays) {
     const std::string& name = each.first;
     CAPTURE(name);
-    // so that none can be forgotten unseen; a linear solid has no other law beside it
-    CHECK(each.second.bytes.empty() == contains(name, "/elastic/"));
+    // so that none can be forgotten unseen; a linear solid has no other law beside it, and solids
+    // at finite strain, which vector code does not step, stand in test_finite_strain.cpp
+    const bool alone = contains(name, "/elastic/") || contains(name, "/corotated/") ||
+                       contains(name, "/neo_hookean/");
+    CHECK(each.second.bytes.empty() == alone);
   }
   CHECK(found.title == "Böbrek");
   CHECK(found.task == made.task);
-  CHECK(found.version == 4);
+  CHECK(found.version == 5);
   CHECK(found.authored == made.authored);
   CHECK(found.authored_arrays == made.authored_arrays);
   CHECK(found.scene.gravity == made.scene.gravity);

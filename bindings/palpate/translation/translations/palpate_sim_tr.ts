@@ -1955,5 +1955,29 @@
         <source>at most %1 in a solid of this kind, which a published file has room for: ask for fewer</source>
         <translation>bu türden bir dolu cisimde en çok %1; yayımlanan dosyada bu kadarına yer vardır: daha azını isteyin</translation>
     </message>
+    <message>
+        <source>corotated</source>
+        <translation>eşdöner dört yüzlüler</translation>
+    </message>
+    <message>
+        <source>those of build_hyperelastic</source>
+        <translation>build_hyperelastic'inkiler</translation>
+    </message>
+    <message>
+        <source>a corotated solid</source>
+        <translation>eşdöner bir dolu cisim</translation>
+    </message>
+    <message>
+        <source>a neo-Hookean solid</source>
+        <translation>neo-Hooke bir dolu cisim</translation>
+    </message>
+    <message>
+        <source>automatic or reference for a corotated or neo-Hookean solid, which vector code does not step</source>
+        <translation>eşdöner ya da neo-Hooke bir dolu cisim için automatic ya da reference; vektör kodu onu adımlamaz</translation>
+    </message>
+    <message>
+        <source>packed</source>
+        <translation>packed</translation>
+    </message>
 </context>
 </TS>

@@ -5,10 +5,11 @@
 
 namespace palpate {
 
-/// A tetrahedron of a linear solid at rest.
+/// A tetrahedron of Elastic or Hyperelastic at rest.
 struct RestTetrahedron {
-  RestTetrahedron(const Elastic& elastic, std::size_t t, std::span<const Vec3> rest) noexcept
-      : corners(elastic.corners[t]),
+  template <class Table>
+  RestTetrahedron(const Table& table, std::size_t t, std::span<const Vec3> rest) noexcept
+      : corners(table.corners[t]),
         slopes(compute_volume_slopes(rest[corners[0]], rest[corners[1]], rest[corners[2]],
                                      rest[corners[3]])),
         volume(palpate::compute_volume(rest[corners[0]], rest[corners[1]], rest[corners[2]],

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/dynamics/private/elastic_tangent.h"
-
 #include "palpate/sim/dynamics/private/elastic_law.h"
+#include "palpate/sim/dynamics/private/law_tangents.h"
 
 namespace palpate {
 namespace {

@@ -38,6 +38,7 @@ enum class Stiffens {
   as_links,       ///< by how taut they are
   as_sides,       ///< with one over the squared length of sides
   as_volumes,     ///< by how far they are squeezed
+  as_strains,     ///< by the principal stretches of tetrahedra
   not_at_all,     ///< linear
   as_the_others,  ///< whatever stands beside it
 };

@@ -6,11 +6,10 @@
 
 #include "palpate/sim/dynamics/forces.h"
 #include "palpate/sim/dynamics/private/elastic_energy.h"
-#include "palpate/sim/dynamics/private/elastic_tangent.h"
+#include "palpate/sim/dynamics/private/hyperelastic_law.h"
 #include "palpate/sim/dynamics/private/law.h"
+#include "palpate/sim/dynamics/private/law_tangents.h"
 #include "palpate/sim/dynamics/private/maxwell_law.h"
-#include "palpate/sim/dynamics/private/prism_tangent.h"
-#include "palpate/sim/dynamics/private/volume_tangent.h"
 #include "palpate/sim/dynamics/state.h"
 #include "palpate/sim/model/private/law_tables.h"
 
@@ -112,8 +111,39 @@ struct ElasticLaw {
   }
 };
 
+/// The two laws of tetrahedra at finite strain.
+template <const auto& its_table, Hyperelastic TissueModel::*of, class ItsDensity,
+          auto accumulate_all, auto compute_tangent>
+struct HyperelasticLaw {
+  using Density = ItsDensity;
+  static constexpr const auto& table = its_table;
+  static constexpr double Energy::*kEnergy = &Energy::strain;
+  static constexpr Stiffens kStiffens = Stiffens::as_strains;
+  static void accumulate(const Configuration& now, std::span<Vec3> f) noexcept {
+    accumulate_all(now.model.*of, now.model.rest_position, now.x, now.v, f);
+  }
+  template <class At>
+  static double compute_energy(const TissueModel& model, At at, std::span<const double>) noexcept {
+    return compute_hyperelastic_energy<Density>(model.*of, model.rest_position, at);
+  }
+  static auto compute_stiffness(const TissueModel& model, std::span<const Vec3> x,
+                                Projection projection) {
+    return compute_tangent(model, x, projection);
+  }
+  static auto compute_damping(const TissueModel& model, std::span<const Vec3> x) {
+    return compute_viscous_damping(model, model.*of, x);
+  }
+};
+
+using CorotatedLaw = HyperelasticLaw<kCorotated, &TissueModel::corotated, Corotated,
+                                     &accumulate_corotated_forces, &compute_corotated_stiffness>;
+using NeoHookeanLaw =
+    HyperelasticLaw<kNeoHookean, &TissueModel::neo_hookean, NeoHookean,
+                    &accumulate_neo_hookean_forces, &compute_neo_hookean_stiffness>;
+
 /// In the sequence of kLaws.
-using All = std::tuple<SpringLaw, BondLaw, AnglesLaw, PrismLaw, VolumeLaw, ElasticLaw, MaxwellLaw>;
+using All = std::tuple<SpringLaw, BondLaw, AnglesLaw, PrismLaw, VolumeLaw, ElasticLaw, CorotatedLaw,
+                       NeoHookeanLaw, MaxwellLaw>;
 static_assert(std::tuple_size_v<All> == std::tuple_size_v<decltype(kLaws)>);
 
 /// visit(law) for every law, an object without members.

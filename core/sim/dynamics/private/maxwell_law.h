@@ -5,7 +5,7 @@
 
 #include "palpate/sim/dynamics/private/elastic_energy.h"
 #include "palpate/sim/dynamics/private/law.h"
-#include "palpate/sim/dynamics/private/side_tangent.h"
+#include "palpate/sim/dynamics/private/law_tangents.h"
 #include "palpate/sim/model/private/law_tables.h"
 
 namespace palpate::laws {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/dynamics/private/prism_tangent.h"
-
 #include <algorithm>
 
+#include "palpate/sim/dynamics/private/law_tangents.h"
 #include "palpate/sim/dynamics/private/prism_law.h"
 
 namespace palpate {

@@ -54,6 +54,15 @@ void check_elastic(const TissueModel& model) {
   if (!elastic.corners.empty()) check_alone(model);
 }
 
+void check_hyperelastic(const char* name, const Hyperelastic& table, const Vec3Array& x) {
+  check_volumes_at_rest(name, table.corners, x);
+  const Hyperelastic built = build_hyperelastic(static_cast<int>(x.size()), table.corners,
+                                                table.lame, table.shear, table.viscosity);
+  if (table.first_around == built.first_around && table.around == built.around) return;
+  refuse(laws::name_column(name, "around"), "other tables than the corners give",
+         "those of build_hyperelastic");
+}
+
 void check_skin(const TissueModel& model) {
   // weights solved for in double, from corners well apart
   constexpr double kSumError = 1e-9;
@@ -85,6 +94,8 @@ void check_skin(const TissueModel& model) {
 void check_solid(const TissueModel& model) {
   check_volumes(model.volumes, model.rest_position);
   check_elastic(model);
+  check_hyperelastic("corotated", model.corotated, model.rest_position);
+  check_hyperelastic("neo_hookean", model.neo_hookean, model.rest_position);
   check_skin(model);
 }
 

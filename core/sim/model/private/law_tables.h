@@ -216,6 +216,48 @@ inline constexpr auto kElastic = make_table(
                     Limit::not_negative, 0.0, 100.0,
                     "in which strain follows stress (Kelvin-Voigt)"});
 
+constexpr auto make_hyperelastic(const Names& names, Hyperelastic TissueModel::*of,
+                                 const char* share, const Whole& whole,
+                                 std::string (*words)(const Hyperelastic&)) {
+  return make_table(
+      names, of, 5, 40'000, whole, words,
+      "Tetrahedra of a solid that may be strained and turned far, of the corotated or the "
+      "neo-Hookean law. The part nodal_share of lambda acts on the mean J around each particle.",
+      Corners<Hyperelastic, 4>{"corners", &Hyperelastic::corners, "particle indices"},
+      Numbers<Hyperelastic, double>{"lame", &Hyperelastic::lame, "Pa", Limit::not_negative, -1e13,
+                                    1e13, "lambda, Lamé's first constant"},
+      Numbers<Hyperelastic, double>{"shear", &Hyperelastic::shear, "Pa", Limit::positive, 1e-6,
+                                    1e13, "mu"},
+      Numbers<Hyperelastic, double>{"viscosity", &Hyperelastic::viscosity, "Pa·s",
+                                    Limit::not_negative, -1e9, 1e9,
+                                    "eta: 2 eta times the rate of Green's strain"},
+      Derived<Hyperelastic>{"first_around", &Hyperelastic::first_around,
+                            "as in Volumes, shape (n + 1,)"},
+      Derived<Hyperelastic>{"around", &Hyperelastic::around, "as in Volumes, shape (k,)"},
+      Scalar<Hyperelastic>{"nodal_share", &Hyperelastic::nodal_share, share, "-", Limit::share, 0.0,
+                           1.0, "0 to 1"});
+}
+
+inline constexpr auto kCorotated = make_hyperelastic(
+    {"corotated", "Hyperelastic", "tetrahedra", "corotated solids"}, &TissueModel::corotated,
+    "corotated_nodal_share",
+    {"a corotated solid",
+     "0: solids are moved whole, for they have no home springs, and without those a push is felt "
+     "with one over its distance"},
+    [](const Hyperelastic& its) {
+      return its.corners.empty() ? std::string() : "corotated, " + count_some(its, "tetrahedra");
+    });
+
+inline constexpr auto kNeoHookean = make_hyperelastic(
+    {"neo_hookean", "Hyperelastic", "tetrahedra", "neo-Hookean solids"}, &TissueModel::neo_hookean,
+    "neo_hookean_nodal_share",
+    {"a neo-Hookean solid",
+     "0: solids are moved whole, for they have no home springs, and without those a push is felt "
+     "with one over its distance"},
+    [](const Hyperelastic& its) {
+      return its.corners.empty() ? std::string() : "neo-Hookean, " + count_some(its, "tetrahedra");
+    });
+
 inline constexpr auto kMaxwell = make_table(
     {"maxwell", "Maxwell", "numbers", "what of links and angles relaxes"}, &TissueModel::maxwell, 4,
     0, {"a tissue that relaxes", "0: what relaxes is moved whole, for it is never quite at rest"},
@@ -233,7 +275,8 @@ inline constexpr auto kMaxwell = make_table(
                     "tau, in which 63 % of the branch's force has faded"});
 
 /// Every law, in the sequence in which forces are summed.
-inline constexpr std::tuple kLaws{kSprings, kBonds, kAngles, kPrisms, kVolumes, kElastic, kMaxwell};
+inline constexpr std::tuple kLaws{kSprings, kBonds,     kAngles,     kPrisms, kVolumes,
+                                  kElastic, kCorotated, kNeoHookean, kMaxwell};
 
 /// How many members an aggregate has.
 struct AnyMember {

@@ -181,9 +181,13 @@ std::vector<std::string> simd_targets() {
 
 PackedModel pack(const TissueModel& model, std::string_view target, PackedOrder order) {
   validate(model);
-  if (!has_packed_form(model)) {
+  if (!model.elastic.corners.empty()) {
     refuse("elastic", write_text(model.elastic.corners.size(), " rows"),
            "none: linear solids have no packed form");
+  }
+  if (!has_packed_form(model)) {
+    refuse("pack: model", "tetrahedra at finite strain",
+           "none: corotated and neo-Hookean solids have no packed form");
   }
   PackedModel packed;
   packed.kernels = &find_kernels(target);

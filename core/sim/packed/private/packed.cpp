@@ -143,7 +143,10 @@ PackedState::PackedState(const PackedModel& model, const TissueModel& tissue, co
   if (model.skin.pack_count > 0) last_rows = position_rows[0];
 }
 
-bool has_packed_form(const TissueModel& model) noexcept { return model.elastic.corners.empty(); }
+bool has_packed_form(const TissueModel& model) noexcept {
+  return model.elastic.corners.empty() && model.corotated.corners.empty() &&
+         model.neo_hookean.corners.empty();
+}
 
 std::string_view simd_target(const PackedModel& model) noexcept {
   return model.kernels ? model.kernels->target : "";
