@@ -149,11 +149,10 @@ def measure_shares(name: str, scene: palpate.Scene, count: int | None = None) ->
     )
 
 
-FIELDS = (
-    "rest_position", "mass", "fixed", "springs", "bonds", "angles", "prisms", "volumes", "elastic",
-    "maxwell", "skin", "home", "pressure", "triangles", "drag", "damping_law", "angle_law",
-)  # fmt: skip
-"""Of a tissue."""
+FIELDS = tuple(
+    name for name, value in vars(palpate.TissueModel).items() if isinstance(value, property)
+)
+"""Of a tissue, whatever laws there are."""
 
 
 def stiffen(scene: palpate.Scene, part: str, times: float = TWICE) -> palpate.Scene | None:
