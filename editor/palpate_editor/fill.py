@@ -39,6 +39,15 @@ def fill_surface(surface: Surface, tetrahedra: int) -> palpate.SolidMesh:
     return solid
 
 
+BUILDERS = {
+    "solid": palpate.build_solid,
+    "linear_solid": palpate.build_linear_solid,
+    "corotated_solid": palpate.build_corotated_solid,
+    "neo_hookean_solid": palpate.build_neo_hookean_solid,
+}
+"""Model kind -> what builds it of tetrahedra."""
+
+
 def build_filled(organ: Organ) -> palpate.TissueModel:
     """The solid of an organ under its own surface. Raises ValueError naming what is wrong.
 
@@ -60,9 +69,7 @@ def build_filled(organ: Organ) -> palpate.TissueModel:
         drag=organ.model.drag,
         damping_law=enumerator(palpate.DampingLaw, "model.damping_law", organ.model.damping_law),
     )
-    linear = organ.model.kind == "linear_solid"
-    build = palpate.build_linear_solid if linear else palpate.build_solid
-    model = build(solid, build_material(organ.material), options)
+    model = BUILDERS[organ.model.kind](solid, build_material(organ.material), options)
     model = palpate.cover_with_skin(model, surface)
     return model if reach is None else palpate.limit_reach(model, reach)
 

@@ -173,6 +173,20 @@ def find_linear_limits(
     yield "a Poisson's ratio below 0.25 or above 0.49"
 
 
+def find_finite_limits(
+    organ: Organ, tissue: palpate.TissueModel, wall: WallFit | None
+) -> Iterator[str]:
+    del wall
+    if organ.model.kind == "corotated_solid":
+        yield "large strains: it is linear in its principal stretches, and tissue stiffens"
+    yield (
+        f"what is smaller than its {len(palpate.list_tetrahedra(tissue))} tetrahedra: under a tool "
+        "the near field makes up for them, the rest of it is as stiff as its mesh"
+    )
+    yield "many tetrahedra: it runs in plain code, at many times the cost of springs"
+    yield "a Poisson's ratio below 0.25 or above 0.49"
+
+
 TISSUE_KINDS = (
     Kind(
         "mass_spring van_gelder",
@@ -201,6 +215,10 @@ TISSUE_KINDS = (
     Kind("shell", "shell of prisms", {"kind": "shell"}, find_shell_limits),
     Kind("solid", "solid, springs and volumes", {"kind": "solid"}, find_solid_limits),
     Kind("linear_solid", "linear solid", {"kind": "linear_solid"}, find_linear_limits),
+    Kind("corotated_solid", "corotated solid", {"kind": "corotated_solid"}, find_finite_limits),
+    Kind(
+        "neo_hookean_solid", "neo-Hookean solid", {"kind": "neo_hookean_solid"}, find_finite_limits
+    ),
 )
 """Every kind whose constants come from tissue."""
 
@@ -246,7 +264,9 @@ def build_kind(organ: Organ, kind: Kind) -> Report:
 
 def choose_kernel(tissue: palpate.TissueModel) -> str:
     """As build_scene does."""
-    return "packed" if palpate.has_packed_form(tissue) else "response"
+    if palpate.has_packed_form(tissue):
+        return "packed"
+    return "response" if len(tissue.elastic.corners) else "reference"
 
 
 def find_refused_limits(organ: Organ) -> Iterator[str]:

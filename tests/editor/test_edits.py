@@ -150,7 +150,8 @@ REFUSED = [
     (
         edits.SetChoice("kind", "jelly"),
         SPLEEN,
-        "one of mass_spring, molecular, shell, solid, linear_solid, got jelly",
+        "one of mass_spring, molecular, shell, solid, linear_solid, corotated_solid, "
+        "neo_hookean_solid, got jelly",
     ),
     (edits.SetChoice("colour", "red"), SPLEEN, "colour must be one of none"),
     (edits.SetConstant("model", "colour", 1.0), SPLEEN, "no number model.colour"),

@@ -11,7 +11,7 @@ import numpy as np
 import palpate
 import pytest
 from palpate.cli.main import main
-from palpate.scene.scene_parts import FillPart
+from palpate.scene.scene_parts import FILLED, FillPart
 from palpate_editor import _authoring
 from palpate_editor.check import assess
 from palpate_editor.compile import build_organ
@@ -56,7 +56,8 @@ def test_more_tetrahedra_fill_the_same_organ_finer_and_cost_more(spleen):
 
 
 def test_the_nodal_share_is_that_of_the_tissue(spleen):
-    for kind, table in (("solid", "volumes"), ("linear_solid", "elastic")):
+    tables = ("volumes", "elastic", "corotated", "neo_hookean")
+    for kind, table in zip(FILLED, tables, strict=True):
         organ = SetConstant("fill", "nodal_share", 0.25)(SetChoice("kind", kind)(spleen))
 
         assert getattr(build_organ(organ), table).nodal_share == 0.25
@@ -172,6 +173,7 @@ def test_a_response_too_large_for_memory_is_refused_before_it_is_solved(file, ca
     [
         ("solid", "solids are moved whole, for they have no home springs"),
         ("linear_solid", "it costs what is touched, so there is nothing to let sleep"),
+        ("corotated_solid", "solids are moved whole, for they have no home springs"),
         ("shell", "how far springs carry a pull, which is not how far a wall bends"),
     ],
 )

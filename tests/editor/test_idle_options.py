@@ -46,7 +46,7 @@ IDLE = [
     (SPLEEN, "--relaxation-time 0.2s", "--relaxation-time: got 0.2 s", "a relaxation of 0",
      "--relaxation above 0 with it"),
     (SPLEEN, "--tetrahedra 900", "--tetrahedra: got 900", "makes no use of it",
-     "--kind solid or linear"),
+     "--kind solid, linear, corotated or neo-hookean"),
     (SPLEEN, "--angle-law eq10", "--angle-law: got eq10", "makes no use of it", "--kind mms"),
     (SPLEEN, "--spring-rule lloyd", "--spring-rule: got lloyd", "stiffness that is chosen",
      "--constants tissue with it"),
@@ -155,6 +155,11 @@ def is_same(one, other) -> bool:
         (one.elastic.shear, other.elastic.shear),
         (one.elastic.nodal_share, other.elastic.nodal_share),
         (one.volumes.nodal_share, other.volumes.nodal_share),
+        *(
+            (getattr(getattr(one, law), column), getattr(getattr(other, law), column))
+            for law in ("corotated", "neo_hookean")
+            for column in ("lame", "shear", "nodal_share")
+        ),
         (one.home, other.home),
         (one.pressure, other.pressure),
     ]

@@ -12,7 +12,7 @@ import palpate
 import pytest
 from organs import make_organ, same
 from palpate.cli.main import main
-from palpate.scene.scene_parts import FillPart, ModelPart
+from palpate.scene.scene_parts import FILLED, FillPart, ModelPart
 from palpate.study.findings import read_findings
 from palpate_editor.check import assess
 from palpate_editor.compile import compile_organ, mesh_of
@@ -45,7 +45,7 @@ def test_every_kind_of_a_wall_is_built_and_says_what_it_cannot_represent(wall, c
 
     rows = {row["name"]: row for row in report["kinds"]}
     assert list(rows) == [kind.name for kind in TISSUE_KINDS]
-    for filled in (rows.pop("solid"), rows.pop("linear_solid")):
+    for filled in [rows.pop(kind) for kind in FILLED]:
         assert filled["refusal"].startswith("material: wall_thickness: got 2 mm, expected none")
     for row in rows.values():
         assert row["built"], row
@@ -99,13 +99,17 @@ def test_a_solid_says_why_its_surface_cannot_carry_it(tmp_path, capsys):
         words = f"{shares[0]:.0f} to {shares[-1]:.0f} % of the organ's force"
         assert words in row["cannot_represent"][0]
     assert not report["kinds"][0]["built"]
-    filled, linear = report["kinds"][-2:]
+    filled, linear, *finite = report["kinds"][-len(FILLED) :]
     assert filled["name"] == "solid" and filled["built"]
     assert filled["kernel"] == "packed"
     assert linear["name"] == "linear_solid" and linear["built"]
     assert linear["kernel"] == "response"
     limits = " ".join(linear["cannot_represent"])
     assert "deeper than 15%" in limits and "MB of at most 67.1" in limits
+    for row in finite:
+        assert row["built"] and row["kernel"] == "reference"
+        assert "plain code" in " ".join(row["cannot_represent"])
+    assert "large strains" in finite[0]["cannot_represent"][0]
 
 
 @pytest.mark.parametrize(

@@ -24,6 +24,7 @@ from palpate.scene.mesh_file import read_mesh_file
 from palpate.scene.scene_parts import (
     CONTACT_LAWS,
     FILLED,
+    FINITE,
     ORIGINS,
     MaterialPart,
     ModelPart,
@@ -99,8 +100,8 @@ def build_tissue(scene: SceneFile, mesh: palpate.SurfaceMesh) -> palpate.TissueM
 
 
 def relax(tissue: palpate.TissueModel, model: ModelPart) -> palpate.TissueModel:
-    """Gives a built tissue its Maxwell branches, but a linear solid, which has none."""
-    if model.kind != "linear_solid":
+    """Gives a built tissue its Maxwell branches, but a solid without links, which has none."""
+    if model.kind not in ("linear_solid", *FINITE):
         tissue.maxwell = palpate.Maxwell(model.relaxation, model.relaxation_time)
     return tissue
 

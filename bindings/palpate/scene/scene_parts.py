@@ -8,10 +8,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-KINDS = ("mass_spring", "molecular", "shell", "solid", "linear_solid")
-"""The laws that can hold an organ together."""
-FILLED = ("solid", "linear_solid")
+FINITE = ("corotated_solid", "neo_hookean_solid")
+"""Those of tetrahedra that may be strained and turned far."""
+FILLED = ("solid", "linear_solid", *FINITE)
 """Those of tetrahedra inside the surface."""
+KINDS = ("mass_spring", "molecular", "shell", *FILLED)
+"""The laws that can hold an organ together."""
 ORIGINS = ("chosen", "tissue")
 """Where the constants of springs, bonds and angles come from: the model part, or the material."""
 CONTACT_LAWS = ("near_field", "hard")

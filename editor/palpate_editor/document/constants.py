@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from palpate.scene.scene_parts import (
     CONTACT_LAWS,
     FILLED,
+    FINITE,
     KINDS,
     ORIGINS,
     SPRING_RULES,
@@ -97,13 +98,17 @@ SHORT_KINDS = {
     "shell": "shell",
     "solid": "solid",
     "linear": "linear_solid",
+    "corotated": "corotated_solid",
+    "neo-hookean": "neo_hookean_solid",
 }
 """What the command line calls them."""
 ELASTIC = ("material.young_modulus", "material.poisson_ratio")
 MOLECULAR = ("molecular",)
 SURFACES = ("mass_spring", "molecular")
 HOLLOW = (*SURFACES, "shell")
-SWINGING = (*HOLLOW, "solid")
+LINKED = (*HOLLOW, "solid")
+"""What has springs or bonds."""
+SWINGING = (*LINKED, *FINITE)
 """A linear solid is always at rest under its loads, but for the time its damping takes."""
 ANY = -math.inf
 LEAST_TETRAHEDRA, MOST_TETRAHEDRA = 100, 40_000
@@ -191,7 +196,7 @@ CONSTANTS = (
         "",
         above=False,
         most=100.0,
-        kinds=SWINGING,
+        kinds=LINKED,
     ),
     Constant(
         "model",
@@ -203,7 +208,7 @@ CONSTANTS = (
         least=1e-4,
         above=False,
         most=1e4,
-        kinds=SWINGING,
+        kinds=LINKED,
     ),
     Constant(
         "fill",
@@ -289,6 +294,8 @@ VALUE_NAMES = {
     "shell": "Shell of prisms",
     "solid": "Solid (MSS+V)",
     "linear_solid": "Linear solid, shallow presses",
+    "corotated_solid": "Corotated solid",
+    "neo_hookean_solid": "Neo-Hookean solid",
     "chosen": "Chosen by hand",
     "tissue": "From the tissue",
     "van_gelder": "Van Gelder",
@@ -307,7 +314,7 @@ KINDS_OF_LAWS = {
     "angle_law": MOLECULAR,
     "constants": SURFACES,
     "contact_law": FILLED,
-    "damping_law": SWINGING,
+    "damping_law": LINKED,
     "spring_rule": ("mass_spring",),
 }
 """The model kinds on which a choice has an effect."""

@@ -14,9 +14,17 @@ TICK_SHARE = 0.7
 """[-] of a tick that may be spent on the tissue; the rest is for the hand and the machine."""
 LONGEST_TICK = 4.0
 """[-] of a tick. A machine four times as fast as the reference machine is none of today."""
-SUBSTEP_COST = {"mass_spring": 10e-9, "molecular": 16e-9, "shell": 65e-9, "solid": 18e-9}
+SUBSTEP_COST = {
+    "mass_spring": 10e-9,
+    "molecular": 16e-9,
+    "shell": 65e-9,
+    "solid": 18e-9,
+    "corotated_solid": 245e-9,
+    "neo_hookean_solid": 185e-9,
+}
 """[s] per vertex, or per tetrahedron of a solid, and substep of a tick in touch on the reference
-machine: medians of pressed ticks of the shipped organs (palpate.runs.costs.press_costs)."""
+machine: medians of pressed ticks of the shipped organs (palpate.runs.costs.press_costs); of the
+last two, which run in plain code, by their ratio to the solid in one process, 13.6 and 10.3."""
 LINEAR_COST = 4e-6
 """[s] per substep of a linear solid in touch, whatever its size: it costs by what is touched."""
 SUBSTEPS_IN_CONTACT = 3

@@ -1197,6 +1197,14 @@
         <translation>Doğrusal dolu cisim</translation>
     </message>
     <message>
+        <source>Corotated solid</source>
+        <translation>Eşdöner dolu cisim</translation>
+    </message>
+    <message>
+        <source>Neo-Hookean solid</source>
+        <translation>Neo-Hooke dolu cisim</translation>
+    </message>
+    <message>
         <source>Solid</source>
         <translation>Dolu cisim</translation>
     </message>
@@ -1677,6 +1685,10 @@
         <translation>Yasasını Young modülü ve Poisson oranı verir. Kalınlığın %{share} kadarına varan bastırmalar için geçerlidir; daha derini çalışmayı bitirir.</translation>
     </message>
     <message>
+        <source>Young's modulus and Poisson's ratio are its law for small strains; it may be strained and turned far. It runs in plain code, which takes longer than springs do.</source>
+        <translation>Young modülü ile Poisson oranı küçük gerinimlerde onun yasasıdır; çok gerilebilir ve çok dönebilir. Düz kodla çalışır, bu da yaylardan uzun sürer.</translation>
+    </message>
+    <message>
         <source>Young's modulus, Poisson's ratio and the wall's thickness give every spring and bond its constants. Choose them by hand to go on from there.</source>
         <translation>Young modülü, Poisson oranı ve duvar kalınlığı her yayın ve bağın sabitlerini verir. Oradan devam etmek için sabitleri elle seçin.</translation>
     </message>
@@ -2051,6 +2063,14 @@ Beklenen: {expected}.</translation>
         <translation>Doğr&amp;usal dolu cisim</translation>
     </message>
     <message>
+        <source>&amp;Corotated solid</source>
+        <translation>&amp;Eşdöner dolu cisim</translation>
+    </message>
+    <message>
+        <source>&amp;Neo-Hookean solid</source>
+        <translation>&amp;Neo-Hooke dolu cisim</translation>
+    </message>
+    <message>
         <source>A published value needs a number.</source>
         <translation>Yayımlanmış bir değer için bir sayı gerekir.</translation>
     </message>
@@ -2360,6 +2380,14 @@ Beklenen: {expected}.</translation>
     <message>
         <source>Linear solid, shallow presses</source>
         <translation>Doğrusal dolu cisim, sığ bastırma</translation>
+    </message>
+    <message>
+        <source>Corotated solid</source>
+        <translation>Eşdöner dolu cisim</translation>
+    </message>
+    <message>
+        <source>Neo-Hookean solid</source>
+        <translation>Neo-Hooke dolu cisim</translation>
     </message>
     <message>
         <source>Chosen by hand</source>

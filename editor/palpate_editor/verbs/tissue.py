@@ -67,7 +67,8 @@ def add_material(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--kind",
         choices=tuple(SHORT_KINDS),
-        help="mass-spring, molecular, shell of prisms, solid, or linear solid (shallow presses)",
+        help="mass-spring, molecular, shell of prisms, solid, linear solid (shallow "
+        "presses), corotated or neo-Hookean solid",
     )
     for constant in CONSTANTS:
         unit = constant.option_unit

@@ -117,6 +117,13 @@ def material_commands(w: CommandTargets) -> list[Command]:
                 ("shell", tr("S&hell of prisms"), w.menu_actions.use_shell, "Ctrl+Alt+H"),
                 ("solid", tr("&Solid"), w.menu_actions.use_solid, "Ctrl+Alt+V"),
                 ("linear", tr("L&inear solid"), w.menu_actions.use_linear, "Ctrl+Alt+I"),
+                ("corotated", tr("&Corotated solid"), w.menu_actions.use_corotated, "Ctrl+Alt+W"),
+                (
+                    "neo-hookean",
+                    tr("&Neo-Hookean solid"),
+                    w.menu_actions.use_neo_hookean,
+                    "Ctrl+Alt+Y",
+                ),
             )
         ),
         Command(

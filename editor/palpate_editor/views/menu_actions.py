@@ -154,6 +154,12 @@ class MenuActions(QObject):
     def use_linear(self) -> None:
         self.use_kind("linear_solid")
 
+    def use_corotated(self) -> None:
+        self.use_kind("corotated_solid")
+
+    def use_neo_hookean(self) -> None:
+        self.use_kind("neo_hookean_solid")
+
     def use_kind(self, kind: str) -> None:
         if self.context.session.organ.model.kind == kind:
             return

@@ -73,6 +73,8 @@ class SceneTree(QTreeWidget):
             "shell": tr("Shell"),
             "solid": "MSS+V",
             "linear_solid": tr("Linear solid"),
+            "corotated_solid": tr("Corotated solid"),
+            "neo_hookean_solid": tr("Neo-Hookean solid"),
         }
         chosen = (
             organ.model.kind in ("mass_spring", "molecular") and organ.model.constants == "chosen"

@@ -8,11 +8,11 @@ from math import isfinite
 
 import numpy as np
 import palpate
-from palpate.scene.scene_parts import VALIDATED_TIPS
+from palpate.scene.scene_parts import FINITE, VALIDATED_TIPS
 from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QHBoxLayout, QPushButton, QVBoxLayout
 
 from palpate_editor.document import Organ
-from palpate_editor.document.constants import CONSTANTS
+from palpate_editor.document.constants import CONSTANTS, SWINGING
 from palpate_editor.document.cost_rules import TICK_SHARE, count_substeps
 from palpate_editor.document.press_rules import MOST_HOME_SHARE
 from palpate_editor.document.problems import TissueFacts
@@ -75,6 +75,11 @@ def say_origin(organ: Organ) -> str:
             "Young's modulus and Poisson's ratio are its law. It is good for presses of up to "
             "{share} % of the thickness; a deeper one ends the run."
         ).format(share=f"{100 * palpate.SHALLOW:.0f}")
+    if organ.model.kind in FINITE:
+        return tr(
+            "Young's modulus and Poisson's ratio are its law for small strains; it may be strained "
+            "and turned far. It runs in plain code, which takes longer than springs do."
+        )
     if organ.model.constants == "tissue":
         return tr(
             "Young's modulus, Poisson's ratio and the wall's thickness give every spring and bond "
@@ -259,7 +264,7 @@ class MaterialPanel(StagePanel):
         self.filling.show_organ(organ)
         if not has_hard_law(organ):
             self.offer.hide()
-        self.links.setVisible(organ.model.kind != "linear_solid")
+        self.links.setVisible(organ.model.kind in SWINGING)
         there = organ.surface is not None
         self.lowest.setEnabled(there)
         self.free.setEnabled(bool(organ.fixed.any()))

@@ -191,6 +191,8 @@ class PublishPanel(StagePanel):
             "shell": tr("Shell of prisms"),
             "solid": tr("Solid"),
             "linear_solid": tr("Linear solid"),
+            "corotated_solid": tr("Corotated solid"),
+            "neo_hookean_solid": tr("Neo-Hookean solid"),
         }
         mass = tissue.total_mass if tissue else None
         self.facts.show_facts(
