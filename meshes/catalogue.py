@@ -84,6 +84,10 @@ class Entry:
     size_mm: tuple[tuple[float, float], ...]
     """[mm] Least and most of the box along x, y and z."""
     size_source: str
+    tetrahedra: int | None = None
+    """That a solid is to be filled with: about three quarters are made. None for what is none."""
+    wall_vertices: int | None = None
+    """To which the mesh is decimated for a wall of prisms; None where none is, or as it is."""
     volume_ml: tuple[float, float] | None = None
     volume_source: str = ""
 

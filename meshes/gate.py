@@ -118,7 +118,8 @@ def find_region_faults(
 
 
 def find_tissue_faults(tissue: Tissue, mesh: palpate.SurfaceMesh) -> Iterator[str]:
-    """Both laws must take its triangles at the preset's constants (the MMS test per triangle)."""
+    """Both laws of surfaces must take its triangles (the MMS test per triangle), at their usual
+    constants where the tissue is no surface of springs."""
     material = MaterialPart(**tissue.material)
     for kind in ("mass_spring", "molecular"):
         model = replace(ModelPart(**tissue.model), kind=kind)

@@ -16,21 +16,18 @@ from palpate.scene.scene_parts import MaterialPart
 from palpate.study.findings import find_span
 
 from palpate_editor.check import compare_with_wall, split_refusal
+from palpate_editor.comparison import SOLIDS, STUDIED, say_error
 from palpate_editor.compile import build_organ
 from palpate_editor.document import Organ
+from palpate_editor.document.constants import SURFACES
 from palpate_editor.document.problems import WallFit
 
 EXACT = 1e-6
 """[-] An error below this is rounding."""
-SOLIDS = ("spleen", "kidney", "liver")
-"""Bodies of the accuracy study: shipped organs of two to three thousand tetrahedra."""
+LINE = "--- for comparison: kinds of no organ that ships ---"
 PRESSES = (0.03, 0.08, 0.15)
 """Of the thickness: its deep presses."""
-SURFACE_KINDS = {
-    "mass_spring": "surface springs (MSS)",
-    "molecular": "surface molecules (MMS), exact",
-    "shell": "shell of prisms",
-}
+SURFACE_KINDS = {kind: STUDIED[kind] for kind in SURFACES} | {"shell": "shell of prisms"}
 """Model kind -> what the study calls it."""
 VOLUME_KINDS = {
     0.0: "springs + volumes, each",
@@ -38,7 +35,7 @@ VOLUME_KINDS = {
     1.0: "springs + volumes, nodal",
 }
 """Nodal share -> what the study calls it; the last was not pressed deep."""
-LINEAR_KIND, LINEAR_SHARE = "linear solid, 0.9 nodal", 0.9
+LINEAR_KIND, LINEAR_SHARE = STUDIED["linear_solid"], 0.9
 
 
 @dataclass(frozen=True)
@@ -188,6 +185,8 @@ def find_finite_limits(
 
 
 TISSUE_KINDS = (
+    Kind("solid", "solid, springs and volumes", {"kind": "solid"}, find_solid_limits),
+    Kind("shell", "shell of prisms", {"kind": "shell"}, find_shell_limits),
     Kind(
         "mass_spring van_gelder",
         "springs, Van Gelder",
@@ -212,15 +211,13 @@ TISSUE_KINDS = (
         {"kind": "molecular", "constants": "tissue", "angle_law": "eq10"},
         find_molecular_limits,
     ),
-    Kind("shell", "shell of prisms", {"kind": "shell"}, find_shell_limits),
-    Kind("solid", "solid, springs and volumes", {"kind": "solid"}, find_solid_limits),
     Kind("linear_solid", "linear solid", {"kind": "linear_solid"}, find_linear_limits),
     Kind("corotated_solid", "corotated solid", {"kind": "corotated_solid"}, find_finite_limits),
     Kind(
         "neo_hookean_solid", "neo-Hookean solid", {"kind": "neo_hookean_solid"}, find_finite_limits
     ),
 )
-"""Every kind whose constants come from tissue."""
+"""Every kind whose constants come from tissue, those of shipped organs first."""
 
 
 def compare_kinds(organ: Organ, file: Path) -> Report:
@@ -241,7 +238,12 @@ def compare_kinds(organ: Organ, file: Path) -> Report:
 
 def build_kind(organ: Organ, kind: Kind) -> Report:
     built = replace(organ, model=replace(organ.model, **kind.model))
-    row: Report = {"name": kind.name, "title": kind.title, "built": False}
+    row: Report = {
+        "name": kind.name,
+        "title": kind.title,
+        "error": say_error(kind.model["kind"]),
+        "built": False,
+    }
     try:
         tissue = build_organ(built)
     except ValueError as problem:
@@ -280,7 +282,9 @@ def find_refused_limits(organ: Organ) -> Iterator[str]:
 
 
 def describe_kinds(report: Report) -> str:
-    return "\n".join(describe_kind(row) for row in report["kinds"])
+    front = [row for row in report["kinds"] if row["error"] is None]
+    compared = [row for row in report["kinds"] if row["error"] is not None]
+    return "\n".join([*map(describe_kind, front), LINE, *map(describe_kind, compared)])
 
 
 def describe_kind(row: Report) -> str:
@@ -294,5 +298,6 @@ def describe_kind(row: Report) -> str:
         )
     else:
         head = f"{row['title']}: not built; {row['refusal']}"
+    error = [] if row["error"] is None else [f"    its error: {row['error']} (core/ACCURACY.md)"]
     limits = [f"    cannot represent {limit}" for limit in row["cannot_represent"]]
-    return "\n".join([head, *limits])
+    return "\n".join([head, *error, *limits])

@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from palpate.scene.scene_parts import MaterialPart, ModelPart
+from palpate.scene.scene_parts import FillPart, MaterialPart, ModelPart
 from palpate_meshes.catalogue import (
     PICTURES,
     Entry,
@@ -22,6 +22,7 @@ from palpate_meshes.catalogue import (
 
 from palpate_editor.document import EMPTY, Organ, Source, Surface, Translation
 from palpate_editor.document.files import write_organ
+from palpate_editor.edits import decimate_organ
 from palpate_editor.publish import publish
 
 HOW = "ships with Palpate"
@@ -67,13 +68,15 @@ def make_organ(name: str, vertices: int | None = None) -> Organ:
     )
     fixed = np.zeros(len(x), bool)
     fixed[regions[ATTACHMENT]] = True
+    organ = replace(organ, fixed=fixed, regions=regions)
+    if vertices is None and entry.wall_vertices is not None:
+        organ = decimate_organ(organ, entry.wall_vertices)(organ)
     tissue = read_tissues()[entry.tissue]
     return replace(
         organ,
-        fixed=fixed,
-        regions=regions,
         material=MaterialPart(**tissue.material),
         model=ModelPart(**tissue.model),
+        fill=organ.fill if entry.tetrahedra is None else FillPart(entry.tetrahedra),
         tool=replace(organ.tool, radius=entry.tip_radius),
         appearance=tissue.appearance,
         title=entry.title,

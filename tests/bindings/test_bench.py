@@ -35,7 +35,7 @@ def test_every_work_of_a_shipped_organ_has_its_rows_and_columns(capsys):
     for row in report["rows"]:
         assert row["mesh"] == "simple_tissue"
         assert row["vertices"] == 45
-        assert row["constants"] == "published (molecular)"
+        assert row["constants"] == "test bed"
         assert row["median_us"] > 0.0 and row["p99_us"] > 0.0
         assert row["ns_per_element"] > 0.0
         assert row["ratio_to_naive"] > 0.0
@@ -165,6 +165,18 @@ def test_surfaces_of_springs_run_with_the_constants_and_particles_of_their_publi
         assert same.bodies[0].spectrum_stiffness == pytest.approx(
             published.bodies[0].spectrum_stiffness, rel=1e-3
         )
+
+
+@pytest.mark.parametrize(("name", "counts"), [("spleen", (600, 1196)), ("stomach", (3000, 5996))])
+def test_of_a_solid_and_of_a_wall_the_imported_surface_is_timed_in_the_test_bed(name, counts):
+    mesh = meshes.read_published(meshes.find_published() / f"{name}.palpate")
+
+    springs, _ = mesh.build()
+
+    assert (mesh.vertices, mesh.triangles) == counts
+    assert mesh.constants == meshes.TEST_BED
+    stiffness = np.asarray(springs.bodies[0].tissue.springs.stiffness)
+    assert (stiffness == meshes.MODEL.stiffness).all()
 
 
 def test_renumbering_brings_neighbours_together_and_changes_nothing_else():

@@ -4,6 +4,7 @@ verb, its fields those of the window."""
 
 from __future__ import annotations
 
+from pathlib import Path
 from types import SimpleNamespace
 
 import palpate
@@ -15,9 +16,10 @@ from palpate_editor.compile import compile_organ
 from palpate_editor.document import Organ
 from palpate_editor.document.constants import CONSTANTS, LAW_NAMES, find_constant
 from palpate_editor.edits import SetConstant
-from palpate_editor.shipped import make_organ
+from palpate_editor.open_organ import open_organ
 from palpate_editor.views.touch.trial import advise, name_field
 
+SPRINGS = Path(__file__).resolve().parents[1] / "scenes" / "springs" / "spleen.palpate"
 ADVICES = [*CAUSES.values(), *(words.design for words in ALARMS.values())]
 NAMED = {key for advice in ADVICES for key in advice.constants}
 
@@ -41,7 +43,7 @@ def test_a_window_names_the_stage_and_the_label_of_a_constant(key, qapp):
 
 @pytest.fixture(scope="module")
 def organ() -> Organ:
-    return make_organ("spleen", 300)
+    return open_organ(SPRINGS)
 
 
 def test_a_run_that_ends_in_the_window_names_fields_and_no_options(qapp, organ):

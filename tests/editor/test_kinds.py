@@ -12,14 +12,23 @@ import palpate
 import pytest
 from organs import make_organ, same
 from palpate.cli.main import main
-from palpate.scene.scene_parts import FILLED, FillPart, ModelPart
+from palpate.scene.scene_parts import FILLED, KINDS, FillPart, ModelPart
 from palpate.study.findings import read_findings
 from palpate_editor.check import assess
+from palpate_editor.comparison import (
+    COMPARED_KINDS,
+    FRONT_KINDS,
+    SOLIDS,
+    STUDIED,
+    WALLS,
+    say_error,
+)
 from palpate_editor.compile import compile_organ, mesh_of
 from palpate_editor.document import Organ
 from palpate_editor.document.files import read_organ, write_organ
 from palpate_editor.edits import SetChoice
-from palpate_editor.kinds import SOLIDS, SURFACE_KINDS, TISSUE_KINDS, find_solid_limits
+from palpate_editor.kinds import LINE, SURFACE_KINDS, TISSUE_KINDS, find_solid_limits
+from palpate_editor.shipped import list_organs
 
 SOLID = replace(make_organ(200, None), stiffness_scale=np.ones(200))
 
@@ -70,7 +79,7 @@ def test_the_error_that_is_told_is_that_of_the_built_model(wall, capsys):
     fit = palpate.compare_with_membrane(
         palpate.build_membrane_springs(mesh_of(organ.surface), material), material
     )
-    told = report["kinds"][0]
+    told = next(row for row in report["kinds"] if row["name"] == "mass_spring van_gelder")
     assert told["wall"]["error"] == pytest.approx(fit.error)
     assert f"error {100 * fit.error:.2g} %" in " ".join(told["cannot_represent"])
 
@@ -98,8 +107,9 @@ def test_a_solid_says_why_its_surface_cannot_carry_it(tmp_path, capsys):
         shares = sorted(100 * f.force for f in small if f.body in SOLIDS)
         words = f"{shares[0]:.0f} to {shares[-1]:.0f} % of the organ's force"
         assert words in row["cannot_represent"][0]
-    assert not report["kinds"][0]["built"]
-    filled, linear, *finite = report["kinds"][-len(FILLED) :]
+    assert not report["kinds"][1]["built"]
+    filled = report["kinds"][0]
+    linear, *finite = report["kinds"][1 - len(FILLED) :]
     assert filled["name"] == "solid" and filled["built"]
     assert filled["kernel"] == "packed"
     assert linear["name"] == "linear_solid" and linear["built"]
@@ -141,6 +151,26 @@ def test_in_words_each_kind_has_its_lines(wall, capsys):
     words = capsys.readouterr().out
     assert words.count("cannot represent") > 8
     assert "molecular, exact membrane: 200 particles" in words
+    front, compared = words.split(LINE)
+    assert "shell of prisms: " in front and "its error" not in front
+    assert compared.count("    its error: ") == 7
+    assert "springs, Van Gelder: 200 particles" in compared
+    assert f"    its error: {say_error('mass_spring')} (core/ACCURACY.md)" in compared
+
+
+def test_the_kinds_above_the_line_are_those_of_the_shipped_organs_that_give_way():
+    shipped = {tissue.model["kind"] for _, tissue in list_organs() if tissue.kind != "rigid"}
+
+    assert shipped == set(FRONT_KINDS)
+    assert {*FRONT_KINDS, *COMPARED_KINDS} == set(KINDS)
+
+
+def test_the_error_of_a_surface_is_what_the_study_found():
+    assert say_error("solid") is None
+    found = [f for f in read_findings() if f.kind == STUDIED["mass_spring"] and f.depth is None]
+    for bodies, of in ((SOLIDS, "of a solid organ's force"), (WALLS, "of a hollow one's")):
+        shares = sorted(100.0 * f.force for f in found if f.body in bodies)
+        assert f"{shares[0]:.0f} to {shares[-1]:.0f} % {of}" in say_error("mass_spring")
 
 
 def test_constants_from_tissue_come_back_and_are_built(wall, capsys):

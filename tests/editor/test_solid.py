@@ -55,7 +55,7 @@ def test_what_is_painted_on_the_surface_is_carried_inside(spleen):
     stiffer = np.asarray(tissue.volumes.bulk) / np.asarray(plain.volumes.bulk)
     assert stiffer.min() == pytest.approx(1.0) and stiffer.max() == pytest.approx(3.0)
     nearest = find_nearest(np.asarray(tissue.rest_position), spleen.surface.vertices)
-    outside = np.unique(palpate.find_boundary(fill_surface(spleen.surface, 3000)))
+    outside = np.unique(palpate.find_boundary(fill_surface(spleen.surface, spleen.fill.tetrahedra)))
     assert set(np.asarray(tissue.fixed)) == set(outside) & set(np.flatnonzero(~high[nearest]))
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Records of a press and a pull of many organs, which later versions replay bit by bit.
 
-    .venv/bin/python tests/meshes/golden_records.py
+    .venv/bin/python tests/meshes/golden_records.py [NAME ...]
 
 writes tests/references/records: one record for each organ and each form of its kernel, which is
 each vector target that this machine has, and the plain code of the reference. A record that no
@@ -45,6 +45,12 @@ SCENES = {
     "simple_tissue": SPRINGS / "simple_tissue.palpate",
     "spleen": SPRINGS / "spleen.palpate",
     "stomach": SPRINGS / "stomach.palpate",
+    "shell_gallbladder": ORGANS / "gallbladder.palpate",
+    "shell_simple_tissue": ORGANS / "simple_tissue.palpate",
+    "shell_stomach": ORGANS / "stomach.palpate",
+    "solid_kidney": ORGANS / "kidney.palpate",
+    "solid_liver": ORGANS / "liver.palpate",
+    "solid_spleen": ORGANS / "spleen.palpate",
 }
 """Name of a record -> what is pressed and pulled."""
 
@@ -86,8 +92,11 @@ def make_record(golden: Golden) -> palpate.Record:
 
 
 def main() -> None:
+    """Of every scene, or of those that are named."""
     RECORDS.mkdir(parents=True, exist_ok=True)
     for golden in GOLDEN:
+        if sys.argv[1:] and golden.name not in sys.argv[1:]:
+            continue
         if not golden.can_run:
             print(f"{golden.path.name}: this machine has no {golden.target}", file=sys.stderr)
             continue

@@ -32,6 +32,7 @@ MATERIAL = MaterialPart(wall_thickness=2e-3)
 MODEL = ModelPart(
     stiffness=52.0, bend_stiffness=2e-5, stretch_coupling=0.01, home_stiffness=3e5, drag=30.0
 )
+TEST_BED = "test bed"
 BED = SceneFile(organ=None, material=MATERIAL, model=MODEL, hand=HandPart(gravity=(0.0, 0.0, 0.0)))
 
 
@@ -73,33 +74,36 @@ def find_published() -> Path:
 
 
 def read_published(path: Path) -> BenchMesh:
-    """A published file's surface, with its painted stiffness and what of it is fixed.
+    """A published file's surface of springs, with its constants, painted stiffness and what of it
+    is fixed.
 
-    Constants of springs are its own where it has any: solids and walls of prisms are timed as
-    bodies (palpate.bench.bodies), and their surfaces in the test bed.
+    Solids and walls of prisms are timed as bodies (palpate.bench.bodies); here the surface that was
+    imported for them is, in the test bed.
     """
     # loads what draws, which every other command does without
     from palpate.scene.authored import read_constants
 
     scenario = palpate.scenario.read(path)
-    scene = read_constants(path, scenario)
-    constants = f"published ({scene.model.kind.replace('_', '-')})"
+    scene, arrays = read_constants(path, scenario), scenario.authored_arrays
     if scene.model.kind not in ("mass_spring", "molecular"):
-        scene = replace(scene, material=MATERIAL, model=MODEL)
-        constants = "test bed"
-    scale = np.asarray(scenario.authored_arrays.get("stiffness_scale", ()), dtype=float)
+        surface = take_surface(scenario.scene, 0)
+        if "imported/vertices" in arrays:
+            surface = arrays["imported/vertices"], arrays["imported/triangles"]
+        return prepare(path.stem, palpate.SurfaceMesh(*surface), BED, TEST_BED)
+    scale = np.asarray(arrays.get("stiffness_scale", ()), dtype=float)
     model = replace(
         scene.model,
-        fixed=tuple(np.asarray(scenario.authored_arrays.get("fixed", ())).tolist()),
+        fixed=tuple(np.asarray(arrays.get("fixed", ())).tolist()),
         stiffness_scale=tuple(scale.tolist()) if (scale != 1.0).any() else (),
     )
     mesh = palpate.SurfaceMesh(*take_surface(scenario.scene, 0))
-    return prepare(path.stem, mesh, replace(scene, model=model), constants)
+    kind = scene.model.kind.replace("_", "-")
+    return prepare(path.stem, mesh, replace(scene, model=model), f"published ({kind})")
 
 
 def read_surface(path: Path) -> BenchMesh:
     """An OBJ in metres, in the test bed of the contact laws."""
-    return prepare(path.stem, read_mesh_file(path), BED, "test bed")
+    return prepare(path.stem, read_mesh_file(path), BED, TEST_BED)
 
 
 def generate_meshes(sizes: Sequence[int] = SIZES) -> list[BenchMesh]:
@@ -110,7 +114,7 @@ def generate_meshes(sizes: Sequence[int] = SIZES) -> list[BenchMesh]:
 def generate_mesh(size: int) -> BenchMesh:
     if size < FEWEST:
         raise Refusal(None, "--vertices", str(size), f"at least {FEWEST}")
-    return prepare(f"ellipsoid-{size}", generate_ellipsoid(size), BED, "test bed")
+    return prepare(f"ellipsoid-{size}", generate_ellipsoid(size), BED, TEST_BED)
 
 
 def generate_ellipsoid(size: int) -> palpate.SurfaceMesh:

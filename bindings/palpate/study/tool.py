@@ -9,7 +9,7 @@ others, to the same depths; at rest there, the force on the hand is held against
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,7 +17,7 @@ import numpy as np
 
 import palpate
 from palpate.files.refusal import Refusal
-from palpate.runs.press import Place
+from palpate.runs.press import Place, take_surface
 from palpate.scene.authored import read_constants
 from palpate.scene.scene_parts import ModelPart
 from palpate.study.contact_reference import (
@@ -32,6 +32,8 @@ from palpate.study.tables import write_table
 
 SURFACES = ("mass_spring", "molecular")
 """Kinds whose constants may be chosen."""
+MOST_STEPS, TOUCHING = 1000, 1e-9
+"""Of a ball on its way down to a surface, and how near [m] it touches."""
 
 
 @dataclass(frozen=True)
@@ -133,13 +135,27 @@ def require_same(
         raise Refusal(path, "scene.bodies", str(len(bodies)), "one body")
     # of the surface, as the document has them: a solid's own particles have other numbers
     fixed = sorted(np.asarray(scenario.authored_arrays.get("fixed", ())).tolist())
-    if fixed != list(ref.fixed or ()):
-        expected = f"the {len(ref.fixed or ())} that {ref.name} is held at"
+    held = find_held(scenario.authored_arrays, ref)
+    if fixed != held:
+        expected = f"the {len(held)} that {ref.name} is held at"
         raise Refusal(path, "fixed", f"{len(fixed)} vertices", expected)
     if poisson_ratio != ref.poisson_ratio:
         raise Refusal(
             path, "material.poisson_ratio", f"{poisson_ratio:g}", f"{ref.poisson_ratio:g}"
         )
+
+
+def find_held(arrays: Mapping[str, np.ndarray], reference: ContactReference) -> list[int]:
+    """What of a document's surface the reference is held at: of a decimated one, the vertices whose
+    place on the imported surface is mostly held there."""
+    if "surface/vertices" not in arrays:
+        return list(reference.fixed or ())
+    x, triangles = arrays["imported/vertices"], arrays["imported/triangles"]
+    tree, is_held = palpate.AabbTree(x, triangles), np.zeros(len(x))
+    is_held[list(reference.fixed or ())] = 1.0
+    found = [palpate.find_closest_point(tree, x, point) for point in arrays["surface/vertices"]]
+    shares = [is_held[triangles[near.triangle]] @ np.asarray(near.weights) for near in found]
+    return np.flatnonzero(np.array(shares) >= 0.5).tolist()
 
 
 def compare_tool(
@@ -176,7 +192,7 @@ def press_case(pressed: PressedScene, spot: Spot, case: Case) -> tuple[list[floa
     scene = load_with_ball(pressed, case.radius)
     outward = np.array(spot.direction)
     # the tip is at the place of this when the ball first touches
-    start = np.array(spot.point) + (case.touch - case.radius) * outward
+    start = np.array(spot.point) + (find_touch(scene, spot, case.radius) - case.radius) * outward
     depths = np.array([result.depth for result in case.results])
     note = ""
     for count in range(len(depths), 0, -1):
@@ -187,6 +203,21 @@ def press_case(pressed: PressedScene, spot: Spot, case: Case) -> tuple[list[floa
             continue
         return [*found.tolist(), *[None] * (len(depths) - count)], note
     return [None] * len(depths), note
+
+
+def find_touch(scene: palpate.Scene, spot: Spot, radius: float) -> float:
+    """[m] of the ball's centre over the place when it first touches the scene's surface, which may
+    be coarser than the reference's: down by what is free all around it, until nothing is."""
+    x, triangles = take_surface(scene, 0)
+    tree, outward = palpate.AabbTree(x, triangles), np.array(spot.direction)
+    height = float(np.ptp(x, axis=0).max())
+    for _ in range(MOST_STEPS):
+        centre = np.array(spot.point) + height * outward
+        free = palpate.find_closest_point(tree, x, centre).distance - radius
+        if free <= TOUCHING:
+            break
+        height -= free
+    return height
 
 
 def load_with_ball(pressed: PressedScene, radius: float) -> palpate.Scene:

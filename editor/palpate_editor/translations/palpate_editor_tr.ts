@@ -2191,6 +2191,14 @@ Beklenen: {expected}.</translation>
         <translation>Temasta bir adım süresi</translation>
     </message>
     <message>
+        <source>For comparison</source>
+        <translation>Karşılaştırma için</translation>
+    </message>
+    <message>
+        <source>For comparison: {error}.</source>
+        <translation>Karşılaştırma için: {error}.</translation>
+    </message>
+    <message>
         <source>Home springs carry</source>
         <translation>Yuva yaylarının payı</translation>
     </message>
@@ -2644,6 +2652,18 @@ Beklenen: {expected}.</translation>
         <translation>{low:g}{unit} değerinden büyük</translation>
     </message>
     <message>
+        <source>for presses of up to {share:.0%} of the thickness alone, and {least:.0f} to {most:.0f} % too stiff under a small patch</source>
+        <translation>yalnızca kalınlığın {share:.0%} kadarına varan basışlar için; küçük bir yama altında %{least:.0f} ile %{most:.0f} arasında fazla sert</translation>
+    </message>
+    <message>
+        <source>a surface by itself has {solid_least:.0f} to {solid_most:.0f} % of a solid organ's force and {wall_least:.0f} to {wall_most:.0f} % of a hollow one's, unless home springs or constants are chosen to hold it up</source>
+        <translation>tek başına bir yüzey, onu ayakta tutacak yuva yayları ya da sabitler seçilmedikçe, dolu bir organın kuvvetinin %{solid_least:.0f} ile %{solid_most:.0f} arasını, içi boş bir organınkinin %{wall_least:.0f} ile %{wall_most:.0f} arasını verir</translation>
+    </message>
+    <message>
+        <source>not yet among the kinds that the accuracy study holds against finite elements, and {times:.0f} times the time of springs and volumes</source>
+        <translation>doğruluk çalışmasının sonlu elemanlarla karşılaştırdığı türler arasında henüz yok; süresi yay ve hacimlerinkinin {times:.0f} katı</translation>
+    </message>
+    <message>
         <source>neither home springs nor fixed vertices</source>
         <translation>ne yuva yayı ne de sabit köşe</translation>
     </message>
@@ -3079,8 +3099,8 @@ Beklenen: {expected}.</translation>
         <translation>Yayımlanmış değerler bin kata yayılıyor; yoğunluk, duvarın ve içindekinin yarısınınkidir.</translation>
     </message>
     <message>
-        <source>Softer than its wall, so that 5400 vertices can be touched at 1 kHz; the density is that of the wall and of the bile that moves with it.</source>
-        <translation>5400 köşeye 1 kHz'de dokunulabilsin diye duvarından yumuşak; yoğunluk, duvarın ve onunla hareket eden safranınkidir.</translation>
+        <source>The density is that of the wall and of the bile that moves with it.</source>
+        <translation>Yoğunluk, duvarın ve onunla hareket eden safranınkidir.</translation>
     </message>
     <message>
         <source>bending of a stone of calcium oxalate monohydrate</source>

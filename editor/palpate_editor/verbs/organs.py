@@ -171,6 +171,8 @@ def describe_organ(entry: Entry, tissue: Tissue) -> Report:
         "note": tissue.note,
         "material": tissue.material,
         "model": tissue.model,
+        "tetrahedra": entry.tetrahedra,
+        "wall_vertices": entry.wall_vertices,
         "published": [vars(row) for row in tissue.published],
         "size_source": entry.size_source,
         "volume_source": entry.volume_source,

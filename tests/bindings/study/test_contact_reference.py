@@ -10,8 +10,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from palpate.files.refusal import Refusal
-from palpate.runs.press import find_place, take_surface
+from palpate.runs.press import find_place
 from palpate.runs.run import read_scene
+from palpate.scene.mesh_file import read_mesh_file
 from palpate.study.contact_reference import (
     FOLDER,
     ContactReference,
@@ -19,6 +20,7 @@ from palpate.study.contact_reference import (
     read_contact_file,
     read_contact_reference,
 )
+from palpate.study.tool import open_pressed
 
 ORGANS = {"spleen", "kidney", "liver", "gallbladder", "stomach"}
 PUBLISHED = Path(__file__).parents[3] / "meshes" / "published"
@@ -67,24 +69,22 @@ def test_the_ball_of_the_shipped_scene_is_among_them(name):
 
 @pytest.mark.parametrize("name", sorted(ORGANS))
 def test_a_contact_reference_is_held_where_the_shipped_scene_is(name):
-    scene = read_scene(PUBLISHED / f"{name}.palpate")
-
-    fixed = np.sort(np.asarray(scene.bodies[0].tissue.fixed))
-
-    assert np.array_equal(fixed, read_contact_reference(name).fixed)
+    # refuses any other; a decimated wall is held where its mesh is
+    assert open_pressed(PUBLISHED / f"{name}.palpate").reference == read_contact_reference(name)
 
 
 @pytest.mark.parametrize("name", sorted(ORGANS))
 def test_a_place_is_on_the_surface_and_away_from_what_is_held(name):
     reference = read_contact_reference(name)
     scene = read_scene(PUBLISHED / f"{name}.palpate")
-    x, _ = take_surface(scene, 0)
+    x = np.asarray(read_mesh_file(PUBLISHED / reference.shape.file).vertices)
 
     for spot in reference.places:
         found = find_place(scene, np.array(spot.point))
         off = np.linalg.norm(x[list(reference.fixed)] - np.array(spot.point), axis=1)
 
-        assert found.point == pytest.approx(np.array(spot.point), abs=1e-6)
+        # a wall is decimated, and lies so far off
+        assert np.linalg.norm(found.point - np.array(spot.point)) < 3e-4
         assert found.outward @ np.array(spot.direction) > 0.9
         assert off.min() > 0.01
 

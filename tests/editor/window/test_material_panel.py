@@ -10,7 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from hands import action, child, click, type_into
-from palpate.scene.scene_parts import FillPart
+from palpate.scene.scene_parts import KINDS, FillPart
+from palpate_editor.comparison import COMPARED_KINDS, FRONT_KINDS, say_error
 from palpate_editor.compile import build_organ
 from palpate_editor.document.constants import CONSTANTS, SHORT_KINDS
 from palpate_editor.document.files import read_organ
@@ -191,11 +192,31 @@ def test_fields_of_the_molecular_model_show_with_it_alone(panel):
     bend = child(panel, "model.bend_stiffness")
     assert not bend.isVisible()
 
-    panel.kind.setCurrentIndex(1)
-    panel.kind.activated.emit(1)
+    choose(panel, "model.kind", "molecular")
 
     assert bend.isVisible()
     assert panel.context.session.organ.model.kind == "molecular"
+
+
+def test_kinds_of_no_shipped_organ_stand_below_a_line_with_their_error(panel):
+    texts = [panel.kind.itemText(row) for row in range(panel.kind.count())]
+    line = panel.kind.findText("For comparison")
+    note = child(panel, "compared_kind")
+
+    assert [v for v in panel.kind.values[:line] if v] == list(FRONT_KINDS)
+    assert [v for v in panel.kind.values[line:] if v] == list(COMPARED_KINDS)
+    assert not panel.kind.model().item(line).isEnabled() and texts[line - 1] == ""
+    before = panel.context.session.organ
+    panel.kind.activated.emit(line)
+    assert panel.context.session.organ is before
+    for kind in KINDS:
+        choose(panel, "model.kind", kind)
+        error = say_error(kind)
+        assert note.isVisible() == (error is not None)
+        assert error is None or note.text() == f"For comparison: {error}."
+        row = panel.kind.values.index(kind)
+        tip = panel.kind.itemData(row, Qt.ItemDataRole.ToolTipRole)
+        assert tip == (None if error is None else str(error))
 
 
 @pytest.mark.landing

@@ -5,9 +5,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QComboBox, QGridLayout, QWidget
 
+from palpate_editor.comparison import COMPARED_KINDS, FRONT_KINDS, say_error
 from palpate_editor.document import Organ
 from palpate_editor.document.constants import (
     CHOICES,
@@ -87,17 +89,34 @@ class ChoiceField(QComboBox):
         super().__init__(parent)
         self.context, self.field = context, field
         label = str(say(LAW_NAMES[field]))
-        self.values = CHOICES[f"model.{field}"]
-        self.addItems([choice_text(value) for value in self.values])
+        self.values: list[str | None] = [*CHOICES[f"model.{field}"]]
+        if field == "kind":
+            # None is the line, and what stands in it
+            self.values = [*FRONT_KINDS, None, None, *COMPARED_KINDS]
+        for value in self.values:
+            self.add_choice(value)
         self.setObjectName(f"model.{field}")
         self.setAccessibleName(label)
         self.label = write_label(label, "name", parent)
         self.label.setMinimumWidth(LABEL_WIDTH)
         self.activated.connect(self.enter)
 
+    def add_choice(self, value: str | None) -> None:
+        row = self.count()
+        if value is None and self.values[row - 1] is not None:
+            self.insertSeparator(row)
+        elif value is None:
+            self.addItem(tr("For comparison"))
+            self.setItemData(row, 0, Qt.ItemDataRole.UserRole - 1)  # not to be chosen
+        else:
+            self.addItem(choice_text(value))
+            error = say_error(value) if self.field == "kind" else None
+            if error is not None:
+                self.setItemData(row, str(say(error)), Qt.ItemDataRole.ToolTipRole)
+
     def enter(self, row: int) -> None:
         value = self.values[row]
-        if value == getattr(self.context.session.organ.model, self.field):
+        if value is None or value == getattr(self.context.session.organ.model, self.field):
             return
         self.context.apply(SetChoice(self.field, value))
         self.show_organ(self.context.session.organ)

@@ -11,9 +11,11 @@ import palpate
 from palpate.scene.scene_parts import FINITE, VALIDATED_TIPS
 from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QHBoxLayout, QPushButton, QVBoxLayout
 
+from palpate_editor import comparison
 from palpate_editor.document import Organ
 from palpate_editor.document.constants import CONSTANTS, SWINGING
 from palpate_editor.document.cost_rules import TICK_SHARE, count_substeps
+from palpate_editor.document.phrase import Phrase
 from palpate_editor.document.press_rules import MOST_HOME_SHARE
 from palpate_editor.document.problems import TissueFacts
 from palpate_editor.edits import FixLowest, FixVertices, SetGravity
@@ -24,7 +26,7 @@ from palpate_editor.views.stages.facts import Fact, Facts, Section, write_label
 from palpate_editor.views.stages.fill_form import FillForm
 from palpate_editor.views.stages.published_values import PublishedValues
 from palpate_editor.views.stages.stage_panel import StagePanel
-from palpate_editor.views.translations import count, number, quantity, say_memory, tr
+from palpate_editor.views.translations import count, number, quantity, say, say_memory, tr
 
 WEIGHT = (0.0, 0.0, -9.81)
 """[m/s²]"""
@@ -102,6 +104,11 @@ def say_origin(organ: Organ) -> str:
     )
 
 
+def say_compared(error: Phrase) -> str:
+    """Of a kind that no shipped organ is of."""
+    return tr("For comparison: {error}.").format(error=say(error))
+
+
 def home_rows(tissue: TissueFacts) -> list[Fact]:
     """What of the felt force home springs carry."""
     shares = () if tissue.trial is None else tissue.trial.home_shares
@@ -177,6 +184,10 @@ class MaterialPanel(StagePanel):
             row.addWidget(choice.label)
             row.addWidget(choice, 1)
             self.form.addLayout(row)
+        self.compared = write_label("", "note", self)
+        self.compared.setObjectName("compared_kind")
+        self.compared.setWordWrap(True)
+        self.form.addWidget(self.compared)
         self.published = PublishedValues(self.context, self)
         self.section(tr("Published values")).add(self.published)
         self.facts = self.section(tr("What comes of it")).add(Facts(self))
@@ -261,6 +272,9 @@ class MaterialPanel(StagePanel):
         for field in self.fields:
             field.show_organ(organ)
         self.origin_note.setText(say_origin(organ))
+        error = comparison.say_error(organ.model.kind)
+        self.compared.setText("" if error is None else say_compared(error))
+        self.compared.setVisible(error is not None)
         self.filling.show_organ(organ)
         if not has_hard_law(organ):
             self.offer.hide()
