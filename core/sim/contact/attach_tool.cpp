@@ -102,8 +102,9 @@ double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
   const bool is_found = near && candidates.near.found && candidates.near.centre == state.position;
   for (std::size_t i = 0; is_found && i < static_cast<std::size_t>(candidates.near.count); ++i) {
     const Contact& found = candidates.near.contact[i];
+    const double slope = bound_slope(tool, candidates.near.closest[i], found);
     largest = std::max(largest, add_row_sums(triangle(candidates.near.triangle[i]), found.weights,
-                                             found.stiffness, mass, scratch));
+                                             slope, mass, scratch));
   }
   Contact contact;
   for (std::size_t i = 0; !is_found && i < touchable.size(); ++i) {
@@ -114,6 +115,7 @@ double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
       const NearGain gain{candidates.near.gain, candidates.near.stiffening};
       const Contact closest = contact;
       find_near_contact(*near, tool, closest, state.position, a, b, c, gain, contact);
+      contact.stiffness = bound_slope(tool, closest, contact);
     }
     largest = std::max(largest, add_row_sums(t, contact.weights, contact.stiffness, mass, scratch));
   }

@@ -21,8 +21,9 @@ constexpr double kLeastLeft = 0.15, kMostLeft = 1.6;
 /// What a mesh may make of the pressures, either way.
 constexpr double kLeastGain = 0.3, kMostGain = 8.0;
 
-/// Part of the radius from which the hard law holds as well, so that nothing passes.
-constexpr double kBarrierFrom = 0.75;
+/// Part of the radius from which the hard law holds as well, so that nothing passes, and over which
+/// it would come to hold in full: at a whole radius half of it does.
+constexpr double kBarrierFrom = 0.65, kBarrierWidth = 0.7;
 
 NearPressure make_law(const NearField& near, const Tool& tool) noexcept {
   return {near.modulus, tool.radius, tool.stiffness};
@@ -119,23 +120,21 @@ NearGain find_gain(const NearField& near, const Tool& tool, const Patch& patch,
   return gain;
 }
 
-/// Pressures times the gain, and the barrier: what the hard law has beyond kBarrierFrom.
+/// Pressures times the gain, and the barrier: a part of the hard law that rises in proportion to
+/// what is deeper than kBarrierFrom. Its slope is that of the product: with the hard law's alone
+/// Newton's steps would come out of it too slowly, and leave a push of many newtons.
 Contact combine(const Tool& tool, const Contact& closest, const Contact& soft,
                 const NearGain& gain) noexcept {
   Contact contact = closest;
   const double depth = tool.radius - closest.distance;
-  const double beyond = std::max(0.0, depth - kBarrierFrom * tool.radius);
-  const double hard = closest.force * beyond / depth;
+  const double width = kBarrierWidth * tool.radius;
+  const double part = std::max(0.0, depth - kBarrierFrom * tool.radius) / width;
+  const double hard = closest.force * part;
   const Vec3 sum = gain.force * soft.force * soft.direction + hard * closest.direction;
   const double force = sum.norm(), shares = gain.force * soft.force + hard;
   contact.force = force;
   contact.stiffness = gain.slope * soft.stiffness;
-  // (f b/d)' = f' b/d + f (d - b)/d²: with f' alone Newton's steps would leave a push of many
-  // newtons
-  if (beyond > 0.0) {
-    contact.stiffness +=
-        (closest.stiffness * beyond + closest.force * (1.0 - beyond / depth)) / depth;
-  }
+  if (part > 0.0) contact.stiffness += closest.stiffness * part + closest.force / width;
   if (!(force > 0.0)) return contact;
   contact.direction = sum / force;
   contact.weights = (gain.force * soft.force * soft.weights + hard * closest.weights) / shares;
@@ -240,6 +239,11 @@ bool find_near_contact(const NearField& near, const Tool& tool, const Contact& c
   }
   contact = combine(tool, closest, soft, gain);
   return contact.force > 0.0;
+}
+
+double bound_slope(const Tool& tool, const Contact& closest, const Contact& contact) noexcept {
+  const bool barrier = tool.radius - closest.distance > kBarrierFrom * tool.radius;
+  return barrier ? std::max(contact.stiffness, closest.stiffness) : contact.stiffness;
 }
 
 }  // namespace palpate

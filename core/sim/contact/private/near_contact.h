@@ -42,4 +42,8 @@ bool find_near_contact(const NearField& near, const Tool& tool, const Contact& c
                        const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, NearGain gain,
                        Contact& contact) noexcept;
 
+/// [N/m] Up to what the slope of a contact may grow within a tick: in the barrier that of the hard
+/// law, whose part rises with depth.
+double bound_slope(const Tool& tool, const Contact& closest, const Contact& contact) noexcept;
+
 }  // namespace palpate
