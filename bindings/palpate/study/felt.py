@@ -36,8 +36,6 @@ BALLS = (3e-3, 5e-3, 8e-3)
 """[m]"""
 PRESSED = 2e-3
 """[m] of the ball beyond its first touch, in the block."""
-OVER = 1e-9
-"""[m] over the place, where the ball begins: at the very touch it has no depth to divide by."""
 TWICE = 2.0
 WARM_UP, BATCHES, TICKS = 100, 15, 20
 """Ticks before any is timed; batches, and ticks of each, of which the median counts."""
@@ -110,8 +108,7 @@ def press_block(
             near = with_contact(hard, plane_modulus(*constants))
             for law, scene in ((HARD, hard), (NEAR, near)):
                 for spot in reference.places[:places]:
-                    outward = np.array(spot.direction)
-                    place = Place(np.array(spot.point) + OVER * outward, outward)
+                    place = Place(np.array(spot.point), np.array(spot.direction))
                     felt = float(measure_indentation(scene, place, np.array([PRESSED]))[0])
                     rows.append(BlockRow(kind, law, radius, spot.name, felt, theory))
     return rows

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "palpate/sim/contact/private/footprint.h"
@@ -149,6 +151,27 @@ TEST_CASE("a footprint is felt neither from behind nor beyond the ball nor on no
   CHECK_FALSE(integrate_footprint(law, {0.0, 0.0, 0.0031}, a, b, c, part));
   CHECK_FALSE(integrate_footprint(law, {0.05, 0.0, 0.002}, a, b, c, part));
   CHECK_FALSE(integrate_footprint(law, {0.0, 0.0, 0.002}, a, b, b, part));
+}
+
+TEST_CASE("a ball that just touches over a corner has finite weights") {
+  // by rounding the circle is next to nothing, and the corner is its very centre
+  const Vec3 corner(0.0, 0.0, 0.05), at(0.0, 0.0, 0.055);
+  const auto beside = [&](int k) {
+    const std::array<double, 8> side = {1.0, 1.0, 0.0, -1.0, -1.0, -1.0, 0.0, 1.0};
+    return Vec3(corner + 0.01 * Vec3(side[k % 8], side[(k + 6) % 8], 0.0));
+  };
+  for (int k = 0; k < 8; ++k) {
+    for (const int step : {1, 2}) {
+      for (int turn = 0; turn < 3; ++turn) {
+        std::array<Vec3, 3> x = {corner, beside(k), beside(k + step)};
+        std::rotate(x.begin(), x.begin() + turn, x.end());
+        Footprint part;
+        if (!integrate_footprint(make_law(0.005), at, x[0], x[1], x[2], part)) continue;
+        CHECK(part.weights.allFinite());
+        CHECK(part.force.allFinite());
+      }
+    }
+  }
 }
 
 TEST_CASE("the near pressure is nowhere steeper than the hard law") {

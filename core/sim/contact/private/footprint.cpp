@@ -75,6 +75,8 @@ void add_inside(const Circle& circle, const Vec3& from, const Vec3& edge, double
 /// The sector of the circle between two directions, both from its centre.
 void add_sector(const Circle& circle, const Ray& to_rim, const Vec3& normal, const Vec3& from,
                 const Vec3& to, Sums& sums) noexcept {
+  // a corner in the centre itself has no direction, and what lies towards it no angle
+  if (!(from.squaredNorm() > 0.0 && to.squaredNorm() > 0.0)) return;
   const double angle = std::atan2(normal.dot(from.cross(to)), from.dot(to));
   const double radius = std::sqrt(circle.squared_radius);
   // the integral of unit vectors over the angle is the difference of the ends, turned back
