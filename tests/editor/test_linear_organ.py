@@ -62,6 +62,7 @@ def test_its_memory_is_said_when_it_is_built(said, published):
     assert said["tetrahedra"] > 1000
 
 
+@pytest.mark.landing
 def test_a_published_linear_solid_is_pressed_in_the_live_loop_and_replayed(
     published, tmp_path, capsys
 ):

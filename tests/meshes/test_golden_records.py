@@ -18,7 +18,20 @@ MEANT = (
 )
 
 
-@pytest.mark.parametrize("golden", GOLDEN, ids=lambda golden: golden.path.stem)
+COSTLY = ("solid_kidney", "solid_liver", "shell_gallbladder", "shell_stomach")
+
+
+@pytest.mark.parametrize(
+    "golden",
+    [
+        pytest.param(
+            golden,
+            marks=[pytest.mark.landing] if golden.name in COSTLY else [],
+            id=golden.path.stem,
+        )
+        for golden in GOLDEN
+    ],
+)
 def test_a_record_of_an_earlier_version_replays_to_the_same_bits(golden):
     if not golden.can_run:
         pytest.skip(f"cannot be had here: the vector target {golden.target}")

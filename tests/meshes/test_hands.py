@@ -12,6 +12,8 @@ from palpate_editor.shipped import list_organs
 from scripted_hands import SPRINGS, find_scattered_place, open_organ_scene, press, pull
 
 ORGANS = [entry.name for entry, _ in list_organs()]
+COSTLY = ("kidney", "liver")
+"""Solids whose near field takes seconds to build."""
 NONE = palpate.AlarmKind.none
 PRESSES, FLICKS = range(100), range(60)
 AFTER = 500
@@ -91,7 +93,10 @@ def check_pull(name: str, place_number: int | None, hold: float) -> None:
     assert np.diff(force[released - 40 :]).min() > -0.1 * max(load, 0.1)
 
 
-@pytest.mark.parametrize("name", ORGANS)
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(name, marks=pytest.mark.landing) if name in COSTLY else name for name in ORGANS],
+)
 def test_an_organ_bears_a_pull_of_20_mm_and_lets_go_without_a_kick(name):
     check_pull(name, None, hold=1.0)
 
@@ -119,8 +124,8 @@ def test_a_hand_that_jerks_an_organ_away_ends_no_run(name, speed):
 @pytest.mark.parametrize(
     "name",
     [
-        "liver",
-        *(pytest.param(name, marks=pytest.mark.landing) for name in ("gallbladder", "stomach")),
+        "stomach",
+        *(pytest.param(name, marks=pytest.mark.landing) for name in ("gallbladder", "liver")),
     ],
 )
 def test_a_hand_that_pulls_on_and_on_slips_off(name):

@@ -23,6 +23,11 @@ from palpate.study.contact_reference import (
 from palpate.study.tool import open_pressed
 
 ORGANS = {"spleen", "kidney", "liver", "gallbladder", "stomach"}
+BUILT = [
+    pytest.param(name, marks=pytest.mark.landing) if name in ("kidney", "liver") else name
+    for name in sorted(ORGANS)
+]
+"""Where each is built; the largest solids take seconds for their near field."""
 PUBLISHED = Path(__file__).parents[3] / "meshes" / "published"
 
 
@@ -58,7 +63,7 @@ def test_balls_of_two_to_eight_millimetres_are_pressed_at_three_places(name):
     assert found >= {(place, radius) for place in places for radius in (2e-3, 3e-3, 5e-3, 8e-3)}
 
 
-@pytest.mark.parametrize("name", sorted(ORGANS))
+@pytest.mark.parametrize("name", BUILT)
 def test_the_ball_of_the_shipped_scene_is_among_them(name):
     radius = read_scene(PUBLISHED / f"{name}.palpate").instruments[0].tool.radius
 
@@ -67,13 +72,13 @@ def test_the_ball_of_the_shipped_scene_is_among_them(name):
     assert radius in found
 
 
-@pytest.mark.parametrize("name", sorted(ORGANS))
+@pytest.mark.parametrize("name", BUILT)
 def test_a_contact_reference_is_held_where_the_shipped_scene_is(name):
     # refuses any other; a decimated wall is held where its mesh is
     assert open_pressed(PUBLISHED / f"{name}.palpate").reference == read_contact_reference(name)
 
 
-@pytest.mark.parametrize("name", sorted(ORGANS))
+@pytest.mark.parametrize("name", BUILT)
 def test_a_place_is_on_the_surface_and_away_from_what_is_held(name):
     reference = read_contact_reference(name)
     scene = read_scene(PUBLISHED / f"{name}.palpate")

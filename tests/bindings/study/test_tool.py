@@ -160,6 +160,7 @@ def numbers(cell: str) -> list[float]:
     return [float(number) for number in re.findall(r"\d+(?:\.\d+)?", cell)]
 
 
+@pytest.mark.landing
 def test_the_row_of_the_spleens_own_ball_is_what_comes_out():
     shipped = open_pressed(PUBLISHED / "spleen.palpate")
 
