@@ -54,6 +54,7 @@ def lay_out(folder: Path, *flags: str) -> dict[str, tuple[str, str]]:
 @pytest.mark.parametrize(
     "flags", [WIDER[2], *(pytest.param(flags, marks=pytest.mark.verify) for flags in WIDER[:2])]
 )
+@pytest.mark.landing
 def test_every_public_struct_has_one_layout_whatever_vectors_a_program_may_use(flags, tmp_path):
     plain = lay_out(tmp_path / "plain")
     assert {"palpate::HapticSample", "palpate::World", "palpate::Scene"} <= set(plain)

@@ -279,6 +279,7 @@ def test_frames_are_drawn_of_the_organ_as_it_is_pressed(monkeypatch):
     assert times.median > 0.0 and times.p99 > 0.0
 
 
+@pytest.mark.landing
 def test_every_kind_of_body_has_its_rows(capsys, monkeypatch):
     monkeypatch.setattr(
         bodies, "NAMES", {"solid": ("spleen",), "linear": ("spleen",), "shell": ("gallbladder",)}

@@ -61,6 +61,7 @@ def block():
     return press_block([5e-3], places=1, kinds=1)
 
 
+@pytest.mark.landing
 def test_a_ball_in_the_block_is_felt_as_on_tissue_by_the_near_field_and_not_by_the_hard_law(block):
     hard, near = block
 

@@ -97,6 +97,7 @@ def test_a_solid_needs_a_working_file(tmp_path, capsys, spleen):
     assert "a scene file has no tetrahedra" in capsys.readouterr().err
 
 
+@pytest.mark.landing
 def test_a_filled_spleen_is_published_pressed_in_the_live_loop_and_replayed(tmp_path, capsys):
     organ, file = tmp_path / "spleen.organ", tmp_path / "spleen.palpate"
     record = tmp_path / "press.prec"

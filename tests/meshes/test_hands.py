@@ -49,6 +49,7 @@ def test_a_wall_that_snaps_through_ends_no_press_and_feels_as_with_four_times_th
     assert apart < 0.02 * max(fine.force)
 
 
+@pytest.mark.landing
 def test_none_of_five_presses_of_10_mm_ends_for_no_reason():
     # some of those that did
     assert find_ends([20, 40, 51, 69, 84], depth=10e-3) == {}
