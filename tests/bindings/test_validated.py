@@ -9,8 +9,8 @@ import numpy as np
 import palpate
 import pytest
 from palpate.runs.press import Place, PressScript, find_place, write_script
-from palpate.runs.validated import find_validity, is_deeper, measure_script
-from palpate.scene.scene_parts import VALIDATED_PART, VALIDATED_RADII, VALIDATED_TIPS
+from palpate.runs.validated import find_validity, measure_script
+from palpate.scene.scene_parts import VALIDATED_PART, VALIDATED_RADII, VALIDATED_TIPS, is_deeper
 from palpate.study.contact_reference import list_contact_references, read_contact_reference
 from palpate.study.tool import open_pressed
 from palpate.study.tool_block import open_blocks
@@ -135,7 +135,7 @@ def test_a_script_is_as_deep_as_its_hand_goes_below_the_surface(depth, deeper):
 
     # over a vertex of the mesh, whose triangles fall away from it a little
     assert found.depth == pytest.approx(depth, abs=5e-5)
-    assert is_deeper(found) is deeper
+    assert is_deeper(found.depth, found.validity.depth) is deeper
 
 
 def test_of_a_script_the_place_counts_where_it_goes_farthest_beyond():

@@ -15,10 +15,8 @@ from numpy.typing import NDArray
 
 import palpate
 from palpate.runs.press import Place, take_surface
-from palpate.scene.scene_parts import VALIDATED_PART, VALIDATED_RADII, VALIDATED_TIPS
+from palpate.scene.scene_parts import ROUNDING, VALIDATED_PART, VALIDATED_RADII, VALIDATED_TIPS
 
-ROUNDING = 1e-6
-"""[-] of a length, which files and units have."""
 BELOW = 1e-5
 """[m] under the surface, where the way through the body begins."""
 STEP, MOST_LOOKS = 1e-3, 1000
@@ -108,11 +106,6 @@ class Depths:
 
 def within(value: float, low: float, high: float) -> bool:
     return low * (1.0 - ROUNDING) <= value <= high * (1.0 + ROUNDING)
-
-
-def is_deeper(press: PressDepth) -> bool:
-    """Whether a press goes deeper than what is validated."""
-    return press.depth > press.validity.depth * (1.0 + ROUNDING)
 
 
 def measure_script(

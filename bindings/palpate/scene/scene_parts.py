@@ -25,6 +25,13 @@ VALIDATED_PART, VALIDATED_RADII = 0.10, 1.5
 tip's radius [accuracy: tool]."""
 VALIDATED_TIPS = (2e-3, 8e-3)
 """[m] The least and the largest radius of a tip that is validated to any depth."""
+ROUNDING = 1e-6
+"""[-] of a length, which files and units have."""
+
+
+def is_deeper(depth: float, validated: float) -> bool:
+    """Whether a press goes deeper [m] than what is validated [m]."""
+    return depth > validated * (1.0 + ROUNDING)
 
 
 @dataclass(frozen=True)

@@ -5,19 +5,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from palpate.scene.scene_parts import VALIDATED_PART, VALIDATED_RADII, VALIDATED_TIPS
+from palpate.scene.scene_parts import VALIDATED_PART, VALIDATED_RADII, VALIDATED_TIPS, is_deeper
 
 from palpate_editor.document.organ import Organ
 from palpate_editor.document.phrase import Phrase, phrase
 from palpate_editor.document.problems import PlaceFacts, PressFacts, Problem
 
-ROUNDING = 1e-6
-"""[-]"""
-
 
 def find_depth_problems(organ: Organ, presses: Sequence[PressFacts]) -> Iterator[Problem]:
     """Of the Test stage: the press that goes farthest beyond what is validated at its place."""
-    deep = [p for p in presses if p.depth > p.place.validated * (1.0 + ROUNDING)]
+    deep = [p for p in presses if is_deeper(p.depth, p.place.validated)]
     if not deep:
         return
     worst = max(deep, key=lambda press: press.depth - press.place.validated)
