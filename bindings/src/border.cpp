@@ -45,16 +45,25 @@ void require_angles(const Angles& angles, std::size_t particles) {
   require_count("angles.bond_share", angles.bond_share.size(), count);
 }
 
+namespace {
+
+/// Whatever else the tables of a solid may have been built from, no list of what lies around
+/// particles goes beyond the particles there are.
+template <class Table>
+void require_around(const char* name, const Table& table, std::size_t particles) {
+  if (table.corners.empty() || table.first_around.size() <= particles + 1) return;
+  refuse(name, std::to_string(table.first_around.size()) + " entries",
+         std::to_string(particles + 1));
+}
+
+}  // namespace
+
 void require_volumes(const Volumes& volumes, std::size_t particles) {
   const std::size_t count = volumes.corners.size();
   require_below(std::span<const std::array<int, 4>>(volumes.corners), particles, "volumes.corners");
   require_count("volumes.rest_volume", volumes.rest_volume.size(), count);
   require_count("volumes.bulk", volumes.bulk.size(), count);
-  // whatever else build_volumes may have been told, no list goes beyond the particles there are
-  if (count > 0 && volumes.first_around.size() > particles + 1) {
-    refuse("volumes.first_around", std::to_string(volumes.first_around.size()) + " entries",
-           std::to_string(particles + 1));
-  }
+  require_around("volumes.first_around", volumes, particles);
 }
 
 void require_elastic(const Elastic& elastic, std::size_t particles) {
@@ -62,11 +71,7 @@ void require_elastic(const Elastic& elastic, std::size_t particles) {
   require_below(std::span<const std::array<int, 4>>(elastic.corners), particles, "elastic.corners");
   require_count("elastic.lame", elastic.lame.size(), count);
   require_count("elastic.shear", elastic.shear.size(), count);
-  // as of volumes
-  if (count > 0 && elastic.first_around.size() > particles + 1) {
-    refuse("elastic.first_around", std::to_string(elastic.first_around.size()) + " entries",
-           std::to_string(particles + 1));
-  }
+  require_around("elastic.first_around", elastic, particles);
 }
 
 void require_hyperelastic(const Hyperelastic& table, std::size_t particles) {
@@ -75,11 +80,7 @@ void require_hyperelastic(const Hyperelastic& table, std::size_t particles) {
   require_count("table.lame", table.lame.size(), count);
   require_count("table.shear", table.shear.size(), count);
   require_count("table.viscosity", table.viscosity.size(), count);
-  // as of volumes
-  if (count > 0 && table.first_around.size() > particles + 1) {
-    refuse("table.first_around", std::to_string(table.first_around.size()) + " entries",
-           std::to_string(particles + 1));
-  }
+  require_around("table.first_around", table, particles);
 }
 
 void require_positive(const char* name, double value) {

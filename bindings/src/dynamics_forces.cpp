@@ -79,39 +79,36 @@ void bind_volume_forces(py::module_& m) {
       "volumes"_a, "x"_a, "f"_a, "Adds to f [N] what resists a change of volume.");
 }
 
-void bind_elastic_forces(py::module_& m) {
-  m.def(
-      "accumulate_elastic_forces",
-      [](const Elastic& elastic, const Numbers& rest, const Numbers& x, const Numbers& v,
-         const NumbersOut& f) {
-        const auto rests = points(rest, "rest"), xs = points(x, "x"), vs = points(v, "v");
-        const auto fs = points_out(f, "f");
-        require_like(xs, rests, "rest");
-        require_like(xs, vs, "v");
-        require_like(xs, fs, "f");
-        require_elastic(elastic, xs.size());
-        accumulate_elastic_forces(elastic, rests, xs, vs, fs);
-      },
-      "elastic"_a, "rest"_a, "x"_a, "v"_a, "f"_a,
-      "Adds to f [N] what resists strain; rest [m] are the places at rest.");
-}
-
-/// One of the two laws of Hyperelastic.
-template <auto accumulate>
-void bind_hyperelastic_forces(py::module_& m, const char* name, const char* doc) {
+/// Of a law of tetrahedra whose places at rest are the model's.
+template <class Table, auto accumulate, auto require>
+void bind_solid_forces(py::module_& m, const char* name, const char* table_name, const char* doc) {
   m.def(
       name,
-      [](const Hyperelastic& table, const Numbers& rest, const Numbers& x, const Numbers& v,
+      [](const Table& table, const Numbers& rest, const Numbers& x, const Numbers& v,
          const NumbersOut& f) {
         const auto rests = points(rest, "rest"), xs = points(x, "x"), vs = points(v, "v");
         const auto fs = points_out(f, "f");
         require_like(xs, rests, "rest");
         require_like(xs, vs, "v");
         require_like(xs, fs, "f");
-        require_hyperelastic(table, xs.size());
+        require(table, xs.size());
         accumulate(table, rests, xs, vs, fs);
       },
-      "table"_a, "rest"_a, "x"_a, "v"_a, "f"_a, doc);
+      py::arg(table_name), "rest"_a, "x"_a, "v"_a, "f"_a, doc);
+}
+
+void bind_solids_forces(py::module_& m) {
+  bind_solid_forces<Elastic, &accumulate_elastic_forces, &require_elastic>(
+      m, "accumulate_elastic_forces", "elastic",
+      "Adds to f [N] what resists strain; rest [m] are the places at rest.");
+  bind_solid_forces<Hyperelastic, &accumulate_corotated_forces, &require_hyperelastic>(
+      m, "accumulate_corotated_forces", "table",
+      "Adds into f [N] what resists finite strain by the corotated law; see Hyperelastic. rest [m] "
+      "are the places at rest.");
+  bind_solid_forces<Hyperelastic, &accumulate_neo_hookean_forces, &require_hyperelastic>(
+      m, "accumulate_neo_hookean_forces", "table",
+      "Adds into f [N] what resists finite strain by the neo-Hookean law; see Hyperelastic. rest "
+      "[m] are the places at rest.");
 }
 
 void bind_surface_forces(py::module_& m) {
@@ -205,15 +202,7 @@ void bind_forces(py::module_& m) {
   bind_link_and_angle_forces(m);
   bind_prism_forces(m);
   bind_volume_forces(m);
-  bind_elastic_forces(m);
-  bind_hyperelastic_forces<&accumulate_corotated_forces>(
-      m, "accumulate_corotated_forces",
-      "Adds into f [N] what resists finite strain by the corotated law; see Hyperelastic. rest [m] "
-      "are the places at rest.");
-  bind_hyperelastic_forces<&accumulate_neo_hookean_forces>(
-      m, "accumulate_neo_hookean_forces",
-      "Adds into f [N] what resists finite strain by the neo-Hookean law; see Hyperelastic. rest "
-      "[m] are the places at rest.");
+  bind_solids_forces(m);
   bind_surface_forces(m);
   bind_body_forces(m);
 }
