@@ -19,6 +19,7 @@ PICTURE = "a PNG picture"
 OBJ = "an OBJ mesh"
 STL = "an STL mesh"
 FINDINGS = "findings of a study"
+CHART = "the chart of an organ"
 SELFTEST = "the report of a self-test"
 REPLAY = "the report of a replay"
 SUMMARY = "the summary of a demo"
@@ -33,6 +34,7 @@ OF_FORMAT = {
     "organ": ORGAN,
     "palpate scene": SCENE,
     "palpate script": SCRIPT,
+    "palpate chart": CHART,
 }
 """The member `format` of a manifest or a JSON file -> what it is."""
 OF_JSON = {

@@ -9,8 +9,8 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable, Collection
-from dataclasses import fields
-from typing import Any, get_type_hints
+from dataclasses import fields, is_dataclass
+from typing import Any, get_args, get_origin, get_type_hints
 
 from palpate.files.refusal import Refusal
 
@@ -30,7 +30,7 @@ def read_part(
         file: What refusals call the file.
         name: Where in it the section stands.
         kind: Its fields are text, truths, numbers, None beside a number, tuples of those, or
-            dataclasses of that sort.
+            dataclasses of that sort, None beside one, tuples of one.
         section: The JSON object.
         without: Fields that are kept elsewhere and keep their defaults.
         whole: Nothing may be missing, whether it has a default or not.
@@ -100,7 +100,7 @@ KINDS: dict[Any, tuple[str, Callable[[Any], bool], Callable[[Any], Any]]] = {
 def read_value(file: object, where: str, hint: Any, value: Any, whole: bool = False) -> Any:
     """One field, checked against its annotation. Numbers must be finite."""
     if hint not in KINDS:
-        return read_part(file, where, hint, value, whole=whole)
+        return read_parts(file, where, hint, value, whole)
     expected, takes, convert = KINDS[hint]
     if not takes(value):
         raise Refusal(file, where, json_kind(value), expected)
@@ -108,6 +108,21 @@ def read_value(file: object, where: str, hint: Any, value: Any, whole: bool = Fa
         return convert(value)
     except OverflowError:  # a whole number beyond what a float can be
         raise Refusal(file, where, json_kind(value), expected) from None
+
+
+def read_parts(file: object, where: str, hint: Any, value: Any, whole: bool) -> Any:
+    """A dataclass, one that may be null, or a list of one."""
+    [*kinds] = filter(is_dataclass, get_args(hint))
+    if not kinds:
+        return read_part(file, where, hint, value, whole=whole)
+    if get_origin(hint) is not tuple:
+        return None if value is None else read_part(file, where, kinds[0], value, whole=whole)
+    if not isinstance(value, list):
+        raise Refusal(file, where, json_kind(value), "a list")
+    return tuple(
+        read_part(file, f"{where}[{row}]", kinds[0], part, whole=whole)
+        for row, part in enumerate(value)
+    )
 
 
 def json_kind(value: Any) -> str:

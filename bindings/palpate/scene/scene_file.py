@@ -167,7 +167,10 @@ def compile_scene(
     hand = scene.hand
     tissue = build_tissue(scene, mesh) if tissue is None else relax(tissue, scene.model)
     body = palpate.SoftBody(
-        tissue=tissue, force_error=hand.force_error, contact_modulus=find_contact_modulus(scene)
+        tissue=tissue,
+        force_error=hand.force_error,
+        integrator=enumerator(palpate.Integrator, "model.integrator", scene.model.integrator),
+        contact_modulus=find_contact_modulus(scene),
     )
     instrument = palpate.Instrument(
         tool=palpate.Tool(radius=scene.tool.radius, stiffness=scene.tool.stiffness),

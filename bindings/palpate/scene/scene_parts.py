@@ -18,6 +18,16 @@ ORIGINS = ("chosen", "tissue")
 """Where the constants of springs, bonds and angles come from: the model part, or the material."""
 CONTACT_LAWS = ("near_field", "hard")
 """How a solid is felt under a ball."""
+INTEGRATORS = (
+    "symplectic_euler",
+    "explicit_euler",
+    "midpoint",
+    "runge_kutta_4",
+    "implicit_euler_linear",
+    "implicit_euler",
+    "implicit_midpoint",
+)
+"""How a tissue steps in time: names of palpate.Integrator, the usual one first."""
 SPRING_RULES = ("van_gelder", "lloyd")
 """How the constants of springs follow from the material."""
 VALIDATED_PART, VALIDATED_RADII = 0.10, 1.5
@@ -88,6 +98,8 @@ class ModelPart:
     contact_law: str = field(default="near_field", metadata={"since": 7})
     """Of solids. near_field: as on tissue of Young's modulus and Poisson's ratio, however large its
     triangles are; hard: as the mesh gives way, as the walls of hollow organs."""
+    integrator: str = field(default="symplectic_euler", metadata={"since": 8})
+    """Any but the first runs in plain code, at many times the cost."""
     fixed: tuple[int, ...] = ()
     stiffness_scale: tuple[float, ...] = ()
 

@@ -13,6 +13,7 @@ from palpate.scene.scene_parts import (
     CONTACT_LAWS,
     FILLED,
     FINITE,
+    INTEGRATORS,
     KINDS,
     ORIGINS,
     SPRING_RULES,
@@ -275,6 +276,7 @@ CHOICES = {
     "model.angle_law": ("gradient", "eq10"),
     "model.damping_law": ("axis", "isotropic"),
     "model.contact_law": CONTACT_LAWS,
+    "model.integrator": INTEGRATORS,
 }
 
 
@@ -285,6 +287,7 @@ LAW_NAMES = {
     "angle_law": "Law of angles",
     "damping_law": "Damping",
     "contact_law": "Contact",
+    "integrator": "Integrator",
 }
 """What people call a choice."""
 
@@ -306,6 +309,13 @@ VALUE_NAMES = {
     "isotropic": "In all directions",
     "near_field": "As on tissue",
     "hard": "As on the mesh",
+    "symplectic_euler": "Symplectic Euler",
+    "explicit_euler": "Explicit Euler",
+    "midpoint": "Explicit midpoint",
+    "runge_kutta_4": "Runge–Kutta 4",
+    "implicit_euler_linear": "Implicit Euler, one Newton step",
+    "implicit_euler": "Implicit Euler",
+    "implicit_midpoint": "Implicit midpoint",
 }
 """What people call what can be chosen."""
 

@@ -209,7 +209,8 @@ class MaterialPanel(StagePanel):
         tip = self.section(tr("Tip of the tool"))
         self.add_constants(tip, TIP, [contact])
         self.offer = tip.add(ContactOffer(self.context, self))
-        self.add_constants(self.section(tr("Hand")), HAND)
+        integrator = ChoiceField(self.context, "integrator", self)
+        self.add_constants(self.section(tr("Hand")), HAND, [integrator])
         self.fields += [self.kind, self.origin]
         self.context.assessor.said.connect(self.show_building)
 

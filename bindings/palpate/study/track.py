@@ -1,0 +1,311 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""One run of a scene along a path, tick by tick, beside the truth at the tool's own place.
+
+Without gravity: an organ that sags is another one at every place. Nothing here looks at a clock.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from copy import copy
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+import palpate
+from palpate.runs.alarms import tell_alarm
+from palpate.runs.press import PressScript, Place, take_surface, write_script
+from palpate.study.contact_reference import Spot
+from palpate.study.scene_chart import Errors
+from palpate.study.tool import find_touch
+from palpate.study.truth import Floats, Truth
+
+SPEED, HOLD = 0.03, 0.1
+"""[m/s] of the hand, mean; [s] at the deepest."""
+CLEARANCE, REST = 2e-3, 0.05
+"""[m] over the surface where a drag begins and ends; [s] before it."""
+GRIP = 5e-4
+"""[m] A pull begins by pressing so deep, where the tool takes hold."""
+LOOK = 20
+"""Ticks from one look at the surface to the next."""
+DEEP = 0.5
+"""[-] Of the deepest that the tool comes: shallower, displacements are not looked at."""
+SLOPES = 1.0, 1.5
+"""Least and most exponent of a force in depth, below the first depth that was solved: of a wall
+that bends and of a ball on a solid [Hertz82]."""
+
+
+@dataclass(frozen=True)
+class Course:
+    """Where the ball first touches a scene at every station of a truth."""
+
+    truth: Truth
+    centre: Floats
+    """[m] (s, 3) of the ball at first touch, on this scene's own surface, which may be coarser."""
+
+    def locate(self, p: Floats) -> tuple[float, Floats, float]:
+        """Where between stations a ball's centre is: 0 to s - 1, the outward direction there, and
+        how deep it is beyond first touch [m]."""
+        at = find_between(self.centre, p)
+        i, part = min(int(at), max(len(self.centre) - 2, 0)), 0.0
+        j, part = (i + 1, at - i) if len(self.centre) > 1 else (i, 0.0)
+        outward = (1.0 - part) * self.truth.direction[i] + part * self.truth.direction[j]
+        outward /= np.linalg.norm(outward)
+        middle = (1.0 - part) * self.centre[i] + part * self.centre[j]
+        return at, outward, float((middle - p) @ outward)
+
+    def find_force(self, at: float, depth: float) -> float:
+        """[N] of the truth along the direction between stations; 0 above the surface."""
+        i, j, part = split(at, len(self.centre))
+        forces = [find_force(self.truth.depth, self.truth.force[row], depth) for row in (i, j)]
+        return (1.0 - part) * forces[0] + part * forces[1]
+
+    def find_displacement(self, at: float, depth: float) -> Floats:
+        """[m] (m, 3) of the truth's surface between stations and depths, in proportion to depth
+        below the first."""
+        i, j, part = split(at, len(self.centre))
+        depths = np.abs(np.concatenate([[0.0], self.truth.depth]))
+        row = int(np.clip(np.searchsorted(depths, abs(depth)) - 1, 0, len(depths) - 2))
+        share = (abs(depth) - depths[row]) / (depths[row + 1] - depths[row])
+        u = (1.0 - part) * self.truth.displacement[i] + part * self.truth.displacement[j]
+        before = u[row - 1] if row > 0 else np.zeros_like(u[0])
+        return (1.0 - share) * before + share * u[row]
+
+
+def split(at: float, stations: int) -> tuple[int, int, float]:
+    """The stations on both sides of a place between them, and how far it is from the first."""
+    i = min(int(at), stations - 1)
+    j = min(i + 1, stations - 1)
+    return i, j, at - i
+
+
+def find_between(points: Floats, p: Floats) -> float:
+    """Where a line through points comes nearest to p: 1.25 is a quarter behind the second."""
+    best, found = np.inf, 0.0
+    for i in range(len(points) - 1):
+        along = points[i + 1] - points[i]
+        part = float(np.clip((p - points[i]) @ along / (along @ along), 0.0, 1.0))
+        away = float(np.linalg.norm(p - points[i] - part * along))
+        if away < best:
+            best, found = away, i + part
+    return found
+
+
+def find_force(depths: Floats, forces: Floats, depth: float) -> float:
+    """[N] between depths [m] that were solved, as a power of depth from each to the next; below the
+    first with the exponent of the first two, but those of SLOPES at least and most. Of a pull,
+    depths and forces are negative."""
+    sign = 1.0 if depths[0] > 0.0 else -1.0
+    d, f, x = sign * depths, np.maximum(sign * forces, 1e-12), sign * depth
+    if not x > 0.0:
+        return 0.0
+    if len(d) == 1 or x < d[0]:
+        slope = SLOPES[1] if len(d) == 1 else float(np.log(f[1] / f[0]) / np.log(d[1] / d[0]))
+        return float(sign * f[0] * (x / d[0]) ** float(np.clip(slope, *SLOPES)))
+    row = int(np.clip(np.searchsorted(d, x) - 1, 0, len(d) - 2))
+    slope = np.log(f[row + 1] / f[row]) / np.log(d[row + 1] / d[row])
+    return float(sign * f[row] * (x / d[row]) ** slope)
+
+
+def set_course(scene: palpate.Scene, truth: Truth) -> Course:
+    """Brings the scene's own ball down to its own surface at every station."""
+    radius = scene.instruments[0].tool.radius
+    centres = []
+    for point, outward, thickness in zip(
+        truth.point, truth.direction, truth.thickness, strict=True
+    ):
+        spot = Spot("", tuple(point), tuple(outward), float(thickness))
+        centres.append(point + find_touch(scene, spot, radius) * outward)
+    return Course(truth, np.array(centres))
+
+
+def write_way(course: Course, kind: str, radius: float) -> list[palpate.KeyFrame]:
+    """Key frames of a hand that goes along a course as deep as its truth was solved.
+
+    Args:
+        course: Of the scene.
+        kind: press, pull or drag.
+        radius: [m] of the ball.
+    """
+    truth = course.truth
+    depth = float(np.abs(truth.depth).max())
+    outward = truth.direction[0]
+    place = Place(course.centre[0] - radius * outward, outward)
+    if kind == "press":
+        return write_script(place, radius, PressScript(depth, 0.0, SPEED, HOLD))[0]
+    if kind == "pull":
+        return write_script(place, radius, PressScript(GRIP, depth, SPEED, HOLD))[0]
+    return write_drag(course, depth)
+
+
+def write_drag(course: Course, depth: float) -> list[palpate.KeyFrame]:
+    """Down at the first station, over all of them at one depth [m], and up at the last."""
+    outward = course.truth.direction
+    over = course.centre + CLEARANCE * outward
+    below = course.centre - depth * outward
+    points = [over[0], over[0], *below, below[-1], over[-1], over[-1]]
+    frames, now = [], 0.0
+    for i, point in enumerate(points):
+        length = float(np.linalg.norm(point - points[i - 1])) if i else 0.0
+        now += max(length / SPEED, HOLD if i == len(points) - 3 else REST) if i else 0.0
+        frame = palpate.KeyFrame()
+        frame.time, frame.position = now, point
+        frames.append(frame)
+    return frames
+
+
+def list_samples(
+    frames: Sequence[palpate.KeyFrame], rate: float
+) -> list[palpate.HapticSample]:
+    """What a hand that follows key frames says, tick by tick."""
+    hand = palpate.ScriptedDevice(frames)
+    ticks = round(frames[-1].time * rate)
+    return [hand.read((tick + 1) / rate) for tick in range(ticks)]
+
+
+@dataclass(frozen=True)
+class Track:
+    """What a run felt, tick by tick, as far as it came."""
+
+    force: Floats
+    """[N] (t, 3) on the hand."""
+    along: Floats
+    """[N] (t,) of it along the direction where the tool is."""
+    truth: Floats
+    """[N] (t,) where the tool is."""
+    touching: NDArray[np.bool_]
+    """(t,) Either is felt, or the tool is below the surface or holds on."""
+    depth: Floats
+    """[m] (t,) of the tool beyond first touch."""
+    substeps: NDArray[np.int64]
+    """(t,)"""
+    iterations: Floats
+    """(t,) of the solver; NaN where nobody counts."""
+    displacement: Floats
+    """[-] (l,) error of every look at the surface, of the tool's depth."""
+    alarm: str
+    """In words; empty where it came to the end."""
+
+
+def run_track(
+    scene: palpate.Scene, course: Course, samples: Sequence[palpate.HapticSample]
+) -> Track:
+    """Ticks a scene from rest through all samples, or to an alarm."""
+    scene = copy(scene)
+    scene.gravity = [0.0, 0.0, 0.0]
+    runner = Runner(scene, course)
+    for sample in samples:
+        if not runner.tick(sample):
+            break
+    return runner.finish()
+
+
+class Runner:
+    """A world on its way."""
+
+    def __init__(self, scene: palpate.Scene, course: Course):
+        self.scene, self.course, self.world = scene, course, palpate.World(scene)
+        self.surface = Surface(scene, course.truth.surface)
+        self.rows: list[tuple] = []
+        self.looks: list[tuple[float, float]] = []
+        self.before: float | None = None
+        self.alarm = ""
+
+    def tick(self, sample: palpate.HapticSample) -> bool:
+        """Whether it can go on."""
+        world, scene = self.world, self.scene
+        force = np.array(palpate.tick(scene, sample, 1.0 / scene.rate, world).force)
+        if world.alarm.kind != palpate.AlarmKind.none:
+            self.alarm = tell_alarm(world.alarm, scene, world.alarm_body)
+            return False
+        tool, body = world.instruments[0].tool, world.bodies[0]
+        at, outward, depth = self.course.locate(np.asarray(tool.position))
+        # the force is the mean of a tick, so is the depth
+        middle = depth if self.before is None else 0.5 * (self.before + depth)
+        self.before = depth
+        truth = self.course.find_force(at, middle) if self.is_meant(tool) else 0.0
+        touching = bool(force.any()) or truth != 0.0
+        self.rows.append(
+            (*force, force @ outward, truth, touching, middle, body.substeps,
+             getattr(body, "iterations", np.nan))
+        )  # fmt: skip
+        if len(self.rows) % LOOK == 0 and truth != 0.0:
+            self.look(at, depth)
+        return True
+
+    def is_meant(self, tool: palpate.ToolState) -> bool:
+        """Whether the truth has an answer: a pull is of a tool that holds on."""
+        return self.course.truth.depth[0] > 0.0 or tool.hold_count > 0
+
+    def look(self, at: float, depth: float) -> None:
+        if self.surface.count == 0 or depth == 0.0:
+            return
+        off = self.surface.measure(self.world) - self.course.find_displacement(at, depth)
+        rms = float(np.sqrt((off**2).sum(axis=1).mean()))
+        self.looks.append((abs(depth), rms / abs(depth)))
+
+    def finish(self) -> Track:
+        table = np.array(self.rows, dtype=float).reshape(-1, 9)
+        deepest = max((depth for depth, _ in self.looks), default=0.0)
+        looks = [error for depth, error in self.looks if depth >= DEEP * deepest]
+        return Track(
+            table[:, :3], table[:, 3], table[:, 4], table[:, 5] > 0.0, table[:, 6],
+            table[:, 7].astype(int), table[:, 8], np.array(looks), self.alarm,
+        )  # fmt: skip
+
+
+class Surface:
+    """Points of a truth on a scene's own surface."""
+
+    def __init__(self, scene: palpate.Scene, points: Floats):
+        x, triangles = take_surface(scene, 0)
+        tree = palpate.AabbTree(x, triangles)
+        found = [palpate.find_closest_point(tree, x, point) for point in points]
+        self.count = len(found)
+        self.corners = triangles[[near.triangle for near in found]] if found else triangles[:0]
+        self.weights = np.array([near.weights for near in found]).reshape(-1, 3)
+        self.rest = x.copy()
+
+    def measure(self, world: palpate.World) -> Floats:
+        """[m] (m, 3) displacements of the points."""
+        moved = np.asarray(palpate.surface_position(world.bodies[0])) - self.rest
+        return np.einsum("ij,ijk->ik", self.weights, moved[self.corners])
+
+
+def compare_with_truth(track: Track, largest: float) -> Errors:
+    """Of a run that came to its end; `largest` [N] is the truth's on the path."""
+    off = np.abs(track.along - track.truth)[track.touching] / largest
+    looks = track.displacement
+    return Errors(
+        *measure(off), float(np.sqrt((looks**2).mean())) if len(looks) else None
+    )
+
+
+def compare_in_time(track: Track, converged: Floats, largest: float) -> Errors:
+    """Of a run beside forces [N] (t, 3) of the same model converged in time, tick by tick."""
+    off = np.linalg.norm(track.force - converged, axis=1) / largest
+    touched = track.touching | converged.any(axis=1)
+    return Errors(*measure(off[touched]), None)
+
+
+def measure(off: Floats) -> tuple[float, float]:
+    """Root mean square and largest; nothing where nothing was touched."""
+    return (float(np.sqrt((off**2).mean())), float(off.max())) if len(off) else (0.0, 0.0)
+
+
+def find_largest_force(truth: Truth) -> float:
+    """[N] of a truth on its path."""
+    return float(np.abs(truth.force).max())
+
+
+def find_jump(track: Track) -> float:
+    """[N] The largest change of the force on the hand from tick to tick."""
+    if len(track.force) < 2:
+        return 0.0
+    return float(np.linalg.norm(np.diff(track.force, axis=0), axis=1).max())
+
+
+def list_touching(track: Track) -> Iterator[int]:
+    """Ticks in touch."""
+    yield from np.flatnonzero(track.touching).tolist()
