@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import palpate
 from numpy.typing import NDArray
+from palpate.files.whole_file import write_whole
 from palpate.scene.scene_parts import FINITE, INTEGRATORS
 from palpate.study.scene_chart import (
     ALARM,
@@ -60,9 +61,11 @@ class Plan:
     """The document, as an .organ file."""
     truth: Truth
     path: str
-    """press, pull, drag or file."""
+    """press, pull, drag or script."""
+    speed: float
+    """[m/s] of the hand, but for a script's."""
     frames: tuple[tuple[float, tuple[float, ...], int], ...] = ()
-    """Time [s], position [m] and buttons of a script's key frames; of a file alone."""
+    """Time [s], position [m] and buttons of a script's key frames; of a script alone."""
 
 
 @dataclass(frozen=True)
@@ -103,7 +106,7 @@ def find_converged(configuration: Configuration) -> Configuration:
 def open_document(organ: bytes) -> Organ:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "a.organ"
-        path.write_bytes(organ)
+        write_whole(path, organ)
         return read_organ(path)
 
 
@@ -121,10 +124,10 @@ def refine(scene: palpate.Scene, kind: str) -> None:
 
 def list_hand(plan: Plan, scene: palpate.Scene, course: Course) -> list[palpate.HapticSample]:
     """What the hand says, tick by tick."""
-    if plan.path == "file":
+    if plan.path == "script":
         frames = [palpate.KeyFrame(*frame) for frame in plan.frames]
     else:
-        frames = write_way(course, plan.path, scene.instruments[0].tool.radius)
+        frames = write_way(course, plan.path, plan.speed)
     return list_samples(frames, scene.rate)
 
 

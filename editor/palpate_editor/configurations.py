@@ -74,9 +74,7 @@ def list_surfaces(base: Configuration, organ: Organ, fitting: bool) -> Iterator[
         kinds = ("shell", "mass_spring") if fitting else ("mass_spring",)
         for kind in kinds:
             constants = "tissue" if fitting else "chosen"
-            yield from list_steps(
-                replace(surface, kind=kind, constants=constants, vertices=count)
-            )
+            yield from list_steps(replace(surface, kind=kind, constants=constants, vertices=count))
 
 
 def list_steps(configuration: Configuration) -> Iterator[Configuration]:

@@ -10,7 +10,8 @@ import json
 import math
 from collections.abc import Callable, Collection
 from dataclasses import fields, is_dataclass
-from typing import Any, get_args, get_origin, get_type_hints
+from types import UnionType
+from typing import Any, get_args, get_type_hints
 
 from palpate.files.refusal import Refusal
 
@@ -115,7 +116,7 @@ def read_parts(file: object, where: str, hint: Any, value: Any, whole: bool) -> 
     [*kinds] = filter(is_dataclass, get_args(hint))
     if not kinds:
         return read_part(file, where, hint, value, whole=whole)
-    if get_origin(hint) is not tuple:
+    if isinstance(hint, UnionType):
         return None if value is None else read_part(file, where, kinds[0], value, whole=whole)
     if not isinstance(value, list):
         raise Refusal(file, where, json_kind(value), "a list")

@@ -52,6 +52,29 @@ def write_whole(path: str | os.PathLike[str], data: bytes) -> None:
     sync_folder(target.parent, str(path))
 
 
+class Journal:
+    """A file that grows by a line at a time, each on the disk before the next is begun.
+
+    What an end of the process cut short is a last line without its end; `kept` leaves it out.
+    """
+
+    def __init__(self, path: Path, kept: int = 0):
+        """Goes on behind the first `kept` bytes, all that stands behind them is dropped. Raises
+        OSError."""
+        self.file = os.fdopen(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_CLOEXEC, 0o666), "wb")
+        self.file.truncate(kept)
+        self.file.seek(kept)
+
+    def append(self, line: bytes) -> None:
+        """Raises OSError."""
+        self.file.write(line + b"\n")
+        self.file.flush()
+        os.fsync(self.file.fileno())
+
+    def close(self) -> None:
+        self.file.close()
+
+
 def begin_part_name(target: Path) -> str:
     """What all names of new files beside `target` begin with."""
     return f".{os.fsdecode(os.fsencode(target.name)[:MOST_NAME_BYTES])}.part-"

@@ -87,15 +87,22 @@ Fault = tuple[str, str, str]
 
 def find_faults(chart: Chart) -> Iterator[Fault]:
     """What does not belong together, though every field is of its kind."""
-    positive = {"young_modulus": chart.young_modulus, "tool_radius": chart.tool_radius,
-                "rate": chart.rate, "truth.force": chart.truth.force, "way.speed": chart.way.speed,
-                "force_target": chart.force_target,
-                "displacement_target": chart.displacement_target}  # fmt: skip
+    positive = {
+        "young_modulus": chart.young_modulus,
+        "tool_radius": chart.tool_radius,
+        "rate": chart.rate,
+        "truth.force": chart.truth.force,
+        "way.speed": chart.way.speed,
+        "force_target": chart.force_target,
+        "displacement_target": chart.displacement_target,
+    }
     for where, value in positive.items():
         if not value > 0.0:
             yield where, f"{value:g}", "a number above 0"
-    for where, value in {"truth.force_error": chart.truth.force_error,
-                         "truth.displacement_error": chart.truth.displacement_error}.items():  # fmt: skip
+    for where, value in {
+        "truth.force_error": chart.truth.force_error,
+        "truth.displacement_error": chart.truth.displacement_error,
+    }.items():
         if not value >= 0.0:
             yield where, f"{value:g}", "0 or more"
     if chart.way.kind not in PATHS:
@@ -110,17 +117,21 @@ def find_faults(chart: Chart) -> Iterator[Fault]:
 
 
 def find_row_faults(where: str, row: Row) -> Iterator[Fault]:
-    choices = {"outcome": (row.outcome, OUTCOMES),
-               "configuration.kind": (row.configuration.kind, KINDS),
-               "configuration.constants": (row.configuration.constants, ORIGINS),
-               "configuration.contact_law": (row.configuration.contact_law, CONTACT_LAWS)}  # fmt: skip
+    choices = {
+        "outcome": (row.outcome, OUTCOMES),
+        "configuration.kind": (row.configuration.kind, KINDS),
+        "configuration.constants": (row.configuration.constants, ORIGINS),
+        "configuration.contact_law": (row.configuration.contact_law, CONTACT_LAWS),
+    }
     for name, (value, allowed) in choices.items():
         if value not in allowed:
             yield f"{where}.{name}", repr(value), "one of " + ", ".join(allowed)
     ran = row.outcome == RAN
     if ran != (row.total is not None) or (ran and row.counts is None):
-        yield f"{where}.total", "nothing" if row.total is None else "errors", (
-            "errors and counts of a run that came to its end, and of no other"
+        yield (
+            f"{where}.total",
+            "nothing" if row.total is None else "errors",
+            ("errors and counts of a run that came to its end, and of no other"),
         )
     if ran == bool(row.reason):
         yield f"{where}.reason", repr(row.reason), "one where it did not run to the end, only there"

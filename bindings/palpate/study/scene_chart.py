@@ -16,8 +16,8 @@ RAN, REFUSED, ALARM, LOST = "ran", "refused", "alarm", "lost"
 OUTCOMES = (RAN, REFUSED, ALARM, LOST)
 """Of a row: it ran to the end of the path; it cannot be built; an alarm ended it; the process that
 ran it ended, and nobody knows."""
-PATHS = ("press", "pull", "drag", "file")
-"""Straight down and up again; the same with the tool holding on; over the surface; a script's."""
+PATHS = ("press", "pull", "drag", "script")
+"""Straight down; up, with the tool holding on; over the surface at one depth; a script's."""
 
 
 @dataclass(frozen=True)
@@ -155,7 +155,7 @@ class Way:
     file: str
     """Name of the script; empty for the others."""
     speed: float
-    """[m/s] of the hand, mean."""
+    """[m/s] of the hand, mean; of a script, over all of it."""
     depth: float
     """[m] The deepest that the truth was solved to, beyond first touch; negative for a pull."""
     stations: int

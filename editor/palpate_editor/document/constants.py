@@ -313,7 +313,7 @@ VALUE_NAMES = {
     "explicit_euler": "Explicit Euler",
     "midpoint": "Explicit midpoint",
     "runge_kutta_4": "Runge–Kutta 4",
-    "implicit_euler_linear": "Implicit Euler, one Newton step",
+    "implicit_euler_linear": "Implicit Euler, linear",
     "implicit_euler": "Implicit Euler",
     "implicit_midpoint": "Implicit midpoint",
 }

@@ -2438,6 +2438,38 @@ Beklenen: {expected}.</translation>
         <translation>Ağdaki gibi</translation>
     </message>
     <message>
+        <source>Integrator</source>
+        <translation>Zaman adımlayıcı</translation>
+    </message>
+    <message>
+        <source>Symplectic Euler</source>
+        <translation>Simplektik Euler</translation>
+    </message>
+    <message>
+        <source>Explicit Euler</source>
+        <translation>Açık Euler</translation>
+    </message>
+    <message>
+        <source>Explicit midpoint</source>
+        <translation>Açık orta nokta</translation>
+    </message>
+    <message>
+        <source>Runge–Kutta 4</source>
+        <translation>Runge–Kutta 4</translation>
+    </message>
+    <message>
+        <source>Implicit Euler, linear</source>
+        <translation>Kapalı Euler, doğrusal</translation>
+    </message>
+    <message>
+        <source>Implicit Euler</source>
+        <translation>Kapalı Euler</translation>
+    </message>
+    <message>
+        <source>Implicit midpoint</source>
+        <translation>Kapalı orta nokta</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>yok</translation>
     </message>
