@@ -60,6 +60,15 @@ ARROWS = {
     "editor/palpate_editor/edits": EDITS,
     "editor/palpate_editor/app": (*APP, "PySide6.QtCore", "PySide6.QtGui"),
     "editor/palpate_editor/views": ("palpate_editor", "palpate", "numpy", *QT),
+    "editor/palpate_editor/truth": (
+        "palpate_editor",
+        "palpate",
+        "numpy",
+        "scipy",
+        "skfem",
+        "cvxopt",
+        "pymetis",
+    ),
     "editor/palpate_editor": ("palpate_editor", "palpate_meshes", "palpate", "numpy"),
     "meshes/generate": (
         "palpate_meshes.generate",
@@ -79,7 +88,11 @@ GUARDED = {
 }
 """Imports that stand in a function and say what to install where they fail."""
 
-NAME_ON_INDEX = {"skimage": "scikit-image", "PySide6": "pyside6-essentials"}
+NAME_ON_INDEX = {
+    "skfem": "scikit-fem",
+    "skimage": "scikit-image",
+    "PySide6": "pyside6-essentials",
+}
 
 
 def module_of(name: str) -> str:

@@ -28,12 +28,14 @@ def read_lock() -> dict[str, Version]:
 
 
 def declared() -> list[Requirement]:
-    """What the distributions, their build and the developer's group ask for, ours left out."""
+    """What distributions, extras, build and the developer's group ask for; ours left out."""
     texts: list[str] = []
     for project in PROJECTS:
         settings = tomllib.loads(read(project))
         texts += settings["project"]["dependencies"] + settings["build-system"]["requires"]
         texts += settings.get("dependency-groups", {}).get("dev", [])
+        for extra in settings["project"].get("optional-dependencies", {}).values():
+            texts += extra
     return [Requirement(text) for text in texts if not text.startswith("palpate")]
 
 

@@ -35,10 +35,10 @@ def main() -> None:
 
 def write(name: str) -> None:
     import palpate
-    from bodies import build_wall
     from palpate.runs.run import read_scene
     from palpate.scene.mesh_file import read_mesh_file
     from palpate_editor import authoring
+    from palpate_editor.truth.tetrahedra import build_wall
 
     path = CHECKOUT / "meshes" / "published" / f"{name}.obj"
     surface = read_mesh_file(path)

@@ -40,8 +40,8 @@ def fill(name: str) -> None:
 
 def wall(name: str) -> None:
     import palpate
-    from bodies import build_wall
     from palpate_editor import authoring
+    from palpate_editor.truth.tetrahedra import build_wall
 
     count, thickness = WALLS[name]
     coarse = authoring.decimate(read_surface(name), count).mesh
@@ -51,8 +51,9 @@ def wall(name: str) -> None:
 
 def read_surface(name: str):
     import palpate
-    from bodies import build_ellipsoid, find_surface
+    from bodies import build_ellipsoid
     from palpate.scene.mesh_file import read_mesh_file
+    from palpate_editor.truth.tetrahedra import find_surface
 
     if name != "ellipsoid":
         return read_mesh_file(path_of(name))

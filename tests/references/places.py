@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from functools import cached_property, partial
 
 import numpy as np
-from bodies import Floats, Ints, build_block, build_ellipsoid, find_surface, finish
+from bodies import build_block, build_ellipsoid
 from fill_organs import CELL_SIZE, FILLED, WALLS
+from palpate_editor.truth.tetrahedra import Floats, Ints, find_surface, finish
 
 HELD_PART = 0.2
 """Of the height: the surface triangles below are held."""

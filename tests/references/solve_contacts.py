@@ -2,12 +2,12 @@
 """Presses rigid, frictionless balls into bodies and writes the forces as JSON, offline.
 
     .venv/bin/python tests/references/fill_contacts.py
-    build/reference/bin/python tests/references/solve_contacts.py block spleen kidney liver \\
-        gallbladder stomach
-    build/reference/bin/python tests/references/solve_contacts.py --law neo_hookean block
+    .venv/bin/python tests/references/solve_contacts.py block spleen kidney liver gallbladder \\
+        stomach
+    .venv/bin/python tests/references/solve_contacts.py --law neo_hookean block
 
 Elements are P2 on meshes that are graded towards the place. A linear case is solved on finer and
-finer ones until its forces change by less than CHANGE, or the finest is reached, and what they
+finer ones until its forces change by less than 3 %, or the finest is reached, and what they
 changed by is its error. A neo-Hookean case is solved on the coarsest; its error is how much the
 linear forces of the same press change from there. Every finished case is written; a second call
 goes on where the first one ended, and solves again what an older mesh, place or body gave.
@@ -24,41 +24,43 @@ from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
-from bodies import find_surface
-from contact import PENALTY, NoContact, find_touch, press_ball
-from contact_bodies import SIZES, SLOPE, SUBJECTS, Spot, Subject
-from elasticity import Body, Diverged, Press, find_lame
-from neo_contact import follow
-from patches import condense, find_footprint
+from contact_bodies import SUBJECTS, Pressed, Spot
+from palpate_editor.truth.contact import PENALTY, Contact
+from palpate_editor.truth.elasticity import Diverged, Press
+from palpate_editor.truth.levels import SIZES, SLOPE, Station, build_press, grade
+from palpate_editor.truth.neo_contact import follow
+from palpate_editor.truth.patches import find_footprint
+from palpate_editor.truth.paths import PARTS, Way
+from palpate_editor.truth.progress import TruthError
+from palpate_editor.truth.solve import solve_way
+from palpate_editor.truth.subject import Subject
+from palpate_editor.truth.tetrahedra import Floats
 
 FOLDER = Path(__file__).parents[2] / "bindings/palpate/study/contacts"
 RADII = (2e-3, 3e-3, 5e-3, 8e-3)
 OWN = {"spleen": 4e-3}
 """[m] The ball of a shipped scene that is none of these."""
-PARTS = (0.25, 0.5, 0.75, 1.0)
-"""Of the greatest depth."""
 OF_THICKNESS, OF_RADIUS = 0.10, 1.5
 """The greatest depth is the smaller of these."""
-CHANGE = 0.03
-TOOLS = ("scikit-fem", "scikit-sparse", "numpy", "scipy")
+TOOLS = ("scikit-fem", "cvxopt", "numpy", "scipy")
 LAWS = ("linear", "neo_hookean")
 
 
 def solve_body(name: str, law: str, radii: list[float], finest: int) -> None:
-    subject = SUBJECTS[name]()
-    reference = open_reference(name, subject)
+    pressed = SUBJECTS[name]()
+    reference = open_reference(name, pressed)
     reference["cases"] = [
-        case for case in reference["cases"] if case["place"] in {s.name for s in subject.spots}
+        case for case in reference["cases"] if case["place"] in {s.name for s in pressed.spots}
     ]
     for radius in radii:
-        for spot in subject.spots:
-            key = digest(subject, spot, law, radius, finest)
+        for spot in pressed.spots:
+            key = digest(pressed, spot, law, radius, finest)
             if any(case["key"] == key for case in reference["cases"]):
                 continue
             start = time.monotonic()
             try:
-                case = solve_case(subject, spot, law, radius, finest)
-            except (Diverged, NoContact) as problem:
+                case = solve_case(pressed, spot, law, radius, finest)
+            except (Diverged, TruthError) as problem:
                 print(f"{name} {spot.name} {law} {1e3 * radius:g} mm: {problem}", flush=True)
                 continue
             named = (spot.name, law, case["radius"])
@@ -79,7 +81,7 @@ def solve_body(name: str, law: str, radii: list[float], finest: int) -> None:
     write_reference(reference)
 
 
-def open_reference(name: str, subject: Subject) -> dict:
+def open_reference(name: str, pressed: Pressed) -> dict:
     """What is known already, under the head of today."""
     path = FOLDER / f"{name}.json"
     cases = json.loads(path.read_bytes())["cases"] if path.is_file() else []
@@ -87,16 +89,16 @@ def open_reference(name: str, subject: Subject) -> dict:
         "format": "palpate-contact-reference",
         "version": 1,
         "name": name,
-        "title": subject.title,
+        "title": pressed.title,
         "command": f"tests/references/solve_contacts.py {name}",
         "tools": {tool: version(tool) for tool in TOOLS},
-        "source": subject.source,
-        "shape": subject.shape,
-        "wall_thickness": subject.wall_thickness,
-        "held": subject.held_by,
-        "fixed": None if subject.fixed is None else subject.fixed.tolist(),
-        "young_modulus": subject.young_modulus,
-        "poisson_ratio": subject.poisson_ratio,
+        "source": pressed.source,
+        "shape": pressed.shape,
+        "wall_thickness": pressed.subject.wall_thickness,
+        "held": pressed.held_by,
+        "fixed": None if pressed.fixed is None else pressed.fixed.tolist(),
+        "young_modulus": pressed.subject.young_modulus,
+        "poisson_ratio": pressed.subject.poisson_ratio,
         "places": [
             {
                 "name": spot.name,
@@ -104,7 +106,7 @@ def open_reference(name: str, subject: Subject) -> dict:
                 "direction": round_off(spot.direction),
                 "thickness": round_off(spot.thickness),
             }
-            for spot in subject.spots
+            for spot in pressed.spots
         ],
         "cases": cases,
     }
@@ -135,89 +137,64 @@ def round_off(value):
     return [float(f"{v:.9g}") for v in value] if np.ndim(value) else float(f"{value:.6g}")
 
 
-def digest(subject: Subject, spot: Spot, law: str, radius: float, finest: int) -> str:
+def digest(pressed: Pressed, spot: Spot, law: str, radius: float, finest: int) -> str:
     """Of all that a case depends on."""
     told = [
-        law, radius, finest, SIZES, SLOPE, PARTS, PENALTY, subject.young_modulus,
-        subject.poisson_ratio, subject.held_by, subject.source, spot.name,
+        law, radius, finest, SIZES, SLOPE, PARTS, PENALTY, pressed.subject.young_modulus,
+        pressed.subject.poisson_ratio, pressed.held_by, pressed.source, spot.name,
         round_off(spot.point), round_off(spot.direction), round_off(spot.thickness),
     ]  # fmt: skip
-    text = json.dumps([*told, subject.shape], default=float)
+    text = json.dumps([*told, pressed.shape], default=float)
     for level in range(finest + 1):
-        x, t = subject.build(level)
+        x, t = pressed.subject.build(level)
         text += hashlib.sha256(np.rint(1e6 * x).astype("<i4").tobytes()).hexdigest()
         text += hashlib.sha256(t.astype("<i4").tobytes()).hexdigest()
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
-def solve_case(subject: Subject, spot: Spot, law: str, radius: float, finest: int) -> dict:
-    greatest = min(OF_THICKNESS * spot.thickness, OF_RADIUS * radius)
-    depths = greatest * np.array(PARTS)
-    touch = find_touch(
-        subject.surface.x, subject.surface.triangles, spot.point, spot.direction, radius
-    )
+def solve_case(pressed: Pressed, spot: Spot, law: str, radius: float, finest: int) -> dict:
+    depths = min(OF_THICKNESS * spot.thickness, OF_RADIUS * radius) * np.array(PARTS)
+    station = spot.stand(pressed.subject, radius)
+    way = Way("press", (station,), float(depths[-1]), "")
     last = finest if law == "linear" else 1
-    press, found, error = solve_linear_levels(subject, spot, radius, depths, touch, last)
+    truth = solve_way(pressed.subject, way, radius, depths, "", finest=last)
+    found = list(zip(truth.force[0].tolist(), truth.contact_radius[0].tolist(), strict=True))
+    freedoms, tetrahedra = truth.freedoms, truth.tetrahedra
     if law != "linear":
-        press = build_press(subject, spot, radius, greatest, 0)
-        found = solve_deep(subject, spot, press, radius, depths, touch)
+        press, contacts = solve_deep(pressed.subject, station, radius, depths)
+        found = [(contact.force, contact.radius) for contact in contacts]
+        freedoms, tetrahedra = press.size, int(press.body.basis.mesh.t.shape[1])
     return {
         "place": spot.name,
         "law": law,
         "radius": radius,
-        "touch": round_off(touch),
+        "touch": round_off(station.touch),
         "elements": "P2",
-        "tetrahedra": int(press.body.basis.mesh.t.shape[1]),
-        "freedoms": press.size,
+        "tetrahedra": tetrahedra,
+        "freedoms": freedoms,
         "results": [
             {
-                "depth": round_off(contact.depth),
-                "force": round_off(contact.force),
-                "contact_radius": float(f"{contact.radius:.4g}"),
-                "force_error": float(f"{error[k]:.3g}"),
+                "depth": round_off(depth),
+                "force": round_off(force),
+                "contact_radius": float(f"{contact_radius:.4g}"),
+                "force_error": float(f"{error:.3g}"),
             }
-            for k, contact in enumerate(found)
+            for depth, (force, contact_radius), error in zip(
+                depths, found, truth.force_error[0], strict=True
+            )
         ],
     }
 
 
-def solve_linear_levels(subject, spot, radius, depths, touch, finest):
-    """Finer and finer, until forces change by less than CHANGE; what they changed by in the end."""
-    before = error = None
-    for level in range(finest + 1):
-        press = build_press(subject, spot, radius, float(depths[-1]), level)
-        found = solve_linear(subject, spot, press, radius, depths, touch)
-        force = np.array([contact.force for contact in found])
-        if before is not None:
-            error = np.abs(force - before) / force
-            if error.max() < CHANGE:
-                break
-        before = force
-    return press, found, error
-
-
-def build_press(subject: Subject, spot: Spot, radius: float, depth: float, level: int) -> Press:
-    x, t = subject.grade(spot, radius, depth, level)
-    lame = find_lame(subject.young_modulus, subject.poisson_ratio)
-    tags = {"held": subject.held(x, find_surface(t))}
-    return Press(Body(x, t, lame, 2, 0, tags), "held", "held")
-
-
-def find_stiffness(subject: Subject, radius: float) -> float:
-    """[N/m³] E*/R."""
-    return subject.young_modulus / (1.0 - subject.poisson_ratio**2) / radius
-
-
-def solve_linear(subject, spot, press, radius, depths, touch):
-    reach = min(radius, 1.45 * float(np.sqrt(radius * depths[-1])))
-    under = find_footprint(press.body, spot.point, spot.direction, reach, radius)
-    patch = condense(press, under, spot.point, spot.direction, radius, touch)
-    return press_ball(patch, depths, PENALTY * find_stiffness(subject, radius))
-
-
-def solve_deep(subject, spot, press, radius, depths, touch):
-    under = find_footprint(press.body, spot.point, spot.direction, 1.6 * radius, radius)
-    return follow(press, under, spot, radius, depths, touch, find_stiffness(subject, radius))
+def solve_deep(
+    subject: Subject, station: Station, radius: float, depths: Floats
+) -> tuple[Press, list[Contact]]:
+    """Neo-Hookean, on the coarsest mesh."""
+    x, t = grade(subject, (station,), radius, float(depths[-1]), 0)
+    press = build_press(subject, x, t)
+    under = find_footprint(press.body, station.point, station.direction, 1.6 * radius, radius)
+    stiffness = subject.plane_modulus / radius
+    return press, follow(press, under, station, radius, depths, station.touch, stiffness)
 
 
 def main() -> None:

@@ -12,8 +12,9 @@ import json
 from importlib.metadata import version
 
 import numpy as np
-from bodies import Floats, build_layer, find_surface
-from elasticity import Body, Press, find_lame
+from bodies import build_layer
+from palpate_editor.truth.elasticity import Body, Press, find_lame
+from palpate_editor.truth.tetrahedra import Floats, find_surface
 from solve_references import FOLDER, TOOLS
 
 YOUNG_MODULUS, POISSON_RATIO = 5e3, 0.45

@@ -1,14 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Solves the finite-element references and writes them as JSON, offline.
 
-    python -m venv build/reference
-    build/reference/bin/pip install --require-hashes -r tests/references/requirements.txt
     .venv/bin/python tests/references/fill_organs.py
-    build/reference/bin/python tests/references/solve_references.py block sphere ellipsoid \\
-        spleen kidney liver gallbladder stomach
+    .venv/bin/python tests/references/solve_references.py block sphere ellipsoid spleen kidney \\
+        liver gallbladder stomach
 
-Ten minutes of one processor. scikit-sparse is compiled against libsuitesparse-dev; a BLAS such as
-libopenblas0-serial makes it an order of magnitude faster. Linear truth is P2 on the once refined
+Ten minutes of one processor; palpate_editor.truth solves. Linear truth is P2 on the once refined
 mesh, neo-Hookean truth P2 on the mesh itself; the error of both is how much the linear results of
 the two meshes differ. P1 on the mesh itself tells what a law costs, apart from what the mesh costs.
 core/ACCURACY.md is written again afterwards, from what `palpate study accuracy` prints.
@@ -26,8 +23,8 @@ from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
-from bodies import MICRON, Floats, Ints
-from elasticity import Body, Diverged, Press, find_lame
+from palpate_editor.truth.elasticity import Body, Diverged, Press, find_lame
+from palpate_editor.truth.tetrahedra import MICRON, Floats, Ints
 from places import BODIES, Place, Subject
 
 FOLDER = Path(__file__).parents[2] / "bindings/palpate/study/references"
@@ -35,7 +32,7 @@ DEPTHS = (0.03, 0.08, 0.15)
 """Of the thickness at the place."""
 STEP = 0.05
 """Of the thickness: the largest step from one equilibrium to the next."""
-TOOLS = ("scikit-fem", "scikit-sparse", "numpy", "scipy")
+TOOLS = ("scikit-fem", "cvxopt", "numpy", "scipy")
 
 
 @dataclass(frozen=True)

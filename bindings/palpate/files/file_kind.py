@@ -18,6 +18,7 @@ SCRIPT = "a script"
 PICTURE = "a PNG picture"
 OBJ = "an OBJ mesh"
 STL = "an STL mesh"
+TRUTH = "a truth"
 FINDINGS = "findings of a study"
 CHART = "the chart of an organ"
 SELFTEST = "the report of a self-test"
@@ -35,6 +36,7 @@ OF_FORMAT = {
     "palpate scene": SCENE,
     "palpate script": SCRIPT,
     "palpate chart": CHART,
+    "palpate truth": TRUTH,
 }
 """The member `format` of a manifest or a JSON file -> what it is."""
 OF_JSON = {

@@ -59,18 +59,26 @@ class PressTimes:
 
 def find_top(scene: palpate.Scene, body: int = 0) -> Place:
     """Where a ray from above meets a body's surface over its centroid, or its highest vertex."""
-    x, triangles = take_surface(scene, body)
+    return find_top_on(*take_surface(scene, body))
+
+
+def find_top_on(x: np.ndarray, triangles: np.ndarray) -> Place:
+    """The top of a surface: vertices [m] (n, 3), triangles (t, 3)."""
     middle = x[triangles].mean(axis=(0, 1))
     above = np.array([middle[0], middle[1], x[:, 2].max() + 0.01])
     tree = palpate.AabbTree(x, triangles)
     hit = palpate.find_ray_hit(tree, x, above, np.array([0.0, 0.0, -1.0]))
     start = np.asarray(hit.point) if hit is not None else x[x[:, 2].argmax()]
-    return find_place(scene, start, body)
+    return find_place_on(x, triangles, start)
 
 
 def find_place(scene: palpate.Scene, near: np.ndarray, body: int = 0) -> Place:
     """The surface point of a body closest to `near` [m] and the smooth outward normal there."""
-    x, triangles = take_surface(scene, body)
+    return find_place_on(*take_surface(scene, body), near)
+
+
+def find_place_on(x: np.ndarray, triangles: np.ndarray, near: np.ndarray) -> Place:
+    """The point of a surface closest to `near` [m] and the smooth outward normal there."""
     tree = palpate.AabbTree(x, triangles)
     found = palpate.find_closest_point(tree, x, np.asarray(near, dtype=float))
     normals = np.asarray(palpate.compute_vertex_normals(x, triangles))

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a ball feels of a body of tissue along a path: the truth that models are held against.
 
-Solved by palpate_editor.truth, which owns meshing and the solver. Nothing here solves.
+Solved by palpate_editor.truth, which owns meshing and the solver. Nothing here solves;
+truth_file reads and writes it.
 """
 
 from __future__ import annotations
@@ -50,3 +51,53 @@ class Truth:
     """[m] (s, k, m, 3) of them."""
     displacement_error: Floats
     """[-] (s, k) of the depth: root mean square of what the last refinement changed."""
+    path: str = "press"
+    """press, pull, drag or script."""
+    freedoms: int = 0
+    """Of the finest mesh."""
+    tetrahedra: int = 0
+    remarks: tuple[str, ...] = ()
+    """What a reader of the numbers should know, in sentences."""
+
+    def find_force(self, station: float, depth: float) -> float:
+        """[N] at a depth [m] up to the last, between the solved ones as |d|^1.5 times a line.
+
+        Args:
+            station: Position on the path, 0 to s - 1: between two stations as a line of them.
+            depth: [m] of the sign of those that were solved.
+
+        Raises:
+            ValueError: where either is beyond what was solved.
+        """
+        return float(self.interpolate(station, self.scale_forces(depth)))
+
+    def find_displacement(self, station: float, depth: float) -> Floats:
+        """[m] (m, 3) of the surface, a line between what was solved; arguments as find_force."""
+        self.check_depth(depth)
+        depths = np.concatenate([[0.0], np.abs(self.depth)])
+        at = min(int(np.searchsorted(depths, abs(depth), side="left")), len(depths) - 1)
+        part = min((abs(depth) - depths[at - 1]) / (depths[at] - depths[at - 1]), 1.0)
+        before = self.displacement[:, at - 2] if at > 1 else np.zeros_like(self.displacement[:, 0])
+        whole = before + part * (self.displacement[:, at - 1] - before)
+        return np.asarray(self.interpolate(station, whole))
+
+    def scale_forces(self, depth: float) -> Floats:
+        """[N] (s,) at a depth [m]."""
+        self.check_depth(depth)
+        solved, power = np.abs(self.depth), np.abs(self.depth) ** 1.5
+        rows = [np.interp(abs(depth), solved, row) for row in self.force / power]
+        return np.array(rows) * abs(depth) ** 1.5
+
+    def check_depth(self, depth: float) -> None:
+        last = float(self.depth[-1])
+        if not 0.0 < depth * np.sign(last) <= abs(last) * (1.0 + 1e-6):
+            raise ValueError(f"depth: got {1e3 * depth:g} mm, expected up to {1e3 * last:g} mm")
+
+    def interpolate(self, station: float, values: Floats) -> Floats:
+        """Of (s, ...) values those at a position on the path."""
+        last = len(values) - 1
+        if not 0.0 <= station <= last:
+            raise ValueError(f"station: got {station:g}, expected 0 to {last}")
+        first = min(int(station), max(last - 1, 0))
+        part = station - first
+        return values[first] + part * (values[min(first + 1, last)] - values[first])

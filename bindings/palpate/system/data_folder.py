@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where a user's own data of Palpate lies, as the system would have it. Knows no Qt."""
+"""Where a user's own data of Palpate lie, and what can be made again. Knows no Qt."""
 
 from __future__ import annotations
 
@@ -22,6 +22,22 @@ def find_data_folder() -> Path:
         home = os.environ.get("XDG_DATA_HOME", "")
         if not os.path.isabs(home):  # as the specification asks for
             home = str(Path.home() / ".local" / "share")
+    return Path(home) / "palpate"
+
+
+def find_cache_folder() -> Path:
+    """Palpate's folder among what can be made again, which need not exist yet.
+
+    $XDG_CACHE_HOME or ~/.cache [XDG Base Directory Specification 0.8], ~/Library/Caches on macOS,
+    %LOCALAPPDATA% on Windows.
+    """
+    if sys.platform == "win32":
+        return find_data_folder() / "cache"
+    if sys.platform == "darwin":
+        return Path.home() / "Library" / "Caches" / "palpate"
+    home = os.environ.get("XDG_CACHE_HOME", "")
+    if not os.path.isabs(home):  # as the specification asks for
+        home = str(Path.home() / ".cache")
     return Path(home) / "palpate"
 
 

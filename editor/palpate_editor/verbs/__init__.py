@@ -14,6 +14,7 @@ from palpate_editor.verbs import (
     paint,
     publish,
     tissue,
+    truth,
 )
 from palpate_editor.verbs.editor import EDITOR
 
@@ -27,6 +28,7 @@ VERBS = [
     *publish.VERBS,
     *organs.VERBS,
     *felt.VERBS,
+    *truth.VERBS,
     *demo.VERBS,
     EDITOR,
 ]

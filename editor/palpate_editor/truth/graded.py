@@ -1,14 +1,25 @@
-# SPDX-License-Identifier: BSD-3-Clause
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Tetrahedra that become small towards a place, on the surface they stand for."""
 
 from __future__ import annotations
 
+import logging
 from dataclasses import dataclass
 
 import numpy as np
-from bodies import Floats, Ints, compute_volumes, find_surface
 from scipy.spatial import cKDTree
 from skfem import MeshTet
+
+from palpate_editor.truth.tetrahedra import (
+    Floats,
+    Ints,
+    compute_volumes,
+    find_surface,
+    turn_right,
+)
+
+# it tells of every array that it copies
+logging.getLogger("skfem").setLevel(logging.ERROR)
 
 NEAREST = 24
 """Triangles, by their middles, among which the closest point is looked for."""
@@ -19,15 +30,18 @@ LEAST_VOLUME = 0.2
 
 @dataclass(frozen=True)
 class Grading:
-    """Edges of `size` up to `reach` from a point, growing by `slope` of what is beyond."""
+    """Edges of `size` [m] up to `reach` [m] from places, growing by `slope` of what is beyond."""
 
-    point: Floats
+    points: Floats
+    """[m] (s, 3)"""
     size: float
     reach: float
     slope: float
 
-    def edge(self, distance: Floats) -> Floats:
-        return self.size + self.slope * np.maximum(distance - self.reach, 0.0)
+    def edge(self, corners: Floats) -> Floats:
+        """[m] (t,) that tetrahedra (t, 4, 3) may have, by their closest corner."""
+        apart, _ = cKDTree(self.points).query(corners)
+        return self.size + self.slope * np.maximum(apart.min(axis=1) - self.reach, 0.0)
 
 
 @dataclass(frozen=True)
@@ -73,15 +87,13 @@ def refine(x: Floats, t: Ints, grading: Grading, skin: Skin | None) -> tuple[Flo
     for _ in range(ROUNDS):
         corners = x[t]
         longest = find_longest(corners)
-        distance = np.linalg.norm(corners - grading.point, axis=2).min(axis=1)
-        marked = np.flatnonzero(longest > grading.edge(distance))
+        marked = np.flatnonzero(longest > grading.edge(corners))
         if not len(marked):
             return x, t
         mesh = MeshTet(np.ascontiguousarray(x.T), np.ascontiguousarray(t.T)).refined(marked)
         before = len(x)
         x, t = mesh.p.T.copy(), mesh.t.T.astype(np.int64)
-        turned = compute_volumes(x, t) < 0.0
-        t[turned] = t[turned][:, [0, 2, 1, 3]]
+        t = turn_right(x, t)
         if skin is not None:
             x = snap(x, t, before, skin)
     raise ValueError(f"edges are still too long after {ROUNDS} rounds")

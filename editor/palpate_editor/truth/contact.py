@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: BSD-3-Clause
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Frictionless contact of a rigid ball with a body whose response is linear.
 
 The body is condensed to the surface nodes that the ball may touch: how far each of them sinks
@@ -9,14 +9,12 @@ the force acts along the press, and the ball is a column over every point.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 import scipy.sparse as sparse
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
+from palpate_editor.truth.tetrahedra import Floats, Ints
 
 PENALTY = 1e4
 """Of E*/R: the stiffness of the contact. At a pressure of E* ball and body overlap by R/PENALTY."""
@@ -37,6 +35,8 @@ class Patch:
     """[m²] (q,) that belongs to a point, seen along the press."""
     gap: Floats
     """[m] (q,) from the surface to a ball that just touches the body, along the press."""
+    nodes: Ints = field(default_factory=lambda: np.empty(0, np.int64))
+    """(m,) which of the body's nodes they are."""
 
 
 @dataclass(frozen=True)
@@ -47,6 +47,8 @@ class Contact:
     """[N] along the press."""
     radius: float
     """[m] of the circle that has the area of the contact, or to its farthest point."""
+    push: Floats | None = None
+    """[N] (m,) on the nodes of a patch, against the direction of the press."""
 
 
 class NoContact(Exception):
@@ -66,7 +68,7 @@ def press_ball(patch: Patch, depths: Floats, stiffness: float) -> list[Contact]:
     for depth in np.asarray(depths).tolist():
         force, on = settle(patch, depth, stiffness, force)
         radius = float(np.sqrt(patch.area[on].sum() / np.pi))
-        found.append(Contact(depth, float(force.sum()), radius))
+        found.append(Contact(depth, float(force.sum()), radius, force))
     return found
 
 

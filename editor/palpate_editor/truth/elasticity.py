@@ -1,18 +1,17 @@
-# SPDX-License-Identifier: BSD-3-Clause
-"""Static elasticity on tetrahedra, linear and neo-Hookean, with scikit-fem and CHOLMOD.
-
-Offline only: nothing that is shipped imports this.
-"""
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Static elasticity on tetrahedra, linear and neo-Hookean: P1 and P2 of scikit-fem."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import scipy.sparse as sparse
-from bodies import Floats, Ints
 from skfem import Basis, ElementTetP1, ElementTetP2, MeshTet
-from sksparse.cholmod import CholmodNotPositiveDefiniteError, cholesky
+
+from palpate_editor.truth.cholesky import Factor, NotPositiveDefinite
+from palpate_editor.truth.tetrahedra import Floats, Ints
 
 RESIDUAL = 1e-6
 """Newton ends when the free forces are this part of the force that holds the fixed ones."""
@@ -44,7 +43,16 @@ def find_lame(young_modulus: float, poisson_ratio: float) -> Lame:
 class Body:
     """A mesh with its finite elements; displacements are (nodes, 3), vertices come first."""
 
-    def __init__(self, x: Floats, t: Ints, lame: Lame, order: int, refinements: int, tags: dict):
+    def __init__(
+        self,
+        x: Floats,
+        t: Ints,
+        lame: Lame,
+        order: int,
+        refinements: int,
+        tags: dict,
+        scale: Floats | None = None,
+    ):
         mesh = MeshTet(np.ascontiguousarray(x.T), np.ascontiguousarray(t.T))
         for _ in range(refinements):
             tags = {name: refine_faces(mesh, faces) for name, faces in tags.items()}
@@ -56,7 +64,8 @@ class Body:
         self.cells: Ints = basis.element_dofs.T
         # (element, quadrature point, local node, axis)
         self.slopes = np.stack([f[0].grad for f in basis.basis]).transpose(2, 3, 0, 1).copy()
-        self.weights: Floats = np.asarray(basis.dx)
+        # both of Lamé's constants are as many times larger as a tetrahedron is stiffer
+        self.weights: Floats = np.asarray(basis.dx) * (1.0 if scale is None else scale[:, None])
         self.tags: dict[str, Ints] = {
             name: basis.get_dofs(find_facets(mesh, f)).all() for name, f in tags.items()
         }
@@ -159,16 +168,22 @@ class Press:
         rows, cols = np.broadcast_arrays(local[:, :, None], local[:, None, :])
         # the lower half alone: the tangent is symmetric, and CHOLMOD reads no more
         self.kept = (rows >= cols) & (cols >= 0)
-        keys = cols[self.kept].astype(np.int64) * len(dofs) + rows[self.kept]
-        unique, self.place = np.unique(keys, return_inverse=True)
-        ends = np.searchsorted(unique, np.arange(len(dofs) + 1) * len(dofs))
-        self.pattern = ((unique % len(dofs)).astype(np.int32), ends.astype(np.int32))
+        self.rows, self.cols = (part[self.kept].astype(np.int32) for part in (rows, cols))
         self.size = len(dofs)
-        self.factor = cholesky(self.stiffness(np.zeros((body.node_count, 3)), "linear"))
+
+    @cached_property
+    def matrix(self) -> sparse.csc_matrix:
+        """The lower half of the linear stiffness [N/m]."""
+        return self.stiffness(np.zeros((self.body.node_count, 3)), "linear")
+
+    @cached_property
+    def factor(self) -> Factor:
+        """Of the linear stiffness, or of the last one that was factorised."""
+        return Factor(self.matrix)
 
     def stiffness(self, u: Floats, law: str) -> sparse.csc_matrix:
-        values = np.bincount(self.place, weights=self.body.tangent(u, law)[self.kept])
-        return sparse.csc_matrix((values, *self.pattern), shape=(self.size, self.size))
+        values = self.body.tangent(u, law)[self.kept]
+        return sparse.csc_matrix((values, (self.rows, self.cols)), shape=(self.size, self.size))
 
     def solve(self, matrix: sparse.csc_matrix, right: Floats) -> Floats:
         """A descent direction: conjugate gradients on the last factor, until they are close or
@@ -191,8 +206,8 @@ class Press:
                 return found
             step = close + reach / before * step
         try:
-            self.factor = cholesky(matrix)
-        except CholmodNotPositiveDefiniteError:
+            self.factor = Factor(matrix)
+        except NotPositiveDefinite:
             return found
         return self.factor(right)
 

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: BSD-3-Clause
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What contact references are made by: the ball on a condensed body, and a disc under a ball.
 
 The disc is solved by elements of its own; it is held against formulas, and the references that ship
@@ -20,7 +20,7 @@ from palpate.study.half_space import compute_sphere_force, plane_modulus
 sys.path.insert(0, str(Path(__file__).parents[2] / "references"))
 
 from axisymmetric import build_disc, press
-from contact import PENALTY, Patch, find_gap, find_touch, press_ball
+from palpate_editor.truth.contact import PENALTY, Patch, find_gap, find_touch, press_ball
 
 SOFT = (5e3, 0.45)
 UP = np.array([0.0, 0.0, 1.0])

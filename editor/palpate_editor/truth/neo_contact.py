@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: BSD-3-Clause
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A rigid, frictionless ball in a neo-Hookean body: large displacements, the ball's own normals.
 
 Contact is a penalty at the points of the footprint: an energy of half the stiffness times the area
@@ -11,11 +11,12 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy.sparse as sparse
-from bodies import Floats
-from contact import Contact
-from elasticity import NEWTON_MAX, Diverged, Press
-from patches import Footprint
-from sksparse.cholmod import CholmodNotPositiveDefiniteError, cholesky
+
+from palpate_editor.truth.cholesky import Factor, NotPositiveDefinite
+from palpate_editor.truth.contact import Contact
+from palpate_editor.truth.elasticity import NEWTON_MAX, Diverged, Press
+from palpate_editor.truth.patches import Footprint
+from palpate_editor.truth.tetrahedra import Floats
 
 PENALTY = 300.0
 """Of E*/R: at a pressure of E* ball and body overlap by R/PENALTY."""
@@ -121,8 +122,8 @@ def balance(press: Press, ball: Ball, guess: Floats, before: Floats, centre: Flo
             return u
         matrix = press.stiffness(u, "neo_hookean") + ball.tangent(u, centre, number, press.size)
         try:
-            step = -cholesky(matrix)(right)
-        except CholmodNotPositiveDefiniteError:
+            step = -Factor(matrix)(right)
+        except NotPositiveDefinite:
             step = -press.factor(right)
         u = search(press, ball, u, step.reshape(-1, 3), float(right @ step), centre)
     raise Diverged(f"no equilibrium after {NEWTON_MAX} steps")

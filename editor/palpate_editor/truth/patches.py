@@ -1,15 +1,17 @@
-# SPDX-License-Identifier: BSD-3-Clause
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The part of a P2 body's surface that a ball may touch, and how it responds there."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 import scipy.sparse as sparse
-from bodies import Floats, Ints, find_surface
-from contact import Patch, find_gap
-from elasticity import Body, Press
+
+from palpate_editor.truth.contact import Patch, find_gap
+from palpate_editor.truth.elasticity import Body, Press
+from palpate_editor.truth.tetrahedra import Floats, Ints, find_surface
 
 BLOCK = 128
 """Loads that are solved for at once."""
@@ -61,11 +63,7 @@ def find_footprint(
     near = np.linalg.norm(corners, axis=2).min(axis=1) < DEEP * radius
     on = (beside < reach) & (facing > FACING) & near
     nodes = find_nodes(body, faces[on])
-    shape = np.concatenate(
-        [POINTS * (2.0 * POINTS - 1.0)]
-        + [4.0 * POINTS[:, [i]] * POINTS[:, [j]] for i, j in ((0, 1), (1, 2), (2, 0))],
-        axis=1,
-    )
+    shape = compute_shapes(POINTS)
     count, each = int(on.sum()), len(POINTS)
     return Footprint(
         np.repeat(nodes, each, axis=0),
@@ -74,6 +72,12 @@ def find_footprint(
         (area[on][:, None] * WEIGHTS).ravel(),
         np.repeat(facing[on], each),
     )
+
+
+def compute_shapes(weights: Floats) -> Floats:
+    """(q, 6) P2 shape functions of a triangle at barycentric weights (q, 3)."""
+    middles = [4.0 * weights[:, [i]] * weights[:, [j]] for i, j in ((0, 1), (1, 2), (2, 0))]
+    return np.concatenate([weights * (2.0 * weights - 1.0), *middles], axis=1)
 
 
 def find_nodes(body: Body, faces: Ints) -> Ints:
@@ -92,9 +96,18 @@ def find_nodes(body: Body, faces: Ints) -> Ints:
 
 
 def condense(
-    press: Press, print_: Footprint, point: Floats, direction: Floats, radius: float, touch: float
+    press: Press,
+    print_: Footprint,
+    point: Floats,
+    direction: Floats,
+    radius: float,
+    touch: float,
+    told: Callable[[float], None] = lambda part: None,
 ) -> Patch:
-    """The body condensed to the nodes of a footprint, with the gap of a ball to it."""
+    """The body condensed to the nodes of a footprint, with the gap of a ball to it.
+
+    `told` hears after every block of loads which part of them [-] is solved, and may raise.
+    """
     touched = np.unique(print_.nodes)
     touched = touched[np.isin(touched, press.free)]
     number = np.full(press.body.node_count, -1)
@@ -107,6 +120,7 @@ def condense(
         for axis in range(3):
             loads[at[part, axis], np.arange(part.stop - first)] = direction[axis]
         compliance[:, part] = np.einsum("nak,a->nk", press.factor(loads)[at], direction)
+        told(part.stop / len(touched))
     rows = np.repeat(np.arange(len(print_.nodes)), 6)
     columns = number[print_.nodes].ravel()
     values = np.where(columns >= 0, print_.shape.ravel(), 0.0)
@@ -116,4 +130,4 @@ def condense(
     gap = find_gap(print_.position - point, direction, radius, touch)
     kept = np.isfinite(gap)
     area = (print_.area * print_.facing)[kept]
-    return Patch(0.5 * (compliance + compliance.T), shape[kept], area, gap[kept])
+    return Patch(0.5 * (compliance + compliance.T), shape[kept], area, gap[kept], touched)

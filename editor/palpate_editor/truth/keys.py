@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The key of a truth: a hash of all that it depends on."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from importlib.metadata import version
+
+import numpy as np
+
+from palpate_editor.document import Organ
+from palpate_editor.truth.contact import PENALTY
+from palpate_editor.truth.levels import MOST_MEMORY, SIZES, SLOPE
+from palpate_editor.truth.paths import Way
+from palpate_editor.truth.solve import CHANGE
+from palpate_editor.truth.subject import COARSEST, FINER
+from palpate_editor.truth.tetrahedra import Floats
+
+METHOD = 1
+"""Of the solver: another number where it gives something else."""
+
+
+def compute_key(organ: Organ, way: Way, radius: float, depths: Floats) -> str:
+    """Of an organ that has a surface."""
+    assert organ.surface is not None
+    material = organ.material
+    numbers = [
+        METHOD, way.path, radius, SIZES, SLOPE, PENALTY, CHANGE, MOST_MEMORY, COARSEST, FINER,
+        material.young_modulus, material.poisson_ratio, material.wall_thickness,
+        version("scikit-fem"),
+    ]  # fmt: skip
+    hashed = hashlib.sha256(json.dumps(numbers).encode())
+    arrays = (
+        organ.surface.vertices, organ.surface.triangles, organ.fixed, organ.stiffness_scale, depths,
+        *(part for station in way.stations for part in (station.point, station.direction)),
+    )  # fmt: skip
+    for values in arrays:
+        hashed.update(f"{values.dtype.str} {values.shape} ".encode())
+        hashed.update(np.ascontiguousarray(values).tobytes())
+    return hashed.hexdigest()[:32]
