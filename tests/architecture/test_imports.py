@@ -69,6 +69,20 @@ ARROWS = {
         "cvxopt",
         "pymetis",
     ),
+    "editor/palpate_editor/scan": (
+        "palpate_editor.scan",
+        "palpate.error",
+        "palpate.files.refusal",
+        "palpate.system.isolated",
+        "numpy",
+    ),
+    "editor/palpate_editor/scan_child": (
+        "palpate_editor.scan_child",
+        "numpy",
+        "scipy",
+        "skimage",
+        "SimpleITK",
+    ),
     "editor/palpate_editor": ("palpate_editor", "palpate_meshes", "palpate", "numpy"),
     "meshes/generate": (
         "palpate_meshes.generate",

@@ -12,7 +12,7 @@ import json
 from functools import cache
 
 import numpy as np
-from organs import APPEARANCE, SOURCE
+from organs import APPEARANCE, SEGMENTATION, SOURCE
 from palpate.error import FileError
 from palpate.scenario import Container, pack_container, unpack_container
 from palpate_editor.document import Decimation, Organ, Surface
@@ -34,6 +34,7 @@ def make_octahedron() -> Organ:
     return Organ(
         name="octahedron",
         source=SOURCE,
+        segmentation=SEGMENTATION,
         imported=imported,
         surface=surface,
         decimation=Decimation(6, 8, 6, 8, 60.0, 1e-3, 2e-3),

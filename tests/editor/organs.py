@@ -16,7 +16,15 @@ from palpate.scene.scene_parts import (
     ModelPart,
     ToolPart,
 )
-from palpate_editor.document import Decimation, Organ, Repairs, Source, Surface, Translation
+from palpate_editor.document import (
+    Decimation,
+    Organ,
+    Repairs,
+    Segmentation,
+    Source,
+    Surface,
+    Translation,
+)
 from palpate_meshes.generate import ellipsoid, sheet
 
 SOURCE = Source(
@@ -34,6 +42,24 @@ SOURCE = Source(
     up_reason="the format states none; medical programs have z up",
     repairs=Repairs(welded_vertices=12, degenerate_triangles=1),
     notes=("a colour was ignored",),
+)
+
+SEGMENTATION = Segmentation(
+    series="1.2.826.0.1",
+    labels=(1, 7),
+    low=None,
+    high=1.0 / 3.0,
+    smooth=0.8,
+    largest=True,
+    least_volume=1e-7,
+    size=(122, 101, 30),
+    spacing=(0.003, 0.003, 0.003),
+    tilt=18.0,
+    voxel_volume=2.552e-4,
+    volume=2.557e-4,
+    volume_change=0.0018,
+    pieces_dropped=2,
+    shells_dropped=1,
 )
 
 APPEARANCE = AppearancePart(
@@ -78,6 +104,7 @@ def make_organ(vertices: int = 60, imported: int | None = 150) -> Organ:
     return Organ(
         name="dalak",
         source=SOURCE,
+        segmentation=SEGMENTATION,
         imported=whole,
         surface=surface,
         decimation=None if imported is None else decimation,

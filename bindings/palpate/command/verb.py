@@ -58,6 +58,7 @@ def quantity(unit: str) -> Callable[[str], float]:
 
 UNITS: dict[str, dict[str, float]] = {
     "m": {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6},
+    "m3": {"m3": 1.0, "l": 1e-3, "ml": 1e-6, "mm3": 1e-9},
     "s": {"s": 1.0, "ms": 1e-3},
     "m/s": {"m/s": 1.0, "mm/s": 1e-3},
     "N": {"N": 1.0, "mN": 1e-3},

@@ -30,7 +30,14 @@ from palpate.scene.scene_parts import (
     find_appearance_fault,
 )
 
-from palpate_editor.document.organ import Decimation, Organ, Source, Translation, is_language
+from palpate_editor.document.organ import (
+    Decimation,
+    Organ,
+    Segmentation,
+    Source,
+    Translation,
+    is_language,
+)
 from palpate_editor.document.surface import Surface
 
 FORMAT = "organ"
@@ -44,6 +51,8 @@ NUMBERS = {
     "tool": ToolPart,
     "hand": HandPart,
 }
+SOMETIMES = {"segmentation": Segmentation}
+"""Parts that a file has where the organ has them; a reader from before them refuses such a file."""
 OPTIONAL = {"source": Source, "decimation": Decimation, "appearance": AppearancePart}
 
 Json = dict[str, Any]
@@ -165,6 +174,9 @@ def pack_organ(organ: Organ) -> tuple[Json, Arrays]:
             arrays |= pack_surface("surface", organ.surface)
         arrays["fixed"] = np.flatnonzero(organ.fixed).astype(np.int32)
         arrays["stiffness_scale"] = organ.stiffness_scale
+    for name in SOMETIMES:
+        if getattr(organ, name) is not None:
+            content[name] = asdict(getattr(organ, name))
     if organ.languages:
         content["languages"] = {code: asdict(said) for code, said in organ.languages.items()}
     # a name may be of any alphabet, that of an array may not
@@ -203,14 +215,18 @@ def unpack(content: Any, arrays: Arrays, file: str) -> Organ:
     known = {*TEXTS, *OPTIONAL, *NUMBERS, "regions"}
     if not isinstance(content, dict):
         raise Refusal(file, "", json_kind(content), "an object")
-    if set(content) - {"languages"} != known:
-        odd = sorted((set(content) - {"languages"}) ^ known)[0]
+    needed = set(content) - {"languages", *SOMETIMES}
+    if needed != known:
+        odd = sorted(needed ^ known)[0]
         found = "an unknown field" if odd in content else "nothing"
         raise Refusal(file, odd, found, "exactly " + ", ".join(sorted(known)))
     parts: Json = {name: read_value(file, name, str, content[name]) for name in TEXTS}
     for name, kind in OPTIONAL.items():
         section = content[name]
         parts[name] = None if section is None else read_part(file, name, kind, section, whole=True)
+    for name, kind in SOMETIMES.items():
+        if name in content:
+            parts[name] = read_part(file, name, kind, content[name], whole=True)
     for name, kind in NUMBERS.items():
         without = ARRAYS_OF_MODEL if kind is ModelPart else ()
         parts[name] = read_part(file, name, kind, content[name], without=without, whole=True)

@@ -86,6 +86,39 @@ class Source:
 
 
 @dataclass(frozen=True)
+class Segmentation:
+    """How a surface was cut out of the scan that `Source` names, so that it can be done again."""
+
+    series: str
+    """UID of the one series of a DICOM folder that was asked for; empty where there was one."""
+    labels: tuple[int, ...]
+    """Empty where it was cut by a range."""
+    low: float | None
+    """Least grey level, itself included."""
+    high: float | None
+    smooth: float
+    """[voxel]"""
+    largest: bool
+    """Its largest piece alone, without cavities."""
+    least_volume: float
+    """[m³] Of a piece that is kept."""
+    size: tuple[int, ...]
+    """Columns, rows and slices of the volume."""
+    spacing: tuple[float, ...]
+    """[m]"""
+    tilt: float
+    """[degree] Of the gantry."""
+    voxel_volume: float
+    """[m³] Of the chosen voxels."""
+    volume: float
+    """[m³] Inside the surface that was cut."""
+    volume_change: float
+    """[-] By smoothing."""
+    pieces_dropped: int
+    shells_dropped: int
+
+
+@dataclass(frozen=True)
 class Decimation:
     """How a surface was made coarser, and how far it is from the one it was made of."""
 
@@ -106,6 +139,8 @@ class Organ:
 
     name: str = ""
     source: Source | None = None
+    segmentation: Segmentation | None = None
+    """None where the source is no scan."""
     imported: Surface | None = None
     """As the file gave it, repaired; what is decimated."""
     surface: Surface | None = None

@@ -13,7 +13,7 @@ import numpy as np
 
 from palpate_editor import authoring
 from palpate_editor.appearance import choose_appearance
-from palpate_editor.document import Organ, Repairs, Source, Surface
+from palpate_editor.document import Organ, Repairs, Segmentation, Source, Surface
 
 REPAIRS = tuple(f.name for f in fields(Repairs) if f.name != "welded_vertices")
 """Those that are counted after the parts of a file were welded."""
@@ -29,11 +29,14 @@ class ImportMesh:
     name: str
     source: Source
     surface: Surface
+    segmentation: Segmentation | None = None
+    """Of a surface that was cut out of a scan."""
 
     def __call__(self, organ: Organ) -> Organ:
         fresh = replace(
             organ.with_surface(self.surface),
             source=self.source,
+            segmentation=self.segmentation,
             imported=self.surface,
             decimation=None,
         )

@@ -13,6 +13,7 @@ from palpate_editor.verbs import (
     organs,
     paint,
     publish,
+    scan,
     tissue,
     truth,
 )
@@ -20,6 +21,7 @@ from palpate_editor.verbs.editor import EDITOR
 
 VERBS = [
     *mesh.VERBS,
+    *scan.VERBS,
     *tissue.VERBS,
     *appearance.VERBS,
     *paint.VERBS,

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From scans to surfaces.
+
+    scan = read_scan(path)                            # what it holds; its voxels if asked for
+    found = segment_scan(path, Choice(labels=(1,)))   # a closed surface in metres
+
+Volumes are read by SimpleITK and cut by scikit-image in a process of their own
+(palpate_editor.scan_child), limited in time and memory, that can be ended at any moment. Neither is
+imported here. A scan that is refused raises `palpate.FileError` with file, where, found, expected;
+where the extra `scan` is not installed, `MissingExtra` says how to.
+"""
+
+from __future__ import annotations
+
+from palpate_editor.scan.choice import Choice, describe_choice, read_range
+from palpate_editor.scan.reader import (
+    Cancelled,
+    Limits,
+    MissingExtra,
+    hash_scan,
+    is_scan,
+    read_scan,
+    segment_scan,
+)
+from palpate_editor.scan.values import Label, Scan, ScanSurface
+
+__all__ = [
+    "Cancelled",
+    "Choice",
+    "Label",
+    "Limits",
+    "MissingExtra",
+    "Scan",
+    "ScanSurface",
+    "describe_choice",
+    "hash_scan",
+    "is_scan",
+    "read_range",
+    "read_scan",
+    "segment_scan",
+]
