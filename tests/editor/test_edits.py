@@ -17,6 +17,7 @@ from palpate_editor.document import EMPTY, Decimation, Organ, Surface
 from palpate_editor.document.constants import CONSTANTS
 from palpate_editor.document.files import write_organ
 from palpate_editor.edits import EVERY_EDIT, EditError
+from palpate_editor.edits.configure import find_configuration
 from palpate_editor.edits.orient import METRES, TURNS
 
 SPLEEN = make_organ()
@@ -31,6 +32,7 @@ OPEN = replace(
     imported=None,
 )
 COARSE = surface_of(50)
+OWN = find_configuration(SPLEEN)
 DECIMATION = Decimation(150, 296, 50, 96, 30.0, 1e-4, 2e-4)
 
 EXAMPLES = [
@@ -46,6 +48,10 @@ EXAMPLES = [
     (edits.SetConstant("model", "stiffness", 33.0), SPLEEN),
     (edits.SetGravity((0.0, 9.81, 0.0)), SPLEEN),
     (edits.SetMaterial(MaterialPart(density=900.0), ModelPart(stiffness=10.0)), SPLEEN),
+    (
+        edits.Configure(replace(OWN, kind="solid", tetrahedra=900, substeps=4)),
+        replace(SPLEEN, fill=replace(SPLEEN.fill, tetrahedra=900)),
+    ),
     (edits.SetReach(""), SPLEEN),
     (edits.FixVertices(np.array([20, 30])), SPLEEN),
     (edits.FixLowest(0.3), SPLEEN),
@@ -164,6 +170,13 @@ REFUSED = [
     (edits.SetGravity((0.0, 0.0)), SPLEEN, "three finite numbers"),
     (edits.SetMaterial(MaterialPart(density=0.0), ModelPart()), SPLEEN, "Density must be"),
     (edits.SetMaterial(MaterialPart(), ModelPart(kind="jelly")), SPLEEN, "kind must be one of"),
+    (edits.Configure(OWN), EMPTY, "import a mesh file first"),
+    (edits.Configure(OWN), SPLEEN, "has that configuration already"),
+    (edits.Configure(replace(OWN, integrator="leapfrog")), SPLEEN, "integrator must be one of"),
+    (edits.Configure(replace(OWN, kind="solid")), SPLEEN, "Tetrahedra must be"),
+    (edits.Configure(replace(OWN, substeps=-1)), SPLEEN, "Least substeps must be"),
+    (edits.Configure(replace(OWN, stiffness=np.nan)), SPLEEN, "Stiffness must be"),
+    (edits.Configure(replace(OWN, vertices=151)), SPLEEN, "cannot be decimated to 151 vertices"),
     (edits.FixVertices(np.array([], int)), SPLEEN, "No vertices are selected"),
     (edits.FixVertices(np.array([-1])), SPLEEN, "Vertex numbers: got -1 to -1"),
     (edits.FixVertices(np.array([60])), SPLEEN, "got 60 to 60, expected 0 to 59"),
@@ -362,3 +375,15 @@ def test_a_file_whose_name_is_no_text_can_be_imported_and_saved(tmp_path):
     write_organ(tmp_path / "a.organ", organ)
 
     assert (organ.name, organ.source.file) == ("dala?", "dala?.stl")
+
+
+def test_a_configuration_brings_its_mesh_and_leaves_what_the_organ_is_made_of():
+    configuration = replace(OWN, kind="molecular", integrator="implicit_euler", vertices=90)
+    after = edits.Configure(configuration)(SPLEEN)
+
+    assert after.vertex_count == 90
+    assert after.decimation is not None and after.decimation.vertices == 90
+    assert (after.model.kind, after.model.integrator) == ("molecular", "implicit_euler")
+    assert find_configuration(after) == replace(configuration, vertices=0)
+    for part in ("material", "fill", "tool", "hand"):
+        assert getattr(after, part) is getattr(SPLEEN, part)

@@ -11,7 +11,7 @@ from PySide6.QtCore import QByteArray, QSettings, QSize
 RECENT = 10
 """Files that are remembered."""
 THEMES = ("system", "dark", "light")
-LAYOUT_VERSION = 1
+LAYOUT_VERSION = 2
 """Of the docks: a layout of another version is not restored, or docks would be lost."""
 
 

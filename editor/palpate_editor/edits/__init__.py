@@ -8,6 +8,7 @@ inverse: documents are values, and to undo is to remember.
 from __future__ import annotations
 
 from palpate_editor.edits.appearance import SetAppearance
+from palpate_editor.edits.configure import Configure
 from palpate_editor.edits.decimate import Decimate, UseImported, decimate_organ
 from palpate_editor.edits.edit import Edit, EditError
 from palpate_editor.edits.fill_holes import FillHoles
@@ -24,6 +25,7 @@ from palpate_editor.edits.set_reach import SetReach
 
 __all__ = [
     "EVERY_EDIT",
+    "Configure",
     "Decimate",
     "Edit",
     "EditError",
@@ -66,6 +68,7 @@ EVERY_EDIT: tuple[type, ...] = (
     SetConstant,
     SetGravity,
     SetMaterial,
+    Configure,
     SetReach,
     FixVertices,
     FixLowest,

@@ -2242,6 +2242,86 @@ Beklenen: {expected}.</translation>
         <source>Place [mm]</source>
         <translation>Yer [mm]</translation>
     </message>
+    <message>
+        <source>A tick in touch</source>
+        <translation>Temasta bir adım</translation>
+    </message>
+    <message>
+        <source>Charts (*.json)</source>
+        <translation>Çizelgeler (*.json)</translation>
+    </message>
+    <message>
+        <source>Click on a point to read what it is, and to simulate the organ so.</source>
+        <translation>Ne olduğunu okumak ve organı öyle canlandırmak için bir noktaya tıklayın.</translation>
+    </message>
+    <message>
+        <source>Force error, of the largest force</source>
+        <translation>Kuvvet hatası, en büyük kuvvete göre</translation>
+    </message>
+    <message>
+        <source>No chart yet: draw one of this organ, or open one</source>
+        <translation>Henüz çizelge yok: bu organınkini çizin ya da bir çizelge açın</translation>
+    </message>
+    <message>
+        <source>Open a chart</source>
+        <translation>Çizelge aç</translation>
+    </message>
+    <message>
+        <source>Open a chart…</source>
+        <translation>Çizelge aç…</translation>
+    </message>
+    <message>
+        <source>Save the chart</source>
+        <translation>Çizelgeyi kaydet</translation>
+    </message>
+    <message>
+        <source>Save the chart…</source>
+        <translation>Çizelgeyi kaydet…</translation>
+    </message>
+    <message>
+        <source>Simulate it so</source>
+        <translation>Böyle canlandır</translation>
+    </message>
+    <message>
+        <source>So it is simulated now.</source>
+        <translation>Şu anda böyle canlandırılıyor.</translation>
+    </message>
+    <message>
+        <source>Speed and accuracy</source>
+        <translation>Hız ve doğruluk</translation>
+    </message>
+    <message>
+        <source>a tick</source>
+        <translation>bir adım</translation>
+    </message>
+    <message>
+        <source>did not run to the end</source>
+        <translation>sonuna kadar gitmedi</translation>
+    </message>
+    <message>
+        <source>not timed yet</source>
+        <translation>süresi henüz ölçülmedi</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>hedef</translation>
+    </message>
+    <message>
+        <source>the truth's own error</source>
+        <translation>gerçeğin kendi hatası</translation>
+    </message>
+    <message>
+        <source>▲ another explicit step, ■ an implicit one; hollow: chosen constants, or the hard law of contact</source>
+        <translation>▲ başka bir açık adım, ■ kapalı bir adım; içi boş: elle seçilmiş sabitler ya da sert temas yasası</translation>
+    </message>
+    <message>
+        <source>Speed and &amp;accuracy…</source>
+        <translation>Hız ve &amp;doğruluk…</translation>
+    </message>
+    <message>
+        <source>&amp;Open a chart…</source>
+        <translation>Çi&amp;zelge aç…</translation>
+    </message>
 </context>
 <context>
     <name>constants</name>
@@ -3102,6 +3182,134 @@ Beklenen: {expected}.</translation>
     <message>
         <source>at most {validated:.1f} mm: deeper no truth was solved to compare the force with</source>
         <translation>en çok {validated:.1f} mm: daha derini için kuvvetin karşılaştırılacağı bir çözüm yoktur</translation>
+    </message>
+    <message>
+        <source>Configuration: {kind}, {step}</source>
+        <translation>Yapılandırma: {kind}, {step}</translation>
+    </message>
+    <message>
+        <source>The organ has that configuration already.</source>
+        <translation>Organ zaten bu yapılandırmada.</translation>
+    </message>
+    <message>
+        <source>{step}</source>
+        <translation>{step}</translation>
+    </message>
+    <message>
+        <source>{kind}</source>
+        <translation>{kind}</translation>
+    </message>
+    <message>
+        <source>{first}, {rest}</source>
+        <translation>{first}, {rest}</translation>
+    </message>
+    <message>
+        <source>1 substep</source>
+        <translation>1 alt adım</translation>
+    </message>
+    <message>
+        <source>{count} substeps</source>
+        <translation>{count} alt adım</translation>
+    </message>
+    <message>
+        <source>contact as on the mesh</source>
+        <translation>temas ağdaki gibi</translation>
+    </message>
+    <message>
+        <source>contact as on tissue</source>
+        <translation>temas dokudaki gibi</translation>
+    </message>
+    <message>
+        <source>{count} tetrahedra</source>
+        <translation>{count} dörtyüzlü</translation>
+    </message>
+    <message>
+        <source>chosen constants</source>
+        <translation>elle seçilmiş sabitler</translation>
+    </message>
+    <message>
+        <source>chosen by hand: {stiffness:g} N/m, home springs by kind</source>
+        <translation>elle seçilmiş: {stiffness:g} N/m, yuva yayları türüne göre</translation>
+    </message>
+    <message>
+        <source>chosen by hand: {stiffness:g} N/m, home springs of {home:g} N/mm³</source>
+        <translation>elle seçilmiş: {stiffness:g} N/m, {home:g} N/mm³ yuva yayları</translation>
+    </message>
+    <message>
+        <source>from E {modulus:g} kPa, nu {ratio:g}</source>
+        <translation>E {modulus:g} kPa, nu {ratio:g} değerlerinden</translation>
+    </message>
+    <message>
+        <source>from E {modulus:g} kPa, nu {ratio:g}, a wall of {wall:g} mm</source>
+        <translation>E {modulus:g} kPa, nu {ratio:g} ve {wall:g} mm duvardan</translation>
+    </message>
+    <message>
+        <source>A tick in touch takes {median:.3g} µs, p99 {p99:.3g} µs, of {period:.4g} µs that it may; {misses:.1%} take longer.</source>
+        <translation>Temasta bir adım {median:.3g} µs, p99 {p99:.3g} µs sürer; {period:.4g} µs sürebilir; {misses:.1%} kadarı daha uzun sürer.</translation>
+    </message>
+    <message>
+        <source>An alarm ended it: {why}.</source>
+        <translation>Bir alarm bitirdi: {why}.</translation>
+    </message>
+    <message>
+        <source>Force {rms:.1%} off, at most {most:.1%}.</source>
+        <translation>Kuvvet {rms:.1%} sapar, en çok {most:.1%}.</translation>
+    </message>
+    <message>
+        <source>Force {rms:.1%} off, at most {most:.1%}; displacement {displacement:.1%}.</source>
+        <translation>Kuvvet {rms:.1%} sapar, en çok {most:.1%}; yer değiştirme {displacement:.1%}.</translation>
+    </message>
+    <message>
+        <source>It cannot be built: {why}.</source>
+        <translation>Kurulamıyor: {why}.</translation>
+    </message>
+    <message>
+        <source>It was drawn with another value: {label} of {there}, where the organ has {here}.</source>
+        <translation>Başka bir değerle çizilmiş: {label} {there}; organda {here}.</translation>
+    </message>
+    <message>
+        <source>Lost: {why}.</source>
+        <translation>Yitirildi: {why}.</translation>
+    </message>
+    <message>
+        <source>Not timed yet.</source>
+        <translation>Süresi henüz ölçülmedi.</translation>
+    </message>
+    <message>
+        <source>Of that the model itself {model:.1%}, its steps in time {time:.1%}; the truth is known to {truth:.1%}.</source>
+        <translation>Bunun {model:.1%} kadarı modelin kendisinden, {time:.1%} kadarı zaman adımlarından; gerçek {truth:.1%} ile bilinir.</translation>
+    </message>
+    <message>
+        <source>That is no more than the truth's own error: which of such rows is better it cannot tell.</source>
+        <translation>Bu, gerçeğin kendi hatasından fazla değildir: böyle satırlardan hangisinin daha iyi olduğunu söyleyemez.</translation>
+    </message>
+    <message>
+        <source>The truth is known to {truth:.1%}.</source>
+        <translation>Gerçek {truth:.1%} ile bilinir.</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation>sürükleme</translation>
+    </message>
+    <message>
+        <source>press</source>
+        <translation>basma</translation>
+    </message>
+    <message>
+        <source>pull</source>
+        <translation>çekme</translation>
+    </message>
+    <message>
+        <source>script</source>
+        <translation>betik</translation>
+    </message>
+    <message>
+        <source>{organ}: a {way} of {depth:.2g} mm with a ball of {radius:.2g} mm; {ran} of {all} configurations ran to the end.</source>
+        <translation>{organ}: {radius:.2g} mm topla {depth:.2g} mm {way}; {all} yapılandırmadan {ran} tanesi sonuna kadar gitti.</translation>
+    </message>
+    <message>
+        <source>{particles} particles, {elements} elements; at most {substeps} substeps in touch.</source>
+        <translation>{particles} parçacık, {elements} öğe; temasta en çok {substeps} alt adım.</translation>
     </message>
 </context>
 <context>

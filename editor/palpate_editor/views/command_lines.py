@@ -26,6 +26,7 @@ from palpate_editor.document.constants import (
 )
 from palpate_editor.document.idle import find_idle
 from palpate_editor.edits import (
+    Configure,
     Decimate,
     Edit,
     FillHoles,
@@ -50,6 +51,7 @@ from palpate_editor.edits import (
     TurnOutward,
     UseImported,
 )
+from palpate_editor.edits.configure import NUMBERS
 
 KINDS = {kind: short for short, kind in SHORT_KINDS.items()}
 ASKED = "as asked"
@@ -159,6 +161,20 @@ def appearance_arguments(edit: SetAppearance, organ: Organ, document: Path | str
 def all_arguments(edit: SetMaterial, organ: Organ, document: Path | str) -> Arguments:
     """Everything that a pasted material brings and that has an effect."""
     del edit
+    parts = ("material", "model")
+    return counting_arguments(organ, document, [c.key for c in CONSTANTS if c.part in parts])
+
+
+def configure_arguments(edit: Configure, organ: Organ, document: Path | str) -> Arguments | None:
+    """What of a configuration has an effect; one that decimates takes two lines, which none is."""
+    if edit.configuration.vertices:
+        return None
+    keys = [f"model.{name}" for name in NUMBERS]
+    return counting_arguments(organ, document, [*keys, "fill.tetrahedra", "hand.substeps"])
+
+
+def counting_arguments(organ: Organ, document: Path | str, keys: Sequence[str]) -> Arguments:
+    """Kind, laws, and the constants of these keys that have an effect."""
     model = organ.model
     options: Arguments = ["--kind", KINDS[model.kind]]
     for key, option in LAWS.items():
@@ -166,7 +182,7 @@ def all_arguments(edit: SetMaterial, organ: Organ, document: Path | str) -> Argu
         if counts_choice(field, model):
             options += [option, getattr(model, field)]
     for constant in CONSTANTS:
-        if constant.part in ("material", "model") and find_idle(constant, organ) is None:
+        if constant.key in keys and find_idle(constant, organ) is None:
             value = getattr(getattr(organ, constant.part), constant.field)
             if value is not None or constant.optional:
                 options.append(constant_option(constant.part, constant.field, value))
@@ -235,6 +251,7 @@ FINDERS: dict[type, Callable[[Any, Organ, Path | str], Arguments | None]] = {
     SetChoice: choice_arguments,
     SetGravity: gravity_arguments,
     SetMaterial: all_arguments,
+    Configure: configure_arguments,
     SetReach: reach_arguments,
     FixLowest: lowest_arguments,
     SetAppearance: appearance_arguments,

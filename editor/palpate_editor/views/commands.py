@@ -159,6 +159,15 @@ def material_commands(w: CommandTargets) -> list[Command]:
             w.menu_actions.paste_material,
             ("Ctrl+Shift+V",),
         ),
+        Command(
+            "chart",
+            "material",
+            tr("Speed and &accuracy…"),
+            w.show_chart,
+            ("Ctrl+Alt+A",),
+            line_before=True,
+        ),
+        Command("open_chart", "material", tr("&Open a chart…"), w.chart.ask_open, ("Ctrl+Alt+G",)),
     ]
 
 

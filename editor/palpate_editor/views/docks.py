@@ -14,6 +14,8 @@ AREA = Qt.DockWidgetArea
 DIRECT = Qt.FindChildOption.FindDirectChildrenOnly
 SIDE, STAGE, BELOW = 262, 396, 226
 """[px] widths of the docks at the left and right, height of those below."""
+APART = {"chart": QSize(1060, 640)}
+"""[px] Docks that begin as windows of their own, not shown; whoever wants one puts it elsewhere."""
 FOLDED, LEAST = 400, 200
 """[px] width of docks that are folded into one column, as it begins and at the least."""
 
@@ -68,7 +70,7 @@ class Docks(QObject):
         return dock
 
     def build(self, panels: dict[str, QWidget]) -> None:
-        """All docks; `panels` by name: scene, history, stage, force, costs, log."""
+        """All docks; `panels` by name: scene, history, stage, force, costs, chart, log."""
         self.add("scene", tr("Scene"), panels["scene"], AREA.LeftDockWidgetArea)
         self.add("history", tr("History"), panels["history"], AREA.LeftDockWidgetArea)
         self.add("stage", tr("Stage"), panels["stage"], AREA.RightDockWidgetArea)
@@ -77,6 +79,12 @@ class Docks(QObject):
             self.add("force", tr("Force"), panels["force"], AREA.BottomDockWidgetArea)
         if "costs" in panels:
             self.add("costs", tr("Cost of a tick"), panels["costs"], AREA.BottomDockWidgetArea)
+        if "chart" in panels:
+            dock = self.add(
+                "chart", tr("Speed and accuracy"), panels["chart"], AREA.BottomDockWidgetArea
+            )
+            dock.setFloating(True)
+            dock.hide()
         self.arrange()
         self.start = self.window.saveState(LAYOUT_VERSION)
 
@@ -145,7 +153,8 @@ class Docks(QObject):
         """All docks as tabs of one column at the right, the stage in front."""
         self.folded = True
         stage = self.docks["stage"]
-        for dock in (stage, *(dock for dock in self.docks.values() if dock is not stage)):
+        folded = [dock for name, dock in self.docks.items() if name not in APART]
+        for dock in (stage, *(dock for dock in folded if dock is not stage)):
             dock.setFloating(False)
             self.window.addDockWidget(AREA.RightDockWidgetArea, dock)
             dock.show()
@@ -170,6 +179,8 @@ class Docks(QObject):
         self.folded = False
         state, _, self.wanted = self.unfolded
         for name, dock in self.docks.items():
+            if name in APART:
+                continue
             holder = dock.titleBarWidget()
             dock.setTitleBarWidget(None)  # type: ignore[arg-type]
             holder.deleteLater()
@@ -179,9 +190,21 @@ class Docks(QObject):
         self.recover()
 
     def show(self, name: str) -> None:
-        if name in self.docks:
-            self.docks[name].show()
-            self.docks[name].raise_()
+        if name not in self.docks:
+            return
+        dock = self.docks[name]
+        if name in APART and dock.isFloating() and not dock.isVisible():
+            self.place(dock, APART[name])
+        dock.show()
+        dock.raise_()
+
+    def place(self, dock: QDockWidget, wanted: QSize) -> None:
+        """In the middle of the window, as large as the screen has room for."""
+        room = self.window.screen().availableGeometry()
+        dock.resize(wanted.boundedTo(0.9 * room.size()))
+        frame = dock.frameGeometry()
+        frame.moveCenter(self.window.frameGeometry().center())
+        dock.move(frame.topLeft())
 
     def show_beside(self, name: str) -> None:
         """Shows a dock, but not over the one that is in front of it where they are folded."""
@@ -208,9 +231,9 @@ class Docks(QObject):
     def reset(self) -> None:
         if self.start is not None:
             self.window.restoreState(self.start, LAYOUT_VERSION)
-        for dock in self.docks.values():
-            dock.setFloating(False)
-            dock.show()
+        for name, dock in self.docks.items():
+            dock.setFloating(name in APART)
+            dock.setVisible(name not in APART)
         if self.folded:
             self.fold()
         else:

@@ -18,6 +18,7 @@ from palpate_editor.document.constants import SHORT_KINDS
 from palpate_editor.views.action_set import ActionSet
 from palpate_editor.views.appearance import Appearance
 from palpate_editor.views.axis_gizmo import AxisGizmo
+from palpate_editor.views.chart.chart_view import ChartView
 from palpate_editor.views.commands import build_commands
 from palpate_editor.views.context import Context
 from palpate_editor.views.display import Display
@@ -115,6 +116,7 @@ class MainWindow(QMainWindow):
         self.test_panel = find_panel(panels, TestPanel)
         self.publish_panel = find_panel(panels, PublishPanel)
         self.log = LogDock(context, hold("log"))
+        self.chart = ChartView(context, self.tasks, self.files, hold("chart"))
         self.docks.build(
             {
                 "scene": SceneTree(context, hold("scene")),
@@ -123,6 +125,7 @@ class MainWindow(QMainWindow):
                 "log": self.log,
                 "force": self.test_panel.plot,
                 "costs": self.test_panel.costs,
+                "chart": self.chart,
             }
         )
 
@@ -163,6 +166,7 @@ class MainWindow(QMainWindow):
         context.jobs.started.connect(self.on_job)
         context.jobs.stopped.connect(self.on_job)
         self.publishing.published.connect(self.on_published)
+        self.chart.opened.connect(self.show_chart)
         self.stage_bar.chosen.connect(self.show_stage)
         self.docks.folding.connect(self.tools.be_narrow)
         self.tools.chosen.connect(self.on_tool)
@@ -196,6 +200,9 @@ class MainWindow(QMainWindow):
         if self.context.stage != "test":
             self.show_stage("test")
         self.test_panel.toggle()
+
+    def show_chart(self) -> None:
+        self.docks.show("chart")
 
     # ------------------------------------------------------------ showing
 
