@@ -25,10 +25,10 @@ from pathlib import Path
 
 import numpy as np
 from contact_bodies import SUBJECTS, Pressed, Spot
-from palpate_editor.truth.contact import PENALTY, Contact
+from palpate_editor.truth.contact import PENALTY
 from palpate_editor.truth.elasticity import Diverged, Press
 from palpate_editor.truth.levels import SIZES, SLOPE, Station, build_press, grade
-from palpate_editor.truth.neo_contact import follow
+from palpate_editor.truth.neo_contact import Found, follow
 from palpate_editor.truth.patches import find_footprint
 from palpate_editor.truth.paths import PARTS, Way
 from palpate_editor.truth.progress import TruthError
@@ -188,7 +188,7 @@ def solve_case(pressed: Pressed, spot: Spot, law: str, radius: float, finest: in
 
 def solve_deep(
     subject: Subject, station: Station, radius: float, depths: Floats
-) -> tuple[Press, list[Contact]]:
+) -> tuple[Press, list[Found]]:
     """Neo-Hookean, on the coarsest mesh."""
     x, t = grade(subject, (station,), radius, float(depths[-1]), 0)
     press = build_press(subject, x, t)

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 import scipy.sparse as sparse
+from numpy.typing import NDArray
 
 from palpate_editor.truth.tetrahedra import Floats, Ints
 
@@ -37,6 +38,8 @@ class Patch:
     """[m] (q,) from the surface to a ball that just touches the body, along the press."""
     nodes: Ints = field(default_factory=lambda: np.empty(0, np.int64))
     """(m,) which of the body's nodes they are."""
+    beside: Floats = field(default_factory=lambda: np.empty(0))
+    """[m] (q,) of the points from the axis of the press."""
 
 
 @dataclass(frozen=True)
@@ -47,8 +50,10 @@ class Contact:
     """[N] along the press."""
     radius: float
     """[m] of the circle that has the area of the contact, or to its farthest point."""
-    push: Floats | None = None
+    push: Floats
     """[N] (m,) on the nodes of a patch, against the direction of the press."""
+    on: NDArray[np.bool_]
+    """(q,) the points that are touched."""
 
 
 class NoContact(Exception):
@@ -68,7 +73,7 @@ def press_ball(patch: Patch, depths: Floats, stiffness: float) -> list[Contact]:
     for depth in np.asarray(depths).tolist():
         force, on = settle(patch, depth, stiffness, force)
         radius = float(np.sqrt(patch.area[on].sum() / np.pi))
-        found.append(Contact(depth, float(force.sum()), radius, force))
+        found.append(Contact(depth, float(force.sum()), radius, force, on))
     return found
 
 

@@ -39,11 +39,12 @@ def solve_truth(
     thread; a second call with the same organ, path, ball and depths takes what was kept.
 
     Args:
-        organ: Its surface, what is held, its material and what is painted stiffer count; how it is
-            simulated does not.
+        organ: Its surface before it was decimated, what is held, its material and what is painted
+            stiffer count; how it is simulated does not.
         path: Where the tool goes; a press where a check presses first if None.
         radius: [m] of the ball; the organ's own tool's if None.
-        depths: [m] of the ball beyond its first touch; four up to the deepest if None.
+        depths: [m] of the ball beyond its first touch, of a pull how high over it; four up to the
+            most if None.
         progress: Told of every stage.
         cancelled: Asked between stages and in the long ones; a factor, some seconds, is finished.
         cache: The folder of kept truths; the user's own if None.
@@ -57,21 +58,22 @@ def solve_truth(
     from palpate_editor.truth.keys import compute_key
     from palpate_editor.truth.paths import choose_depths, find_stations
     from palpate_editor.truth.solve import solve_way
-    from palpate_editor.truth.subject import take_subject
+    from palpate_editor.truth.subject import find_whole, take_subject
 
     ball = organ.tool.radius if radius is None else radius
     if not (np.isfinite(ball) and ball > 0.0):
         raise TruthError(f"radius: got {ball} m, expected one above 0")
-    subject = take_subject(organ)
-    way = find_stations(subject, ball, path or wanted.Press())
-    deep = choose_depths(way, None if depths is None else np.asarray(depths, dtype=float))
-    key = compute_key(organ, way, ball, deep)
+    body = find_whole(organ)
+    subject = take_subject(body)
+    way = find_stations(organ, subject, ball, path or wanted.Press())
+    deep, said = choose_depths(way, None if depths is None else np.asarray(depths, dtype=float))
+    key = compute_key(body, way, ball, deep)
     file = (find_cache_folder() / "truths" if cache is None else cache) / f"{key}.truth"
     kept, remarks = take_kept(file, key)
     if kept is not None:
-        return kept
+        return replace(kept, remarks=kept.remarks + said)
     truth = solve_way(subject, way, ball, deep, key, progress, cancelled)
-    remarks += keep(file, truth)
+    remarks += (*keep(file, truth), *said)
     return replace(truth, remarks=truth.remarks + remarks)
 
 

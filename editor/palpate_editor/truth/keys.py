@@ -33,8 +33,11 @@ def compute_key(organ: Organ, way: Way, radius: float, depths: Floats) -> str:
     hashed = hashlib.sha256(json.dumps(numbers).encode())
     arrays = (
         organ.surface.vertices, organ.surface.triangles, organ.fixed, organ.stiffness_scale, depths,
-        *(part for station in way.stations for part in (station.point, station.direction)),
+        *(part for s in way.stations for part in (s.point, s.direction)),
     )  # fmt: skip
+    for station in way.stations:
+        if station.hold is not None:
+            hashed.update(json.dumps([station.hold.stiffness, station.hold.grip]).encode())
     for values in arrays:
         hashed.update(f"{values.dtype.str} {values.shape} ".encode())
         hashed.update(np.ascontiguousarray(values).tobytes())

@@ -12,7 +12,15 @@ import scipy.sparse as sparse
 from palpate_editor.truth.contact import PENALTY, Contact, Patch, press_ball
 from palpate_editor.truth.elasticity import Body, Press, find_lame
 from palpate_editor.truth.graded import Grading, Skin, refine
-from palpate_editor.truth.patches import compute_shapes, condense, find_footprint, find_nodes
+from palpate_editor.truth.hold import Hold, pull_ball
+from palpate_editor.truth.patches import (
+    compute_shapes,
+    condense,
+    condense_whole,
+    find_footprint,
+    find_nodes,
+    place_ball,
+)
 from palpate_editor.truth.progress import TruthError, Watch
 from palpate_editor.truth.subject import Subject
 from palpate_editor.truth.tetrahedra import Floats, Ints, find_surface
@@ -23,6 +31,8 @@ SLOPE = (1.1, 0.8, 0.6)
 """By how much edges grow per distance."""
 MOST_MEMORY = 4e9
 """[bytes] A mesh that needs more is not begun."""
+MARGIN = 1.15
+"""[-] Of the farthest point that is touched on a mesh: how far a finer one is looked at."""
 STAGES = {"mesh": 0.05, "stiffness": 0.15, "factor": 0.35, "response": 1.0}
 """[-] of a level's work that is done at the end of each."""
 
@@ -39,6 +49,12 @@ class Station:
     """[m] Height of the ball's centre over the point at its first touch."""
     thickness: float
     """[m] of the body under the point."""
+    hold: Hold | None = None
+    """How the ball takes hold; None where it only presses."""
+
+    def find_deepest(self, depth: float) -> float:
+        """[m] that the ball goes into the surface on its way to a depth [m]."""
+        return depth if self.hold is None else self.hold.grip
 
 
 @dataclass(frozen=True)
@@ -51,6 +67,8 @@ class Level:
     """[m] (s, k)"""
     displacement: Floats
     """[m] (s, k, m, 3)"""
+    extent: Floats
+    """[m] (s,) from the axis to the farthest point that is touched."""
     freedoms: int
     tetrahedra: int
 
@@ -65,6 +83,16 @@ def estimate_memory(freedoms: int) -> float:
     return 4.5e3 * freedoms + 215.0 * freedoms ** (4.0 / 3.0)
 
 
+def check_memory(freedoms: int) -> None:
+    """Raises TooLarge."""
+    need = estimate_memory(freedoms)
+    if need > MOST_MEMORY:
+        raise TooLarge(
+            f"truth: got a mesh of {freedoms} freedoms, which takes {1e-9 * need:.1f} GB, expected "
+            f"at most {1e-9 * MOST_MEMORY:g} GB: a larger ball or a shorter path asks for less"
+        )
+
+
 def solve_level(
     subject: Subject,
     stations: Sequence[Station],
@@ -72,8 +100,12 @@ def solve_level(
     depths: Floats,
     level: int,
     watch: Watch,
+    before: Level | None = None,
 ) -> Level:
-    """Every station at every depth on the mesh of a level. Raises TooLarge, TruthError, Stopped."""
+    """Every station at every depth on the mesh of a level. Raises TooLarge, TruthError, Stopped.
+
+    `before` is what a coarser mesh gave; what is far from the contact there is left out here.
+    """
 
     def tell(stage: str, part: float) -> None:
         names = list(STAGES)
@@ -82,33 +114,33 @@ def solve_level(
         watch.tell(level, stage, first + part * (STAGES[stage] - first))
 
     tell("mesh", 0.0)
-    x, t = grade(subject, stations, radius, float(depths[-1]), level)
+    deepest = float(np.abs(depths).max())
+    x, t = grade(subject, stations, radius, deepest, level)
     tell("stiffness", 0.0)
     press = build_press(subject, x, t)
-    need = estimate_memory(press.size)
-    if need > MOST_MEMORY:
-        raise TooLarge(
-            f"truth: got a mesh of {press.size} freedoms, which takes {1e-9 * need:.1f} GB, "
-            f"expected at most {1e-9 * MOST_MEMORY:g} GB: a larger ball or a shorter path asks for "
-            "less"
-        )
+    check_memory(press.size)
     _ = press.matrix
     tell("factor", 0.0)
     _ = press.factor
     seen = interpolate_surface(press.body, find_surface(t), subject.surface)
-    contacts, displacement = [], []
+    contacts, displacement, extents = [], [], []
     for at, station in enumerate(stations):
+        reach = min(radius, 1.45 * float(np.sqrt(radius * station.find_deepest(deepest))))
+        if before is not None:
+            reach = min(reach, MARGIN * float(before.extent[at]) + 0.5 * radius / SIZES[level])
         patch, found = solve_station(
-            subject, press, station, radius, depths,
+            subject, press, station, radius, depths, reach,
             lambda part, at=at: tell("response", (at + part) / len(stations)),
         )  # fmt: skip
         contacts.append(found)
+        extents.append(max(float(patch.beside[c.on].max(initial=0.0)) for c in found))
         displacement.append(respond(press, station, patch, found, seen))
     tell("response", 1.0)
     return Level(
         np.array([[contact.force for contact in found] for found in contacts]),
         np.array([[contact.radius for contact in found] for found in contacts]),
         np.array(displacement),
+        np.array(extents),
         press.size,
         len(t),
     )
@@ -118,10 +150,14 @@ def grade(
     subject: Subject, stations: Sequence[Station], radius: float, depth: float, level: int
 ) -> tuple[Floats, Ints]:
     """The mesh of a level with small tetrahedra where the ball touches."""
+    deepest = max(station.find_deepest(depth) for station in stations)
+    wide = float(np.sqrt(radius * deepest))
+    # what is gripped may be much smaller than the ball, and all of its force is there
+    held = any(station.hold is not None for station in stations)
     grading = Grading(
         np.array([station.point for station in stations]),
-        radius / SIZES[level],
-        min(1.1 * radius, 1.5 * float(np.sqrt(radius * depth))),
+        (min(radius, 2.0 * wide) if held else radius) / SIZES[level],
+        min(1.1 * radius, 1.5 * wide),
         SLOPE[level],
     )
     x, t = subject.build(level)
@@ -143,12 +179,17 @@ def solve_station(
     station: Station,
     radius: float,
     depths: Floats,
+    reach: float,
     told: Callable[[float], None],
 ) -> tuple[Patch, list[Contact]]:
-    reach = min(radius, 1.45 * float(np.sqrt(radius * depths[-1])))
     under = find_footprint(press.body, station.point, station.direction, reach, radius)
-    patch = condense(press, under, station.point, station.direction, radius, station.touch, told)
-    return patch, press_ball(patch, depths, PENALTY * subject.plane_modulus / radius)
+    axis, penalty = station.direction, PENALTY * subject.plane_modulus / radius
+    if station.hold is None:
+        patch = condense(press, under, station.point, axis, radius, station.touch, told)
+        return patch, press_ball(patch, depths, penalty)
+    compliance = condense_whole(press, under, told)
+    patch = place_ball(press, under, compliance, station.point, axis, radius, station.touch)
+    return patch, pull_ball(patch, compliance, axis, station.hold, depths, penalty)
 
 
 def respond(
@@ -158,7 +199,8 @@ def respond(
     at = 3 * np.searchsorted(press.free, patch.nodes)[:, None] + np.arange(3)
     loads = np.zeros((press.size, len(found)))
     for k, contact in enumerate(found):
-        loads[at, k] = -contact.push[:, None] * station.direction
+        push = contact.push
+        loads[at, k] = push if push.ndim == 2 else -push[:, None] * station.direction
     moved = np.zeros((len(found), press.body.node_count, 3))
     moved[:, press.free] = press.factor(loads).T.reshape(len(found), -1, 3)
     return np.stack([seen @ u for u in moved])

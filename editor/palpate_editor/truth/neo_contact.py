@@ -13,7 +13,6 @@ import numpy as np
 import scipy.sparse as sparse
 
 from palpate_editor.truth.cholesky import Factor, NotPositiveDefinite
-from palpate_editor.truth.contact import Contact
 from palpate_editor.truth.elasticity import NEWTON_MAX, Diverged, Press
 from palpate_editor.truth.patches import Footprint
 from palpate_editor.truth.tetrahedra import Floats
@@ -26,6 +25,18 @@ FIRST = 0.06
 """Of the radius: the first step, and the largest between two equilibria is three times this."""
 LEAST = 2e-3
 """Of the radius: a smaller step is given up."""
+
+
+@dataclass(frozen=True)
+class Found:
+    """A ball at rest."""
+
+    depth: float
+    """[m]"""
+    force: float
+    """[N] along the press."""
+    radius: float
+    """[m] from the axis of the press to the farthest point that is touched."""
 
 
 @dataclass(frozen=True)
@@ -80,7 +91,7 @@ class Ball:
         return sparse.csc_matrix((k[kept], (rows[kept], columns[kept])), shape=(size, size))
 
 
-def follow(press: Press, under: Footprint, spot, radius, depths, touch, stiffness) -> list[Contact]:
+def follow(press: Press, under: Footprint, spot, radius, depths, touch, stiffness) -> list[Found]:
     """Equilibria at ascending depths [m], each from the one before. Raises Diverged."""
     ball = Ball(under, radius, spot.direction, PENALTY * stiffness)
     u, there = np.zeros((press.body.node_count, 3)), 0.0
@@ -104,7 +115,7 @@ def follow(press: Press, under: Footprint, spot, radius, depths, touch, stiffnes
             last, u, there = (u, there), v, there + reach
             step = min(1.5 * step, 3.0 * FIRST * radius)
         centre = spot.point + (touch - depth) * spot.direction
-        found.append(Contact(depth, ball.forces(u, centre)[1], ball.find_width(u, centre)))
+        found.append(Found(depth, ball.forces(u, centre)[1], ball.find_width(u, centre)))
     return found
 
 

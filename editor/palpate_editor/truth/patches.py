@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.sparse as sparse
 
+from palpate_editor.truth.cholesky import Factor
 from palpate_editor.truth.contact import Patch, find_gap
 from palpate_editor.truth.elasticity import Body, Press
 from palpate_editor.truth.tetrahedra import Floats, Ints, find_surface
@@ -104,30 +105,99 @@ def condense(
     touch: float,
     told: Callable[[float], None] = lambda part: None,
 ) -> Patch:
-    """The body condensed to the nodes of a footprint, with the gap of a ball to it.
+    """The body condensed to the nodes of a footprint, along the press, with the gap of a ball.
 
     `told` hears after every block of loads which part of them [-] is solved, and may raise.
     """
+    at = find_freedoms(press, print_)
+    values = np.broadcast_to(direction, at.shape)
+    compliance = find_compliance(press.factor, at, values, told)
+    return lay_ball(press, print_, compliance, point, direction, radius, touch)
+
+
+def condense_whole(
+    press: Press, print_: Footprint, told: Callable[[float], None] = lambda part: None
+) -> Floats:
+    """[m/N] (3m, 3m) of the nodes of a footprint, axis by axis of each."""
+    at = find_freedoms(press, print_).reshape(-1, 1)
+    return find_compliance(press.factor, at, np.ones(at.shape), told)
+
+
+def place_ball(
+    press: Press,
+    print_: Footprint,
+    whole: Floats,
+    point: Floats,
+    direction: Floats,
+    radius: float,
+    touch: float,
+) -> Patch:
+    """As condense, from the compliance of all axes."""
+    count = len(whole) // 3
+    along = np.einsum("iajb,a,b->ij", whole.reshape(count, 3, count, 3), direction, direction)
+    return lay_ball(press, print_, along, point, direction, radius, touch)
+
+
+def find_touched(press: Press, print_: Footprint) -> Ints:
+    """(m,) The free nodes of a footprint."""
     touched = np.unique(print_.nodes)
-    touched = touched[np.isin(touched, press.free)]
+    return touched[np.isin(touched, press.free)]
+
+
+def find_freedoms(press: Press, print_: Footprint) -> Ints:
+    """(m, 3) Rows of the stiffness that the nodes of a footprint have."""
+    touched = find_touched(press, print_)
+    return 3 * np.searchsorted(press.free, touched)[:, None] + np.arange(3)
+
+
+def lay_ball(
+    press: Press,
+    print_: Footprint,
+    compliance: Floats,
+    point: Floats,
+    direction: Floats,
+    radius: float,
+    touch: float,
+) -> Patch:
+    """A patch of nodes of known compliance, with the gap of a ball to its points."""
+    touched = find_touched(press, print_)
     number = np.full(press.body.node_count, -1)
     number[touched] = np.arange(len(touched))
-    at = 3 * np.searchsorted(press.free, touched)[:, None] + np.arange(3)
-    compliance = np.empty((len(touched), len(touched)))
-    for first in range(0, len(touched), BLOCK):
-        part = slice(first, min(first + BLOCK, len(touched)))
-        loads = np.zeros((press.size, part.stop - first))
-        for axis in range(3):
-            loads[at[part, axis], np.arange(part.stop - first)] = direction[axis]
-        compliance[:, part] = np.einsum("nak,a->nk", press.factor(loads)[at], direction)
-        told(part.stop / len(touched))
     rows = np.repeat(np.arange(len(print_.nodes)), 6)
     columns = number[print_.nodes].ravel()
     values = np.where(columns >= 0, print_.shape.ravel(), 0.0)
     shape = sparse.csr_matrix(
         (values, (rows, np.maximum(columns, 0))), shape=(len(print_.nodes), len(touched))
     )
-    gap = find_gap(print_.position - point, direction, radius, touch)
+    offset = print_.position - point
+    gap = find_gap(offset, direction, radius, touch)
+    beside = np.linalg.norm(offset - np.outer(offset @ direction, direction), axis=1)
     kept = np.isfinite(gap)
     area = (print_.area * print_.facing)[kept]
-    return Patch(0.5 * (compliance + compliance.T), shape[kept], area, gap[kept], touched)
+    return Patch(compliance, shape[kept], area, gap[kept], touched, beside[kept])
+
+
+def find_compliance(
+    factor: Factor, freedoms: Ints, values: Floats, told: Callable[[float], None]
+) -> Floats:
+    """[m/N] (m, m) of loads: the one with row k has values[k] at freedoms[k], both (m, few).
+
+    Half of each solution is enough for the products of all with all, and most of it is nothing:
+    a load is felt along its way to the root of the elimination alone.
+    """
+    count = len(freedoms)
+    halves: list[tuple[Ints, Floats]] = []
+    for first in range(0, count, BLOCK):
+        part = slice(first, min(first + BLOCK, count))
+        loads = np.zeros((factor.size, part.stop - first))
+        for column in range(freedoms.shape[1]):
+            loads[freedoms[part, column], np.arange(part.stop - first)] = values[part, column]
+        half = factor.halve(loads)
+        rows = np.flatnonzero(half.any(axis=1))
+        halves.append((rows, half[rows]))
+        told(part.stop / count)
+    known = np.unique(np.concatenate([rows for rows, _ in halves]))
+    whole = np.zeros((len(known), count))
+    for k, (rows, half) in enumerate(halves):
+        whole[np.searchsorted(known, rows), k * BLOCK : k * BLOCK + half.shape[1]] = half
+    return np.asarray(whole.T @ whole)

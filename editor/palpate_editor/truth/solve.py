@@ -15,6 +15,8 @@ from palpate_editor.truth.tetrahedra import Floats
 
 CHANGE = 0.03
 """[-] of a force: where a finer mesh changes less, no finer one is solved."""
+FINEST, FINEST_OF_MANY = len(SIZES) - 1, 1
+"""Levels of one station, and of several, which take as many times longer."""
 SHARES = [1.0, 4.0, 12.0]
 """Of the work of a path, level by level, about."""
 
@@ -27,15 +29,18 @@ def solve_way(
     key: str,
     told: Told | None = None,
     cancelled: Asked | None = None,
-    finest: int = len(SIZES) - 1,
+    finest: int | None = None,
 ) -> Truth:
     """Raises TruthError where not even two meshes fit into memory, Stopped."""
+    if finest is None:
+        finest = FINEST if len(way.stations) == 1 else FINEST_OF_MANY
     watch = Watch(told, cancelled, SHARES[: finest + 1])
     solved: list[Level] = []
     remarks: list[str] = []
     for level in range(finest + 1):
         try:
-            solved.append(solve_level(subject, way.stations, radius, depths, level, watch))
+            before = solved[-1] if solved else None
+            solved.append(solve_level(subject, way.stations, radius, depths, level, watch, before))
         except NoContact as problem:
             raise TruthError(f"truth: the contact does not settle: {problem}") from None
         except TooLarge as refused:
@@ -43,7 +48,7 @@ def solve_way(
                 raise
             remarks.append(f"not solved on the finest mesh: {refused}")
             break
-        if not (solved[-1].force > 0.0).all():
+        if not (solved[-1].force * np.sign(depths) > 0.0).all():
             raise TruthError("truth: got a ball that touches nothing, expected a surface under it")
         if level and compare_forces(*solved[-2:]).max() < CHANGE:
             break
@@ -57,7 +62,7 @@ def solve_way(
 
 def compare_forces(before: Level, after: Level) -> Floats:
     """[-] (s, k)"""
-    return np.abs(after.force - before.force) / after.force
+    return np.abs((after.force - before.force) / after.force)
 
 
 def gather(
@@ -85,7 +90,7 @@ def gather(
         contact_radius=last.contact_radius,
         surface=subject.surface.x,
         displacement=last.displacement,
-        displacement_error=np.sqrt(moved) / depths,
+        displacement_error=np.sqrt(moved) / np.abs(depths),
         path=way.path,
         freedoms=last.freedoms,
         tetrahedra=last.tetrahedra,

@@ -13,12 +13,16 @@ from scipy.spatial import cKDTree
 from palpate_editor import authoring
 from palpate_editor.compile import mesh_of
 from palpate_editor.document import Organ
+from palpate_editor.edits import EditError, decimate_organ
+from palpate_editor.edits.carry import carry_paint
 from palpate_editor.truth.graded import Skin
 from palpate_editor.truth.progress import TruthError
 from palpate_editor.truth.tetrahedra import Floats, Ints, build_wall
 
 COARSEST = 2000
 """Tetrahedra of a solid before it is graded, about, on the coarsest mesh."""
+MOST_VERTICES = 8000
+"""Of the surface of a body; one that has more is decimated to so many."""
 FINER = (1.0, 0.81, 0.63)
 """Of the size of those cells, on every level."""
 
@@ -53,6 +57,23 @@ class Subject:
     def plane_modulus(self) -> float:
         """[Pa] E* = E/(1 - nu²)."""
         return self.young_modulus / (1.0 - self.poisson_ratio**2)
+
+
+def find_whole(organ: Organ) -> Organ:
+    """The organ on the surface that was imported, where the one on the desk is a decimated one: a
+    truth is of the body, not of how finely it is simulated."""
+    imported = organ.imported
+    if imported is None or organ.decimation is None or imported is organ.surface:
+        return organ
+    report = authoring.inspect_mesh(mesh_of(imported))
+    if report.border_loops or report.self_intersecting_faces or report.non_manifold_edges:
+        return organ
+    if len(imported.vertices) <= MOST_VERTICES:
+        return carry_paint(organ, imported)
+    try:
+        return decimate_organ(organ, MOST_VERTICES)(organ)
+    except EditError:
+        return organ
 
 
 def take_subject(organ: Organ) -> Subject:

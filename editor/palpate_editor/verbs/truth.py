@@ -13,12 +13,23 @@ from palpate.command.output import add_output
 from palpate.command.verb import Report, Verb, quantity
 from palpate.files.file_kind import TRUTH
 from palpate.files.refusal import Refusal
+from palpate.runs.script_file import read_script_file
 from palpate.study.truth import Truth
 from palpate.study.truth_file import write_truth
 
-from palpate_editor.truth import Press, Progress, TruthError, solve_truth
+from palpate_editor.truth import (
+    Drag,
+    Press,
+    Progress,
+    Pull,
+    Script,
+    TruthError,
+    solve_truth,
+)
+from palpate_editor.truth.wanted import Path as Way
 from palpate_editor.verbs.files import open_any
 
+PATHS = {"press": Press, "pull": Pull, "drag": Drag}
 OFTEN = 2.0
 """[s] between two lines of progress."""
 
@@ -29,15 +40,23 @@ def add_truth(parser: argparse.ArgumentParser) -> None:
         "--place",
         type=read_point,
         metavar="X,Y,Z",
-        help="press the surface point nearest to this [mm]; default: where a check presses first",
+        help="begin at the surface point nearest to this [mm]; default: where a check presses "
+        "first",
+    )
+    parser.add_argument(
+        "--path",
+        default="press",
+        metavar="PATH",
+        help="press; pull, by the hold of the organ's hand; drag, along the surface; or a script "
+        "of the hand, FILE.json, as `palpate press --script` writes one (press)",
     )
     parser.add_argument(
         "--depth",
         type=quantity("m"),
         action="append",
         metavar="M",
-        help="of the ball beyond its first touch; may be repeated; default: four, the deepest the "
-        "smaller of 10%% of the thickness and 1.5 radii",
+        help="of the ball beyond its first touch, of a pull how high over it; may be repeated; "
+        "default: four, the most the smaller of 10%% of the thickness and 1.5 radii",
     )
     parser.add_argument(
         "--radius", type=quantity("m"), metavar="M", help="of the ball (the tool's)"
@@ -46,13 +65,10 @@ def add_truth(parser: argparse.ArgumentParser) -> None:
 
 
 def run_truth(call: argparse.Namespace) -> Report:
-    organ = open_any(call.file)
-    near = None if call.place is None else tuple(map(float, call.place))
+    organ, path = open_any(call.file), choose_path(call)
     start = time.monotonic()
     try:
-        truth = solve_truth(
-            organ, Press(near), radius=call.radius, depths=call.depth, progress=Teller()
-        )
+        truth = solve_truth(organ, path, radius=call.radius, depths=call.depth, progress=Teller())
     except TruthError as refused:
         raise TruthRefusal(call.file, str(refused)) from None
     if call.output:
@@ -63,6 +79,18 @@ def run_truth(call: argparse.Namespace) -> Report:
         "seconds": round(time.monotonic() - start, 1),
         **report_truth(truth),
     }
+
+
+def choose_path(call: argparse.Namespace) -> Way:
+    """Raises Refusal, or FileError for a script that cannot be read."""
+    near = None if call.place is None else tuple(map(float, call.place))
+    if call.path in PATHS:
+        return PATHS[call.path](near)
+    if not call.path.endswith(".json"):
+        raise Refusal(None, "--path", repr(call.path), f"{', '.join(PATHS)}, or FILE.json")
+    if near is not None:
+        raise Refusal(None, "--place", "a place beside a script", "none: a script has its own")
+    return Script(read_script_file(Path(call.path)))
 
 
 class TruthRefusal(Refusal):
