@@ -26,17 +26,25 @@ int count_crowded_edges(std::span<const Triangle> triangles) {
 }
 
 std::vector<int> separate_fans(std::span<const Triangle> triangles, int& next) {
+  return separate_fans(triangles, next, [](std::span<const HalfEdge> edge) {
+    return edge.size() == 2 ? std::vector{std::array{0, 1}} : std::vector<std::array<int, 2>>{};
+  });
+}
+
+std::vector<int> separate_fans(std::span<const Triangle> triangles, int& next,
+                               const PairSides& pair) {
   std::vector<int> parent(3 * triangles.size());
   std::iota(parent.begin(), parent.end(), 0);
   const std::vector<HalfEdge> sides = sort_half_edges(triangles);
   for_each_edge(sides, [&](std::span<const HalfEdge> edge) {
-    if (edge.size() != 2) return;
     // the corner of a side at its lower vertex, and at its higher one
     const auto at = [](const HalfEdge& e, bool low) {
       return 3 * e.triangle + (e.forward == low ? e.corner : (e.corner + 1) % 3);
     };
-    unite(parent, at(edge[0], true), at(edge[1], true));
-    unite(parent, at(edge[0], false), at(edge[1], false));
+    for (const auto& [i, j] : pair(edge)) {
+      unite(parent, at(edge[i], true), at(edge[j], true));
+      unite(parent, at(edge[i], false), at(edge[j], false));
+    }
   });
 
   std::vector<int> vertex(parent.size());

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -50,9 +52,16 @@ void for_each_edge(std::span<const HalfEdge> sides, Visit visit) {
 /// Edges with more than two triangles.
 int count_crowded_edges(std::span<const Triangle> triangles);
 
+/// Which sides of an edge hang together: places of two in the span that it is asked with.
+using PairSides = std::function<std::vector<std::array<int, 2>>(std::span<const HalfEdge>)>;
+
 /// The vertices as they would be if surfaces that touch only in a vertex were taken apart there:
 /// triangle corner -> vertex, the first fan of each vertex keeping its number. Corners are counted
 /// 3 * triangle + corner; `next` is the first free vertex number and is raised.
 std::vector<int> separate_fans(std::span<const Triangle> triangles, int& next);
+
+/// The same where `pair` says which triangles are neighbours at an edge.
+std::vector<int> separate_fans(std::span<const Triangle> triangles, int& next,
+                               const PairSides& pair);
 
 }  // namespace palpate::authoring

@@ -7,25 +7,17 @@
 
 namespace palpate::authoring {
 
-/// A model may have this part of its faces crossing others: small folds, which decimation and
-/// smoothing mostly take out. More of them are parts that lie inside each other.
-inline constexpr double kMostSelfIntersecting = 0.02;
-
-/// An organ's surface as a model can use it, and how it came to be.
+/// An organ's surface as it can be shown, and how it came to be.
 struct ImportedMesh {
-  SurfaceMesh mesh;  ///< passes palpate::validate; metres, z up, outward; open where the file is
+  SurfaceMesh mesh;  ///< metres, z up, outward where it has an outside; open where the file is
   JoinedSurface joined;
   RepairedMesh repaired;
   MeshReport report;  ///< of mesh
 };
 
-/// Reads, joins, repairs, orients and checks. Throws FileError, with what to do about it where
-/// that is known, for what cannot be handled yet: edges with more than two triangles, one-sided
-/// surfaces, and too many faces that cross others.
-ImportedMesh import_mesh(const std::filesystem::path& path, const ReadOptions& read,
-                         const JoinOptions& join = {});
-
-/// The same for a file that has been read.
+/// Joins, repairs, orients and measures what was read. What can be drawn is never refused: whether
+/// a tissue can be built on it is told by `report` and palpate::validate. Throws FileError where
+/// nothing is left that has an area.
 ImportedMesh import_scene(const ImportedScene& scene, const JoinOptions& join = {});
 
 }  // namespace palpate::authoring

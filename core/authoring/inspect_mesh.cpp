@@ -58,8 +58,9 @@ MeshReport inspect_mesh(const SurfaceMesh& mesh) {
   report.border_loops = measure_loops(mesh.triangles);
   report.closed = report.border_loops.empty();
   report.non_manifold_edges = count_crowded_edges(mesh.triangles);
-  if (const auto faces = find_self_intersecting_faces(mesh)) {
+  if (auto faces = find_self_intersecting_faces(mesh)) {
     report.self_intersecting_faces = static_cast<int>(faces->size());
+    report.crossing_faces = *std::move(faces);
   }
   report.smallest_angle_deg = finite(compute_smallest_angle(mesh) * 180.0 / std::numbers::pi);
   const auto [low, high] = compute_bounds(mesh.vertices);
@@ -67,6 +68,7 @@ MeshReport inspect_mesh(const SurfaceMesh& mesh) {
 
   SurfaceMesh turned = mesh;
   const Orientation orientation = orient(turned);
+  report.orientable = orientation.orientable;
   if (report.non_manifold_edges > 0 || !orientation.orientable) return report;
   const int loops = static_cast<int>(report.border_loops.size());
   if (!has_pinched_vertex(mesh)) report.genus = compute_genus(report.shells, loops, mesh.triangles);

@@ -21,6 +21,8 @@ struct MeshReport {
                                   ///< manifold or one-sided
   int non_manifold_edges = 0;     ///< with more than two triangles
   std::optional<int> self_intersecting_faces;  ///< absent where counting would take too long
+  std::vector<int> crossing_faces;  ///< those triangles, ascending; empty where they are absent
+  bool orientable = true;           ///< neighbours can agree on a side; false for a Moebius band
   std::optional<double> smallest_angle_deg;
   std::array<double, 3> size_mm = {};  ///< along x, y and z
   std::optional<double> volume_ml;     ///< enclosed; absent where outward is

@@ -12,7 +12,8 @@
 namespace palpate::authoring {
 namespace {
 
-constexpr std::array kFormats = {"OBJ", "STL", "PLY", "GLB", "GLTF", "3DS", "FBX", "DAE", "OFF"};
+constexpr std::array kFormats = {"OBJ", "STL", "PLY", "GLB", "GLTF", "3DS", "FBX",
+                                 "DAE", "OFF", "VTK", "VTP", "VTU",  "MSH"};
 
 constexpr std::uintmax_t kMostFileBytes = 1'000'000'000;
 
@@ -23,7 +24,7 @@ std::string find_format(const std::filesystem::path& path) {
   if (std::find(kFormats.begin(), kFormats.end(), format) == kFormats.end()) {
     throw FileError(path.string(), "name",
                     format.empty() ? "no extension" : "the extension " + path.extension().string(),
-                    "one of .obj .stl .ply .glb .gltf .3ds .fbx .dae .off");
+                    "one of .obj .stl .ply .off .glb .gltf .3ds .fbx .dae .vtk .vtp .vtu .msh");
   }
   return format;
 }

@@ -7,7 +7,9 @@
 #include "palpate/authoring/edge_groups.h"
 #include "palpate/authoring/join_parts.h"
 #include "palpate/authoring/orient.h"
+#include "palpate/authoring/part_touching_edges.h"
 #include "palpate/sim/mesh/mesh.h"
+#include "palpate/sim/mesh/topology.h"
 
 namespace palpate::authoring {
 namespace {
@@ -110,6 +112,22 @@ int split_pinched_vertices(SurfaceMesh& mesh) {
   return next - before;
 }
 
+int drop_islands(SurfaceMesh& mesh, double smallest) {
+  const std::vector<int> shell =
+      find_shells(static_cast<int>(mesh.vertices.size()), mesh.triangles);
+  const int count = shell.empty() ? 0 : *std::max_element(shell.begin(), shell.end()) + 1;
+  std::vector<Vec3Array> corners(count);
+  for (const Triangle& t : mesh.triangles) {
+    for (const int v : t) corners[shell[v]].push_back(mesh.vertices[v]);
+  }
+  std::vector<char> drop(count, 0);
+  for (int s = 0; s < count; ++s) {
+    drop[s] = !corners[s].empty() && compute_diagonal(corners[s]) < smallest;
+  }
+  std::erase_if(mesh.triangles, [&](const Triangle& t) { return drop[shell[t[0]]] != 0; });
+  return static_cast<int>(std::count(drop.begin(), drop.end(), 1));
+}
+
 int drop_unused(SurfaceMesh& mesh) {
   std::vector<int> place(mesh.vertices.size(), -1);
   for (const Triangle& t : mesh.triangles) {
@@ -133,11 +151,16 @@ RepairedMesh repair_mesh(const SurfaceMesh& mesh) {
   RepairedMesh repaired;
   repaired.mesh = mesh;
   if (mesh.vertices.empty()) return repaired;
-  const double tolerance = kWeldTolerance * compute_diagonal(mesh.vertices);
+  const double diagonal = compute_diagonal(mesh.vertices);
+  const double tolerance = kWeldTolerance * diagonal;
   repaired.duplicate_triangles = drop_duplicates(repaired.mesh.triangles);
+  // as the file has it first: what hangs together only there could not be oriented without it
+  repaired.parted_edges = part_touching_edges(repaired.mesh, kPartingShare * diagonal);
   // neighbours must agree before sides are flipped; which side is out is asked of the clean surface
   const Orientation first = orient(repaired.mesh);
   repaired.degenerate_triangles = remove_flat_triangles(repaired.mesh, tolerance);
+  orient(repaired.mesh);
+  repaired.parted_edges += part_touching_edges(repaired.mesh, kPartingShare * diagonal);
   const Orientation last = orient(repaired.mesh);
   repaired.turned_triangles = first.turned + last.turned;
   repaired.orientable = last.orientable;
@@ -145,6 +168,7 @@ RepairedMesh repair_mesh(const SurfaceMesh& mesh) {
   if (count_crowded_edges(repaired.mesh.triangles) == 0) {
     repaired.split_vertices = split_pinched_vertices(repaired.mesh);
   }
+  repaired.dropped_islands = drop_islands(repaired.mesh, kIsland * diagonal);
   repaired.unused_vertices = drop_unused(repaired.mesh);
   return repaired;
 }

@@ -118,9 +118,11 @@ std::vector<char> run_reader(const std::filesystem::path& path, const std::strin
   const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                            std::chrono::duration<double>(options.time_limit));
   const auto processor_seconds = static_cast<long>(std::ceil(options.time_limit)) + 1;
-  Child child(options.reader,
-              {options.reader.string(), path.string(), format, std::to_string(options.memory_limit),
-               std::to_string(processor_seconds)});
+  std::vector<std::string> words = {options.reader.string()};
+  words.insert(words.end(), options.words.begin(), options.words.end());
+  words.insert(words.end(), {path.string(), format, std::to_string(options.memory_limit),
+                             std::to_string(processor_seconds)});
+  Child child(options.reader, std::move(words));
 
   std::vector<char> bytes;
   bool more = true;

@@ -4,7 +4,7 @@
     scene = read_mesh("spleen.glb")            # what the file holds, in its own units
     joined = join_parts(scene)                 # one surface, welded, metres, z up
     report = inspect_mesh(joined.mesh)         # what is good and bad about it
-    organ = import_mesh("spleen.glb")          # all of that, repaired, or refused with a sentence
+    organ = import_mesh("spleen.glb")          # all of that, repaired: whatever can be drawn
     small = decimate(organ.mesh, 600)          # exactly 600 vertices, well-shaped triangles
     closed = fill_holes(organ.mesh, [0, 1])    # the first two holes closed
     write_mesh("spleen.obj", small.mesh)
@@ -20,6 +20,8 @@ from collections.abc import Sequence
 from os import PathLike
 from pathlib import Path
 
+from palpate import FileError
+
 from palpate_editor import _authoring
 from palpate_editor._authoring import (
     DecimatedMesh,
@@ -31,6 +33,7 @@ from palpate_editor._authoring import (
     MeshReport,
     RepairedMesh,
     choose_cell_size,
+    cut_crowded_edges,
     decimate,
     fill_holes,
     fill_interior,
@@ -41,6 +44,7 @@ from palpate_editor._authoring import (
     repair_mesh,
     write_mesh,
 )
+from palpate_editor.formats import build_words, find_missing
 
 __all__ = [
     "MEMORY_LIMIT",
@@ -55,6 +59,7 @@ __all__ = [
     "MeshReport",
     "RepairedMesh",
     "choose_cell_size",
+    "cut_crowded_edges",
     "decimate",
     "fill_holes",
     "fill_interior",
@@ -85,9 +90,22 @@ def read_mesh(
     memory_limit: int = MEMORY_LIMIT,
     reader: str | PathLike[str] = READER,
 ) -> ImportedScene:
-    """Reads a .obj, .stl, .ply, .glb, .gltf, .3ds, .fbx, .dae or .off file in a child process."""
+    """Reads a mesh file in a child process.
+
+    A .obj, .stl, .ply, .off, .glb, .gltf, .3ds, .fbx or .dae is read by `reader`, a .vtk, .vtp,
+    .vtu or .msh by an isolated Python that has VTK and meshio: see palpate_editor.formats.
+    """
+    missing = find_missing(Path(path))
+    if missing is not None:
+        raise FileError(
+            str(path),
+            "",
+            f"a {Path(path).suffix} file, which the package {missing} reads, and it is not there",
+            "that package: pip install 'palpate-editor[formats]'",
+        )
+    program, *words = build_words(Path(path)) or [reader]
     return _authoring.read_mesh(
-        path, time_limit=time_limit, memory_limit=memory_limit, reader=reader
+        path, time_limit=time_limit, memory_limit=memory_limit, reader=program, words=words
     )
 
 
@@ -101,7 +119,10 @@ def import_mesh(
     memory_limit: int = MEMORY_LIMIT,
     reader: str | PathLike[str] = READER,
 ) -> ImportedMesh:
-    """Reads, joins, repairs, orients outward and checks: what a model can be built on.
+    """Reads, joins, repairs, orients outward and measures: whatever can be drawn.
+
+    Whether a tissue can be built on it is told by its report and by palpate.validate. Raises
+    FileError for what cannot be read or has nothing to draw.
 
     Args:
         path: The mesh file.
@@ -112,12 +133,5 @@ def import_mesh(
         memory_limit: [bytes] for the reader.
         reader: The reading program.
     """
-    return _authoring.import_mesh(
-        path,
-        parts=parts,
-        unit=unit,
-        up=up,
-        time_limit=time_limit,
-        memory_limit=memory_limit,
-        reader=reader,
-    )
+    scene = read_mesh(path, time_limit=time_limit, memory_limit=memory_limit, reader=reader)
+    return import_scene(scene, parts=parts, unit=unit, up=up)

@@ -30,8 +30,10 @@ from palpate_editor.document.problems import (
     TissueFacts,
     WallFit,
 )
-from palpate_editor.document.rules import find_problems
+from palpate_editor.document.rules import MOST_CROSSING, find_problems
+from palpate_editor.edits.repair import keep_largest
 from palpate_editor.fixes import find_fix
+from palpate_editor.problem_places import find_faces, find_place
 from palpate_editor.trial import measure_trial
 
 measured: WeakKeyDictionary[Surface, tuple[authoring.MeshReport, SurfaceFacts]] = (
@@ -74,19 +76,26 @@ def assess(
             changed.
         measured: Told what memory a linear solid's response will take, before it is solved for.
     """
-    if before is not None and is_built_alike(organ, before.organ):
-        scene, tissue = before.scene, before.facts.tissue
-    else:
-        scene, tissue = build(organ, measured)
     report = surface = None
     if organ.surface is not None:
         report, surface = measure_surface(organ.surface)
+    if before is not None and is_built_alike(organ, before.organ):
+        scene, tissue = before.scene, before.facts.tissue
+    elif surface is not None and not surface.is_manifold:
+        scene, tissue = None, None
+    else:
+        scene, tissue = build(organ, measured)
     facts = Facts(surface, tissue, tested)
-    problems = tuple(
-        replace(problem, fix=find_fix(problem, organ, facts))
-        for problem in find_problems(organ, facts)
-    )
+    problems = tuple(place_problem(p, organ, facts) for p in find_problems(organ, facts))
     return Assessment(organ, scene, report, facts, problems)
+
+
+def place_problem(problem: Problem, organ: Organ, facts: Facts) -> Problem:
+    """The problem with the edit that fixes it and the triangles where it is, where there are."""
+    faces = None
+    if organ.surface is not None:
+        faces = find_faces(problem.key, organ.surface, measure_surface(organ.surface)[0])
+    return replace(problem, fix=find_fix(problem, organ, facts), faces=faces)
 
 
 def measure_surface(surface: Surface) -> tuple[authoring.MeshReport, SurfaceFacts]:
@@ -100,12 +109,25 @@ def measure_surface(surface: Surface) -> tuple[authoring.MeshReport, SurfaceFact
             outward=found.outward,
             non_manifold_edges=found.non_manifold_edges,
             self_intersecting_faces=found.self_intersecting_faces,
+            triangles=found.triangles,
+            orientable=found.orientable,
+            largest_crosses=find_largest_crosses(surface, found),
             smallest_angle_deg=found.smallest_angle_deg,
             mean_edge=float(edges.mean()),
             diagonal=float(palpate.compute_diagonal(x)),
         )
         measured[surface] = found, facts
     return measured[surface]
+
+
+def find_largest_crosses(surface: Surface, report: authoring.MeshReport) -> bool | None:
+    """Whether the largest piece crosses itself too much; asked where all of them together do."""
+    crossing = report.self_intersecting_faces
+    if report.shells == 1 or (crossing or 0) <= MOST_CROSSING * report.triangles:
+        return None
+    largest = keep_largest(surface)
+    faces = authoring.find_self_intersecting_faces(mesh_of(largest))
+    return faces is None or len(faces) > MOST_CROSSING * len(largest.triangles)
 
 
 def build(
@@ -202,7 +224,10 @@ def find_coupling_range(organ: Organ) -> tuple[float, float] | None:
     return float(low), float(high)
 
 
-def describe_problem(problem: Problem) -> Report:
+def describe_problem(problem: Problem, surface: Surface | None = None) -> Report:
+    """`surface` is that of the organ, for the place."""
+    faces = problem.faces
+    placed = surface is not None and faces is not None and len(faces) > 0
     return {
         "severity": problem.severity,
         "stage": problem.stage,
@@ -211,6 +236,8 @@ def describe_problem(problem: Problem) -> Report:
         "got": problem.got,
         "expected": problem.expected,
         "fix": problem.fix.title if problem.fix else None,
+        "triangles": len(faces) if placed else None,
+        "place_m": find_place(surface, faces) if placed else None,
     }
 
 

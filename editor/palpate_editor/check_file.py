@@ -50,7 +50,7 @@ def check_file(path: Path, depth: float | None = None, script: Path | None = Non
         "contact_law": find_contact_law(assessment.organ),
         "places": describe_places(assessment.organ, trial) if trial else [],
         "meant_presses": list(map(describe_meant, presses)),
-        "problems": list(map(describe_problem, judged)),
+        "problems": [describe_problem(p, assessment.organ.surface) for p in judged],
     }
 
 

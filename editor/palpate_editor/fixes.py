@@ -12,6 +12,8 @@ from palpate_editor.document.material_rules import EDGES_PER_RADIUS, GRAVITY
 from palpate_editor.document.problems import Facts, Problem
 from palpate_editor.document.rules import SIZE_LEAST, SIZE_MOST
 from palpate_editor.edits import (
+    CutCrowdedEdges,
+    CutDisagreement,
     Edit,
     FixLowest,
     KeepLargestShell,
@@ -57,7 +59,12 @@ def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
         return SetGravity((x, y, z))
     if problem.key == "no_title" and organ.name.strip():
         return SetTask(scenario_title=organ.name)
+    if problem.key == "crossing" and (surface is None or surface.largest_crosses is not False):
+        return None
     return {
+        "non_manifold": CutCrowdedEdges(),
+        "one_sided": CutDisagreement(),
+        "crossing": KeepLargestShell(),
         "inward": TurnOutward(),
         "shells": KeepLargestShell(),
         "open_solid": SetConstant("material", "wall_thickness", WALL_THICKNESS),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bindings.h"
 #include "palpate/authoring/inspect_mesh.h"
+#include "palpate/authoring/part_touching_edges.h"
 #include "palpate/authoring/repair_mesh.h"
 #include "palpate/authoring/self_intersections.h"
 
@@ -12,13 +13,13 @@ using namespace pybind11::literals;
 namespace {
 
 py::dict as_dict(const MeshReport& report) {
-  return py::dict("vertices"_a = report.vertices, "triangles"_a = report.triangles,
-                  "shells"_a = report.shells, "border_loops"_a = report.border_loops,
-                  "genus"_a = report.genus, "closed"_a = report.closed,
-                  "outward"_a = report.outward, "non_manifold_edges"_a = report.non_manifold_edges,
-                  "self_intersecting_faces"_a = report.self_intersecting_faces,
-                  "smallest_angle_deg"_a = report.smallest_angle_deg, "size_mm"_a = report.size_mm,
-                  "volume_ml"_a = report.volume_ml);
+  return py::dict(
+      "vertices"_a = report.vertices, "triangles"_a = report.triangles, "shells"_a = report.shells,
+      "border_loops"_a = report.border_loops, "genus"_a = report.genus, "closed"_a = report.closed,
+      "outward"_a = report.outward, "non_manifold_edges"_a = report.non_manifold_edges,
+      "self_intersecting_faces"_a = report.self_intersecting_faces,
+      "orientable"_a = report.orientable, "smallest_angle_deg"_a = report.smallest_angle_deg,
+      "size_mm"_a = report.size_mm, "volume_ml"_a = report.volume_ml);
 }
 
 void bind_report(py::module_& m) {
@@ -35,6 +36,10 @@ void bind_report(py::module_& m) {
       .def_readonly("non_manifold_edges", &MeshReport::non_manifold_edges)
       .def_readonly("self_intersecting_faces", &MeshReport::self_intersecting_faces,
                     "Faces, not pairs; None where counting would take too long.")
+      .def_readonly("crossing_faces", &MeshReport::crossing_faces,
+                    "Those triangles, ascending; empty where they are not counted.")
+      .def_readonly("orientable", &MeshReport::orientable,
+                    "Whether neighbours can agree on a side; not of a Moebius band.")
       .def_readonly("smallest_angle_deg", &MeshReport::smallest_angle_deg)
       .def_readonly("size_mm", &MeshReport::size_mm)
       .def_readonly("volume_ml", &MeshReport::volume_ml)
@@ -50,6 +55,8 @@ void bind_repaired(py::module_& m) {
       .def_readonly("degenerate_triangles", &RepairedMesh::degenerate_triangles)
       .def_readonly("unused_vertices", &RepairedMesh::unused_vertices)
       .def_readonly("split_vertices", &RepairedMesh::split_vertices)
+      .def_readonly("parted_edges", &RepairedMesh::parted_edges)
+      .def_readonly("dropped_islands", &RepairedMesh::dropped_islands)
       .def_readonly("turned_triangles", &RepairedMesh::turned_triangles)
       .def_readonly("orientable", &RepairedMesh::orientable);
 }
@@ -62,8 +69,19 @@ void bind_inspect(py::module_& m) {
   m.def("inspect_mesh", &inspect_mesh, "mesh"_a, py::call_guard<py::gil_scoped_release>(),
         "Measure a surface as it is.");
   m.def("repair_mesh", &repair_mesh, "mesh"_a, py::call_guard<py::gil_scoped_release>(),
-        "Drop what is double, flat or unused, take apart what touches only in a vertex, orient "
-        "outwards.");
+        "Drop what is double, flat, unused or a speck, take apart what touches only in a vertex or "
+        "along an edge, orient outwards.");
+  m.def(
+      "cut_crowded_edges",
+      [](const SurfaceMesh& mesh) {
+        SurfaceMesh cut = mesh;
+        cut_crowded_edges(cut);
+        return cut;
+      },
+      "mesh"_a, py::call_guard<py::gil_scoped_release>(),
+      "Cut along every edge of more than two triangles: the flattest two that agree stay "
+      "neighbours, "
+      "and so on; each that is left ends there.");
   m.def(
       "find_self_intersecting_faces",
       [](const SurfaceMesh& mesh) { return find_self_intersecting_faces(mesh); }, "mesh"_a,

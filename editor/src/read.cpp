@@ -45,16 +45,19 @@ void bind_joined(py::module_& m) {
 
 void bind_imported(py::module_& m) {
   py::class_<ImportedMesh>(m, "ImportedMesh",
-                           "An organ's surface as a model can use it, and how it came to be.")
+                           "An organ's surface as it can be shown, and how it came to be.")
       .def_readonly("mesh", &ImportedMesh::mesh)
       .def_readonly("joined", &ImportedMesh::joined)
       .def_readonly("repaired", &ImportedMesh::repaired)
       .def_readonly("report", &ImportedMesh::report, "Of the repaired mesh.");
 }
 
-ReadOptions read_options(const std::filesystem::path& reader, double time_limit,
+using Words = std::vector<std::string>;
+
+ReadOptions read_options(const std::filesystem::path& reader, const Words& words, double time_limit,
                          std::size_t memory_limit) {
   ReadOptions options;
+  options.words = words;
   options.reader = reader;
   options.time_limit = time_limit;
   options.memory_limit = memory_limit;
@@ -69,14 +72,14 @@ void bind_read(py::module_& m) {
   m.def(
       "read_mesh",
       [](const std::filesystem::path& path, double time_limit, std::size_t memory_limit,
-         const std::filesystem::path& reader) {
-        return read_mesh(path, read_options(reader, time_limit, memory_limit));
+         const std::filesystem::path& reader, const Words& words) {
+        return read_mesh(path, read_options(reader, words, time_limit, memory_limit));
       },
       "path"_a, py::kw_only(), "time_limit"_a = ReadOptions().time_limit,
-      "memory_limit"_a = ReadOptions().memory_limit, "reader"_a,
+      "memory_limit"_a = ReadOptions().memory_limit, "reader"_a, "words"_a = Words(),
       py::call_guard<py::gil_scoped_release>(),
-      "Read a mesh file by the program `reader`, which gets time_limit [s] and memory_limit "
-      "[bytes]. Raises FileError.");
+      "Read a mesh file by the program `reader`, told `words` before the file's name, which gets "
+      "time_limit [s] and memory_limit [bytes]. Raises FileError.");
   m.def(
       "join_parts",
       [](const ImportedScene& scene, const std::vector<std::string>& parts, const Text& unit,
@@ -91,18 +94,6 @@ void bind_read(py::module_& m) {
 void bind_import(py::module_& m) {
   bind_imported(m);
   m.def(
-      "import_mesh",
-      [](const std::filesystem::path& path, const std::vector<std::string>& parts, const Text& unit,
-         const Text& up, double time_limit, std::size_t memory_limit,
-         const std::filesystem::path& reader) {
-        return import_mesh(path, read_options(reader, time_limit, memory_limit), {parts, unit, up});
-      },
-      "path"_a, py::kw_only(), "parts"_a = std::vector<std::string>(), "unit"_a = Text(),
-      "up"_a = Text(), "time_limit"_a = ReadOptions().time_limit,
-      "memory_limit"_a = ReadOptions().memory_limit, "reader"_a,
-      py::call_guard<py::gil_scoped_release>(),
-      "Read, join, repair, orient and check. Raises FileError for what no model can use.");
-  m.def(
       "import_scene",
       [](const ImportedScene& scene, const std::vector<std::string>& parts, const Text& unit,
          const Text& up) {
@@ -110,7 +101,8 @@ void bind_import(py::module_& m) {
       },
       "scene"_a, py::kw_only(), "parts"_a = std::vector<std::string>(), "unit"_a = Text(),
       "up"_a = Text(), py::call_guard<py::gil_scoped_release>(),
-      "What import_mesh does with a file that has been read.");
+      "Join, repair, orient and measure what was read. Raises FileError where nothing is left "
+      "that has an area.");
 }
 
 }  // namespace palpate::authoring

@@ -177,6 +177,102 @@ Connections:  {{
 """)
 
 
+def write_vtk(path: Path, v: np.ndarray, t: np.ndarray, binary: bool = True) -> None:
+    """Legacy VTK polygons: big-endian where binary."""
+    words = "BINARY" if binary else "ASCII"
+    cells = np.column_stack([np.full(len(t), 3), t])
+    head = f"# vtk DataFile Version 3.0\nmade by a test\n{words}\nDATASET POLYDATA\n"
+    with path.open("wb") as file:
+        file.write(f"{head}POINTS {len(v)} double\n".encode())
+        file.write(v.astype(">f8").tobytes() if binary else numbers(v).encode())
+        file.write(f"\nPOLYGONS {len(t)} {cells.size}\n".encode())
+        file.write(cells.astype(">i4").tobytes() if binary else numbers(cells).encode())
+        file.write(b"\n")
+
+
+def write_xml(path: Path, v: np.ndarray, kind: str, counts: str, cells: str) -> None:
+    path.write_text(f"""<?xml version="1.0"?>
+<VTKFile type="{kind}" version="0.1" byte_order="LittleEndian"><{kind}>
+<Piece NumberOfPoints="{len(v)}" {counts}>
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">{numbers(v)}</DataArray>
+</Points>{cells}</Piece></{kind}></VTKFile>
+""")
+
+
+def data_array(name: str, kind: str, values: np.ndarray) -> str:
+    return f'<DataArray type="{kind}" Name="{name}" format="ascii">{numbers(values)}</DataArray>'
+
+
+def write_vtp(path: Path, v: np.ndarray, t: np.ndarray) -> None:
+    ends = 3 * np.arange(1, len(t) + 1)
+    arrays = data_array("connectivity", "Int64", t) + data_array("offsets", "Int64", ends)
+    counts = f'NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="{len(t)}"'
+    write_xml(path, v, "PolyData", counts, f"<Polys>{arrays}</Polys>")
+
+
+def write_vtu(path: Path, v: np.ndarray, cells: np.ndarray) -> None:
+    """Triangles or, of four corners each, tetrahedra."""
+    size = cells.shape[1]
+    arrays = data_array("connectivity", "Int64", cells)
+    arrays += data_array("offsets", "Int64", size * np.arange(1, len(cells) + 1))
+    arrays += data_array("types", "UInt8", np.full(len(cells), 5 if size == 3 else 10))
+    counts = f'NumberOfCells="{len(cells)}"'
+    write_xml(path, v, "UnstructuredGrid", counts, f"<Cells>{arrays}</Cells>")
+
+
+def write_msh(path: Path, v: np.ndarray, cells: np.ndarray, binary: bool = False) -> None:
+    """Gmsh 2.2: triangles or, of four corners each, tetrahedra, all in the group "organ"."""
+    kind, dimension = (2, 2) if cells.shape[1] == 3 else (4, 3)
+    with path.open("wb") as file:
+        file.write(f"$MeshFormat\n2.2 {int(binary)} 8\n".encode())
+        file.write(struct.pack("<i", 1) + b"\n" if binary else b"")
+        file.write(b"$EndMeshFormat\n$PhysicalNames\n1\n")
+        file.write(f'{dimension} 7 "organ"\n$EndPhysicalNames\n'.encode())
+        file.write(f"$Nodes\n{len(v)}\n".encode())
+        for i, x in enumerate(v, 1):
+            file.write(struct.pack("<i3d", i, *x) if binary else f"{i} {numbers(x)}\n".encode())
+        file.write(f"\n$EndNodes\n$Elements\n{len(cells)}\n".encode())
+        file.write(struct.pack("<3i", kind, len(cells), 2) if binary else b"")
+        for i, corners in enumerate(cells + 1, 1):
+            words = (i, 7, 1, *corners) if binary else (i, kind, 2, 7, 1, *corners)
+            file.write(
+                struct.pack(f"<{len(words)}i", *words)
+                if binary
+                else (" ".join(map(str, words)) + "\n").encode()
+            )
+        file.write(b"\n$EndElements\n")
+
+
+def write_msh4(path: Path, v: np.ndarray, cells: np.ndarray, binary: bool = False) -> None:
+    """Gmsh 4.1: one entity, which is the group "organ"."""
+    kind, dimension = (2, 2) if cells.shape[1] == 3 else (4, 3)
+    counts = [1 if d == dimension else 0 for d in range(4)]
+    box = [*v.min(axis=0), *v.max(axis=0)]
+
+    def pack(form: str, *values: float) -> bytes:
+        text = " ".join(f"{value:.17g}" for value in values) + "\n"
+        return struct.pack("<" + form, *values) if binary else text.encode()
+
+    with path.open("wb") as file:
+        file.write(f"$MeshFormat\n4.1 {int(binary)} 8\n".encode())
+        file.write(struct.pack("<i", 1) + b"\n" if binary else b"")
+        file.write(b"$EndMeshFormat\n$PhysicalNames\n1\n")
+        file.write(f'{dimension} 7 "organ"\n$EndPhysicalNames\n$Entities\n'.encode())
+        file.write(pack("4Q", *counts) + pack("i6dQiQ", 1, *box, 1, 7, 0))
+        file.write(b"\n$EndEntities\n$Nodes\n")
+        file.write(pack("4Q", 1, len(v), 1, len(v)) + pack("3iQ", dimension, 1, 0, len(v)))
+        for i in range(1, len(v) + 1):
+            file.write(pack("Q", i))
+        for x in v:
+            file.write(pack("3d", *x))
+        file.write(b"\n$EndNodes\n$Elements\n")
+        file.write(pack("4Q", 1, len(cells), 1, len(cells)))
+        file.write(pack("3iQ", dimension, 1, kind, len(cells)))
+        for i, corners in enumerate(cells + 1, 1):
+            file.write(pack(f"{1 + len(corners)}Q", i, *corners))
+        file.write(b"\n$EndElements\n")
+
+
 WRITERS = {
     "obj": write_obj,
     "off": write_off,
@@ -188,3 +284,6 @@ WRITERS = {
     "fbx": write_fbx,
 }
 """Extension -> writer."""
+
+LIBRARY_WRITERS = {"vtk": write_vtk, "vtp": write_vtp, "vtu": write_vtu, "msh": write_msh}
+"""The same for the formats that VTK and meshio read."""

@@ -150,3 +150,30 @@ def same_value(a: object, b: object) -> bool:
 
 def untitled(organ: Organ) -> Organ:
     return replace(organ, title="", task="")
+
+
+def fin() -> Surface:
+    """A closed surface with a triangle that stands on one of its edges."""
+    surface = surface_of(60)
+    i, j, _ = surface.triangles[0]
+    middle = surface.vertices[[i, j]].mean(axis=0)
+    tip = middle + 0.5 * (middle - surface.vertices.mean(axis=0))
+    return Surface(np.vstack([surface.vertices, tip]), np.vstack([surface.triangles, [i, j, 60]]))
+
+
+def moebius(n: int = 40) -> Surface:
+    """A band of 3 cm radius and 1 cm width with half a turn in it."""
+    angle = 2 * np.pi * np.arange(n) / n
+    rows = []
+    for side in (-5e-3, 5e-3):
+        r = 0.03 + side * np.cos(0.5 * angle)
+        rows.append(
+            np.column_stack([r * np.cos(angle), r * np.sin(angle), side * np.sin(0.5 * angle)])
+        )
+    here = np.arange(n)
+    low, high = 2 * here, 2 * here + 1
+    next_low, next_high = np.append(low[1:], 1), np.append(high[1:], 0)
+    triangles = np.concatenate(
+        [np.column_stack([low, next_low, high]), np.column_stack([high, next_low, next_high])]
+    )
+    return Surface(np.stack(rows, axis=1).reshape(-1, 3), triangles)

@@ -8,7 +8,16 @@ from dataclasses import fields, is_dataclass, replace
 
 import numpy as np
 import pytest
-from organs import SOURCE, make_organ, open_surface, same, surface_of, two_shells
+from organs import (
+    SOURCE,
+    fin,
+    make_organ,
+    moebius,
+    open_surface,
+    same,
+    surface_of,
+    two_shells,
+)
 from palpate.scene.scene_parts import MaterialPart, ModelPart
 from palpate_editor import authoring, edits
 from palpate_editor.app.session import Session
@@ -31,6 +40,8 @@ OPEN = replace(
     ),
     imported=None,
 )
+WITH_A_FIN = replace(make_organ().with_surface(fin()), imported=None)
+ONE_SIDED = replace(make_organ().with_surface(moebius()), imported=None)
 COARSE = surface_of(50)
 OWN = find_configuration(SPLEEN)
 DECIMATION = Decimation(150, 296, 50, 96, 30.0, 1e-4, 2e-4)
@@ -41,6 +52,8 @@ EXAMPLES = [
     (edits.SetUp("y"), SPLEEN),
     (edits.KeepLargestShell(), IN_PIECES),
     (edits.TurnOutward(), INSIDE_OUT),
+    (edits.CutCrowdedEdges(), WITH_A_FIN),
+    (edits.CutDisagreement(), ONE_SIDED),
     (edits.FillHoles(), OPEN),
     (edits.Decimate(SPLEEN.imported, COARSE, DECIMATION), SPLEEN),
     (edits.UseImported(), SPLEEN),
@@ -131,6 +144,8 @@ NEEDS_A_SURFACE = [
     edits.SetUp("y"),
     edits.KeepLargestShell(),
     edits.TurnOutward(),
+    edits.CutCrowdedEdges(),
+    edits.CutDisagreement(),
     edits.UseImported(),
     edits.FixVertices(np.array([0])),
     edits.FixLowest(0.1),

@@ -8,7 +8,15 @@ from functools import cache
 
 import numpy as np
 import pytest
-from organs import make_organ, open_surface, surface_of, two_shells, untitled
+from organs import (
+    fin,
+    make_organ,
+    moebius,
+    open_surface,
+    surface_of,
+    two_shells,
+    untitled,
+)
 from palpate.scene.scene_parts import FillPart
 from palpate_editor import check
 from palpate_editor.check import Assessment, assess
@@ -46,6 +54,15 @@ def crossed() -> Surface:
     )
 
 
+def pricked() -> Surface:
+    """One vertex reaches out through the other side."""
+    surface = surface_of(1500)
+    x = surface.vertices.copy()
+    middle = x.mean(axis=0)
+    x[0] = middle - 1.2 * (x[0] - middle)
+    return Surface(x, surface.triangles)
+
+
 def grid(n: int) -> Surface:
     """A sheet of n x n vertices, 1 mm apart."""
     x, y = np.meshgrid(1e-3 * np.arange(n), 1e-3 * np.arange(n))
@@ -76,8 +93,12 @@ WRONG = {
     "inward": (on(Surface(surface_of().vertices, surface_of().triangles[:, ::-1])), "repair",
                "error", "face inwards"),
     "shells": (on(two_shells()), "repair", "warning", "2 pieces"),
+    "non_manifold": (on(fin()), "repair", "error", "1 edges with more than two triangles"),
+    "one_sided": (on(moebius()), "repair", "error", "one side only"),
+    "crossing": (on(crossed()), "repair", "error", "triangles that cross others, as of parts"),
+    "unsound": (on(fin()), "material", "error", "no tissue can be built on yet"),
     "holes": (on(open_surface()), "repair", "note", "a hole of "),
-    "self_intersections": (on(crossed()), "repair", "warning", "triangles that cross others"),
+    "self_intersections": (on(pricked()), "repair", "warning", "triangles that cross others"),
     "angles": (on(needles()), "decimate", "warning", "a smallest angle of"),
     "too_slow": (on(surface_of(2000), with_part("model", stiffness=1e5)), "decimate", "warning",
                  "2000 vertices"),
@@ -169,7 +190,8 @@ def test_a_problem_is_not_found_where_it_is_not(key):
 
 
 FIXABLE = {
-    "unit_guessed", "up_guessed", "inward", "shells", "constant", "choice", "open_solid",
+    "unit_guessed", "up_guessed", "inward", "shells", "non_manifold", "one_sided", "crossing",
+    "constant", "choice", "open_solid",
     "indefinite", "loose", "reach", "small_tip", "no_title", "gravity", "springs_poisson",
     "locking", "coarse_contact",
 }  # fmt: skip

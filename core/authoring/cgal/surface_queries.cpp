@@ -6,6 +6,10 @@
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
 #include "palpate/authoring/self_intersections.h"
 #include "palpate/authoring/source_surface.h"
 
@@ -38,10 +42,28 @@ bool overlap_beside_edge(const Point& p, const Point& q, const Point& a, const P
   return CGAL::coplanar(p, q, a, b) && CGAL::coplanar_orientation(p, q, a, b) == CGAL::POSITIVE;
 }
 
+/// For each vertex the first of those that lie where it does: one that was split to take surfaces
+/// apart is still a corner that both share.
+std::vector<int> find_places(const Vec3Array& vertices) {
+  std::vector<int> order(vertices.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](int v) {
+    return std::make_tuple(vertices[v].x(), vertices[v].y(), vertices[v].z());
+  };
+  std::stable_sort(order.begin(), order.end(), [&](int i, int j) { return key(i) < key(j); });
+  std::vector<int> place(vertices.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool again = i > 0 && vertices[order[i]] == vertices[order[i - 1]];
+    place[order[i]] = again ? place[order[i - 1]] : order[i];
+  }
+  return place;
+}
+
 /// Whether two triangles meet anywhere but in the corners they share.
 class Crossing {
  public:
-  explicit Crossing(const SurfaceMesh& mesh) : mesh_(mesh), triangles_(to_triangles(mesh)) {}
+  explicit Crossing(const SurfaceMesh& mesh)
+      : mesh_(mesh), triangles_(to_triangles(mesh)), place_(find_places(mesh.vertices)) {}
 
   bool operator()(int i, int j) const {
     const Triangle &s = mesh_.triangles[i], &t = mesh_.triangles[j];
@@ -49,7 +71,7 @@ class Crossing {
     int shared = 0;
     for (int c = 0; c < 3; ++c) {
       for (int d = 0; d < 3; ++d) {
-        if (s[c] != t[d]) continue;
+        if (place_[s[c]] != place_[t[d]]) continue;
         mine[shared] = c;
         theirs[shared++] = d;
         break;
@@ -77,6 +99,7 @@ class Crossing {
 
   const SurfaceMesh& mesh_;
   Triangles triangles_;
+  std::vector<int> place_;
 };
 
 struct OutOfBudget {};

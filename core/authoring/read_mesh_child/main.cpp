@@ -45,8 +45,9 @@ ImportedScene read_any(const std::string& path, const std::string& format) {
     if (auto scene = read_binary_stl(path)) return *std::move(scene);
   }
   if (format == "OBJ") {
-    if (auto scene = read_plain_obj(path)) return *std::move(scene);
+    if (auto scene = read_obj(path)) return *std::move(scene);
   }
+  if (format == "OFF") return read_off(path);
   return read_with_assimp(path, format);
 }
 

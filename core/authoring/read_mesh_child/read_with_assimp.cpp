@@ -7,6 +7,7 @@
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <map>
+#include <new>
 #include <set>
 
 #include "palpate/authoring/read_mesh_child/confine.h"
@@ -174,9 +175,14 @@ ImportedScene read_with_assimp(const std::string& path, const std::string& forma
     throw FileError(path, "", "a reference to " + one_line(*outside.begin()),
                     "references to files beside the mesh or below its folder");
   }
+  const std::string said = importer.GetErrorString();
+  if (from == nullptr && (said.find("mNumMeshes is 0") != std::string::npos ||
+                          said.find("contains no faces") != std::string::npos)) {
+    throw FileError(path, "", "no faces", "a surface made of triangles or polygons");
+  }
+  if (from == nullptr && said.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
   if (from == nullptr || from->mRootNode == nullptr) {
-    throw FileError(path, "",
-                    "content assimp refuses (" + one_line(importer.GetErrorString()) + ")",
+    throw FileError(path, "", "content assimp refuses (" + one_line(said) + ")",
                     "a readable " + format + " file");
   }
 

@@ -30,6 +30,15 @@ POISSON_ERROR = 0.05
 def find_material_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
     wrong = list(find_constant_problems(organ))
     yield from wrong
+    if facts.surface is not None and not facts.surface.is_manifold:
+        yield Problem(
+            "unsound",
+            "error",
+            "material",
+            "surface",
+            phrase("a surface that no tissue can be built on yet"),
+            phrase("one whose problems the Repair stage has mended"),
+        )
     if facts.surface is None or facts.tissue is None:
         return
     solid = organ.material.wall_thickness is None

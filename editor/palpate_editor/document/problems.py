@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from palpate_editor.document.organ import Organ
 from palpate_editor.document.phrase import Phrase
 
@@ -30,6 +32,8 @@ class Problem:
     expected: Phrase
     fix: Callable[[Organ], Organ] | None = field(default=None, compare=False)
     """An edit that fixes it, where one is sure to."""
+    faces: np.ndarray | None = field(default=None, compare=False)
+    """The triangles where it is, of a problem that is somewhere on the surface."""
 
 
 @dataclass(frozen=True)
@@ -42,11 +46,21 @@ class SurfaceFacts:
     outward: bool | None
     non_manifold_edges: int
     self_intersecting_faces: int | None
+    triangles: int
+    orientable: bool
+    """Whether neighbours can agree on which side is outside."""
+    largest_crosses: bool | None
+    """Whether the largest piece alone crosses itself too much; None where that was not asked."""
     smallest_angle_deg: float | None
     mean_edge: float
     """[m]"""
     diagonal: float
     """[m] of the bounding box."""
+
+    @property
+    def is_manifold(self) -> bool:
+        """Whether a tissue can be built on it: two triangles at an edge, two sides."""
+        return not self.non_manifold_edges and self.orientable
 
 
 @dataclass(frozen=True)

@@ -20,6 +20,9 @@ from palpate_editor.document.problems import Facts, Problem, SurfaceFacts
 
 SIZE_LEAST, SIZE_MOST = 5e-3, 0.6
 """[m] No organ is smaller or larger from corner to corner: its unit is another."""
+MOST_CROSSING = 0.02
+"""[-] of its triangles may cross others: small folds, which decimation and smoothing mostly take
+out. More of them are parts that lie inside each other."""
 ANGLE_LEAST = 15.0
 """[degree] Needles make a model stiff and its stretch-bend range collapse [laws: degenerate]."""
 
@@ -93,7 +96,14 @@ def find_repair_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
             "non_manifold",
             "error",
             phrase("{count} edges with more than two triangles", count=found.non_manifold_edges),
-            phrase("at most two triangles at every edge"),
+            phrase("at most two triangles at every edge: cut along those, or choose fewer parts"),
+        )
+    if not found.orientable:
+        yield repair_problem(
+            "one_sided",
+            "error",
+            phrase("a surface with one side only, like a Moebius band"),
+            phrase("one with an inside and an outside: cut where neighbours disagree"),
         )
     if found.outward is False:
         yield repair_problem(
@@ -132,6 +142,20 @@ def find_hole_problems(found: SurfaceFacts) -> Iterator[Problem]:
             "error",
             phrase("so many triangles on top of each other that counting was given up"),
             phrase("a surface that does not cross itself"),
+        )
+    elif found.self_intersecting_faces > MOST_CROSSING * found.triangles:
+        yield repair_problem(
+            "crossing",
+            "error",
+            phrase(
+                "{count} of {all} triangles that cross others, as of parts inside each other",
+                count=found.self_intersecting_faces,
+                all=found.triangles,
+            ),
+            phrase(
+                "at most {most:g} %: choose fewer parts, or keep the largest piece",
+                most=100.0 * MOST_CROSSING,
+            ),
         )
     elif found.self_intersecting_faces:
         yield repair_problem(

@@ -19,13 +19,20 @@ from palpate_editor.edits.orient import SetUnit, SetUp
 from palpate_editor.edits.paint import PaintStiffness
 from palpate_editor.edits.prepare import Prepared, prepare
 from palpate_editor.edits.regions import RemoveRegion, SetRegion
-from palpate_editor.edits.repair import KeepLargestShell, TurnOutward
+from palpate_editor.edits.repair import (
+    CutCrowdedEdges,
+    CutDisagreement,
+    KeepLargestShell,
+    TurnOutward,
+)
 from palpate_editor.edits.set_constant import SetChoice, SetConstant, SetGravity, SetMaterial
 from palpate_editor.edits.set_reach import SetReach
 
 __all__ = [
     "EVERY_EDIT",
     "Configure",
+    "CutCrowdedEdges",
+    "CutDisagreement",
     "Decimate",
     "Edit",
     "EditError",
@@ -61,6 +68,8 @@ EVERY_EDIT: tuple[type, ...] = (
     SetUp,
     KeepLargestShell,
     TurnOutward,
+    CutCrowdedEdges,
+    CutDisagreement,
     FillHoles,
     Decimate,
     UseImported,

@@ -13,6 +13,7 @@ from palpate_editor import authoring
 from palpate_editor.document import Decimation, Organ, Surface, phrase
 from palpate_editor.edits.carry import carry_paint
 from palpate_editor.edits.edit import EditError, find_surface
+from palpate_editor.edits.repair import find_crowded, find_disagreeing
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,6 +46,10 @@ def decimate_organ(organ: Organ, vertices: int) -> Decimate:
     find_surface(organ)
     source = organ.imported
     assert source is not None
+    if len(find_crowded(source.triangles)) or len(find_disagreeing(source.triangles)):
+        raise EditError(
+            phrase("It cannot be decimated before Repair has mended its surface: see its problems.")
+        )
     try:
         found = authoring.decimate(palpate.SurfaceMesh(source.vertices, source.triangles), vertices)
     except ValueError as problem:

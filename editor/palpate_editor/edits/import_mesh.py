@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Any, ClassVar
@@ -93,8 +93,16 @@ def describe_source(
         up_guessed=joined.up_guessed,
         up_reason=joined.up_reason,
         repairs=Repairs(welded_vertices=joined.welded_vertices, **done),
-        notes=tuple(scene.notes),
+        notes=(*scene.notes, *list_changes(repaired)),
     )
+
+
+def list_changes(repaired: authoring.RepairedMesh) -> Iterator[str]:
+    """What was done to the surface that nobody would expect."""
+    if repaired.parted_edges:
+        yield f"{repaired.parted_edges} edges where the surface touched itself were parted"
+    if repaired.dropped_islands:
+        yield f"{repaired.dropped_islands} pieces smaller than a thousandth of it were dropped"
 
 
 def make_writable(name: str) -> str:

@@ -42,10 +42,20 @@ def run_check(call: argparse.Namespace) -> Report:
 
 def describe_problems(problems: list[Report]) -> list[str]:
     lines = [
-        f"  {p['severity']:7} {p['where']}: got {p['got']}, expected {p['expected']}" + hint(p)
+        f"  {p['severity']:7} {p['where']}: got {p['got']}, expected {p['expected']}"
+        + say_place(p)
+        + hint(p)
         for p in problems
     ]
     return lines or ["  no problems"]
+
+
+def say_place(problem: Report) -> str:
+    """Where on the surface it is, and how much of it."""
+    if problem["place_m"] is None:
+        return ""
+    x, y, z = (f"{1e3 * c:.1f}" for c in problem["place_m"])
+    return f" [{problem['triangles']} triangles, one at ({x}, {y}, {z}) mm]"
 
 
 def hint(problem: Report) -> str:

@@ -11,9 +11,12 @@ from palpate.command.output import add_output
 from palpate.command.verb import Report, Verb
 
 from palpate_editor import authoring
-from palpate_editor.compile import mesh_of
+from palpate_editor.check import describe_problem, measure_surface, place_problem
 from palpate_editor.document import EMPTY, Decimation, Organ
+from palpate_editor.document.problems import Facts
+from palpate_editor.document.rules import find_import_problems, find_repair_problems
 from palpate_editor.edits import EditError, UseImported, decimate_organ, import_file
+from palpate_editor.verbs.check import describe_problems
 from palpate_editor.verbs.files import (
     OUTPUTS,
     EditRefusal,
@@ -96,7 +99,9 @@ def describe_inspect(report: Report) -> str:
 
 
 def add_import(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("file", type=Path, help="OBJ, STL, PLY, GLB, 3DS, FBX or DAE")
+    parser.add_argument(
+        "file", type=Path, help="OBJ, STL, PLY, OFF, GLB, 3DS, FBX, DAE, VTK, VTP, VTU or MSH"
+    )
     add_source(parser)
     parser.add_argument("--vertices", type=int, help="decimate to exactly this many")
     add_output(
@@ -128,9 +133,18 @@ def run_import(call: argparse.Namespace) -> Report:
     if call.vertices is not None:
         organ, report["decimated"] = decimate_to(organ, call.vertices, call.file)
     assert organ.surface is not None
-    report["mesh"] = authoring.inspect_mesh(mesh_of(organ.surface)).as_dict()
+    mesh, facts = measure_surface(organ.surface)
+    report["mesh"] = mesh.as_dict()
+    report["notes"] = list(source.notes)
+    report["problems"] = list_problems(organ, Facts(facts))
     write_any(call.out, organ)
     return report
+
+
+def list_problems(organ: Organ, facts: Facts) -> list[Report]:
+    """What is wrong with an imported surface, before anything is built on it."""
+    found = [*find_import_problems(organ, facts), *find_repair_problems(organ, facts)]
+    return [describe_problem(place_problem(p, organ, facts), organ.surface) for p in found]
 
 
 def decimate_to(organ: Organ, vertices: int, file: Path) -> tuple[Organ, Report]:
@@ -167,6 +181,10 @@ def describe_import(report: Report) -> str:
     lines.append(
         f"wrote {report['out']}: {mesh['vertices']} vertices, {mesh['triangles']} triangles"
     )
+    lines += [f"note: {note}" for note in report["notes"]]
+    wrong = [p for p in report["problems"] if p["severity"] == "error"]
+    if wrong:
+        lines += ["no tissue can be built on it yet:", *describe_problems(wrong)]
     return "\n".join(lines)
 
 

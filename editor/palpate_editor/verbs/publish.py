@@ -82,7 +82,7 @@ def run_repair(call: argparse.Namespace) -> Report:
     return {
         "out": str(call.out),
         "done": done,
-        "problems": list(map(describe_problem, assessment.problems)),
+        "problems": [describe_problem(p, organ.surface) for p in assessment.problems],
     }
 
 

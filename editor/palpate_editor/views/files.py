@@ -22,7 +22,10 @@ from palpate_editor.views.tasks import ImportWork, Tasks
 from palpate_editor.views.translations import tr
 
 DOCUMENTS = (".organ", ".palpate")
-MESHES = (".obj", ".stl", ".ply", ".glb", ".gltf", ".3ds", ".fbx", ".dae", ".off")
+MESHES = (
+    *(".obj", ".stl", ".ply", ".off", ".glb", ".gltf", ".3ds", ".fbx", ".dae"),
+    *(".vtk", ".vtp", ".vtu", ".msh"),
+)
 
 
 def is_document(path: Path) -> bool:

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <fstream>
+
+#include "palpate/authoring/file_signature.h"
+#include "palpate/authoring/read_mesh_child/foreign_formats.h"
+#include "palpate/authoring/read_mesh_child/text_line.h"
+#include "palpate/authoring/read_mesh_child/triangulate.h"
+
+namespace palpate::authoring {
+namespace {
+
+/// What is counted rather than refused.
+struct Skipped {
+  int short_faces = 0;  ///< of fewer than three corners
+  int curves = 0;       ///< free-form curves and surfaces
+};
+
+/// An OBJ file taken line by line.
+class Obj {
+ public:
+  explicit Obj(const std::string& path)
+      : path_(path), part_names_{std::filesystem::path(path).stem().string()}, parts_(1) {}
+
+  void take_line(std::string_view text, int number) {
+    number_ = number;
+    TextLine line(text);
+    const std::string_view word = line.take_word();
+    if (word.starts_with('#')) {
+      marked_ = marked_ || text.find(kFileSignature) != std::string_view::npos;
+    } else if (word == "v") {
+      take_vertex(line);
+    } else if (word == "f" || word == "fo") {
+      take_face(line);
+    } else if (word == "o" || word == "g") {
+      part_names_.emplace_back(line.take_rest());
+      parts_.emplace_back();
+    } else if (word == "curv" || word == "curv2" || word == "surf") {
+      ++skipped_.curves;
+    }
+  }
+
+  ImportedScene finish() const {
+    ImportedScene scene{};
+    if (marked_) {
+      scene.unit = "m";
+      scene.up = "z";
+    }
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      if (!parts_[p].empty()) scene.parts.push_back({part_names_[p], cut_out(parts_[p])});
+    }
+    const auto note = [&](int count, const char* what) {
+      if (count > 0) scene.notes.push_back(std::to_string(count) + what);
+    };
+    note(skipped_.short_faces, " faces of fewer than three corners were left out");
+    note(skipped_.curves, " free-form curves or surfaces were left out");
+    return scene;
+  }
+
+ private:
+  [[noreturn]] void refuse(std::string_view got, const std::string& expected) const {
+    throw FileError(path_, "line " + std::to_string(number_), std::string(got), expected);
+  }
+
+  /// What follows the third number, a weight or a colour, is left alone.
+  void take_vertex(TextLine& line) {
+    Vec3 p;
+    for (int i = 0; i < 3; ++i) {
+      const std::string_view word = line.take_word();
+      if (!TextLine::parse(word, p[i])) {
+        refuse(word.empty() ? "a vertex of " + std::to_string(i) + " numbers"
+                            : "'" + std::string(word.substr(0, 40)) + "'",
+               "three numbers");
+      }
+    }
+    vertices_.push_back(p);
+  }
+
+  void take_face(TextLine& line) {
+    corners_.clear();
+    for (std::string_view word = line.take_word(); !word.empty(); word = line.take_word()) {
+      if (word.starts_with('#')) break;
+      corners_.push_back(find_vertex(word));
+    }
+    if (corners_.size() < 3) {
+      ++skipped_.short_faces;
+      return;
+    }
+    triangulate_polygon(corners_, vertices_, parts_.back());
+  }
+
+  /// Of the corner v/vt/vn only v is asked; below zero it counts back from the last vertex.
+  int find_vertex(std::string_view word) const {
+    const int count = static_cast<int>(vertices_.size());
+    int index = 0;
+    if (!TextLine::parse(word.substr(0, word.find('/')), index)) {
+      refuse("'" + std::string(word.substr(0, 40)) + "'", "the number of a vertex");
+    }
+    const int vertex = index < 0 ? count + index : index - 1;
+    if (vertex < 0 || vertex >= count) {
+      refuse("vertex " + std::to_string(index), "1 to " + std::to_string(count));
+    }
+    return vertex;
+  }
+
+  /// The vertices some triangles use, in the order of the file.
+  SurfaceMesh cut_out(const std::vector<Triangle>& triangles) const {
+    SurfaceMesh mesh;
+    std::vector<int> place(vertices_.size(), -1);
+    for (const Triangle& t : triangles) {
+      for (const int corner : t) place[corner] = 0;
+    }
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+      if (place[i] < 0) continue;
+      place[i] = static_cast<int>(mesh.vertices.size());
+      mesh.vertices.push_back(vertices_[i]);
+    }
+    for (const Triangle& t : triangles) {
+      mesh.triangles.push_back({place[t[0]], place[t[1]], place[t[2]]});
+    }
+    return mesh;
+  }
+
+  const std::string& path_;
+  int number_ = 0;
+  bool marked_ = false;
+  Skipped skipped_;
+  Vec3Array vertices_;
+  std::vector<int> corners_;  // of the face being taken
+  std::vector<std::string> part_names_;
+  std::vector<std::vector<Triangle>> parts_;
+};
+
+/// Joins a line that ends in a backslash with those that follow it; how many there were.
+int take_whole_line(std::istream& in, std::string& line) {
+  int taken = 1;
+  const auto goes_on = [&] {
+    while (line.ends_with('\r')) line.pop_back();
+    return line.ends_with('\\');
+  };
+  while (goes_on()) {
+    line.back() = ' ';
+    std::string next;
+    if (!std::getline(in, next)) break;
+    line += next;
+    ++taken;
+  }
+  return taken;
+}
+
+}  // namespace
+
+std::optional<ImportedScene> read_obj(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  Obj obj(path);
+  int number = 1;
+  for (std::string line; std::getline(in, line);) {
+    if (number == 1) drop_byte_order_mark(line);
+    const int taken = take_whole_line(in, line);
+    if (line.find('\0') != std::string::npos) return std::nullopt;
+    obj.take_line(line, number);
+    number += taken;
+  }
+  return obj.finish();
+}
+
+}  // namespace palpate::authoring

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <fstream>
+
+#include "palpate/authoring/read_mesh_child/foreign_formats.h"
+#include "palpate/authoring/read_mesh_child/text_line.h"
+#include "palpate/authoring/read_mesh_child/triangulate.h"
+
+namespace palpate::authoring {
+namespace {
+
+/// The lines of a file that have something in them, comments taken off.
+class Lines {
+ public:
+  explicit Lines(const std::string& path) : path_(path), in_(path, std::ios::binary) {}
+
+  /// The next line. Refuses the end of the file, where `missing` is still expected.
+  TextLine take(const std::string& missing) {
+    while (std::getline(in_, line_)) {
+      if (++number_ == 1) drop_byte_order_mark(line_);
+      line_.resize(std::min(line_.find('#'), line_.size()));
+      if (line_.find_first_not_of(" \t\r") != std::string::npos) return TextLine(line_);
+    }
+    throw FileError(path_, "line " + std::to_string(number_), "the end of the file", missing);
+  }
+
+  [[noreturn]] void refuse(const std::string& got, const std::string& expected) const {
+    throw FileError(path_, "line " + std::to_string(number_), got, expected);
+  }
+
+  const std::string& text() const { return line_; }
+
+ private:
+  std::string path_;
+  std::ifstream in_;
+  std::string line_;
+  int number_ = 0;
+};
+
+/// The head of an OFF: [ST][C][N][4]OFF; the dimension of its vertices is 4 or 3.
+struct Head {
+  bool weighted = false;
+  long vertices = 0, faces = 0;
+};
+
+void take_counts(Lines& lines, TextLine line, Head& head) {
+  if (!line.take(head.vertices) || !line.take(head.faces) || head.vertices < 0 || head.faces < 0) {
+    lines.refuse("'" + lines.text().substr(0, 40) + "'", "how many vertices and faces there are");
+  }
+}
+
+/// The word may be missing, and the counts may stand behind it on its line.
+Head take_head(Lines& lines) {
+  Head head;
+  TextLine line = lines.take("OFF, and the counts of vertices and faces");
+  TextLine first = line;
+  std::string_view word = first.take_word();
+  double number = 0.0;
+  if (TextLine::parse(word, number)) {
+    take_counts(lines, line, head);
+    return head;
+  }
+  const std::string said(word);
+  if (word.starts_with("ST")) word.remove_prefix(2);
+  if (word.starts_with("C")) word.remove_prefix(1);
+  if (word.starts_with("N")) word.remove_prefix(1);
+  head.weighted = word.starts_with("4");
+  if (head.weighted) word.remove_prefix(1);
+  if (word != "OFF") lines.refuse("'" + said.substr(0, 40) + "'", "OFF, COFF, NOFF, STOFF or 4OFF");
+  const std::string rest(first.take_rest());
+  if (rest.starts_with("BINARY")) lines.refuse("OFF BINARY", "an OFF that was saved as text");
+  if (rest.empty()) {
+    take_counts(lines, lines.take("the counts of vertices and faces"), head);
+  } else {
+    take_counts(lines, TextLine(rest), head);
+  }
+  return head;
+}
+
+Vec3 take_vertex(Lines& lines, const Head& head, std::size_t taken) {
+  TextLine line =
+      lines.take("vertex " + std::to_string(taken) + " of " + std::to_string(head.vertices));
+  Vec3 p;
+  double weight = 1.0;
+  const bool whole = line.take(p.x()) && line.take(p.y()) && line.take(p.z()) &&
+                     (!head.weighted || line.take(weight));
+  if (!whole) {
+    lines.refuse("'" + lines.text().substr(0, 40) + "'",
+                 head.weighted ? "a vertex of four numbers" : "a vertex of three numbers");
+  }
+  return p / weight;
+}
+
+/// The corners of one face; what follows them on its line is a colour.
+void take_face(Lines& lines, const Head& head, long taken, std::vector<int>& corners) {
+  TextLine line = lines.take("face " + std::to_string(taken) + " of " + std::to_string(head.faces));
+  const auto refuse = [&](const std::string& expected) {
+    lines.refuse("'" + lines.text().substr(0, 40) + "'", expected);
+  };
+  long count = 0;
+  if (!line.take(count) || count < 0) refuse("how many corners a face has");
+  corners.clear();
+  for (long c = 0; c < count; ++c) {
+    int corner = 0;
+    if (!line.take(corner)) refuse(std::to_string(count) + " corners");
+    if (corner < 0 || corner >= head.vertices) {
+      lines.refuse("vertex " + std::to_string(corner),
+                   "an index below " + std::to_string(head.vertices));
+    }
+    corners.push_back(corner);
+  }
+}
+
+}  // namespace
+
+ImportedScene read_off(const std::string& path) {
+  Lines lines(path);
+  const Head head = take_head(lines);
+  SurfaceMesh mesh;
+  // one at a time: a count is only believed as far as the lines go
+  while (static_cast<long>(mesh.vertices.size()) < head.vertices) {
+    mesh.vertices.push_back(take_vertex(lines, head, mesh.vertices.size()));
+  }
+  std::vector<int> corners;
+  int left_out = 0;
+  for (long f = 0; f < head.faces; ++f) {
+    take_face(lines, head, f, corners);
+    left_out += corners.size() < 3;
+    triangulate_polygon(corners, mesh.vertices, mesh.triangles);
+  }
+  ImportedScene scene{};
+  if (left_out > 0) {
+    scene.notes.push_back(std::to_string(left_out) +
+                          " faces of fewer than three corners were left out");
+  }
+  scene.parts.push_back({std::filesystem::path(path).stem().string(), std::move(mesh)});
+  return scene;
+}
+
+}  // namespace palpate::authoring

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+#include <string_view>
+
+namespace palpate::authoring {
+
+/// Some editors begin a text in UTF-8 with these three bytes.
+inline void drop_byte_order_mark(std::string& line) {
+  if (line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
+}
+
+/// Takes words and numbers off the front of a line.
+class TextLine {
+ public:
+  explicit TextLine(std::string_view text) : rest_(text) {}
+
+  std::string_view take_word() {
+    skip_blanks();
+    const std::string_view word = rest_.substr(0, rest_.find_first_of(kBlanks));
+    rest_.remove_prefix(word.size());
+    return word;
+  }
+
+  std::string_view take_rest() {
+    skip_blanks();
+    return rest_.substr(0, rest_.find_last_not_of(kBlanks) + 1);
+  }
+
+  /// The next word as a number; false where there is none, or where it is not one.
+  template <class Number>
+  bool take(Number& value) {
+    return parse(take_word(), value);
+  }
+
+  template <class Number>
+  static bool parse(std::string_view word, Number& value) {
+    if (word.starts_with('+')) word.remove_prefix(1);
+    const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
+    return !word.empty() && problem == std::errc() && end == word.data() + word.size();
+  }
+
+ private:
+  static constexpr std::string_view kBlanks = " \t\r";
+
+  void skip_blanks() {
+    rest_.remove_prefix(std::min(rest_.find_first_not_of(kBlanks), rest_.size()));
+  }
+
+  std::string_view rest_;
+};
+
+}  // namespace palpate::authoring
