@@ -101,7 +101,7 @@ def read_mesh(
             str(path),
             "",
             f"a {Path(path).suffix} file, which the package {missing} reads, and it is not there",
-            "that package: pip install 'palpate-editor[formats]'",
+            "that package: pip install palpate-editor[formats]",
         )
     program, *words = build_words(Path(path)) or [reader]
     return _authoring.read_mesh(

@@ -2321,6 +2321,12 @@ Beklenen: {expected}.</translation>
     <message>
         <source>&amp;Open a chart…</source>
         <translation>Çi&amp;zelge aç…</translation>
+        <source>Show</source>
+        <translation>Göster</translation>
+    </message>
+    <message>
+        <source>Whatever can be drawn is imported. Triangles that no tissue can be built on are red on the organ, and the checks below name what mends them.</source>
+        <translation>Çizilebilen her şey içe aktarılır. Üzerine doku kurulamayan üçgenler organda kırmızıdır; onları neyin onaracağını aşağıdaki denetimler söyler.</translation>
     </message>
 </context>
 <context>
@@ -2580,6 +2586,14 @@ Beklenen: {expected}.</translation>
         <source>Fill holes</source>
         <translation>Delikleri doldur</translation>
     </message>
+    <message>
+        <source>Cut where more than two triangles meet</source>
+        <translation>İkiden çok üçgenin buluştuğu yerde kes</translation>
+    </message>
+    <message>
+        <source>Cut where neighbours disagree</source>
+        <translation>Komşuların anlaşamadığı yerde kes</translation>
+    </message>
 </context>
 <context>
     <name>phrases</name>
@@ -2734,10 +2748,6 @@ Beklenen: {expected}.</translation>
     <message>
         <source>at least {low:g}{unit}</source>
         <translation>en az {low:g}{unit}</translation>
-    </message>
-    <message>
-        <source>at most two triangles at every edge</source>
-        <translation>her kenarda en çok iki üçgen</translation>
     </message>
     <message>
         <source>at most {most}: decimate</source>
@@ -3310,6 +3320,48 @@ Beklenen: {expected}.</translation>
     <message>
         <source>{particles} particles, {elements} elements; at most {substeps} substeps in touch.</source>
         <translation>{particles} parçacık, {elements} öğe; temasta en çok {substeps} alt adım.</translation>
+        <source>All neighbours agree on which side is outside.</source>
+        <translation>Bütün komşular hangi yanın dışarısı olduğunda anlaşıyor.</translation>
+    </message>
+    <message>
+        <source>It cannot be decimated before Repair has mended its surface: see its problems.</source>
+        <translation>Onarım yüzeyini onarmadan sadeleştirilemez: sorunlarına bakın.</translation>
+    </message>
+    <message>
+        <source>No edge has more than two triangles.</source>
+        <translation>Hiçbir kenarda ikiden çok üçgen yok.</translation>
+    </message>
+    <message>
+        <source>Nothing of the surface would be left.</source>
+        <translation>Yüzeyden geriye bir şey kalmazdı.</translation>
+    </message>
+    <message>
+        <source>a surface that no tissue can be built on yet</source>
+        <translation>üzerine henüz doku kurulamayan bir yüzey</translation>
+    </message>
+    <message>
+        <source>a surface with one side only, like a Moebius band</source>
+        <translation>Möbius şeridi gibi tek yanlı bir yüzey</translation>
+    </message>
+    <message>
+        <source>at most two triangles at every edge: cut along those, or choose fewer parts</source>
+        <translation>her kenarda en çok iki üçgen: onlar boyunca kesin ya da daha az parça seçin</translation>
+    </message>
+    <message>
+        <source>at most {most:g} %: choose fewer parts, or keep the largest piece</source>
+        <translation>en çok %{most:g}: daha az parça seçin ya da en büyük parçayı tutun</translation>
+    </message>
+    <message>
+        <source>one whose problems the Repair stage has mended</source>
+        <translation>sorunlarını Onarım aşamasının giderdiği bir yüzey</translation>
+    </message>
+    <message>
+        <source>one with an inside and an outside: cut where neighbours disagree</source>
+        <translation>içi ve dışı olan bir yüzey: komşuların anlaşamadığı yerde kesin</translation>
+    </message>
+    <message>
+        <source>{count} of {all} triangles that cross others, as of parts inside each other</source>
+        <translation>iç içe parçalarda olduğu gibi başkalarını kesen {all} üçgenden {count} tanesi</translation>
     </message>
 </context>
 <context>

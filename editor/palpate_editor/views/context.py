@@ -44,6 +44,8 @@ class Context(QObject):
     preview_shown = Signal(bool)
     """The view shows something else than the open organ, or the organ again."""
     distance_wanted = Signal(bool)
+    look_wanted = Signal(object)
+    """A Problem is to be looked at, where it is on the surface."""
     assessed = Signal()
     """`assessment` is that of the open organ."""
 

@@ -29,6 +29,7 @@ from palpate_editor.views.log_dock import LogDock
 from palpate_editor.views.menu_actions import MenuActions
 from palpate_editor.views.message_bar import MessageBar
 from palpate_editor.views.palette import CommandPalette
+from palpate_editor.views.problem_marks import ProblemMarks
 from palpate_editor.views.publishing import Publishing
 from palpate_editor.views.recent_menu import RecentMenu
 from palpate_editor.views.scene_tree import SceneTree
@@ -73,6 +74,8 @@ class MainWindow(QMainWindow):
         self.files = Files(self.context, self.tasks, self)
         self.publishing = Publishing(self.context, self.files, self.tasks, self)
         self.display = Display(self.context, self)
+        self.problem_marks = ProblemMarks(self.context, self)
+        self.context.look_wanted.connect(self.problem_marks.look_at)
         self.menu_actions = MenuActions(
             self.context, self.display, self.files, self.tasks, self.publishing, self
         )

@@ -176,6 +176,70 @@
         <source>the most substeps became %1, expected at least %2</source>
         <translation>en çok alt adım sayısı %1 oldu, en az %2 olmalı</translation>
     </message>
+    <message>
+        <source>OFF, COFF, NOFF, STOFF or 4OFF</source>
+        <translation>OFF, COFF, NOFF, STOFF ya da 4OFF</translation>
+    </message>
+    <message>
+        <source>a %1 file, which the package %2 reads, and it is not there</source>
+        <translation>%2 paketinin okuduğu bir %1 dosyası; o paket burada yok</translation>
+    </message>
+    <message>
+        <source>a file of Gmsh, version 2.2, 4.0 or 4.1</source>
+        <translation>Gmsh’nin 2.2, 4.0 ya da 4.1 sürümünde bir dosyası</translation>
+    </message>
+    <message>
+        <source>a surface made of triangles or quadrilaterals</source>
+        <translation>üçgenlerden ya da dörtgenlerden oluşan bir yüzey</translation>
+    </message>
+    <message>
+        <source>a vertex of %1 numbers</source>
+        <translation>%1 sayılı bir köşe</translation>
+    </message>
+    <message>
+        <source>a vertex of four numbers</source>
+        <translation>dört sayılı bir köşe</translation>
+    </message>
+    <message>
+        <source>a vertex of three numbers</source>
+        <translation>üç sayılı bir köşe</translation>
+    </message>
+    <message>
+        <source>an OFF that was saved as text</source>
+        <translation>metin olarak kaydedilmiş bir OFF</translation>
+    </message>
+    <message>
+        <source>how many corners a face has</source>
+        <translation>bir yüzün kaç köşesi olduğu</translation>
+    </message>
+    <message>
+        <source>how many vertices and faces there are</source>
+        <translation>kaç köşe ve kaç yüz olduğu</translation>
+    </message>
+    <message>
+        <source>one of .obj .stl .ply .off .glb .gltf .3ds .fbx .dae .vtk .vtp .vtu .msh</source>
+        <translation>şunlardan biri: .obj .stl .ply .off .glb .gltf .3ds .fbx .dae .vtk .vtp .vtu .msh</translation>
+    </message>
+    <message>
+        <source>polygons, or a grid of cells</source>
+        <translation>çokgenler ya da hücrelerden bir ızgara</translation>
+    </message>
+    <message>
+        <source>that package: pip install palpate-editor[formats]</source>
+        <translation>o paket: pip install palpate-editor[formats]</translation>
+    </message>
+    <message>
+        <source>the number of a vertex</source>
+        <translation>bir köşenin numarası</translation>
+    </message>
+    <message>
+        <source>three numbers</source>
+        <translation>üç sayı</translation>
+    </message>
+    <message>
+        <source>version 2.2, 4.0 or 4.1</source>
+        <translation>2.2, 4.0 ya da 4.1 sürümü</translation>
+    </message>
 </context>
 <context>
     <name>Refusal</name>
@@ -272,10 +336,6 @@
         <translation>%1 sayı</translation>
     </message>
     <message>
-        <source>%1 of %2 that cross others</source>
-        <translation>%2 üçgenden %1 tanesi başkalarıyla kesişiyor</translation>
-    </message>
-    <message>
         <source>%1 of shape %2</source>
         <translation>%2 biçiminde %1</translation>
     </message>
@@ -338,10 +398,6 @@
     <message>
         <source>%1 with another SHA-256</source>
         <translation>SHA-256 değeri başka olan %1</translation>
-    </message>
-    <message>
-        <source>%1 with more than two triangles</source>
-        <translation>ikiden çok üçgeni olan %1 kenar</translation>
     </message>
     <message>
         <source>%1, one per triangle</source>
@@ -486,10 +542,6 @@
     <message>
         <source>84 bytes of header, or text that begins with 'solid'</source>
         <translation>84 baytlık başlık ya da 'solid' ile başlayan metin</translation>
-    </message>
-    <message>
-        <source>; fewer parts may do (--part)</source>
-        <translation>; daha az parça yetebilir (--part)</translation>
     </message>
     <message>
         <source>Device or resource busy</source>
@@ -868,24 +920,12 @@
         <translation>bir yüzey</translation>
     </message>
     <message>
-        <source>a surface a tissue can be built on</source>
-        <translation>üzerine doku kurulabilecek bir yüzey</translation>
-    </message>
-    <message>
         <source>a surface made of triangles or polygons</source>
         <translation>üçgen ya da çokgenlerden oluşan bir yüzey</translation>
     </message>
     <message>
         <source>a surface that does not cross itself</source>
         <translation>kendisiyle kesişmeyen bir yüzey</translation>
-    </message>
-    <message>
-        <source>a surface that does not cross itself%1</source>
-        <translation>kendisiyle kesişmeyen bir yüzey%1</translation>
-    </message>
-    <message>
-        <source>a surface with one side only, like a Moebius band</source>
-        <translation>Möbius şeridi gibi tek yüzlü bir yüzey</translation>
     </message>
     <message>
         <source>a tangent at rest that K_theta %1 J makes indefinite at any K_btheta</source>
@@ -1192,10 +1232,6 @@
         <translation>en çok %1 girdi</translation>
     </message>
     <message>
-        <source>at most %1%2</source>
-        <translation>en çok %1%2</translation>
-    </message>
-    <message>
         <source>at most %1, what this editor knows</source>
         <translation>en çok %1, bu düzenleyicinin bildiği</translation>
     </message>
@@ -1218,10 +1254,6 @@
     <message>
         <source>at most two triangles at an edge</source>
         <translation>bir kenarda en çok iki üçgen</translation>
-    </message>
-    <message>
-        <source>at most two triangles at every edge%1</source>
-        <translation>her kenarda en çok iki üçgen%1</translation>
     </message>
     <message>
         <source>below %1 N</source>
@@ -1556,10 +1588,6 @@
         <translation>şunlardan biri: %1</translation>
     </message>
     <message>
-        <source>one of .obj .stl .ply .glb .gltf .3ds .fbx .dae .off</source>
-        <translation>şunlardan biri: .obj .stl .ply .glb .gltf .3ds .fbx .dae .off</translation>
-    </message>
-    <message>
         <source>one that can be opened</source>
         <translation>açılabilen bir girdi</translation>
     </message>
@@ -1574,10 +1602,6 @@
     <message>
         <source>one that it does: the file is saved, but a loss of power may bring back what stood there before</source>
         <translation>eşitlediği bir klasör: dosya kaydedildi, ama elektrik kesilirse önceki hâli geri gelebilir</translation>
-    </message>
-    <message>
-        <source>one with an inside and an outside%1</source>
-        <translation>içi ve dışı olan bir yüzey%1</translation>
     </message>
     <message>
         <source>one; it may be empty</source>
@@ -1670,10 +1694,6 @@
     <message>
         <source>small letters, digits, _ - and ., in parts joined by /</source>
         <translation>küçük harfler, rakamlar, _ - ve .; / ile birleşen parçalarda</translation>
-    </message>
-    <message>
-        <source>so many on top of each other that counting was given up</source>
-        <translation>sayılamayacak kadar çok üst üste üçgen</translation>
     </message>
     <message>
         <source>solid, facet, outer loop, vertex, endloop, endfacet or endsolid</source>

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from palpate_editor.views.icons import draw_icon
 from palpate_editor.views.theme import Colours
+from palpate_editor.views.translations import tr
 
 SIGNS = {"good": "tick", "warning": "warning", "bad": "cross", "faint": "info"}
 
@@ -110,6 +111,7 @@ class CheckRow(QWidget):
     """One check: its sign, a sentence, and a button where a fix is known."""
 
     fix_wanted = Signal(object)
+    look_wanted = Signal(object)
 
     def __init__(self, parent: QWidget | None = None):
         super().__init__(parent)
@@ -123,14 +125,28 @@ class CheckRow(QWidget):
         self.button.setProperty("small", True)
         self.button.clicked.connect(self.tell)
         self.fix: object = None
+        self.look = QPushButton(tr("Show"), self)
+        self.look.setProperty("small", True)
+        self.look.clicked.connect(self.tell_place)
+        self.look.hide()
+        self.place: object = None
         row.addWidget(self.sign, 0, Qt.AlignmentFlag.AlignTop)
         row.addWidget(self.label, 1)
+        row.addWidget(self.look, 0, Qt.AlignmentFlag.AlignTop)
         row.addWidget(self.button, 0, Qt.AlignmentFlag.AlignTop)
 
     def show_check(
-        self, tone: str, text: str, colours: Colours, fix: object = None, fix_text: str = ""
+        self,
+        tone: str,
+        text: str,
+        colours: Colours,
+        fix: object = None,
+        fix_text: str = "",
+        place: object = None,
     ) -> None:
-        self.tone, self.fix = tone, fix
+        """`place` is what can be looked at, None where it is nowhere in particular."""
+        self.tone, self.fix, self.place = tone, fix, place
+        self.look.setVisible(place is not None)
         colour = getattr(colours, tone)
         self.sign.setPixmap(draw_icon(SIGNS[tone], colour, 16, 2.2))
         self.label.setText(text)
@@ -139,3 +155,6 @@ class CheckRow(QWidget):
 
     def tell(self) -> None:
         self.fix_wanted.emit(self.fix)
+
+    def tell_place(self) -> None:
+        self.look_wanted.emit(self.place)

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from palpate.translation.refusals import say_refusal
+from palpate.translation.refusals import say_note, say_refusal
 from PySide6.QtWidgets import (
     QComboBox,
     QGridLayout,
@@ -161,7 +161,7 @@ class ImportPanel(StagePanel):
             self.up.setCurrentText(source.up)
             self.unit_reason.setText(self.reason(source.unit_guessed, source.unit_reason))
             self.up_reason.setText(self.reason(source.up_guessed, source.up_reason))
-            self.notes.setText("\n".join(source.notes))
+            self.notes.setText("\n".join(map(say_note, source.notes)))
             self.notes.setVisible(bool(source.notes))
         elif self.reading is None:
             self.file.setText(tr("No file yet: choose one, or drop it anywhere on this window."))

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QWidget
 
 from palpate_editor.authoring import MeshReport
 from palpate_editor.document import Organ, Repairs
+from palpate_editor.document.rules import MOST_CROSSING
 from palpate_editor.edits import KeepLargestShell
 from palpate_editor.views.context import Context
 from palpate_editor.views.stages.facts import Facts
@@ -34,6 +35,8 @@ class RepairPanel(StagePanel):
         return [
             tr("Doubled points are welded, doubled and empty triangles removed, and triangles "
                "turned so that all face outwards. What was done stands in the panel."),
+            tr("Whatever can be drawn is imported. Triangles that no tissue can be built on are "
+               "red on the organ, and the checks below name what mends them."),
             tr("Holes are never closed without being asked for: an open surface can be a hollow "
                "organ or a sheet, and then needs the thickness of its wall."),
         ]  # fmt: skip
@@ -90,7 +93,7 @@ class RepairPanel(StagePanel):
                 (
                     tr("Crossing triangles"),
                     tr("too many to count") if crossing is None else count(crossing),
-                    "good" if crossing == 0 else "warning",
+                    say_crossing_tone(report),
                 ),
                 (tr("Volume"), quantity(report.volume_ml, "ml")),
             ]
@@ -114,6 +117,14 @@ class RepairPanel(StagePanel):
 
     def keep_largest(self) -> None:
         self.tasks.apply_slowly(KeepLargestShell())
+
+
+def say_crossing_tone(report: MeshReport) -> str:
+    """Bad where nothing can be published so."""
+    crossing = report.self_intersecting_faces
+    if crossing is None or crossing > MOST_CROSSING * report.triangles:
+        return "bad"
+    return "warning" if crossing else "good"
 
 
 def say_outward(report: MeshReport) -> tuple[str, str]:

@@ -149,18 +149,24 @@ class StagePanel(QWidget):
         """All problems of the stage, then what is good."""
         colours = self.context.colours
         entries = [
-            (TONES[p.severity], self.text_of(p), p.fix, tr("Fix it") if p.fix else "")
+            (TONES[p.severity], self.text_of(p), p.fix, tr("Fix it") if p.fix else "", place_of(p))
             for p in self.problems()
         ]
-        entries += [("good", sentence, None, "") for sentence in self.good_news()]
+        entries += [("good", sentence, None, "", None) for sentence in self.good_news()]
         while len(self.rows) < len(entries):
             row = CheckRow(self)
             row.fix_wanted.connect(self.context.apply)
+            row.look_wanted.connect(self.context.look_wanted)
             self.rows.append(row)
             self.checks.add(row)
         for i, row in enumerate(self.rows):
             row.setVisible(i < len(entries))
             if i < len(entries):
-                tone, text, fix, title = entries[i]
-                row.show_check(tone, text, colours, fix, title)
+                tone, text, fix, title, place = entries[i]
+                row.show_check(tone, text, colours, fix, title, place)
         self.checks.setVisible(bool(entries))
+
+
+def place_of(problem: Problem) -> Problem | None:
+    """The problem, where it can be looked at."""
+    return problem if problem.faces is not None and len(problem.faces) else None
