@@ -69,6 +69,12 @@ ARROWS = {
         "cvxopt",
         "pymetis",
     ),
+    "editor/palpate_editor/formats_child": (
+        "palpate_editor.formats_child",
+        "numpy",
+        "vtkmodules",
+        "meshio",
+    ),
     "editor/palpate_editor/scan": (
         "palpate_editor.scan",
         "palpate.error",
@@ -103,6 +109,7 @@ GUARDED = {
 """Imports that stand in a function and say what to install where they fail."""
 
 NAME_ON_INDEX = {
+    "vtkmodules": "vtk",
     "skfem": "scikit-fem",
     "skimage": "scikit-image",
     "PySide6": "pyside6-essentials",

@@ -167,7 +167,7 @@ def run_confined(tmp_path: Path, code: str) -> str:
     write_vtk(tmp_path / "a.vtk", TETRAHEDRON, TETRAHEDRON_FACES)
     lines = (
         "import socket\n"
-        "from palpate_editor.formats.confine import confine\n"
+        "from palpate_editor.formats_child.confine import confine\n"
         f"confine({str(tmp_path / 'a.vtk')!r}, [], 2_000_000_000, 5)\n"
         f"try:\n    {code}\n    print('allowed')\n"
         "except (OSError, MemoryError) as refused:\n    print(type(refused).__name__)\n"

@@ -17,6 +17,12 @@ def build_command(*arguments: object) -> list[str]:
     return [sys.executable, "-P", *map(str, arguments)]
 
 
+def build_isolated(*arguments: object) -> list[str]:
+    """This interpreter with `arguments`, deaf to its environment and to what a user installed for
+    himself alone: for a script of ours that opens what strangers wrote, and is told its folders."""
+    return [sys.executable, "-I", *map(str, arguments)]
+
+
 def build_verb(*arguments: object) -> list[str]:
     """The command `palpate` with `arguments`, of this very installation."""
     return build_command("-m", "palpate", *arguments)

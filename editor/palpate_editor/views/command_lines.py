@@ -27,6 +27,8 @@ from palpate_editor.document.constants import (
 from palpate_editor.document.idle import find_idle
 from palpate_editor.edits import (
     Configure,
+    CutCrowdedEdges,
+    CutDisagreement,
     Decimate,
     Edit,
     FillHoles,
@@ -246,6 +248,8 @@ FINDERS: dict[type, Callable[[Any, Organ, Path | str], Arguments | None]] = {
     Decimate: decimate_arguments,
     KeepLargestShell: repair_arguments("shells"),
     TurnOutward: repair_arguments("inward"),
+    CutCrowdedEdges: repair_arguments("non_manifold"),
+    CutDisagreement: repair_arguments("one_sided"),
     FillHoles: hole_arguments,
     SetConstant: constant_arguments,
     SetChoice: choice_arguments,

@@ -13,6 +13,7 @@ from hands import child, click, log_of
 from palpate_editor.document import Organ, Surface
 from palpate_editor.document.cost_rules import TICK_SHARE
 from palpate_editor.views.assessment import Assessment
+from palpate_editor.views.problem_marks import MARK, find_outside
 from patience import rest, settle
 from touch_context import build_organ
 
@@ -150,3 +151,54 @@ def test_a_tick_that_takes_too_long_has_no_tick(qtbot, holed, share):
     news = " ".join(holed.stage_dock.panels["decimate"].good_news())
 
     assert ("of a millisecond" in news) == (share <= TICK_SHARE)
+
+
+# ---------------------------------------------------------------- what cannot be built on yet
+
+
+@pytest.fixture
+def broken(qtbot, window):
+    """A surface with a triangle on one of its edges, in the Repair stage."""
+    ball = build_organ(vertices=60)
+    x, (i, j, _) = ball.surface.vertices, ball.surface.triangles[0]
+    tip = 1.5 * x[[i, j]].mean(axis=0) - 0.5 * x.mean(axis=0)
+    surface = Surface(np.vstack([x, tip]), np.vstack([ball.surface.triangles, [i, j, len(x)]]))
+    organ = replace(ball.with_surface(surface), imported=surface)
+    window.session.restore(organ, None)
+    window.show_stage("repair")
+    settle(qtbot, window)
+    return window
+
+
+def row_of(window, words: str):
+    panel = window.stage_dock.panels["repair"]
+    [row] = [r for r in panel.rows if not r.isHidden() and words in r.label.text()]
+    return row
+
+
+def test_triangles_that_nothing_can_be_built_on_are_red_and_only_there(qtbot, broken):
+    things = broken.view.scenery._things
+
+    # each of three triangles from both sides
+    assert len(things[MARK].triangles) == 6
+    for stage, shown in (("material", False), ("import", True)):
+        broken.show_stage(stage)
+        assert (broken.problem_marks.shown is not None) == shown
+
+
+def test_show_flies_to_the_place_and_fix_it_mends_it(qtbot, broken):
+    row = row_of(broken, "more than two triangles")
+    assert row.look.isVisible() and row.button.isVisible()
+    middle, _ = find_outside(broken.session.organ.surface, row.place.faces)
+
+    click(row.look)
+    assert np.allclose(broken.view.camera.target, middle)
+
+    click(row.button)
+    settle(qtbot, broken)
+    assert broken.problem_marks.shown is None
+    assert broken.context.assessment.report.non_manifold_edges == 0
+    assert "repair ball.organ --problem non_manifold" in log_of(broken)
+    broken.session.history.undo()
+    settle(qtbot, broken)
+    assert broken.problem_marks.shown is not None

@@ -176,70 +176,6 @@
         <source>the most substeps became %1, expected at least %2</source>
         <translation>en çok alt adım sayısı %1 oldu, en az %2 olmalı</translation>
     </message>
-    <message>
-        <source>OFF, COFF, NOFF, STOFF or 4OFF</source>
-        <translation>OFF, COFF, NOFF, STOFF ya da 4OFF</translation>
-    </message>
-    <message>
-        <source>a %1 file, which the package %2 reads, and it is not there</source>
-        <translation>%2 paketinin okuduğu bir %1 dosyası; o paket burada yok</translation>
-    </message>
-    <message>
-        <source>a file of Gmsh, version 2.2, 4.0 or 4.1</source>
-        <translation>Gmsh’nin 2.2, 4.0 ya da 4.1 sürümünde bir dosyası</translation>
-    </message>
-    <message>
-        <source>a surface made of triangles or quadrilaterals</source>
-        <translation>üçgenlerden ya da dörtgenlerden oluşan bir yüzey</translation>
-    </message>
-    <message>
-        <source>a vertex of %1 numbers</source>
-        <translation>%1 sayılı bir köşe</translation>
-    </message>
-    <message>
-        <source>a vertex of four numbers</source>
-        <translation>dört sayılı bir köşe</translation>
-    </message>
-    <message>
-        <source>a vertex of three numbers</source>
-        <translation>üç sayılı bir köşe</translation>
-    </message>
-    <message>
-        <source>an OFF that was saved as text</source>
-        <translation>metin olarak kaydedilmiş bir OFF</translation>
-    </message>
-    <message>
-        <source>how many corners a face has</source>
-        <translation>bir yüzün kaç köşesi olduğu</translation>
-    </message>
-    <message>
-        <source>how many vertices and faces there are</source>
-        <translation>kaç köşe ve kaç yüz olduğu</translation>
-    </message>
-    <message>
-        <source>one of .obj .stl .ply .off .glb .gltf .3ds .fbx .dae .vtk .vtp .vtu .msh</source>
-        <translation>şunlardan biri: .obj .stl .ply .off .glb .gltf .3ds .fbx .dae .vtk .vtp .vtu .msh</translation>
-    </message>
-    <message>
-        <source>polygons, or a grid of cells</source>
-        <translation>çokgenler ya da hücrelerden bir ızgara</translation>
-    </message>
-    <message>
-        <source>that package: pip install palpate-editor[formats]</source>
-        <translation>o paket: pip install palpate-editor[formats]</translation>
-    </message>
-    <message>
-        <source>the number of a vertex</source>
-        <translation>bir köşenin numarası</translation>
-    </message>
-    <message>
-        <source>three numbers</source>
-        <translation>üç sayı</translation>
-    </message>
-    <message>
-        <source>version 2.2, 4.0 or 4.1</source>
-        <translation>2.2, 4.0 ya da 4.1 sürümü</translation>
-    </message>
 </context>
 <context>
     <name>Refusal</name>
@@ -1998,6 +1934,70 @@
     <message>
         <source>packed</source>
         <translation>packed</translation>
+    </message>
+    <message>
+        <source>OFF, COFF, NOFF, STOFF or 4OFF</source>
+        <translation>OFF, COFF, NOFF, STOFF ya da 4OFF</translation>
+    </message>
+    <message>
+        <source>a %1 file, which the package %2 reads, and it is not there</source>
+        <translation>%2 paketinin okuduğu bir %1 dosyası; o paket burada yok</translation>
+    </message>
+    <message>
+        <source>a file of Gmsh, version 2.2, 4.0 or 4.1</source>
+        <translation>Gmsh’nin 2.2, 4.0 ya da 4.1 sürümünde bir dosyası</translation>
+    </message>
+    <message>
+        <source>a surface made of triangles or quadrilaterals</source>
+        <translation>üçgenlerden ya da dörtgenlerden oluşan bir yüzey</translation>
+    </message>
+    <message>
+        <source>a vertex of %1 numbers</source>
+        <translation>%1 sayılı bir köşe</translation>
+    </message>
+    <message>
+        <source>a vertex of four numbers</source>
+        <translation>dört sayılı bir köşe</translation>
+    </message>
+    <message>
+        <source>a vertex of three numbers</source>
+        <translation>üç sayılı bir köşe</translation>
+    </message>
+    <message>
+        <source>an OFF that was saved as text</source>
+        <translation>metin olarak kaydedilmiş bir OFF</translation>
+    </message>
+    <message>
+        <source>how many corners a face has</source>
+        <translation>bir yüzün kaç köşesi olduğu</translation>
+    </message>
+    <message>
+        <source>how many vertices and faces there are</source>
+        <translation>kaç köşe ve kaç yüz olduğu</translation>
+    </message>
+    <message>
+        <source>one of .obj .stl .ply .off .glb .gltf .3ds .fbx .dae .vtk .vtp .vtu .msh</source>
+        <translation>şunlardan biri: .obj .stl .ply .off .glb .gltf .3ds .fbx .dae .vtk .vtp .vtu .msh</translation>
+    </message>
+    <message>
+        <source>polygons, or a grid of cells</source>
+        <translation>çokgenler ya da hücrelerden bir ızgara</translation>
+    </message>
+    <message>
+        <source>that package: pip install palpate-editor[formats]</source>
+        <translation>o paket: pip install palpate-editor[formats]</translation>
+    </message>
+    <message>
+        <source>the number of a vertex</source>
+        <translation>bir köşenin numarası</translation>
+    </message>
+    <message>
+        <source>three numbers</source>
+        <translation>üç sayı</translation>
+    </message>
+    <message>
+        <source>version 2.2, 4.0 or 4.1</source>
+        <translation>2.2, 4.0 ya da 4.1 sürümü</translation>
     </message>
 </context>
 </TS>

@@ -10,9 +10,10 @@ of VTK or meshio is ever imported by a program that opens windows.
 from __future__ import annotations
 
 import os
-import sys
 from importlib.util import find_spec
 from pathlib import Path
+
+from palpate.system.isolated import build_isolated
 
 NEEDED = {
     ".vtk": "vtkmodules",
@@ -25,7 +26,7 @@ NEEDED = {
 PACKAGES = {"vtkmodules": "vtk", "meshio": "meshio"}
 """Module -> the package that has it."""
 
-CHILD = Path(__file__).with_name("child.py")
+CHILD = Path(__file__).parent / "formats_child" / "child.py"
 
 
 def find_missing(path: Path) -> str | None:
@@ -50,4 +51,4 @@ def build_words(path: Path) -> list[str] | None:
         found = find_spec(name)
         if found is not None and found.origin is not None:
             folders.append(str(Path(found.origin).parent.parent))
-    return [sys.executable, "-I", str(CHILD), os.pathsep.join(dict.fromkeys(folders))]
+    return build_isolated(CHILD, os.pathsep.join(dict.fromkeys(folders)))

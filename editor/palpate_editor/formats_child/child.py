@@ -15,10 +15,10 @@ from collections.abc import Callable
 def choose_reader(form: str) -> Callable[[str], object]:
     """The function that reads a format; its library is loaded by that."""
     if form == "MSH":
-        from palpate_editor.formats.read_gmsh import read_gmsh
+        from palpate_editor.formats_child.read_gmsh import read_gmsh
 
         return read_gmsh
-    from palpate_editor.formats.read_vtk import read_vtk
+    from palpate_editor.formats_child.read_vtk import read_vtk
 
     return lambda path: read_vtk(path, form)
 
@@ -28,8 +28,8 @@ def main(folders: str, path: str, form: str, memory: str, seconds: str) -> int:
     # a library that starts threads of its own would need memory for each
     for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "VTK_SMP_MAX_THREADS"):
         os.environ[name] = "1"
-    from palpate_editor.formats.confine import confine
-    from palpate_editor.formats.scene import Refusal, encode_refusal, encode_scene
+    from palpate_editor.formats_child.confine import confine
+    from palpate_editor.formats_child.scene import Refusal, encode_refusal, encode_scene
 
     read = choose_reader(form)
     answers = os.fdopen(os.dup(1), "wb")

@@ -10,7 +10,7 @@ import meshio
 import numpy as np
 from meshio import gmsh
 
-from palpate_editor.formats.scene import Part, Refusal, Scene, cut_out, describe_filling
+from palpate_editor.formats_child.scene import Part, Refusal, Scene, cut_out, describe_filling
 
 FACES = {
     "tetra": [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)],

@@ -21,7 +21,7 @@ from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 
-from palpate_editor.formats.scene import (
+from palpate_editor.formats_child.scene import (
     Part,
     Refusal,
     Scene,
