@@ -2321,6 +2321,8 @@ Beklenen: {expected}.</translation>
     <message>
         <source>&amp;Open a chart…</source>
         <translation>Çi&amp;zelge aç…</translation>
+    </message>
+    <message>
         <source>Show</source>
         <translation>Göster</translation>
     </message>
@@ -3320,6 +3322,8 @@ Beklenen: {expected}.</translation>
     <message>
         <source>{particles} particles, {elements} elements; at most {substeps} substeps in touch.</source>
         <translation>{particles} parçacık, {elements} öğe; temasta en çok {substeps} alt adım.</translation>
+    </message>
+    <message>
         <source>All neighbours agree on which side is outside.</source>
         <translation>Bütün komşular hangi yanın dışarısı olduğunda anlaşıyor.</translation>
     </message>
