@@ -1565,6 +1565,8 @@ class Integrator(enum.Enum):
     implicit_euler_linear = 4
     implicit_euler = 5
     implicit_midpoint = 6
+    xpbd = 7
+    projective_dynamics = 8
 
 def find_integrator(name: str) -> Integrator | None:
     """'symplectic_euler' -> Integrator.symplectic_euler; None for an unknown name."""
@@ -1595,11 +1597,14 @@ def step(
 
 class ImplicitStepper:
     """Steps with an implicit integrator; owns the sparse factorisation."""
-    def __init__(self, model: TissueModel, integrator: Integrator) -> None:
-        """Steps this model, which it keeps."""
+    def __init__(self, model: TissueModel, integrator: Integrator, iterations: int = ...) -> None:
+        """Steps this model, which it keeps. Iterations are how often xpbd goes over all
+        constraints in a step, and projective_dynamics solves with its matrix: up to 1000, 0
+        for the usual 5 and 10. The others take 0 alone.
+        """
     def step(self, load: Load, dt: float, state: State) -> int:
-        """Advances state by dt [s]; returns the Newton iterations used, or 0 where no solution
-        was found: positions and time are then as they were.
+        """Advances state by dt [s]; returns the iterations used, or 0 where no solution was
+        found: positions and time are then as they were.
 
         Args:
             dt: [s]
@@ -2659,6 +2664,7 @@ class SoftBody:
         integrator: Integrator = ...,
         simd_target: str = ...,
         contact_modulus: float = ...,
+        iterations: int = ...,
     ) -> None:
         """Copies its tissue.
 
@@ -2682,6 +2688,10 @@ class SoftBody:
     """How a step goes from one moment to the next; any but symplectic_euler under the reference
     kernel only. An implicit one allocates in every step, and what cannot be solved is an
     alarm.
+    """
+    iterations: int
+    """Of xpbd and projective_dynamics in every step; build_scene chooses when 0, and refuses
+    any for another integrator.
     """
     simd_target: str
     """Of the packed kernel: one of simd_targets(), empty for the best."""
@@ -2713,7 +2723,7 @@ class SoftBody:
         """A copy of its own."""
     def __getstate__(
         self, /
-    ) -> tuple[object, object, object, object, object, object, object, object]: ...
+    ) -> tuple[object, object, object, object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """What it is, on one line."""

@@ -156,6 +156,10 @@ void bind_integrators(py::module_& m) {
              "One Newton step with the projected tangent.")
       .value("implicit_euler", Integrator::implicit_euler, "Newton until the residual is small.")
       .value("implicit_midpoint", Integrator::implicit_midpoint)
+      .value("xpbd", Integrator::xpbd,
+             "Extended position-based dynamics: constraints one after the other.")
+      .value("projective_dynamics", Integrator::projective_dynamics,
+             "Local steps and one constant matrix.")
       .finalize();
   m.def("find_integrator", &find_integrator, "name"_a,
         "'symplectic_euler' -> Integrator.symplectic_euler; None for an unknown name.");
@@ -207,10 +211,13 @@ void bind_step(py::module_& m) {
   };
   py::class_<Stepper>(m, "ImplicitStepper",
                       "Steps with an implicit integrator; owns the sparse factorisation.")
-      .def(py::init([](const TissueModel& model, Integrator integrator) {
-             return Stepper{model, ImplicitStepper(model, integrator)};
+      .def(py::init([](const TissueModel& model, Integrator integrator, int iterations) {
+             return Stepper{model, ImplicitStepper(model, integrator, iterations)};
            }),
-           "model"_a, "integrator"_a, py::keep_alive<1, 2>(), "Steps this model, which it keeps.")
+           "model"_a, "integrator"_a, "iterations"_a = 0, py::keep_alive<1, 2>(),
+           "Steps this model, which it keeps. Iterations are how often xpbd goes over all "
+           "constraints in a step, and projective_dynamics solves with its matrix: up to 1000, 0 "
+           "for the usual 5 and 10. The others take 0 alone.")
       .def(
           "step",
           [](Stepper& self, const Load& load, double dt, State& state) {
@@ -219,7 +226,7 @@ void bind_step(py::module_& m) {
             return self.stepper.step(load, dt, state);
           },
           "load"_a, "dt"_a, "state"_a,
-          "Advances state by dt [s]; returns the Newton iterations used, or 0 where no solution "
+          "Advances state by dt [s]; returns the iterations used, or 0 where no solution "
           "was found: positions and time are then as they were.");
 }
 

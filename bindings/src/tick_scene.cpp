@@ -49,6 +49,9 @@ void bind_body_fields(py::class_<SoftBody>& body) {
                      "How a step goes from one moment to the next; any but symplectic_euler under "
                      "the reference kernel only. An implicit one allocates in every step, and what "
                      "cannot be solved is an alarm.")
+      .def_readwrite("iterations", &SoftBody::iterations,
+                     "Of xpbd and projective_dynamics in every step; build_scene chooses when 0, "
+                     "and refuses any for another integrator.")
       .def_readwrite("simd_target", &SoftBody::simd_target,
                      "Of the packed kernel: one of simd_targets(), empty for the best.")
       .def_readwrite("contact_modulus", &SoftBody::contact_modulus,
@@ -86,7 +89,7 @@ void bind_body(py::module_& m) {
   py::class_<SoftBody> body(m, "SoftBody", "A tissue and how it is moved.");
   body.def(py::init([](const TissueModel* tissue, int substeps, int substeps_max,
                        double force_error, Kernel kernel, Integrator integrator,
-                       const std::string& simd_target, double contact_modulus) {
+                       const std::string& simd_target, double contact_modulus, int iterations) {
              SoftBody made;
              if (tissue) made.tissue = *tissue;
              made.substeps = substeps;
@@ -96,17 +99,18 @@ void bind_body(py::module_& m) {
              made.integrator = integrator;
              made.simd_target = simd_target;
              made.contact_modulus = contact_modulus;
+             made.iterations = iterations;
              return made;
            }),
            py::kw_only(), "tissue"_a = py::none(), "substeps"_a = usual.substeps,
            "substeps_max"_a = usual.substeps_max, "force_error"_a = usual.force_error,
            "kernel"_a = usual.kernel, "integrator"_a = usual.integrator,
            "simd_target"_a = usual.simd_target, "contact_modulus"_a = usual.contact_modulus,
-           "Copies its tissue.");
+           "iterations"_a = usual.iterations, "Copies its tissue.");
   bind_body_fields(body);
   def_value(body, &SoftBody::tissue, &SoftBody::substeps, &SoftBody::substeps_max,
             &SoftBody::force_error, &SoftBody::kernel, &SoftBody::integrator,
-            &SoftBody::simd_target, &SoftBody::contact_modulus);
+            &SoftBody::simd_target, &SoftBody::contact_modulus, &SoftBody::iterations);
   def_summary(body, &describe_body);
 }
 

@@ -41,6 +41,7 @@ Json print_body(const SoftBody& body) {
   if (body.integrator != Integrator::symplectic_euler) {
     printed["integrator"] = std::string(integrator_name(body.integrator));
   }
+  if (body.iterations > 0) printed["iterations"] = body.iterations;
   return printed;
 }
 
@@ -118,6 +119,9 @@ SoftBody parse_body(Fields fields) {
   body.force_error = fields.number_or("force_error", 0.0);
   body.contact_modulus = parse_contact(fields);
   body.integrator = parse_integrator(fields);
+  if (fields.has("iterations")) {
+    body.iterations = static_cast<int>(fields.whole("iterations", 1, kMostInt));
+  }
   body.spectrum_stiffness = fields.number("spectrum_stiffness");
   body.spectrum_damping = fields.number("spectrum_damping");
   fields.finish();

@@ -54,7 +54,7 @@ template <class SomeBody, class Visit>
 void visit_body(const std::string& folder, SomeBody& body, Visit& visit) {
   // kernel and vector target belong to the machine a scene runs on, a response and a near field are
   // solved for again: no file has them
-  auto& [tissue, substeps, substeps_max, force_error, kernel, integrator, simd_target,
+  auto& [tissue, substeps, substeps_max, force_error, kernel, integrator, iterations, simd_target,
          contact_modulus, rest_areas, spectrum_stiffness, spectrum_damping, least_damping_time,
          response, near_field] = body;
   const std::string t = folder + "tissue/";

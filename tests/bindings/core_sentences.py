@@ -16,6 +16,7 @@ FILES = (
     *(
         "sim/tick/world.cpp",
         "sim/packed/private/active_rule.cpp",
+        "sim/implicit/implicit_stepper.cpp",
         "sim/response/build_response.cpp",
         "sim/contact/near_field.cpp",
     ),

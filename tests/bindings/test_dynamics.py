@@ -10,7 +10,13 @@ import scipy.sparse
 from surfaces import MEMBRANE, chain, ellipsoid
 
 EXPLICIT = ["explicit_euler", "symplectic_euler", "midpoint", "runge_kutta_4"]
-IMPLICIT = ["implicit_euler_linear", "implicit_euler", "implicit_midpoint"]
+IMPLICIT = [
+    "implicit_euler_linear",
+    "implicit_euler",
+    "implicit_midpoint",
+    "xpbd",
+    "projective_dynamics",
+]
 
 
 def molecular_model() -> palpate.TissueModel:

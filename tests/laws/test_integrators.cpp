@@ -24,7 +24,9 @@ constexpr Ordered kEvery[] = {{Integrator::explicit_euler, 1},
                               {Integrator::runge_kutta_4, 4},
                               {Integrator::implicit_euler_linear, 1},
                               {Integrator::implicit_euler, 1},
-                              {Integrator::implicit_midpoint, 2}};
+                              {Integrator::implicit_midpoint, 2},
+                              {Integrator::xpbd, 1},
+                              {Integrator::projective_dynamics, 1}};
 
 State run(const TissueModel& model, const Load& load, Integrator integrator, double duration,
           int steps, State state) {

@@ -203,7 +203,7 @@ def drop_pressure(scene: palpate.Scene) -> palpate.Scene:
     body = scene.bodies[0]
     slack = copy.copy(body.tissue)
     slack.pressure = 0.0
-    kept = ("substeps", "substeps_max", "force_error", "kernel")
+    kept = ("substeps", "substeps_max", "force_error", "kernel", "integrator", "iterations")
     fields = {name: getattr(body, name) for name in kept}
     return palpate.build_scene(
         palpate.Scene(

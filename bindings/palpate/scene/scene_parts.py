@@ -26,6 +26,8 @@ INTEGRATORS = (
     "implicit_euler_linear",
     "implicit_euler",
     "implicit_midpoint",
+    "xpbd",
+    "projective_dynamics",
 )
 """How a tissue steps in time: names of palpate.Integrator, the usual one first."""
 SPRING_RULES = ("van_gelder", "lloyd")

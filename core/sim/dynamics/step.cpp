@@ -12,7 +12,7 @@
 namespace palpate {
 namespace {
 
-constexpr std::array<std::pair<Integrator, std::string_view>, 7> kNames = {{
+constexpr std::array<std::pair<Integrator, std::string_view>, 9> kNames = {{
     {Integrator::explicit_euler, "explicit_euler"},
     {Integrator::symplectic_euler, "symplectic_euler"},
     {Integrator::midpoint, "midpoint"},
@@ -20,6 +20,8 @@ constexpr std::array<std::pair<Integrator, std::string_view>, 7> kNames = {{
     {Integrator::implicit_euler_linear, "implicit_euler_linear"},
     {Integrator::implicit_euler, "implicit_euler"},
     {Integrator::implicit_midpoint, "implicit_midpoint"},
+    {Integrator::xpbd, "xpbd"},
+    {Integrator::projective_dynamics, "projective_dynamics"},
 }};
 
 /// x += dt v;  v += dt a(x, v), both with the old x and v.

@@ -19,6 +19,8 @@ enum class Integrator {
   implicit_euler_linear,  ///< one Newton step with the projected tangent
   implicit_euler,         ///< Newton until the residual is small
   implicit_midpoint,
+  xpbd,                 ///< extended position-based dynamics: constraints one after the other
+  projective_dynamics,  ///< local steps and one constant matrix
 };
 
 /// "symplectic_euler" -> Integrator::symplectic_euler; none for an unknown name.
@@ -58,21 +60,25 @@ void step(const TissueModel& model, const Load& load, double dt, State& state) n
 void step(const TissueModel& model, const Load& load, double dt, Integrator integrator,
           State& state) noexcept;
 
+class StepSolver;
+
 /// Steps with an implicit integrator; owns the sparse factorisation, so it allocates and belongs
 /// outside the haptic thread.
 class ImplicitStepper {
  public:
-  ImplicitStepper(const TissueModel& model, Integrator integrator);
+  /// `iterations` are how often xpbd goes over all constraints in a step, and projective_dynamics
+  /// solves with its matrix: up to 1000, 0 for the usual 5 and 10. The others take 0 alone. Throws
+  /// std::invalid_argument for those two where angles have no energy (AngleLaw::eq10).
+  ImplicitStepper(const TissueModel& model, Integrator integrator, int iterations = 0);
   ~ImplicitStepper();
   ImplicitStepper(ImplicitStepper&&) noexcept;
 
-  /// Advances `state` by dt [s]; returns the Newton iterations used, or 0 where no solution was
-  /// found: positions and time are then as they were. The model must outlive this.
+  /// Advances `state` by dt [s]; returns the iterations used, or 0 where no solution was found:
+  /// positions and time are then as they were. The model must outlive this.
   int step(const Load& load, double dt, State& state);
 
  private:
-  struct Solver;
-  std::unique_ptr<Solver> solver_;
+  std::unique_ptr<StepSolver> solver_;
 };
 
 }  // namespace palpate

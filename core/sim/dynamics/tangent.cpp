@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/sim/dynamics/tangent.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "palpate/sim/dynamics/private/dual.h"
 #include "palpate/sim/dynamics/private/law_tangents.h"
 #include "palpate/sim/dynamics/private/laws.h"
+#include "palpate/sim/dynamics/private/side_hessian.h"
 #include "palpate/sim/dynamics/private/tensions.h"
 
 namespace palpate {
@@ -80,32 +80,6 @@ void add_links(const Links& links, const std::vector<double>& stiffness, std::sp
   }
 }
 
-/// What each triangle holds of the bonds around it, and what remains to the bonds themselves.
-/// Together with its part of the bonds a triangle's length Hessian is closer to definite than
-/// alone, so less is clamped away.
-struct SharedBonds {
-  SharedBonds(const Links& bonds, const Angles& angles) : remainder(bonds.stiffness) {
-    std::vector<std::pair<std::array<int, 2>, std::size_t>> by_ends;
-    for (std::size_t l = 0; l < bonds.ends.size(); ++l) by_ends.push_back({bonds.ends[l], l});
-    std::sort(by_ends.begin(), by_ends.end());
-    for (std::size_t t = 0; t < angles.corners.size(); ++t) {
-      share.push_back({0.0, 0.0, 0.0});
-      for (std::size_t c = 0; c < 3; ++c) {
-        const int i = angles.corners[t][(c + 1) % 3], j = angles.corners[t][(c + 2) % 3];
-        const std::array<int, 2> ends = {std::min(i, j), std::max(i, j)};
-        const auto bond =
-            std::lower_bound(by_ends.begin(), by_ends.end(), std::pair{ends, std::size_t{0}});
-        if (bond == by_ends.end() || bond->first != ends) continue;
-        share.back()[c] = angles.bond_share[t][c];
-        remainder[bond->second] -= angles.bond_share[t][c];
-      }
-    }
-  }
-
-  std::vector<PerSide<double>> share;  ///< [N/m] per triangle and side
-  std::vector<double> remainder;       ///< [N/m] per bond
-};
-
 /// A triangle's sides in space: lengths, and the directions x_p - x_q that a side pulls along.
 struct Sides {
   Sides(const Triangle& corners, std::span<const Vec3> x) {
@@ -166,12 +140,6 @@ Mat9 compute_exact(const Angles& angles, std::size_t row, const Sides& sides,
   }
   k += spread(sides.vector) * slopes * spread(sides.unit).transpose();
   return k;
-}
-
-Mat3 clamp_eigenvalues(const Mat3& symmetric) {
-  const Eigen::SelfAdjointEigenSolver<Mat3> solver(symmetric);
-  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).asDiagonal() *
-         solver.eigenvectors().transpose();
 }
 
 /// K = Bᵀ H B + sum of tau/l (I - n nᵀ) with the eigenvalues of the 3x3 Hessian H in the lengths

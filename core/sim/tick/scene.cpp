@@ -11,6 +11,7 @@
 
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/dynamics/private/step_limit.h"
+#include "palpate/sim/implicit/private/step_solver.h"
 #include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/packed/private/follow_motion.h"
 #include "palpate/sim/packed/private/packed.h"
@@ -91,6 +92,7 @@ void validate(const SoftBody& body, const Scene& scene, const Place& place) {
     refuse(place("contact_modulus [Pa]"), body.contact_modulus,
            "0 for the hard law, or E / (1 - nu^2) of the tissue");
   }
+  check_integrator("scene: " + place(""), body.tissue, body.integrator, body.iterations);
   check_force_error(body, scene, place);
   check_target(place("simd_target"), body.simd_target);
   if (body.substeps < 0 || body.substeps > kMostSubsteps) {
@@ -178,9 +180,10 @@ void fill_spectrum(SoftBody& body) {
       needs_damping(body.integrator) ? estimate_least_damping_time(body.tissue) : 0.0;
 }
 
-/// Substeps that the integrator needs at rest; infinite where it is never stable.
+/// Substeps that the integrator needs at rest; infinite where it is never stable. XPBD is stable at
+/// any step but far too soft in long ones, and gets as many as symplectic Euler [laws: xpbd].
 double count_needed(double rate, const SoftBody& body) {
-  if (body.integrator == Integrator::symplectic_euler) {
+  if (body.integrator == Integrator::symplectic_euler || body.integrator == Integrator::xpbd) {
     return std::ceil(1.0 / (rate * stable_step(body.tissue)));
   }
   const double limit =
@@ -240,6 +243,7 @@ Scene build_scene(Scene scene) {
     const Place place("bodies", b, scene.bodies.size());
     SoftBody& body = scene.bodies[b];
     choose_kernel(scene.gravity, place, body);
+    if (body.iterations == 0) body.iterations = usual_iterations(body.integrator);
     body.rest_areas = compute_rest_areas(body.tissue);
     fill_spectrum(body);
     choose_substeps(scene.rate, place, body);

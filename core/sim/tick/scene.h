@@ -39,6 +39,9 @@ struct SoftBody {
   /// any but symplectic Euler under the reference kernel only. An implicit one allocates in every
   /// step, and what cannot be solved is an alarm
   Integrator integrator = Integrator::symplectic_euler;
+  /// of xpbd and projective_dynamics in every step; build_scene chooses when 0, and refuses any
+  /// for another integrator
+  int iterations = 0;
   std::string simd_target;  ///< of the packed kernel: one of simd_targets(), empty for the best
 
   /// [Pa] E* = E / (1 - nu²) of a solid organ: balls are felt as on such tissue, whatever the size

@@ -316,6 +316,8 @@ VALUE_NAMES = {
     "implicit_euler_linear": "Implicit Euler, linear",
     "implicit_euler": "Implicit Euler",
     "implicit_midpoint": "Implicit midpoint",
+    "xpbd": "XPBD",
+    "projective_dynamics": "Projective dynamics",
 }
 """What people call what can be chosen."""
 

@@ -2558,6 +2558,14 @@ Beklenen: {expected}.</translation>
         <translation>Kapalı orta nokta</translation>
     </message>
     <message>
+        <source>Projective dynamics</source>
+        <translation>İzdüşümlü dinamik</translation>
+    </message>
+    <message>
+        <source>XPBD</source>
+        <translation>XPBD</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>yok</translation>
     </message>

@@ -14,7 +14,8 @@ namespace {
 constexpr Integrator kExplicit[] = {Integrator::explicit_euler, Integrator::symplectic_euler,
                                     Integrator::midpoint, Integrator::runge_kutta_4};
 constexpr Integrator kImplicit[] = {Integrator::implicit_euler_linear, Integrator::implicit_euler,
-                                    Integrator::implicit_midpoint};
+                                    Integrator::implicit_midpoint, Integrator::xpbd,
+                                    Integrator::projective_dynamics};
 
 /// One step of 10 ms from 1 mm beyond rest, k/m = 400 1/s², so w dt = 0.2.
 State step_oscillator_once(Integrator integrator) {

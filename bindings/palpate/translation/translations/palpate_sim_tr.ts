@@ -184,6 +184,18 @@
         <translation>symplectic_euler dışındaki bir integral yöntemi için 0: dokunun parçaları yalnızca vektör kodunda uyur</translation>
     </message>
     <message>
+        <source>0 with %1: only xpbd and projective_dynamics have a number of them</source>
+        <translation>%1 ile 0: yalnızca xpbd ve projective_dynamics için böyle bir sayı vardır</translation>
+    </message>
+    <message>
+        <source>an implicit one</source>
+        <translation>örtük olan biri</translation>
+    </message>
+    <message>
+        <source>another for angles of eq10: xpbd and projective_dynamics lower an energy, and these have none</source>
+        <translation>eq10 açıları için başka biri: xpbd ve projective_dynamics bir enerjiyi düşürür, bunlarınsa enerjisi yoktur</translation>
+    </message>
+    <message>
         <source>0, which is what a file holds</source>
         <translation>0, bir dosyada o kadar bulunur</translation>
     </message>

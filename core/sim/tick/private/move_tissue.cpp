@@ -139,7 +139,8 @@ void begin(ReferenceKernel&, const Moved&) noexcept {}
 bool step_implicitly(const SoftBody& body, double dt, OwnStepper& own, SoftState& state) noexcept {
   try {
     if (!own.stepper || own.model != &body.tissue) {
-      own.stepper = std::make_unique<ImplicitStepper>(body.tissue, body.integrator);
+      own.stepper =
+          std::make_unique<ImplicitStepper>(body.tissue, body.integrator, body.iterations);
       own.model = &body.tissue;
     }
     return own.stepper->step(state.load, dt, state.tissue) > 0;

@@ -2,21 +2,20 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <memory>
 
-#include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/dynamics/forces.h"
 #include "palpate/sim/dynamics/private/free_particles.h"
 #include "palpate/sim/dynamics/private/law.h"
-#include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/dynamics/tangent.h"
+#include "palpate/sim/implicit/private/step_solver.h"
 
 namespace palpate {
 namespace {
 
 /// Newton ends when the residual is this part of the momenta that it is the balance of.
 constexpr double kResidual = 1e-11;
-constexpr int kMostIterations = 50;
+constexpr int kMostRounds = 50;
 /// Shortest trial step along a Newton direction, 2^-10: a residual that even this does not lower
 /// is rounding, or nothing that this tangent can improve.
 constexpr int kMostHalvings = 10;
@@ -32,8 +31,6 @@ Eigen::Map<Vector> flat(Vec3Array& array) {
   return {array.data()->data(), static_cast<Eigen::Index>(3 * array.size())};
 }
 
-}  // namespace
-
 /// Both methods look for the change u of velocity that balances the forces at one point in time:
 ///
 ///     r(u) = M u - dt f(x', v') = 0,   v' = v + theta u,   x' = x + theta dt v'
@@ -42,7 +39,7 @@ Eigen::Map<Vector> flat(Vec3Array& array) {
 ///
 /// with theta = 1 for implicit Euler [BaraffWitkin98] and 1/2 for the implicit midpoint rule
 /// [HairerLubichWanner06].
-struct ImplicitStepper::Solver {
+struct Newton final : StepSolver {
   const TissueModel& model;
   Integrator integrator;
   double theta;
@@ -54,15 +51,15 @@ struct ImplicitStepper::Solver {
   Vec3Array position, velocity;  // x', v'
   Vector change, residual, direction;
 
-  Solver(const TissueModel& its_model, Integrator its_integrator);
-  int step(const Load& load, double dt, State& state);
+  Newton(const TissueModel& its_model, Integrator its_integrator);
+  int step(const Load& load, double dt, State& state) override;
   void place(double dt, const Vector& u, const State& state);
   double evaluate(const Load& load, double dt, const Vector& u, State& state);
   bool factorise(double dt, Projection projection);
   int iterate(const Load& load, double dt, State& state);
 };
 
-ImplicitStepper::Solver::Solver(const TissueModel& its_model, Integrator its_integrator)
+Newton::Newton(const TissueModel& its_model, Integrator its_integrator)
     : model(its_model),
       integrator(its_integrator),
       theta(its_integrator == Integrator::implicit_midpoint ? 0.5 : 1.0),
@@ -77,14 +74,13 @@ ImplicitStepper::Solver::Solver(const TissueModel& its_model, Integrator its_int
 }
 
 /// Sets x' and v' for the change u of velocity.
-void ImplicitStepper::Solver::place(double dt, const Vector& u, const State& state) {
+void Newton::place(double dt, const Vector& u, const State& state) {
   flat(velocity) = flat(state.velocity) + theta * u;
   flat(position) = flat(state.position) + (theta * dt) * flat(velocity);
 }
 
 /// Sets the residual r(u), and returns its norm [N·s].
-double ImplicitStepper::Solver::evaluate(const Load& load, double dt, const Vector& u,
-                                         State& state) {
+double Newton::evaluate(const Load& load, double dt, const Vector& u, State& state) {
   place(dt, u, state);
   compute_forces(model, load, position, velocity, state.force, state.internal);
   residual = free.cwiseProduct(mass.cwiseProduct(u) - dt * flat(state.force));
@@ -92,7 +88,7 @@ double ImplicitStepper::Solver::evaluate(const Load& load, double dt, const Vect
 }
 
 /// Factorises A at x'. False where it is not positive definite, which the projected one always is.
-bool ImplicitStepper::Solver::factorise(double dt, Projection projection) {
+bool Newton::factorise(double dt, Projection projection) {
   stiffness = compute_stiffness(model, position, projection);
   SparseMatrix a =
       (theta * dt) * compute_damping(model, position) + (theta * theta * dt * dt) * stiffness;
@@ -106,7 +102,7 @@ bool ImplicitStepper::Solver::factorise(double dt, Projection projection) {
 /// The linearised step A u = dt (f(x, v) - theta dt K v), with K projected, is the first iterate.
 /// Newton goes on from there with the exact tangent as long as that is positive definite (Eq 10
 /// has none that is symmetric) and halves each direction until the residual falls.
-int ImplicitStepper::Solver::step(const Load& load, double dt, State& state) {
+int Newton::step(const Load& load, double dt, State& state) {
   for (const int i : model.fixed) state.velocity[static_cast<std::size_t>(i)].setZero();
   position = state.position;
   compute_forces(model, load, state.position, state.velocity, state.force, state.internal);
@@ -127,11 +123,11 @@ int ImplicitStepper::Solver::step(const Load& load, double dt, State& state) {
   return iterations;
 }
 
-int ImplicitStepper::Solver::iterate(const Load& load, double dt, State& state) {
+int Newton::iterate(const Load& load, double dt, State& state) {
   bool exact = model.angle_law == AngleLaw::gradient || model.angles.corners.empty();
   double norm = evaluate(load, dt, change, state);
   int iterations = 1;
-  for (; iterations < kMostIterations; ++iterations) {
+  for (; iterations < kMostRounds; ++iterations) {
     const double momentum =
         mass.cwiseProduct(change).norm() + mass.cwiseProduct(flat(state.velocity)).norm();
     if (norm <= kResidual * momentum) break;
@@ -156,19 +152,10 @@ int ImplicitStepper::Solver::iterate(const Load& load, double dt, State& state) 
   return std::isfinite(norm) ? iterations : 0;
 }
 
-ImplicitStepper::ImplicitStepper(const TissueModel& model, Integrator integrator) {
-  if (!is_implicit(integrator)) {
-    refuse("implicit stepper: integrator", std::string(integrator_name(integrator)),
-           "an implicit one");
-  }
-  solver_ = std::make_unique<Solver>(model, integrator);
-}
+}  // namespace
 
-ImplicitStepper::~ImplicitStepper() = default;
-ImplicitStepper::ImplicitStepper(ImplicitStepper&&) noexcept = default;
-
-int ImplicitStepper::step(const Load& load, double dt, State& state) {
-  return solver_->step(load, dt, state);
+std::unique_ptr<StepSolver> make_newton(const TissueModel& model, Integrator integrator) {
+  return std::make_unique<Newton>(model, integrator);
 }
 
 }  // namespace palpate
