@@ -17,6 +17,7 @@ from palpate.scene.scene_parts import (
     ToolPart,
 )
 from palpate_editor.document import (
+    AppliedTissue,
     Decimation,
     Organ,
     Repairs,
@@ -62,6 +63,11 @@ SEGMENTATION = Segmentation(
     shells_dropped=1,
 )
 
+TISSUES = (
+    AppliedTissue("pancreas", "pancreas", "", 6.4e3, 0.45, None, 2e-3, "recalled", "from memory"),
+    AppliedTissue("fat", "yağ", "hilum", 1e3 / 3.0, None, None, None, "unknown", ""),
+)
+
 APPEARANCE = AppearancePart(
     colour=(0.37, 0.135, 0.2),
     pattern_colour=(0.5, 0.22, 0.27),
@@ -105,6 +111,7 @@ def make_organ(vertices: int = 60, imported: int | None = 150) -> Organ:
         name="dalak",
         source=SOURCE,
         segmentation=SEGMENTATION,
+        tissues=TISSUES,
         imported=whole,
         surface=surface,
         decimation=None if imported is None else decimation,

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from organs import (
     SOURCE,
+    TISSUES,
     fin,
     make_organ,
     moebius,
@@ -66,6 +67,7 @@ EXAMPLES = [
         replace(SPLEEN, fill=replace(SPLEEN.fill, tetrahedra=900)),
     ),
     (edits.SetReach(""), SPLEEN),
+    (edits.SetTissue(replace(TISSUES[0], density=1040.0)), replace(SPLEEN, tissues=())),
     (edits.FixVertices(np.array([20, 30])), SPLEEN),
     (edits.FixLowest(0.3), SPLEEN),
     (edits.PaintStiffness(np.array([1, 2]), 2.5), SPLEEN),

@@ -25,6 +25,19 @@ def find_data_folder() -> Path:
     return Path(home) / "palpate"
 
 
+def find_config_folder() -> Path:
+    """Palpate's folder among what a user has set, which need not exist yet.
+
+    $XDG_CONFIG_HOME or ~/.config [XDG Base Directory Specification 0.8], elsewhere the data folder.
+    """
+    if sys.platform in ("win32", "darwin"):
+        return find_data_folder()
+    home = os.environ.get("XDG_CONFIG_HOME", "")
+    if not os.path.isabs(home):  # as the specification asks for
+        home = str(Path.home() / ".config")
+    return Path(home) / "palpate"
+
+
 def find_cache_folder() -> Path:
     """Palpate's folder among what can be made again, which need not exist yet.
 

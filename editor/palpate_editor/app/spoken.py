@@ -30,7 +30,9 @@ def say(text: Any) -> Any:
 
 
 def say_value(key: str, value: Any) -> Any:
-    """What stands in a sentence: `why` is a sentence of the core."""
+    """What stands in a sentence: `why` is a sentence of the core, `tissue` one of the library."""
+    if key == "tissue" and isinstance(value, str):
+        return say_tissue(value)
     return say_refusal(value) if key == "why" and isinstance(value, str) else say(value)
 
 

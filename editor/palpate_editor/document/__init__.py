@@ -19,9 +19,11 @@ from palpate_editor.document.organ import (
 )
 from palpate_editor.document.phrase import Phrase, phrase
 from palpate_editor.document.surface import Surface, freeze
+from palpate_editor.document.tissue import AppliedTissue
 
 __all__ = [
     "EMPTY",
+    "AppliedTissue",
     "Decimation",
     "Organ",
     "Phrase",

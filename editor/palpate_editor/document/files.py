@@ -39,6 +39,7 @@ from palpate_editor.document.organ import (
     is_language,
 )
 from palpate_editor.document.surface import Surface
+from palpate_editor.document.tissue import MOST_TISSUES, STATUSES, AppliedTissue
 
 FORMAT = "organ"
 ARRAYS_OF_MODEL = ("fixed", "stiffness_scale")
@@ -177,6 +178,8 @@ def pack_organ(organ: Organ) -> tuple[Json, Arrays]:
     for name in SOMETIMES:
         if getattr(organ, name) is not None:
             content[name] = asdict(getattr(organ, name))
+    if organ.tissues:
+        content["tissues"] = [asdict(tissue) for tissue in organ.tissues]
     if organ.languages:
         content["languages"] = {code: asdict(said) for code, said in organ.languages.items()}
     # a name may be of any alphabet, that of an array may not
@@ -215,7 +218,7 @@ def unpack(content: Any, arrays: Arrays, file: str) -> Organ:
     known = {*TEXTS, *OPTIONAL, *NUMBERS, "regions"}
     if not isinstance(content, dict):
         raise Refusal(file, "", json_kind(content), "an object")
-    needed = set(content) - {"languages", *SOMETIMES}
+    needed = set(content) - {"languages", "tissues", *SOMETIMES}
     if needed != known:
         odd = sorted(needed ^ known)[0]
         found = "an unknown field" if odd in content else "nothing"
@@ -233,10 +236,27 @@ def unpack(content: Any, arrays: Arrays, file: str) -> Organ:
     fault = find_appearance_fault(parts["appearance"]) if parts["appearance"] else None
     if fault is not None:
         raise Refusal(file, f"appearance.{fault[0]}", *fault[1:])
+    parts["tissues"] = unpack_tissues(content.get("tissues", []), file)
     parts["languages"] = unpack_languages(content.get("languages", {}), file)
     regions = read_value(file, "regions", tuple[str, ...], content["regions"])
     parts |= unpack_arrays(arrays, regions, file)
     return Organ(**parts)
+
+
+def unpack_tissues(rows: Any, file: str) -> tuple[AppliedTissue, ...]:
+    if not isinstance(rows, list) or len(rows) > MOST_TISSUES:
+        raise Refusal(file, "tissues", json_kind(rows), f"a list of at most {MOST_TISSUES}")
+    found = tuple(
+        read_part(file, f"tissues[{row}]", AppliedTissue, part, whole=True)
+        for row, part in enumerate(rows)
+    )
+    for row, tissue in enumerate(found):
+        if tissue.status not in STATUSES:
+            expected = f"one of {', '.join(STATUSES)}"
+            raise Refusal(file, f"tissues[{row}].status", json_kind(tissue.status), expected)
+    if len({tissue.region for tissue in found}) != len(found):
+        raise Refusal(file, "tissues", "a region twice", "one tissue for each")
+    return found
 
 
 def unpack_languages(content: Any, file: str) -> dict[str, Translation]:

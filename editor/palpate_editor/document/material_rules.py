@@ -12,6 +12,7 @@ from palpate_editor.document.constants import CHOICES, CONSTANTS, SURFACES
 from palpate_editor.document.organ import Organ
 from palpate_editor.document.phrase import phrase
 from palpate_editor.document.problems import Facts, Problem, TissueFacts
+from palpate_editor.document.tissue_rules import find_tissue_problems
 
 EDGES_PER_RADIUS = 0.5
 """[-] A tip much smaller than the triangles it touches feels the mesh, not the tissue."""
@@ -53,6 +54,7 @@ def find_material_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
         )
     elif facts.tissue.refusal is not None and not wrong:
         yield from refuse_tissue(facts.tissue)
+    yield from find_tissue_problems(organ)
     yield from find_support_problems(organ)
     yield from find_gravity_problems(organ, facts.tissue)
     yield from find_poisson_problems(organ, facts.tissue)

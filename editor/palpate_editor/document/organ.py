@@ -20,6 +20,7 @@ from palpate.scene.scene_parts import (
 
 from palpate_editor.document.defaults import FILL, HAND, MATERIAL, MODEL, TOOL
 from palpate_editor.document.surface import Surface, freeze
+from palpate_editor.document.tissue import AppliedTissue
 
 LANGUAGE = re.compile(r"(?=.{2,35}$)[a-z]{2,3}(-[A-Za-z0-9]{1,8})*")
 
@@ -150,6 +151,8 @@ class Organ:
     material: MaterialPart = MATERIAL
     model: ModelPart = MODEL
     """Its `fixed` and `stiffness_scale` are not used: the arrays below stand for them."""
+    tissues: tuple[AppliedTissue, ...] = ()
+    """Of the library, at most one for all of it and one for each region."""
     fill: FillPart = FILL
     """Of a solid; a surface has no use for it."""
     fixed: np.ndarray = field(default_factory=lambda: np.empty(0, bool))

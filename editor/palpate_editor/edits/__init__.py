@@ -27,6 +27,7 @@ from palpate_editor.edits.repair import (
 )
 from palpate_editor.edits.set_constant import SetChoice, SetConstant, SetGravity, SetMaterial
 from palpate_editor.edits.set_reach import SetReach
+from palpate_editor.edits.set_tissue import SetTissue
 
 __all__ = [
     "EVERY_EDIT",
@@ -53,6 +54,7 @@ __all__ = [
     "SetReach",
     "SetRegion",
     "SetTask",
+    "SetTissue",
     "SetUnit",
     "SetUp",
     "TurnOutward",
@@ -79,6 +81,7 @@ EVERY_EDIT: tuple[type, ...] = (
     SetMaterial,
     Configure,
     SetReach,
+    SetTissue,
     FixVertices,
     FixLowest,
     PaintStiffness,

@@ -49,10 +49,6 @@
         <translation>{tool} – {body}</translation>
     </message>
     <message>
-        <source> (not looked up)</source>
-        <translation> (aslına bakılmadı)</translation>
-    </message>
-    <message>
         <source>&amp;About Palpate</source>
         <translation>Palpate &amp;hakkında</translation>
     </message>
@@ -2330,6 +2326,70 @@ Beklenen: {expected}.</translation>
         <source>Whatever can be drawn is imported. Triangles that no tissue can be built on are red on the organ, and the checks below name what mends them.</source>
         <translation>Çizilebilen her şey içe aktarılır. Üzerine doku kurulamayan üçgenler organda kırmızıdır; onları neyin onaracağını aşağıdaki denetimler söyler.</translation>
     </message>
+    <message>
+        <source>All of the organ</source>
+        <translation>Organın tümü</translation>
+    </message>
+    <message>
+        <source>In, at a rate of</source>
+        <translation>Nerede, ne hızla</translation>
+    </message>
+    <message>
+        <source>Region {name}</source>
+        <translation>Bölge {name}</translation>
+    </message>
+    <message>
+        <source>Search…</source>
+        <translation>Ara…</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>Durum</translation>
+    </message>
+    <message>
+        <source>Use it although nobody has looked it up</source>
+        <translation>Kaynağına bakılmamış olsa da kullan</translation>
+    </message>
+    <message>
+        <source>Where the tissue is used</source>
+        <translation>Dokunun kullanılacağı yer</translation>
+    </message>
+    <message>
+        <source>Words of the tissue</source>
+        <translation>Dokuyu anlatan sözcükler</translation>
+    </message>
+    <message>
+        <source>checked</source>
+        <translation>bakıldı</translation>
+    </message>
+    <message>
+        <source>checked in its source</source>
+        <translation>kaynağına bakıldı</translation>
+    </message>
+    <message>
+        <source>recalled</source>
+        <translation>bellekten</translation>
+    </message>
+    <message>
+        <source>recalled, not looked up: no default</source>
+        <translation>bellekten, kaynağına bakılmadı: varsayılan değil</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>bilinmiyor</translation>
+    </message>
+    <message>
+        <source>unknown: no default</source>
+        <translation>bilinmiyor: varsayılan değil</translation>
+    </message>
+    <message>
+        <source>your own</source>
+        <translation>sizin</translation>
+    </message>
+    <message>
+        <source>{span} published; {status}</source>
+        <translation>yayımlanmış: {span}; {status}</translation>
+    </message>
 </context>
 <context>
     <name>constants</name>
@@ -3375,6 +3435,26 @@ Beklenen: {expected}.</translation>
         <source>{count} of {all} triangles that cross others, as of parts inside each other</source>
         <translation>iç içe parçalarda olduğu gibi başkalarını kesen {all} üçgenden {count} tanesi</translation>
     </message>
+    <message>
+        <source>Tissue of {region}: {tissue}</source>
+        <translation>{region} dokusu: {tissue}</translation>
+    </message>
+    <message>
+        <source>Tissue: {tissue}</source>
+        <translation>Doku: {tissue}</translation>
+    </message>
+    <message>
+        <source>a value that was read in its source, or that you have measured</source>
+        <translation>kaynağında okunmuş ya da sizin ölçtüğünüz bir değer</translation>
+    </message>
+    <message>
+        <source>{value} of {tissue}, a value of your own that no publication stands for</source>
+        <translation>{tissue} için {value}, arkasında yayın olmayan kendi değeriniz</translation>
+    </message>
+    <message>
+        <source>{value} of {tissue}, recalled and not looked up ({source})</source>
+        <translation>{tissue} için {value}, bellekten, kaynağına bakılmadı ({source})</translation>
+    </message>
 </context>
 <context>
     <name>tissues</name>
@@ -3489,6 +3569,338 @@ Beklenen: {expected}.</translation>
     <message>
         <source>what models assume: nearly incompressible</source>
         <translation>modellerin varsaydığı: neredeyse sıkıştırılamaz</translation>
+    </message>
+    <message>
+        <source>0.1 to 100 Hz</source>
+        <translation>0,1 ile 100 Hz</translation>
+    </message>
+    <message>
+        <source>40 Hz</source>
+        <translation>40 Hz</translation>
+    </message>
+    <message>
+        <source>5 um/s</source>
+        <translation>5 µm/s</translation>
+    </message>
+    <message>
+        <source>50 Hz</source>
+        <translation>50 Hz</translation>
+    </message>
+    <message>
+        <source>Along its fibres; it stiffens where a limb stretches it.</source>
+        <translation>Lifleri boyunca; kol ya da bacak gerdiğinde sertleşir.</translation>
+    </message>
+    <message>
+        <source>At rest, in diastole; it stiffens with age and several times over with every beat.</source>
+        <translation>Dinlenirken, diyastolde; yaşla ve her atışta birkaç kat sertleşir.</translation>
+    </message>
+    <message>
+        <source>At rest; it stiffens several times over when it works, and along its fibres.</source>
+        <translation>Dinlenirken; çalışırken ve lifleri boyunca birkaç kat serttir.</translation>
+    </message>
+    <message>
+        <source>Devices differ; an inflamed one is several times as stiff.</source>
+        <translation>Aygıtlar farklı ölçer; iltihaplısı birkaç kat serttir.</translation>
+    </message>
+    <message>
+        <source>E = 2 (1 + nu) G, nu 0.45, of 1.14 to 1.83 kPa from breathed out to breathed in</source>
+        <translation>E = 2 (1 + nu) G, nu 0,45; nefes verilmişten alınmışa 1,14 ile 1,83 kPa</translation>
+    </message>
+    <message>
+        <source>E = 3 G of 1.20 +- 0.16 kPa, magnetic resonance elastography of 361 adults</source>
+        <translation>E = 3 G, 1,20 +- 0,16 kPa, 361 yetişkinde manyetik rezonans elastografi</translation>
+    </message>
+    <message>
+        <source>E = 3 G of 4.40 +- 0.71 kPa, magnetic resonance elastography of ten enlarged glands</source>
+        <translation>E = 3 G, 4,40 +- 0,71 kPa, büyümüş on bezde manyetik rezonans elastografi</translation>
+    </message>
+    <message>
+        <source>E = 3 G of 752 Pa, undeformed, magnetic resonance elastography of ten women</source>
+        <translation>E = 3 G, 752 Pa, şekli bozulmadan, on kadında manyetik rezonans elastografi</translation>
+    </message>
+    <message>
+        <source>E = 3 mu of 0.53 +- 0.31 kPa, confined indentation in a scanner, pig</source>
+        <translation>E = 3 mu, 0,53 +- 0,31 kPa, tarayıcıda kısıtlanmış bastırma, domuz</translation>
+    </message>
+    <message>
+        <source>E = 3 rho v^2 of 1.29 to 1.96 m/s, by view and wall, left ventricle in diastole</source>
+        <translation>E = 3 rho v^2, görüntü ve duvara göre 1,29 ile 1,96 m/s, diyastolde sol karıncık</translation>
+    </message>
+    <message>
+        <source>E = 3 rho v^2 of 1.9 to 9.9 m/s, sciatic nerve, review of 17 studies</source>
+        <translation>E = 3 rho v^2, 1,9 ile 9,9 m/s, siyatik sinir, 17 çalışmanın derlemesi</translation>
+    </message>
+    <message>
+        <source>Fat and gland by turns; how hard it is pressed beforehand changes the value.</source>
+        <translation>Yer yer yağ, yer yer bez; önceden ne kadar bastırıldığı değeri değiştirir.</translation>
+    </message>
+    <message>
+        <source>Full of air; it stiffens with every breath in, and it does give way in volume.</source>
+        <translation>Hava dolu; her nefes alışta sertleşir ve hacmi de değişir.</translation>
+    </message>
+    <message>
+        <source>Healthy; nodules are stiffer.</source>
+        <translation>Sağlıklı; nodüller daha serttir.</translation>
+    </message>
+    <message>
+        <source>It stiffens steeply where it is pressed.</source>
+        <translation>Bastırıldığı yerde hızla sertleşir.</translation>
+    </message>
+    <message>
+        <source>Moduli of the steep part of a tensile curve are ten times those of its secant.</source>
+        <translation>Çekme eğrisinin dik bölümünün modülü kirişininkinin on katıdır.</translation>
+    </message>
+    <message>
+        <source>No number was found that could be read in its source.</source>
+        <translation>Kaynağında okunabilen bir sayı bulunamadı.</translation>
+    </message>
+    <message>
+        <source>Not pregnant; pieces outside of the body are five to ten times as stiff.</source>
+        <translation>Gebe değil; vücut dışındaki parçalar beş on kat serttir.</translation>
+    </message>
+    <message>
+        <source>Of enlarged glands, which are what is operated on; cancer is stiffer.</source>
+        <translation>Ameliyat edilen büyümüş bezlerin; kanser daha serttir.</translation>
+    </message>
+    <message>
+        <source>Of strips of cadavers; a living bladder that fills slowly is far softer.</source>
+        <translation>Kadavra şeritlerinin; yavaşça dolan canlı mesane çok daha yumuşaktır.</translation>
+    </message>
+    <message>
+        <source>Published values span four decades, by place, direction and method.</source>
+        <translation>Yayımlanmış değerler yere, yöne ve yönteme göre on bin kat değişir.</translation>
+    </message>
+    <message>
+        <source>Slack; pulled along its fibres it is some ten thousand times as stiff.</source>
+        <translation>Gevşekken; lifleri boyunca çekilince on bin kat kadar serttir.</translation>
+    </message>
+    <message>
+        <source>So soft that its own weight deforms it; values of slow and fast loads differ tenfold.</source>
+        <translation>Kendi ağırlığıyla şekli bozulacak kadar yumuşak; yavaş ve hızlı yüklerin değerleri on kat farklıdır.</translation>
+    </message>
+    <message>
+        <source>The secant of a strip pulled until it breaks; at small strains it is softer.</source>
+        <translation>Kopana dek çekilen bir şeridin kirişi; küçük uzamalarda daha yumuşaktır.</translation>
+    </message>
+    <message>
+        <source>Young's modulus at the pressure of the living; without it the wall is several times softer.</source>
+        <translation>Canlının basıncındaki Young modülü; basınçsız duvar birkaç kat yumuşaktır.</translation>
+    </message>
+    <message>
+        <source>artery wall</source>
+        <translation>atardamar duvarı</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>varsayım</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>dururken</translation>
+    </message>
+    <message>
+        <source>bladder wall</source>
+        <translation>mesane duvarı</translation>
+    </message>
+    <message>
+        <source>brain</source>
+        <translation>beyin</translation>
+    </message>
+    <message>
+        <source>breast</source>
+        <translation>meme</translation>
+    </message>
+    <message>
+        <source>compression by 1 to 2 %, from slow to fast</source>
+        <translation>yüzde 1 ile 2 sıkıştırma, yavaştan hızlıya</translation>
+    </message>
+    <message>
+        <source>computed, with its blood</source>
+        <translation>hesaplanmış, kanıyla birlikte</translation>
+    </message>
+    <message>
+        <source>ex vivo</source>
+        <translation>vücut dışında</translation>
+    </message>
+    <message>
+        <source>fat</source>
+        <translation>yağ</translation>
+    </message>
+    <message>
+        <source>from computed tomography</source>
+        <translation>bilgisayarlı tomografiden</translation>
+    </message>
+    <message>
+        <source>from computed tomography, with what it holds</source>
+        <translation>bilgisayarlı tomografiden, içindekiyle birlikte</translation>
+    </message>
+    <message>
+        <source>heart muscle</source>
+        <translation>kalp kası</translation>
+    </message>
+    <message>
+        <source>in vivo</source>
+        <translation>canlıda</translation>
+    </message>
+    <message>
+        <source>incremental modulus round the vessel at 100 mmHg, dog</source>
+        <translation>100 mmHg altında damar çevresince artımlı modül, köpek</translation>
+    </message>
+    <message>
+        <source>indentation by a flat punch, cow: grey matter 1.4, white matter 1.9 kPa</source>
+        <translation>düz uçla bastırma, inek: gri madde 1,4, ak madde 1,9 kPa</translation>
+    </message>
+    <message>
+        <source>indentation of small pieces of fat and gland, 3.25 +- 0.9 kPa</source>
+        <translation>küçük yağ ve bez parçalarına bastırma, 3,25 +- 0,9 kPa</translation>
+    </message>
+    <message>
+        <source>large bowel wall</source>
+        <translation>kalın bağırsak duvarı</translation>
+    </message>
+    <message>
+        <source>lung</source>
+        <translation>akciğer</translation>
+    </message>
+    <message>
+        <source>of an aorta</source>
+        <translation>bir aortun</translation>
+    </message>
+    <message>
+        <source>pancreas</source>
+        <translation>pankreas</translation>
+    </message>
+    <message>
+        <source>peripheral nerve</source>
+        <translation>çevresel sinir</translation>
+    </message>
+    <message>
+        <source>prostate</source>
+        <translation>prostat</translation>
+    </message>
+    <message>
+        <source>review of tension, indentation, suction and torsion</source>
+        <translation>çekme, bastırma, emme ve burmanın derlemesi</translation>
+    </message>
+    <message>
+        <source>secant of strips across, pulled until they break: 0.9 MPa at 140 %</source>
+        <translation>kopana dek çekilen enine şeritlerin kirişi: yüzde 140 uzamada 0,9 MPa</translation>
+    </message>
+    <message>
+        <source>secant of strips across, pulled until they break: 0.9 MPa at 180 %</source>
+        <translation>kopana dek çekilen enine şeritlerin kirişi: yüzde 180 uzamada 0,9 MPa</translation>
+    </message>
+    <message>
+        <source>shear wave elastography of 127 adults, 10.97 +- 3.1 kPa</source>
+        <translation>127 yetişkinde kayma dalgası elastografisi, 10,97 +- 3,1 kPa</translation>
+    </message>
+    <message>
+        <source>shear wave elastography of 27 women through the belly, 6.38 +- 2.59 kPa</source>
+        <translation>27 kadında karından kayma dalgası elastografisi, 6,38 +- 2,59 kPa</translation>
+    </message>
+    <message>
+        <source>shear wave elastography of 50 healthy adults, three devices</source>
+        <translation>50 sağlıklı yetişkinde kayma dalgası elastografisi, üç aygıt</translation>
+    </message>
+    <message>
+        <source>shear wave elastography of the Achilles tendon, 51.5 +- 25.1 kPa</source>
+        <translation>Aşil tendonunda kayma dalgası elastografisi, 51,5 +- 25,1 kPa</translation>
+    </message>
+    <message>
+        <source>shear wave elastography of the forearm of 90 adults, mean 14.8 kPa</source>
+        <translation>90 yetişkinin ön kolunda kayma dalgası elastografisi, ortalama 14,8 kPa</translation>
+    </message>
+    <message>
+        <source>shear wave elastography of the gastrocnemius of 127 adults, 11.1 +- 4.1 kPa</source>
+        <translation>127 yetişkinin baldır kasında kayma dalgası elastografisi, 11,1 +- 4,1 kPa</translation>
+    </message>
+    <message>
+        <source>shear wave elastography of the quadriceps of 27 women, 7.22 +- 1.24 kPa</source>
+        <translation>27 kadının uyluk kasında kayma dalgası elastografisi, 7,22 +- 1,24 kPa</translation>
+    </message>
+    <message>
+        <source>shear wave elastography, 4.8 +- 3 kPa</source>
+        <translation>kayma dalgası elastografisi, 4,8 +- 3 kPa</translation>
+    </message>
+    <message>
+        <source>shear waves</source>
+        <translation>kayma dalgaları</translation>
+    </message>
+    <message>
+        <source>skeletal muscle</source>
+        <translation>iskelet kası</translation>
+    </message>
+    <message>
+        <source>skin</source>
+        <translation>deri</translation>
+    </message>
+    <message>
+        <source>slow</source>
+        <translation>yavaş</translation>
+    </message>
+    <message>
+        <source>small bowel wall</source>
+        <translation>ince bağırsak duvarı</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>durağan</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>çizelge</translation>
+    </message>
+    <message>
+        <source>taken as the spinal cord's</source>
+        <translation>omuriliğinki gibi alındı</translation>
+    </message>
+    <message>
+        <source>tendon</source>
+        <translation>tendon</translation>
+    </message>
+    <message>
+        <source>tension of human rectum and sigmoid; 1.83 MPa of pig</source>
+        <translation>insan rektum ve sigmoidinin çekilmesi; domuzda 1,83 MPa</translation>
+    </message>
+    <message>
+        <source>tension of strips of 13 women, mean 1.9 MPa</source>
+        <translation>13 kadından şeritlerin çekilmesi, ortalama 1,9 MPa</translation>
+    </message>
+    <message>
+        <source>tension of strips of great saphenous veins of cadavers, by place; the abstract has no number</source>
+        <translation>kadavraların büyük safen toplardamarından şeritlerin yerine göre çekilmesi; özette sayı yok</translation>
+    </message>
+    <message>
+        <source>thyroid gland</source>
+        <translation>tiroit bezi</translation>
+    </message>
+    <message>
+        <source>transrectal shear wave elastography, mean of benign cores</source>
+        <translation>rektumdan kayma dalgası elastografisi, iyi huylu örneklerin ortalaması</translation>
+    </message>
+    <message>
+        <source>ultrasound</source>
+        <translation>ultrason</translation>
+    </message>
+    <message>
+        <source>ultrasound of 60 healthy adults, 2.85 +- 0.43 mm</source>
+        <translation>60 sağlıklı yetişkinde ultrason, 2,85 +- 0,43 mm</translation>
+    </message>
+    <message>
+        <source>ultrasound, distended</source>
+        <translation>ultrason, gerilmişken</translation>
+    </message>
+    <message>
+        <source>uterus</source>
+        <translation>rahim</translation>
+    </message>
+    <message>
+        <source>vein wall</source>
+        <translation>toplardamar duvarı</translation>
+    </message>
+    <message>
+        <source>what models assume: air is pressed out</source>
+        <translation>modellerin varsaydığı: hava dışarı itilir</translation>
     </message>
 </context>
 </TS>

@@ -35,6 +35,7 @@ from palpate_editor.kinds import compare_kinds, describe_kinds
 from palpate_editor.scene_files import name_mesh, write_scene
 from palpate_editor.verbs.check import describe_problems
 from palpate_editor.verbs.files import ReadFile, apply, open_any
+from palpate_editor.verbs.library import add_tissue_options, set_tissues
 
 
 def read_constant(constant: Constant, unit: str) -> Callable[[str], float | str]:
@@ -70,6 +71,7 @@ def add_material(parser: argparse.ArgumentParser) -> None:
         help="mass-spring, molecular, shell of prisms, solid, linear solid (shallow "
         "presses), corotated or neo-Hookean solid",
     )
+    add_tissue_options(parser)
     for constant in CONSTANTS:
         unit = constant.option_unit
         default = getattr(getattr(EMPTY, constant.part), constant.field)
@@ -114,6 +116,7 @@ def read_vector(text: str) -> tuple[float, ...]:
 
 def set_constants(call: argparse.Namespace, organ: Organ) -> Organ:
     """The organ with what the call names; the rest as it is in the file."""
+    organ = set_tissues(call, organ)
     if call.kind is not None:
         organ = apply(SetChoice("kind", SHORT_KINDS[call.kind]), organ, call.file, "--kind")
     for key, option in LAWS.items():

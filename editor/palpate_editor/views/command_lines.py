@@ -48,6 +48,7 @@ from palpate_editor.edits import (
     SetReach,
     SetRegion,
     SetTask,
+    SetTissue,
     SetUnit,
     SetUp,
     TurnOutward,
@@ -145,6 +146,19 @@ def gravity_arguments(edit: SetGravity, organ: Organ, document: Path | str) -> A
 def reach_arguments(edit: SetReach, organ: Organ, document: Path | str) -> Arguments:
     del organ
     return material_arguments(document, [f"--reach={edit.region or NONE}"])
+
+
+def tissue_arguments(edit: SetTissue, organ: Organ, document: Path | str) -> Arguments:
+    del organ
+    tissue = edit.tissue
+    options: Arguments = [f"--tissue={tissue.region}={tissue.name}"]
+    if not tissue.region:
+        options = ["--tissue", tissue.name]
+    if tissue.status == "recalled":
+        options.append("--recalled")
+    elif tissue.status == "unknown":
+        options.append(constant_option("material", "young_modulus", tissue.young_modulus))
+    return material_arguments(document, options)
 
 
 def lowest_arguments(edit: FixLowest, organ: Organ, document: Path | str) -> Arguments:
@@ -257,6 +271,7 @@ FINDERS: dict[type, Callable[[Any, Organ, Path | str], Arguments | None]] = {
     SetMaterial: all_arguments,
     Configure: configure_arguments,
     SetReach: reach_arguments,
+    SetTissue: tissue_arguments,
     FixLowest: lowest_arguments,
     SetAppearance: appearance_arguments,
     FixVertices: fix_arguments,

@@ -7,6 +7,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QIcon, QPainter, QPainterPath, QPixmap
 from PySide6.QtWidgets import QGridLayout, QToolButton, QWidget
 
+from palpate_editor.app.spoken import say_tissue
 from palpate_editor.shipped import find_picture, list_organs
 from palpate_editor.views.translations import tr
 
@@ -30,7 +31,7 @@ def name_organs() -> dict[str, str]:
 
 
 def name_tissue(name: str, title: str) -> str:
-    """What people call a tissue that ships, in the language of the window."""
+    """What people call a tissue of the library, in the language of the window."""
     return {
         "liver": tr("liver"),
         "spleen": tr("spleen"),
@@ -39,7 +40,7 @@ def name_tissue(name: str, title: str) -> str:
         "stomach": tr("stomach wall"),
         "soft_patch": tr("soft patch"),
         "stone": tr("kidney stone"),
-    }.get(name, title)
+    }.get(name) or say_tissue(title)
 
 
 class ShippedOrgans(QWidget):

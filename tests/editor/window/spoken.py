@@ -10,6 +10,7 @@ from pathlib import Path
 import palpate_editor
 from palpate_editor.document.constants import CONSTANTS, LAW_NAMES, VALUE_NAMES
 from palpate_editor.edits import EVERY_EDIT
+from palpate_editor.library import read_library
 from palpate_editor.shipped import list_tissues
 
 SOURCES = Path(palpate_editor.__file__).parent
@@ -77,4 +78,8 @@ def find_spoken() -> Spoken:
     for tissue in list_tissues():
         for text in (tissue.note, *(value.method for value in tissue.published)):
             found.add(("tissues", " ".join(text.split())))
+    for tissue in read_library(own=False):
+        texts = [tissue.note] if tissue.shipped else [tissue.note, tissue.title]
+        texts += [t for v in tissue.values for t in (v.method, v.setting, v.rate) if t != "unknown"]
+        found |= {("tissues", " ".join(text.split())) for text in texts if text}
     return found

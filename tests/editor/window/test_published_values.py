@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from hands import child, click
+from palpate_editor.edits import SetRegion
 from palpate_editor.own_values import read_own_values
 from palpate_editor.views.stages.published_dialog import PublishedDialog
 
@@ -70,3 +72,63 @@ def test_a_designer_adds_a_published_value_and_removes_it_again(panel, user_data
     click(dialog.remove_button)
     assert table_of(dialog) == before
     assert read_own_values(user_data / "palpate" / "published_values.json") == ()
+
+
+def choose(panel, name: str) -> None:
+    published = panel.published
+    published.box.setCurrentIndex([t.name for t in published.tissues].index(name))
+
+
+def test_a_tissue_is_found_by_its_words_and_used(panel):
+    words = child(panel, "tissue_words")
+    words.setText("pancre")
+    assert [t.name for t in panel.published.tissues] == ["pancreas"]
+    assert "checked in its source" in child(panel, "tissue_status").text()
+
+    click(child(panel, "use_tissue"))
+
+    organ = panel.context.session.organ
+    assert organ.material.young_modulus == 6.4e3
+    assert [t.name for t in organ.tissues] == ["pancreas"]
+    assert panel.context.session.history.undoText() == "Tissue: pancreas"
+    words.setText("zzz")
+    assert len(panel.published.tissues) > 20 and words.property("tone") == "bad"
+
+
+def test_a_recalled_stiffness_is_used_only_when_that_is_said_and_an_unknown_one_never(panel):
+    accept, use = child(panel, "accept_recalled"), child(panel, "use_tissue")
+    choose(panel, "brain")
+    assert accept.isVisible() and not use.isEnabled()
+    accept.setChecked(True)
+    click(use)
+    assert panel.context.session.organ.tissues[0].status == "recalled"
+
+    choose(panel, "vein")
+    assert not accept.isVisible() and not use.isEnabled()
+    choose(panel, "brain")
+    assert not accept.isChecked()
+
+
+def test_a_region_is_given_a_tissue_of_its_own(panel):
+    session = panel.context.session
+    session.apply(SetRegion("hilum", np.array([3, 5, 8])))
+    choose(panel, "muscle")
+    region = child(panel, "tissue_region")
+    region.setCurrentIndex(region.findData("hilum"))
+
+    click(child(panel, "use_tissue"))
+
+    organ = session.organ
+    felt = organ.material.young_modulus * organ.stiffness_scale[[3, 5, 8]]
+    assert felt == pytest.approx([organ.tissues[0].young_modulus] * 3)
+    assert (organ.stiffness_scale != 1.0).sum() == 3
+
+
+def test_what_is_recalled_is_said_so_in_the_table(panel):
+    choose(panel, "artery")
+    click(child(panel, "show_published"))
+    table = panel.published.dialog.table
+
+    rows = {table.item(row, 0).text(): table.item(row, 5).text() for row in range(table.rowCount())}
+    assert rows["Young's modulus"] == "recalled"
+    assert table.item(0, 4).text() == "ex vivo, static"

@@ -270,7 +270,7 @@ class MaterialPanel(StagePanel):
             policy = self.range.sizePolicy()
             policy.setRetainSizeWhenHidden(organ.model.kind == "molecular")
             self.range.setSizePolicy(policy)
-        for field in self.fields:
+        for field in [*self.fields, self.published]:
             field.show_organ(organ)
         self.origin_note.setText(say_origin(organ))
         error = comparison.say_error(organ.model.kind)

@@ -6,6 +6,7 @@ from __future__ import annotations
 from palpate.files.refusal import Refusal
 from palpate.viewport.screen import fit_to_screen
 from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
@@ -24,6 +25,7 @@ from PySide6.QtWidgets import (
 from palpate_editor.app.spoken import say_tissue
 from palpate_editor.document.constants import find_constant
 from palpate_editor.edits import EditError
+from palpate_editor.library import LibraryTissue, Value, read_library
 from palpate_editor.own_values import (
     QUANTITIES,
     OwnValue,
@@ -32,14 +34,13 @@ from palpate_editor.own_values import (
     read_own_values,
     write_own_values,
 )
-from palpate_editor.shipped import list_tissues
 from palpate_editor.views.context import Context
 from palpate_editor.views.quantity_box import QuantityBox, QuantityRow
 from palpate_editor.views.shipped_organs import name_tissue
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.translations import number, say, tr
 
-SIZE = QSize(880, 520)
+SIZE = QSize(1080, 560)
 OWN = Qt.ItemDataRole.UserRole
 
 
@@ -52,7 +53,7 @@ class PublishedDialog(QDialog):
     def __init__(self, context: Context, parent: QWidget | None = None):
         super().__init__(parent)
         self.setObjectName("published_dialog")
-        self.context, self.tissues = context, list_tissues()
+        self.context, self.tissues = context, list_library()
         self.own: tuple[OwnValue, ...] = ()
         self.setWindowTitle(tr("Published values"))
         column = QVBoxLayout(self)
@@ -70,9 +71,10 @@ class PublishedDialog(QDialog):
         self.read()
 
     def build_table(self) -> QTableWidget:
-        self.table = QTableWidget(0, 4, self)
+        self.table = QTableWidget(0, 6, self)
         self.table.setObjectName("published_table")
         titles = [tr("Constant"), tr("Range"), tr("Measured by"), tr("Source")]
+        titles += [tr("In, at a rate of"), tr("Status")]
         self.table.setHorizontalHeaderLabels(titles)
         self.table.verticalHeader().hide()
         self.table.setWordWrap(True)
@@ -80,7 +82,7 @@ class PublishedDialog(QDialog):
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         header = self.table.horizontalHeader()
-        for column in (0, 1):
+        for column in (0, 1, 4, 5):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
         for column in (2, 3):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.Stretch)
@@ -156,22 +158,22 @@ class PublishedDialog(QDialog):
     def fill(self) -> None:
         tissue = self.tissues[self.tissue.currentIndex()]
         mine = [value for value in self.own if value.tissue == tissue.name]
-        self.table.setRowCount(len(tissue.published) + len(mine))
-        for row, found in enumerate([*tissue.published, *mine]):
+        self.table.setRowCount(len(tissue.values) + len(mine))
+        for row, found in enumerate([*tissue.values, *mine]):
             is_own = isinstance(found, OwnValue)
-            source = found.source
-            if getattr(found, "uncertain", False):
-                source += tr(" (not looked up)")
             cells = (
                 say_quantity(found.quantity),
                 say_range(found.quantity, found.low, found.high),
                 found.method if is_own else say_tissue(found.method),
-                source,
+                found.source,
+                *(("", tr("your own")) if is_own else say_trust(found)),
             )
             for column, text in enumerate(cells):
                 item = QTableWidgetItem(text)
                 item.setToolTip(text)
                 item.setData(OWN, found if is_own else None)
+                if not is_own and found.status != "checked":
+                    item.setForeground(QColor(self.context.colours.warning))
                 self.table.setItem(row, column, item)
         self.table.resizeRowsToContents()
         self.note.setText(say_tissue(tissue.note))
@@ -237,8 +239,33 @@ def say_quantity(quantity: str) -> str:
     return quantity if constant is None else str(say(constant.label))
 
 
-def say_range(quantity: str, low: float, high: float) -> str:
-    """In the unit of the form's own field."""
+def list_library() -> list[LibraryTissue]:
+    """As the form beside it has it, which has said what is wrong with a designer's own file."""
+    try:
+        return read_library()
+    except (Refusal, OSError):
+        return read_library(own=False)
+
+
+def say_status(status: str) -> str:
+    return {
+        "checked": tr("checked in its source"),
+        "recalled": tr("recalled, not looked up: no default"),
+        "unknown": tr("unknown: no default"),
+    }[status]
+
+
+def say_trust(value: Value) -> tuple[str, str]:
+    """In what and how fast it was measured, and how far it can be trusted."""
+    known = [say_tissue(text) for text in (value.setting, value.rate) if text != "unknown"]
+    short = {"checked": tr("checked"), "recalled": tr("recalled"), "unknown": tr("unknown")}
+    return ", ".join(known) or tr("unknown"), short[value.status]
+
+
+def say_range(quantity: str, low: float | None, high: float | None) -> str:
+    """In the unit of the form's own field; a dash where no number is known."""
+    if low is None or high is None:
+        return "\N{EN DASH}"
     constant = find_constant("material", quantity)
     scale, unit = (1.0, "") if constant is None else (constant.scale, constant.unit)
     cells = number(low / scale, 3)
