@@ -100,6 +100,24 @@ def test_an_integrator_is_a_field_of_the_body(scene):
     assert palpate.stable_step(tissue, palpate.Integrator.runge_kutta_4) > 0.0
 
 
+def test_a_body_has_the_iterations_of_its_integrator_and_a_file_holds_them(scene, tmp_path):
+    tissue = copy.copy(scene.bodies[0].tissue)
+    for name, usual in (("xpbd", 5), ("projective_dynamics", 10)):
+        body = palpate.SoftBody(tissue=tissue, integrator=palpate.Integrator[name])
+        assert palpate.build_scene(palpate.Scene(bodies=[body])).bodies[0].iterations == usual
+        body.iterations = 7
+        built = palpate.build_scene(palpate.Scene(bodies=[body]))
+        palpate.scenario.write(tmp_path / "one.palpate", palpate.scenario.Scenario(scene=built))
+        assert palpate.scenario.read(tmp_path / "one.palpate").scene.bodies[0].iterations == 7
+        assert pickle.loads(pickle.dumps(built)).bodies[0].iterations == 7
+    body.iterations = 1001
+    with pytest.raises(ValueError, match="iterations: got 1001, expected 0 to 1000"):
+        palpate.build_scene(palpate.Scene(bodies=[body]))
+    usual_step = palpate.SoftBody(tissue=tissue, iterations=7)
+    with pytest.raises(ValueError, match="iterations: got 7, expected 0 with symplectic_euler"):
+        palpate.build_scene(palpate.Scene(bodies=[usual_step]))
+
+
 def test_rigid_bodies_and_scenery_are_refused_as_not_simulated_yet(scene):
     ball = palpate.SurfaceMesh(*make_tetrahedron())
     bodies = list(scene.bodies)

@@ -163,3 +163,13 @@ TEST_CASE("a linear solid stands beside no other law") {
   model.maxwell.ratio = 0.5;
   CHECK(refuse(model) == "model: elastic: got maxwell beside it, expected no other law");
 }
+
+TEST_CASE("relaxation beside tetrahedra at finite strain, which do not relax, is refused") {
+  for (const scenes::FiniteLaw& law : scenes::kFiniteLaws) {
+    TissueModel model = scenes::make_finite_organ(law, 2, 0.9);
+    CHECK(refuse(model).empty());
+    model.maxwell.ratio = 0.5;
+    CHECK(refuse(model).find("got maxwell beside it, expected a ratio of 0: tetrahedra at finite "
+                             "strain do not relax") != std::string::npos);
+  }
+}

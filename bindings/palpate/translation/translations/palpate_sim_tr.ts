@@ -188,6 +188,10 @@
         <translation>%1 ile 0: yalnızca xpbd ve projective_dynamics için böyle bir sayı vardır</translation>
     </message>
     <message>
+        <source>a ratio of 0: tetrahedra at finite strain do not relax</source>
+        <translation>0 oranı: sonlu gerinimdeki dörtyüzlüler gevşemez</translation>
+    </message>
+    <message>
         <source>an implicit one</source>
         <translation>örtük olan biri</translation>
     </message>

@@ -54,10 +54,14 @@ void check_elastic(const TissueModel& model) {
   if (!elastic.corners.empty()) check_alone(model);
 }
 
-void check_hyperelastic(const char* name, const Hyperelastic& table, const Vec3Array& x) {
-  check_volumes_at_rest(name, table.corners, x);
-  const Hyperelastic built = build_hyperelastic(static_cast<int>(x.size()), table.corners,
-                                                table.lame, table.shear, table.viscosity);
+void check_hyperelastic(const char* name, const TissueModel& model, const Hyperelastic& table) {
+  check_volumes_at_rest(name, table.corners, model.rest_position);
+  if (!table.corners.empty() && laws::is_present(model, laws::kMaxwell)) {
+    refuse(std::string("model: ") + name, "maxwell beside it",
+           "a ratio of 0: tetrahedra at finite strain do not relax");
+  }
+  const Hyperelastic built = build_hyperelastic(particle_count(model), table.corners, table.lame,
+                                                table.shear, table.viscosity);
   if (table.first_around == built.first_around && table.around == built.around) return;
   refuse(laws::name_column(name, "around"), "other tables than the corners give",
          "those of build_hyperelastic");
@@ -94,8 +98,8 @@ void check_skin(const TissueModel& model) {
 void check_solid(const TissueModel& model) {
   check_volumes(model.volumes, model.rest_position);
   check_elastic(model);
-  check_hyperelastic("corotated", model.corotated, model.rest_position);
-  check_hyperelastic("neo_hookean", model.neo_hookean, model.rest_position);
+  check_hyperelastic("corotated", model, model.corotated);
+  check_hyperelastic("neo_hookean", model, model.neo_hookean);
   check_skin(model);
 }
 
