@@ -57,9 +57,11 @@ HapticSample hand_at(const Vec3& position) {
 
 double find_top(double edge) { return 0.5 * kLayers * edge; }
 
+/// Of the ball lifted off the triangles by what they lack of the dent.
 bool is_inside(const Scene& scene, const World& world) {
+  const Vec3 centre = world.instruments[0].tool.position + world.pairs[0].candidates.near.lift;
   return compute_winding_number(scene.bodies[0].tissue.triangles, world.bodies[0].tissue.position,
-                                world.instruments[0].tool.position) > 0.5;
+                                centre) > 0.5;
 }
 
 struct Flicks {

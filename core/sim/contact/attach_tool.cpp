@@ -99,7 +99,9 @@ double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
   }
   double largest = 0.0;
   // what balance_tool has found where the tool and the tissue still are
-  const bool is_found = near && candidates.near.found && candidates.near.centre == state.position;
+  const Vec3 at =
+      near ? Vec3(state.position + find_lift(candidates.near, state.position)) : state.position;
+  const bool is_found = near && candidates.near.found && candidates.near.centre == at;
   for (std::size_t i = 0; is_found && i < static_cast<std::size_t>(candidates.near.count); ++i) {
     const Contact& found = candidates.near.contact[i];
     const double slope = bound_slope(tool, candidates.near.closest[i], found);
@@ -110,11 +112,11 @@ double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
   for (std::size_t i = 0; !is_found && i < touchable.size(); ++i) {
     const Triangle& t = triangle(touchable[i]);
     const Vec3 &a = corner(t, 0), &b = corner(t, 1), &c = corner(t, 2);
-    if (!find_contact(tool, candidates.areas[i], state.position, a, b, c, contact)) continue;
+    if (!find_contact(tool, candidates.areas[i], at, a, b, c, contact)) continue;
     if (near) {
       const NearGain gain{candidates.near.gain, candidates.near.stiffening};
       const Contact closest = contact;
-      find_near_contact(*near, tool, closest, state.position, a, b, c, gain, contact);
+      find_near_contact(*near, tool, closest, at, a, b, c, gain, contact);
       contact.stiffness = bound_slope(tool, closest, contact);
     }
     largest = std::max(largest, add_row_sums(t, contact.weights, contact.stiffness, mass, scratch));

@@ -114,8 +114,13 @@ Contact read_lane(const ContactLanes& lanes, std::size_t lane) noexcept {
           lanes.stiffness[lane]};
 }
 
+/// [m] Where a ball at p is for a surface: under a near field lifted off the triangles.
+Vec3 lift(const TouchedSurface& surface, const Vec3& p) noexcept {
+  return surface.near ? Vec3(p + surface.candidates->near.lift) : p;
+}
+
 /// Calls `take(triangle, contact)` for every triangle that the hard law touches with the centre at
-/// p.
+/// p, which is lifted.
 template <class Take>
 void for_each_closest(const Tool& tool, const TouchedSurface& surface, const Vec3& p,
                       Take take) noexcept {
@@ -138,7 +143,7 @@ void for_each_closest(const Tool& tool, const TouchedSurface& surface, const Vec
   }
 }
 
-/// Contacts at p under the law of the surface's near field; once for each p.
+/// Contacts at p, lifted, under the law of the surface's near field; once for each p.
 void find_near(const Tool& tool, const TouchedSurface& surface, const Vec3& p) noexcept {
   NearContacts& near = surface.candidates->near;
   if (near.found && near.centre == p) return;
@@ -148,7 +153,7 @@ void find_near(const Tool& tool, const TouchedSurface& surface, const Vec3& p) n
     near.triangle[at] = t;
     near.closest[at] = contact;
   });
-  find_near_contacts(*surface.near, tool, surface.triangles, surface.x, p, near);
+  find_near_contacts(tool, surface, p);
 }
 
 /// Calls `take(triangle, contact)` for every contact with the centre at p; under a near field some
@@ -157,7 +162,7 @@ template <class Take>
 void for_each_contact(const Tool& tool, const TouchedSurface& surface, const Vec3& p,
                       Take take) noexcept {
   if (!surface.near) return for_each_closest(tool, surface, p, take);
-  find_near(tool, surface, p);
+  find_near(tool, surface, lift(surface, p));
   const NearContacts& near = surface.candidates->near;
   for (std::size_t i = 0; i < static_cast<std::size_t>(near.count); ++i) {
     take(near.triangle[i], near.contact[i]);
@@ -169,7 +174,7 @@ template <class Take>
 void for_each_closest(const Surroundings& around, const Vec3& p, Take take) noexcept {
   for (std::size_t b = 0; b < around.surfaces.size(); ++b) {
     for_each_closest(
-        around.tool, around.surfaces[b], p,
+        around.tool, around.surfaces[b], lift(around.surfaces[b], p),
         [&](int t, const Contact& contact) noexcept { take(static_cast<int>(b), t, contact); });
   }
 }
@@ -271,6 +276,12 @@ Vec3 ride(const Surroundings& around, const ToolState& state) noexcept {
   return carrier.direction * std::max(0.0, (now - carrier.point).dot(carrier.direction));
 }
 
+/// The lift off triangles that the last substep has found for a tool that is still there.
+void follow_dent(const Vec3& position, NearContacts& contacts) noexcept {
+  contacts.lift = contacts.centre == position + contacts.lift ? contacts.next_lift : Vec3::Zero();
+  contacts.found = false;
+}
+
 /// Writes what the tool does to the surfaces; returns the sum of forces on the tool.
 Vec3 write_pushes(const Surroundings& around, ToolState& state) noexcept {
   Vec3 sum = Vec3::Zero();
@@ -324,7 +335,7 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
   bool near = state.hold_count > 0;
   for (const TouchedSurface& surface : surfaces) {
     surface.candidates->lanes.reach = -1.0;  // the tissue has moved since they were filled
-    surface.candidates->near.found = false;
+    follow_dent(state.position, surface.candidates->near);
     surface.load->clear();
     near = near || surface.candidates->count > 0;
   }

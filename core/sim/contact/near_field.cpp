@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <string>
 
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/contact/private/particle_forces.h"
 #include "palpate/sim/mesh/mesh.h"
-#include "palpate/sim/response/private/free_stiffness.h"
 
 namespace palpate {
 namespace {
@@ -34,34 +33,17 @@ struct Surface {
   std::vector<bool> touched;  // a corner of a triangle: not one inside of a solid
 };
 
-/// Calls take(coordinate of the free, part) for what a vertex moves along its normal with.
+/// Calls take(free particle, part of it) for a force along its normal on a vertex.
 template <class Take>
 void for_each_carrier(const Surface& surface, const FreeStiffness& stiffness, std::size_t v,
                       Take take) {
   const auto visit = [&](int particle, double weight) {
-    const Eigen::Index at = stiffness.place(3 * Eigen::Index{particle});
-    if (at < 0) return;
-    for (int axis = 0; axis < 3; ++axis) take(at + axis, weight * surface.normals[v][axis]);
+    const int n = stiffness.number[static_cast<std::size_t>(particle)];
+    if (n >= 0) take(n, Vec3(weight * surface.normals[v]));
   };
   const Skin& skin = surface.model.skin;
   if (skin.corners.empty()) return visit(static_cast<int>(v), 1.0);
   for (std::size_t k = 0; k < 4; ++k) visit(skin.corners[v][k], skin.weights[v][k]);
-}
-
-/// A force [N] along its normal on a vertex, one of the sides.
-void push(const Surface& surface, const FreeStiffness& stiffness, std::size_t v, double f,
-          Eigen::Index side, Sides& force) {
-  for_each_carrier(surface, stiffness, v,
-                   [&](Eigen::Index at, double part) { force(at, side) += f * part; });
-}
-
-/// [m] along its normal.
-double find_displacement(const Surface& surface, const FreeStiffness& stiffness, std::size_t v,
-                         const Sides& u, Eigen::Index side) {
-  double sum = 0.0;
-  for_each_carrier(surface, stiffness, v,
-                   [&](Eigen::Index at, double part) { sum += part * u(at, side); });
-  return sum;
 }
 
 /// [1/m] How fast normals turn along the edges at each vertex, their mean.
@@ -83,15 +65,42 @@ std::vector<double> compute_curvature(const Surface& surface) {
   return sum;
 }
 
-/// The vertices around one of the surface, itself among them; none around another.
-std::vector<std::size_t> find_neighbours(const Surface& surface, std::size_t v, double reach) {
-  std::vector<std::size_t> near;
-  if (!surface.touched[v]) return near;
-  for (std::size_t u = 0; u < surface.size(); ++u) {
-    if (surface.touched[u] && (surface.x(u) - surface.x(v)).norm() < reach) near.push_back(u);
+/// The touched vertices, by where they are along the longest axis of the surface.
+class Vicinity {
+ public:
+  explicit Vicinity(const Surface& surface) : surface_(surface) {
+    Vec3 low = surface.x(0), high = low;
+    for (const Vec3& x : surface.mesh.vertices) {
+      low = low.cwiseMin(x);
+      high = high.cwiseMax(x);
+    }
+    (high - low).maxCoeff(&axis_);
+    for (std::size_t v = 0; v < surface.size(); ++v) {
+      if (surface.touched[v]) sorted_.push_back(v);
+    }
+    std::ranges::sort(sorted_, {}, [this](std::size_t v) { return along(v); });
   }
-  return near;
-}
+
+  /// The vertices around one, itself among them, ascending; none around what is not touched.
+  std::vector<std::size_t> find(std::size_t v, double reach) const {
+    std::vector<std::size_t> near;
+    if (!surface_.touched[v]) return near;
+    const auto place = [this](std::size_t u) { return along(u); };
+    auto at = std::ranges::lower_bound(sorted_, along(v) - reach, {}, place);
+    for (; at != sorted_.end() && along(*at) < along(v) + reach; ++at) {
+      if ((surface_.x(*at) - surface_.x(v)).norm() < reach) near.push_back(*at);
+    }
+    std::ranges::sort(near);
+    return near;
+  }
+
+ private:
+  double along(std::size_t v) const { return surface_.x(v)[axis_]; }
+
+  const Surface& surface_;
+  Eigen::Index axis_ = 0;
+  std::vector<std::size_t> sorted_;
+};
 
 /// [m] The longest edges that are not rare: of the triangles by which touch is coarsest.
 double find_edge_length(const Surface& surface) {
@@ -134,9 +143,9 @@ struct Patch {
   std::vector<double> weights;  // sum to 1
 };
 
-Patch make_patch(const Surface& surface, const std::vector<double>& area, std::size_t v,
+Patch make_patch(const Vicinity& vicinity, const std::vector<double>& area, std::size_t v,
                  double radius) {
-  Patch patch{find_neighbours(surface, v, radius), {}};
+  Patch patch{vicinity.find(v, radius), {}};
   double sum = 0.0;
   for (const std::size_t u : patch.vertices) sum += area[u];
   for (const std::size_t u : patch.vertices) patch.weights.push_back(area[u] / sum);
@@ -172,47 +181,84 @@ void require_positive(const char* what, double value) {
   refuse(std::string("near field: ") + what, write_text(value), "a positive number");
 }
 
-/// What vertices from `begin` up to `end` and those around them do under unit forces.
-void solve_around(const Surface& surface, const FreeStiffness& stiffness, const Factors& factors,
-                  std::size_t begin, std::size_t end, double reach, NearField& near) {
-  Sides force = Sides::Zero(3 * stiffness.count, kAtOnce);
-  for (std::size_t v = begin; v < end; ++v) {
-    push(surface, stiffness, v, 1.0, static_cast<Eigen::Index>(v - begin), force);
+/// Forces along normals: one of 1 N on each vertex, and as many of 1 N on the patch of each.
+class NormalForces {
+ public:
+  NormalForces(const Surface& surface, const FreeStiffness& stiffness)
+      : surface_(surface),
+        stiffness_(stiffness),
+        sum_(static_cast<std::size_t>(stiffness.count), Vec3::Zero()) {}
+
+  void push(std::size_t v, double part) {
+    for_each_carrier(surface_, stiffness_, v, [&](int particle, const Vec3& along) {
+      Vec3& sum = sum_[static_cast<std::size_t>(particle)];
+      if (sum.isZero(0.0)) pushed_.push_back(particle);
+      sum += part * along;
+    });
   }
-  const Sides u = solve(factors, force);
-  for (std::size_t v = begin; v < end; ++v) {
-    for (const std::size_t other : find_neighbours(surface, v, reach)) {
-      near.neighbour.push_back(static_cast<int>(other));
-      near.compliance.push_back(static_cast<float>(
-          find_displacement(surface, stiffness, other, u, static_cast<Eigen::Index>(v - begin))));
+
+  /// What has been pushed since the last one is a force.
+  void end() {
+    std::ranges::sort(pushed_);
+    for (const int particle : pushed_) {
+      Vec3& sum = sum_[static_cast<std::size_t>(particle)];
+      if (sum.isZero(0.0)) continue;
+      all.particle.push_back(particle);
+      all.part.push_back(sum);
+      sum.setZero();
     }
+    pushed_.clear();
+    all.end();
+  }
+
+  ParticleForces all;
+
+ private:
+  const Surface& surface_;
+  const FreeStiffness& stiffness_;
+  Vec3Array sum_;  // [N] of the one being made
+  std::vector<int> pushed_;
+};
+
+/// Of each vertex those that a ball may press as well.
+void list_neighbours(const Surface& surface, const Vicinity& vicinity, double reach,
+                     NearField& near) {
+  near.first.push_back(0);
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    for (const std::size_t u : vicinity.find(v, reach))
+      near.neighbour.push_back(static_cast<int>(u));
     near.first.push_back(static_cast<int>(near.neighbour.size()));
   }
 }
 
-/// The far compliance of the same, each under a patch of its own.
-void solve_far(const Surface& surface, const FreeStiffness& stiffness, const Factors& factors,
-               const std::vector<double>& area, double radius, std::size_t begin, std::size_t end,
-               NearField& near) {
-  std::vector<Patch> patches;
-  Sides force = Sides::Zero(3 * stiffness.count, kAtOnce);
-  for (std::size_t v = begin; v < end; ++v) {
-    const Patch& patch = patches.emplace_back(make_patch(surface, area, v, radius));
-    for (std::size_t k = 0; k < patch.vertices.size(); ++k) {
-      push(surface, stiffness, patch.vertices[k], patch.weights[k],
-           static_cast<Eigen::Index>(v - begin), force);
-    }
+/// Compliances between neighbours, and of each vertex's patch with itself.
+void solve_near_field(const Surface& surface, const FreeStiffness& stiffness,
+                      const Factors& factors, const Vicinity& vicinity, NearField& near) {
+  const double radius = find_patch_radius(surface);
+  const std::vector<double> area = compute_vertex_areas(surface.mesh);
+  const std::size_t count = surface.size();
+  NormalForces forces(surface, stiffness);
+  for (std::size_t v = 0; v < count; ++v) {
+    if (surface.touched[v]) forces.push(v, 1.0);
+    forces.end();
   }
-  const Sides u = solve(factors, force);
-  for (std::size_t v = begin; v < end; ++v) {
-    const Patch& patch = patches[v - begin];
-    double compliance = 0.0;
+  std::vector<double> spread(count);
+  ForcePairs pairs{near.first, near.neighbour};
+  for (std::size_t v = 0; v < count; ++v) {
+    const Patch patch = make_patch(vicinity, area, v, radius);
+    spread[v] = measure_spread(surface, patch);
     for (std::size_t k = 0; k < patch.vertices.size(); ++k) {
-      compliance += patch.weights[k] * find_displacement(surface, stiffness, patch.vertices[k], u,
-                                                         static_cast<Eigen::Index>(v - begin));
+      forces.push(patch.vertices[k], patch.weights[k]);
     }
-    near.far_compliance[v] =
-        find_far_compliance(near.modulus, compliance, measure_spread(surface, patch));
+    forces.end();
+    pairs.other.push_back(static_cast<int>(count + v));
+    pairs.first.push_back(static_cast<int>(pairs.other.size()));
+  }
+  const std::vector<double> found = solve_compliances(stiffness, factors, forces.all, pairs);
+  const std::size_t between = near.neighbour.size();
+  near.compliance.assign(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(between));
+  for (std::size_t v = 0; v < count; ++v) {
+    near.far_compliance.push_back(find_far_compliance(near.modulus, found[between + v], spread[v]));
   }
 }
 
@@ -230,11 +276,12 @@ void ground(FreeStiffness& stiffness, Factors& factors) {
 
 }  // namespace
 
-NearContacts::NearContacts(int triangles, int vertices)
+NearContacts::NearContacts(int triangles, int vertices, int others)
     : triangle(static_cast<std::size_t>(triangles)),
       closest(static_cast<std::size_t>(triangles)),
       contact(static_cast<std::size_t>(triangles)),
-      weight(static_cast<std::size_t>(vertices), 0.0) {}
+      weight(static_cast<std::size_t>(vertices), 0.0),
+      cross(static_cast<std::size_t>(others), 0.0) {}
 
 NearField build_near_field(const TissueModel& model, double modulus, double radius) {
   require_positive("modulus [Pa]", modulus);
@@ -246,24 +293,10 @@ NearField build_near_field(const TissueModel& model, double modulus, double radi
 
   NearField near;
   near.modulus = modulus;
-  near.far_compliance.assign(surface.size(), 0.0);
   near.curvature = compute_curvature(surface);
-  near.first.push_back(0);
-  const double reach = 2.0 * (radius + find_edge_length(surface));
-  const double patch = find_patch_radius(surface);
-  const std::vector<double> area = compute_vertex_areas(surface.mesh);
-  constexpr auto kSides = static_cast<std::size_t>(kAtOnce);
-  for (std::size_t begin = 0; begin < surface.size(); begin += kSides) {
-    const std::size_t end = std::min(begin + kSides, surface.size());
-    const auto inner = surface.touched.begin();
-    if (std::none_of(inner + static_cast<std::ptrdiff_t>(begin),
-                     inner + static_cast<std::ptrdiff_t>(end), std::identity())) {
-      near.first.resize(end + 1, near.first.back());
-      continue;
-    }
-    solve_around(surface, stiffness, factors, begin, end, reach, near);
-    solve_far(surface, stiffness, factors, area, patch, begin, end, near);
-  }
+  const Vicinity vicinity(surface);
+  list_neighbours(surface, vicinity, 2.0 * (radius + find_edge_length(surface)), near);
+  solve_near_field(surface, stiffness, factors, vicinity, near);
   return near;
 }
 

@@ -148,7 +148,8 @@ World::World(const Scene& scene) : scene_identity(validated(scene).identity) {
         pairs.back().candidates.lanes = ContactLanes(count, simd_target(*packed->model));
       }
       if (scene.bodies[b].near_field) {
-        pairs.back().candidates.near = {count, surface_count(scene.bodies[b].tissue)};
+        pairs.back().candidates.near = {count, surface_count(scene.bodies[b].tissue),
+                                        static_cast<int>(instruments.size()) - 1};
       }
     }
   }
@@ -161,6 +162,7 @@ World::World(const Scene& scene) : scene_identity(validated(scene).identity) {
 Workspace::Workspace(const World& world)
     : hands(world.instruments.size()),
       surfaces(world.bodies.size()),
+      others(world.bodies.size() * world.instruments.size()),
       work(world.bodies.size(), 0.0),
       wanted(world.bodies.size(), 1),
       cost(world.bodies.size(), 0.0) {}
@@ -168,10 +170,17 @@ Workspace::Workspace(const World& world)
 std::span<const TouchedSurface> list_surfaces(const Scene& scene, std::size_t instrument,
                                               World& world) noexcept {
   std::vector<TouchedSurface>& surfaces = workspace(world).surfaces;
+  std::vector<const NearContacts*>& others = workspace(world).others;
+  const std::size_t count = world.instruments.size() - 1;
   for (std::size_t b = 0; b < surfaces.size(); ++b) {
     ContactPair& pair = world.pair(instrument, b);
-    surfaces[b] = {&pair.candidates, scene.bodies[b].tissue.triangles,
-                   surface_position(world.bodies[b]), &pair.load, scene.bodies[b].near_field.get()};
+    const auto from = others.begin() + static_cast<std::ptrdiff_t>(b * count);
+    for (std::size_t i = 0, at = b * count; i <= count; ++i) {
+      if (i != instrument) others[at++] = &world.pair(i, b).candidates.near;
+    }
+    surfaces[b] = {
+        &pair.candidates, scene.bodies[b].tissue.triangles, surface_position(world.bodies[b]),
+        &pair.load,       scene.bodies[b].near_field.get(), {from, count}};
   }
   return surfaces;
 }

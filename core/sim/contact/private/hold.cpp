@@ -40,7 +40,8 @@ double measure_held_load(const ToolState& state,
 }
 
 /// The spring of the hand holds K d²/2, or F (d - F/(2K)) where it is limited to F; a hold f²/(2k).
-/// A contact's force grows with its depth, which is at most the radius: f r is more than it holds.
+/// A contact's force grows with its depth, which is at most the radius, and what a near field has
+/// lifted the tool by: f times that is more than it holds.
 double bound_stored_energy(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
                            const ToolState& state,
                            std::span<const TouchedSurface> surfaces) noexcept {
@@ -50,7 +51,8 @@ double bound_stored_energy(const Tool& tool, const Coupling& coupling, const Vec
   for (std::size_t b = 0; b < surfaces.size(); ++b) {
     const std::span<const Push> pushes = surfaces[b].load->pushes();
     std::size_t next = pushes.size() - count_held(state, b, pushes);
-    for (const Push& push : pushes.first(next)) energy += push.force.norm() * tool.radius;
+    const double deepest = tool.radius + surfaces[b].candidates->near.lift.norm();
+    for (const Push& push : pushes.first(next)) energy += push.force.norm() * deepest;
     for (const ToolState::Hold& hold : holds_of(state)) {
       if (hold.body != static_cast<int>(b) || next == pushes.size()) continue;
       energy += 0.5 * pushes[next++].force.squaredNorm() / hold.stiffness;

@@ -6,20 +6,18 @@
 #include <numbers>
 
 #include "palpate/sim/contact/private/footprint.h"
+#include "palpate/sim/contact/private/local_press.h"
+#include "palpate/sim/contact/private/mesh_response.h"
 
 namespace palpate {
 namespace {
 
-/// Of the force on a half space at large depth, fitted to neo-Hookean solutions, up to two radii;
-/// beyond, the force goes on along its tangent [contact: near field].
-constexpr double kFirst = -0.1327, kSecond = -0.0104, kDeepest = 2.0;
-
-/// The part of a dent that a mesh is taken to have left. One as soft as tissue leaves a fifth; one
-/// that leaves less is too soft itself, and no contact makes up for that.
-constexpr double kLeastLeft = 0.15, kMostLeft = 1.6;
-
 /// What a mesh may make of the pressures, either way.
-constexpr double kLeastGain = 0.3, kMostGain = 8.0;
+constexpr double kLeastGain = 0.3, kMostGain = 12.0;
+
+/// Parts of the radius: what of a ball is left in the triangles when it is lifted off them, and by
+/// how much it is lifted at most.
+constexpr double kLeftIn = 0.55, kMostLift = 1.2;
 
 /// Part of the radius from which the hard law holds as well, so that nothing passes, and over which
 /// it would come to hold in full: at a whole radius half of it does.
@@ -62,62 +60,63 @@ struct Patch {
   }
 };
 
-/// [m/N] wᵀ G w of the patch: weights of each corner are its part of the force.
-double compute_mesh_compliance(const NearField& near, std::span<const Triangle> triangles,
-                               NearContacts& contacts) noexcept {
-  double sum = 0.0, force = 0.0;
-  const auto for_each_corner = [&](auto take) noexcept {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
-      const Contact& contact = contacts.contact[i];
-      const Triangle& triangle = triangles[static_cast<std::size_t>(contacts.triangle[i])];
-      for (std::size_t c = 0; c < 3; ++c) {
-        take(static_cast<std::size_t>(triangle[c]),
-             contact.force * contact.weights[static_cast<Eigen::Index>(c)]);
-      }
-    }
-  };
-  for_each_corner([&](std::size_t v, double part) noexcept {
-    contacts.weight[v] += part;
-    force += part;
-  });
-  for_each_corner([&](std::size_t v, double part) noexcept {
-    double moved = 0.0;
-    for (auto k = static_cast<std::size_t>(near.first[v]);
-         k < static_cast<std::size_t>(near.first[v + 1]); ++k) {
-      moved += static_cast<double>(near.compliance[k]) *
-               contacts.weight[static_cast<std::size_t>(near.neighbour[k])];
-    }
-    sum += part * moved;
-  });
-  for_each_corner([&](std::size_t v, double) noexcept { contacts.weight[v] = 0.0; });
-  return force > 0.0 ? sum / (force * force) : 0.0;
-}
-
 /// How far the normals of a patch agree, 0 to 1: below the first number each of its planes is
 /// pressed by itself, as the walls of a groove are, above the second all are one dent.
 constexpr double kGroove = 0.5, kDent = 0.8;
 
+/// Which way a patch faces, and how much of one dent it is.
+struct Dent {
+  explicit Dent(const Patch& patch) noexcept
+      : normal(patch.normal / std::max(patch.normal.norm(), 1e-300)),
+        part(std::clamp((patch.normal.norm() / patch.force - kGroove) / (kDent - kGroove), 0.0,
+                        1.0)) {}
+
+  Vec3 normal;  // unit
+  double part;
+};
+
 /// Of one dent: the ball's lowest point, along the mean normal, below the centre of pressure, and
 /// the pressures in all. Of several planes: the mean below each, and the force on a whole one. The
-/// half space has F(s) at the depth s, of which the mesh has left that.
-NearGain find_gain(const NearField& near, const Tool& tool, const Patch& patch,
-                   double mesh_compliance) noexcept {
-  const double agreement = patch.normal.norm() / patch.force;
-  const double dent = std::clamp((agreement - kGroove) / (kDent - kGroove), 0.0, 1.0);
-  const Vec3 normal = patch.normal / std::max(patch.normal.norm(), 1e-300);
-  const double below = tool.radius + patch.centre.dot(normal) / patch.force;
-  const double depth = dent * below + (1.0 - dent) * patch.depth / patch.force;
-  const double pressed = dent * patch.force + (1.0 - dent) * patch.whole / patch.force;
+/// half space has F(s) at the depth s, of which the mesh has left that. Pressures are those of the
+/// ball that is lifted off the triangles; the force is that of the ball where it is, less what
+/// others have `sunk` [m] the tissue there.
+NearGain find_gain(const NearField& near, const Tool& tool, const Patch& patch, double sunk,
+                   const NearContacts& contacts) noexcept {
+  const Dent dent(patch);
+  const double below = tool.radius + patch.centre.dot(dent.normal) / patch.force;
+  const double left_in = dent.part * below + (1.0 - dent.part) * patch.depth / patch.force;
+  const double pressed = dent.part * patch.force + (1.0 - dent.part) * patch.whole / patch.force;
+  const double lifted = contacts.lift.dot(dent.normal);
 
-  const LocalPress press{near.modulus, tool.radius, patch.curvature / patch.force, mesh_compliance};
+  const LocalPress press{near.modulus, tool.radius, patch.curvature / patch.force,
+                         contacts.mesh_compliance};
   const LocalPress flat{near.modulus, tool.radius, 0.0, 0.0};
-  const double least = std::max(depth, 1e-3 * patch.depth / patch.force);
-  const double s = press.find_depth(least, patch.area);
+  const double on_mesh = std::max(left_in, 1e-3 * patch.depth / patch.force);
+  const double seen = on_mesh + std::max(0.0, lifted);
+  // as much as all of it would be a press that nothing resists
+  const double depth = std::clamp(seen - sunk, kLeastLeft * seen, seen / kLeastLeft);
+  const double wider = measure_cut(tool.radius, depth) / measure_cut(tool.radius, on_mesh);
+  const double s = press.find_depth(depth, patch.area * wider);
   NearGain gain;
   gain.force = std::clamp(press.compute_force(s) / pressed, kLeastGain, kMostGain);
-  gain.slope = std::clamp(press.compute_slope(s) * s / (least * flat.compute_slope(least)),
+  gain.slope = std::clamp(press.compute_slope(s) * s / (depth * flat.compute_slope(on_mesh)),
                           gain.force, 10.0 * kMostGain);
   return gain;
+}
+
+/// The triangles stay where the tissue would have sunk away under the ball: beyond kLeftIn it does
+/// not go on into them, so that the barrier knows only what is deeper than a dent. In the groove
+/// between two walls there is nothing to sink away.
+Vec3 choose_lift(const Tool& tool, const Patch& patch, const NearContacts& contacts) noexcept {
+  if (!(patch.force > 0.0)) return Vec3::Zero();
+  const Dent dent(patch);
+  double deepest = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
+    deepest = std::max(deepest, tool.radius - contacts.closest[i].distance);
+  }
+  const double beyond = deepest + contacts.lift.dot(dent.normal) - kLeftIn * tool.radius;
+  const Vec3 normal = (dent.normal - contacts.force * contacts.tilt).normalized();
+  return dent.part * std::clamp(beyond, 0.0, kMostLift * tool.radius) * normal;
 }
 
 /// Pressures times the gain, and the barrier: a part of the hard law that rises in proportion to
@@ -153,54 +152,15 @@ Contact press(const Footprint& part, const Contact& closest, double share) noexc
   return soft;
 }
 
-}  // namespace
-
-double LocalPress::compute_force(double s) const noexcept {
-  const double inverse = std::max(1.0 / radius + curvature, 0.1 / radius);
-  const double most = kDeepest * radius, in = std::min(s, most), x = in / radius;
-  const double hertz = 4.0 / 3.0 * modulus * std::sqrt(in / inverse) * in;
-  const double force = hertz * (1.0 + x * (kFirst + x * kSecond));
-  return s > most ? force + (s - most) * compute_slope(most) : force;
-}
-
-double LocalPress::compute_slope(double s) const noexcept {
-  const double inverse = std::max(1.0 / radius + curvature, 0.1 / radius);
-  const double in = std::min(s, kDeepest * radius), x = in / radius;
-  return 2.0 * modulus * std::sqrt(in / inverse) *
-         (1.0 + x * (5.0 / 3.0 * kFirst + x * 7.0 / 3.0 * kSecond));
-}
-
-/// With dC a_now/a(s) in place of dC, and F = 4/3 E* a s,
-///
-///     s - 4/3 E* a_now dC s = depth
-///
-/// has one root; with dC itself it would have none where a patch is wider than elements are, for a
-/// mesh that gives way as tissue does takes 4/5 of any dent. a_now is the radius of contact: where
-/// the mesh has taken nothing the ball cuts a flat surface, sqrt(2) times as wide as it is touched
-/// [Hertz82], and where it has taken those 4/5 the surface lies against the ball. Between the two,
-/// a_now² goes with the part y = depth/s that the mesh has left: (1/2 + (1 - y) 5/8) area/pi.
-double LocalPress::find_depth(double depth, double area) const noexcept {
-  const double widest = std::sqrt(area * std::numbers::inv_pi);
-  const double share = 4.0 / 3.0 * modulus * widest * mesh_compliance;
-  double y = 1.0;
-  for (int i = 0; i < 6; ++i) {
-    const double root = std::sqrt(std::max(0.05, 1.125 - 0.625 * y));
-    const double slope = 1.0 - 0.3125 * share / root;
-    if (!(slope > 0.1)) return depth / kLeastLeft;
-    y = std::clamp(y - (y + share * root - 1.0) / slope, kLeastLeft, kMostLeft);
-  }
-  return depth / y;
-}
-
-void find_near_contacts(const NearField& near, const Tool& tool,
-                        std::span<const Triangle> triangles, std::span<const Vec3> x, const Vec3& p,
-                        NearContacts& contacts) noexcept {
-  const NearPressure law = make_law(near, tool);
+/// Pressures as they are on all triangles.
+Patch press_triangles(const Tool& tool, const TouchedSurface& surface, const Vec3& p) noexcept {
+  const NearPressure law = make_law(*surface.near, tool);
+  NearContacts& contacts = surface.candidates->near;
   Patch patch;
   for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
-    const Triangle& t = triangles[static_cast<std::size_t>(contacts.triangle[i])];
+    const Triangle& t = surface.triangles[static_cast<std::size_t>(contacts.triangle[i])];
     const auto corner = [&](std::size_t c) noexcept -> const Vec3& {
-      return x[static_cast<std::size_t>(t[c])];
+      return surface.x[static_cast<std::size_t>(t[c])];
     };
     const Contact& closest = contacts.closest[i];
     contacts.contact[i] = closest;
@@ -209,22 +169,41 @@ void find_near_contacts(const NearField& near, const Tool& tool,
     if (!integrate_footprint(law, p, corner(0), corner(1), corner(2), part)) continue;
     const double share = find_share(closest, part.normal);
     contacts.contact[i] = press(part, closest, share);
-    patch.add(near, t, compute_point(t, part.weights, x) - p, share, part);
+    patch.add(*surface.near, t, compute_point(t, part.weights, surface.x) - p, share, part);
   }
+  return patch;
+}
+
+}  // namespace
+
+void find_near_contacts(const Tool& tool, const TouchedSurface& surface, const Vec3& p) noexcept {
+  const NearField& near = *surface.near;
+  NearContacts& contacts = surface.candidates->near;
+  const Patch patch = press_triangles(tool, surface, p);
+  contacts.force = 0.0;
   NearGain gain;
   if (patch.force > 0.0) {
+    contacts.middle = p + patch.centre / patch.force;
+    contacts.normal = Dent(patch).normal;
+    contacts.far_compliance = patch.far / patch.force;
     if (!contacts.knows_compliance) {
-      contacts.mesh_compliance =
-          compute_mesh_compliance(near, triangles, contacts) - patch.far / patch.force;
+      const MeshResponse mesh = compute_response(surface, contacts, contacts);
+      contacts.mesh_compliance = mesh.compliance - contacts.far_compliance;
+      contacts.tilt = mesh.tilt;
+      find_crossings(tool, surface, contacts);
       contacts.knows_compliance = true;
     }
-    gain = find_gain(near, tool, patch, contacts.mesh_compliance);
+    gain = find_gain(near, tool, patch, sum_crossings(surface, contacts), contacts);
+    contacts.force = gain.force * patch.force;
   }
   contacts.gain = gain.force;
   contacts.stiffening = gain.slope;
   for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
-    contacts.contact[i] = combine(tool, contacts.closest[i], contacts.contact[i], gain);
+    const Contact soft = level(surface, contacts.force * contacts.tilt, p, contacts.triangle[i],
+                               contacts.contact[i]);
+    contacts.contact[i] = combine(tool, contacts.closest[i], soft, gain);
   }
+  contacts.next_lift = choose_lift(tool, patch, contacts);
   contacts.centre = p;
   contacts.found = true;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/contact/private/touched_surface.h"
 
 namespace palpate {
 
@@ -14,28 +15,15 @@ struct NearGain {
   double slope = 1.0;
 };
 
-/// What is felt of a press `depth` [m] deep into triangles where they are now, of a ball of
-/// `radius` [m]: F(s) where s - dC F(s) = depth. dC [m/N] is the compliance of the mesh under the
-/// patch that tissue does not have; `curvature` [1/m] is the tissue's.
-struct LocalPress {
-  double modulus = 0.0;          ///< [Pa] E*
-  double radius = 0.0;           ///< [m]
-  double curvature = 0.0;        ///< [1/m]
-  double mesh_compliance = 0.0;  ///< [m/N] dC
+/// [m] The lift of a tool that has last been balanced where it is; of one that has been put
+/// elsewhere since, none.
+inline Vec3 find_lift(const NearContacts& contacts, const Vec3& position) noexcept {
+  return contacts.centre == position + contacts.lift ? contacts.lift : Vec3(Vec3::Zero());
+}
 
-  /// [N] on the half space, and [N/m] its slope, at s [m].
-  double compute_force(double s) const noexcept;
-  double compute_slope(double s) const noexcept;
-  /// [m] s, where the ball cuts triangles on `area` [m²] in all. dC is that of the patch as it is,
-  /// and goes as one over its radius.
-  double find_depth(double depth, double area) const noexcept;
-};
-
-/// Takes up contacts->closest, which the caller has filled, and writes contacts->contact for the
-/// centre p.
-void find_near_contacts(const NearField& near, const Tool& tool,
-                        std::span<const Triangle> triangles, std::span<const Vec3> x, const Vec3& p,
-                        NearContacts& contacts) noexcept;
+/// Takes up the closest contacts of a surface under a near field, which the caller has filled, and
+/// writes its contacts for the lifted centre p, and the lift that the next substep is to have.
+void find_near_contacts(const Tool& tool, const TouchedSurface& surface, const Vec3& p) noexcept;
 
 /// The contact of one triangle with pressures as they are.
 bool find_near_contact(const NearField& near, const Tool& tool, const Contact& closest,

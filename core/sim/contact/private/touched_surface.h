@@ -15,7 +15,8 @@ struct TouchedSurface {
   std::span<const Triangle> triangles;
   std::span<const Vec3> x;  ///< [m]
   Load* load = nullptr;
-  const NearField* near = nullptr;  ///< null under the hard law alone
+  const NearField* near = nullptr;                   ///< null under the hard law alone
+  std::span<const NearContacts* const> others = {};  ///< of other instruments, under the near field
 };
 
 /// The pushes of all surfaces cancel the hand's spring, and each gets its own into its load.

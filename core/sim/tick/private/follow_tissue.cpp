@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "palpate/sim/contact/private/broad_phase.h"
+#include "palpate/sim/contact/private/near_contact.h"
 #include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/tick/private/world_internals.h"
@@ -155,21 +156,25 @@ void find_touchable(const Scene& scene, std::size_t instrument, std::size_t body
   SoftState& state = world.bodies[body];
   Candidates& candidates = world.pair(instrument, body).candidates;
   const Tool& tool = scene.instruments[instrument].tool;
-  const Vec3& from = world.instruments[instrument].tool.position;
+  const Vec3& position = world.instruments[instrument].tool.position;
+  const Vec3 lift = find_lift(candidates.near, position);
+  const Vec3 from = position + lift, to = hand + lift;
   const std::vector<double>& areas = scene.bodies[body].rest_areas;
   candidates.near.knows_compliance = candidates.near.found = false;
   if (!lags(world, state) || state.asleep) {
-    find_candidates(state.tree, surface_position(state), tool, from, hand, areas, candidates);
-    return;
+    find_candidates(state.tree, surface_position(state), tool, from, to, areas, candidates);
+  } else {
+    PackedKernel& kernel = *find_packed(state);
+    const double reach = tool.radius + kCandidateMargin + bound_lag(state);
+    const int found =
+        find_leaves_near_segment(state.tree, from, to, reach, kernel.broad_candidates);
+    const auto broad = std::span(kernel.broad_candidates).first(static_cast<std::size_t>(found));
+    read_corners(scene.bodies[body].tissue, broad, world.tick_count, kernel, state);
+    choose_candidates(state.tree, surface_position(state), tool, from, to, areas, broad,
+                      candidates);
   }
-  PackedKernel& kernel = *find_packed(state);
-  const double reach = tool.radius + kCandidateMargin + bound_lag(state);
-  const int found =
-      find_leaves_near_segment(state.tree, from, hand, reach, kernel.broad_candidates);
-  const auto broad = std::span(kernel.broad_candidates).first(static_cast<std::size_t>(found));
-  read_corners(scene.bodies[body].tissue, broad, world.tick_count, kernel, state);
-  choose_candidates(state.tree, surface_position(state), tool, from, hand, areas, broad,
-                    candidates);
+  candidates.from = position;
+  candidates.to = hand;
 }
 
 }  // namespace palpate

@@ -158,11 +158,12 @@ struct HandMotion {
 struct Workspace {
   explicit Workspace(const World& world);
 
-  std::vector<HandMotion> hands;         ///< per instrument
-  std::vector<TouchedSurface> surfaces;  ///< per body, of one instrument (list_surfaces)
-  std::vector<double> work;              ///< [J] per body, of the pushes (move_bodies)
-  std::vector<int> wanted;               ///< substeps per body (choose_substeps)
-  std::vector<double> cost;              ///< of a substep of each, relative (choose_substeps)
+  std::vector<HandMotion> hands;            ///< per instrument
+  std::vector<TouchedSurface> surfaces;     ///< per body, of one instrument (list_surfaces)
+  std::vector<const NearContacts*> others;  ///< per body, those of the others (list_surfaces)
+  std::vector<double> work;                 ///< [J] per body, of the pushes (move_bodies)
+  std::vector<int> wanted;                  ///< substeps per body (choose_substeps)
+  std::vector<double> cost;                 ///< of a substep of each, relative (choose_substeps)
 };
 
 inline Workspace& workspace(World& world) noexcept { return world.workspace_.get(); }

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/contact/private/local_press.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace palpate {
+namespace {
+
+/// Of the force on a half space at large depth, fitted to neo-Hookean solutions, up to two radii;
+/// beyond, the force goes on along its tangent [contact: near field].
+constexpr double kFirst = -0.1327, kSecond = -0.0104, kDeepest = 2.0;
+
+}  // namespace
+
+double LocalPress::compute_force(double s) const noexcept {
+  const double inverse = std::max(1.0 / radius + curvature, 0.1 / radius);
+  const double most = kDeepest * radius, in = std::min(s, most), x = in / radius;
+  const double hertz = 4.0 / 3.0 * modulus * std::sqrt(in / inverse) * in;
+  const double force = hertz * (1.0 + x * (kFirst + x * kSecond));
+  return s > most ? force + (s - most) * compute_slope(most) : force;
+}
+
+double LocalPress::compute_slope(double s) const noexcept {
+  const double inverse = std::max(1.0 / radius + curvature, 0.1 / radius);
+  const double in = std::min(s, kDeepest * radius), x = in / radius;
+  return 2.0 * modulus * std::sqrt(in / inverse) *
+         (1.0 + x * (5.0 / 3.0 * kFirst + x * 7.0 / 3.0 * kSecond));
+}
+
+/// With dC a_now/a(s) in place of dC, and F of a flat surface,
+///
+///     s - dC F(s) a_now/a(s) = depth
+///
+/// has one root; with dC itself it would have none where a patch is wider than elements are, for a
+/// mesh that gives way as tissue does takes 4/5 of any dent. a is the radius of contact: where the
+/// mesh has taken nothing the ball cuts a flat surface, sqrt(2) times as wide as it is touched
+/// [Hertz82], a(s)² = s (2R - s)/2, and where it has taken those 4/5 the surface lies against the
+/// ball. Between the two, a_now² goes with the part y = depth/s that the mesh has left: (1/2 +
+/// (1 - y) 5/8) area/pi. F(s)/a(s) is 4/3 E* s at small depth, and a third more at 3R/2 where the
+/// mesh has taken nothing; where it lies against the ball that is in a_now already. So the more
+/// counts in proportion to y, and is taken along from step to step.
+double LocalPress::find_depth(double depth, double area) const noexcept {
+  const LocalPress flat{modulus, radius, 0.0, 0.0};
+  const double widest = std::sqrt(area * std::numbers::inv_pi);
+  double y = 1.0;
+  for (int i = 0; i < 8; ++i) {
+    const double s = depth / y, touched = std::sqrt(0.5 * measure_cut(radius, s));
+    const double deeper = flat.compute_force(s) / (4.0 / 3.0 * modulus * touched * s) - 1.0;
+    const double share = 4.0 / 3.0 * modulus * (1.0 + y * deeper) * widest * mesh_compliance;
+    const double root = std::sqrt(std::max(0.05, 1.125 - 0.625 * y));
+    const double slope = 1.0 - 0.3125 * share / root;
+    if (!(slope > 0.1)) return depth / kLeastLeft;
+    y = std::clamp(y - (y + share * root - 1.0) / slope, kLeastLeft, kMostLeft);
+  }
+  return depth / y;
+}
+
+}  // namespace palpate
