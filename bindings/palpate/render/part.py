@@ -102,17 +102,11 @@ class Part:
         triangles: ArrayLike,
         appearance: Appearance,
     ):
-        rows = np.ascontiguousarray(triangles, dtype=np.uint32)
-        if rows.ndim != 2 or rows.shape[1] != 3 or rows.size == 0:
-            raise ValueError(f"triangles must have shape (t, 3), t > 0, got {np.shape(triangles)}")
-        low, high = int(np.min(triangles)), int(np.max(triangles))
-        if low < 0 or high >= vertex_count:
-            raise ValueError(
-                f"triangles must name vertices 0 to {vertex_count - 1}, got {low} to {high}"
-            )
         self.appearance = appearance
         self.vertex_count = vertex_count
-        self._indices = context.buffer(rows)
+        rows = self._check_triangles(triangles)
+        self._triangle_count = len(rows)
+        self._indices = context.buffer(rows, dynamic=True)
         self._streams = {
             name: context.buffer(reserve=4 * width * vertex_count, dynamic=True)
             for name, width in WIDTHS.items()
@@ -130,6 +124,24 @@ class Part:
         self._arrays: dict[moderngl.Program, moderngl.VertexArray] = {}
         self._bind(surface)
         self._depth: moderngl.VertexArray | None = None
+
+    def use_triangles(self, triangles: ArrayLike) -> None:
+        """Others, as many as there are. The context must be current. Raises ValueError."""
+        rows = self._check_triangles(triangles)
+        if len(rows) != self._triangle_count:
+            raise ValueError(f"triangles must be {self._triangle_count}, got {len(rows)}")
+        self._indices.write(rows)
+
+    def _check_triangles(self, triangles: ArrayLike) -> NDArray[np.uint32]:
+        rows = np.ascontiguousarray(triangles, dtype=np.uint32)
+        if rows.ndim != 2 or rows.shape[1] != 3 or rows.size == 0:
+            raise ValueError(f"triangles must have shape (t, 3), t > 0, got {np.shape(triangles)}")
+        low, high = int(np.min(triangles)), int(np.max(triangles))
+        if low < 0 or high >= self.vertex_count:
+            raise ValueError(
+                f"triangles must name vertices 0 to {self.vertex_count - 1}, got {low} to {high}"
+            )
+        return rows
 
     def update(self, **streams: NDArray[np.float32]) -> None:
         """Writes streams by name. The context must be current.

@@ -14,6 +14,7 @@ from palpate.render import Appearance, Legend, Renderer, Shape, build_arrow, bui
 from palpate.render.theme import DARK, THEMES
 from palpate.viewport.appearance import ARROW, PAINTED, PLAIN, RIM, RING, TOOL
 from palpate.viewport.dents import Dents
+from palpate.viewport.drawn_dent import DrawnDent
 from palpate.viewport.ring import build_ring
 from palpate.viewport.sky_light import SkyLight
 from palpate.viewport.thing import Thing
@@ -59,6 +60,7 @@ class Scenery:
         self.is_lit = True
         """Whether all the light that there is has been gathered."""
         self._dents: Dents | None = None
+        self._dent = DrawnDent()
         self._openness: Array | float = 1.0
         """[-] (n,) of the surface at rest."""
         self._tree: palpate.AabbTree | None = None
@@ -79,6 +81,7 @@ class Scenery:
                 f"triangles: got vertices {faces.min()} to {faces.max()}, "
                 f"expected 0 to {len(x) - 1}"
             )
+        self._dent.hide(None, faces)
         self._drop("surface")
         self.version += 1
         self.surface_version += 1
@@ -143,6 +146,8 @@ class Scenery:
             surface.write("selection", 0.0 if weights is None else weights)
 
     def show_tool(self, centre: ArrayLike | None, radius: float) -> None:
+        """A ball, and its dent in the surface as that stands now."""
+        self._draw_dent(centre, radius)
         if centre is None:
             self._hide("tool")
             return
@@ -301,6 +306,14 @@ class Scenery:
         surface = self._things["surface"]
         shade = 1.0 if self._dents is None else self._dents.shade(self.vertices)
         surface.write("openness", self._openness * shade)
+
+    def _draw_dent(self, centre: ArrayLike | None, radius: float) -> None:
+        surface = self._things.get("surface")
+        ball = None if centre is None else (centre, radius)
+        if self._dent.show(surface, self.vertices, self.triangles, ball):
+            assert self._dent.thing is not None
+            self._things["dent"] = self._dent.thing
+            self.version += 1
 
     def _forget_sky(self) -> None:
         if self._sky is not None:

@@ -24,6 +24,17 @@ class Thing:
         }
         self.part: Part | None = None
         self._stale = set(self.streams)
+        self._regrouped = False
+
+    def use_triangles(self, triangles: NDArray[np.integer]) -> None:
+        """Others of the same vertices, as many as there are."""
+        if not np.array_equal(self.triangles, triangles):
+            self.triangles, self._regrouped = triangles, True
+
+    def write_first(self, name: str, values: ArrayLike) -> None:
+        """Copies into the first rows of a stream."""
+        np.copyto(self.streams[name][: len(np.asarray(values))], values, casting="same_kind")
+        self._stale.add(name)
 
     def write(self, name: str, values: ArrayLike) -> None:
         """Copies into a stream; nothing is allocated."""
@@ -45,8 +56,11 @@ class Thing:
         if self.part is None:
             count = len(self.streams["position"])
             self.part = renderer.add(count, self.triangles, self.appearance)
-            self._stale = set(self.streams)
+            self._stale, self._regrouped = set(self.streams), False
         self.part.appearance = self.appearance
+        if self._regrouped:
+            self.part.use_triangles(self.triangles)
+            self._regrouped = False
         self.part.update(**{name: self.streams[name] for name in self._stale})
         self._stale.clear()
 
