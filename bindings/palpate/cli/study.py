@@ -117,7 +117,8 @@ def run_tool(call: argparse.Namespace) -> Report:
             raise WrongCall(f"--{option} is of models beside references, and not of --tool")
     scenes = []
     for path in call.tool:
-        scenes += open_blocks() if str(path) == BLOCK else [open_pressed(path)]
+        blocks = str(path) == BLOCK
+        scenes += [*open_blocks(), *open_blocks(hard=True)] if blocks else [open_pressed(path)]
     return {
         "scenes": [describe_pressed(scene) for scene in scenes],
         "tool_rows": [

@@ -26,8 +26,9 @@ from palpate.runs.trial import (
     press_places,
     with_contact,
 )
-from palpate.study.half_space import compute_sphere_force, plane_modulus
+from palpate.study.half_space import compute_sphere_force
 from palpate.study.indent import measure_indentation
+from palpate.study.tool import load_with_ball
 from palpate.study.tool_block import CELLS, EDGE, open_blocks
 
 HARD, NEAR = "hard", "near field"
@@ -103,9 +104,8 @@ def press_block(
         constants = reference.young_modulus, reference.poisson_ratio
         for radius in balls:
             theory = compute_sphere_force(PRESSED, radius, CELLS[2] * EDGE, *constants)
-            hard = pressed.load()
-            hard.instruments[0].tool.radius = radius
-            near = with_contact(hard, plane_modulus(*constants))
+            near = load_with_ball(pressed, radius)
+            hard = with_contact(near, 0.0)
             for law, scene in ((HARD, hard), (NEAR, near)):
                 for spot in reference.places[:places]:
                     place = Place(np.array(spot.point), np.array(spot.direction))

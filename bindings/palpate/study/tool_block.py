@@ -10,6 +10,7 @@ import numpy as np
 
 import palpate
 from palpate.study.contact_reference import read_contact_reference
+from palpate.study.half_space import plane_modulus
 from palpate.study.tool import PressedScene
 
 CELLS, EDGE = (10, 10, 5), 10e-3
@@ -23,20 +24,23 @@ KINDS: dict[str, Callable[..., palpate.TissueModel]] = {
 }
 
 
-def open_blocks() -> list[PressedScene]:
-    """One scene for every kind of solid."""
+def open_blocks(hard: bool = False) -> list[PressedScene]:
+    """One scene for every kind of solid, under the near field or under the hard law alone."""
     reference = read_contact_reference("block")
+    modulus = 0.0 if hard else plane_modulus(reference.young_modulus, reference.poisson_ratio)
+    law = "hard law" if hard else "near field"
     return [
         PressedScene(
-            name=f"block, {kind}",
+            name=f"block, {kind}" + (", hard law" if hard else ""),
             file="",
-            kind=f"{kind}, {6 * int(np.prod(CELLS))} tetrahedra of {1e3 * EDGE:g} mm",
+            kind=f"{kind} under the {law}, {6 * int(np.prod(CELLS))} tetrahedra of {1e3 * EDGE:g} "
+            "mm",
             derived=True,
             young_modulus=reference.young_modulus,
             radius=RADIUS,
             reference=reference,
             load=lambda build=build: build_scene(
-                build, reference.young_modulus, reference.poisson_ratio
+                build, reference.young_modulus, reference.poisson_ratio, modulus
             ),
         )
         for kind, build in KINDS.items()
@@ -44,7 +48,10 @@ def open_blocks() -> list[PressedScene]:
 
 
 def build_scene(
-    build: Callable[..., palpate.TissueModel], young_modulus: float, poisson_ratio: float
+    build: Callable[..., palpate.TissueModel],
+    young_modulus: float,
+    poisson_ratio: float,
+    contact_modulus: float,
 ) -> palpate.Scene:
     solid = build_mesh()
     material = palpate.Material(young_modulus=young_modulus, poisson_ratio=poisson_ratio)
@@ -52,7 +59,7 @@ def build_scene(
     tissue = build(solid, material, palpate.SolidOptions(nodal_share=NODAL_SHARE, fixed=base))
     return palpate.build_scene(
         palpate.Scene(
-            bodies=[palpate.SoftBody(tissue=tissue)],
+            bodies=[palpate.SoftBody(tissue=tissue, contact_modulus=contact_modulus)],
             instruments=[palpate.Instrument(tool=palpate.Tool(radius=RADIUS))],
         )
     )

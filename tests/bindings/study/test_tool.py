@@ -123,7 +123,7 @@ def test_another_poisson_ratio_is_refused(spleen):
 
 @pytest.mark.landing
 def test_a_block_of_three_thousand_tetrahedra_is_too_stiff_under_a_ball():
-    springs, linear = open_blocks()
+    springs, linear = open_blocks(hard=True)
     case = next(c for c in springs.reference.list_cases("linear") if c.radius == 3e-3)
 
     found = compare_case(springs, case)
