@@ -96,7 +96,12 @@ def fade(radii: Array) -> Array:
 
 
 def build_dent(
-    vertices: Array, normals: Array, triangles: Rows, centre: Array, radius: float
+    vertices: Array,
+    normals: NDArray[np.floating],
+    triangles: NDArray[np.integer],
+    centre: Array,
+    radius: float,
+    edge: float,
 ) -> DentPatch | None:
     """The dent of a ball in a surface, None where it makes none.
 
@@ -106,23 +111,26 @@ def build_dent(
         triangles: (t, 3)
         centre: [m] (3,) of the ball.
         radius: [m]
+        edge: [m] the longest of the triangles, or nearly.
     """
-    near = find_near(vertices, triangles, centre, REACH * radius)
-    ball = find_ball(vertices, triangles[near], centre, radius)
+    under = find_near(vertices, triangles, centre, radius + edge)
+    ball = find_ball(vertices, triangles[under], centre, radius)
     if ball is None:
         return None
+    near = find_near(vertices, triangles, centre, REACH * radius + edge)
     corners = vertices[triangles[near]]
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     facing = across @ ball.axis > FACING * np.linalg.norm(across, axis=1)
     hidden = near[facing]
-    if not len(hidden):
+    # of a mesh that is finer than that the triangles themselves show a dent
+    if not 0 < len(hidden) <= MOST_POINTS // 3:
         return None
     pieces, places = count_pieces(corners[facing], radius), triangles[hidden]
     weights, grid = cut_triangle(pieces)
     of_points = np.repeat(places, len(weights), axis=0)
     of_weights = np.tile(weights, (len(hidden), 1))
     points = np.einsum("pc,pck->pk", of_weights, vertices[of_points])
-    smooth = np.einsum("pc,pck->pk", of_weights, normals[of_points])
+    smooth = np.einsum("pc,pck->pk", of_weights, normals[of_points].astype(np.float64))
     first, sunk = len(weights) * np.arange(len(hidden)), ball.sink(points)
     return DentPatch(
         hidden, of_points, of_weights, (first[:, None, None] + grid).reshape(-1, 3),
@@ -131,22 +139,26 @@ def build_dent(
     )  # fmt: skip
 
 
-def find_near(vertices: Array, triangles: Rows, centre: Array, reach: float) -> Rows:
-    """The triangles that have a part within reach [m], or nearly."""
-    corners = vertices[triangles]
-    middle = corners.mean(axis=1)
-    size = np.linalg.norm(corners - middle[:, None], axis=2).max(axis=1, initial=0.0)
-    return np.flatnonzero(np.linalg.norm(middle - centre, axis=1) < size + reach)
+def find_near(vertices: Array, triangles: NDArray[np.integer], centre: Array, reach: float) -> Rows:
+    """The triangles with a vertex within reach [m]; of a surface nothing as large is made."""
+    near = np.abs(vertices[:, 0] - centre[0]) < reach
+    for axis in (1, 2):
+        near &= np.abs(vertices[:, axis] - centre[axis]) < reach
+    if not near.any():
+        return np.zeros(0, np.intp)
+    return np.flatnonzero(near[triangles[:, 0]] | near[triangles[:, 1]] | near[triangles[:, 2]])
 
 
 def find_ball(vertices: Array, triangles: Rows, centre: Array, radius: float) -> Ball | None:
     """The ball with what it presses: along the normals of what is near, those nearest most."""
+    if not len(triangles):
+        return None
     corners = vertices[triangles]
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     foot = find_closest(corners, across, centre)
     distance = np.linalg.norm(foot - centre, axis=1)
     size = np.linalg.norm(across, axis=1)
-    usable = (size > 0.0) & (distance < 2.0 * radius)
+    usable = (size > 0.0) & (distance < DEEPEST * radius)
     if not usable.any():
         return None
     # the nearer, the more: all of what the nearest has, nothing half a radius farther
@@ -179,7 +191,7 @@ def count_pieces(corners: Array, radius: float) -> int:
     """Of every edge: as small as the ball asks for, and no more than can be drawn."""
     edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
     wanted = int(np.ceil(PIECES * float(edges.max()) / radius))
-    most = int(np.sqrt(2.0 * MOST_POINTS / len(corners))) - 2
+    most = int(np.sqrt(2.0 * MOST_POINTS / len(corners)) - 1.5)
     return max(1, min(wanted, most, MOST_PIECES))
 
 

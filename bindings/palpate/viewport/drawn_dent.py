@@ -21,6 +21,13 @@ class DrawnDent:
     def __init__(self) -> None:
         self.thing: Thing | None = None
         """None until there is a dent; then with room for any, and the rest of it without area."""
+        self._edge = 0.0
+
+    def take_surface(self, vertices: NDArray[np.float64], triangles: NDArray[np.integer]) -> None:
+        """A new surface, in which there is no dent yet."""
+        self.hide(None, triangles)
+        edges = (vertices[triangles[:, k]] - vertices[triangles[:, k - 1]] for k in range(3))
+        self._edge = max(float(np.linalg.norm(e, axis=1).max(initial=0.0)) for e in edges)
 
     def show(
         self,
@@ -33,8 +40,8 @@ class DrawnDent:
         patch = None
         if surface is not None and ball is not None and ball[1] > 0.0:
             centre, radius = np.asarray(ball[0], dtype=np.float64), float(ball[1])
-            normals = surface.streams["normal"].astype(np.float64)
-            patch = build_dent(vertices, normals, triangles, centre, radius)
+            normals = surface.streams["normal"]
+            patch = build_dent(vertices, normals, triangles, centre, radius, self._edge)
         if surface is None or patch is None:
             self.hide(surface, triangles)
             return False

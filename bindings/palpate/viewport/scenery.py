@@ -81,7 +81,7 @@ class Scenery:
                 f"triangles: got vertices {faces.min()} to {faces.max()}, "
                 f"expected 0 to {len(x) - 1}"
             )
-        self._dent.hide(None, faces)
+        self._dent.take_surface(x, faces)
         self._drop("surface")
         self.version += 1
         self.surface_version += 1
