@@ -79,7 +79,7 @@ class TooLarge(TruthError):
 
 def estimate_memory(freedoms: int) -> float:
     """[bytes] that assembling and factorising take: nested dissection of a body fills its factor
-    as n^(4/3). Measured from 26 000 to 250 000 freedoms."""
+    as n^(4/3). Measured from 26 000 to 122 000 freedoms."""
     return 4.5e3 * freedoms + 215.0 * freedoms ** (4.0 / 3.0)
 
 

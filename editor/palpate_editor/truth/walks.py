@@ -14,13 +14,13 @@ from palpate_editor.document import Organ
 from palpate_editor.truth import wanted
 from palpate_editor.truth.progress import TruthError
 from palpate_editor.truth.subject import Subject
-from palpate_editor.truth.tetrahedra import Floats
+from palpate_editor.truth.tetrahedra import Floats, Ints
 
 ELEMENTS = 3.0
 """Edges of the simulated surface that a drag passes."""
 LEAST, MOST = 2.0, 10.0
 """Radii of the ball that it is long."""
-MOST_STATIONS = 8
+MOST_STATIONS = 10
 WAYS = 12
 """Directions along the surface that are tried."""
 TURN = 0.5
@@ -66,10 +66,13 @@ class Ground:
 def walk(
     organ: Organ, subject: Subject, radius: float, start: Place, path: wanted.Drag
 ) -> list[Place]:
-    """The stations of a drag, a radius apart or as many as may be. Raises TruthError."""
+    """The stations of a drag, a radius apart and two on an edge of the body's surface, or as many
+    as may be. Raises TruthError."""
     length = choose_length(organ, radius, path.length)
-    count = int(np.clip(np.ceil(length / radius), 2, MOST_STATIONS - 1))
-    ground, step = Ground(subject), length / count
+    ground = Ground(subject)
+    apart = min(radius, 0.5 * measure_edge(ground.x, ground.triangles))
+    count = int(np.clip(np.ceil(length / apart), 2, MOST_STATIONS - 1))
+    step = length / count
     found = [
         ground.walk(start, toward, step, count, FROM_HELD * radius)
         for toward in list_directions(start, path.toward)
@@ -87,8 +90,7 @@ def choose_length(organ: Organ, radius: float, length: float | None) -> float:
     """[m] Raises TruthError."""
     if length is None:
         assert organ.surface is not None
-        x, triangles = organ.surface.vertices, organ.surface.triangles
-        edge = float(np.linalg.norm(x[triangles] - x[np.roll(triangles, 1, axis=1)], axis=2).mean())
+        edge = measure_edge(organ.surface.vertices, organ.surface.triangles)
         return float(np.clip(ELEMENTS * edge, LEAST * radius, MOST * radius))
     if not 0.0 < length <= MOST * radius:
         raise TruthError(
@@ -96,6 +98,11 @@ def choose_length(organ: Organ, radius: float, length: float | None) -> float:
             f"{1e3 * MOST * radius:g} mm, {MOST:g} radii of the ball"
         )
     return length
+
+
+def measure_edge(x: Floats, triangles: Ints) -> float:
+    """[m] The mean edge of a surface."""
+    return float(np.linalg.norm(x[triangles] - x[np.roll(triangles, 1, axis=1)], axis=2).mean())
 
 
 def list_directions(start: Place, toward: wanted.Point | None) -> list[Floats]:

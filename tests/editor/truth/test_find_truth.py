@@ -7,21 +7,23 @@ import json
 from dataclasses import replace
 
 import numpy as np
+import palpate
 import pytest
 from palpate.cli.main import main
 from palpate.scene.scene_parts import MaterialPart
+from palpate.study.half_space import compute_punch_force
 from palpate.study.truth_file import read_truth
 from palpate_editor.document import EMPTY, Surface
 from palpate_editor.document.files import write_organ
 from palpate_editor.edits import FixLowest
-from palpate_editor.truth import Press, TruthError, find_truth, solve_truth
+from palpate_editor.truth import Drag, Press, Pull, Script, TruthError, find_truth, solve_truth
 from palpate_meshes.generate import ellipsoid
 
 BALL = 8e-3
 
 
-def make_organ(**changes):
-    surface = Surface(*ellipsoid(150, (50e-3, 35e-3, 30e-3), bow=0.0, hollow=0.0, notches=0.0))
+def make_organ(vertices=150, **changes):
+    surface = Surface(*ellipsoid(vertices, (50e-3, 35e-3, 30e-3), bow=0.0, hollow=0.0, notches=0.0))
     organ = FixLowest(0.3)(EMPTY.with_surface(surface))
     return replace(organ, material=MaterialPart(young_modulus=10e3), **changes)
 
@@ -116,6 +118,38 @@ def test_twice_the_stiffness_painted_gives_twice_the_force(cache, tmp_path):
     assert twice.force == pytest.approx(2.0 * once.force, rel=2e-3)
 
 
+def test_a_pull_feels_about_what_a_tied_punch_of_the_grip_does(cache):
+    truth = ask(cache, path=Pull(), depths=[2e-3, 4e-3])
+
+    slope = np.diff(truth.force[0]) / np.diff(truth.depth)
+    punch = compute_punch_force(1.0, truth.contact_radius[0, 0], np.inf, 10e3, 0.45)
+
+    assert truth.path == "pull" and (truth.depth < 0.0).all() and (truth.force < 0.0).all()
+    # less at its border than a punch has, more for what is behind it
+    assert slope == pytest.approx(punch, rel=0.25)
+    nearest = np.linalg.norm(truth.surface - truth.point[0], axis=1).argmin()
+    assert truth.displacement[0, 1, nearest] @ truth.direction[0] > 1e-3
+
+
+@pytest.mark.landing
+def test_a_drag_begins_as_a_press_and_a_script_over_it_feels_the_same(cache):
+    organ = make_organ(800)
+    places = (0.0, 0.0, 0.03), (0.05, 0.0, 0.03)
+    drag = ask(cache, organ, Drag(*places, length=10e-3))
+    press = ask(cache, organ, Press(places[0]))
+    height = BALL - 2e-3
+    ends = [drag.point[k] + height * drag.direction[k] for k in (0, -1)]
+    frames = [palpate.KeyFrame(float(k), end, 0) for k, end in enumerate(ends)]
+    script = ask(cache, organ, Script(frames))
+
+    assert len(drag.point) >= 3
+    assert drag.force[0] == pytest.approx(press.force[0], rel=0.05)
+    # nothing turns or thins there much
+    assert (drag.force.max(axis=0) < 1.15 * drag.force.min(axis=0)).all()
+    assert script.path == "script" and len(script.point) >= 2
+    assert script.force.mean(axis=0) == pytest.approx(drag.force.mean(axis=0), rel=0.05)
+
+
 @pytest.mark.parametrize(
     ("options", "sentence"),
     [
@@ -158,6 +192,22 @@ def test_the_verb_writes_a_truth_and_says_its_forces(tmp_path, capsys, monkeypat
     assert truth.point[0, 2] > 0.028
     assert main(call[:-1]) == 0
     assert f"{1e3 * truth.force[0, 1]:.2f} mN" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (["--path", "jump"], "--path: got 'jump', expected press, pull, drag, or FILE.json"),
+        (["--path", "no.json"], "no.json"),
+        (["--path", "a.json", "--place", "0,0,0"], "expected none: a script has its own"),
+    ],
+)
+def test_a_path_that_is_none_is_refused_by_the_verb(words, sentence, tmp_path, capsys):
+    write_organ(tmp_path / "a.organ", make_organ())
+
+    assert main(["truth", str(tmp_path / "a.organ"), *words]) == 1
+
+    assert sentence in capsys.readouterr().err
 
 
 def test_the_verb_refuses_in_the_words_of_the_solver(tmp_path, capsys):

@@ -59,7 +59,7 @@ def test_a_drag_heads_for_the_point_that_is_asked_for():
     way = find_way(Drag((0.0, 0.0, 0.03), (0.05, 0.0, 0.03), 15e-3))
     points = np.array([station.point for station in way.stations])
 
-    assert (np.diff(points[:, 0]) > 3e-3).all()
+    assert (np.diff(points[:, 0]) > 1e-3).all()
     assert np.abs(points[:, 1]).max() < 2e-3
     assert np.linalg.norm(np.diff(points, axis=0), axis=1).sum() == pytest.approx(15e-3, rel=0.03)
 
