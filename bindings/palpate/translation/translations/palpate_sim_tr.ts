@@ -208,6 +208,10 @@
         <translation>%1 integral yöntemiyle automatic ya da reference: ötekiler symplectic_euler ile ilerler</translation>
     </message>
     <message>
+        <source>maxwell beside it</source>
+        <translation>yanında maxwell</translation>
+    </message>
+    <message>
         <source>none yet: only soft bodies and instruments are simulated</source>
         <translation>şimdilik hiç: yalnızca yumuşak cisimler ve aletler benzetilir</translation>
     </message>
