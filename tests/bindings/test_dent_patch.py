@@ -6,7 +6,10 @@ from __future__ import annotations
 import numpy as np
 import palpate
 import pytest
+from palpate.viewport.appearance import PLAIN
 from palpate.viewport.dent_patch import MOST_POINTS, REACH, build_dent, cut_triangle, run_out
+from palpate.viewport.drawn_dent import DrawnDent
+from palpate.viewport.thing import Thing
 from surfaces import ellipsoid
 
 EDGE, R = 10e-3, 4e-3
@@ -123,3 +126,24 @@ def test_a_triangle_is_cut_into_the_square_of_its_pieces(pieces):
 
     assert len(rows) == pieces**2 and weights.sum(axis=1) == pytest.approx(1.0)
     assert sorted(np.unique(rows)) == list(range(len(weights)))
+
+
+def test_the_surface_is_whole_again_when_the_ball_has_gone():
+    vertices, normals, triangles = plane()
+    surface = Thing(len(vertices), triangles, PLAIN)
+    surface.write("position", vertices)
+    surface.write("normal", normals)
+    surface.write("value", vertices[:, 0])
+    drawn = DrawnDent()
+    drawn.take_surface(vertices, triangles)
+
+    assert drawn.show(surface, vertices, triangles, ([0.043, 0.038, 0.5 * R], R))
+    gone = np.flatnonzero(surface.triangles[:, 0] == surface.triangles[:, 1])
+    assert 0 < len(gone) < len(triangles) and drawn.thing.visible
+    # pieces have what their triangles have
+    used = np.unique(drawn.thing.triangles)
+    streams = drawn.thing.streams
+    assert streams["value"][used] == pytest.approx(streams["position"][used, 0], abs=1e-6)
+
+    assert not drawn.show(surface, vertices, triangles, ([0.043, 0.038, 2.0 * R], R))
+    assert np.array_equal(surface.triangles, triangles) and not drawn.thing.visible

@@ -10,15 +10,7 @@ from golden_curves import PRESSES, TOLERANCE, compute_change, find_peak, press, 
 from palpate_editor.shipped import list_organs
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        pytest.param(name, marks=pytest.mark.landing)
-        if name.startswith(("kidney,", "liver,"))
-        else name
-        for name in PRESSES
-    ],
-)
+@pytest.mark.parametrize("name", PRESSES)
 def test_a_shipped_press_feels_within_two_percent_as_it_did(name):
     change = compute_change(press(name), read_curves()[name])
 

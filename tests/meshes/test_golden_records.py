@@ -18,7 +18,7 @@ MEANT = (
 )
 
 
-COSTLY = ("solid_kidney", "solid_liver", "shell_gallbladder", "shell_stomach")
+COSTLY = ("solid_liver", "shell_gallbladder", "shell_stomach")
 
 
 @pytest.mark.parametrize(

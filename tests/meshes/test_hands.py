@@ -12,8 +12,8 @@ from palpate_editor.shipped import list_organs
 from scripted_hands import SPRINGS, find_scattered_place, open_organ_scene, press, pull
 
 ORGANS = [entry.name for entry, _ in list_organs()]
-COSTLY = ("kidney", "liver")
-"""Solids whose near field takes seconds to build."""
+COSTLY = ("liver",)
+"""A solid whose near field takes a second to build."""
 NONE = palpate.AlarmKind.none
 PRESSES, FLICKS = range(100), range(60)
 AFTER = 500

@@ -18,9 +18,9 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
 
-REACH = 4.0
+REACH = 3.0
 """[-] radii from the ball's axis, where the dent has run out."""
-PIECES = 4.0
+PIECES = 3.5
 """[-] of an edge, to a radius."""
 MOST_PIECES, MOST_POINTS = 24, 24_000
 """Of an edge, and of a dent."""
@@ -117,15 +117,11 @@ def build_dent(
     ball = find_ball(vertices, triangles[under], centre, radius)
     if ball is None:
         return None
-    near = find_near(vertices, triangles, centre, REACH * radius + edge)
-    corners = vertices[triangles[near]]
-    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    facing = across @ ball.axis > FACING * np.linalg.norm(across, axis=1)
-    hidden = near[facing]
+    hidden = find_dented(vertices, triangles, ball, edge)
     # of a mesh that is finer than that the triangles themselves show a dent
     if not 0 < len(hidden) <= MOST_POINTS // 3:
         return None
-    pieces, places = count_pieces(corners[facing], radius), triangles[hidden]
+    pieces, places = count_pieces(vertices[triangles[hidden]], radius), triangles[hidden]
     weights, grid = cut_triangle(pieces)
     of_points = np.repeat(places, len(weights), axis=0)
     of_weights = np.tile(weights, (len(hidden), 1))
@@ -147,6 +143,16 @@ def find_near(vertices: Array, triangles: NDArray[np.integer], centre: Array, re
     if not near.any():
         return np.zeros(0, np.intp)
     return np.flatnonzero(near[triangles[:, 0]] | near[triangles[:, 1]] | near[triangles[:, 2]])
+
+
+def find_dented(vertices: Array, triangles: NDArray[np.integer], ball: Ball, edge: float) -> Rows:
+    """The triangles that face the way of a dent and have a part in it, or nearly."""
+    near = find_near(vertices, triangles, ball.centre, REACH * ball.radius + edge)
+    corners = vertices[triangles[near]]
+    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    away = np.linalg.norm(find_closest(corners, across, ball.centre) - ball.centre, axis=1)
+    facing = across @ ball.axis > FACING * np.linalg.norm(across, axis=1)
+    return near[facing & (away < (REACH + 0.5) * ball.radius)]
 
 
 def find_ball(vertices: Array, triangles: Rows, centre: Array, radius: float) -> Ball | None:

@@ -8,6 +8,7 @@ import re
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import palpate
 import pytest
 from palpate.cli.main import main
@@ -119,6 +120,29 @@ def test_a_scene_that_is_held_elsewhere_is_refused(spleen):
 def test_another_poisson_ratio_is_refused(spleen):
     with pytest.raises(Refusal, match="poisson_ratio: got 0.3, expected 0.45"):
         require_same(Path(spleen.file), read(spleen.file), 0.3, spleen.reference)
+
+
+@pytest.mark.landing
+@pytest.mark.parametrize("kind", [0, 1])
+def test_under_its_near_field_the_block_is_felt_within_three_percent_of_large_deformations(kind):
+    block = open_blocks()[kind]
+    rows = compare_tool(block, "neo_hookean")
+
+    assert max(row.depth for row in rows) == pytest.approx(1.5 * 3e-3, rel=1e-4)
+    assert [row.ratio for row in rows] == pytest.approx(np.ones(len(rows)), abs=0.03)
+
+
+@pytest.mark.landing
+@pytest.mark.parametrize("radius", [2e-3, 3e-3, 5e-3, 8e-3])
+@pytest.mark.parametrize("body", ["kidney", "liver", "spleen"])
+def test_shipped_solids_are_felt_within_a_tenth_on_average_and_little_more_than_a_quarter_at_worst(
+    body, radius
+):
+    pressed = open_pressed(PUBLISHED / f"{body}.palpate")
+    ratios = [row.ratio for row in compare_tool(pressed, "linear", [radius])]
+
+    assert np.mean(ratios) == pytest.approx(1.0, abs=0.10)
+    assert ratios == pytest.approx(np.ones(len(ratios)), abs=0.27)
 
 
 @pytest.mark.landing
