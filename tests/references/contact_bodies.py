@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from bodies import build_block
-from fill_contacts import CELLS, CONTACTS, WALLS
+from fill_contacts import CELLS, CONTACTS, SURFACES, WALLS
 from palpate_editor.truth.contact import find_touch
 from palpate_editor.truth.graded import Skin
 from palpate_editor.truth.levels import Station
@@ -105,8 +105,10 @@ ORGANS = {
     "liver": ("Liver", 5e3, {**TOP, **AROUND}),
     "gallbladder": ("Gallbladder, its wall", 250e3, {**AROUND, "inside": (-0.9, -0.3, 0.1)}),
     "stomach": ("Stomach, its wall", 50e3, {**AROUND, "back": (0.0, 1.0, 0.2)}),
+    "wall_2mm": ("Gallbladder, a wall of 2 mm", 250e3, {"outside": AROUND["outside"]}),
 }
-"""The shipped organs: title, Young's modulus [Pa] of tissues.toml, where they are pressed."""
+"""The shipped organs: title, Young's modulus [Pa] of tissues.toml, where they are pressed; and the
+wall that other engines are compared on."""
 
 
 def organ(name: str) -> Pressed:
@@ -141,7 +143,7 @@ def organ(name: str) -> Pressed:
         held_by=f"the {len(fixed)} vertices that the published scene holds",
         source=f"tests/references/fill_contacts.py {name}",
         fixed=np.sort(fixed),
-        shape={"file": f"{name}.obj", "sha256": str(data["sha256"])},
+        shape={"file": f"{SURFACES.get(name, name)}.obj", "sha256": str(data["sha256"])},
     )
 
 

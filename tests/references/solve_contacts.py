@@ -20,6 +20,7 @@ import hashlib
 import json
 import os
 import time
+from collections.abc import Sequence
 from importlib.metadata import version
 from pathlib import Path
 
@@ -36,12 +37,17 @@ from palpate_editor.truth.solve import solve_way
 from palpate_editor.truth.subject import Subject
 from palpate_editor.truth.tetrahedra import Floats
 
-FOLDER = Path(__file__).parents[2] / "bindings/palpate/study/contacts"
+CHECKOUT = Path(__file__).parents[2]
+FOLDER = CHECKOUT / "bindings/palpate/study/contacts"
+ELSEWHERE = {"wall_2mm": CHECKOUT / "tests/bench/accuracy"}
+"""Where a body's file goes that is not shipped."""
 RADII = (2e-3, 3e-3, 5e-3, 8e-3)
 OWN = {"spleen": 4e-3}
 """[m] The ball of a shipped scene that is none of these."""
 OF_THICKNESS, OF_RADIUS = 0.10, 1.5
 """The greatest depth is the smaller of these."""
+SHALLOW = {"wall_2mm": (0.125, 0.25)}
+"""Parts of it, where a body is not pressed farther: the last is a third of this wall."""
 TOOLS = ("scikit-fem", "cvxopt", "numpy", "scipy")
 LAWS = ("linear", "neo_hookean")
 
@@ -54,12 +60,13 @@ def solve_body(name: str, law: str, radii: list[float], finest: int) -> None:
     ]
     for radius in radii:
         for spot in pressed.spots:
-            key = digest(pressed, spot, law, radius, finest)
+            parts = SHALLOW.get(name, PARTS)
+            key = digest(pressed, spot, law, radius, finest, parts)
             if any(case["key"] == key for case in reference["cases"]):
                 continue
             start = time.monotonic()
             try:
-                case = solve_case(pressed, spot, law, radius, finest)
+                case = solve_case(pressed, spot, law, radius, finest, parts)
             except (Diverged, TruthError) as problem:
                 print(f"{name} {spot.name} {law} {1e3 * radius:g} mm: {problem}", flush=True)
                 continue
@@ -81,9 +88,13 @@ def solve_body(name: str, law: str, radii: list[float], finest: int) -> None:
     write_reference(reference)
 
 
+def find_path(name: str) -> Path:
+    return ELSEWHERE.get(name, FOLDER) / f"{name}.json"
+
+
 def open_reference(name: str, pressed: Pressed) -> dict:
     """What is known already, under the head of today."""
-    path = FOLDER / f"{name}.json"
+    path = find_path(name)
     cases = json.loads(path.read_bytes())["cases"] if path.is_file() else []
     return {
         "format": "palpate-contact-reference",
@@ -114,8 +125,8 @@ def open_reference(name: str, pressed: Pressed) -> dict:
 
 def write_reference(reference: dict) -> None:
     """A line per case, under a temporary name first, with a hash of what was found."""
-    FOLDER.mkdir(parents=True, exist_ok=True)
-    path = FOLDER / f"{reference['name']}.json"
+    path = find_path(reference["name"])
+    path.parent.mkdir(parents=True, exist_ok=True)
     known = sorted(reference["cases"], key=order)
     head = {k: v for k, v in reference.items() if k != "cases"}
     whole = json.dumps([reference["places"], known], sort_keys=True, separators=(",", ":"))
@@ -137,10 +148,12 @@ def round_off(value):
     return [float(f"{v:.9g}") for v in value] if np.ndim(value) else float(f"{value:.6g}")
 
 
-def digest(pressed: Pressed, spot: Spot, law: str, radius: float, finest: int) -> str:
+def digest(
+    pressed: Pressed, spot: Spot, law: str, radius: float, finest: int, parts: Sequence[float]
+) -> str:
     """Of all that a case depends on."""
     told = [
-        law, radius, finest, SIZES, SLOPE, PARTS, PENALTY, pressed.subject.young_modulus,
+        law, radius, finest, SIZES, SLOPE, parts, PENALTY, pressed.subject.young_modulus,
         pressed.subject.poisson_ratio, pressed.held_by, pressed.source, spot.name,
         round_off(spot.point), round_off(spot.direction), round_off(spot.thickness),
     ]  # fmt: skip
@@ -152,8 +165,10 @@ def digest(pressed: Pressed, spot: Spot, law: str, radius: float, finest: int) -
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
-def solve_case(pressed: Pressed, spot: Spot, law: str, radius: float, finest: int) -> dict:
-    depths = min(OF_THICKNESS * spot.thickness, OF_RADIUS * radius) * np.array(PARTS)
+def solve_case(
+    pressed: Pressed, spot: Spot, law: str, radius: float, finest: int, parts: Sequence[float]
+) -> dict:
+    depths = min(OF_THICKNESS * spot.thickness, OF_RADIUS * radius) * np.array(parts)
     station = spot.stand(pressed.subject, radius)
     way = Way("press", (station,), float(depths[-1]), "")
     last = finest if law == "linear" else 1

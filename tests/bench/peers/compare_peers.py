@@ -103,18 +103,18 @@ class Runner:
             **dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1"),
         }
 
-    def run(self, words: list[str]) -> dict:
+    def run(self, words: list[str], timeout: float = TIMEOUT) -> dict:
         try:
             done = subprocess.run(
                 words,
                 capture_output=True,
                 text=True,
-                timeout=TIMEOUT,
+                timeout=timeout,
                 env=self.environment,
                 cwd=self.folder,  # where engines leave their logs
             )
         except subprocess.TimeoutExpired:
-            return {"why": f"gave up after {TIMEOUT:.0f} s"}
+            return {"why": f"gave up after {timeout:.0f} s"}
         lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
         if done.returncode != 0 or not lines:
             raise Failure(f"{Path(words[1]).name}: {last_line(done.stderr)}")
