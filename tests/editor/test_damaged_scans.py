@@ -270,6 +270,7 @@ def test_an_empty_label_names_those_there_are(tmp_path):
     assert "--label: got 7, which no voxel has, expected one that there is: 3" in str(refused.value)
 
 
+@pytest.mark.landing
 @pytest.mark.parametrize(
     ("choice", "words"),
     [
@@ -288,6 +289,7 @@ def test_a_choice_of_nothing_says_what_there_is(choice, words, tmp_path):
     assert words in str(refused.value)
 
 
+@pytest.mark.landing
 def test_smoothing_that_would_eat_the_organ_is_refused(tmp_path):
     voxels = np.zeros((20, 20, 20), np.uint8)
     voxels[5:15, 10, 5:15] = 1
@@ -297,6 +299,7 @@ def test_smoothing_that_would_eat_the_organ_is_refused(tmp_path):
         segment_scan(path, Choice(labels=(1,), smooth=4.0))
 
 
+@pytest.mark.landing
 def test_one_series_of_two_is_read_when_it_is_named(tmp_path):
     path = two_series(tmp_path)
 
@@ -317,6 +320,7 @@ def test_a_reader_that_takes_too_long_is_ended(tmp_path):
         read_scan(path, limits=Limits(time=0.01))
 
 
+@pytest.mark.landing
 def test_a_reader_that_takes_too_much_memory_is_refused(tmp_path):
     path = write_grid(tmp_path / "a.nrrd", (400, 400, 400), np.float32)
 

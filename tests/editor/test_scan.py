@@ -86,6 +86,7 @@ def test_every_format_is_read_alike(ending, tmp_path):
     assert_is_the_body(segment_scan(path, BODY))
 
 
+@pytest.mark.landing
 def test_a_tilt_that_were_ignored_would_be_seen(tmp_path):
     """Else the test above proves nothing of it: the ends of the body shear by this much."""
     path = write_any(tmp_path, "dicom", make_scan(TILTED))
@@ -102,6 +103,7 @@ def test_a_tilt_that_were_ignored_would_be_seen(tmp_path):
     assert found.scan.notes == (f"the gantry was tilted by {TILT:.1f} degrees",)
 
 
+@pytest.mark.landing
 def test_smoothing_takes_stairs_away_and_keeps_the_volume(tmp_path):
     path = write_scan(tmp_path / "a.nrrd", make_scan(PLAIN))
 
@@ -142,6 +144,7 @@ def test_a_threshold_on_whole_grey_levels_is_cut_between_them(tmp_path):
     assert 0.5 * VOLUME < 1e9 * found.volume < VOLUME
 
 
+@pytest.mark.landing
 @pytest.mark.parametrize(("low", "high"), [(100.0, None), (100.0, 700.0), (None, None)])
 def test_a_range_of_grey_levels_cuts_where_the_body_ends(low, high, tmp_path):
     """A body that fades: its level of one half is its surface to a part of a voxel."""
@@ -163,6 +166,7 @@ def test_a_range_of_grey_levels_cuts_where_the_body_ends(low, high, tmp_path):
     assert np.abs(box - 1e-3 * BOX).max() < 2e-4
 
 
+@pytest.mark.landing
 def test_both_ends_of_a_range_belong_to_it(tmp_path):
     voxels = np.zeros((9, 9, 9), np.int16)
     for k, level in enumerate((10, 20, 30)):
@@ -190,6 +194,7 @@ def test_a_body_that_the_scan_cuts_is_closed_and_says_so(tmp_path):
     )
 
 
+@pytest.mark.landing
 def test_pieces_and_cavities_are_kept_dropped_and_counted(tmp_path):
     voxels = np.zeros((24, 24, 40), np.uint8)
     voxels[4:20, 4:20, 4:20] = 1
@@ -208,6 +213,7 @@ def test_pieces_and_cavities_are_kept_dropped_and_counted(tmp_path):
     assert one.voxel_volume == pytest.approx(16.0**3 * 1e-9)
 
 
+@pytest.mark.landing
 def test_several_labels_are_one_organ(tmp_path):
     made = make_scan(PLAIN)
     made.voxels[:, :, made.voxels.shape[2] // 2 :] *= 2
@@ -219,6 +225,7 @@ def test_several_labels_are_one_organ(tmp_path):
     assert_is_the_body(found)
 
 
+@pytest.mark.landing
 def test_names_of_segments_are_read(tmp_path):
     import SimpleITK
     from scans import make_image

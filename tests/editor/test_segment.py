@@ -92,6 +92,7 @@ def test_a_mesh_that_is_imported_after_a_scan_has_no_segmentation(labels):
     assert organ.segmentation is not None and again.segmentation is None
 
 
+@pytest.mark.landing
 def test_without_a_choice_the_verb_says_what_the_scan_holds(labels, capsys):
     report = report_of(capsys, "segment", labels)
 
@@ -102,6 +103,7 @@ def test_without_a_choice_the_verb_says_what_the_scan_holds(labels, capsys):
     assert "label 3: 13.68 ml" in capsys.readouterr().out
 
 
+@pytest.mark.landing
 def test_a_folder_of_slices_is_cut_by_grey_levels(tmp_path, capsys):
     folder = write_dicom(tmp_path / "slices", make_scan(UNEVEN, np.int16, 400, -100))
     out = tmp_path / "a.obj"
@@ -116,6 +118,7 @@ def test_a_folder_of_slices_is_cut_by_grey_levels(tmp_path, capsys):
     assert np.abs(np.array([points.min(0), points.max(0)]) - 1e-3 * BOX).max() < 1.6e-3
 
 
+@pytest.mark.landing
 def test_a_unit_that_is_given_is_the_unit_used(labels, tmp_path, capsys):
     plain = report_of(capsys, "segment", labels, "--label", 3)
     given = report_of(
@@ -184,6 +187,7 @@ def test_a_damaged_segmentation_is_refused(segmentation, words):
     assert words in str(refused.value)
 
 
+@pytest.mark.landing
 def test_the_name_of_a_labelled_part_names_the_organ(tmp_path):
     path = write_scan(tmp_path / "left lung.nrrd", make_scan(PLAIN))
 

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from palpate_editor.scan.choice import Choice, describe_choice, read_range
 from palpate_editor.scan.reader import (
+    SUFFIXES,
     Cancelled,
     Limits,
     MissingExtra,
@@ -25,6 +26,7 @@ from palpate_editor.scan.reader import (
 from palpate_editor.scan.values import Label, Scan, ScanSurface
 
 __all__ = [
+    "SUFFIXES",
     "Cancelled",
     "Choice",
     "Label",

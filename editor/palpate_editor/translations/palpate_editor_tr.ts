@@ -2390,6 +2390,126 @@ Beklenen: {expected}.</translation>
         <source>{span} published; {status}</source>
         <translation>yayımlanmış: {span}; {status}</translation>
     </message>
+    <message>
+        <source>All grey levels</source>
+        <translation>Bütün gri düzeyler</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Aksiyel</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Kemik</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronal</translation>
+    </message>
+    <message>
+        <source>Cutting the surface out of {file}</source>
+        <translation>{file} içinden yüzey çıkarılıyor</translation>
+    </message>
+    <message>
+        <source>From a scan</source>
+        <translation>Taramadan</translation>
+    </message>
+    <message>
+        <source>From a scan…</source>
+        <translation>Taramadan…</translation>
+    </message>
+    <message>
+        <source>From grey level</source>
+        <translation>Başlangıç gri düzeyi</translation>
+    </message>
+    <message>
+        <source>Grey levels that are shown</source>
+        <translation>Gösterilen gri düzeyler</translation>
+    </message>
+    <message>
+        <source>Import from a s&amp;can…</source>
+        <translation>&amp;Taramadan içe aktar…</translation>
+    </message>
+    <message>
+        <source>Import from a scan</source>
+        <translation>Taramadan içe aktar</translation>
+    </message>
+    <message>
+        <source>It ends where the scan does, and is closed there flat.</source>
+        <translation>Taramanın bittiği yerde biter ve orada düz kapatılır.</translation>
+    </message>
+    <message>
+        <source>Labels of the organ</source>
+        <translation>Organın etiketleri</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Düzey</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Akciğer</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Önizle</translation>
+    </message>
+    <message>
+        <source>Repairing the surface</source>
+        <translation>Yüzey onarılıyor</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagital</translation>
+    </message>
+    <message>
+        <source>Scans ({names})</source>
+        <translation>Taramalar ({names})</translation>
+    </message>
+    <message>
+        <source>Slice, {plane}</source>
+        <translation>Kesit, {plane}</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Yumuşatma</translation>
+    </message>
+    <message>
+        <source>Smoothing changes the volume by {share}.</source>
+        <translation>Yumuşatma hacmi {share} değiştirir.</translation>
+    </message>
+    <message>
+        <source>The gantry was tilted by {angle}.</source>
+        <translation>Tarayıcı {angle} eğikti.</translation>
+    </message>
+    <message>
+        <source>The largest piece alone</source>
+        <translation>Yalnız en büyük parça</translation>
+    </message>
+    <message>
+        <source>To grey level</source>
+        <translation>Bitiş gri düzeyi</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Pencere</translation>
+    </message>
+    <message>
+        <source>label {number}</source>
+        <translation>etiket {number}</translation>
+    </message>
+    <message>
+        <source>voxels</source>
+        <translation>voksel</translation>
+    </message>
+    <message>
+        <source>{count} smaller pieces are left out.</source>
+        <translation>{count} küçük parça dışarıda kaldı.</translation>
+    </message>
+    <message>
+        <source>{vertices} vertices, {triangles} triangles, {volume}</source>
+        <translation>{vertices} köşe, {triangles} üçgen, {volume}</translation>
+    </message>
 </context>
 <context>
     <name>constants</name>

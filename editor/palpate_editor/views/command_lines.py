@@ -17,7 +17,7 @@ from palpate.viewport import View
 
 from palpate_editor.appearance import write_colour
 from palpate_editor.argument_text import LAWS, NONE, write_factors, write_ids
-from palpate_editor.document import Organ, Source
+from palpate_editor.document import Organ, Segmentation, Source
 from palpate_editor.document.constants import (
     CONSTANTS,
     SHORT_KINDS,
@@ -73,7 +73,30 @@ def find_arguments(edit: Edit, organ: Organ, document: Path | str) -> Arguments 
 
 def import_arguments(edit: Any, organ: Organ, document: Path | str) -> Arguments | None:
     del edit
-    return None if organ.source is None else source_arguments(organ.source, document)
+    if organ.source is None:
+        return None
+    if organ.segmentation is not None:
+        return segment_arguments(organ.source, organ.segmentation, document)
+    return source_arguments(organ.source, document)
+
+
+def segment_arguments(source: Source, done: Segmentation, document: Path | str) -> Arguments:
+    arguments: Arguments = ["palpate", "segment", Path(source.folder) / source.file]
+    for label in done.labels:
+        arguments += ["--label", label]
+    if not done.labels:
+        ends = ("" if end is None else f"{end:.12g}" for end in (done.low, done.high))
+        arguments.append(f"--threshold={':'.join(ends)}")
+    arguments += ["--smooth", f"{done.smooth:g}"]
+    if done.largest:
+        arguments.append("--largest")
+    if done.least_volume:
+        arguments += ["--least-volume", f"{1e6 * done.least_volume:.12g}ml"]
+    if done.series:
+        arguments += ["--series", done.series]
+    if source.unit_reason == ASKED:
+        arguments += ["--unit", source.unit]
+    return [*arguments, "-o", document]
 
 
 def source_arguments(source: Source, document: Path | str) -> Arguments:

@@ -41,6 +41,8 @@ class Context(QObject):
     """A mesh file is to be chosen."""
     mesh_wanted = Signal(object)
     """An ImportWork is to be done, after what could be lost was asked about."""
+    scan_wanted = Signal(object)
+    """An organ is to be cut out of a scan: its path, or None for one to be chosen."""
     preview_shown = Signal(bool)
     """The view shows something else than the open organ, or the organ again."""
     distance_wanted = Signal(bool)

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 from palpate_editor.document import Organ
 from palpate_editor.document.file_state import is_changed, read_state
 from palpate_editor.open_organ import open_organ
+from palpate_editor.scan import is_scan
 from palpate_editor.shipped import make_organ
 from palpate_editor.views import file_questions
 from palpate_editor.views.context import Context
@@ -187,6 +188,9 @@ class Files(QObject):
             self.mesh = ImportWork(path)
             self.import_over()
             self.context.settings.add_recent(path)
+            return
+        if is_scan(path):
+            self.context.scan_wanted.emit(path)
             return
         if not is_document(path):
             self.context.tell(

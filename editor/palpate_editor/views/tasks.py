@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -186,6 +186,12 @@ class Tasks(QObject):
         work = ImportWork(path, tuple(parts), unit, up, over)
         title = tr("Importing {file}").format(file=path.name)
         self.context.jobs.start(title, work, self.on_read, self.context.refuse)
+
+    def import_scan(self, work: Callable[[Progress], Reading], file: str) -> None:
+        """Imports what was cut out of a scan; the work says over which organ."""
+        if not self.is_busy():
+            title = tr("Importing {file}").format(file=file)
+            self.context.jobs.start(title, work, self.on_read, self.context.refuse)
 
     def show_view(self) -> None:
         """Lets the view draw again."""

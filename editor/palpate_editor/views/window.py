@@ -32,6 +32,7 @@ from palpate_editor.views.palette import CommandPalette
 from palpate_editor.views.problem_marks import ProblemMarks
 from palpate_editor.views.publishing import Publishing
 from palpate_editor.views.recent_menu import RecentMenu
+from palpate_editor.views.scan.scans import Scans
 from palpate_editor.views.scene_tree import SceneTree
 from palpate_editor.views.stage_bar import StageBar
 from palpate_editor.views.stage_dock import StageDock
@@ -119,6 +120,7 @@ class MainWindow(QMainWindow):
         self.test_panel = find_panel(panels, TestPanel)
         self.publish_panel = find_panel(panels, PublishPanel)
         self.log = LogDock(context, hold("log"))
+        self.scans = Scans(context, self.files, self.tasks, self)
         self.chart = ChartView(context, self.tasks, self.files, hold("chart"))
         self.docks.build(
             {
@@ -180,6 +182,9 @@ class MainWindow(QMainWindow):
         self.welcome.open_wanted.connect(self.files.ask_open)
         self.welcome.recent_wanted.connect(self.files.open)
         self.welcome.shipped.chosen.connect(self.files.open_shipped)
+
+    def ask_scan(self) -> None:
+        self.context.scan_wanted.emit(None)
 
     # ------------------------------------------------------------ stages
 

@@ -71,7 +71,11 @@ class ImportPanel(StagePanel):
         self.choose_button = QPushButton(tr("Choose…"), self)
         self.choose_button.setObjectName("choose_file")
         self.choose_button.clicked.connect(self.choose)
+        self.scan_button = QPushButton(tr("From a scan…"), self)
+        self.scan_button.setObjectName("choose_scan")
+        self.scan_button.clicked.connect(self.choose_scan)
         row.addWidget(self.file, 1)
+        row.addWidget(self.scan_button)
         row.addWidget(self.choose_button)
         section.body.addLayout(row)
         name_row = QGridLayout()
@@ -175,6 +179,10 @@ class ImportPanel(StagePanel):
         self.file.setText(source.file)
         self.file.setToolTip(str(Path(source.folder) / source.file))
         known = self.reading is not None and self.reading.path.name == source.file
+        if self.context.session.organ.segmentation is not None:
+            self.reading = None
+            self.fill_parts({}, ())
+            return
         parts = {p.name: p for p in self.reading.parts} if known and self.reading else {}
         self.fill_parts({name: parts.get(name) for name in source.parts_available}, source.parts)
 
@@ -228,6 +236,9 @@ class ImportPanel(StagePanel):
     def choose(self) -> None:
         self.context.import_wanted.emit()
 
+    def choose_scan(self) -> None:
+        self.context.scan_wanted.emit(None)
+
     def path(self) -> Path | None:
         """The file the shown parts are in."""
         if self.reading is not None and self.reading.path.name == self.file.text():
@@ -238,6 +249,9 @@ class ImportPanel(StagePanel):
     def import_parts(self) -> None:
         path, parts = self.path(), self.chosen_parts()
         if path is None:
+            return
+        if self.context.session.organ.segmentation is not None and self.reading is None:
+            self.context.scan_wanted.emit(path)
             return
         if not path.is_file():
             self.context.tell(
