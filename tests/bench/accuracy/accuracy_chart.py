@@ -22,6 +22,8 @@ COLOURS = {
     "Newton": "#3d8b5f",
 }
 MARKS = {"Palpate": "o", "MuJoCo": "s", "PositionBasedDynamics": "^", "Newton": "D"}
+COSTS = (0.03, 60.0)
+"""[s]"""
 LEAST, MOST = 0.005, 3.0
 """[-] Errors beyond are drawn at the edge."""
 
@@ -37,7 +39,12 @@ def save_accuracy_chart(path: Path, report: Report) -> None:
     for place, name in zip(axes, names, strict=True):
         draw_work(place, report, name)
     axes[0].set_ylabel("force off by, the worse of two depths", color=INK, fontsize=9)
-    handles, labels = axes[0].get_legend_handles_labels()
+    named = {
+        label: handle
+        for place in axes
+        for handle, label in zip(*place.get_legend_handles_labels(), strict=True)
+    }
+    handles, labels = list(named.values()), list(named)
     figure.legend(
         handles, labels, loc="outside lower center", ncols=len(labels), fontsize=8.5, frameon=False
     )
@@ -62,13 +69,15 @@ def draw_work(axes: Axes, report: Report, name: str) -> None:
             )  # fmt: skip
         draw_best(axes, report["best"][name].get(engine), engine, colour)
     axes.set_ylim(LEAST * 0.8, MOST * 1.25)
+    axes.set_xlim(*COSTS)
     axes.set_xlabel("processor time per simulated second", color=INK, fontsize=9)
     axes.set_title(report["works"][name]["title"], color=INK, fontsize=10, loc="left", pad=6)
     axes.grid(True, which="major", color=LINE, lw=0.7)
     axes.set_axisbelow(True)
     axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g} s"))
     axes.yaxis.set_major_formatter(FuncFormatter(lambda y, _: f"{y:.0%}" if y >= 0.01 else ""))
-    axes.yaxis.set_minor_formatter(NullFormatter())
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_minor_formatter(NullFormatter())
     axes.tick_params(colors=FAINT, labelsize=8, length=0, which="both")
     axes.spines[["top", "right", "left", "bottom"]].set_visible(False)
 
@@ -88,9 +97,9 @@ def draw_best(axes: Axes, found: dict | None, engine: str, colour: str) -> None:
     axes.annotate(
         f"{x:.2g} s" if x < 10.0 else f"{x:.0f} s",
         (x, y),
-        xytext=(0, -16),
+        xytext=(-9, -3) if engine == "Palpate" else (0, -16),
         textcoords="offset points",
-        ha="center",
+        ha="right" if engine == "Palpate" else "center",
         color=colour,
         fontsize=8.5,
         fontweight="bold",
