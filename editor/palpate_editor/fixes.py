@@ -9,8 +9,9 @@ from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.constants import CHOICES
 from palpate_editor.document.defaults import FIXED_SHARE, WALL_THICKNESS
 from palpate_editor.document.material_rules import EDGES_PER_RADIUS, GRAVITY
+from palpate_editor.document.organ_sizes import find_fitting_unit
 from palpate_editor.document.problems import Facts, Problem
-from palpate_editor.document.rules import SIZE_LEAST, SIZE_MOST
+from palpate_editor.document.rules import find_organ_word
 from palpate_editor.edits import (
     CutCrowdedEdges,
     CutDisagreement,
@@ -40,7 +41,9 @@ def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
     if problem.key == "up_guessed" and source is not None:
         return SetUp(source.up)
     if problem.key == "size" and source is not None and surface is not None:
-        return find_unit(source.unit, surface.diagonal)
+        diagonal = surface.diagonal / METRES[source.unit]
+        unit = find_fitting_unit(diagonal, find_organ_word(organ))
+        return None if unit is None else SetUnit(unit)
     if problem.key == "small_tip" and surface is not None:
         # to the next tenth of a millimetre
         radius = 1e-4 * math.ceil(1e4 * EDGES_PER_RADIUS * surface.mean_edge)
@@ -74,16 +77,6 @@ def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
         "coarse_contact": SetChoice("contact_law", "near_field"),
         "springs_poisson": SetChoice("kind", "molecular"),
     }.get(problem.key)
-
-
-def find_unit(unit: str, diagonal: float) -> Edit | None:
-    """The unit that makes an organ of a plausible size, where just one of the usual ones does."""
-    fitting = [
-        other
-        for other in ("m", "cm", "mm", "in")
-        if SIZE_LEAST <= diagonal * METRES[other] / METRES[unit] <= SIZE_MOST
-    ]
-    return SetUnit(fitting[0]) if len(fitting) == 1 else None
 
 
 def move_inside(value: float, low: float, high: float) -> float:

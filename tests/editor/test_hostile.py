@@ -14,7 +14,13 @@ import pytest
 from data_folder import find_data
 from foreign_files import WRITERS
 from forks import End, run_in_forks
+from hostile_verdicts import OPENS, REFUSED
 from palpate_editor.authoring import import_mesh, inspect_mesh, join_parts, read_mesh
+from palpate_editor.check import measure_surface
+from palpate_editor.document import EMPTY
+from palpate_editor.document.problems import Facts
+from palpate_editor.document.rules import find_import_problems, find_repair_problems
+from palpate_editor.edits import import_file
 from palpate_meshes.generate import ellipsoid
 
 LIMITS = {"memory": 2_000_000_000, "processor": 10, "wall": 120}
@@ -96,6 +102,31 @@ def test_a_hostile_file_gives_a_report_or_a_sentence(name, shared_data, hostile_
         assert expected
     for report in seen["reports"]:
         assert report["triangles"] > 0
+
+
+def test_every_hostile_file_has_one_verdict():
+    if hostile_files() == ["MANIFEST.csv"]:
+        pytest.skip("no shared data")
+    assert sorted([*OPENS, *REFUSED]) == sorted(hostile_files())
+
+
+@pytest.mark.parametrize("name", OPENS)
+def test_what_can_be_drawn_opens_with_its_errors(name, shared_data):
+    organ = import_file(shared_data(f"hostile/{name}"))(EMPTY)
+
+    facts = Facts(measure_surface(organ.surface)[1])
+    found = [*find_import_problems(organ, facts), *find_repair_problems(organ, facts)]
+    errors = tuple(problem.key for problem in found if problem.severity == "error")
+    assert (len(organ.surface.triangles), errors) == OPENS[name]
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_is_no_mesh_is_refused_with_what_was_found(name, shared_data):
+    with pytest.raises(palpate.FileError) as refusal:
+        import_file(shared_data(f"hostile/{name}"))
+
+    assert REFUSED[name] in refusal.value.got
+    assert refusal.value.expected
 
 
 @pytest.mark.parametrize("name", LARGE)

@@ -86,7 +86,7 @@ def indefinite(coupling: float) -> Organ:
 WRONG = {
     # key: (organ, stage, severity, part of what is said)
     "no_surface": (EMPTY, "import", "error", "no surface"),
-    "size": (on(Surface(1000 * surface_of().vertices, surface_of().triangles)), "import", "warning",
+    "size": (on(Surface(1000 * surface_of().vertices, surface_of().triangles)), "import", "error",
              "from corner to corner"),
     "unit_guessed": (make_organ(), "import", "warning", "mm, guessed (120 units"),
     "up_guessed": (make_organ(), "import", "note", "z, guessed"),
@@ -190,6 +190,7 @@ def test_a_problem_is_not_found_where_it_is_not(key):
 
 
 FIXABLE = {
+    "size",
     "unit_guessed", "up_guessed", "inward", "shells", "non_manifold", "one_sided", "crossing",
     "constant", "choice", "open_solid",
     "indefinite", "loose", "reach", "small_tip", "no_title", "gravity", "springs_poisson",

@@ -14,12 +14,14 @@ from palpate_editor.document.cost_rules import (
 )
 from palpate_editor.document.material_rules import find_material_problems
 from palpate_editor.document.organ import Organ
+from palpate_editor.document.organ_sizes import LEAST, find_range, find_word
 from palpate_editor.document.phrase import Phrase, phrase
 from palpate_editor.document.press_rules import find_press_problems
 from palpate_editor.document.problems import Facts, Problem, SurfaceFacts
 
-SIZE_LEAST, SIZE_MOST = 5e-3, 0.6
-"""[m] No organ is smaller or larger from corner to corner: its unit is another."""
+FAR_OFF = 2.5
+"""[-] An organ so many times larger than any of its name, or smaller than any organ, cannot be
+published: a unit is wrong by ten, or by two and a half where it is inches."""
 MOST_CROSSING = 0.02
 """[-] of its triangles may cross others: small folds, which decimation and smoothing mostly take
 out. More of them are parts that lie inside each other."""
@@ -51,16 +53,7 @@ def find_import_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
             "no_surface", "error", "import", "organ", phrase("no surface"), phrase("a mesh file")
         )
         return
-    size = facts.surface.diagonal
-    if not SIZE_LEAST <= size <= SIZE_MOST:
-        yield Problem(
-            "size",
-            "warning",
-            "import",
-            "unit",
-            phrase("an organ of {size:.4g} mm from corner to corner", size=1e3 * size),
-            phrase("{least:g} to {most:g} mm", least=1e3 * SIZE_LEAST, most=1e3 * SIZE_MOST),
-        )
+    yield from find_size_problems(organ, facts.surface.diagonal)
     source = organ.source
     if source is not None and source.unit_guessed:
         yield Problem(
@@ -80,6 +73,35 @@ def find_import_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
             phrase("{up}, guessed ({why})", up=source.up, why=source.up_reason),
             phrase("an axis that you have confirmed"),
         )
+
+
+def find_organ_word(organ: Organ) -> str | None:
+    """What says which organ the whole of it is; None of some parts, which are of any size."""
+    source = organ.source
+    if source is None or source.parts == source.parts_available:
+        return find_word((organ.name, source.file if source else ""))
+    return None
+
+
+def find_size_problems(organ: Organ, size: float) -> Iterator[Problem]:
+    word = find_organ_word(organ)
+    least, most = find_range(word)
+    if least <= size <= most:
+        return
+    yield Problem(
+        "size",
+        "warning" if LEAST / FAR_OFF <= size <= most * FAR_OFF else "error",
+        "import",
+        "unit",
+        phrase("an organ of {size:.4g} mm from corner to corner", size=1e3 * size)
+        if word is None
+        else phrase(
+            "an organ of {size:.4g} mm from corner to corner, whose name says {word}",
+            size=1e3 * size,
+            word=word,
+        ),
+        phrase("{least:g} to {most:g} mm", least=1e3 * least, most=1e3 * most),
+    )
 
 
 def repair_problem(key: str, severity: str, found: Phrase, expected: Phrase) -> Problem:

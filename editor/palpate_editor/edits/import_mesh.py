@@ -10,10 +10,13 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
+import palpate
 
 from palpate_editor import authoring
 from palpate_editor.appearance import choose_appearance
 from palpate_editor.document import Organ, Repairs, Segmentation, Source, Surface
+from palpate_editor.document.organ_sizes import find_fitting_unit, find_range, find_word
+from palpate_editor.edits.orient import METRES
 
 REPAIRS = tuple(f.name for f in fields(Repairs) if f.name != "welded_vertices")
 """Those that are counted after the parts of a file were welded."""
@@ -68,7 +71,28 @@ def import_file(
     imported = authoring.import_scene(scene, parts=parts, unit=unit, up=up)
     mesh = imported.mesh
     surface = Surface(np.asarray(mesh.vertices), np.asarray(mesh.triangles))
-    return ImportMesh(make_writable(path.stem), describe_source(path, scene, imported), surface)
+    read = ImportMesh(make_writable(path.stem), describe_source(path, scene, imported), surface)
+    return guess_unit_by_name(read)
+
+
+def guess_unit_by_name(read: ImportMesh) -> ImportMesh:
+    """The same in another unit where the one that was guessed by size makes no organ of that name
+    and just one other does. What a file states is left to the designer, and to the rules."""
+    source = read.source
+    word = find_word((read.name,)) if source.parts == source.parts_available else None
+    least, most = find_range(word)
+    size = float(palpate.compute_diagonal(read.surface.vertices))
+    unit = find_fitting_unit(size / METRES[source.unit], word)
+    if not source.unit_guessed or least <= size <= most or unit is None:
+        return read
+    ratio = METRES[unit] / METRES[source.unit]
+    whose = "any organ" if word is None else f"{word} in its name"
+    reason = f"in {source.unit} {1e3 * size:.4g} mm long, in {unit} as long as {whose} can be"
+    return replace(
+        read,
+        source=replace(source, unit=unit, unit_reason=reason),
+        surface=Surface(ratio * read.surface.vertices, read.surface.triangles),
+    )
 
 
 def describe_source(

@@ -2510,6 +2510,10 @@ Beklenen: {expected}.</translation>
         <source>{vertices} vertices, {triangles} triangles, {volume}</source>
         <translation>{vertices} köşe, {triangles} üçgen, {volume}</translation>
     </message>
+    <message>
+        <source>micrometre (µm)</source>
+        <translation>mikrometre (µm)</translation>
+    </message>
 </context>
 <context>
     <name>constants</name>
@@ -3574,6 +3578,10 @@ Beklenen: {expected}.</translation>
     <message>
         <source>{value} of {tissue}, recalled and not looked up ({source})</source>
         <translation>{tissue} için {value}, bellekten, kaynağına bakılmadı ({source})</translation>
+    </message>
+    <message>
+        <source>an organ of {size:.4g} mm from corner to corner, whose name says {word}</source>
+        <translation>köşeden köşeye {size:.4g} mm’lik, adında {word} geçen bir organ</translation>
     </message>
 </context>
 <context>

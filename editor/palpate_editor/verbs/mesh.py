@@ -27,7 +27,7 @@ from palpate_editor.verbs.files import (
     write_any,
 )
 
-UNITS = ("m", "cm", "mm", "in")
+UNITS = ("m", "cm", "mm", "um", "in")
 UPS = ("x", "y", "z", "-x", "-y", "-z")
 
 

@@ -12,11 +12,11 @@ from palpate.command.verb import Report, Verb
 from palpate.files.file_kind import PUBLISHED
 from palpate.files.refusal import Refusal
 
-from palpate_editor.check import assess, describe_problem
+from palpate_editor.check import describe_problem
 from palpate_editor.document import Organ
-from palpate_editor.document.problems import Problem
 from palpate_editor.edits import FillHoles, SetTask
 from palpate_editor.publish import PublishError, publish
+from palpate_editor.repair_all import repair_all
 from palpate_editor.verbs.check import describe_problems
 from palpate_editor.verbs.files import (
     OUTPUTS,
@@ -63,16 +63,13 @@ def run_repair(call: argparse.Namespace) -> Report:
     if call.fill_holes is not None:
         organ = fill_holes(call, organ)
         done.append(FillHoles.title)
-    tried: set[tuple[str, str]] = set()
-    assessment = assess(organ)
-    # one at a time: what solves one problem may solve, or change, another
     wanted = call.problem or ([] if call.fill_holes is None else [NO_PROBLEM])
-    while problem := find_next(assessment.problems, wanted, tried):
-        assert problem.fix is not None
-        tried.add((problem.key, problem.where))
-        organ = apply(problem.fix, organ, call.file, problem.where)
-        done.append(problem.fix.title)
-        assessment = assess(organ, before=assessment)
+    assessment, repaired = repair_all(
+        organ,
+        wanted,
+        lambda problem, before: apply(problem.fix, before, call.file, problem.where),
+    )
+    organ, done = assessment.organ, done + repaired
     if not done and call.problem:
         raise Refusal(
             call.file, "--problem", ", ".join(call.problem), "problems it has, that can be repaired"
@@ -98,16 +95,6 @@ def fill_holes(call: argparse.Namespace, organ: Organ) -> Organ:
             call.file, "--fill-holes", found if sizes else "a closed surface", "holes to fill"
         )
     return apply(FillHoles(holes), organ, call.file, "--fill-holes")
-
-
-def find_next(
-    problems: tuple[Problem, ...], wanted: list[str], tried: set[tuple[str, str]]
-) -> Problem | None:
-    for problem in problems:
-        chosen = problem.key in wanted if wanted else problem.severity == "error"
-        if chosen and problem.fix and (problem.key, problem.where) not in tried:
-            return problem
-    return None
 
 
 def describe_repair(report: Report) -> str:

@@ -24,7 +24,7 @@ from palpate_editor.views.stages.stage_panel import StagePanel
 from palpate_editor.views.tasks import ImportWork, Part, Reading
 from palpate_editor.views.translations import count, number, quantity, tr
 
-UNITS = ("m", "cm", "mm", "in")
+UNITS = ("m", "cm", "mm", "um", "in")
 UPS = ("z", "y", "x", "-z", "-y", "-x")
 
 
@@ -136,6 +136,7 @@ class ImportPanel(StagePanel):
             "m": tr("metre (m)"),
             "cm": tr("centimetre (cm)"),
             "mm": tr("millimetre (mm)"),
+            "um": tr("micrometre (µm)"),
             "in": tr("inch (in)"),
         }.get(unit, unit)
 

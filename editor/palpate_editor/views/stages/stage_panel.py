@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from palpate_editor.document import Organ
-from palpate_editor.document.problems import Problem
+from palpate_editor.document.problems import SEVERITIES, Problem
 from palpate_editor.views.context import Context
 from palpate_editor.views.publishing import Publishing
 from palpate_editor.views.stages.facts import CheckRow, Section, write_label
@@ -146,11 +146,11 @@ class StagePanel(QWidget):
         return button
 
     def show_checks(self) -> None:
-        """All problems of the stage, then what is good."""
+        """All problems of the stage, the gravest first, then what is good."""
         colours = self.context.colours
         entries = [
             (TONES[p.severity], self.text_of(p), p.fix, tr("Fix it") if p.fix else "", place_of(p))
-            for p in self.problems()
+            for p in sorted(self.problems(), key=lambda p: SEVERITIES.index(p.severity))
         ]
         entries += [("good", sentence, None, "", None) for sentence in self.good_news()]
         while len(self.rows) < len(entries):
