@@ -30,7 +30,12 @@ def file_commands(w: CommandTargets) -> list[Command]:
         Command("open", "file", tr("&Open…"), f.ask_open, ("Ctrl+O",), "open"),
         Command("import", "file", tr("&Import a mesh…"), f.ask_import, ("Ctrl+Shift+I",), "import"),
         Command(
-            "import_scan", "file", tr("Import from a s&can…"), w.ask_scan, ("Ctrl+Alt+I",), "import"
+            "import_scan",
+            "file",
+            tr("Import from a s&can…"),
+            w.ask_scan,
+            ("Ctrl+Shift+N",),
+            "import",
         ),
         Command("save", "file", tr("&Save"), f.save, ("Ctrl+S",), "save", line_before=True),
         Command("save_as", "file", tr("Save &as…"), f.ask_save, ("Ctrl+Shift+S",)),
