@@ -3,16 +3,14 @@
 
 from __future__ import annotations
 
-import tempfile
+import json
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from pathlib import Path
 
 import numpy as np
 import palpate
-from numpy.typing import NDArray
-from palpate.files.whole_file import write_whole
-from palpate.scene.scene_parts import FINITE, INTEGRATORS
+from palpate.scenario import Container, pack_container, unpack_container
+from palpate.scene.scene_parts import INTEGRATORS
 from palpate.study.scene_chart import (
     ALARM,
     RAN,
@@ -43,12 +41,12 @@ from palpate_editor.configuration import (
     name_configuration,
 )
 from palpate_editor.document import Organ
-from palpate_editor.document.files import read_organ
+from palpate_editor.document.files import FORMAT, VERSION, pack_organ, unpack_organ
 from palpate_editor.edits import EditError
 
-REFINED, REFINED_FINITE = 8, 4
-"""How many times the substeps of need a run takes that stands for the same model converged in time;
-of finite strain, which runs in plain code."""
+REFINED = 4
+"""How many times the substeps of need a run takes that stands for the same model converged in time.
+Its own error in time is a third of what it finds at the substeps of need."""
 STAGES = {"explicit_euler": 1, "symplectic_euler": 1, "midpoint": 2, "runge_kutta_4": 4}
 """Explicit integrator -> evaluations of all forces in a step."""
 
@@ -102,12 +100,18 @@ def find_converged(configuration: Configuration) -> Configuration:
     return replace(configuration, integrator=integrator, substeps=0)
 
 
+def pack_document(organ: Organ) -> bytes:
+    """The .organ file of a document, for a plan."""
+    content, arrays = pack_organ(organ)
+    document = Container(format=FORMAT, version=VERSION, content=json.dumps(content), arrays=arrays)
+    return pack_container(document)
+
+
 @lru_cache(maxsize=2)
 def open_document(organ: bytes) -> Organ:
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "a.organ"
-        write_whole(path, organ)
-        return read_organ(path)
+    """What pack_document packed."""
+    found = unpack_container(organ, "plan", FORMAT, VERSION)
+    return unpack_organ(json.loads(found.content), found.arrays, found.version, "plan")
 
 
 def compile_row(organ: Organ, configuration: Configuration) -> palpate.Scene:
@@ -115,11 +119,11 @@ def compile_row(organ: Organ, configuration: Configuration) -> palpate.Scene:
     return compile_organ(apply_configuration(organ, configuration))
 
 
-def refine(scene: palpate.Scene, kind: str) -> None:
+def refine(scene: palpate.Scene) -> None:
     """Gives a built scene the substeps of one that is converged in time."""
-    body, times = scene.bodies[0], REFINED_FINITE if kind in FINITE else REFINED
-    body.substeps_max *= times
-    body.substeps *= times
+    body = scene.bodies[0]
+    body.substeps_max *= REFINED
+    body.substeps *= REFINED
 
 
 def list_hand(plan: Plan, scene: palpate.Scene, course: Course) -> list[palpate.HapticSample]:
@@ -139,7 +143,7 @@ def run_job(plan: Plan, job: Job) -> Row | Converged:
     except (EditError, ValueError) as problem:
         return Converged((), None) if job.converges else build_refused(organ, job, str(problem))
     if job.converges:
-        refine(scene, job.configuration.kind)
+        refine(scene)
     course = set_course(scene, plan.truth)
     track = run_track(scene, course, list_hand(plan, scene, course))
     if job.converges:
@@ -157,10 +161,10 @@ def keep_converged(plan: Plan, track: Track) -> Converged:
 def start_row(organ: Organ, job: Job, outcome: str, reason: str) -> Row:
     return Row(
         number=job.number,
-        name=name_configuration(job.configuration, organ),
+        name=str(name_configuration(job.configuration, organ)),
         own=job.own,
         configuration=job.configuration,
-        provenance=describe_provenance(job.configuration, organ),
+        provenance=str(describe_provenance(job.configuration, organ)),
         outcome=outcome,
         reason=reason,
         kernel="",
@@ -209,18 +213,14 @@ def count(scene: palpate.Scene, configuration: Configuration, track: Track) -> C
     substeps = track.substeps[touching]
     stages = STAGES.get(configuration.integrator)
     is_response = scene.bodies[0].kernel == palpate.Kernel.response
-    iterations = find_mean(track.iterations[touching])
+    each = scene.bodies[0].iterations
     return Counts(
         particles=len(tissue.mass),
         elements=count_elements(tissue),
         substeps=int(substeps.max()),
-        iterations=None if stages else iterations,
+        iterations=float(each * substeps.mean()) if each else None,
         evaluations=None if stages is None or is_response else float(stages * substeps.mean()),
     )
-
-
-def find_mean(values: NDArray[np.float64]) -> float | None:
-    return float(values.mean()) if np.isfinite(values).all() else None
 
 
 def count_elements(tissue: palpate.TissueModel) -> int:

@@ -28,9 +28,22 @@ def name_configuration(configuration: Configuration, organ: Organ) -> Phrase:
     else:
         count = configuration.vertices or organ.vertex_count
         parts.insert(0, phrase("{count} vertices", count=count))
+        law = find_unusual_law(configuration)
+        if law:
+            parts.insert(0, phrase("{law}", law=VALUE_NAMES[law]))
         if configuration.constants == "chosen":
             parts.insert(0, phrase("chosen constants"))
     return join(phrase("{kind}", kind=VALUE_NAMES[configuration.kind]), *parts)
+
+
+def find_unusual_law(configuration: Configuration) -> str:
+    """Of springs or of molecules, where it is not the usual one."""
+    kind = configuration.kind
+    if kind == "molecular" and configuration.angle_law != "gradient":
+        return configuration.angle_law
+    if kind == "mass_spring" and configuration.constants == "tissue":
+        return configuration.spring_rule if configuration.spring_rule != "van_gelder" else ""
+    return ""
 
 
 def join(*parts: Phrase) -> Phrase:

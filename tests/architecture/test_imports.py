@@ -105,6 +105,7 @@ ARROWS = {
 GUARDED = {
     ("bindings/palpate/bench/meshes.py", "palpate_meshes.catalogue"),
     ("bindings/palpate/bench/meshes.py", "palpate_meshes.generate.ellipsoid"),
+    ("editor/palpate_editor/chart_cluster.py", "distributed"),
 }
 """Imports that stand in a function and say what to install where they fail."""
 

@@ -23,7 +23,18 @@ from palpate.render.picture import write_png
 from palpate.runs.script_file import write_script_file
 from surfaces import organ_scene, press_frames, run_frames
 
-READ = {"--library", "--scene", "--mesh", "--curve", "--constants", "--tool", "--script"}
+READ = {
+    "--library",
+    "--scene",
+    "--mesh",
+    "--curve",
+    "--constants",
+    "--tool",
+    "--script",
+    "--truth",
+    "--rerun",
+    "--resume",
+}
 """Options that name a file to be read."""
 PRECIOUS = b"the notes of a year\n"
 

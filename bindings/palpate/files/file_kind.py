@@ -19,6 +19,7 @@ PICTURE = "a PNG picture"
 OBJ = "an OBJ mesh"
 STL = "an STL mesh"
 TRUTH = "a truth"
+SVG = "an SVG picture"
 FINDINGS = "findings of a study"
 CHART = "the chart of an organ"
 SELFTEST = "the report of a self-test"
@@ -88,6 +89,8 @@ def find_kind_of_text(begin: bytes, size: int) -> str:
     """Of what is no archive and has no magic number."""
     if begin.lstrip().startswith(b"{"):
         return find_kind_of_json(begin)
+    if b"<svg" in begin:
+        return SVG
     if begin.lstrip().startswith(b"solid") or is_binary_stl(begin, size):
         return STL
     if re.match(rb"[^\n]*: firmware [^\n]*, no\. ", begin):

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -68,6 +69,7 @@ def save_chart(
                 if cost.reference in names:
                     plot_point(axes, cost, error(rows, cost), kinds, bodies)
             axes.axvline(target, color=theme.faint, linewidth=1.0, linestyle=(0, (4, 3)))
+            axes.axhline(1.0, color=theme.faint, linewidth=1.0, linestyle=(0, (1, 2)))
             scale(axes, theme)
             axes.set_xlabel(label)
         panels[0].set_title(title, loc="left", color=theme.text, fontsize=11, fontweight="bold")
@@ -83,13 +85,17 @@ def save_chart(
 
 
 def scale(axes: Axes, theme: Theme) -> None:
-    axes.axhline(1.0, color=theme.faint, linewidth=1.0, linestyle=(0, (1, 2)))
+    """Both axes by decades, errors in percent."""
     axes.set_xscale("log")
     axes.set_yscale("log")
-    axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{100 * value:g} %"))
-    axes.xaxis.set_minor_formatter(NullFormatter())
+    scale_percents(axes.xaxis)
     dress(axes, theme)
+
+
+def scale_percents(axis: Axis) -> None:
+    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{100 * value:g} %"))
+    axis.set_minor_formatter(NullFormatter())
 
 
 def chosen(rows: Sequence[Row], cost: Cost) -> list[Row]:

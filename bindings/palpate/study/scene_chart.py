@@ -102,10 +102,10 @@ class Counts:
     substeps: int
     """Of a tick in touch, the most."""
     iterations: float | None
-    """Of the solver, mean of the ticks in touch; None for what solves nothing, and where nobody
-    counts."""
+    """Of XPBD or projective dynamics, mean of the ticks in touch; None for the others."""
     evaluations: float | None
-    """Of all the tissue's forces, mean of the ticks in touch; None where nobody counts."""
+    """Of all the tissue's forces, mean of the ticks in touch, by an explicit integrator; None for
+    what solves for its step, and for a response, which evaluates none."""
 
 
 @dataclass(frozen=True)

@@ -23,7 +23,7 @@ from palpate.study.truth import Floats, Truth
 
 SPEED, HOLD = 0.01, 0.15
 """[m/s] of the hand, mean; [s] at the end. A truth at rest knows no inertia: a spleen that is
-pressed 6 mm at three times the speed swings, and is 37 % off in place of 17 (15 at rest)."""
+pressed 6 mm at three times the speed swings, and is twice as far off."""
 CLEARANCE = 1e-3
 """[m] over the surface where a path begins."""
 GRIP = 5e-4
@@ -32,9 +32,6 @@ LOOK = 20
 """Ticks from one look at the surface to the next."""
 DEEP = 0.5
 """[-] Of the deepest that the tool comes: shallower, displacements are not looked at."""
-SLOPES = 1.0, 1.5
-"""Least and most exponent of a force in depth, below the first depth that was solved: of a wall
-that bends and of a ball on a solid [Hertz82]."""
 
 
 @dataclass(frozen=True)
@@ -56,21 +53,19 @@ class Course:
         return at, outward, float((middle - p) @ outward)
 
     def find_force(self, at: float, depth: float) -> float:
-        """[N] of the truth along the direction between stations; 0 above the surface."""
-        i, j, part = split(at, len(self.centre))
-        forces = [find_force(self.truth.depth, self.truth.force[row], depth) for row in (i, j)]
-        return (1.0 - part) * forces[0] + part * forces[1]
+        """[N] of the truth along the direction between stations; 0 above the surface, and beyond
+        what was solved that of the deepest."""
+        depth = self.clip(depth)
+        return self.truth.find_force(at, depth) if depth else 0.0
 
     def find_displacement(self, at: float, depth: float) -> Floats:
-        """[m] (m, 3) of the truth's surface between stations and depths, in proportion to depth
-        below the first."""
-        i, j, part = split(at, len(self.centre))
-        depths = np.abs(np.concatenate([[0.0], self.truth.depth]))
-        row = int(np.clip(np.searchsorted(depths, abs(depth)) - 1, 0, len(depths) - 2))
-        share = (abs(depth) - depths[row]) / (depths[row + 1] - depths[row])
-        u = (1.0 - part) * self.truth.displacement[i] + part * self.truth.displacement[j]
-        before = u[row - 1] if row > 0 else np.zeros_like(u[0])
-        return (1.0 - share) * before + share * u[row]
+        """[m] (m, 3) of the truth's surface, likewise."""
+        return self.truth.find_displacement(at, self.clip(depth))
+
+    def clip(self, depth: float) -> float:
+        """[m] As deep as the truth goes; 0 where it has none."""
+        last = float(self.truth.depth[-1])
+        return float(np.clip(depth, min(0.0, last), max(0.0, last)))
 
 
 def split(at: float, stations: int) -> tuple[int, int, float]:
@@ -90,22 +85,6 @@ def find_between(points: Floats, p: Floats) -> float:
         if away < best:
             best, found = away, i + part
     return found
-
-
-def find_force(depths: Floats, forces: Floats, depth: float) -> float:
-    """[N] between depths [m] that were solved, as a power of depth from each to the next; below the
-    first with the exponent of the first two, but those of SLOPES at least and most. Of a pull,
-    depths and forces are negative."""
-    sign = 1.0 if depths[0] > 0.0 else -1.0
-    d, f, x = sign * depths, np.maximum(sign * forces, 1e-12), sign * depth
-    if not x > 0.0:
-        return 0.0
-    if len(d) == 1 or x < d[0]:
-        slope = SLOPES[1] if len(d) == 1 else float(np.log(f[1] / f[0]) / np.log(d[1] / d[0]))
-        return float(sign * f[0] * (x / d[0]) ** float(np.clip(slope, *SLOPES)))
-    row = int(np.clip(np.searchsorted(d, x) - 1, 0, len(d) - 2))
-    slope = np.log(f[row + 1] / f[row]) / np.log(d[row + 1] / d[row])
-    return float(sign * f[row] * (x / d[row]) ** slope)
 
 
 def set_course(scene: palpate.Scene, truth: Truth) -> Course:
@@ -170,8 +149,6 @@ class Track:
     """[m] (t,) of the tool beyond first touch."""
     substeps: NDArray[np.int64]
     """(t,)"""
-    iterations: Floats
-    """(t,) of the solver; NaN where nobody counts."""
     displacement: Floats
     """[-] (l,) error of every look at the surface, of the tool's depth."""
     alarm: str
@@ -209,7 +186,7 @@ class Runner:
         if world.alarm.kind != palpate.AlarmKind.none:
             self.alarm = tell_alarm(world.alarm, scene, world.alarm_body)
             return False
-        tool, body = world.instruments[0].tool, world.bodies[0]
+        tool = world.instruments[0].tool
         at, outward, depth = self.course.locate(np.asarray(tool.position))
         # the force is the mean of a tick, so is the depth
         middle = depth if self.before is None else 0.5 * (self.before + depth)
@@ -217,9 +194,8 @@ class Runner:
         truth = self.course.find_force(at, middle) if self.is_meant(tool) else 0.0
         touching = bool(force.any()) or truth != 0.0
         self.rows.append(
-            (*force, force @ outward, truth, touching, middle, body.substeps,
-             getattr(body, "iterations", np.nan))
-        )  # fmt: skip
+            (*force, force @ outward, truth, touching, middle, world.bodies[0].substeps)
+        )
         if len(self.rows) % LOOK == 0 and truth != 0.0:
             self.look(at, depth)
         return True
@@ -236,12 +212,12 @@ class Runner:
         self.looks.append((abs(depth), rms / abs(depth)))
 
     def finish(self) -> Track:
-        table = np.array(self.rows, dtype=float).reshape(-1, 9)
+        table = np.array(self.rows, dtype=float).reshape(-1, 8)
         deepest = max((depth for depth, _ in self.looks), default=0.0)
         looks = [error for depth, error in self.looks if depth >= DEEP * deepest]
         return Track(
             table[:, :3], table[:, 3], table[:, 4], table[:, 5] > 0.0, table[:, 6],
-            table[:, 7].astype(int), table[:, 8], np.array(looks), self.alarm,
+            table[:, 7].astype(int), np.array(looks), self.alarm,
         )  # fmt: skip
 
 

@@ -13,6 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
+HERTZ = 1.5
+"""Exponent of the force of a ball in its depth [Hertz82]."""
+TINY = 1e-12
+"""[N]"""
 
 
 @dataclass(frozen=True)
@@ -60,7 +64,7 @@ class Truth:
     """What a reader of the numbers should know, in sentences."""
 
     def find_force(self, station: float, depth: float) -> float:
-        """[N] at a depth [m] up to the last, between the solved ones as |d|^1.5 times a line.
+        """[N] at a depth [m] up to the last, between the solved ones as a power of the depth.
 
         Args:
             station: Position on the path, 0 to s - 1: between two stations as a line of them.
@@ -82,11 +86,19 @@ class Truth:
         return np.asarray(self.interpolate(station, whole))
 
     def scale_forces(self, depth: float) -> Floats:
-        """[N] (s,) at a depth [m]."""
+        """[N] (s,) at a depth [m]: with the exponent of the two depths around it; below the first
+        with that of the first two, which is 1 where a wall bends and 1.5 of a ball on a solid
+        [Hertz82], and with no other than of these and between."""
         self.check_depth(depth)
-        solved, power = np.abs(self.depth), np.abs(self.depth) ** 1.5
-        rows = [np.interp(abs(depth), solved, row) for row in self.force / power]
-        return np.array(rows) * abs(depth) ** 1.5
+        solved, force, d = np.abs(self.depth), np.abs(self.force), abs(depth)
+        if len(solved) == 1:
+            return np.asarray(self.force[:, 0] * (d / solved[0]) ** HERTZ)
+        at = int(np.clip(np.searchsorted(solved, d) - 1, 0, len(solved) - 2))
+        ratio = np.maximum(force[:, at + 1], TINY) / np.maximum(force[:, at], TINY)
+        power = np.log(ratio) / np.log(solved[at + 1] / solved[at])
+        if d < solved[0]:
+            power = np.clip(power, 1.0, HERTZ)
+        return np.asarray(self.force[:, at] * (d / solved[at]) ** power)
 
     def check_depth(self, depth: float) -> None:
         last = float(self.depth[-1])

@@ -6,6 +6,7 @@ from __future__ import annotations
 from palpate_editor.verbs import (
     appearance,
     calibrate,
+    chart,
     check,
     demo,
     felt,
@@ -32,6 +33,7 @@ VERBS = [
     *publish.VERBS,
     *organs.VERBS,
     *felt.VERBS,
+    *chart.VERBS,
     *truth.VERBS,
     *demo.VERBS,
     EDITOR,
