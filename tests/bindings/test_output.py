@@ -34,7 +34,7 @@ READ = {
     "--truth",
     "--rerun",
     "--resume",
-}
+} | {"--chart"}
 """Options that name a file to be read."""
 PRECIOUS = b"the notes of a year\n"
 

@@ -18,6 +18,8 @@ STEP_SHARE = 0.8
 TIME_FACTOR = 1.5
 """[-] The p99 of a tick in touch, so many times over, must be within a tick: an interrupt, a warm
 machine and a press at another place have room in it."""
+FEWEST_IN_TOUCH = 3
+"""Substeps that a tick in touch has at least [contact: substeps]."""
 FORCE, DISPLACEMENT, TIME, STEP = "force", "displacement", "time", "step"
 NEEDS = (FORCE, DISPLACEMENT, TIME, STEP)
 """Errors of a row and of the truth together, 1.5 times the p99 in touch, a step of the limit."""
@@ -178,7 +180,7 @@ def weigh(row: Row, chart: Chart, targets: Targets, steps: Steps | None = None) 
         count = max(steps.count, math.ceil(1.0 / most)) if math.isfinite(most) else steps.count
         if count > steps.count:
             configuration = replace(configuration, substeps=count)
-            cost = scale(cost, count / steps.count)
+            cost = scale(cost, max(1.0, count / max(steps.count, FEWEST_IN_TOUCH)))
         share = 1.0 / (targets.rate * count * steps.limit)
     held, seen = chart.truth, row.total.displacement
     needs = [

@@ -2514,6 +2514,90 @@ Beklenen: {expected}.</translation>
         <source>micrometre (µm)</source>
         <translation>mikrometre (µm)</translation>
     </message>
+    <message>
+        <source>Advice</source>
+        <translation>Öneri</translation>
+    </message>
+    <message>
+        <source>Advise</source>
+        <translation>Öner</translation>
+    </message>
+    <message>
+        <source>Advising</source>
+        <translation>Öneriliyor</translation>
+    </message>
+    <message>
+        <source>Chart…</source>
+        <translation>Çizelge…</translation>
+    </message>
+    <message>
+        <source>Choosing</source>
+        <translation>Seçiliyor</translation>
+    </message>
+    <message>
+        <source>Configurations are timed</source>
+        <translation>Yapılandırmaların süresi ölçülüyor</translation>
+    </message>
+    <message>
+        <source>Configurations run</source>
+        <translation>Yapılandırmalar çalışıyor</translation>
+    </message>
+    <message>
+        <source>Displacement error</source>
+        <translation>Yer değiştirme hatası</translation>
+    </message>
+    <message>
+        <source>Draw the chart</source>
+        <translation>Çizelgeyi çiz</translation>
+    </message>
+    <message>
+        <source>Drawing the chart</source>
+        <translation>Çizelge çiziliyor</translation>
+    </message>
+    <message>
+        <source>Force error</source>
+        <translation>Kuvvet hatası</translation>
+    </message>
+    <message>
+        <source>It begins</source>
+        <translation>Başlıyor</translation>
+    </message>
+    <message>
+        <source>Models converged in time</source>
+        <translation>Zamanda yakınsamış modeller</translation>
+    </message>
+    <message>
+        <source>Presses held out from the choice</source>
+        <translation>Seçimden ayrı tutulan basmalar</translation>
+    </message>
+    <message>
+        <source>The cheapest way to simulate this organ that is right and quick enough. Its chart is drawn first where there is none: minutes, and kept.</source>
+        <translation>Bu organı yeterince doğru ve hızlı canlandırmanın en ucuz yolu. Çizelgesi yoksa önce o çizilir: dakikalar sürer ve saklanır.</translation>
+    </message>
+    <message>
+        <source>The process that draws the chart ended with code {code}.</source>
+        <translation>Çizelgeyi çizen süreç {code} koduyla bitti.</translation>
+    </message>
+    <message>
+        <source>The truth: factors</source>
+        <translation>Gerçek: çarpanlara ayırma</translation>
+    </message>
+    <message>
+        <source>The truth: its mesh</source>
+        <translation>Gerçek: ağı</translation>
+    </message>
+    <message>
+        <source>The truth: its stiffness</source>
+        <translation>Gerçek: katılığı</translation>
+    </message>
+    <message>
+        <source>The truth: responses</source>
+        <translation>Gerçek: yanıtlar</translation>
+    </message>
+    <message>
+        <source>There is no organ yet: import a mesh first.</source>
+        <translation>Henüz organ yok: önce bir ağ içe aktarın.</translation>
+    </message>
 </context>
 <context>
     <name>constants</name>
@@ -3582,6 +3666,178 @@ Beklenen: {expected}.</translation>
     <message>
         <source>an organ of {size:.4g} mm from corner to corner, whose name says {word}</source>
         <translation>köşeden köşeye {size:.4g} mm’lik, adında {word} geçen bir organ</translation>
+    </message>
+    <message>
+        <source>Accuracy binds: its force is too far off.</source>
+        <translation>Doğruluk sınırlıyor: kuvveti çok sapıyor.</translation>
+    </message>
+    <message>
+        <source>Accuracy binds: its shape is too far off.</source>
+        <translation>Doğruluk sınırlıyor: biçimi çok sapıyor.</translation>
+    </message>
+    <message>
+        <source>Accuracy binds: the force of what is cheaper is further off.</source>
+        <translation>Doğruluk sınırlıyor: daha ucuz olanın kuvveti daha çok sapar.</translation>
+    </message>
+    <message>
+        <source>Accuracy binds: the shape of what is cheaper is further off.</source>
+        <translation>Doğruluk sınırlıyor: daha ucuz olanın biçimi daha çok sapar.</translation>
+    </message>
+    <message>
+        <source>Displacement {value:.1%} off with the truth's own error, of {allowed:.0%} allowed.</source>
+        <translation>Yer değiştirme, gerçeğin kendi hatasıyla {value:.1%} sapar; izin verilen {allowed:.0%}.</translation>
+    </message>
+    <message>
+        <source>Displacement: nobody looked at it, so it meets no target.</source>
+        <translation>Yer değiştirme: ona bakılmadı, bu yüzden hiçbir hedefi karşılamaz.</translation>
+    </message>
+    <message>
+        <source>Edges of {edge:.1f} mm are touched.</source>
+        <translation>{edge:.1f} mm kenarlara dokunulur.</translation>
+    </message>
+    <message>
+        <source>Force {value:.1%} off with the truth's own error, of {allowed:.0%} allowed.</source>
+        <translation>Kuvvet, gerçeğin kendi hatasıyla {value:.1%} sapar; izin verilen {allowed:.0%}.</translation>
+    </message>
+    <message>
+        <source>Its displacement is {held:.1%} off there, {charted:.1%} on the chart.</source>
+        <translation>Yer değiştirmesi orada {held:.1%}, çizelgede {charted:.1%} sapar.</translation>
+    </message>
+    <message>
+        <source>Its steps are stable at any length.</source>
+        <translation>Adımları her uzunlukta kararlıdır.</translation>
+    </message>
+    <message>
+        <source>Its steps are {value:.2f} of the longest stable one, of {allowed:g} allowed.</source>
+        <translation>Adımları en uzun kararlı adımın {value:.2f} katıdır; izin verilen {allowed:g}.</translation>
+    </message>
+    <message>
+        <source>Keep what it has: {name}.</source>
+        <translation>Şimdiki kalsın: {name}.</translation>
+    </message>
+    <message>
+        <source>Next better: {name}; {times:.2g} times the cost, with {misses}.</source>
+        <translation>Bir sonraki daha iyi: {name}; {times:.2g} kat maliyet, {misses}.</translation>
+    </message>
+    <message>
+        <source>Next cheaper: {name}; {times:.2g} times cheaper, with {misses}.</source>
+        <translation>Bir sonraki daha ucuz: {name}; {times:.2g} kat ucuz, {misses}.</translation>
+    </message>
+    <message>
+        <source>No place is left to score it at: all are near what is held, or what was charted.</source>
+        <translation>Sınanacak yer kalmadı: hepsi tutulan ya da çizelgelenen yerlere yakın.</translation>
+    </message>
+    <message>
+        <source>None of the {ran} configurations that ran meets every target. Nearest: {name}.</source>
+        <translation>Çalışan {ran} yapılandırmanın hiçbiri her hedefi karşılamıyor. En yakını: {name}.</translation>
+    </message>
+    <message>
+        <source>None of {tried} configurations came to the end of the path, so there is nothing to choose from.</source>
+        <translation>{tried} yapılandırmadan hiçbiri yolun sonuna varmadı; seçilecek bir şey yok.</translation>
+    </message>
+    <message>
+        <source>Not scored: an alarm ended a held-out press ({why}).</source>
+        <translation>Sınanamadı: ayrı tutulan bir basmayı bir alarm bitirdi ({why}).</translation>
+    </message>
+    <message>
+        <source>Nothing binds: no other configuration is cheaper for certain.</source>
+        <translation>Sınırlayan yok: başka hiçbir yapılandırma kesin olarak daha ucuz değil.</translation>
+    </message>
+    <message>
+        <source>Nothing on the chart is better by more than the truth's own error.</source>
+        <translation>Çizelgedeki hiçbir şey gerçeğin kendi hatasından daha çok iyi değil.</translation>
+    </message>
+    <message>
+        <source>On {count} presses held out from the choice its force is {held:.1%} off, where the chart has {charted:.1%}; the truth is known to {truth:.1%} there, to {own:.1%} on the chart.</source>
+        <translation>Seçimden ayrı tutulan {count} basmada kuvveti {held:.1%} sapar, çizelgede {charted:.1%}; gerçek orada {truth:.1%}, çizelgede {own:.1%} ile bilinir.</translation>
+    </message>
+    <message>
+        <source>Stability binds: its steps are too long.</source>
+        <translation>Kararlılık sınırlıyor: adımları çok uzun.</translation>
+    </message>
+    <message>
+        <source>Stability binds: what is cheaper steps too near its limit.</source>
+        <translation>Kararlılık sınırlıyor: daha ucuz olan sınırına çok yakın adım atıyor.</translation>
+    </message>
+    <message>
+        <source>The cheapest that meets every target: {name}.</source>
+        <translation>Her hedefi karşılayan en ucuzu: {name}.</translation>
+    </message>
+    <message>
+        <source>The truth binds: by itself it would do, but the truth leaves more open than the target.</source>
+        <translation>Gerçek sınırlıyor: kendi başına yeterdi, ama gerçek hedeften çoğunu açık bırakıyor.</translation>
+    </message>
+    <message>
+        <source>The truth binds: something cheaper would do, but for what the truth itself leaves open.</source>
+        <translation>Gerçek sınırlıyor: gerçeğin açık bıraktığı olmasa daha ucuzu yeterdi.</translation>
+    </message>
+    <message>
+        <source>There the ball touches a circle of {contact:.1f} mm radius, on edges of {edge:.1f} mm: {across:.1f} of them across it.</source>
+        <translation>Orada top {contact:.1f} mm yarıçaplı bir daireye dokunur; kenarlar {edge:.1f} mm: daireye {across:.1f} tanesi sığar.</translation>
+    </message>
+    <message>
+        <source>Time binds: its ticks in touch take too long.</source>
+        <translation>Zaman sınırlıyor: temastaki adımları çok uzun sürer.</translation>
+    </message>
+    <message>
+        <source>Time binds: what is cheaper on average has longer ticks among them.</source>
+        <translation>Zaman sınırlıyor: ortalamada daha ucuz olanın aralarında daha uzun adımlar var.</translation>
+    </message>
+    <message>
+        <source>Validated to {depth:.1f} mm deep, a tenth of the thickness of {thickness:.0f} mm.</source>
+        <translation>{depth:.1f} mm derine kadar doğrulandı: {thickness:.0f} mm kalınlığın onda biri.</translation>
+    </message>
+    <message>
+        <source>Validated to {depth:.1f} mm deep, one and a half times the tip's radius of {radius:g} mm.</source>
+        <translation>{depth:.1f} mm derine kadar doğrulandı: {radius:g} mm uç yarıçapının bir buçuk katı.</translation>
+    </message>
+    <message>
+        <source>Validated to {depth:.1f} mm deep, the thickness of its wall.</source>
+        <translation>{depth:.1f} mm derine kadar doğrulandı: duvarının kalınlığı.</translation>
+    </message>
+    <message>
+        <source>Validated to {depth:.1f} mm deep.</source>
+        <translation>{depth:.1f} mm derine kadar doğrulandı.</translation>
+    </message>
+    <message>
+        <source>What it has now does not come to the end of the held-out presses.</source>
+        <translation>Şimdiki, ayrı tutulan basmaların sonuna varmıyor.</translation>
+    </message>
+    <message>
+        <source>What it has now is {held:.1%} off on the held-out presses.</source>
+        <translation>Şimdiki, ayrı tutulan basmalarda {held:.1%} sapar.</translation>
+    </message>
+    <message>
+        <source>a force {error:.1%} off</source>
+        <translation>{error:.1%} sapan kuvvet</translation>
+    </message>
+    <message>
+        <source>a shape that nobody looked at</source>
+        <translation>bakılmamış biçim</translation>
+    </message>
+    <message>
+        <source>a shape {error:.1%} off</source>
+        <translation>{error:.1%} sapan biçim</translation>
+    </message>
+    <message>
+        <source>steps {times:.2g} times too long</source>
+        <translation>{times:.2g} kat uzun adımlar</translation>
+    </message>
+    <message>
+        <source>ticks {times:.2g} times too long</source>
+        <translation>{times:.2g} kat uzun süren adımlar</translation>
+    </message>
+    <message>
+        <source>{factor:g} times the p99 of a tick in touch is {value:.3g} µs, of {allowed:.4g} µs allowed.</source>
+        <translation>Temasta bir adımın p99 değerinin {factor:g} katı {value:.3g} µs; izin verilen {allowed:.4g} µs.</translation>
+    </message>
+    <message>
+        <source>On one press held out from the choice its force is {held:.1%} off, where the chart has {charted:.1%}; the truth is known to {truth:.1%} there, to {own:.1%} on the chart.</source>
+        <translation>Seçimden ayrı tutulan bir basmada kuvveti {held:.1%} sapar, çizelgede {charted:.1%}; gerçek orada {truth:.1%}, çizelgede {own:.1%} ile bilinir.</translation>
+    </message>
+    <message>
+        <source>{law}</source>
+        <translation>{law}</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from palpate_editor.verbs import (
+    advise,
     appearance,
     calibrate,
     chart,
@@ -33,6 +34,7 @@ VERBS = [
     *publish.VERBS,
     *organs.VERBS,
     *felt.VERBS,
+    *advise.VERBS,
     *chart.VERBS,
     *truth.VERBS,
     *demo.VERBS,

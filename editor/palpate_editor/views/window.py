@@ -18,6 +18,7 @@ from palpate_editor.document.constants import SHORT_KINDS
 from palpate_editor.views.action_set import ActionSet
 from palpate_editor.views.appearance import Appearance
 from palpate_editor.views.axis_gizmo import AxisGizmo
+from palpate_editor.views.chart.advisor import Advisor
 from palpate_editor.views.chart.chart_view import ChartView
 from palpate_editor.views.commands import build_commands
 from palpate_editor.views.context import Context
@@ -111,7 +112,8 @@ class MainWindow(QMainWindow):
         self.docks = Docks(self)
         hold = self.docks.hold
         self.stage_dock = StageDock(context, hold("stage"))
-        workers = Workers(context, self.tasks, self.publishing)
+        self.advisor = Advisor(context, self)
+        workers = Workers(context, self.tasks, self.publishing, self.advisor)
         panels = build_panels(workers, self.stage_dock.hold)
         self.stage_dock.fill(panels)
         self.import_panel = find_panel(panels, ImportPanel)
@@ -121,7 +123,7 @@ class MainWindow(QMainWindow):
         self.publish_panel = find_panel(panels, PublishPanel)
         self.log = LogDock(context, hold("log"))
         self.scans = Scans(context, self.files, self.tasks, self)
-        self.chart = ChartView(context, self.tasks, self.files, hold("chart"))
+        self.chart = ChartView(context, self.tasks, self.files, self.advisor, hold("chart"))
         self.docks.build(
             {
                 "scene": SceneTree(context, hold("scene")),
@@ -172,6 +174,7 @@ class MainWindow(QMainWindow):
         context.jobs.stopped.connect(self.on_job)
         self.publishing.published.connect(self.on_published)
         self.chart.opened.connect(self.show_chart)
+        self.material_panel.advice.chart_wanted.connect(self.show_chart)
         self.stage_bar.chosen.connect(self.show_stage)
         self.docks.folding.connect(self.tools.be_narrow)
         self.tools.chosen.connect(self.on_tool)
@@ -333,6 +336,7 @@ class MainWindow(QMainWindow):
             return
         self.docks.keep(self.settings)
         self.test_panel.stop()
+        self.advisor.cancel()
         self.context.jobs.finish()
         self.publishing.child_processes.finish()
         event.accept()

@@ -89,6 +89,14 @@ def test_a_step_too_near_the_limit_gets_more_of_them_and_costs_that_many_times_m
     assert not advice.keeps_own  # it came with fewer
 
 
+def test_steps_that_a_tick_in_touch_has_anyway_cost_nothing_more():
+    # one step of 1 ms, of a limit of 1 ms: two are needed, and three are made in touch
+    advice = ask(make_row(0, cost=1e-4, error=0.05), steps={0: Steps(1, 1e-3)})
+
+    assert advice.choice.configuration.substeps == 2
+    assert advice.choice.cost.median == pytest.approx(1e-4)
+
+
 def test_a_step_that_has_room_stays_as_it_is():
     advice = ask(make_row(0, error=0.05), steps={0: Steps(10, 1.25e-4)})
 
@@ -144,7 +152,7 @@ def test_the_nearest_miss_counts_the_steps_that_it_lacks():
     far = make_row(1, cost=1e-4, error=0.12)
 
     assert ask(near, far).choice.row.number == 0
-    assert ask(near, far, steps={0: Steps(1, 0.4e-3)}).choice.row.number == 1
+    assert ask(near, far, steps={0: Steps(3, 1.2e-4)}).choice.row.number == 1
 
 
 def test_a_truth_that_is_not_good_enough_binds():

@@ -3,26 +3,34 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from palpate.study.chart_file import read_chart, write_chart
-from palpate.study.scene_chart import Chart, Row
+from palpate.study.scene_chart import Chart, Configuration, Row
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
+from palpate_editor.advice_words import describe_advised
 from palpate_editor.chart_fit import find_difference, find_present, find_wanted
 from palpate_editor.chart_words import describe_chart
 from palpate_editor.configuration import name_configuration
-from palpate_editor.document import Organ, Phrase
+from palpate_editor.document import Organ
 from palpate_editor.edits import Configure
+from palpate_editor.views.chart.advisor import Advisor
 from palpate_editor.views.chart.chart_plot import ChartPlot
 from palpate_editor.views.chart.row_card import RowCard
+from palpate_editor.views.chart.work_bar import WorkBar
 from palpate_editor.views.context import Context
 from palpate_editor.views.elided_label import ElidedLabel
 from palpate_editor.views.files import Files
 from palpate_editor.views.jobs import Progress
 from palpate_editor.views.tasks import Tasks
 from palpate_editor.views.translations import say, tr
+
+if TYPE_CHECKING:  # it loads SciPy
+    from palpate_editor.advise import Advised
 
 
 class ReadWork:
@@ -42,14 +50,21 @@ class ChartView(QWidget):
     opened = Signal()
     """There is another chart to look at."""
 
-    def __init__(self, context: Context, tasks: Tasks, files: Files, parent: QWidget | None = None):
+    def __init__(
+        self,
+        context: Context,
+        tasks: Tasks,
+        files: Files,
+        advisor: Advisor,
+        parent: QWidget | None = None,
+    ):
         super().__init__(parent)
         self.setObjectName("chart_view")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        self.context, self.tasks, self.files = context, tasks, files
+        self.context, self.tasks, self.files, self.advisor = context, tasks, files, advisor
         self.chart: Chart | None = None
-        self.advice: dict[int, list[Phrase]] = {}
-        """What is said of rows beyond what the chart knows."""
+        self.advised: Advised | None = None
+        """What was advised of this chart last."""
         self.plot = ChartPlot(self.name_row, self)
         self.plot.chosen.connect(self.show_row)
         self.card = RowCard(self)
@@ -65,6 +80,8 @@ class ChartView(QWidget):
         column.addLayout(self.bar)
         column.addLayout(middle, 1)
         context.session.changed.connect(self.on_changed)
+        advisor.drawn.connect(self.show_chart)
+        advisor.advised.connect(self.show_advised)
         self.show_chart(None)
 
     def build_bar(self) -> QHBoxLayout:
@@ -72,15 +89,23 @@ class ChartView(QWidget):
         bar.setSpacing(8)
         self.summary = ElidedLabel(self)
         self.summary.setObjectName("chart_summary")
+        self.work = WorkBar(self.advisor, self)
+        self.draw_button = QPushButton(tr("Draw the chart"), self)
+        self.draw_button.setObjectName("draw_chart")
+        self.draw_button.clicked.connect(self.advisor.draw)
+        self.advisor.began.connect(self.show_busy)
+        self.advisor.ended.connect(self.show_busy)
         self.open_button = QPushButton(tr("Open a chart…"), self)
         self.open_button.setObjectName("open_chart")
         self.open_button.clicked.connect(self.ask_open)
         self.save_button = QPushButton(tr("Save the chart…"), self)
         self.save_button.setObjectName("save_chart")
         self.save_button.clicked.connect(self.ask_save)
-        for button in (self.open_button, self.save_button):
-            button.setProperty("small", True)
         bar.addWidget(self.summary, 1)
+        bar.addWidget(self.work)
+        for button in (self.draw_button, self.open_button, self.save_button):
+            button.setProperty("small", True)
+        bar.addWidget(self.draw_button)
         bar.addWidget(self.open_button)
         bar.addWidget(self.save_button)
         return bar
@@ -89,7 +114,7 @@ class ChartView(QWidget):
 
     def show_chart(self, chart: Chart | None) -> None:
         if chart is None or self.chart is None or chart.key != self.chart.key:
-            self.advice = {}
+            self.advised = None
             self.card.show_nothing()
         self.chart = chart
         self.plot.show_chart(chart)
@@ -116,8 +141,23 @@ class ChartView(QWidget):
         if row is None or self.chart is None:
             return
         self.plot.select(number)
-        organ = self.context.session.organ
-        self.card.show_row(row, self.chart, organ, self.advice.get(number, []))
+        organ, advised, more = self.context.session.organ, self.advised, []
+        choice = None if advised is None else advised.advice.choice
+        if advised is not None and choice is not None and choice.row.number == number:
+            more = describe_advised(advised, self.chart, organ)
+        self.card.show_row(row, self.chart, organ, more)
+
+    def show_advised(self, advised: Advised) -> None:
+        """The choice, with a ring around it and in words."""
+        self.advised = advised
+        choice = advised.advice.choice
+        self.plot.advise(None if choice is None else choice.row.number)
+        if choice is not None:
+            self.show_row(choice.row.number)
+        self.opened.emit()
+
+    def show_busy(self) -> None:
+        self.draw_button.setDisabled(self.advisor.is_busy)
 
     def name_row(self, row: Row) -> str:
         return name_configuration(row.configuration, self.context.session.organ)
@@ -137,11 +177,18 @@ class ChartView(QWidget):
         if difference is not None and organ.surface is not None:
             self.context.tell(str(say(difference)), "warning")
             return
-        edit = Configure(find_wanted(row, organ))
+        edit = Configure(self.find_configuration(row, organ))
         if edit.configuration.vertices in (0, organ.vertex_count):
             self.context.apply(edit)
         else:
             self.tasks.apply_slowly(edit)
+
+    def find_configuration(self, row: Row, organ: Organ) -> Configuration:
+        """The row's; of one that is advised with the steps that were advised."""
+        choice = None if self.advised is None else self.advised.advice.choice
+        if choice is not None and choice.row.number == row.number:
+            row = replace(row, configuration=choice.configuration)
+        return find_wanted(row, organ)
 
     def ask_open(self) -> None:
         filters = [tr("Charts (*.json)"), tr("All files (*)")]
@@ -156,6 +203,7 @@ class ChartView(QWidget):
         self.context.jobs.start_unseen(title, ReadWork(path), self.on_read, self.context.refuse)
 
     def on_read(self, chart: Chart) -> None:
+        self.advisor.use_chart(chart)
         self.show_chart(chart)
         self.opened.emit()
 

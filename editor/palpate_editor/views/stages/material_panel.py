@@ -7,26 +7,39 @@ from collections.abc import Sequence
 from math import isfinite
 
 import numpy as np
-import palpate
-from palpate.scene.scene_parts import FINITE, VALIDATED_TIPS
-from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QHBoxLayout, QPushButton, QVBoxLayout
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QDoubleSpinBox,
+    QHBoxLayout,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from palpate_editor import comparison
 from palpate_editor.document import Organ
 from palpate_editor.document.constants import CONSTANTS, SWINGING
-from palpate_editor.document.cost_rules import TICK_SHARE, count_substeps
-from palpate_editor.document.phrase import Phrase
-from palpate_editor.document.press_rules import MOST_HOME_SHARE
-from palpate_editor.document.problems import TissueFacts
+from palpate_editor.document.cost_rules import count_substeps
 from palpate_editor.edits import FixLowest, FixVertices, SetGravity
 from palpate_editor.trial import has_hard_law
+from palpate_editor.views.chart.advisor import Advisor
+from palpate_editor.views.context import Context
+from palpate_editor.views.stages.advice_form import AdviceForm
 from palpate_editor.views.stages.constant_form import ChoiceField, ConstantField, build_grid
 from palpate_editor.views.stages.contact_offer import ContactOffer
 from palpate_editor.views.stages.facts import Fact, Facts, Section, write_label
 from palpate_editor.views.stages.fill_form import FillForm
+from palpate_editor.views.stages.material_words import (
+    home_rows,
+    say_compared,
+    say_error,
+    say_origin,
+    share_rows,
+    validity_rows,
+)
 from palpate_editor.views.stages.published_values import PublishedValues
-from palpate_editor.views.stages.stage_panel import StagePanel
-from palpate_editor.views.translations import count, number, quantity, say, say_memory, tr
+from palpate_editor.views.stages.stage_panel import StagePanel, Workers
+from palpate_editor.views.translations import count, number, quantity, say_memory, tr
 
 WEIGHT = (0.0, 0.0, -9.81)
 """[m/s²]"""
@@ -50,97 +63,8 @@ HAND = (
     "hand.substeps",
     "hand.force_error",
 )
-ROUNDING = 1e-6
-"""[-] an error of stretching below this is that of the computer's numbers."""
 GOOD_FIT = 0.05
 """[-] a larger error against the wall is shown as a warning, where constants come from tissue."""
-
-
-def say_error(error: float) -> str:
-    """Rounding is no error."""
-    return tr("none at rest") if error < ROUNDING else f"{number(100.0 * error, 2)} %"
-
-
-def say_origin(organ: Organ) -> str:
-    """What Young's modulus and its like do in this organ."""
-    if organ.model.kind == "shell":
-        return tr(
-            "These five give the wall its stretching and its bending; nothing else need be chosen."
-        )
-    if organ.model.kind == "solid":
-        return tr(
-            "Young's modulus and Poisson's ratio give springs and volumes their constants; nothing "
-            "else need be chosen."
-        )
-    if organ.model.kind == "linear_solid":
-        return tr(
-            "Young's modulus and Poisson's ratio are its law. It is good for presses of up to "
-            "{share} % of the thickness; a deeper one ends the run."
-        ).format(share=f"{100 * palpate.SHALLOW:.0f}")
-    if organ.model.kind in FINITE:
-        return tr(
-            "Young's modulus and Poisson's ratio are its law for small strains; it may be strained "
-            "and turned far. It runs in plain code, which takes longer than springs do."
-        )
-    if organ.model.constants == "tissue":
-        return tr(
-            "Young's modulus, Poisson's ratio and the wall's thickness give every spring and bond "
-            "its constants. Choose them by hand to go on from there."
-        )
-    if organ.material.wall_thickness is None:
-        return tr(
-            "Springs and bonds take the stiffness below, so Young's modulus and Poisson's ratio "
-            "have no effect. They count in a solid, and in a wall that has a thickness."
-        )
-    if organ.model.home_stiffness is not None:
-        return tr(
-            "Springs and bonds take the stiffness below, and home springs their own value, so "
-            "Young's modulus and Poisson's ratio have no effect on the force: the wall is only "
-            "compared with them."
-        )
-    return tr(
-        "Springs and bonds take the stiffness below. Young's modulus sets the home springs of a "
-        "hollow organ where they have no own value, and what its wall is compared with."
-    )
-
-
-def say_compared(error: Phrase) -> str:
-    """Of a kind that no shipped organ is of."""
-    return tr("For comparison: {error}.").format(error=say(error))
-
-
-def home_rows(tissue: TissueFacts) -> list[Fact]:
-    """What of the felt force home springs carry."""
-    shares = () if tissue.trial is None else tissue.trial.home_shares
-    if not shares:
-        return []
-    least, most = (f"{round(100.0 * share) + 0:d}" for share in (min(shares), max(shares)))
-    span = most if least == most else f"{least} \N{EN DASH} {most}"
-    tone = "good" if max(shares) <= MOST_HOME_SHARE else "warning"
-    return [(tr("Home springs carry"), tr("{span} % of the force").format(span=span), tone)]
-
-
-def validity_rows(tissue: TissueFacts) -> list[Fact]:
-    """How deep the tool may go, by place."""
-    if tissue.trial is None:
-        return []
-    depths = tissue.trial.validated
-    if not depths:
-        tips = [number(1e3 * radius, 2) for radius in VALIDATED_TIPS]
-        text = tr("no depth: only tips of {least} to {most} mm are")
-        return [(tr("Validated to"), text.format(least=tips[0], most=tips[1]))]
-    least, most = (number(1e3 * depth, 2) for depth in (min(depths), max(depths)))
-    span = most if least == most else f"{least} \N{EN DASH} {most}"
-    return [(tr("Validated to"), tr("{span} mm deep, by place").format(span=span))]
-
-
-def share_rows(share: float | None) -> list[Fact]:
-    """What of its time a tick takes."""
-    if share is None:
-        return []
-    tone = "good" if share <= TICK_SHARE else "warning"
-    text = tr("about {share} % of its time").format(share=f"{100 * share:.0f}")
-    return [(tr("A tick in touch takes"), text, tone)]
 
 
 class MaterialPanel(StagePanel):
@@ -149,6 +73,14 @@ class MaterialPanel(StagePanel):
     stage = "material"
     colouring = "stiffness"
     shows_fixed = True
+
+    def __init__(self, context: Context, advisor: Advisor, parent: QWidget | None = None):
+        self.advisor = advisor
+        super().__init__(context, parent)
+
+    @classmethod
+    def make(cls, workers: Workers, parent: QWidget) -> MaterialPanel:
+        return cls(workers.context, workers.advisor, parent)
 
     @staticmethod
     def title() -> str:
@@ -195,6 +127,8 @@ class MaterialPanel(StagePanel):
         self.range = write_label("", "note", self)
         self.range.setWordWrap(True)
         self.form.addWidget(self.range)
+        self.advice = AdviceForm(self.context, self.advisor, self)
+        self.form.addWidget(self.advice)
         tissue = self.section(tr("Tissue"))
         self.add_constants(tissue, TISSUE)
         self.origin_note = tissue.add(write_label("", "note", self))
@@ -277,6 +211,7 @@ class MaterialPanel(StagePanel):
         self.compared.setText("" if error is None else say_compared(error))
         self.compared.setVisible(error is not None)
         self.filling.show_organ(organ)
+        self.advice.show_organ(organ)
         if not has_hard_law(organ):
             self.offer.hide()
         self.links.setVisible(organ.model.kind in SWINGING)

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from palpate_editor.document import Organ
 from palpate_editor.document.problems import SEVERITIES, Problem
+from palpate_editor.views.chart.advisor import Advisor
 from palpate_editor.views.context import Context
 from palpate_editor.views.publishing import Publishing
 from palpate_editor.views.stages.facts import CheckRow, Section, write_label
@@ -27,6 +28,7 @@ class Workers:
     context: Context
     tasks: Tasks
     publishing: Publishing
+    advisor: Advisor
 
 
 class StagePanel(QWidget):
