@@ -10,7 +10,7 @@ OPENS: dict[str, tuple[int, tuple[str, ...]]] = {
     "assimp_OBJ_testmixed.obj": (12, ()),
     "assimp_OBJ_only_a_part_of_vertexcolors.obj": (3, ()),
     "assimp_STL_triangle_with_two_solids.stl": (2, ()),
-    "assimp_glTF2_BoxBadNormals-glTF-Binary_BoxBadNormals.glb": (12, ()),
+    "assimp_glTF2_BoxBadNormals-glTF-Binary_BoxBadNormals.glb": (12, ("size",)),
     "assimp_FBX_cubes_with_mirroring_and_pivot.fbx": (420, ()),
     "assimp_Collada_regr01.dae": (172, ("crossing",)),
     "trimesh_soup.stl": (100, ("crossing",)),
