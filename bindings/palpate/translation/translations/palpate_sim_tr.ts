@@ -2019,5 +2019,193 @@
         <source>version 2.2, 4.0 or 4.1</source>
         <translation>2.2, 4.0 ya da 4.1 sürümü</translation>
     </message>
+    <message>
+        <source>%1 letters</source>
+        <translation>%1 harf</translation>
+    </message>
+    <message>
+        <source>%1 tissues</source>
+        <translation>%1 doku</translation>
+    </message>
+    <message>
+        <source>%1 voxels</source>
+        <translation>%1 voksel</translation>
+    </message>
+    <message>
+        <source>%1 without a worker</source>
+        <translation>%1, işçisi yok</translation>
+    </message>
+    <message>
+        <source>%1, in SI here</source>
+        <translation>%1, burada SI birimiyle</translation>
+    </message>
+    <message>
+        <source>%1..., of this organ and path</source>
+        <translation>%1..., bu organ ve yolun</translation>
+    </message>
+    <message>
+        <source>Dask's client: pip install 'palpate-editor[cluster]'</source>
+        <translation>Dask istemcisi: pip install 'palpate-editor[cluster]'</translation>
+    </message>
+    <message>
+        <source>LOW:HIGH, LOW: or :HIGH</source>
+        <translation>ALT:ÜST, ALT: ya da :ÜST</translation>
+    </message>
+    <message>
+        <source>a configuration and what it came to</source>
+        <translation>bir yapılandırma ve sonucu</translation>
+    </message>
+    <message>
+        <source>a finished run</source>
+        <translation>bitmiş bir koşu</translation>
+    </message>
+    <message>
+        <source>a library</source>
+        <translation>bir kitaplık</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>bir liste</translation>
+    </message>
+    <message>
+        <source>a list of at most %1 texts</source>
+        <translation>en çok %1 metinlik bir liste</translation>
+    </message>
+    <message>
+        <source>a list of three numbers</source>
+        <translation>üç sayılık bir liste</translation>
+    </message>
+    <message>
+        <source>a name that ships</source>
+        <translation>birlikte gelen bir ad</translation>
+    </message>
+    <message>
+        <source>a number that is unknown</source>
+        <translation>bilinmeyen bir sayı</translation>
+    </message>
+    <message>
+        <source>a region twice</source>
+        <translation>bir bölge iki kez</translation>
+    </message>
+    <message>
+        <source>a row, a cost, or what converged</source>
+        <translation>bir satır, bir maliyet ya da yakınsamış olan</translation>
+    </message>
+    <message>
+        <source>a table of a tissue</source>
+        <translation>bir dokunun tablosu</translation>
+    </message>
+    <message>
+        <source>a volume</source>
+        <translation>bir hacim</translation>
+    </message>
+    <message>
+        <source>a volume that takes longer to read</source>
+        <translation>okunması daha uzun süren bir hacim</translation>
+    </message>
+    <message>
+        <source>an array of shape %1</source>
+        <translation>biçimi %1 olan bir dizi</translation>
+    </message>
+    <message>
+        <source>an organ of several voxels</source>
+        <translation>birkaç vokselden oluşan bir organ</translation>
+    </message>
+    <message>
+        <source>at most %1 s</source>
+        <translation>en çok %1 s</translation>
+    </message>
+    <message>
+        <source>data that broke its reader</source>
+        <translation>okuyucusunu bozan veri</translation>
+    </message>
+    <message>
+        <source>edges are still too long after %1 rounds</source>
+        <translation>kenarlar %1 turdan sonra hâlâ çok uzun</translation>
+    </message>
+    <message>
+        <source>force and model</source>
+        <translation>kuvvet ve model</translation>
+    </message>
+    <message>
+        <source>labels or a range</source>
+        <translation>etiketler ya da bir aralık</translation>
+    </message>
+    <message>
+        <source>neither low nor high</source>
+        <translation>ne alt ne üst sınır</translation>
+    </message>
+    <message>
+        <source>neither or both</source>
+        <translation>hiçbiri ya da ikisi</translation>
+    </message>
+    <message>
+        <source>no list</source>
+        <translation>liste değil</translation>
+    </message>
+    <message>
+        <source>no package distributed</source>
+        <translation>distributed paketi yok</translation>
+    </message>
+    <message>
+        <source>no table</source>
+        <translation>tablo değil</translation>
+    </message>
+    <message>
+        <source>numbers of a volume</source>
+        <translation>bir hacmin sayıları</translation>
+    </message>
+    <message>
+        <source>one at least</source>
+        <translation>en az bir</translation>
+    </message>
+    <message>
+        <source>one of your own</source>
+        <translation>kendinizden biri</translation>
+    </message>
+    <message>
+        <source>one that can be built as it is</source>
+        <translation>olduğu gibi kurulabilen biri</translation>
+    </message>
+    <message>
+        <source>one tissue for each</source>
+        <translation>her birine bir doku</translation>
+    </message>
+    <message>
+        <source>scans are in millimetres</source>
+        <translation>taramalar milimetredir</translation>
+    </message>
+    <message>
+        <source>text of at most %1</source>
+        <translation>en çok %1 uzunlukta metin</translation>
+    </message>
+    <message>
+        <source>text that is no TOML (%1)</source>
+        <translation>TOML olmayan metin (%1)</translation>
+    </message>
+    <message>
+        <source>the address of a Dask scheduler</source>
+        <translation>bir Dask zamanlayıcısının adresi</translation>
+    </message>
+    <message>
+        <source>the lower end first</source>
+        <translation>önce alt uç</translation>
+    </message>
+    <message>
+        <source>the scan says where the patient's head is</source>
+        <translation>tarama hastanın başının nerede olduğunu söyler</translation>
+    </message>
+    <message>
+        <source>the wall folds, however thin it is made</source>
+        <translation>duvar ne kadar ince yapılsa da katlanıyor</translation>
+    </message>
+    <message>
+        <source>voxels without a surface</source>
+        <translation>yüzeyi olmayan vokseller</translation>
+    </message>
+    <message>
+        <source>who published it, and where</source>
+        <translation>kim, nerede yayımladı</translation>
+    </message>
 </context>
 </TS>
