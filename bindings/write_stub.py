@@ -226,7 +226,7 @@ def render_stub(module: ModuleType, header: str = HEADER) -> str:
         [*formatter, "--stdin-filename", "_sim.pyi", "-"],
         input=text,
         capture_output=True,
-        text=True,
+        encoding="utf-8",
         check=True,
     ).stdout
 

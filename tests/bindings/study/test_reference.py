@@ -45,7 +45,7 @@ def test_the_reference_of_a_shipped_organ_was_solved_on_the_shape_that_ships(nam
 @pytest.mark.parametrize("name", sorted(SOLIDS | WALLS))
 def test_a_hollow_organ_is_a_wall_of_its_thickness_and_a_solid_one_is_not(name):
     reference = read_reference(name)
-    tissue = tomllib.loads((MESHES / "tissues.toml").read_text())[name]["material"]
+    tissue = tomllib.loads((MESHES / "tissues.toml").read_text("utf-8"))[name]["material"]
 
     # any Young's modulus: forces are in proportion to it
     assert reference.poisson_ratio == tissue["poisson_ratio"]

@@ -114,10 +114,10 @@ def test_a_finer_mesh_that_does_not_fit_leaves_the_coarser_one_with_its_error(mo
     monkeypatch.setattr(solve, "CHANGE", 0.0)
     whole = solve.solve_level
 
-    def solve_some(subject, stations, radius, depths, level, watch):
+    def solve_some(subject, stations, radius, depths, level, watch, before):
         if level == 2:
             raise TooLarge("truth: got a large mesh")
-        return whole(subject, stations, radius, depths, level, watch)
+        return whole(subject, stations, radius, depths, level, watch, before)
 
     monkeypatch.setattr(solve, "solve_level", solve_some)
     truth = solve.solve_way(pressed.subject, find_way(pressed, BALL), BALL, np.array([1e-3]), "")
