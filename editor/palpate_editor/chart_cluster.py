@@ -4,11 +4,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from palpate.files.refusal import Refusal
+from palpate.study.scene_chart import Row
 
-from palpate_editor.chart_jobs import Job, Plan, run_job
+from palpate_editor.chart_jobs import Converged, Job, Plan, run_job
 from palpate_editor.chart_pool import Result, Runner, lose
+
+if TYPE_CHECKING:  # of the extra
+    from distributed import Future
 
 PATIENCE = 10.0
 """[s] in which a scheduler must answer."""
@@ -38,17 +43,20 @@ def run_on_cluster(address: str) -> Runner:
     def run(plan: Plan, jobs: Sequence[Job]) -> Iterator[Result]:
         from distributed import as_completed
 
-        # a job is tried once: it may be what ended its worker
-        shared = client.scatter(plan, broadcast=True)
-        futures = {client.submit(run_job, shared, job, pure=False, retries=0): job for job in jobs}
+        # the plan goes with every job: shared data would be lost with the worker that holds it
+        futures = {client.submit(run_job, plan, job, pure=False, retries=0): job for job in jobs}
         try:
-            for future in as_completed(futures):
-                job = futures[future]
-                if future.status == "finished":
-                    yield job, future.result()
-                else:
-                    yield job, lose(plan, job, f"the cluster lost it: {future.exception()}")
+            for future in as_completed(futures, loop=client.loop):
+                yield futures[future], take_result(plan, futures[future], future)
         finally:
             client.cancel(list(futures))
 
     return run
+
+
+def take_result(plan: Plan, job: Job, future: Future) -> Row | Converged:
+    """What a job found, or that the cluster lost it."""
+    try:
+        return future.result()
+    except Exception as problem:  # of the cluster's: run_job lets none out
+        return lose(plan, job, f"the cluster lost it: {problem}")

@@ -136,8 +136,8 @@ def test_a_large_organ_of_nested_parts_has_a_report_too(name, shared_data, ends)
 
     seen = read_end(ends(path)[str(path)])
 
-    (report,) = seen["reports"]
-    assert report["self_intersecting_faces"] > 1000
+    read, *_ = seen["reports"]
+    assert read["self_intersecting_faces"] > 1000
 
 
 def spoil(content: bytes, random: np.random.Generator) -> bytes:
