@@ -116,9 +116,9 @@ double find_edge_length(const Surface& surface) {
   return std::sqrt(*at);
 }
 
-/// The radius of a uniform patch [m] whose compliance the mesh can tell: two edges of the elements
+/// The radius of a uniform patch [m] whose compliance the mesh can tell: edges of the elements
 /// that carry it.
-constexpr double kPatchEdges = 2.0;
+constexpr double kPatchEdges = 1.5;
 /// and no less than this, where elements are finer than what is near
 constexpr double kLeastPatch = 0.008;
 
