@@ -135,14 +135,12 @@ def test_under_its_near_field_the_block_is_felt_within_three_percent_of_large_de
 @pytest.mark.landing
 @pytest.mark.parametrize("radius", [2e-3, 3e-3, 5e-3, 8e-3])
 @pytest.mark.parametrize("body", ["kidney", "liver", "spleen"])
-def test_shipped_solids_are_felt_within_a_tenth_on_average_and_little_more_than_a_quarter_at_worst(
-    body, radius
-):
+def test_shipped_solids_are_felt_within_a_tenth_on_average_and_a_fifth_at_worst(body, radius):
     pressed = open_pressed(PUBLISHED / f"{body}.palpate")
     ratios = [row.ratio for row in compare_tool(pressed, "linear", [radius])]
 
     assert np.mean(ratios) == pytest.approx(1.0, abs=0.10)
-    assert ratios == pytest.approx(np.ones(len(ratios)), abs=0.27)
+    assert ratios == pytest.approx(np.ones(len(ratios)), abs=0.20)
 
 
 @pytest.mark.landing
