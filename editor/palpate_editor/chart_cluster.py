@@ -3,17 +3,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterator, Sequence
 
 from palpate.files.refusal import Refusal
 from palpate.study.scene_chart import Row
 
 from palpate_editor.chart_jobs import Converged, Job, Plan, run_job
 from palpate_editor.chart_pool import Result, Runner, lose
-
-if TYPE_CHECKING:  # of the extra
-    from distributed import Future
 
 PATIENCE = 10.0
 """[s] in which a scheduler must answer."""
@@ -47,16 +43,16 @@ def run_on_cluster(address: str) -> Runner:
         futures = {client.submit(run_job, plan, job, pure=False, retries=0): job for job in jobs}
         try:
             for future in as_completed(futures, loop=client.loop):
-                yield futures[future], take_result(plan, futures[future], future)
+                yield futures[future], take_result(plan, futures[future], future.result)
         finally:
             client.cancel(list(futures))
 
     return run
 
 
-def take_result(plan: Plan, job: Job, future: Future) -> Row | Converged:
+def take_result(plan: Plan, job: Job, ask: Callable[[], Row | Converged]) -> Row | Converged:
     """What a job found, or that the cluster lost it."""
     try:
-        return future.result()
+        return ask()
     except Exception as problem:  # of the cluster's: run_job lets none out
         return lose(plan, job, f"the cluster lost it: {problem}")
