@@ -98,6 +98,34 @@ def test_a_chart_is_drawn_row_by_row_and_a_choice_made_and_scored(qtbot, desk):
 
 
 @pytest.mark.landing
+def test_to_stop_ends_the_processes_that_run_rows_too(qtbot, desk):
+    desk.advisor.draw()
+    work = desk.advisor.work
+    qtbot.waitUntil(lambda: work.process is not None and bool(list_children(work)), timeout=MINUTES)
+    rows = list_children(work)
+
+    desk.advisor.cancel()
+
+    qtbot.waitUntil(lambda: not desk.advisor.is_busy, timeout=MINUTES)
+    qtbot.waitUntil(lambda: not any(map(is_running, rows)), timeout=MINUTES)
+
+
+def list_children(work) -> list[int]:
+    """Processes that the process of a chart has started [proc(5)]."""
+    files = Path(f"/proc/{work.process.pid}/task").glob("*/children")  # of each of its threads
+    return [int(word) for file in files for word in file.read_text().split()]
+
+
+def is_running(process: int) -> bool:
+    """Zombies have ended; who began them has not looked yet."""
+    file = Path(f"/proc/{process}/stat")
+    try:
+        return file.read_text().rpartition(")")[2].split()[0] != "Z"
+    except (FileNotFoundError, ProcessLookupError):
+        return False
+
+
+@pytest.mark.landing
 def test_a_process_that_dies_is_told_and_the_window_goes_on(qtbot, desk):
     told = []
     desk.context.told.connect(lambda text, severity: told.append((text, severity)))

@@ -5,9 +5,11 @@ from __future__ import annotations
 
 import os
 import pickle
+import signal
 import subprocess
 import threading
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 
@@ -76,6 +78,7 @@ class ChartWork:
                 build_command("-m", "palpate_editor.chart_process"),
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
+                start_new_session=True,  # a group of its own, with those that it starts
             )
 
     def find_end(self) -> Exception:
@@ -89,11 +92,13 @@ class ChartWork:
         )
 
     def stop(self) -> None:
-        """Ends the process; from any thread. What it finished is kept."""
+        """Ends the process and those that it started, whatever they are at; from any thread. What
+        was finished is kept."""
         with self.lock:
             self.stopped = True
             if self.process is not None:
-                self.process.kill()
+                with suppress(ProcessLookupError):
+                    os.killpg(self.process.pid, signal.SIGKILL)
                 self.process.wait()
 
 
