@@ -66,6 +66,7 @@ class Step:
 
 Told = Callable[[Step], None]
 Asked = Callable[[], bool]
+Begun = Callable[[Chart], None]
 
 
 class Stopped(Exception):
@@ -93,6 +94,7 @@ def draw_chart(
     store: Store | None = None,
     told: Told = lambda step: None,
     asked: Asked = lambda: False,
+    begun: Begun = lambda chart: None,
     script: str = "",
     command: str = "",
 ) -> Chart:
@@ -105,16 +107,19 @@ def draw_chart(
         store: What was finished before, and where to keep what will be.
         told: Of every finished run.
         asked: Whether to stop, between two runs.
+        begun: Told the chart without rows, for fill_chart, before anything is run.
         script: The name of a script's file.
         command: What the chart says it was drawn by.
 
     Raises:
         Refusal: where the organ cannot be run as it is, so that there is no path to share.
     """
-    organ = open_document(plan.organ)
-    wanted = list_configurations(organ) if configurations is None else list(configurations)
+    if configurations is None:
+        configurations = list_configurations(open_document(plan.organ))
+    wanted = list(configurations)
     store = Store(compute_key(plan)) if store is None else store
-    way, rate = measure_way(plan, wanted[0], script)
+    head = begin_chart(plan, wanted[0], script, command)
+    begun(head)
     complete = True
     try:
         for step in run_all(plan, wanted, runner, store):
@@ -123,7 +128,13 @@ def draw_chart(
                 raise Stopped
     except (KeyboardInterrupt, Stopped):
         complete = False
-    rows = [store.rows[c] for c in wanted if c in store.rows]
+    return replace(fill_chart(head, wanted, store), complete=complete)
+
+
+def begin_chart(plan: Plan, own: Configuration, script: str, command: str) -> Chart:
+    """Without rows, and not complete. Raises Refusal."""
+    organ = open_document(plan.organ)
+    way, rate = measure_way(plan, own, script)
     return Chart(
         organ=organ.title or organ.name,
         key=compute_key(plan),
@@ -135,10 +146,19 @@ def draw_chart(
         rate=rate,
         force_target=FORCE_TARGET,
         displacement_target=DISPLACEMENT_TARGET,
-        complete=complete,
+        complete=False,
         way=way,
         truth=hold_truth(plan.truth),
         machine=Machine(name_processor(), (palpate.simd_targets() or ["none"])[0], TIMED),
+        rows=(),
+    )
+
+
+def fill_chart(head: Chart, wanted: Sequence[Configuration], store: Store) -> Chart:
+    """With the rows that were finished so far, the organ's own first."""
+    rows = [store.rows[c] for c in wanted if c in store.rows]
+    return replace(
+        head,
         rows=tuple(
             replace(row, number=i, own=row.configuration == wanted[0],
                     cost=store.costs.get(row.configuration))

@@ -12,27 +12,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-import palpate
-from palpate.study.scene_chart import (
-    DISPLACEMENT_TARGET,
-    FORCE_TARGET,
-    Chart,
-    Configuration,
-    Machine,
-)
+from palpate.study.scene_chart import Chart, Configuration
 from palpate.study.track import SPEED
 from palpate.system.data_folder import find_cache_folder
-from palpate.system.processor import name_processor
 
-from palpate_editor.chart import (
-    TIMED,
-    Step,
-    compute_key,
-    draw_chart,
-    hold_truth,
-    measure_way,
-)
-from palpate_editor.chart_jobs import Plan, open_document, pack_document
+from palpate_editor.chart import Step, compute_key, draw_chart, fill_chart
+from palpate_editor.chart_jobs import Plan, pack_document
 from palpate_editor.chart_pool import run_in_processes
 from palpate_editor.chart_store import Store
 from palpate_editor.configurations import list_configurations
@@ -92,7 +77,7 @@ def draw_kept_chart(
     plan = Plan(pack_document(apply_configuration(organ, NEUTRAL)), truth, "press", SPEED)
     wanted = list_configurations(organ) if configurations is None else list(configurations)
     with Store(compute_key(plan), folder / "charts") as store:
-        watch = Watch(plan, wanted, store, told, shown)
+        watch = Watch(wanted, store, told, shown)
         return draw_chart(
             plan,
             configurations=wanted,
@@ -100,6 +85,7 @@ def draw_kept_chart(
             store=store,
             told=watch.tell,
             asked=asked,
+            begun=watch.begin,
             command=f"palpate chart {file}",
         )
 
@@ -107,12 +93,14 @@ def draw_kept_chart(
 class Watch:
     """Tells of progress, and shows what is finished."""
 
-    def __init__(
-        self, plan: Plan, wanted: Sequence[Configuration], store: Store, told: Told, shown: Shown
-    ):
+    def __init__(self, wanted: Sequence[Configuration], store: Store, told: Told, shown: Shown):
         self.wanted, self.store, self.told, self.shown = wanted, store, told, shown
-        self.head = build_head(plan, wanted[0])
+        self.head: Chart | None = None
         self.last = -OFTEN
+
+    def begin(self, head: Chart) -> None:
+        """Also what an earlier call finished is shown."""
+        self.head = head
         self.show()
 
     def tell(self, step: Step) -> None:
@@ -122,39 +110,6 @@ class Watch:
             self.show()
 
     def show(self) -> None:
-        """Also what an earlier call finished."""
+        assert self.head is not None
         self.last = time.monotonic()
-        rows = [self.store.rows[c] for c in self.wanted if c in self.store.rows]
-        self.shown(
-            replace(
-                self.head,
-                rows=tuple(
-                    replace(row, number=i, own=row.configuration == self.wanted[0],
-                            cost=self.store.costs.get(row.configuration))
-                    for i, row in enumerate(rows)
-                ),
-            )
-        )  # fmt: skip
-
-
-def build_head(plan: Plan, own: Configuration) -> Chart:
-    """A chart without rows. Raises Refusal."""
-    organ = open_document(plan.organ)
-    way, rate = measure_way(plan, own, "")
-    return Chart(
-        organ=organ.title or organ.name,
-        key=compute_key(plan),
-        command="",
-        young_modulus=organ.material.young_modulus,
-        poisson_ratio=organ.material.poisson_ratio,
-        wall_thickness=organ.material.wall_thickness,
-        tool_radius=organ.tool.radius,
-        rate=rate,
-        force_target=FORCE_TARGET,
-        displacement_target=DISPLACEMENT_TARGET,
-        complete=False,
-        way=way,
-        truth=hold_truth(plan.truth),
-        machine=Machine(name_processor(), (palpate.simd_targets() or ["none"])[0], TIMED),
-        rows=(),
-    )
+        self.shown(fill_chart(self.head, self.wanted, self.store))
