@@ -26,26 +26,26 @@ def run_on_cluster(address: str) -> Runner:
         expected = "Dask's client: pip install 'palpate-editor[cluster]'"
         raise Refusal(None, "--scheduler", "no package distributed", expected) from None
     try:
-        client = Client(address, timeout=PATIENCE, set_as_default=False)
+        with Client(address, timeout=PATIENCE, set_as_default=False) as client:
+            workers = client.scheduler_info()["workers"]
     except (OSError, ValueError) as problem:
         raise Refusal(
             None, "--scheduler", f"{address!r}: {problem}", "the address of a Dask scheduler"
         ) from None
-
-    if not client.scheduler_info()["workers"]:
-        client.close()
+    if not workers:
         raise Refusal(None, "--scheduler", f"{address!r} without a worker", "one at least")
 
     def run(plan: Plan, jobs: Sequence[Job]) -> Iterator[Result]:
         from distributed import as_completed
 
-        # the plan goes with every job: shared data would be lost with the worker that holds it
-        futures = {client.submit(run_job, plan, job, pure=False, retries=0): job for job in jobs}
-        try:
-            for future in as_completed(futures, loop=client.loop):
-                yield futures[future], take_result(plan, futures[future], future.result)
-        finally:
-            client.cancel(list(futures))
+        with Client(address, timeout=PATIENCE, set_as_default=False) as client:
+            # the plan goes with every job: shared data would be lost with the worker that holds it
+            futures = {client.submit(run_job, plan, j, pure=False, retries=0): j for j in jobs}
+            try:
+                for future in as_completed(futures, loop=client.loop):
+                    yield futures[future], take_result(plan, futures[future], future.result)
+            finally:
+                client.cancel(list(futures))
 
     return run
 
