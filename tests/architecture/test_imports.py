@@ -77,6 +77,7 @@ ARROWS = {
     ),
     "editor/palpate_editor/scan": (
         "palpate_editor.scan",
+        "palpate_editor.scan_child.choice",
         "palpate.error",
         "palpate.files.refusal",
         "palpate.system.isolated",

@@ -12,7 +12,6 @@ where the extra `scan` is not installed, `MissingExtra` says how to.
 
 from __future__ import annotations
 
-from palpate_editor.scan.choice import Choice, describe_choice, read_range
 from palpate_editor.scan.reader import (
     SUFFIXES,
     Cancelled,
@@ -24,9 +23,19 @@ from palpate_editor.scan.reader import (
     segment_scan,
 )
 from palpate_editor.scan.values import Label, Scan, ScanSurface
+from palpate_editor.scan_child.choice import (
+    MOST_SMOOTHING,
+    USUAL_SMOOTHING,
+    Choice,
+    describe_choice,
+    find_chosen,
+    read_range,
+)
 
 __all__ = [
+    "MOST_SMOOTHING",
     "SUFFIXES",
+    "USUAL_SMOOTHING",
     "Cancelled",
     "Choice",
     "Label",
@@ -35,6 +44,7 @@ __all__ = [
     "Scan",
     "ScanSurface",
     "describe_choice",
+    "find_chosen",
     "hash_scan",
     "is_scan",
     "read_range",

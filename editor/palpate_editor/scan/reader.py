@@ -20,8 +20,8 @@ from palpate.error import FileError
 from palpate.files.refusal import Refusal
 from palpate.system.isolated import build_command
 
-from palpate_editor.scan.choice import Choice
 from palpate_editor.scan.values import Label, Scan, ScanSurface
+from palpate_editor.scan_child.choice import Choice
 
 SUFFIXES = (".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".dcm")
 INSTALL = "pip install 'palpate-editor[scan]'"
@@ -141,15 +141,11 @@ def ask(
     """The reader's answer; its arrays are left in `folder`."""
     if not path.exists():
         raise FileNotFoundError(errno.ENOENT, "No such file or directory", str(path))
-    wanted = None
-    if choice is not None:
-        least = 1e9 * choice.least_volume
-        wanted = asdict(choice) | {"smooth": choice.smoothing, "least_volume": least}
     request = {
         "path": str(path.resolve()),
         "series": series,
         "voxels": voxels,
-        "choice": wanted,
+        "choice": None if choice is None else asdict(choice),
         "time_limit": limits.time,
         "memory_limit": limits.memory,
     }

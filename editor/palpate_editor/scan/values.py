@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from palpate_editor.scan.choice import Choice
+from palpate_editor.scan_child.choice import Choice
 
 
 @dataclass(frozen=True)

@@ -39,7 +39,7 @@ def answer(request: dict[str, Any], folder: Path) -> dict[str, Any]:
         save(folder / "voxels.npy", volume.voxels)
     if request["choice"] is None:
         return said
-    from palpate_editor.scan_child.chosen_part import Choice
+    from palpate_editor.scan_child.choice import Choice
     from palpate_editor.scan_child.surface import extract_surface
 
     choice = request["choice"]

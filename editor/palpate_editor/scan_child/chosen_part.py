@@ -8,25 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import ndimage
 
+from palpate_editor.scan_child.choice import Choice, find_chosen
 from palpate_editor.scan_child.refused import Refused
 from palpate_editor.scan_child.volume import Volume
 
 EDGES = ("left", "right", "front", "back", "bottom", "top")
 MOST_LABELS_SHOWN = 40
-
-
-@dataclass(frozen=True)
-class Choice:
-    """What is asked for; the JSON twin of palpate_editor.scan.Choice."""
-
-    labels: tuple[int, ...]
-    low: float | None
-    high: float | None
-    smooth: float
-    """[voxel] Standard deviation of the Gaussian; 0 for none."""
-    largest: bool
-    least_volume: float
-    """[mm³] Of a piece that is kept."""
 
 
 @dataclass
@@ -45,7 +32,7 @@ class Part:
 
 def find_part(volume: Volume, choice: Choice) -> Part:
     """Raises Refused where nothing is chosen."""
-    whole = mask_of(volume.voxels, choice)
+    whole = find_chosen(volume.voxels, choice)
     if not whole.any():
         raise Refused(*describe_nothing(volume, choice))
     tight = ndimage.find_objects(whole.view(np.uint8))[0]
@@ -59,17 +46,6 @@ def find_part(volume: Volume, choice: Choice) -> Part:
     # what was dropped is outside, what was filled inside, by as much as it was the other
     field = np.where(mask, np.abs(field), -np.abs(field)).astype(np.float32)
     return Part(mask, field, np.array([edge.start for edge in box]), dropped)
-
-
-def mask_of(voxels: np.ndarray, choice: Choice) -> np.ndarray:
-    if choice.labels:
-        return np.isin(voxels, choice.labels)
-    mask = np.ones(voxels.shape, bool)
-    if choice.low is not None:
-        mask &= voxels >= choice.low
-    if choice.high is not None:
-        mask &= voxels <= choice.high
-    return mask
 
 
 def field_of(voxels: np.ndarray, mask: np.ndarray, choice: Choice) -> np.ndarray:
@@ -102,14 +78,14 @@ def drop_pieces(mask: np.ndarray, choice: Choice, voxel_size: float) -> tuple[np
     if count == 1:
         return mask, 0
     sizes = np.bincount(marks.ravel())[1:] * voxel_size
-    kept = sizes >= choice.least_volume
+    kept = sizes >= 1e9 * choice.least_volume
     if choice.largest:
         kept = np.arange(count) == sizes.argmax()
     if not kept.any():
         raise Refused(
             "--least-volume",
             f"{count} pieces, the largest of {1e-3 * sizes.max():.4g} ml",
-            f"one of at least {1e-3 * choice.least_volume:.4g} ml",
+            f"one of at least {1e6 * choice.least_volume:.4g} ml",
         )
     return np.concatenate(([False], kept))[marks], int(count - kept.sum())
 

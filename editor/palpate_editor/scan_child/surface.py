@@ -10,7 +10,8 @@ from scipy import ndimage, sparse
 from scipy.sparse.csgraph import connected_components
 from skimage.measure import marching_cubes
 
-from palpate_editor.scan_child.chosen_part import Choice, Part, find_cut_sides, find_part
+from palpate_editor.scan_child.choice import Choice
+from palpate_editor.scan_child.chosen_part import Part, find_cut_sides, find_part
 from palpate_editor.scan_child.refused import Refused
 from palpate_editor.scan_child.volume import Volume
 
@@ -49,10 +50,10 @@ def extract_surface(volume: Volume, choice: Choice) -> Extracted:
     scale = 1e-3 * volume.steps
     voxel_volume = float(abs(np.linalg.det(scale))) * int(part.mask.sum())
     raw = cut(part.field, 0.0)
-    if choice.smooth > 0.0:
+    if choice.smoothing > 0.0:
         # a mask's own surface has its corners cut off, so its voxels are the measure
         wanted = voxel_volume if choice.labels else measure(raw, scale)
-        smoothed, change = smooth(part, choice.smooth, wanted, scale)
+        smoothed, change = smooth(part, choice.smoothing, wanted, scale)
         check_change(change, choice)
     else:
         smoothed, change = raw, 0.0
@@ -133,7 +134,7 @@ def check_change(change: float, choice: Choice) -> None:
     if abs(change) > MOST_CHANGE:
         raise Refused(
             "--smooth",
-            f"{choice.smooth:g} voxels, which change the volume by {100.0 * change:+.1f} %",
+            f"{choice.smoothing:g} voxels, which change the volume by {100.0 * change:+.1f} %",
             f"at most {100.0 * MOST_CHANGE:g} %: smooth less, or choose the largest piece",
         )
 
@@ -170,7 +171,7 @@ def choose_shells(
     shells, marks = connected_components(edges, directed=False)
     of_triangle = marks[triangles[:, 0]]
     volumes = np.bincount(of_triangle, volumes_of(points, triangles), minlength=shells)
-    kept = np.abs(volumes) >= 1e-9 * choice.least_volume
+    kept = np.abs(volumes) >= choice.least_volume
     if choice.largest:
         kept = np.arange(shells) == volumes.argmax()
     if not kept.any():

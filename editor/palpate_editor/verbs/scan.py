@@ -14,8 +14,16 @@ from palpate_editor import authoring
 from palpate_editor.compile import mesh_of
 from palpate_editor.document import EMPTY
 from palpate_editor.from_scan import import_scan
-from palpate_editor.scan import Choice, Limits, Scan, describe_choice, read_range, read_scan
-from palpate_editor.scan.choice import MOST_SMOOTHING, USUAL_SMOOTHING
+from palpate_editor.scan import (
+    MOST_SMOOTHING,
+    USUAL_SMOOTHING,
+    Choice,
+    Limits,
+    Scan,
+    describe_choice,
+    read_range,
+    read_scan,
+)
 from palpate_editor.verbs.files import OUTPUTS, write_any
 from palpate_editor.verbs.mesh import UNITS, decimate_to, describe_decimate
 

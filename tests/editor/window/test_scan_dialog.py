@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from hands import child, click
-from palpate_editor.scan import Choice
-from palpate_editor.views.scan.outlines import cut_surface, find_chosen, outline
+from palpate_editor.scan import Choice, find_chosen
+from palpate_editor.views.scan.outlines import cut_surface, outline
 from patience import settle
 from PySide6.QtCore import Qt
 

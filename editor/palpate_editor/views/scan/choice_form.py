@@ -14,8 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from palpate_editor.scan import Choice, Scan
-from palpate_editor.scan.choice import MOST_SMOOTHING, USUAL_SMOOTHING
+from palpate_editor.scan import MOST_SMOOTHING, USUAL_SMOOTHING, Choice, Scan
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.translations import quantity, tr
 

@@ -5,24 +5,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from palpate_editor.scan import Choice, Scan
+from palpate_editor.scan import Scan
 
 OFF = 1e-6
 """[voxel] By which a cut avoids vertices that lie on a slice."""
-
-
-def find_chosen(plane: np.ndarray, choice: Choice | None) -> np.ndarray:
-    """Which voxels of a slice are chosen."""
-    if choice is None:
-        return np.zeros(plane.shape, bool)
-    if choice.labels:
-        return np.isin(plane, choice.labels)
-    mask = np.ones(plane.shape, bool)
-    if choice.low is not None:
-        mask &= plane >= choice.low
-    if choice.high is not None:
-        mask &= plane <= choice.high
-    return mask
 
 
 def outline(mask: np.ndarray) -> np.ndarray:

@@ -8,8 +8,8 @@ import pyqtgraph
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSlider, QVBoxLayout, QWidget
 
-from palpate_editor.scan import Choice, Scan
-from palpate_editor.views.scan.outlines import cut_surface, find_chosen, outline
+from palpate_editor.scan import Choice, Scan, find_chosen
+from palpate_editor.views.scan.outlines import cut_surface, outline
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.theme import Colours
 from palpate_editor.views.translations import tr
@@ -106,7 +106,10 @@ class SliceView(QWidget):
         self.image.setLevels((low, high))
 
     def show_choice(self, choice: Choice | None) -> None:
-        self.draw(self.chosen, outline(find_chosen(self.plane(), choice)))
+        lines = np.empty((0, 2))
+        if choice is not None:
+            lines = outline(find_chosen(self.plane(), choice))
+        self.draw(self.chosen, lines)
 
     def show_surface(self, places: np.ndarray | None, triangles: np.ndarray | None) -> None:
         lines = np.empty((0, 2))

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What of a scan becomes a surface."""
+"""What of a scan becomes a surface: the same for who asks and for the child that reads scans."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+
+import numpy as np
 
 USUAL_SMOOTHING = 0.8
 """[voxel] Of labels, whose surface is one of stairs; a range of grey levels lies between voxels."""
@@ -46,6 +48,18 @@ class Choice:
         if self.smooth is not None:
             return self.smooth
         return USUAL_SMOOTHING if self.labels else 0.0
+
+
+def find_chosen(voxels: np.ndarray, choice: Choice) -> np.ndarray:
+    """Which voxels of a volume or of a slice are chosen; bool, of their shape."""
+    if choice.labels:
+        return np.isin(voxels, choice.labels)
+    chosen = np.ones(voxels.shape, bool)
+    if choice.low is not None:
+        chosen &= voxels >= choice.low
+    if choice.high is not None:
+        chosen &= voxels <= choice.high
+    return chosen
 
 
 def read_range(text: str) -> tuple[float | None, float | None]:
