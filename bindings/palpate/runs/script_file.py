@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 
 import palpate
+from palpate.files.json_document import read_document
 from palpate.files.json_part import json_kind, read_part
-from palpate.files.read_file import read_file
 from palpate.files.refusal import Refusal
 from palpate.files.whole_file import write_whole
 from palpate.runs.live import LONGEST
@@ -58,10 +58,9 @@ def write_script_file(path: Path, frames: Sequence[palpate.KeyFrame]) -> None:
 
 def read_script_file(path: Path) -> list[palpate.KeyFrame]:
     """Reads and checks a script. Raises Refusal or OSError."""
-    try:
-        data = json.loads(read_file(path, MOST_BYTES))
-    except (ValueError, RecursionError) as problem:
-        raise Refusal(path, "", f"text that is not JSON ({problem})", "a script") from None
+    data = read_document(
+        path, format=FORMAT, version=VERSION, what="a script", most_bytes=MOST_BYTES
+    )
     rows = check_head(path, data)
     frames = [read_frame(path, k, row) for k, row in enumerate(rows)]
     for k, (before, frame) in enumerate(zip(frames, frames[1:], strict=False), start=1):
@@ -72,15 +71,8 @@ def read_script_file(path: Path) -> list[palpate.KeyFrame]:
     return frames
 
 
-def check_head(path: Path, data: Any) -> list[Any]:
+def check_head(path: Path, data: dict[str, Any]) -> list[Any]:
     """The rows of a script whose outer form is right."""
-    if not isinstance(data, dict) or data.get("format") != FORMAT:
-        found = json_kind(data.get("format")) if isinstance(data, dict) else "no object"
-        raise Refusal(path, "format", found, f'"{FORMAT}"')
-    if data.get("version") != VERSION or isinstance(data.get("version"), bool):
-        raise Refusal(
-            path, "version", json_kind(data.get("version")), f"{VERSION}, the one known here"
-        )
     unknown = set(data) - {"format", "version", "frames"}
     if unknown:
         raise Refusal(path, sorted(unknown)[0], "an unknown field", "format, version and frames")

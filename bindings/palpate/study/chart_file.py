@@ -11,8 +11,8 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from palpate.files.json_document import read_document
 from palpate.files.json_part import json_kind, read_part
-from palpate.files.read_file import read_file
 from palpate.files.refusal import Refusal
 from palpate.files.whole_file import write_whole
 from palpate.scene.scene_parts import CONTACT_LAWS, FILLED, KINDS, ORIGINS
@@ -48,17 +48,9 @@ def hash_content(content: Json) -> str:
 
 def read_chart(path: Path) -> Chart:
     """Checked field by field and against its hash. Raises Refusal or OSError."""
-    try:
-        data = json.loads(read_file(path, MOST_BYTES))
-    except (ValueError, RecursionError) as problem:
-        raise Refusal(path, "", f"text that is not JSON ({problem})", "a chart") from None
-    if not isinstance(data, dict) or data.get("format") != FORMAT:
-        found = json_kind(data.get("format")) if isinstance(data, dict) else "no object"
-        raise Refusal(path, "format", found, f'"{FORMAT}"')
-    if data.get("version") != VERSION or isinstance(data.get("version"), bool):
-        raise Refusal(
-            path, "version", json_kind(data.get("version")), f"{VERSION}, the one known here"
-        )
+    data = read_document(
+        path, format=FORMAT, version=VERSION, what="a chart", most_bytes=MOST_BYTES
+    )
     content = {name: data[name] for name in data if name not in ("format", "version", "sha256")}
     rows = content.get("rows")
     if not isinstance(rows, list) or len(rows) > MOST_ROWS:

@@ -2207,5 +2207,9 @@
         <source>who published it, and where</source>
         <translation>kim, nerede yayımladı</translation>
     </message>
+    <message>
+        <source>%1, the one known here</source>
+        <translation>%1, burada bilinen tek sürüm</translation>
+    </message>
 </context>
 </TS>
