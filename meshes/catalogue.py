@@ -23,7 +23,7 @@ PICTURES = HERE / "pictures"
 """Small ones of every organ, NAME_light.png and NAME_dark.png."""
 CATALOGUE, TISSUES = HERE / "CATALOGUE.toml", HERE / "tissues.toml"
 LIBRARY = HERE / "tissue_library.toml"
-"""Further tissues, which no organ that ships is made of; palpate_editor.library reads it."""
+"""Further tissues, which no organ that ships is made of; palpate_editor.tissue_library reads it."""
 
 
 @dataclass(frozen=True)

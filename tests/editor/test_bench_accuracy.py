@@ -218,7 +218,7 @@ def test_the_cheapest_that_passes_counts_and_not_the_cheapest():
     assert best["Newton"]["any_step"] is None
 
 
-def test_at_both_places_it_is_the_same_configuration_and_the_dearer_run():
+def test_at_both_places_it_is_the_same_configuration_and_the_costlier_run():
     both = make_report()["best_at_both_places"]
 
     assert both["Palpate"]["words"] == "3000"

@@ -141,7 +141,7 @@ def advise(chart: Chart, targets: Targets, find_steps: FindSteps) -> Advice:
     whose costs cannot be told apart, it is the most accurate.
 
     Args:
-        chart: At the rate of the targets; whoever calls sees to that.
+        chart: At the rate of the targets, which the caller has checked.
         targets: What is asked for.
         find_steps: Asked for rows that could be chosen, and the neighbours of the choice.
     """

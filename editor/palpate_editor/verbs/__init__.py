@@ -11,13 +11,13 @@ from palpate_editor.verbs import (
     check,
     demo,
     felt,
-    library,
     mesh,
     organs,
     paint,
     publish,
     scan,
     tissue,
+    tissue_library,
     truth,
 )
 from palpate_editor.verbs.editor import EDITOR
@@ -26,7 +26,7 @@ VERBS = [
     *mesh.VERBS,
     *scan.VERBS,
     *tissue.VERBS,
-    *library.VERBS,
+    *tissue_library.VERBS,
     *appearance.VERBS,
     *paint.VERBS,
     *calibrate.VERBS,

@@ -35,7 +35,7 @@ from palpate_editor.kinds import compare_kinds, describe_kinds
 from palpate_editor.scene_files import name_mesh, write_scene
 from palpate_editor.verbs.check import describe_problems
 from palpate_editor.verbs.files import ReadFile, apply, open_any
-from palpate_editor.verbs.library import add_tissue_options, set_tissues
+from palpate_editor.verbs.tissue_library import add_tissue_options, set_tissues
 
 
 def read_constant(constant: Constant, unit: str) -> Callable[[str], float | str]:

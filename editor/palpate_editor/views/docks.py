@@ -15,7 +15,7 @@ DIRECT = Qt.FindChildOption.FindDirectChildrenOnly
 SIDE, STAGE, BELOW = 262, 396, 226
 """[px] widths of the docks at the left and right, height of those below."""
 APART = {"chart": QSize(1060, 640)}
-"""[px] Docks that begin as windows of their own, not shown; whoever wants one puts it elsewhere."""
+"""[px] Docks that begin hidden, as floating windows; they can be docked."""
 FOLDED, LEAST = 400, 200
 """[px] width of docks that are folded into one column, as it begins and at the least."""
 

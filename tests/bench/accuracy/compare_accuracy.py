@@ -96,15 +96,15 @@ def find_best(
 
 
 def find_both(rows: list[dict], engine: str) -> dict | None:
-    """The cheapest configuration that passes at every place of the solid, with its dearer row."""
+    """The cheapest configuration that passes at every place of the solid, with the more expensive row of its two places."""
     rows = [row for row in rows if row["engine"] == engine and row["work"] in SOLID]
     fit = []
     for words in dict.fromkeys(row["words"] for row in rows):
         alike = [row for row in rows if row["words"] == words]
         if len(alike) == len(SOLID) and all(row["passes"] for row in alike):
-            dearer = max(alike, key=lambda row: row["cpu_per_second"])
+            costlier = max(alike, key=lambda row: row["cpu_per_second"])
             errors = [error for row in alike for error in row["errors"]]
-            fit.append({**dearer, "errors": errors})
+            fit.append({**costlier, "errors": errors})
     return min(fit, key=lambda row: row["cpu_per_second"], default=None)
 
 

@@ -76,7 +76,7 @@ def build_engine(
         return total
 
     def positions() -> np.ndarray:
-        # it begins anew by itself where it was unstable
+        # it resets itself where it was unstable
         return np.full((1, 3), np.nan) if unstable.number else data.flexvert_xpos
 
     return Engine(step, force, positions)

@@ -42,7 +42,7 @@ def test_the_schema_has_every_field_of_a_chart():
 
 
 def spoil(path: Path, change, *, hashed: bool = True) -> None:
-    """Changes a written chart; with its hash made anew, as who edits a file by hand might."""
+    """Changes a written chart; with a new hash, as an edit by hand might."""
     data = json.loads(path.read_text())
     change(data)
     if hashed:
@@ -112,7 +112,7 @@ def test_the_front_is_what_nothing_cheaper_is_better_than():
 def test_what_the_intervals_cannot_tell_from_the_front_stays_on_it():
     best = make_row(0, cost=1e-4, error=0.10)
     as_good = make_row(1, cost=1.05e-4, error=0.105)  # intervals of 10 % overlap
-    as_right = make_row(2, cost=2e-4, error=0.11)  # dearer, but the truth itself is 2 % off
+    as_right = make_row(2, cost=2e-4, error=0.11)  # costs more, but the truth itself is 2 % off
     beaten = make_row(3, cost=2e-4, error=0.13)
 
     found = find_possible_front([best, as_good, as_right, beaten], 0.02)

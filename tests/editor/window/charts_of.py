@@ -47,11 +47,11 @@ def make_chart(organ: Organ, count: int | None = None) -> Chart:
 
 
 def make_row(organ: Organ, number: int, c: Configuration) -> Row:
-    """Finer is dearer and better; what is implicit costs more."""
+    """A finer mesh costs more and is better; what is implicit costs more."""
     ran = number % 5 != 4
     size = (c.tetrahedra or 3 * (c.vertices or organ.vertex_count)) / 1000.0
-    dear = 1.0 if c.integrator == "symplectic_euler" else 6.0
-    cost = 4e-5 * size**1.1 * dear * (0.4 if c.kind == "linear_solid" else 1.0)
+    slower = 1.0 if c.integrator == "symplectic_euler" else 6.0
+    cost = 4e-5 * size**1.1 * slower * (0.4 if c.kind == "linear_solid" else 1.0)
     off = 0.05 + 0.3 * exp(-size) + (0.25 if c.constants == "chosen" else 0.0)
     error = off * (1.4 if c.contact_law == "hard" else 1.0) * (0.9 + 0.02 * (number % 7))
     return Row(

@@ -10,7 +10,7 @@ from pathlib import Path
 import palpate_editor
 from palpate_editor.document.constants import CONSTANTS, LAW_NAMES, VALUE_NAMES
 from palpate_editor.edits import EVERY_EDIT
-from palpate_editor.library import read_library
+from palpate_editor.tissue_library import read_library
 from palpate_editor.shipped import list_tissues
 
 SOURCES = Path(palpate_editor.__file__).parent

@@ -25,7 +25,7 @@ from PySide6.QtWidgets import (
 from palpate_editor.app.spoken import say_tissue
 from palpate_editor.document.constants import find_constant
 from palpate_editor.edits import EditError
-from palpate_editor.library import LibraryTissue, Value, read_library
+from palpate_editor.tissue_library import LibraryTissue, Value, read_library
 from palpate_editor.own_values import (
     QUANTITIES,
     OwnValue,

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from palpate_editor.document import Organ
 from palpate_editor.edits import SetMaterial, SetTissue
-from palpate_editor.library import LibraryTissue, choose, read_library, search
+from palpate_editor.tissue_library import LibraryTissue, choose, read_library, search
 from palpate_editor.views.context import Context
 from palpate_editor.views.shipped_organs import name_tissue
 from palpate_editor.views.stages.facts import write_label
@@ -50,9 +50,9 @@ class PublishedValues(QWidget):
     def __init__(self, context: Context, parent: QWidget | None = None):
         super().__init__(parent)
         self.context = context
-        self.library = read_tissues(context)
-        self.titles = {t.name: name_tissue(t.name, t.title) for t in self.library}
-        self.tissues = self.library
+        self.known = read_tissues(context)
+        self.titles = {t.name: name_tissue(t.name, t.title) for t in self.known}
+        self.tissues = self.known
         """Those that the words find."""
         self.dialog: PublishedDialog | None = None
         column = QVBoxLayout(self)
@@ -118,9 +118,9 @@ class PublishedValues(QWidget):
     def fill(self, words: str) -> None:
         """The tissues that have every word; all where none has."""
         chosen = self.chosen()
-        found = search(self.library, words, self.titles)
+        found = search(self.known, words, self.titles)
         set_tone(self.words, "" if found else "bad")
-        self.tissues = found or self.library
+        self.tissues = found or self.known
         self.box.blockSignals(True)
         self.box.clear()
         self.box.addItems([self.titles[tissue.name] for tissue in self.tissues])
@@ -177,7 +177,7 @@ class PublishedValues(QWidget):
             self.dialog = PublishedDialog(self.context, self)
         tissue = self.chosen()
         if tissue is not None:
-            self.dialog.show_tissue(self.library.index(tissue))
+            self.dialog.show_tissue(self.known.index(tissue))
 
     def use_tissue(self) -> None:
         tissue, region = self.chosen(), self.region.currentData()

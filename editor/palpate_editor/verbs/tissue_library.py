@@ -13,7 +13,7 @@ from palpate.files.refusal import Refusal
 from palpate_editor.document import Organ
 from palpate_editor.document.constants import find_constant
 from palpate_editor.edits import SetTissue
-from palpate_editor.library import (
+from palpate_editor.tissue_library import (
     LibraryTissue,
     Value,
     choose,
@@ -30,6 +30,7 @@ MARKS = {"checked": "checked", "recalled": "RECALLED", "unknown": "UNKNOWN"}
 def add_library(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--library",
+        dest="own_tissues",
         type=Path,
         metavar="FILE",
         help=f"your own tissues, as TOML ({find_own_file().name} in the folder of your settings)",
@@ -59,11 +60,11 @@ def add_tissue_options(parser: argparse.ArgumentParser) -> None:
 def set_tissues(call: argparse.Namespace, organ: Organ) -> Organ:
     """The organ with every tissue of the call, that of the whole organ first. Raises Refusal."""
     if not call.tissue:
-        for option, is_given in (("--recalled", call.recalled), ("--library", call.library)):
+        for option, is_given in (("--recalled", call.recalled), ("--library", call.own_tissues)):
             if is_given:
                 raise WrongCall(f"{option} needs --tissue")
         return organ
-    tissues = read_library(call.library)
+    tissues = read_library(call.own_tissues)
     modulus = getattr(call, "material.young_modulus")
     wanted = [text.rpartition("=")[::2] for text in call.tissue]
     for region, name in sorted(wanted, key=lambda row: row[0] != ""):
@@ -88,7 +89,7 @@ def add_tissues(parser: argparse.ArgumentParser) -> None:
 
 def run_tissues(call: argparse.Namespace) -> Report:
     words = " ".join(call.search)
-    found = search(read_library(call.library), words)
+    found = search(read_library(call.own_tissues), words)
     if not found:
         raise Refusal(None, "tissues", f"{words!r}, which none is called", "other words, or none")
     return {"search": words, "tissues": [report_tissue(tissue) for tissue in found]}

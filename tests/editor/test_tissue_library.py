@@ -17,7 +17,7 @@ from palpate_editor.document.constants import find_constant
 from palpate_editor.document.files import read_organ, write_organ
 from palpate_editor.document.tissue_rules import find_tissue_problems
 from palpate_editor.edits import EditError, SetConstant, SetTissue
-from palpate_editor.library import (
+from palpate_editor.tissue_library import (
     choose,
     find_own_file,
     find_tissue,
@@ -50,7 +50,7 @@ status = "checked"
 
 @pytest.fixture(autouse=True)
 def settings(tmp_path, monkeypatch):
-    """No library of whoever runs the tests is read."""
+    """The own library of the account that runs the tests is not read."""
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "settings"))
     return tmp_path / "settings"
 
