@@ -101,6 +101,7 @@ def touch_along_edges(x: np.ndarray, t: np.ndarray, random: Random) -> Mesh:
 
 
 def build_voxels(solid: np.ndarray, size: float) -> Mesh:
+    """The surface of voxels, with the vertices of neighbours shared, as segmentations have."""
     number: dict[tuple[int, ...], int] = {}
     triangles = []
     whole = np.pad(solid, 1)
@@ -116,7 +117,7 @@ def build_voxels(solid: np.ndarray, size: float) -> Mesh:
                 ids = [number.setdefault(tuple(c.tolist()), len(number)) for c in corners]
                 ids = ids if side else ids[::-1]
                 triangles += [ids[:3], [ids[0], ids[2], ids[3]]]
-    return size * np.array(list(number), float), np.array(triangles)
+    return size * (np.array(list(number), float) - 1.0), np.array(triangles)
 
 
 def nest_parts(x: np.ndarray, t: np.ndarray, random: Random) -> Mesh:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A wrong unit is told by the organ's name: guessed again, or said before the organ is published."""
+"""A wrong unit is told by the organ's name: guessed again, or said before it is published."""
 
 from __future__ import annotations
 

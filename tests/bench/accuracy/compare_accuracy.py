@@ -96,7 +96,7 @@ def find_best(
 
 
 def find_both(rows: list[dict], engine: str) -> dict | None:
-    """The cheapest configuration that passes at every place of the solid, with the more expensive row of its two places."""
+    """The cheapest configuration that passes at every place of the solid, as its costliest row."""
     rows = [row for row in rows if row["engine"] == engine and row["work"] in SOLID]
     fit = []
     for words in dict.fromkeys(row["words"] for row in rows):

@@ -10,8 +10,8 @@ from pathlib import Path
 import palpate_editor
 from palpate_editor.document.constants import CONSTANTS, LAW_NAMES, VALUE_NAMES
 from palpate_editor.edits import EVERY_EDIT
-from palpate_editor.tissue_library import read_library
 from palpate_editor.shipped import list_tissues
+from palpate_editor.tissue_library import read_library
 
 SOURCES = Path(palpate_editor.__file__).parent
 Spoken = set[tuple[str, str]]
