@@ -13,32 +13,18 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import scipy.sparse as sparse
+from half_spaces import SOFT, build_half_space
 from palpate.study.contact_reference import Case, read_contact_reference
 from palpate.study.half_space import compute_sphere_force, plane_modulus
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "references"))
 
 from axisymmetric import build_disc, press
-from palpate_editor.truth.contact import PENALTY, Patch, find_gap, find_touch, press_ball
+from palpate_editor.truth.contact import PENALTY, find_gap, find_touch, press_ball
 
-SOFT = (5e3, 0.45)
 UP = np.array([0.0, 0.0, 1.0])
 BLOCK_RADIUS, BLOCK_HEIGHT = 0.1 / np.sqrt(pi), 0.05
 """[m] The disc of the block's area and height."""
-
-
-def build_half_space(radius: float, half: float, count: int) -> Patch:
-    """Squares of one pressure each on a half space [Boussinesq85], under a paraboloid."""
-    side = 2.0 * half / count
-    at = (np.arange(count) + 0.5) * side - half
-    x = np.stack(np.meshgrid(at, at, indexing="ij"), axis=2).reshape(-1, 2)
-    far = np.linalg.norm(x[:, None] - x, axis=2)
-    np.fill_diagonal(far, side / (4.0 * np.log(1.0 + np.sqrt(2.0))))
-    compliance = 1.0 / (pi * plane_modulus(*SOFT) * far)
-    count = len(x)
-    gap = (x**2).sum(axis=1) / (2.0 * radius)
-    return Patch(compliance, sparse.eye(count, format="csr"), np.full(count, side**2), gap)
 
 
 def test_a_ball_on_a_condensed_half_space_feels_what_hertz_says():

@@ -3,17 +3,14 @@
 
 from __future__ import annotations
 
-from math import pi
-
 import numpy as np
 import pytest
-import scipy.sparse as sparse
+from half_spaces import SOFT, build_half_space
 from palpate.study.half_space import plane_modulus
 from palpate_editor.truth import hold
 from palpate_editor.truth.contact import PENALTY, Patch, press_ball
 from palpate_editor.truth.hold import Hold, pull_ball
 
-SOFT = (5e3, 0.45)
 RADIUS, GRIP = 5e-3, 0.5e-3
 UP = np.array([0.0, 0.0, 1.0])
 STIFF = PENALTY * plane_modulus(*SOFT) / RADIUS
@@ -22,17 +19,8 @@ STIFF = PENALTY * plane_modulus(*SOFT) / RADIUS
 def build_patch(count: int = 15) -> tuple[Patch, np.ndarray]:
     """Squares of one pressure each on a half space [Boussinesq85]; along the surface they do not
     move."""
-    half = 2e-3
-    side = 2.0 * half / count
-    at = (np.arange(count) + 0.5) * side - half
-    x = np.stack(np.meshgrid(at, at, indexing="ij"), axis=2).reshape(-1, 2)
-    far = np.linalg.norm(x[:, None] - x, axis=2)
-    np.fill_diagonal(far, side / (4.0 * np.log(1.0 + np.sqrt(2.0))))
-    compliance = 1.0 / (pi * plane_modulus(*SOFT) * far)
-    gap = (x**2).sum(axis=1) / (2.0 * RADIUS)
-    points = len(x)
-    patch = Patch(compliance, sparse.eye(points, format="csr"), np.full(points, side**2), gap)
-    return patch, np.kron(compliance, np.outer(UP, UP))
+    patch = build_half_space(RADIUS, 2e-3, count)
+    return patch, np.kron(patch.compliance, np.outer(UP, UP))
 
 
 def pull(stiffness: float, depths: list[float]) -> list:
