@@ -8,8 +8,8 @@
 #include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/tick/tick.h"
 #include "palpate/sim/tree/queries.h"
+#include "scenes/held_block.h"
 #include "scenes/kernels.h"
-#include "scenes/linear_solids.h"
 
 // What is felt of a solid under a ball, through the tick [contact: near field].
 
@@ -17,10 +17,10 @@ using namespace palpate;
 
 namespace {
 
-constexpr double kYoung = 5000.0, kPoisson = 0.45;                 // of scenes::make_material
-constexpr double kModulus = kYoung / (1.0 - kPoisson * kPoisson);  ///< [Pa]
+constexpr double kYoung = scenes::kBlockYoung, kPoisson = scenes::kBlockPoisson;
+constexpr double kModulus = scenes::kBlockModulus;  ///< [Pa]
 constexpr double kTick = 1e-3;
-constexpr double kThickness = 0.05;  ///< [m]
+constexpr double kThickness = scenes::kBlockThickness;  ///< [m]
 
 enum class Kind { springs, linear, corotated, neo_hookean };
 
@@ -33,15 +33,7 @@ struct Press {
 
 /// A block of 100 x 100 x 50 mm, held below, of 24 n³ tetrahedra.
 Scene make_block_scene(Kind kind, int n, double radius, double modulus) {
-  const SolidMesh solid = scenes::make_block({0.1, 0.1, kThickness}, {2 * n, 2 * n, n});
-  SolidOptions options;
-  options.nodal_share = 0.9;
-  for (std::size_t i = 0; i < solid.vertices.size(); ++i) {
-    if (solid.vertices[i].z() < -0.499 * kThickness) options.fixed.push_back(static_cast<int>(i));
-  }
-  Material material = scenes::make_material({});
-  material.young_modulus = kYoung;
-  material.poisson_ratio = kPoisson;
+  auto [solid, material, options] = scenes::make_held_block(n);
   Scene scene;
   if (kind == Kind::springs) {
     options.drag = 60.0;

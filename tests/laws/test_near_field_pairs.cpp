@@ -6,7 +6,7 @@
 
 #include "palpate/sim/contact/private/local_press.h"
 #include "palpate/sim/tick/tick.h"
-#include "scenes/linear_solids.h"
+#include "scenes/held_block.h"
 
 // Two balls on one solid: what one sinks, the other has less of a dent in [contact: near field].
 
@@ -14,21 +14,13 @@ using namespace palpate;
 
 namespace {
 
-constexpr double kYoung = 5000.0, kPoisson = 0.45;                 // of scenes::make_material
-constexpr double kModulus = kYoung / (1.0 - kPoisson * kPoisson);  ///< [Pa]
-constexpr double kTick = 1e-3, kThickness = 0.05, kRadius = 0.003;
+constexpr double kPoisson = scenes::kBlockPoisson;
+constexpr double kModulus = scenes::kBlockModulus;  ///< [Pa]
+constexpr double kTick = 1e-3, kThickness = scenes::kBlockThickness, kRadius = 0.003;
 
 /// A block of 100 x 100 x 50 mm, held below, of 24 n³ tetrahedra, and two balls.
 Scene make_pair_scene(int n) {
-  const SolidMesh solid = scenes::make_block({0.1, 0.1, kThickness}, {2 * n, 2 * n, n});
-  SolidOptions options;
-  options.nodal_share = 0.9;
-  for (std::size_t i = 0; i < solid.vertices.size(); ++i) {
-    if (solid.vertices[i].z() < -0.499 * kThickness) options.fixed.push_back(static_cast<int>(i));
-  }
-  Material material = scenes::make_material({});
-  material.young_modulus = kYoung;
-  material.poisson_ratio = kPoisson;
+  const auto [solid, material, options] = scenes::make_held_block(n);
   Scene scene;
   scene.bodies[0].tissue = build_linear_solid(solid, material, options);
   scene.bodies[0].contact_modulus = kModulus;
