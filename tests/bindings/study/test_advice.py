@@ -7,7 +7,7 @@ from dataclasses import replace
 from math import inf
 
 import pytest
-from charts import make_chart, make_row
+from made_up_charts import make_chart, make_row
 from palpate.study.advice import (
     DISPLACEMENT,
     FORCE,

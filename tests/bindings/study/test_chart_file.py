@@ -10,7 +10,7 @@ from pathlib import Path
 import jsonschema
 import palpate
 import pytest
-from charts import make_chart, make_row
+from made_up_charts import make_chart, make_row
 from palpate.files.file_kind import CHART, find_kind
 from palpate.files.refusal import Refusal
 from palpate.study import scene_chart
