@@ -6,7 +6,6 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
-    QDoubleSpinBox,
     QGridLayout,
     QListWidget,
     QListWidgetItem,
@@ -15,6 +14,7 @@ from PySide6.QtWidgets import (
 )
 
 from palpate_editor.scan import MOST_SMOOTHING, USUAL_SMOOTHING, Choice, Scan
+from palpate_editor.views.number_box import NumberBox
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.translations import quantity, tr
 
@@ -47,7 +47,7 @@ class ChoiceForm(QWidget):
         self.largest.toggled.connect(self.changed)
         column.addWidget(self.largest)
         row = QGridLayout()
-        self.smooth = QDoubleSpinBox(self)
+        self.smooth = NumberBox(self)
         self.smooth.setObjectName("scan_smooth")
         self.smooth.setRange(0.0, MOST_SMOOTHING)
         self.smooth.setSingleStep(0.1)
@@ -59,8 +59,8 @@ class ChoiceForm(QWidget):
         column.addLayout(row)
         column.addStretch(0)
 
-    def add_end(self, grid: QGridLayout, text: str, name: str, row: int) -> QDoubleSpinBox:
-        field = QDoubleSpinBox(self)
+    def add_end(self, grid: QGridLayout, text: str, name: str, row: int) -> NumberBox:
+        field = NumberBox(self)
         field.setObjectName(name)
         field.setDecimals(1)
         field.setKeyboardTracking(False)

@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QGridLayout, QSlider, QWidget
+from PySide6.QtWidgets import QComboBox, QGridLayout, QSlider, QWidget
 
 from palpate_editor.scan import Scan
+from palpate_editor.views.number_box import NumberBox
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.translations import tr
 
@@ -46,7 +47,7 @@ class LevelForm(QWidget):
         grid.addWidget(self.box, 0, 0, 1, 3)
         self.sliders, self.fields = [], []
         for row, (text, name) in enumerate(((tr("Level"), "level"), (tr("Window"), "window"))):
-            slider, field = QSlider(Qt.Orientation.Horizontal, self), QDoubleSpinBox(self)
+            slider, field = QSlider(Qt.Orientation.Horizontal, self), NumberBox(self)
             slider.setRange(0, STEPS)
             slider.setObjectName(f"{name}_slider")
             slider.setAccessibleName(text)

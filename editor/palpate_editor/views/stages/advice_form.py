@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING
 from palpate.study.advice import Targets
 from palpate.study.scene_chart import DISPLACEMENT_TARGET, FORCE_TARGET
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QDoubleSpinBox, QGridLayout, QHBoxLayout, QPushButton, QWidget
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QPushButton, QWidget
 
 from palpate_editor.advice_words import describe_advised
 from palpate_editor.document import Organ
 from palpate_editor.views.chart.advisor import Advisor
 from palpate_editor.views.chart.work_bar import WorkBar
 from palpate_editor.views.context import Context
+from palpate_editor.views.number_box import NumberBox
 from palpate_editor.views.stages.facts import Section, write_label
 from palpate_editor.views.translations import say, tr
 
@@ -62,9 +63,9 @@ class AdviceForm(Section):
         advisor.ended.connect(self.show_busy)
         advisor.advised.connect(self.show_advised)
 
-    def add_target(self, grid: QGridLayout, text: str, name: str, target: float) -> QDoubleSpinBox:
+    def add_target(self, grid: QGridLayout, text: str, name: str, target: float) -> NumberBox:
         """In per cent."""
-        box = QDoubleSpinBox(self)
+        box = NumberBox(self)
         box.setObjectName(name)
         box.setAccessibleName(text)
         box.setRange(0.1, 100.0)

@@ -9,7 +9,6 @@ from math import isfinite
 import numpy as np
 from PySide6.QtWidgets import (
     QCheckBox,
-    QDoubleSpinBox,
     QHBoxLayout,
     QPushButton,
     QVBoxLayout,
@@ -24,6 +23,7 @@ from palpate_editor.edits import FixLowest, FixVertices, SetGravity
 from palpate_editor.trial import has_hard_law
 from palpate_editor.views.chart.advisor import Advisor
 from palpate_editor.views.context import Context
+from palpate_editor.views.number_box import NumberBox
 from palpate_editor.views.stages.advice_form import AdviceForm
 from palpate_editor.views.stages.constant_form import ChoiceField, ConstantField, build_grid
 from palpate_editor.views.stages.contact_offer import ContactOffer
@@ -169,10 +169,9 @@ class MaterialPanel(StagePanel):
     def build_support(self, section: Section) -> None:
         row = QHBoxLayout()
         row.setSpacing(8)
-        self.share = QDoubleSpinBox(self)
+        self.share = NumberBox(self)
         self.share.setObjectName("lowest_share")
         self.share.setRange(0.5, 100.0)
-        self.share.lineEdit().setTextMargins(5, 0, 5, 0)
         self.share.setDecimals(1)
         self.share.setValue(10.0)
         self.share.setSuffix("\N{NO-BREAK SPACE}%")

@@ -25,7 +25,6 @@ from PySide6.QtWidgets import (
 from palpate_editor.app.spoken import say_tissue
 from palpate_editor.document.constants import find_constant
 from palpate_editor.edits import EditError
-from palpate_editor.tissue_library import LibraryTissue, Value, read_library
 from palpate_editor.own_values import (
     QUANTITIES,
     OwnValue,
@@ -34,6 +33,7 @@ from palpate_editor.own_values import (
     read_own_values,
     write_own_values,
 )
+from palpate_editor.tissue_library import LibraryTissue, Value, read_library
 from palpate_editor.views.context import Context
 from palpate_editor.views.quantity_box import QuantityBox, QuantityRow
 from palpate_editor.views.shipped_organs import name_tissue
