@@ -82,6 +82,4 @@ def encode_refusal(refusal: Refusal) -> bytes:
 
 
 def describe_filling(cells: int) -> str:
-    return (
-        f"{cells} cells fill it: their outer faces are the surface; the organ is filled again"
-    )
+    return f"{cells} cells fill it: their outer faces are the surface; the organ is filled again"
