@@ -13,7 +13,7 @@ struct DecimatedMesh {
   double smallest_angle_before_deg;  ///< edges collapsed, triangles not yet improved
   double smallest_angle_deg;
   double mean_distance;  ///< [m] from the new surface's triangles to the source
-  double max_distance;   ///< [m] either way, at vertices, edges and triangles
+  double max_distance;   ///< [m] no point of either is further from the other
   std::optional<int> self_intersecting_faces;  ///< absent where counting would take too long
 };
 

@@ -89,6 +89,51 @@ def test_the_new_surface_lies_on_the_old_one(spleen):
     assert palpate.compute_volume(small.mesh) == pytest.approx(volume, rel=0.03)
 
 
+def scatter(mesh: palpate.SurfaceMesh, count: int) -> np.ndarray:
+    """[m] (count, 3) all over a surface."""
+    rng = np.random.default_rng(5)
+    x, triangles = np.asarray(mesh.vertices)[np.asarray(mesh.triangles)], len(mesh.triangles)
+    areas = np.linalg.norm(np.cross(x[:, 1] - x[:, 0], x[:, 2] - x[:, 0]), axis=1)
+    chosen = x[rng.choice(triangles, count, p=areas / areas.sum())]
+    r, s = np.sqrt(rng.random(count)), rng.random(count)
+    weights = np.stack([1.0 - r, r * (1.0 - s), r * s], axis=1)
+    return (chosen * weights[:, :, None]).sum(axis=1)
+
+
+def find_furthest(one: palpate.SurfaceMesh, other: palpate.SurfaceMesh) -> float:
+    """[m] of many points of a surface from another."""
+    x = np.asarray(other.vertices)
+    tree = palpate.AabbTree(x, np.asarray(other.triangles))
+    points = np.concatenate([scatter(one, 8000), one.vertices])
+    return max(palpate.find_closest_point(tree, x, point).distance for point in points)
+
+
+@pytest.mark.parametrize("vertices", [60, 300, 1200])
+@pytest.mark.parametrize("name", ["spleen", "gallbladder", "flat_sheet"])
+def test_no_point_is_further_than_the_largest_distance_and_some_nearly_are(
+    name, vertices, request
+):
+    source = request.getfixturevalue(name)
+    vertices = min(vertices, len(source.vertices) // 2)
+
+    small = decimate(source, vertices)
+
+    found = max(find_furthest(source, small.mesh), find_furthest(small.mesh, source))
+    assert found <= small.max_distance * (1.0 + 1e-12)
+    assert small.max_distance < 1.3 * found
+
+
+def test_a_flat_sheet_is_nowhere_from_itself():
+    column, row = np.meshgrid(np.arange(12.0), np.arange(12.0))
+    x = np.stack([column, row, np.zeros_like(row)], axis=2).reshape(-1, 3)
+    first = (np.arange(11)[:, None] * 12 + np.arange(11)).ravel()[:, None]
+    triangles = np.concatenate([first + [0, 1, 13], first + [0, 13, 12]])
+    flat = palpate.SurfaceMesh(x, triangles)
+
+    assert decimate(flat, 100).mean_distance < 1e-12
+    assert decimate(flat, 144).max_distance <= 1e-5 * np.hypot(11.0, 11.0)
+
+
 def test_improving_makes_bad_triangles_good(spleen):
     small = decimate(spleen, 600)
 
