@@ -101,8 +101,8 @@ def find_converged(configuration: Configuration) -> Configuration:
 
 
 def pack_document(organ: Organ) -> bytes:
-    """The .organ file of a document, for a plan."""
-    content, arrays = pack_organ(organ)
+    """The .organ file of a document, for a plan: however it came to be what it is."""
+    content, arrays = pack_organ(replace(organ, history=None))
     document = Container(format=FORMAT, version=VERSION, content=json.dumps(content), arrays=arrays)
     return pack_container(document)
 

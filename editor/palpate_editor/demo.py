@@ -7,7 +7,7 @@ import json
 import os
 import subprocess
 import tomllib
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -21,7 +21,7 @@ from palpate.runs.press import PressScript, find_top, write_script
 from palpate.runs.run import Run, picture_of_record, plot_runs, run_script
 from palpate.runs.script_file import write_script_file
 from palpate.scene.scene_file import open_scene
-from palpate.scene.scene_parts import HandPart, MaterialPart, ModelPart, ToolPart
+from palpate.scene.scene_parts import MaterialPart, ModelPart
 from palpate.system.isolated import build_verb
 
 from palpate_editor.authoring import write_mesh
@@ -31,7 +31,18 @@ from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.constants import SHORT_KINDS
 from palpate_editor.document.defaults import CONSTANTS, TABLES
 from palpate_editor.document.files import write_organ
-from palpate_editor.edits import EditError, FixLowest, SetTask, decimate_organ, import_file
+from palpate_editor.edits import (
+    Edit,
+    EditError,
+    FixLowest,
+    SetConstant,
+    SetMaterial,
+    SetName,
+    SetTask,
+    decimate_organ,
+    import_file,
+)
+from palpate_editor.edits.import_mesh import make_writable
 from palpate_editor.publish import publish
 from palpate_editor.scene_files import write_scene
 from palpate_editor.shipped import find_mesh
@@ -86,7 +97,7 @@ def run_demo(
     out.mkdir(parents=True, exist_ok=True)
     source = mesh or find_mesh(SHIPPED)
     organ = make_organ(source, vertices, parts, unit, up, say)
-    organ = replace(organ, name=source.stem)
+    organ = SetName(make_writable(source.stem))(organ)
     assert organ.surface is not None
     write_mesh(out / "organ.obj", mesh_of(organ.surface))
     summary = begin_summary(organ)
@@ -147,21 +158,28 @@ def make_organ(
 
 
 def dress(organ: Organ, kind: str, constants: dict[str, Any]) -> Organ:
-    """The organ with the tissue, tool and hand of a constants file, resting on a table."""
+    """The organ with the tissue, tool and hand of a constants file, resting on a table. Raises
+    Refusal for a number that is out of its range."""
+    try:
+        for edit in list_edits(organ, kind, constants):
+            organ = edit(organ)
+    except EditError as refused:
+        raise Refusal(None, "--constants", str(refused), "numbers that an organ can have") from None
+    return organ
+
+
+def list_edits(organ: Organ, kind: str, constants: dict[str, Any]) -> Iterator[Edit]:
     assert organ.surface is not None
     material = MaterialPart(**constants["material"])
     if palpate.is_closed(organ.surface.triangles):
         material = replace(material, wall_thickness=None)
     surroundings = constants["surroundings"]
     model = ModelPart(kind=SHORT_KINDS[kind], drag=surroundings["drag"], **constants[kind])
-    dressed = replace(
-        organ,
-        material=material,
-        model=model,
-        tool=ToolPart(**constants["tool"]),
-        hand=HandPart(**constants["hand"]),
-    )
-    return FixLowest(surroundings["fix_lowest"])(dressed)
+    yield SetMaterial(material, model)
+    for part in ("tool", "hand"):
+        for field, value in constants[part].items():
+            yield SetConstant(part, field, value)
+    yield FixLowest(surroundings["fix_lowest"])
 
 
 def draw(out: Path, summary: Report, runs: dict[str, Run], script: PressScript) -> None:

@@ -31,7 +31,7 @@ def publish(organ: Organ, path: Path, assessment: Assessment | None = None) -> R
     """Checks, compiles and writes, whole or not at all: a second for a large one, on any thread.
 
     The document itself goes into the file, so that it can be opened again and worked on; where the
-    mesh file lay on the designer's machine does not.
+    mesh file lay on the designer's machine, and what was done to the organ step by step, does not.
 
     Args:
         organ: What is published.
@@ -60,7 +60,7 @@ def publish(organ: Organ, path: Path, assessment: Assessment | None = None) -> R
 
 def write_scenario(organ: Organ, scene: Scene, path: Path) -> None:
     source = organ.source and replace(organ.source, folder="")
-    content, arrays = pack_organ(replace(organ, source=source))
+    content, arrays = pack_organ(replace(organ, source=source, history=None))
     made = scenario.Scenario(
         scene=scene,
         title=organ.title,

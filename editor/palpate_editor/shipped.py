@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from palpate.scene.scene_parts import FillPart, MaterialPart, ModelPart
+from palpate.scene.scene_parts import MaterialPart, ModelPart
 from palpate_meshes.catalogue import (
     PICTURES,
     Entry,
@@ -20,9 +20,9 @@ from palpate_meshes.catalogue import (
     read_tissues,
 )
 
-from palpate_editor.document import EMPTY, Organ, Source, Surface, Translation
+from palpate_editor.document import EMPTY, Organ, Source, Surface
 from palpate_editor.document.files import write_organ
-from palpate_editor.edits import decimate_organ
+from palpate_editor.edits import DecimateTo, Edit, SetConstant, SetMaterial, SetTask
 from palpate_editor.publish import publish
 
 HOW = "ships with Palpate"
@@ -68,23 +68,24 @@ def make_organ(name: str, vertices: int | None = None) -> Organ:
     )
     fixed = np.zeros(len(x), bool)
     fixed[regions[ATTACHMENT]] = True
-    organ = replace(organ, fixed=fixed, regions=regions)
-    if vertices is None and entry.wall_vertices is not None:
-        organ = decimate_organ(organ, entry.wall_vertices)(organ)
     tissue = read_tissues()[entry.tissue]
-    return replace(
-        organ,
-        material=MaterialPart(**tissue.material),
-        model=ModelPart(**tissue.model),
-        fill=organ.fill if entry.tetrahedra is None else FillPart(entry.tetrahedra),
-        tool=replace(organ.tool, radius=entry.tip_radius),
-        appearance=tissue.appearance,
-        title=entry.title,
-        task=entry.task,
-        languages={
-            code: Translation(**translation) for code, translation in entry.languages.items()
-        },
-    )
+    organ = replace(organ, fixed=fixed, regions=regions, appearance=tissue.appearance)
+    if vertices is None and entry.wall_vertices is not None:
+        organ = DecimateTo(entry.wall_vertices)(organ)
+    for edit in list_edits(entry, tissue):
+        organ = edit(organ)
+    return organ
+
+
+def list_edits(entry: Entry, tissue: Tissue) -> Iterator[Edit]:
+    """What makes of the bare surface the organ that ships."""
+    yield SetMaterial(MaterialPart(**tissue.material), ModelPart(**tissue.model), tissue.name)
+    if entry.tetrahedra is not None:
+        yield SetConstant("fill", "tetrahedra", entry.tetrahedra)
+    yield SetConstant("tool", "radius", entry.tip_radius)
+    yield SetTask(entry.title, entry.task)
+    for code, words in entry.languages.items():
+        yield SetTask(words.get("title", ""), words.get("task", ""), code)
 
 
 def describe_source(entry: Entry) -> Source:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from tree import read, source_files
 
 NAMED = re.compile(r"`([\w.<>/-]+/[\w.<>/-]+|[\w-]+\.md)`")
-PARTS = ("A law", "An integrator", "A device", "An editor stage", "Less than that")
+PARTS = ("A law", "An integrator", "A device", "An edit", "An editor stage", "Less than that")
 
 
 def read_section() -> str:

@@ -34,6 +34,7 @@ READ = {
     "--truth",
     "--rerun",
     "--resume",
+    "--original",
 } | {"--chart"}
 """Options that name a file to be read."""
 PRECIOUS = b"the notes of a year\n"

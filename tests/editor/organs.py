@@ -19,6 +19,8 @@ from palpate.scene.scene_parts import (
 from palpate_editor.document import (
     AppliedTissue,
     Decimation,
+    History,
+    Line,
     Organ,
     Repairs,
     Segmentation,
@@ -26,6 +28,7 @@ from palpate_editor.document import (
     Surface,
     Translation,
 )
+from palpate_editor.edits import PaintStiffness, SetName, SetRegion
 from palpate_meshes.generate import ellipsoid, sheet
 
 SOURCE = Source(
@@ -130,6 +133,17 @@ def make_organ(vertices: int = 60, imported: int | None = 150) -> Organ:
     )
 
 
+def with_history(organ: Organ) -> Organ:
+    """The organ after a stroke, a region and a name."""
+    for edit in (
+        PaintStiffness(np.array([7, 9]), np.array([2.5, 1.0 / 3.0])),
+        SetRegion("kapı", np.array([30, 20])),
+        SetName("karaciğer"),
+    ):
+        organ = edit(organ)
+    return organ
+
+
 def two_shells() -> Surface:
     """A large and a small ellipsoid side by side."""
     large, small = surface_of(60), surface_of(50)
@@ -146,6 +160,12 @@ def same(one: Organ, other: Organ) -> bool:
 
 
 def same_value(a: object, b: object) -> bool:
+    for kind in (History, Line, Organ):
+        if isinstance(a, kind) and isinstance(b, kind):
+            return all(same_value(getattr(a, f.name), getattr(b, f.name)) for f in fields(kind))
+    if isinstance(a, list | tuple) and isinstance(b, list | tuple):
+        alike = type(a) is type(b) and len(a) == len(b)
+        return alike and all(map(same_value, a, b))
     if isinstance(a, Surface) and isinstance(b, Surface):
         return same_value(a.vertices, b.vertices) and same_value(a.triangles, b.triangles)
     if isinstance(a, np.ndarray) and isinstance(b, np.ndarray):

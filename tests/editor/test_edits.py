@@ -16,6 +16,7 @@ from organs import (
     moebius,
     open_surface,
     same,
+    same_value,
     surface_of,
     two_shells,
 )
@@ -57,6 +58,7 @@ EXAMPLES = [
     (edits.CutDisagreement(), ONE_SIDED),
     (edits.FillHoles(), OPEN),
     (edits.Decimate(SPLEEN.imported, COARSE, DECIMATION), SPLEEN),
+    (edits.DecimateTo(50), SPLEEN),
     (edits.UseImported(), SPLEEN),
     (edits.SetChoice("kind", "molecular"), SPLEEN),
     (edits.SetConstant("model", "stiffness", 33.0), SPLEEN),
@@ -119,10 +121,28 @@ def test_an_edit_shares_with_the_old_organ_what_it_did_not_change(edit, organ):
 
     changed = {
         f.name for f in fields(Organ) if getattr(after, f.name) is not getattr(organ, f.name)
-    }
+    } - {"history"}
     assert changed
     if not {"surface", "imported"} & changed:
         assert len(changed) <= 2
+
+
+@every
+def test_an_edit_leaves_one_line_by_which_it_is_done_again(edit, organ):
+    organ = edits.SetTask("before")(organ)
+
+    after = edit(organ)
+
+    assert after.history.lines[:-1] == (organ.history.lines if not begins(edit) else ())
+    line = after.history.lines[-1]
+    again = edits.read_line(line, edits.LINES, "a.organ", "history")
+    if not isinstance(edit, edits.Decimate):  # the surface of its example is another
+        assert same(again(organ), after)
+    assert same_value(edits.write_line(again), line)
+
+
+def begins(edit) -> bool:
+    return isinstance(edit, edits.ImportMesh)
 
 
 @every

@@ -12,7 +12,7 @@ import jsonschema
 import numpy as np
 import palpate
 import pytest
-from organs import APPEARANCE, make_organ, open_surface, same
+from organs import APPEARANCE, make_organ, open_surface, same, with_history
 from palpate.scenario import read_container
 from palpate.scene.scene_parts import FillPart
 from palpate_editor.document import EMPTY, Organ
@@ -35,6 +35,8 @@ ORGANS = {
     "decimated": make_organ(),
     "as imported": make_organ(imported=None),
     "made here": replace(make_organ(imported=None), source=None, imported=None),
+    "with lines of history": with_history(make_organ()),
+    "with a line, as imported": with_history(make_organ(imported=None)),
     "open": replace(EMPTY.with_surface(open_surface()), name="sheet"),
     "numbers that are hard to write": replace(
         make_organ(),
@@ -93,7 +95,7 @@ def test_random_organs_come_back_bit_for_bit(tmp_path):
 
 
 def test_every_field_of_an_organ_is_kept_somewhere():
-    content, arrays = pack_organ(make_organ())
+    content, arrays = pack_organ(with_history(make_organ()))
 
     kept = set(content) | {name.split("/")[0] for name in arrays}
 

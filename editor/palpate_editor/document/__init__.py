@@ -7,9 +7,11 @@ left alone, so to undo is to remember. No Qt and no simulation.
 
 from __future__ import annotations
 
+from palpate_editor.document.history import Line
 from palpate_editor.document.organ import (
     EMPTY,
     Decimation,
+    History,
     Organ,
     Repairs,
     Segmentation,
@@ -25,6 +27,8 @@ __all__ = [
     "EMPTY",
     "AppliedTissue",
     "Decimation",
+    "History",
+    "Line",
     "Organ",
     "Phrase",
     "Repairs",

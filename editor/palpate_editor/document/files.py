@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable, Mapping
-from dataclasses import Field, asdict, fields
+from collections.abc import Mapping
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
@@ -19,19 +19,22 @@ from palpate.error import FileError
 from palpate.files.json_part import json_kind, read_part, read_value
 from palpate.files.refusal import Refusal
 from palpate.scenario import MOST_LANGUAGES, Container, read_container, write_container
-from palpate.scene.scene_parts import (
-    FILLED,
-    AppearancePart,
-    FillPart,
-    HandPart,
-    MaterialPart,
-    ModelPart,
-    ToolPart,
-    find_appearance_fault,
-)
+from palpate.scene.scene_parts import AppearancePart, ModelPart, find_appearance_fault
 
+from palpate_editor.document.history import MOST_LINES, Line
+from palpate_editor.document.history_file import Packing, Unpacking
+from palpate_editor.document.migrations import (
+    NUMBERS,
+    VERSION,
+    Arrays,
+    Json,
+    check_parts,
+    migrate,
+    migrate_begin,
+)
 from palpate_editor.document.organ import (
     Decimation,
+    History,
     Organ,
     Segmentation,
     Source,
@@ -45,100 +48,9 @@ FORMAT = "organ"
 ARRAYS_OF_MODEL = ("fixed", "stiffness_scale")
 """Of the model part; arrays of the file stand for them."""
 TEXTS = ("name", "title", "task")
-NUMBERS = {
-    "material": MaterialPart,
-    "model": ModelPart,
-    "fill": FillPart,
-    "tool": ToolPart,
-    "hand": HandPart,
-}
 SOMETIMES = {"segmentation": Segmentation}
 """Parts that a file has where the organ has them; a reader from before them refuses such a file."""
 OPTIONAL = {"source": Source, "decimation": Decimation, "appearance": AppearancePart}
-
-Json = dict[str, Any]
-Arrays = dict[str, np.ndarray]
-
-
-def choose_constants(content: Json, arrays: Arrays) -> tuple[Json, Arrays]:
-    """Version 2 can have constants from tissue, and let it sleep; before, nothing did."""
-    content["model"] |= {"constants": "chosen", "spring_rule": "van_gelder"}
-    content["hand"] |= {"force_error": 0.0}
-    return content, arrays
-
-
-def choose_filling(content: Json, arrays: Arrays) -> tuple[Json, Arrays]:
-    """Version 3 says how a solid is filled; before, all were filled alike."""
-    content["fill"] = {"tetrahedra": 3000, "nodal_share": 0.9, "reach": ""}
-    return content, arrays
-
-
-def choose_substeps(content: Json, arrays: Arrays) -> tuple[Json, Arrays]:
-    """Version 4 can ask for more substeps than the tissue needs; before, nothing did."""
-    content["hand"] |= {"substeps": 0}
-    return content, arrays
-
-
-def name_appearance(content: Json, arrays: Arrays) -> tuple[Json, Arrays]:
-    """Version 5 has the terms of renderers: the look is the appearance, its softness subsurface."""
-    rename_field(content, "", "look", "appearance")
-    if content["appearance"] is not None:
-        rename_field(content["appearance"], "look.", "softness", "subsurface")
-    return content, arrays
-
-
-def rename_field(part: Any, place: str, old: str, new: str) -> None:
-    """Refuses what is no object with the old name, and one that has the new one already."""
-    if not isinstance(part, dict):
-        raise Refusal("", place.rstrip("."), json_kind(part), "an object")
-    if new in part:
-        raise Refusal("", place + new, "an unknown field", old)
-    if old not in part:
-        raise Refusal("", place + old, "nothing", "a field of this name")
-    part[new] = part.pop(old)
-
-
-def keep_hard_contact(content: Json, arrays: Arrays) -> tuple[Json, Arrays]:
-    """Version 7 has a law of contact; before, solids were felt as their mesh gives way."""
-    if content["model"].get("kind") in FILLED:
-        content["model"] |= {"contact_law": "hard"}
-    return content, arrays
-
-
-MIGRATIONS: dict[int, Callable[[Json, Arrays], tuple[Json, Arrays]]] = {
-    1: choose_constants,
-    2: choose_filling,
-    3: choose_substeps,
-    4: name_appearance,
-    6: keep_hard_contact,
-}
-"""Version -> what makes of a document of that version one of the next, beside the new fields."""
-
-
-def list_new_fields() -> list[tuple[int, str, Field[Any]]]:
-    """(version, part, field) of every number that came after version 1 with its usual value."""
-    return [
-        (field.metadata["since"], name, field)
-        for name, kind in NUMBERS.items()
-        for field in fields(kind)
-        if "since" in field.metadata
-    ]
-
-
-VERSION = max(
-    *(version + 1 for version in MIGRATIONS), *(version for version, _, _ in list_new_fields()), 0
-)
-"""The newest: of a migration, or of a field."""
-
-
-def migrate(step: int, content: Json, arrays: Arrays) -> tuple[Json, Arrays]:
-    """What makes of a document of version `step` one of the next."""
-    if step in MIGRATIONS:
-        content, arrays = MIGRATIONS[step](content, arrays)
-    for version, name, field in list_new_fields():
-        if version == step + 1 and isinstance(content.get(name), dict):
-            content[name] = {field.name: field.default} | content[name]
-    return content, arrays
 
 
 def write_organ(path: Path, organ: Organ) -> None:
@@ -161,6 +73,25 @@ def read_organ(path: Path) -> Organ:
 
 def pack_organ(organ: Organ) -> tuple[Json, Arrays]:
     """What a file keeps of an organ: a JSON object and arrays."""
+    content, arrays = pack_parts(organ)
+    if organ.history is not None and organ.history.lines:
+        packing = Packing(arrays)
+        content["history"] = pack_history(organ.history, packing)
+        arrays |= packing.list_arrays()
+    return content, arrays
+
+
+def pack_history(history: History, packing: Packing) -> Json:
+    begin, kept = pack_parts(history.begin)
+    return {
+        "begin": {"content": begin, "arrays": packing.pack(kept)},
+        "folded": history.folded,
+        "lines": [{"edit": row.edit, "values": packing.pack(row.values)} for row in history.lines],
+    }
+
+
+def pack_parts(organ: Organ) -> tuple[Json, Arrays]:
+    """The organ without what was done to it."""
     content: Json = {name: getattr(organ, name) for name in TEXTS}
     for name in (*OPTIONAL, *NUMBERS):
         part = getattr(organ, name)
@@ -200,21 +131,66 @@ def unpack_organ(content: Any, arrays: Mapping[str, Any], version: int, file: st
             check_parts(content, file)
         for step in range(version, VERSION):
             content, owned = migrate(step, content, owned)
+            migrate_begin(step, content, file)
         return unpack(content, owned, file)
     except Refusal as refusal:
         raise FileError(file, refusal.where, refusal.got, refusal.expected) from None
 
 
-def check_parts(content: Any, file: str) -> None:
-    """Refuses what no migration can begin with."""
-    if not isinstance(content, dict):
-        raise Refusal(file, "", json_kind(content), "an object")
-    for name in ("model", "hand"):
-        if not isinstance(content.get(name), dict):
-            raise Refusal(file, name, json_kind(content.get(name)), "an object")
-
-
 def unpack(content: Any, arrays: Arrays, file: str) -> Organ:
+    if not isinstance(content, dict) or "history" not in content:
+        return unpack_alone(content, arrays, file)
+    parts = dict(content)
+    section = parts.pop("history")
+    unpacking = Unpacking(arrays, file)
+    organ = unpack_alone(parts, arrays, file)
+    # arrays of the organ itself are named here as it has them: there is one copy
+    unpacking.arrays |= pack_parts(organ)[1]
+    return replace(organ, history=unpack_history(section, unpacking))
+
+
+def unpack_history(section: Any, unpacking: Unpacking) -> History:
+    file = unpacking.file
+    check_fields(section, ("begin", "folded", "lines"), "history", file)
+    check_fields(section["begin"], ("content", "arrays"), "history.begin", file)
+    folded, lines = section["folded"], section["lines"]
+    if type(folded) is not int or folded < 0:
+        raise Refusal(file, "history.folded", json_kind(folded), "a whole number of 0 or more")
+    if not isinstance(lines, list) or not 1 <= len(lines) <= MOST_LINES:
+        expected = f"a list of 1 to {MOST_LINES}"
+        raise Refusal(file, "history.lines", json_kind(lines), expected)
+    arrays = unpacking.unpack("history.begin.arrays", section["begin"]["arrays"])
+    if not isinstance(arrays, dict) or not all(isinstance(a, np.ndarray) for a in arrays.values()):
+        raise Refusal(file, "history.begin.arrays", "something else", "arrays by name")
+    try:
+        begin = unpack_alone(section["begin"]["content"], arrays, file)
+    except Refusal as refusal:
+        where = f"history.begin.{refusal.where}"
+        raise Refusal(file, where, refusal.got, refusal.expected) from None
+    rows = tuple(unpack_line(row, at, unpacking) for at, row in enumerate(lines))
+    unpacking.finish()
+    return History(begin, rows, folded)
+
+
+def unpack_line(row: Any, at: int, unpacking: Unpacking) -> Line:
+    where = f"history.lines[{at}]"
+    check_fields(row, ("edit", "values"), where, unpacking.file)
+    edit = read_value(unpacking.file, f"{where}.edit", str, row["edit"])
+    if not isinstance(row["values"], dict):
+        got = json_kind(row["values"])
+        raise Refusal(unpacking.file, f"{where}.values", got, "an object")
+    values = row["values"].items()
+    return Line(edit, {name: unpacking.unpack(f"{where}.{name}", v) for name, v in values})
+
+
+def check_fields(section: Any, names: tuple[str, ...], where: str, file: str) -> None:
+    """Refuses what is no object of exactly these fields."""
+    if not isinstance(section, dict) or set(section) != set(names):
+        raise Refusal(file, where, json_kind(section), "an object of " + ", ".join(names))
+
+
+def unpack_alone(content: Any, arrays: Arrays, file: str) -> Organ:
+    """Without its history."""
     known = {*TEXTS, *OPTIONAL, *NUMBERS, "regions"}
     if not isinstance(content, dict):
         raise Refusal(file, "", json_kind(content), "an object")

@@ -19,6 +19,7 @@ from palpate.scene.scene_parts import (
 )
 
 from palpate_editor.document.defaults import FILL, HAND, MATERIAL, MODEL, TOOL
+from palpate_editor.document.history import Line
 from palpate_editor.document.surface import Surface, freeze
 from palpate_editor.document.tissue import AppliedTissue
 
@@ -135,6 +136,19 @@ class Decimation:
 
 
 @dataclass(frozen=True, eq=False)
+class History:
+    """What was done to an organ since it began, so that it can be done again."""
+
+    begin: Organ
+    """Without a history of its own. Nothing, before a file was imported; else the organ as it came
+    from where no history is kept."""
+    lines: tuple[Line, ...] = ()
+    """The first first."""
+    folded: int = 0
+    """Lines before these that there was no room for: `begin` is what they had led to."""
+
+
+@dataclass(frozen=True, eq=False)
 class Organ:
     """All that a designer has decided. Half done is allowed; `check` says what is missing."""
 
@@ -171,6 +185,8 @@ class Organ:
     """What the trainee is asked to do, in words."""
     languages: Mapping[str, Translation] = field(default_factory=lambda: NO_LANGUAGES)
     """Title and task in further languages, by code such as "tr"; read-only."""
+    history: History | None = None
+    """None where nothing has been done yet: the first edit begins it."""
 
     def __post_init__(self) -> None:
         count = 0 if self.surface is None else len(self.surface.vertices)

@@ -9,10 +9,11 @@ from __future__ import annotations
 
 from palpate_editor.edits.appearance import SetAppearance
 from palpate_editor.edits.configure import Configure
-from palpate_editor.edits.decimate import Decimate, UseImported, decimate_organ
+from palpate_editor.edits.decimate import Decimate, DecimateTo, UseImported, decimate_organ
 from palpate_editor.edits.edit import Edit, EditError
 from palpate_editor.edits.fill_holes import FillHoles
 from palpate_editor.edits.fix import FixLowest, FixVertices
+from palpate_editor.edits.history import read_line, write_down, write_line
 from palpate_editor.edits.import_mesh import ImportMesh, import_file
 from palpate_editor.edits.name import SetName, SetTask
 from palpate_editor.edits.orient import SetUnit, SetUp
@@ -35,6 +36,7 @@ __all__ = [
     "CutCrowdedEdges",
     "CutDisagreement",
     "Decimate",
+    "DecimateTo",
     "Edit",
     "EditError",
     "FillHoles",
@@ -62,6 +64,8 @@ __all__ = [
     "decimate_organ",
     "import_file",
     "prepare",
+    "read_line",
+    "write_line",
 ]
 
 EVERY_EDIT: tuple[type, ...] = (
@@ -74,6 +78,7 @@ EVERY_EDIT: tuple[type, ...] = (
     CutDisagreement,
     FillHoles,
     Decimate,
+    DecimateTo,
     UseImported,
     SetChoice,
     SetConstant,
@@ -93,3 +98,15 @@ EVERY_EDIT: tuple[type, ...] = (
     Prepared,
 )
 """Tests hold every one of them to the same laws."""
+
+LINES: dict[str, type] = {
+    kind.__name__: kind
+    for kind in EVERY_EDIT
+    if kind is not Prepared and not hasattr(kind, "repeat")
+}
+"""What a line of an organ's history may be, by name: those edits that can be done again by their
+values. One that holds what it made has `repeat`, the edit that makes it."""
+
+for _kind in EVERY_EDIT:
+    if _kind is not Prepared:  # the edit in it leaves the line
+        write_down(_kind)

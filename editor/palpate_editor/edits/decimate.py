@@ -29,6 +29,11 @@ class Decimate:
     def title(self) -> str:
         return phrase("Decimate to {count} vertices", count=self.decimation.vertices)
 
+    @property
+    def repeat(self) -> DecimateTo:
+        """What does it again."""
+        return DecimateTo(self.decimation.vertices)
+
     def __call__(self, organ: Organ) -> Organ:
         if organ.imported is not self.source:
             raise EditError(
@@ -74,6 +79,20 @@ def decimate_organ(organ: Organ, vertices: int) -> Decimate:
             max_distance=found.max_distance,
         ),
     )
+
+
+@dataclass(frozen=True)
+class DecimateTo:
+    """Decimate the imported surface to a number of vertices: seconds for a large one."""
+
+    vertices: int
+
+    @property
+    def title(self) -> str:
+        return phrase("Decimate to {count} vertices", count=self.vertices)
+
+    def __call__(self, organ: Organ) -> Organ:
+        return decimate_organ(organ, self.vertices)(organ)
 
 
 @dataclass(frozen=True)

@@ -28,6 +28,8 @@ class ImportMesh:
     without an appearance gets the one that fits its name."""
 
     title: ClassVar[str] = "Import"
+    begins: ClassVar[bool] = True
+    """The history of the organ; the surface is the original that it keeps."""
 
     name: str
     source: Source

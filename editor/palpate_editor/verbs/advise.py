@@ -18,7 +18,7 @@ from palpate.study.scene_chart import DISPLACEMENT_TARGET, FORCE_TARGET, Chart
 
 from palpate_editor.document import Organ
 from palpate_editor.document.files import write_organ
-from palpate_editor.edits import Configure
+from palpate_editor.edits import Configure, SetConstant
 from palpate_editor.verbs.files import ReadFile, apply, open_any
 
 if TYPE_CHECKING:  # it loads SciPy
@@ -171,13 +171,15 @@ def write_choice(
             "wider targets, or a chart that has one",
         )
     assert advice.choice is not None
-    before = open_any(call.file)
-    if advice.keeps_own and before.hand.rate == organ.hand.rate:
+    changed = open_any(call.file)
+    if advice.keeps_own and changed.hand.rate == organ.hand.rate:
         return None
-    changed = organ
+    if changed.hand.rate != organ.hand.rate:
+        rate = SetConstant("hand", "rate", organ.hand.rate)
+        changed = apply(rate, changed, call.file, "--rate")
     if not advice.keeps_own:
         edit = Configure(advice.choice.configuration)
-        changed = apply(edit, organ, call.file, "--apply")
+        changed = apply(edit, changed, call.file, "--apply")
     read.check(call.file)
     write_organ(call.file, changed)
     return str(call.file)

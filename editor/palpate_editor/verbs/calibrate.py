@@ -22,8 +22,10 @@ from palpate.study.curve import Curve, read_curve
 from palpate_editor.check import split_refusal
 from palpate_editor.compile import compile_organ, mesh_of
 from palpate_editor.document import Organ
+from palpate_editor.document.constants import CONSTANTS
 from palpate_editor.document.files import write_organ
-from palpate_editor.verbs.files import ReadFile, open_any
+from palpate_editor.edits import SetConstant
+from palpate_editor.verbs.files import ReadFile, apply, open_any
 
 if TYPE_CHECKING:
     from palpate.study.calibrate import Fit
@@ -129,6 +131,21 @@ def fit_organ(call: argparse.Namespace, organ: Organ, curve: Curve) -> Fit:
         raise Refusal(call.file, *split_refusal(str(problem))) from None
 
 
+def write_fitted(call: argparse.Namespace, read: ReadFile, fitted: Organ) -> None:
+    """The organ of the call with the constants that were fitted; its own tool stays."""
+    organ = open_any(call.file)
+    for constant in CONSTANTS:
+        value = getattr(getattr(fitted, constant.part), constant.field)
+        if constant.part == "tool" or value == getattr(
+            getattr(organ, constant.part), constant.field
+        ):
+            continue
+        edit = SetConstant(constant.part, constant.field, value)
+        organ = apply(edit, organ, call.file, constant.option)
+    read.check(call.out)
+    write_organ(call.out, organ)
+
+
 def run_calibrate(call: argparse.Namespace) -> Report:
     curve = read_curve(call.curve)
     if call.out is not None and call.out.suffix != ".organ":
@@ -138,8 +155,7 @@ def run_calibrate(call: argparse.Namespace) -> Report:
     fit = fit_organ(call, organ, curve)
     fitted = scaled(organ, call.fit, fit.factors)
     if call.out is not None:
-        read.check(call.out)
-        write_organ(call.out, replace(fitted, tool=open_any(call.file).tool))
+        write_fitted(call, read, fitted)
     if call.plot is not None:
         from palpate.study.fit_plot import save_fit_plot
 

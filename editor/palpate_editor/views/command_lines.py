@@ -30,6 +30,7 @@ from palpate_editor.edits import (
     CutCrowdedEdges,
     CutDisagreement,
     Decimate,
+    DecimateTo,
     Edit,
     FillHoles,
     FixLowest,
@@ -112,9 +113,12 @@ def source_arguments(source: Source, document: Path | str) -> Arguments:
 
 
 def decimate_arguments(edit: Decimate, organ: Organ, document: Path | str) -> Arguments:
+    return count_arguments(edit.repeat, organ, document)
+
+
+def count_arguments(edit: DecimateTo, organ: Organ, document: Path | str) -> Arguments:
     del organ
-    count = edit.decimation.vertices
-    return ["palpate", "decimate", document, "--vertices", count, "-o", document]
+    return ["palpate", "decimate", document, "--vertices", edit.vertices, "-o", document]
 
 
 def repair_arguments(problem: str) -> Callable[[Any, Organ, Path | str], Arguments]:
@@ -283,6 +287,7 @@ FINDERS: dict[type, Callable[[Any, Organ, Path | str], Arguments | None]] = {
     SetUnit: import_arguments,
     SetUp: import_arguments,
     Decimate: decimate_arguments,
+    DecimateTo: count_arguments,
     KeepLargestShell: repair_arguments("shells"),
     TurnOutward: repair_arguments("inward"),
     CutCrowdedEdges: repair_arguments("non_manifold"),
