@@ -110,9 +110,7 @@ def find_furthest(one: palpate.SurfaceMesh, other: palpate.SurfaceMesh) -> float
 
 @pytest.mark.parametrize("vertices", [60, 300, 1200])
 @pytest.mark.parametrize("name", ["spleen", "gallbladder", "flat_sheet"])
-def test_no_point_is_further_than_the_largest_distance_and_some_nearly_are(
-    name, vertices, request
-):
+def test_no_point_is_further_than_the_largest_distance_and_some_nearly_are(name, vertices, request):
     source = request.getfixturevalue(name)
     vertices = min(vertices, len(source.vertices) // 2)
 
