@@ -63,6 +63,22 @@ void validate_part(const std::string& file, const ImportedPart& part) {
   }
 }
 
+void validate_filling(const std::string& file, const SolidMesh& filling) {
+  const auto is_finite = [](const Vec3& x) { return x.allFinite(); };
+  if (!std::all_of(filling.vertices.begin(), filling.vertices.end(), is_finite)) {
+    throw FileError(file, "tetrahedra", "a coordinate that is not a finite number",
+                    "finite coordinates");
+  }
+  const auto count = static_cast<int>(filling.vertices.size());
+  for (std::size_t t = 0; t < filling.tetrahedra.size(); ++t) {
+    for (const int corner : filling.tetrahedra[t]) {
+      if (corner >= 0 && corner < count) continue;
+      throw FileError(file, "tetrahedron " + std::to_string(t), "vertex " + std::to_string(corner),
+                      "an index below " + std::to_string(count));
+    }
+  }
+}
+
 }  // namespace
 
 ImportedScene read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
@@ -83,6 +99,7 @@ ImportedScene read_mesh(const std::filesystem::path& path, const ReadOptions& op
     throw FileError(scene.file, "", "no triangles", "a surface made of triangles or polygons");
   }
   for (const ImportedPart& part : scene.parts) validate_part(scene.file, part);
+  validate_filling(scene.file, scene.filling);
   return scene;
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "palpate/sim/base/error.h"
 #include "palpate/sim/mesh/mesh.h"
@@ -15,6 +17,11 @@ namespace palpate::authoring {
 struct ImportedPart {
   std::string name;
   SurfaceMesh mesh;  ///< in units and axes of the file
+  std::vector<std::string> groups =
+      {};  ///< it stands under, outermost first; a part may be one too
+  /// sRGB, 0 to 1: its material's, or the mean of its vertices' by area; absent where the file says
+  /// none, and for white, which many formats say where nobody chose one.
+  std::optional<std::array<double, 3>> colour = {};
 };
 
 /// What a mesh file holds, before its unit and axes are chosen.
@@ -26,6 +33,7 @@ struct ImportedScene {
   std::optional<std::string> unit;  ///< stated by the file or its format
   std::optional<std::string> up;    ///< x, y, z, -x, -y or -z, stated by the file or its format
   std::vector<std::string> notes;   ///< what was odd but could be read all the same
+  SolidMesh filling;  ///< tetrahedra whose outer faces the parts are; empty where the file has none
 };
 
 struct ReadOptions {

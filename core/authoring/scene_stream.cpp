@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/authoring/scene_stream.h"
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <string_view>
 
@@ -67,6 +69,20 @@ class Reader {
     return values;
   }
 
+  std::vector<std::string> take_texts() {
+    std::vector<std::string> texts;
+    for (auto count = take<std::uint32_t>(); count > 0; --count) texts.push_back(take_text());
+    return texts;
+  }
+
+  std::optional<std::array<double, 3>> take_colour() {
+    const auto channels = take_all<double>();
+    if (channels.empty()) return std::nullopt;
+    const auto is_wrong = [](double c) { return !(c >= 0.0 && c <= 1.0); };
+    if (channels.size() != 3 || std::any_of(channels.begin(), channels.end(), is_wrong)) refuse();
+    return std::array{channels[0], channels[1], channels[2]};
+  }
+
   void expect_magic() {
     if (take<std::uint64_t>() != kStreamMagic) refuse();
   }
@@ -110,16 +126,18 @@ ImportedScene decode_scene(const std::string& file, std::span<const char> bytes)
   scene.file = file;
   scene.unit = stated(in.take_text());
   scene.up = stated(in.take_text());
-  for (auto notes = in.take<std::uint32_t>(); notes > 0; --notes) {
-    scene.notes.push_back(in.take_text());
-  }
+  scene.notes = in.take_texts();
   for (auto parts = in.take<std::uint32_t>(); parts > 0; --parts) {
     ImportedPart part;
     part.name = in.take_text();
+    part.groups = in.take_texts();
+    part.colour = in.take_colour();
     part.mesh.vertices = in.take_all<Vec3>();
     part.mesh.triangles = in.take_all<Triangle>();
     scene.parts.push_back(std::move(part));
   }
+  scene.filling.vertices = in.take_all<Vec3>();
+  scene.filling.tetrahedra = in.take_all<std::array<int, 4>>();
   in.expect_magic();
   in.expect_end();
   return scene;

@@ -12,13 +12,16 @@ namespace palpate::authoring {
 //
 //     stream  := magic status (scene | refusal) magic
 //     refusal := where got expected
-//     scene   := unit up notes parts          unit and up are empty where the file states none
+//     scene   := unit up notes parts filling  unit and up are empty where the file states none
 //     notes   := count text*
-//     parts   := count (name vertices triangles)*
+//     parts   := count (name groups colour vertices triangles)*
+//     groups  := count text*
+//     colour  := count (double)*              three numbers, or none
+//     filling := vertices count (4 int32)*
 //     text    := count byte*      vertices := count (3 doubles)*      triangles := count (3 int32)*
 //
 // Counts and the status are uint32. The magic at the end tells that nothing is missing.
-inline constexpr std::uint64_t kStreamMagic = 0x31'45'4e'45'43'53'4c'50;  // "PLSCENE1"
+inline constexpr std::uint64_t kStreamMagic = 0x32'45'4e'45'43'53'4c'50;  // "PLSCENE2"
 inline constexpr std::uint32_t kStreamScene = 0;
 inline constexpr std::uint32_t kStreamRefusal = 1;
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "palpate/sim/mesh/mesh.h"
@@ -18,5 +20,17 @@ inline constexpr std::int64_t kPairBudget = 30'000'000;
 /// manifold or not. nullopt where more than `pair_budget` pairs would have to be checked.
 std::optional<std::vector<int>> find_self_intersecting_faces(
     const SurfaceMesh& mesh, std::int64_t pair_budget = kPairBudget);
+
+/// Which groups of triangles cross which, and which triangles cross others of their own group.
+struct CrossingGroups {
+  std::vector<std::array<int, 2>> pairs;  ///< groups, each pair once and ascending
+  std::vector<int> own_faces;             ///< ascending
+};
+
+/// The same by groups: `group` has a number for each triangle. Corners and edges that lie in one
+/// place are shared, whatever the numbers of their vertices.
+std::optional<CrossingGroups> find_crossing_groups(const SurfaceMesh& mesh,
+                                                   std::span<const int> group,
+                                                   std::int64_t pair_budget = kPairBudget);
 
 }  // namespace palpate::authoring

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/authoring/weld.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -13,11 +14,13 @@ namespace {
 /// point lies in at most two cells along each axis, and a cell holds only a few kept vertices.
 class Kept {
  public:
-  Kept(std::span<const Vec3> points, double tolerance)
-      : points_(points), tolerance_(tolerance), next_(points.size(), -1) {}
+  /// `group` is empty, or has a number for each point: then one finds those of others only.
+  Kept(std::span<const Vec3> points, double tolerance, std::span<const int> group)
+      : points_(points), group_(group), tolerance_(tolerance), next_(points.size(), -1) {}
 
   /// The nearest kept vertex within the tolerance, the first of equals; -1 for none.
-  int find(const Vec3& p) const {
+  int find(int vertex) const {
+    const Vec3& p = points_[vertex];
     int nearest = -1;
     double distance = tolerance_;
     const Cell low = cell_of(p.array() - tolerance_), high = cell_of(p.array() + tolerance_);
@@ -26,7 +29,7 @@ class Kept {
       if ((right && low.x == high.x) || (back && low.y == high.y) || (top && low.z == high.z)) {
         continue;
       }
-      search({right ? high.x : low.x, back ? high.y : low.y, top ? high.z : low.z}, p, nearest,
+      search({right ? high.x : low.x, back ? high.y : low.y, top ? high.z : low.z}, vertex, nearest,
              distance);
     }
     return nearest;
@@ -57,11 +60,12 @@ class Kept {
     return {place.x(), place.y(), place.z()};
   }
 
-  void search(const Cell& cell, const Vec3& p, int& nearest, double& distance) const {
+  void search(const Cell& cell, int vertex, int& nearest, double& distance) const {
     const auto first = first_.find(cell);
     if (first == first_.end()) return;
     for (int v = first->second; v >= 0; v = next_[v]) {
-      const double d = (points_[v] - p).norm();
+      if (!group_.empty() && group_[v] == group_[vertex]) continue;
+      const double d = (points_[v] - points_[vertex]).norm();
       if (d > distance || (d == distance && nearest >= 0 && v > nearest)) continue;
       nearest = v;
       distance = d;
@@ -69,21 +73,23 @@ class Kept {
   }
 
   std::span<const Vec3> points_;
+  std::span<const int> group_;
   double tolerance_;
   std::unordered_map<Cell, int, Hash> first_;
   std::vector<int> next_;  // the next one in the same cell, -1 for none
 };
 
 /// The kept vertex each vertex becomes; -1 where no triangle uses it.
-std::vector<int> find_targets(const SurfaceMesh& mesh, double tolerance) {
+std::vector<int> find_targets(const SurfaceMesh& mesh, double tolerance,
+                              std::span<const int> group) {
   std::vector<int> target(mesh.vertices.size(), -1);
   for (const Triangle& t : mesh.triangles) {
     for (const int corner : t) target[corner] = corner;
   }
-  Kept kept(mesh.vertices, tolerance);
+  Kept kept(mesh.vertices, tolerance, group);
   for (int v = 0; v < static_cast<int>(target.size()); ++v) {
     if (target[v] < 0) continue;
-    const int near = kept.find(mesh.vertices[v]);
+    const int near = kept.find(v);
     if (near < 0)
       kept.add(v);
     else
@@ -92,10 +98,8 @@ std::vector<int> find_targets(const SurfaceMesh& mesh, double tolerance) {
   return target;
 }
 
-}  // namespace
-
-Welded weld(const SurfaceMesh& triangles, double tolerance) {
-  const std::vector<int> target = find_targets(triangles, tolerance);
+/// The surface with each vertex in the place of its target.
+Welded move_to(const SurfaceMesh& triangles, const std::vector<int>& target) {
   Welded welded{};
   std::vector<char> used(target.size(), 0);
   for (const Triangle& t : triangles.triangles) {
@@ -110,13 +114,27 @@ Welded weld(const SurfaceMesh& triangles, double tolerance) {
 
   std::vector<int> place(target.size(), -1);
   for (std::size_t v = 0; v < target.size(); ++v) {
-    if (target[v] >= 0 && target[v] != static_cast<int>(v)) ++welded.merged_vertices;
+    if (target[v] >= 0 && target[v] != static_cast<int>(v)) {
+      const double move = (triangles.vertices[v] - triangles.vertices[target[v]]).norm();
+      welded.largest_move = std::max(welded.largest_move, move);
+      ++welded.merged_vertices;
+    }
     if (!used[v]) continue;
     place[v] = static_cast<int>(welded.mesh.vertices.size());
     welded.mesh.vertices.push_back(triangles.vertices[v]);
   }
   for (Triangle& t : welded.mesh.triangles) t = {place[t[0]], place[t[1]], place[t[2]]};
   return welded;
+}
+
+}  // namespace
+
+Welded weld(const SurfaceMesh& triangles, double tolerance) {
+  return move_to(triangles, find_targets(triangles, tolerance, {}));
+}
+
+Welded weld_across(const SurfaceMesh& triangles, double tolerance, std::span<const int> group) {
+  return move_to(triangles, find_targets(triangles, tolerance, group));
 }
 
 }  // namespace palpate::authoring

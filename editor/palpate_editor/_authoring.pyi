@@ -16,6 +16,27 @@ class ImportedPart:
     def name(self) -> str: ...
     @property
     def mesh(self) -> SurfaceMesh: ...
+    @property
+    def groups(self) -> list[str]:
+        """Names of the groups it stands under, outermost first."""
+    @property
+    def colour(self) -> list[float] | None:
+        """sRGB, 0 to 1, of its material or the mean of its vertices'."""
+
+class PartPlace:
+    """How a part lies to the others of its file."""
+
+    @property
+    def inside(self) -> int:
+        """The smallest part it lies inside of; -1 for none."""
+    @property
+    def crosses(self) -> list[int]:
+        """Parts whose triangles cross its own, ascending."""
+    @property
+    def closed(self) -> bool: ...
+    @property
+    def crossing_faces(self) -> int:
+        """Of its own triangles that cross each other; -1 where they are not counted."""
 
 class ImportedScene:
     """What a mesh file holds, before its unit and axes are chosen."""
@@ -35,6 +56,9 @@ class ImportedScene:
     @property
     def notes(self) -> list[str]:
         """What was odd about the file but could be read all the same."""
+    @property
+    def filling(self) -> SolidMesh:
+        """Tetrahedra whose outer faces the parts are; empty where the file has none."""
 
 class JoinedSurface:
     """Chosen parts welded into one surface in metres, right-handed, z up."""
@@ -57,6 +81,15 @@ class JoinedSurface:
     def up_reason(self) -> str: ...
     @property
     def welded_vertices(self) -> int: ...
+    @property
+    def subtracted(self) -> list[str]:
+        """The names of the parts that were taken away."""
+    @property
+    def welded_across(self) -> int:
+        """Vertices that became one with another by the stated tolerance."""
+    @property
+    def largest_move(self) -> float:
+        """[m] of a vertex by the stated tolerance."""
 
 class MeshReport:
     """What a surface is like; None where a number is not defined."""
@@ -160,7 +193,12 @@ def join_parts(
     parts: Sequence[str] = ...,
     unit: str | None = None,
     up: str | None = None,
+    weld: float | None = None,
+    unite: bool = False,
+    subtract: Sequence[str] = ...,
 ) -> JoinedSurface: ...
+def find_places(scene: ImportedScene) -> list[PartPlace]: ...
+def unite_shells(mesh: SurfaceMesh) -> SurfaceMesh: ...
 def inspect_mesh(mesh: SurfaceMesh) -> MeshReport: ...
 def repair_mesh(mesh: SurfaceMesh) -> RepairedMesh: ...
 def import_scene(
@@ -169,10 +207,16 @@ def import_scene(
     parts: Sequence[str] = ...,
     unit: str | None = None,
     up: str | None = None,
+    weld: float | None = None,
+    unite: bool = False,
+    subtract: Sequence[str] = ...,
 ) -> ImportedMesh: ...
 def decimate(mesh: SurfaceMesh, vertex_count: int) -> DecimatedMesh: ...
 def cut_crowded_edges(mesh: SurfaceMesh) -> SurfaceMesh: ...
 def find_self_intersecting_faces(mesh: SurfaceMesh) -> list[int] | None: ...
+def find_crossing_groups(
+    mesh: SurfaceMesh, group: Sequence[int]
+) -> tuple[list[tuple[int, int]], list[int]] | None: ...
 def write_mesh(path: Path, mesh: SurfaceMesh) -> None: ...
 
 class FilledHoles:

@@ -31,17 +31,21 @@ from palpate_editor._authoring import (
     ImportedScene,
     JoinedSurface,
     MeshReport,
+    PartPlace,
     RepairedMesh,
     choose_cell_size,
     cut_crowded_edges,
     decimate,
     fill_holes,
     fill_interior,
+    find_crossing_groups,
+    find_places,
     find_self_intersecting_faces,
     import_scene,
     inspect_mesh,
     join_parts,
     repair_mesh,
+    unite_shells,
     write_mesh,
 )
 from palpate_editor.formats import build_words, find_missing
@@ -57,12 +61,15 @@ __all__ = [
     "ImportedScene",
     "JoinedSurface",
     "MeshReport",
+    "PartPlace",
     "RepairedMesh",
     "choose_cell_size",
     "cut_crowded_edges",
     "decimate",
     "fill_holes",
     "fill_interior",
+    "find_crossing_groups",
+    "find_places",
     "find_self_intersecting_faces",
     "import_mesh",
     "import_scene",
@@ -70,6 +77,7 @@ __all__ = [
     "join_parts",
     "read_mesh",
     "repair_mesh",
+    "unite_shells",
     "write_mesh",
 ]
 
@@ -115,6 +123,9 @@ def import_mesh(
     parts: Sequence[str] = (),
     unit: str | None = None,
     up: str | None = None,
+    weld: float | None = None,
+    unite: bool = False,
+    subtract: Sequence[str] = (),
     time_limit: float = TIME_LIMIT,
     memory_limit: int = MEMORY_LIMIT,
     reader: str | PathLike[str] = READER,
@@ -126,12 +137,17 @@ def import_mesh(
 
     Args:
         path: The mesh file.
-        parts: Names of the scene's parts to use; all of them when empty.
+        parts: Names of the scene's parts, or of groups of them, to use; all when empty.
         unit: "m", "cm", "mm" or "in"; what the file states, else a guess by size, when None.
         up: "x", "y", "z", "-x", "-y" or "-z"; what the file states, else "z", when None.
+        weld: [m] Vertices of different parts that are closer become one.
+        unite: The parts are solids, and become one.
+        subtract: Names of parts or groups whose inside is taken away from the others.
         time_limit: [s] for the reader.
         memory_limit: [bytes] for the reader.
         reader: The reading program.
     """
     scene = read_mesh(path, time_limit=time_limit, memory_limit=memory_limit, reader=reader)
-    return import_scene(scene, parts=parts, unit=unit, up=up)
+    return import_scene(
+        scene, parts=parts, unit=unit, up=up, weld=weld, unite=unite, subtract=subtract
+    )

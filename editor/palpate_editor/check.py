@@ -32,6 +32,7 @@ from palpate_editor.document.problems import (
 )
 from palpate_editor.document.rules import MOST_CROSSING, find_problems
 from palpate_editor.edits.repair import keep_largest
+from palpate_editor.edits.unite import can_be_united
 from palpate_editor.fixes import find_fix
 from palpate_editor.problem_places import find_faces, find_place
 from palpate_editor.trial import measure_trial
@@ -112,6 +113,7 @@ def measure_surface(surface: Surface) -> tuple[authoring.MeshReport, SurfaceFact
             triangles=found.triangles,
             orientable=found.orientable,
             largest_crosses=find_largest_crosses(surface, found),
+            can_be_united=bool(found.self_intersecting_faces) and can_be_united(surface),
             smallest_angle_deg=found.smallest_angle_deg,
             mean_edge=float(edges.mean()),
             diagonal=float(palpate.compute_diagonal(x)),

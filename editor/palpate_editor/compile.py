@@ -61,7 +61,10 @@ def build_organ(organ: Organ) -> palpate.TissueModel:
     return build_tissue(parts_of(organ), mesh_of(organ.surface))
 
 
-BUILT_FROM = ("surface", "material", "model", "fill", "fixed", "stiffness_scale", "tool", "hand")
+BUILT_FROM = (
+    *("surface", "material", "model", "fill", "filling", "fixed", "stiffness_scale"),
+    *("tool", "hand"),
+)
 """What of an organ its scene depends on, but for the region that is reached."""
 
 

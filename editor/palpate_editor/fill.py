@@ -13,6 +13,7 @@ from palpate.scene.scene_file import build_material, enumerator
 from palpate_editor import authoring
 from palpate_editor.document import Organ, Surface
 from palpate_editor.document.constants import LEAST_TETRAHEDRA, MOST_TETRAHEDRA
+from palpate_editor.edits.own_filling import find_own_filling
 
 MOST_KEPT = 4
 """Fillings of one surface: enough to go back and forth between a few."""
@@ -57,7 +58,7 @@ def build_filled(organ: Organ) -> palpate.TissueModel:
     assert organ.surface is not None
     reach = find_reach(organ)
     surface = palpate.SurfaceMesh(organ.surface.vertices, organ.surface.triangles)
-    solid = fill_surface(organ.surface, organ.fill.tetrahedra)
+    solid = find_own_filling(organ) or fill_surface(organ.surface, organ.fill.tetrahedra)
     check_room(solid, organ.model.kind)
     nearest = find_nearest(np.asarray(solid.vertices), organ.surface.vertices)
     outside = np.zeros(len(nearest), dtype=bool)

@@ -26,6 +26,7 @@ from palpate_editor.edits import (
     SetUnit,
     SetUp,
     TurnOutward,
+    UniteShells,
 )
 from palpate_editor.edits.orient import METRES
 
@@ -62,12 +63,13 @@ def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
         return SetGravity((x, y, z))
     if problem.key == "no_title" and organ.name.strip():
         return SetTask(scenario_title=organ.name)
-    if problem.key == "crossing" and (surface is None or surface.largest_crosses is not False):
-        return None
+    if problem.key in ("crossing", "self_intersections") and surface is not None:
+        if problem.key == "crossing" and surface.largest_crosses is False:
+            return KeepLargestShell()
+        return UniteShells(problem.key) if surface.can_be_united else None
     return {
         "non_manifold": CutCrowdedEdges(),
         "one_sided": CutDisagreement(),
-        "crossing": KeepLargestShell(),
         "inward": TurnOutward(),
         "shells": KeepLargestShell(),
         "open_solid": SetConstant("material", "wall_thickness", WALL_THICKNESS),

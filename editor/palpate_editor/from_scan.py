@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +19,17 @@ from palpate_editor.scan.reader import never, segment_scan
 STATED = "scans are in millimetres"
 FRAME = "the scan says where the patient's head is"
 SIDES = "left, right, front, back, bottom and top are the patient's"
+
+
+CUT_ENDS = {
+    "left": "the organ ends where the scan does at the left, and is closed there flat",
+    "right": "the organ ends where the scan does at the right, and is closed there flat",
+    "front": "the organ ends where the scan does at the front, and is closed there flat",
+    "back": "the organ ends where the scan does at the back, and is closed there flat",
+    "bottom": "the organ ends where the scan does at the bottom, and is closed there flat",
+    "top": "the organ ends where the scan does at the top, and is closed there flat",
+}
+"""Sides of the patient -> what is to be said."""
 
 
 def import_scan(
@@ -103,14 +114,7 @@ def describe(found: ScanSurface, series: str | None, ratio: float) -> Segmentati
 def list_notes(found: ScanSurface) -> list[str]:
     """What a designer should know about the scan and what was cut out of it."""
     notes = list(found.scan.notes)
-    if found.cut_sides:
-        sides = join_words(found.cut_sides)
-        notes.append(f"the organ ends where the scan does, at the {sides}: it is closed there flat")
-    return notes
-
-
-def join_words(words: Sequence[str]) -> str:
-    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+    return notes + [CUT_ENDS[side] for side in found.cut_sides]
 
 
 def name_organ(path: Path, found: ScanSurface) -> str:

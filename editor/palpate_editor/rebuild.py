@@ -15,6 +15,7 @@ from palpate.files.refusal import Refusal
 from palpate_editor.document import EMPTY, History, Organ
 from palpate_editor.document.files import pack_organ
 from palpate_editor.edits import LINES, Edit, EditError, ImportMesh, import_file, read_line
+from palpate_editor.edits.import_mesh import BESIDE, Assembling
 from palpate_editor.from_scan import import_scan
 from palpate_editor.scan import Choice
 
@@ -105,7 +106,13 @@ def import_again(kept: ImportMesh, original: Path) -> ImportMesh:
     if done is None:
         parts = source.parts if source.parts != source.parts_available else ()
         up = source.up if source.up_reason == ASKED else None
-        return import_file(original, parts=parts, unit=unit, up=up)
+        together = kept.assembly
+        assembling = BESIDE
+        if together is not None:
+            assembling = Assembling(
+                together.weld, together.unite, together.subtracted, together.regions
+            )
+        return import_file(original, parts=parts, unit=unit, up=up, assembling=assembling)
     choice = Choice(done.labels, done.low, done.high, done.smooth, done.largest, done.least_volume)
     return import_scan(original, choice, series=done.series or None, unit=unit)[0]
 

@@ -88,6 +88,22 @@ void bind_inspect(py::module_& m) {
       py::call_guard<py::gil_scoped_release>(),
       "Triangles that cross or overlap others, ascending; None where finding them would take too "
       "long.");
+  m.def(
+      "find_crossing_groups",
+      [](const SurfaceMesh& mesh, const std::vector<int>& group) {
+        if (group.size() != mesh.triangles.size()) {
+          throw std::invalid_argument("find_crossing_groups: group: got " +
+                                      std::to_string(group.size()) + " numbers, expected one for " +
+                                      "each of " + std::to_string(mesh.triangles.size()) +
+                                      " triangles");
+        }
+        const auto found = find_crossing_groups(mesh, group);
+        using Pair = std::pair<std::vector<std::array<int, 2>>, std::vector<int>>;
+        return found ? std::optional(Pair(found->pairs, found->own_faces)) : std::nullopt;
+      },
+      "mesh"_a, "group"_a, py::call_guard<py::gil_scoped_release>(),
+      "Pairs of groups that cross, and triangles that cross others of their own group; None where "
+      "finding them would take too long. group has a number for each triangle.");
 }
 
 }  // namespace palpate::authoring

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bindings.h"
+#include "palpate/authoring/combine_parts.h"
 #include "palpate/authoring/import_mesh.h"
+#include "palpate/authoring/nest_parts.h"
 
 namespace palpate::authoring {
 
@@ -16,7 +18,20 @@ void bind_scene(py::module_& m) {
                            "One named part of a scene, its node's transforms applied, in the "
                            "file's units and axes.")
       .def_readonly("name", &ImportedPart::name)
-      .def_readonly("mesh", &ImportedPart::mesh);
+      .def_readonly("mesh", &ImportedPart::mesh)
+      .def_readonly("groups", &ImportedPart::groups,
+                    "Names of the groups it stands under, outermost first.")
+      .def_readonly("colour", &ImportedPart::colour,
+                    "sRGB, 0 to 1, of its material or the mean of its vertices', or None.");
+  py::class_<PartPlace>(m, "PartPlace", "How a part lies to the others of its file.")
+      .def_readonly("inside", &PartPlace::inside,
+                    "The smallest part it lies inside of; -1 for none.")
+      .def_readonly("crosses", &PartPlace::crosses,
+                    "Parts whose triangles cross its own, ascending.")
+      .def_readonly("closed", &PartPlace::closed)
+      .def_readonly("crossing_faces", &PartPlace::crossing_faces,
+                    "Of its own triangles that cross each other; -1 where counting would take too "
+                    "long.");
   py::class_<ImportedScene>(m, "ImportedScene",
                             "What a mesh file holds, before its unit and axes are chosen.")
       .def_readonly("file", &ImportedScene::file)
@@ -25,7 +40,9 @@ void bind_scene(py::module_& m) {
       .def_readonly("unit", &ImportedScene::unit, "Stated by the file or its format, or None.")
       .def_readonly("up", &ImportedScene::up, "Stated by the file or its format, or None.")
       .def_readonly("notes", &ImportedScene::notes,
-                    "What was odd about the file but could be read all the same.");
+                    "What was odd about the file but could be read all the same.")
+      .def_readonly("filling", &ImportedScene::filling,
+                    "Tetrahedra whose outer faces the parts are; empty where the file has none.");
 }
 
 void bind_joined(py::module_& m) {
@@ -33,6 +50,8 @@ void bind_joined(py::module_& m) {
                             "Chosen parts welded into one surface in metres, z up.")
       .def_readonly("mesh", &JoinedSurface::mesh)
       .def_readonly("parts", &JoinedSurface::parts, "The names of the parts it is made of.")
+      .def_readonly("subtracted", &JoinedSurface::subtracted,
+                    "The names of the parts that were taken away.")
       .def_readonly("unit", &JoinedSurface::unit, "Of the file.")
       .def_readonly("unit_guessed", &JoinedSurface::unit_guessed)
       .def_readonly("unit_reason", &JoinedSurface::unit_reason)
@@ -40,7 +59,11 @@ void bind_joined(py::module_& m) {
       .def_readonly("up_guessed", &JoinedSurface::up_guessed)
       .def_readonly("up_reason", &JoinedSurface::up_reason)
       .def_readonly("welded_vertices", &JoinedSurface::welded_vertices,
-                    "Vertices that became one with another, or that no triangle used.");
+                    "Vertices that became one with another, or that no triangle used.")
+      .def_readonly("welded_across", &JoinedSurface::welded_across,
+                    "Of those, by the stated tolerance.")
+      .def_readonly("largest_move", &JoinedSurface::largest_move,
+                    "[m] of a vertex by the stated tolerance.");
 }
 
 void bind_imported(py::module_& m) {
@@ -53,6 +76,25 @@ void bind_imported(py::module_& m) {
 }
 
 using Words = std::vector<std::string>;
+
+constexpr const char* kJoinArguments =
+    " Args: parts, names of parts or groups (all when empty); unit and up, else stated or guessed; "
+    "weld [m], across parts; unite, the parts as solids become one; subtract, parts whose inside "
+    "is taken away.";
+
+/// Binds a function of a scene and JoinOptions with its options by name.
+template <class Function>
+void def_join(py::module_& m, const char* name, Function function, const std::string& doc) {
+  m.def(
+      name,
+      [function](const ImportedScene& scene, const Words& parts, const Text& unit, const Text& up,
+                 std::optional<double> weld, bool unite, const Words& subtract) {
+        return function(scene, {parts, unit, up, weld, unite, subtract});
+      },
+      "scene"_a, py::kw_only(), "parts"_a = Words(), "unit"_a = Text(), "up"_a = Text(),
+      "weld"_a = std::optional<double>(), "unite"_a = false, "subtract"_a = Words(),
+      py::call_guard<py::gil_scoped_release>(), (doc + kJoinArguments).c_str());
+}
 
 ReadOptions read_options(const std::filesystem::path& reader, const Words& words, double time_limit,
                          std::size_t memory_limit) {
@@ -80,29 +122,20 @@ void bind_read(py::module_& m) {
       py::call_guard<py::gil_scoped_release>(),
       "Read a mesh file by the program `reader`, told `words` before the file's name, which gets "
       "time_limit [s] and memory_limit [bytes]. Raises FileError.");
-  m.def(
-      "join_parts",
-      [](const ImportedScene& scene, const std::vector<std::string>& parts, const Text& unit,
-         const Text& up) {
-        return join_parts(scene, {parts, unit, up});
-      },
-      "scene"_a, py::kw_only(), "parts"_a = std::vector<std::string>(), "unit"_a = Text(),
-      "up"_a = Text(), py::call_guard<py::gil_scoped_release>(),
-      "Take the named parts (all when empty) together, weld them, turn them to metres and z up.");
+  def_join(m, "join_parts", join_parts,
+           "Take parts together, welded or as solids, and turn them to metres and z up.");
+  m.def("find_places", &find_places, "scene"_a, py::call_guard<py::gil_scoped_release>(),
+        "How the parts of a scene lie to each other.");
+  m.def("unite_shells", &unite_shells, "mesh"_a, py::call_guard<py::gil_scoped_release>(),
+        "The pieces of a surface as one solid; those that face inwards are cavities. Raises "
+        "ValueError where one is open or crosses itself.");
 }
 
 void bind_import(py::module_& m) {
   bind_imported(m);
-  m.def(
-      "import_scene",
-      [](const ImportedScene& scene, const std::vector<std::string>& parts, const Text& unit,
-         const Text& up) {
-        return import_scene(scene, {parts, unit, up});
-      },
-      "scene"_a, py::kw_only(), "parts"_a = std::vector<std::string>(), "unit"_a = Text(),
-      "up"_a = Text(), py::call_guard<py::gil_scoped_release>(),
-      "Join, repair, orient and measure what was read. Raises FileError where nothing is left "
-      "that has an area.");
+  def_join(m, "import_scene", import_scene,
+           "Join, repair, orient and measure what was read. Raises FileError where nothing is left "
+           "that has an area.");
 }
 
 }  // namespace palpate::authoring

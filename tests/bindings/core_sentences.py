@@ -10,6 +10,7 @@ from pathlib import Path
 CORE = Path(__file__).resolve().parents[2] / "core"
 FILES = (
     *("authoring/*.cpp", "authoring/cgal/*.cpp", "authoring/read_mesh_child/*.cpp"),
+    "authoring/read_mesh_child/mean_colour.h",
     *("sim/base/private/whole_file.cpp", "sim/arm/serial_transport.cpp"),
     *("sim/arm/serial_device.cpp", "sim/arm/private/serial_link_status.cpp"),
     *("sim/arm/pty_device.cpp", "sim/arm/calibration.cpp", "sim/tick/scene.cpp"),
@@ -62,6 +63,10 @@ WHOLE = re.compile(r"(?:^|.*?[: ])got (.*), expected (.*)", re.DOTALL)
 """A sentence that says both."""
 NOTED = re.compile(r"std::string ask_for_low_latency\([^)]*\) \{(.*?)\n\}", re.DOTALL)
 """What came of a wish that may fail."""
+NOTE = re.compile(r"\bnotes\.(?:push_back|emplace_back)\(")
+COUNTED = re.compile(r'\bnote\(\w[^,"]*, ("[^"]*")\)')
+"""A number before words."""
+CONSTANT = re.compile(r'constexpr const char\* k\w+ =\s*((?:"[^"]*"\s*)+);')
 ADVICE = re.compile(r'\? "(; [^"]*)"')
 
 
@@ -99,6 +104,11 @@ def read_file(path: Path) -> Iterator[str]:
     for reason in WHOLE_TISSUE.findall(source):
         yield from ("".join(LITERAL.findall(part)) for part in reason)
     yield from ADVICE.findall(source)
+    if "authoring" in path.parts:
+        for call in NOTE.finditer(source):
+            yield from build_templates(close(source[call.end() :]))
+        yield from (f"%1{LITERAL.findall(text)[0]}" for text in COUNTED.findall(source))
+        yield from ("".join(LITERAL.findall(text)) for text in CONSTANT.findall(source))
     if path.stem == "units":
         told = [*CHOSEN.findall(source), *PRINTED.findall(re.sub(r"%[.\d]*[a-z]", "%1", source))]
         yield from (text for reason in told for text in build_templates(reason))

@@ -30,12 +30,19 @@ PROGRAMS = (
 PLACED = ("Refusal", "EditRefusal", "FileError", "NotDurable", "BadValue")
 """Take file, where, found and expected."""
 PLAIN = ("ValueError", "RuntimeError", "OSError", "WrongCall")
+NOTED = (
+    *("list_changes", "describe_cells", "describe_tetrahedra", "describe_own"),
+    *("describe_refilled", "find_fault"),
+)
+"""Functions that give notes, as do calls of notes.append()."""
 TOLD = ("find_appearance_fault",)
 """Functions that give where, found and expected."""
 REASONS = ("unit_reason", "up_reason")
 """Arguments that say why a unit or an axis was chosen."""
 KINDS = "KINDS"
 """The table of json_part.py that says what a field takes."""
+CUT_ENDS = "CUT_ENDS"
+"""The table of from_scan.py with a note for each side."""
 Scope = dict[str, list[ast.expr]]
 """Name -> what is assigned to it."""
 
@@ -64,9 +71,15 @@ def read_file(file: Path) -> Iterator[str]:
             if node.name in TOLD:
                 for told in find_told(node):
                     yield from (text for part in told[-2:] for text in build(part, scope))
+            if "palpate_editor" in file.parts:
+                for note in find_noted(node):
+                    yield from build(note, scope)
     for node in ast.walk(tree):
         if isinstance(node, ast.keyword) and node.arg in REASONS:
             yield from (text for text in build(node.value, constants) if text != "%1")
+    for table in constants.get(CUT_ENDS, []):
+        if isinstance(table, ast.Dict):
+            yield from (text for value in table.values for text in build(value, {}))
     for table in constants.get(KINDS, []):
         if isinstance(table, ast.Dict):
             rows = [row.elts[0] for row in table.values if isinstance(row, ast.Tuple)]
@@ -93,6 +106,14 @@ def find_raised(function: ast.FunctionDef) -> Iterator[ast.Call]:
     for node in ast.walk(function):
         if isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call):
             yield node.exc
+
+
+def find_noted(function: ast.FunctionDef) -> Iterator[ast.expr]:
+    for node in ast.walk(function):
+        if isinstance(node, ast.Return | ast.Yield) and function.name in NOTED and node.value:
+            yield node.value
+        if isinstance(node, ast.Call) and ast.unparse(node.func) == "notes.append":
+            yield node.args[0]
 
 
 def find_told(function: ast.FunctionDef) -> Iterator[list[ast.expr]]:

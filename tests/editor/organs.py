@@ -18,7 +18,9 @@ from palpate.scene.scene_parts import (
 )
 from palpate_editor.document import (
     AppliedTissue,
+    Assembly,
     Decimation,
+    Filling,
     History,
     Line,
     Organ,
@@ -64,6 +66,13 @@ SEGMENTATION = Segmentation(
     volume_change=0.0018,
     pieces_dropped=2,
     shells_dropped=1,
+)
+
+ASSEMBLY = Assembly(weld=1e-4 / 3.0, unite=False, subtracted=("right",), regions=True)
+
+FILLING = Filling(
+    np.array([[0.0, 0, 0], [0.1, 0, 0], [0, 0.06, 0], [0, 0, 0.04], [0.06, 0.06, 0.06]]),
+    np.array([[0, 1, 2, 3], [1, 2, 3, 4]]),
 )
 
 TISSUES = (
@@ -115,7 +124,9 @@ def make_organ(vertices: int = 60, imported: int | None = 150) -> Organ:
         source=SOURCE,
         segmentation=SEGMENTATION,
         tissues=TISSUES,
+        assembly=ASSEMBLY,
         imported=whole,
+        filling=FILLING,
         surface=surface,
         decimation=None if imported is None else decimation,
         material=MaterialPart(density=1050.0, damping_ratio=0.3),
@@ -166,6 +177,8 @@ def same_value(a: object, b: object) -> bool:
     if isinstance(a, list | tuple) and isinstance(b, list | tuple):
         alike = type(a) is type(b) and len(a) == len(b)
         return alike and all(map(same_value, a, b))
+    if isinstance(a, Filling) and isinstance(b, Filling):
+        return same_value(a.vertices, b.vertices) and same_value(a.tetrahedra, b.tetrahedra)
     if isinstance(a, Surface) and isinstance(b, Surface):
         return same_value(a.vertices, b.vertices) and same_value(a.triangles, b.triangles)
     if isinstance(a, np.ndarray) and isinstance(b, np.ndarray):

@@ -56,6 +56,7 @@ EXAMPLES = [
     (edits.TurnOutward(), INSIDE_OUT),
     (edits.CutCrowdedEdges(), WITH_A_FIN),
     (edits.CutDisagreement(), ONE_SIDED),
+    (edits.UniteShells(), IN_PIECES),
     (edits.FillHoles(), OPEN),
     (edits.Decimate(SPLEEN.imported, COARSE, DECIMATION), SPLEEN),
     (edits.DecimateTo(50), SPLEEN),

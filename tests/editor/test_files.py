@@ -13,6 +13,7 @@ import numpy as np
 import palpate
 import pytest
 from organs import APPEARANCE, make_organ, open_surface, same, with_history
+from palpate import FileError
 from palpate.scenario import read_container
 from palpate.scene.scene_parts import FillPart
 from palpate_editor.document import EMPTY, Organ
@@ -100,6 +101,14 @@ def test_every_field_of_an_organ_is_kept_somewhere():
     kept = set(content) | {name.split("/")[0] for name in arrays}
 
     assert kept == {f.name for f in fields(Organ)}
+
+
+def test_a_filling_of_other_vertices_is_refused():
+    content, arrays = pack_organ(make_organ())
+    arrays["filling/tetrahedra"] = arrays["filling/tetrahedra"] + 4
+
+    with pytest.raises(FileError, match="filling/tetrahedra: got vertex numbers 4 to 8, expected"):
+        unpack_organ(as_read(content), arrays, VERSION, "a.organ")
 
 
 def as_read(content: dict[str, object]) -> dict[str, object]:

@@ -53,7 +53,7 @@ def test_of_tetrahedra_the_outer_faces_are_the_surface(name, write, tmp_path):
     assert (organ.report.triangles, organ.report.closed, organ.report.outward) == (6, True, True)
     # |det|/6 of each by hand: 100*60*40/6 mm³, and 504000/6 mm³
     assert organ.report.volume_ml == pytest.approx(40.0 + 84.0)
-    assert any(note.startswith("2 cells fill it") for note in scene.notes)
+    assert any(note.startswith("2 tetrahedra fill it") for note in scene.notes)
 
 
 @pytest.mark.parametrize("write", [write_msh, write_msh4])

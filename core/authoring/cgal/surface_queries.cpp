@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <tuple>
 
 #include "palpate/authoring/self_intersections.h"
@@ -104,17 +105,31 @@ class Crossing {
 
 struct OutOfBudget {};
 
-}  // namespace
+using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
 
-std::optional<std::vector<int>> find_self_intersecting_faces(const SurfaceMesh& mesh,
-                                                             std::int64_t pair_budget) {
-  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
-  const Crossing crosses(mesh);
+std::vector<Box> build_boxes(const SurfaceMesh& mesh) {
   std::vector<Box> boxes;
   boxes.reserve(mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     boxes.emplace_back(to_triangle(mesh, mesh.triangles[i]).bbox(), static_cast<int>(i));
   }
+  return boxes;
+}
+
+std::vector<int> list_hit(const std::vector<char>& hit) {
+  std::vector<int> faces;
+  for (std::size_t i = 0; i < hit.size(); ++i) {
+    if (hit[i]) faces.push_back(static_cast<int>(i));
+  }
+  return faces;
+}
+
+}  // namespace
+
+std::optional<std::vector<int>> find_self_intersecting_faces(const SurfaceMesh& mesh,
+                                                             std::int64_t pair_budget) {
+  const Crossing crosses(mesh);
+  std::vector<Box> boxes = build_boxes(mesh);
   std::vector<char> hit(mesh.triangles.size(), 0);
   const auto examine = [&](const Box& a, const Box& b) {
     if (--pair_budget < 0) throw OutOfBudget{};
@@ -128,11 +143,34 @@ std::optional<std::vector<int>> find_self_intersecting_faces(const SurfaceMesh& 
     return std::nullopt;
   }
 
-  std::vector<int> faces;
-  for (std::size_t i = 0; i < hit.size(); ++i) {
-    if (hit[i]) faces.push_back(static_cast<int>(i));
+  return list_hit(hit);
+}
+
+std::optional<CrossingGroups> find_crossing_groups(const SurfaceMesh& mesh,
+                                                   std::span<const int> group,
+                                                   std::int64_t pair_budget) {
+  const Crossing crosses(mesh);
+  std::vector<Box> boxes = build_boxes(mesh);
+  std::vector<char> hit(mesh.triangles.size(), 0);
+  std::set<std::array<int, 2>> pairs;
+  const auto examine = [&](const Box& a, const Box& b) {
+    if (--pair_budget < 0) throw OutOfBudget{};
+    const int g = group[a.info()], h = group[b.info()];
+    if (g == h) {
+      if (hit[a.info()] && hit[b.info()]) return;
+      if (crosses(a.info(), b.info())) hit[a.info()] = hit[b.info()] = 1;
+      return;
+    }
+    const std::array pair{std::min(g, h), std::max(g, h)};
+    if (!pairs.contains(pair) && crosses(a.info(), b.info())) pairs.insert(pair);
+  };
+
+  try {
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), examine);
+  } catch (const OutOfBudget&) {
+    return std::nullopt;
   }
-  return faces;
+  return CrossingGroups{{pairs.begin(), pairs.end()}, list_hit(hit)};
 }
 
 struct SourceSurface::Tree {

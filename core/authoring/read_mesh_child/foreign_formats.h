@@ -15,10 +15,10 @@ ImportedScene read_with_assimp(const std::string& path, const std::string& forma
 /// FileError where the records stop short of the count.
 std::optional<ImportedScene> read_binary_stl(const std::string& path);
 
-/// An OBJ, in double precision where assimp has single: its vertices, polygons, objects and groups;
-/// normals, texture coordinates and colours are left alone, whatever is wrong with them. nullopt
-/// for one that is not text of single bytes, which is assimp's to read or refuse. Throws FileError
-/// with the line.
+/// An OBJ, in double precision where assimp has single: its vertices, polygons, objects and groups,
+/// and the mean colour of each by its corners or its material library. Normals and texture
+/// coordinates are left alone, whatever is wrong with them. nullopt for one that is not text of
+/// single bytes, which is assimp's to read or refuse. Throws FileError with the line.
 std::optional<ImportedScene> read_obj(const std::string& path);
 
 /// An OFF as text: OFF, COFF, NOFF, CNOFF, STOFF and their like, 4OFF; normals, colours and texture

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include "palpate/authoring/file_signature.h"
 #include "palpate/authoring/read_mesh_child/foreign_formats.h"
+#include "palpate/authoring/read_mesh_child/mean_colour.h"
+#include "palpate/authoring/read_mesh_child/read_materials.h"
 #include "palpate/authoring/read_mesh_child/text_line.h"
 #include "palpate/authoring/read_mesh_child/triangulate.h"
 
@@ -20,7 +23,7 @@ struct Skipped {
 class Obj {
  public:
   explicit Obj(const std::string& path)
-      : path_(path), part_names_{std::filesystem::path(path).stem().string()}, parts_(1) {}
+      : path_(path), part_names_{std::filesystem::path(path).stem().string()}, parts_(1), of_(1) {}
 
   void take_line(std::string_view text, int number) {
     number_ = number;
@@ -35,25 +38,42 @@ class Obj {
     } else if (word == "o" || word == "g") {
       part_names_.emplace_back(line.take_rest());
       parts_.emplace_back();
+      of_.emplace_back();
+    } else if (word == "usemtl") {
+      const std::string name(line.take_rest());
+      const auto next = static_cast<int>(material_numbers_.size());
+      material_ = material_numbers_.try_emplace(name, next).first->second;
+    } else if (word == "mtllib") {
+      take_library(std::string(line.take_rest()));
     } else if (word == "curv" || word == "curv2" || word == "surf") {
       ++skipped_.curves;
     }
   }
 
-  ImportedScene finish() const {
+  ImportedScene finish() {
     ImportedScene scene{};
+    if (colours_.size() != vertices_.size()) colours_.clear();  // only some have one
     if (marked_) {
       scene.unit = "m";
       scene.up = "z";
     }
     for (std::size_t p = 0; p < parts_.size(); ++p) {
-      if (!parts_[p].empty()) scene.parts.push_back({part_names_[p], cut_out(parts_[p])});
+      if (parts_[p].empty()) continue;
+      ImportedPart part;
+      part.name = part_names_[p];
+      part.mesh = cut_out(parts_[p]);
+      part.colour = find_colour(p);
+      scene.parts.push_back(std::move(part));
     }
     const auto note = [&](int count, const char* what) {
       if (count > 0) scene.notes.push_back(std::to_string(count) + what);
     };
     note(skipped_.short_faces, " faces of fewer than three corners were left out");
     note(skipped_.curves, " free-form curves or surfaces were left out");
+    if (has_textures_) scene.notes.emplace_back(kTexturesStay);
+    for (const std::string& library : missing_) {
+      scene.notes.push_back("the materials in " + library + " are not there to be read");
+    }
     return scene;
   }
 
@@ -62,7 +82,52 @@ class Obj {
     throw FileError(path_, "line " + std::to_string(number_), std::string(got), expected);
   }
 
-  /// What follows the third number, a weight or a colour, is left alone.
+  void take_library(const std::string& name) {
+    Materials read = read_materials(path_, name);
+    if (!read.is_there) missing_.push_back(one_line(name));
+    has_textures_ = has_textures_ || read.has_textures;
+    materials_.merge(read.colours);
+  }
+
+  static std::string one_line(std::string text) {
+    for (char& c : text) {
+      if (static_cast<unsigned char>(c) < 32) c = ' ';
+    }
+    return text.substr(0, 200);
+  }
+
+  /// Of what has one: its corners' before its material's.
+  std::optional<std::array<double, 3>> find_colour(std::size_t p) const {
+    std::vector<const Vec3*> colour(material_numbers_.size(), nullptr);
+    for (const auto& [name, number] : material_numbers_) {
+      const auto found = materials_.find(name);
+      if (found != materials_.end()) colour[number] = &found->second;
+    }
+    MeanColour mean;
+    for (std::size_t t = 0; t < parts_[p].size(); ++t) {
+      const auto& [a, b, c] = parts_[p][t];
+      const Vec3 &x = vertices_[a], &y = vertices_[b], &z = vertices_[c];
+      const double area = 0.5 * (y - x).cross(z - x).norm();
+      if (!colours_.empty()) {
+        mean.add((colours_[a] + colours_[b] + colours_[c]) / (3.0 * brightest_), area);
+      } else if (of_[p][t] >= 0 && colour[of_[p][t]] != nullptr) {
+        mean.add(*colour[of_[p][t]], area);
+      }
+    }
+    return mean.find(false);
+  }
+
+  /// Three numbers behind the place are a colour, of 0 to 1 or of 0 to 255; one is a weight, and
+  /// left alone.
+  void take_colour(TextLine& line) {
+    Vec3 colour;
+    const bool has_one = line.take(colour[0]) && line.take(colour[1]) && line.take(colour[2]);
+    if (has_one && colour.allFinite() && colours_.size() + 1 == vertices_.size()) {
+      colours_.push_back(colour);
+      if (colour.maxCoeff() > 1.0) brightest_ = 255.0;
+    }
+  }
+
   void take_vertex(TextLine& line) {
     Vec3 p;
     for (int i = 0; i < 3; ++i) {
@@ -74,6 +139,7 @@ class Obj {
       }
     }
     vertices_.push_back(p);
+    take_colour(line);
   }
 
   void take_face(TextLine& line) {
@@ -87,6 +153,7 @@ class Obj {
       return;
     }
     triangulate_polygon(corners_, vertices_, parts_.back());
+    of_.back().resize(parts_.back().size(), material_);
   }
 
   /// Of the corner v/vt/vn only v is asked; below zero it counts back from the last vertex.
@@ -129,6 +196,15 @@ class Obj {
   std::vector<int> corners_;  // of the face being taken
   std::vector<std::string> part_names_;
   std::vector<std::vector<Triangle>> parts_;
+
+  Vec3Array colours_;       // of the vertices, where all have one
+  double brightest_ = 1.0;  // what stands for a full channel
+  std::map<std::string, Vec3> materials_;
+  std::map<std::string, int> material_numbers_;
+  int material_ = -1;                 // of the faces being taken; -1 for none
+  std::vector<std::vector<int>> of_;  // the material of each triangle, as parts_
+  std::vector<std::string> missing_;
+  bool has_textures_ = false;
 };
 
 /// Joins a line that ends in a backslash with those that follow it; how many there were.

@@ -40,6 +40,7 @@ class Lines {
 /// The head of an OFF: [ST][C][N][4]OFF; the dimension of its vertices is 4 or 3.
 struct Head {
   bool weighted = false;
+  bool coloured = false;
   long vertices = 0, faces = 0;
 };
 
@@ -62,7 +63,8 @@ Head take_head(Lines& lines) {
   }
   const std::string said(word);
   if (word.starts_with("ST")) word.remove_prefix(2);
-  if (word.starts_with("C")) word.remove_prefix(1);
+  head.coloured = word.starts_with("C");
+  if (head.coloured) word.remove_prefix(1);
   if (word.starts_with("N")) word.remove_prefix(1);
   head.weighted = word.starts_with("4");
   if (head.weighted) word.remove_prefix(1);
@@ -132,6 +134,9 @@ ImportedScene read_off(const std::string& path) {
   if (left_out > 0) {
     scene.notes.push_back(std::to_string(left_out) +
                           " faces of fewer than three corners were left out");
+  }
+  if (head.coloured) {
+    scene.notes.emplace_back("the colours of its vertices stay behind");
   }
   scene.parts.push_back({std::filesystem::path(path).stem().string(), std::move(mesh)});
   return scene;

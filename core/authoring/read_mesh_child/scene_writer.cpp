@@ -45,9 +45,15 @@ void write_scene(const ImportedScene& scene, std::FILE* out) {
   put_count(scene.parts.size(), out);
   for (const ImportedPart& part : scene.parts) {
     put_all(part.name, out);
+    put_count(part.groups.size(), out);
+    for (const std::string& group : part.groups) put_all(group, out);
+    put_count(part.colour ? 3 : 0, out);
+    if (part.colour) put(*part.colour, out);
     put_all(part.mesh.vertices, out);
     put_all(part.mesh.triangles, out);
   }
+  put_all(scene.filling.vertices, out);
+  put_all(scene.filling.tetrahedra, out);
   end(out);
 }
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from palpate_editor.document.history import Line
 from palpate_editor.document.organ import (
     EMPTY,
+    Assembly,
     Decimation,
     History,
     Organ,
@@ -20,13 +21,15 @@ from palpate_editor.document.organ import (
     is_language,
 )
 from palpate_editor.document.phrase import Phrase, phrase
-from palpate_editor.document.surface import Surface, freeze
+from palpate_editor.document.surface import Filling, Surface, freeze
 from palpate_editor.document.tissue import AppliedTissue
 
 __all__ = [
     "EMPTY",
     "AppliedTissue",
+    "Assembly",
     "Decimation",
+    "Filling",
     "History",
     "Line",
     "Organ",

@@ -33,6 +33,7 @@ from palpate_editor.document.migrations import (
     migrate_begin,
 )
 from palpate_editor.document.organ import (
+    Assembly,
     Decimation,
     History,
     Organ,
@@ -41,14 +42,14 @@ from palpate_editor.document.organ import (
     Translation,
     is_language,
 )
-from palpate_editor.document.surface import Surface
+from palpate_editor.document.surface import Filling, Surface
 from palpate_editor.document.tissue import MOST_TISSUES, STATUSES, AppliedTissue
 
 FORMAT = "organ"
 ARRAYS_OF_MODEL = ("fixed", "stiffness_scale")
 """Of the model part; arrays of the file stand for them."""
 TEXTS = ("name", "title", "task")
-SOMETIMES = {"segmentation": Segmentation}
+SOMETIMES = {"segmentation": Segmentation, "assembly": Assembly}
 """Parts that a file has where the organ has them; a reader from before them refuses such a file."""
 OPTIONAL = {"source": Source, "decimation": Decimation, "appearance": AppearancePart}
 
@@ -106,6 +107,9 @@ def pack_parts(organ: Organ) -> tuple[Json, Arrays]:
             arrays |= pack_surface("surface", organ.surface)
         arrays["fixed"] = np.flatnonzero(organ.fixed).astype(np.int32)
         arrays["stiffness_scale"] = organ.stiffness_scale
+    if organ.filling is not None:
+        arrays["filling/vertices"] = organ.filling.vertices
+        arrays["filling/tetrahedra"] = organ.filling.tetrahedra
     for name in SOMETIMES:
         if getattr(organ, name) is not None:
             content[name] = asdict(getattr(organ, name))
@@ -255,6 +259,8 @@ def unpack_arrays(arrays: Arrays, regions: tuple[str, ...], file: str) -> Json:
         if f"{name}/vertices" in arrays or f"{name}/triangles" in arrays:
             parts[name] = unpack_surface(arrays, name, file)
     parts.setdefault("surface", parts.get("imported"))
+    if "filling/vertices" in arrays or "filling/tetrahedra" in arrays:
+        parts["filling"] = unpack_filling(arrays, file)
     surface = parts["surface"]
     count = 0 if surface is None else len(surface.vertices)
     if surface is not None:
@@ -289,6 +295,19 @@ def unpack_surface(arrays: Arrays, name: str, file: str) -> Surface:
             f"0 to {len(vertices) - 1}",
         )
     return Surface(vertices, triangles)
+
+
+def unpack_filling(arrays: Arrays, file: str) -> Filling:
+    vertices = take(arrays, "filling/vertices", np.float64, (None, 3), file)
+    tetrahedra = take(arrays, "filling/tetrahedra", np.int32, (None, 4), file)
+    if tetrahedra.size and (tetrahedra.min() < 0 or tetrahedra.max() >= len(vertices)):
+        raise Refusal(
+            file,
+            "filling/tetrahedra",
+            f"vertex numbers {tetrahedra.min()} to {tetrahedra.max()}",
+            f"0 to {len(vertices) - 1}",
+        )
+    return Filling(vertices, tetrahedra)
 
 
 def take(

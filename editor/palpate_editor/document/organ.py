@@ -20,7 +20,7 @@ from palpate.scene.scene_parts import (
 
 from palpate_editor.document.defaults import FILL, HAND, MATERIAL, MODEL, TOOL
 from palpate_editor.document.history import Line
-from palpate_editor.document.surface import Surface, freeze
+from palpate_editor.document.surface import Filling, Surface, freeze
 from palpate_editor.document.tissue import AppliedTissue
 
 LANGUAGE = re.compile(r"(?=.{2,35}$)[a-z]{2,3}(-[A-Za-z0-9]{1,8})*")
@@ -85,6 +85,20 @@ class Source:
     repairs: Repairs = field(default_factory=Repairs)
     notes: tuple[str, ...] = ()
     """What was odd about the file but could be read all the same."""
+
+
+@dataclass(frozen=True)
+class Assembly:
+    """How the parts of a file were put together, where they were not only taken side by side."""
+
+    weld: float | None
+    """[m] Vertices of different parts that were closer became one; None for the same points."""
+    unite: bool
+    """As solids, one out of all."""
+    subtracted: tuple[str, ...]
+    """Parts whose inside was taken away from the others."""
+    regions: bool
+    """Each part is a region of its name."""
 
 
 @dataclass(frozen=True)
@@ -156,8 +170,12 @@ class Organ:
     source: Source | None = None
     segmentation: Segmentation | None = None
     """None where the source is no scan."""
+    assembly: Assembly | None = None
+    """None where the parts of the file lie side by side, or there is one."""
     imported: Surface | None = None
     """As the file gave it, repaired; what is decimated."""
+    filling: Filling | None = None
+    """The file's own tetrahedra; they fill the organ as long as its surface is their outside."""
     surface: Surface | None = None
     """What a tissue is built on."""
     decimation: Decimation | None = None

@@ -51,6 +51,8 @@ class SurfaceFacts:
     """Whether neighbours can agree on which side is outside."""
     largest_crosses: bool | None
     """Whether the largest piece alone crosses itself too much; None where that was not asked."""
+    can_be_united: bool
+    """Whether its pieces cross each other, and each is closed and does not cross itself."""
     smallest_angle_deg: float | None
     mean_edge: float
     """[m]"""

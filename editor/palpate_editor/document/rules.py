@@ -175,7 +175,7 @@ def find_hole_problems(found: SurfaceFacts) -> Iterator[Problem]:
                 all=found.triangles,
             ),
             phrase(
-                "at most {most:g} %: choose fewer parts, or keep the largest piece",
+                "at most {most:g} %: choose fewer parts, unite them, or keep the largest piece",
                 most=100.0 * MOST_CROSSING,
             ),
         )

@@ -43,3 +43,20 @@ class Surface:
 
     def __repr__(self) -> str:
         return f"Surface({len(self.vertices)} vertices, {len(self.triangles)} triangles)"
+
+
+@dataclass(frozen=True, eq=False)
+class Filling:
+    """Tetrahedra as a file has them. Compared by identity, as surfaces are."""
+
+    vertices: np.ndarray
+    """[m] (n, 3), read-only"""
+    tetrahedra: np.ndarray
+    """(t, 4) int32, (b - a) x (c - a) towards d, read-only"""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "vertices", freeze(self.vertices, np.float64, (None, 3)))
+        object.__setattr__(self, "tetrahedra", freeze(self.tetrahedra, np.int32, (None, 4)))
+
+    def __repr__(self) -> str:
+        return f"Filling({len(self.vertices)} vertices, {len(self.tetrahedra)} tetrahedra)"

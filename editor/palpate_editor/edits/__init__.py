@@ -14,7 +14,7 @@ from palpate_editor.edits.edit import Edit, EditError
 from palpate_editor.edits.fill_holes import FillHoles
 from palpate_editor.edits.fix import FixLowest, FixVertices
 from palpate_editor.edits.history import read_line, write_down, write_line
-from palpate_editor.edits.import_mesh import ImportMesh, import_file
+from palpate_editor.edits.import_mesh import ImportMesh, import_file, import_read
 from palpate_editor.edits.name import SetName, SetTask
 from palpate_editor.edits.orient import SetUnit, SetUp
 from palpate_editor.edits.paint import PaintStiffness
@@ -29,6 +29,7 @@ from palpate_editor.edits.repair import (
 from palpate_editor.edits.set_constant import SetChoice, SetConstant, SetGravity, SetMaterial
 from palpate_editor.edits.set_reach import SetReach
 from palpate_editor.edits.set_tissue import SetTissue
+from palpate_editor.edits.unite import UniteShells
 
 __all__ = [
     "EVERY_EDIT",
@@ -60,9 +61,11 @@ __all__ = [
     "SetUnit",
     "SetUp",
     "TurnOutward",
+    "UniteShells",
     "UseImported",
     "decimate_organ",
     "import_file",
+    "import_read",
     "prepare",
     "read_line",
     "write_line",
@@ -76,6 +79,7 @@ EVERY_EDIT: tuple[type, ...] = (
     TurnOutward,
     CutCrowdedEdges,
     CutDisagreement,
+    UniteShells,
     FillHoles,
     Decimate,
     DecimateTo,

@@ -48,9 +48,13 @@ def note(edit: Edit, before: Organ, after: Organ) -> Organ:
     return replace(after, history=replace(history, lines=lines))
 
 
+SURFACES_OWN = ("source", "segmentation", "assembly", "decimation", "filling")
+"""Of an organ, what goes with its surface."""
+
+
 def take_surface_away(organ: Organ) -> Organ:
     """What of an organ outlasts the import of another surface."""
-    bare = {name: getattr(EMPTY, name) for name in ("source", "segmentation", "decimation")}
+    bare = {name: getattr(EMPTY, name) for name in SURFACES_OWN}
     arrays = {name: getattr(EMPTY, name) for name in ("fixed", "stiffness_scale", "regions")}
     return replace(organ, imported=None, surface=None, history=None, **bare, **arrays)
 

@@ -11,21 +11,55 @@ from typing import Any, ClassVar
 
 import numpy as np
 import palpate
+from palpate.scene.scene_parts import AppearancePart
 
 from palpate_editor import authoring
-from palpate_editor.appearance import choose_appearance
-from palpate_editor.document import Organ, Repairs, Segmentation, Source, Surface
+from palpate_editor.appearance import choose_appearance, recolour
+from palpate_editor.document import (
+    Assembly,
+    Filling,
+    Organ,
+    Repairs,
+    Segmentation,
+    Source,
+    Surface,
+)
 from palpate_editor.document.organ_sizes import find_fitting_unit, find_range, find_word
 from palpate_editor.edits.orient import METRES
+from palpate_editor.edits.own_filling import take_filling
+from palpate_editor.edits.part_regions import find_regions
+from palpate_editor.edits.place_parts import find_colour, place_surfaces
 
 REPAIRS = tuple(f.name for f in fields(Repairs) if f.name != "welded_vertices")
 """Those that are counted after the parts of a file were welded."""
 
 
+@dataclass(frozen=True)
+class Assembling:
+    """How the parts of a file become one surface."""
+
+    weld: float | None = None
+    """[m] Vertices of different parts that are closer become one; None: those at one place."""
+    unite: bool = False
+    """As solids, one out of all."""
+    subtract: tuple[str, ...] = ()
+    """Parts or groups whose inside is taken away from the others; those are united."""
+    regions: bool = False
+    """Keep each part as a region of its name."""
+
+    def options(self) -> dict[str, Any]:
+        """As authoring.join_parts takes them."""
+        return {"weld": self.weld, "unite": self.unite, "subtract": self.subtract}
+
+
+BESIDE = Assembling()
+"""Parts lie side by side, welded where they have the same points."""
+
+
 @dataclass(frozen=True, eq=False)
 class ImportMesh:
     """Put a surface that was read in the editor. Constants stay; what was painted goes. An organ
-    without an appearance gets the one that fits its name."""
+    without an appearance gets the one that fits its name, in the file's colour."""
 
     title: ClassVar[str] = "Import"
     begins: ClassVar[bool] = True
@@ -36,18 +70,52 @@ class ImportMesh:
     surface: Surface
     segmentation: Segmentation | None = None
     """Of a surface that was cut out of a scan."""
+    assembly: Assembly | None = None
+    regions: tuple[str, ...] = ()
+    """Parts that are kept as regions."""
+    region_of: np.ndarray | None = None
+    """(n,) Which of them each vertex is in."""
+    colour: tuple[float, ...] | None = None
+    """sRGB, 0 to 1: of the file."""
+    filling_vertices: np.ndarray | None = None
+    """[m] (3 n,) Of the file's own tetrahedra, which the surface is the outside of."""
+    filling_tetrahedra: np.ndarray | None = None
+    """(4 t,)"""
 
     def __call__(self, organ: Organ) -> Organ:
         fresh = replace(
             organ.with_surface(self.surface),
             source=self.source,
             segmentation=self.segmentation,
+            assembly=self.assembly,
             imported=self.surface,
             decimation=None,
+            filling=self.build_filling(),
+            regions=self.build_regions(),
         )
+        if fresh.filling is not None:
+            count = len(fresh.filling.tetrahedra)
+            fresh = replace(fresh, fill=replace(organ.fill, tetrahedra=count))
         name = organ.name or self.name
-        appearance = organ.appearance or choose_appearance(name, (self.name, *self.source.parts))
-        return replace(fresh, name=name, appearance=appearance)
+        return replace(fresh, name=name, appearance=organ.appearance or self.find_appearance(name))
+
+    def build_regions(self) -> dict[str, np.ndarray]:
+        """Parts without a vertex have none."""
+        if self.region_of is None:
+            return {}
+        found = {name: np.flatnonzero(self.region_of == i) for i, name in enumerate(self.regions)}
+        return {name: ids for name, ids in found.items() if ids.size}
+
+    def build_filling(self) -> Filling | None:
+        if self.filling_vertices is None or self.filling_tetrahedra is None:
+            return None
+        return Filling(
+            np.reshape(self.filling_vertices, (-1, 3)), np.reshape(self.filling_tetrahedra, (-1, 4))
+        )
+
+    def find_appearance(self, name: str) -> AppearancePart:
+        appearance = choose_appearance(name, (self.name, *self.source.parts))
+        return appearance if self.colour is None else recolour(appearance, self.colour)
 
 
 def import_file(
@@ -56,25 +124,95 @@ def import_file(
     parts: Sequence[str] = (),
     unit: str | None = None,
     up: str | None = None,
+    assembling: Assembling = BESIDE,
     **limits: Any,
 ) -> ImportMesh:
     """Reads, joins, repairs and orients a mesh file: seconds for a large one, on any thread.
 
     Args:
         path: The mesh file.
-        parts: Names of its parts to use; all when empty.
+        parts: Names of its parts, or of groups of them, to use; all when empty.
         unit: See authoring.import_mesh.
         up: See authoring.import_mesh.
+        assembling: How the parts become one surface.
         limits: time_limit [s] and memory_limit [bytes] of the reader.
 
-    Raises FileError, ValueError (a wrong part, unit or axis) or OSError.
+    Raises FileError, ValueError (a wrong part, unit, axis or length) or OSError.
     """
     scene = authoring.read_mesh(path, **limits)
-    imported = authoring.import_scene(scene, parts=parts, unit=unit, up=up)
+    return import_read(path, scene, parts=parts, unit=unit, up=up, assembling=assembling)
+
+
+def import_read(
+    path: Path,
+    scene: authoring.ImportedScene,
+    *,
+    parts: Sequence[str] = (),
+    unit: str | None = None,
+    up: str | None = None,
+    assembling: Assembling = BESIDE,
+) -> ImportMesh:
+    """The same of a file that has been read."""
+    options = assembling.options()
+    imported = authoring.import_scene(scene, parts=parts, unit=unit, up=up, **options)
     mesh = imported.mesh
     surface = Surface(np.asarray(mesh.vertices), np.asarray(mesh.triangles))
-    read = ImportMesh(make_writable(path.stem), describe_source(path, scene, imported), surface)
-    return guess_unit_by_name(read)
+    source = describe_source(path, scene, imported)
+    read = guess_unit_by_name(ImportMesh(make_writable(path.stem), source, surface))
+    guessed = read.source.unit
+    if assembling.weld is not None and guessed != imported.joined.unit:
+        # the tolerance was of another length in the unit that was taken at first
+        again = import_read(path, scene, parts=parts, unit=guessed, up=up, assembling=assembling)
+        told = replace(again.source, unit_guessed=True, unit_reason=read.source.unit_reason)
+        return replace(again, source=told)
+    return add_belongings(read, scene, imported.joined, assembling)
+
+
+def add_belongings(
+    read: ImportMesh,
+    scene: authoring.ImportedScene,
+    joined: authoring.JoinedSurface,
+    assembling: Assembling,
+) -> ImportMesh:
+    """With what comes along beside the surface: regions, colour, filling; and a word of each."""
+    source, surface = read.source, read.surface
+    unit, ratio = joined.unit, METRES[source.unit] / METRES[joined.unit]
+    filling, said = take_filling(scene, unit, source.up, surface, ratio)
+    colour, differ = find_colour(scene, source.parts)
+    notes = list(filter(None, [*source.notes, said]))
+    if differ:
+        notes.append("its parts differ in colour: the organ has their mean")
+    if joined.welded_across:
+        notes.append(
+            f"{joined.welded_across} vertices were welded across parts, by up to "
+            f"{1e3 * joined.largest_move:.3g} mm"
+        )
+    names: tuple[str, ...] = ()
+    region_of = None
+    if assembling.regions:
+        placed = place_surfaces(scene, unit, source.up, source.parts, ratio)
+        names, region_of = find_regions(surface, placed)
+    return replace(
+        read,
+        source=replace(source, notes=tuple(notes)),
+        assembly=describe_assembly(assembling, joined),
+        regions=names,
+        region_of=region_of,
+        colour=colour,
+        filling_vertices=None if filling is None else filling.vertices.ravel(),
+        filling_tetrahedra=None if filling is None else filling.tetrahedra.ravel(),
+    )
+
+
+def describe_assembly(assembling: Assembling, joined: authoring.JoinedSurface) -> Assembly | None:
+    if assembling == BESIDE:
+        return None
+    return Assembly(
+        weld=assembling.weld,
+        unite=assembling.unite,
+        subtracted=tuple(joined.subtracted),
+        regions=assembling.regions,
+    )
 
 
 def guess_unit_by_name(read: ImportMesh) -> ImportMesh:

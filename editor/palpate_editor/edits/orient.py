@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from palpate_editor.document import Organ, Source, Surface, phrase
+from palpate_editor.document import Filling, Organ, Source, Surface, phrase
 from palpate_editor.edits.edit import EditError, find_surface
 
 METRES = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "in": 0.0254, "ft": 0.3048}
@@ -34,7 +34,7 @@ def find_source(organ: Organ) -> Source:
 
 
 def map_surfaces(organ: Organ, move: Callable[[np.ndarray], np.ndarray]) -> Organ:
-    """Both surfaces moved alike; they stay one object where they are one."""
+    """Both surfaces and the file's filling moved alike; surfaces that are one object stay one."""
     surface = find_surface(organ)
     moved = Surface(move(surface.vertices), surface.triangles)
     imported = organ.imported
@@ -42,7 +42,10 @@ def map_surfaces(organ: Organ, move: Callable[[np.ndarray], np.ndarray]) -> Orga
         imported = moved
     elif imported is not None:
         imported = Surface(move(imported.vertices), imported.triangles)
-    return replace(organ, surface=moved, imported=imported)
+    filling = organ.filling
+    if filling is not None:
+        filling = Filling(move(filling.vertices), filling.tetrahedra)
+    return replace(organ, surface=moved, imported=imported, filling=filling)
 
 
 @dataclass(frozen=True)

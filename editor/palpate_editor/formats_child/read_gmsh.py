@@ -10,7 +10,16 @@ import meshio
 import numpy as np
 from meshio import gmsh
 
-from palpate_editor.formats_child.scene import Part, Refusal, Scene, cut_out, describe_filling
+from palpate_editor.formats_child.scene import (
+    NO_FILLING,
+    Part,
+    Refusal,
+    Scene,
+    cut_filling,
+    cut_out,
+    describe_cells,
+    describe_tetrahedra,
+)
 
 FACES = {
     "tetra": [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)],
@@ -37,14 +46,20 @@ def read_gmsh(path: str) -> Scene:
     notes: list[str] = []
     solid = collect(mesh, tuple(FACES))
     polygons = find_outside(solid) if solid else collect_polygons(mesh)
+    filling = NO_FILLING
     if solid:
-        notes.append(describe_filling(sum(len(cells) for _, cells, _ in solid)))
+        count = sum(len(cells) for _, cells, _ in solid)
+        if all(kind == "tetra" for kind, _, _ in solid):
+            filling = cut_filling(mesh.points, np.concatenate([cells for _, cells, _ in solid]))
+            notes.append(describe_tetrahedra(count))
+        else:
+            notes.append(describe_cells(count))
     triangles = np.concatenate([split(corners) for corners, _ in polygons] or [np.empty((0, 3))])
     if len(triangles) == 0:
         raise Refusal("", "no faces", "a surface made of triangles or quadrilaterals")
     group = np.concatenate([np.repeat(g, corners.shape[1] - 2) for corners, g in polygons])
     dimension = 3 if solid else 2
-    return Scene(list_parts(Path(path).stem, mesh, triangles, group, dimension), notes)
+    return Scene(list_parts(Path(path).stem, mesh, triangles, group, dimension), notes, filling)
 
 
 def check_head(path: str) -> None:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -22,12 +23,16 @@ from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 
 from palpate_editor.formats_child.scene import (
+    NO_FILLING,
+    Filling,
     Part,
     Refusal,
     Scene,
     check_corners,
+    cut_filling,
     cut_out,
-    describe_filling,
+    describe_cells,
+    describe_tetrahedra,
 )
 
 READERS = {
@@ -42,6 +47,8 @@ WHAT = {
     "vtkTable": "a table",
 }
 """Kind of data -> in words, where it is no surface."""
+TETRAHEDRA = (10, 24)
+"""VTK_TETRA, VTK_QUADRATIC_TETRA: their corners come first."""
 
 
 def read_vtk(path: str, form: str) -> Scene:
@@ -60,7 +67,14 @@ def read_vtk(path: str, form: str) -> Scene:
         kind = data.GetClassName()
         raise Refusal("", WHAT.get(kind, kind), "polygons, or a grid of cells")
     notes = [f"VTK says: {warning}" for warning in dict.fromkeys(warnings)]
-    return Scene([take_surface(Path(path).stem, data, notes)], notes)
+    if data.GetNumberOfPoints() == 0:
+        raise Refusal("", "no points", "a surface made of triangles or polygons")
+    filling = NO_FILLING
+    if isinstance(data, vtkUnstructuredGrid):
+        check_cells(Path(path).stem, data.GetCells(), data.GetNumberOfPoints())
+        data = choose_cells(data)
+        filling = take_filling(data, notes)
+    return Scene([take_surface(Path(path).stem, data)], notes, filling)
 
 
 def sort_words(text: str) -> tuple[list[str], list[str]]:
@@ -72,13 +86,8 @@ def sort_words(text: str) -> tuple[list[str], list[str]]:
     return kinds["ERROR"] + kinds["ERR"], kinds["WARN"] + kinds["Warning"]
 
 
-def take_surface(name: str, data: vtkDataSet, notes: list[str]) -> Part:
+def take_surface(name: str, data: vtkDataSet) -> Part:
     """The triangles of a data set: its polygons, or the outer faces of its cells."""
-    if data.GetNumberOfPoints() == 0:
-        raise Refusal("", "no points", "a surface made of triangles or polygons")
-    if isinstance(data, vtkUnstructuredGrid):
-        check_cells(name, data.GetCells(), data.GetNumberOfPoints())
-        data = choose_cells(data, notes)
     if not isinstance(data, vtkPolyData):
         outside = vtkDataSetSurfaceFilter()
         outside.SetInputData(data)
@@ -96,7 +105,37 @@ def take_surface(name: str, data: vtkDataSet, notes: list[str]) -> Part:
     if flat.GetNumberOfPolys() == 0:
         raise Refusal("", "no polygons", "a surface made of triangles or polygons")
     corners = vtk_to_numpy(flat.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    return cut_out(name, vtk_to_numpy(flat.GetPoints().GetData()), corners)
+    part = cut_out(name, vtk_to_numpy(flat.GetPoints().GetData()), corners)
+    return replace(part, colour=find_colour(flat))
+
+
+def find_colour(data: vtkPolyData) -> tuple[float, ...]:
+    """The mean of colours that stand at points or at polygons, as three or four bytes each; none
+    where there are none, or they are all white."""
+    for of in (data.GetPointData(), data.GetCellData()):
+        colours = of.GetScalars()
+        if colours is None or colours.GetNumberOfTuples() == 0:
+            continue
+        values = vtk_to_numpy(colours)
+        if values.dtype == np.uint8 and values.ndim == 2 and values.shape[1] in (3, 4):
+            mean = values[:, :3].mean(axis=0) / 255.0
+            return () if (mean > 0.998).all() else tuple(mean.tolist())
+    return ()
+
+
+def take_filling(grid: vtkUnstructuredGrid, notes: list[str]) -> Filling:
+    """The tetrahedra, where all cells that fill space are some."""
+    types = vtk_to_numpy(grid.GetCellTypesArray())
+    if len(types) == 0 or measure_dimension(int(types[0])) != 3:
+        return NO_FILLING
+    if not np.isin(types, TETRAHEDRA).all():
+        notes.append(describe_cells(len(types)))
+        return NO_FILLING
+    notes.append(describe_tetrahedra(len(types)))
+    first = vtk_to_numpy(grid.GetCells().GetOffsetsArray())[:-1]
+    corners = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+    points = vtk_to_numpy(grid.GetPoints().GetData())
+    return cut_filling(points, corners[first[:, None] + np.arange(4)])
 
 
 def check_cells(name: str, cells: object, count: int) -> None:
@@ -105,7 +144,7 @@ def check_cells(name: str, cells: object, count: int) -> None:
         check_corners(name, vtk_to_numpy(cells.GetConnectivityArray()), count)
 
 
-def choose_cells(grid: vtkUnstructuredGrid, notes: list[str]) -> vtkUnstructuredGrid:
+def choose_cells(grid: vtkUnstructuredGrid) -> vtkUnstructuredGrid:
     """The cells that fill space, where there are some, else all: faces drawn on or in them as well
     would be there twice."""
     types = vtk_to_numpy(grid.GetCellTypesArray())
@@ -113,7 +152,6 @@ def choose_cells(grid: vtkUnstructuredGrid, notes: list[str]) -> vtkUnstructured
     solid = np.flatnonzero(np.isin(types, fills))
     if len(solid) == 0:
         return grid
-    notes.append(describe_filling(len(solid)))
     if len(solid) == grid.GetNumberOfCells():
         return grid
     chosen = vtkExtractCells()

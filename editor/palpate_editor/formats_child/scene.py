@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-MAGIC = struct.pack("<Q", 0x31454E4543534C50)
+MAGIC = struct.pack("<Q", 0x32454E4543534C50)
 SCENE, REFUSAL = 0, 1
 
 
@@ -29,6 +29,21 @@ class Part:
     """(n, 3) in units and axes of the file"""
     triangles: np.ndarray
     """(t, 3)"""
+    colour: tuple[float, ...] = ()
+    """sRGB, 0 to 1; empty where the file says none."""
+
+
+@dataclass(frozen=True, eq=False)
+class Filling:
+    """Tetrahedra whose outer faces are the surface."""
+
+    vertices: np.ndarray
+    """(n, 3) in units and axes of the file"""
+    tetrahedra: np.ndarray
+    """(t, 4)"""
+
+
+NO_FILLING = Filling(np.zeros((0, 3)), np.zeros((0, 4), np.int32))
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,6 +53,7 @@ class Scene:
     parts: list[Part]
     notes: list[str] = field(default_factory=list)
     """What was odd but could be read all the same."""
+    filling: Filling = NO_FILLING
 
 
 def cut_out(name: str, vertices: np.ndarray, triangles: np.ndarray) -> Part:
@@ -69,11 +85,17 @@ def encode_scene(scene: Scene) -> bytes:
     pieces += [encode_text(note) for note in scene.notes]
     pieces.append(struct.pack("<I", len(scene.parts)))
     for part in scene.parts:
-        pieces.append(encode_text(part.name))
-        for array, kind in ((part.vertices, "=f8"), (part.triangles, "=i4")):
-            pieces.append(struct.pack("<I", len(array)))
-            pieces.append(np.ascontiguousarray(array, kind).tobytes())
+        pieces += [encode_text(part.name), struct.pack("<I", 0)]
+        pieces += [encode_array(np.array(part.colour), "=f8")]
+        pieces += [encode_array(part.vertices, "=f8"), encode_array(part.triangles, "=i4")]
+    pieces.append(encode_array(scene.filling.vertices, "=f8"))
+    pieces.append(encode_array(scene.filling.tetrahedra, "=i4"))
     return b"".join([*pieces, MAGIC])
+
+
+def encode_array(array: np.ndarray, kind: str) -> bytes:
+    """How many rows, and what stands in them."""
+    return struct.pack("<I", len(array)) + np.ascontiguousarray(array, kind).tobytes()
 
 
 def encode_refusal(refusal: Refusal) -> bytes:
@@ -81,5 +103,28 @@ def encode_refusal(refusal: Refusal) -> bytes:
     return b"".join([MAGIC, struct.pack("<I", REFUSAL), *map(encode_text, texts), MAGIC])
 
 
-def describe_filling(cells: int) -> str:
-    return f"{cells} cells fill it: their outer faces are the surface; the organ is filled again"
+def cut_filling(vertices: np.ndarray, cells: np.ndarray) -> Filling:
+    """The vertices that some tetrahedra use, in the order of the file; each tetrahedron the right
+    way round. Raises Refusal for a corner that there is no vertex for."""
+    cells = np.asarray(cells, np.int64).reshape(-1, 4)
+    check_corners("tetrahedra", cells, len(vertices))
+    used = np.unique(cells)
+    place = np.zeros(len(vertices), np.int32)
+    place[used] = np.arange(len(used), dtype=np.int32)
+    x = np.asarray(vertices, float)[used]
+    filled = place[cells]
+    a, b, c, d = (x[filled[:, i]] for i in range(4))
+    inverted = np.einsum("ij,ij->i", np.cross(b - a, c - a), d - a) < 0.0
+    filled[inverted] = filled[inverted][:, [0, 1, 3, 2]]
+    return Filling(x, filled)
+
+
+def describe_cells(cells: int) -> str:
+    """Of cells that are no tetrahedra, or not all of them."""
+    return (
+        f"{cells} cells fill it: their outer faces are the surface, and the organ is filled again"
+    )
+
+
+def describe_tetrahedra(cells: int) -> str:
+    return f"{cells} tetrahedra fill it, whose outer faces are the surface"

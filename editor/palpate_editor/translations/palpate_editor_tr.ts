@@ -5,6 +5,94 @@
 <context>
     <name>Editor</name>
     <message>
+        <source>{size} mm, {triangles} △</source>
+        <translation>{size} mm, {triangles} △</translation>
+    </message>
+    <message>
+        <source>{count} parts: {first}, …</source>
+        <translation>{count} parça: {first}, …</translation>
+    </message>
+    <message>
+        <source>Taken away from the others</source>
+        <translation>Ötekilerden çıkarılıyor</translation>
+    </message>
+    <message>
+        <source>Take its inside away from the others</source>
+        <translation>İçini ötekilerden çıkar</translation>
+    </message>
+    <message>
+        <source>Show it again</source>
+        <translation>Yeniden göster</translation>
+    </message>
+    <message>
+        <source>Hide it in the view</source>
+        <translation>Görünümde gizle</translation>
+    </message>
+    <message>
+        <source>Choose this alone</source>
+        <translation>Yalnızca bunu seç</translation>
+    </message>
+    <message>
+        <source>Take nothing away</source>
+        <translation>Çıkarma</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>açık</translation>
+    </message>
+    <message>
+        <source>inside {part}</source>
+        <translation>{part} içinde</translation>
+    </message>
+    <message>
+        <source>crosses {parts}</source>
+        <translation>{parts} ile kesişiyor</translation>
+    </message>
+    <message>
+        <source>{count} of its triangles cross others of its own</source>
+        <translation>{count} üçgeni kendi üçgenlerini kesiyor</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Yan yana</translation>
+    </message>
+    <message>
+        <source>As solids, united</source>
+        <translation>Katı olarak, birleşik</translation>
+    </message>
+    <message>
+        <source>where they meet</source>
+        <translation>buluştukları yerde</translation>
+    </message>
+    <message>
+        <source>Vertices of different parts that are closer become one</source>
+        <translation>Farklı parçaların bundan yakın köşeleri bir olur</translation>
+    </message>
+    <message>
+        <source>Keep each part as a region, for a tissue of its own</source>
+        <translation>Her parçayı kendi dokusu olacak bir bölge olarak tut</translation>
+    </message>
+    <message>
+        <source>Weld across</source>
+        <translation>Arası kaynak</translation>
+    </message>
+    <message>
+        <source>Put together</source>
+        <translation>Bir araya getirme</translation>
+    </message>
+    <message>
+        <source>Outer ones</source>
+        <translation>Dıştakiler</translation>
+    </message>
+    <message>
+        <source>The parts that lie inside no other</source>
+        <translation>Başka birinin içinde olmayan parçalar</translation>
+    </message>
+    <message>
+        <source>Looking at its parts</source>
+        <translation>Parçalarına bakılıyor</translation>
+    </message>
+    <message>
         <source>Measured while the organ is felt.</source>
         <translation>Organ hissedilirken ölçülür.</translation>
     </message>
@@ -2841,6 +2929,10 @@ Beklenen: {expected}.</translation>
 <context>
     <name>edits</name>
     <message>
+        <source>Unite the pieces</source>
+        <translation>Parçaları birleştir</translation>
+    </message>
+    <message>
         <source>Import</source>
         <translation>İçe aktarma</translation>
     </message>
@@ -2875,6 +2967,10 @@ Beklenen: {expected}.</translation>
 </context>
 <context>
     <name>phrases</name>
+    <message>
+        <source>The pieces cannot be united: {problem}.</source>
+        <translation>Parçalar birleştirilemiyor: {problem}.</translation>
+    </message>
     <message>
         <source>A factor of stiffness must lie between {least:g} and {most:g}, got {got:g}.</source>
         <translation>Katılık çarpanı {least:g} ile {most:g} arasında olmalı; verilen {got:g}.</translation>
@@ -3628,8 +3724,8 @@ Beklenen: {expected}.</translation>
         <translation>her kenarda en çok iki üçgen: onlar boyunca kesin ya da daha az parça seçin</translation>
     </message>
     <message>
-        <source>at most {most:g} %: choose fewer parts, or keep the largest piece</source>
-        <translation>en çok %{most:g}: daha az parça seçin ya da en büyük parçayı tutun</translation>
+        <source>at most {most:g} %: choose fewer parts, unite them, or keep the largest piece</source>
+        <translation>en çok %{most:g}: daha az parça seçin, birleştirin ya da en büyük parçayı tutun</translation>
     </message>
     <message>
         <source>one whose problems the Repair stage has mended</source>

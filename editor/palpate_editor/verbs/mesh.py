@@ -8,9 +8,10 @@ from dataclasses import asdict
 from pathlib import Path
 
 from palpate.command.output import add_output
-from palpate.command.verb import Report, Verb
+from palpate.command.verb import Report, Verb, WrongCall
 
 from palpate_editor import authoring
+from palpate_editor.appearance import write_colour
 from palpate_editor.check import describe_problem, measure_surface, place_problem
 from palpate_editor.document import EMPTY, Decimation, Organ
 from palpate_editor.document.problems import Facts
@@ -26,6 +27,12 @@ from palpate_editor.verbs.files import (
     open_any,
     write_any,
 )
+from palpate_editor.verbs.parts import (
+    add_assembling,
+    describe_parts,
+    read_assembling,
+    report_parts,
+)
 
 UNITS = ("m", "cm", "mm", "um", "in")
 UPS = ("x", "y", "z", "-x", "-y", "-z")
@@ -37,10 +44,11 @@ def add_source(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="NAME",
-        help="part of the file to use, may be repeated; default: all, welded",
+        help="part of the file to use, or a group of parts, may be repeated; default: all",
     )
     parser.add_argument("--unit", choices=UNITS, help="of the file; default: stated or guessed")
     parser.add_argument("--up", choices=UPS, help="axis of the file; default: stated or z")
+    add_assembling(parser)
 
 
 # ---------------------------------------------------------------- inspect
@@ -53,7 +61,8 @@ def add_inspect(parser: argparse.ArgumentParser) -> None:
 
 def run_inspect(call: argparse.Namespace) -> Report:
     scene = authoring.read_mesh(call.file)
-    joined = authoring.join_parts(scene, parts=call.part, unit=call.unit, up=call.up)
+    options = read_assembling(call).options()
+    joined = authoring.join_parts(scene, parts=call.part, unit=call.unit, up=call.up, **options)
     return {
         **authoring.inspect_mesh(joined.mesh).as_dict(),
         "unit": joined.unit,
@@ -63,10 +72,9 @@ def run_inspect(call: argparse.Namespace) -> Report:
         "up_guessed": joined.up_guessed,
         "up_reason": joined.up_reason,
         "format": scene.format,
-        "parts": [
-            {"name": part.name, "triangles": len(part.mesh.triangles)} for part in scene.parts
-        ],
+        "parts": report_parts(scene, joined.unit, joined.up),
         "parts_used": list(joined.parts),
+        "subtracted": list(joined.subtracted),
         "welded_vertices": joined.welded_vertices,
         "notes": list(scene.notes),
     }
@@ -90,7 +98,7 @@ def describe_inspect(report: Report) -> str:
         f"{known(report['volume_ml'], ' ml')}",
         f"unit {report['unit']} ({guess}: {report['unit_reason']})",
         f"up {report['up']} ({report['up_reason']})",
-        "parts: " + ", ".join(f"{p['name']} ({p['triangles']})" for p in report["parts"]),
+        *describe_parts(report["parts"]),
     ]
     return "\n".join(lines + [f"note: {note}" for note in report["notes"]])
 
@@ -103,6 +111,12 @@ def add_import(parser: argparse.ArgumentParser) -> None:
         "file", type=Path, help="OBJ, STL, PLY, OFF, GLB, 3DS, FBX, DAE, VTK, VTP, VTU or MSH"
     )
     add_source(parser)
+    parser.add_argument(
+        "--region-per-part",
+        action="store_true",
+        help="keep each part as a region of its name, for a tissue of its own (palpate material "
+        "--tissue NAME=TISSUE)",
+    )
     parser.add_argument("--vertices", type=int, help="decimate to exactly this many")
     add_output(
         parser,
@@ -115,7 +129,14 @@ def add_import(parser: argparse.ArgumentParser) -> None:
 
 
 def run_import(call: argparse.Namespace) -> Report:
-    organ = import_file(call.file, parts=call.part, unit=call.unit, up=call.up)(EMPTY)
+    assembling = read_assembling(call, regions=call.region_per_part)
+    try:
+        edit = import_file(
+            call.file, parts=call.part, unit=call.unit, up=call.up, assembling=assembling
+        )
+    except ValueError as problem:  # more parts than there can be regions
+        raise WrongCall(str(problem)) from None
+    organ = edit(EMPTY)
     assert organ.source is not None
     source = organ.source
     repaired = asdict(source.repairs)
@@ -127,12 +148,16 @@ def run_import(call: argparse.Namespace) -> Report:
         "up": source.up,
         "up_reason": source.up_reason,
         "parts_used": list(source.parts),
+        "assembly": None if organ.assembly is None else asdict(organ.assembly),
+        "regions": {},
+        "colour": None if edit.colour is None else write_colour(edit.colour),
         "welded_vertices": repaired.pop("welded_vertices"),
         "repaired": repaired,
     }
     if call.vertices is not None:
         organ, report["decimated"] = decimate_to(organ, call.vertices, call.file)
     assert organ.surface is not None
+    report["regions"] = {name: len(ids) for name, ids in organ.regions.items()}
     mesh, facts = measure_surface(organ.surface)
     report["mesh"] = mesh.as_dict()
     report["notes"] = list(source.notes)
@@ -162,6 +187,13 @@ def report_decimation(decimation: Decimation) -> Report:
     return report
 
 
+def describe_assembly(report: Report) -> str:
+    done = report["assembly"] or {}
+    if done.get("subtracted"):
+        return f"united, without {', '.join(done['subtracted'])}"
+    return "united" if done.get("unite") else f"{report['welded_vertices']} vertices welded"
+
+
 def describe_import(report: Report) -> str:
     mesh = report["mesh"]
     loops = mesh["border_loops"]
@@ -169,7 +201,7 @@ def describe_import(report: Report) -> str:
         f"{count} {name.replace('_', ' ')}" for name, count in report["repaired"].items() if count
     )
     lines = [
-        f"parts {', '.join(report['parts_used'])}; {report['welded_vertices']} vertices welded",
+        f"parts {', '.join(report['parts_used'])}; {describe_assembly(report)}",
         f"unit {report['unit']}: {report['unit_reason']}; up {report['up']}: {report['up_reason']}",
         f"repaired: {done or 'nothing to do'}",
         "closed"
@@ -181,6 +213,9 @@ def describe_import(report: Report) -> str:
     lines.append(
         f"wrote {report['out']}: {mesh['vertices']} vertices, {mesh['triangles']} triangles"
     )
+    if report["regions"]:
+        rows = [f"{name} ({count} vertices)" for name, count in report["regions"].items()]
+        lines.append(f"regions: {', '.join(rows)}")
     lines += [f"note: {note}" for note in report["notes"]]
     wrong = [p for p in report["problems"] if p["severity"] == "error"]
     if wrong:

@@ -17,7 +17,7 @@ from palpate.viewport import View
 
 from palpate_editor.appearance import write_colour
 from palpate_editor.argument_text import LAWS, NONE, write_factors, write_ids
-from palpate_editor.document import Organ, Segmentation, Source
+from palpate_editor.document import Assembly, Organ, Segmentation, Source
 from palpate_editor.document.constants import (
     CONSTANTS,
     SHORT_KINDS,
@@ -53,6 +53,7 @@ from palpate_editor.edits import (
     SetUnit,
     SetUp,
     TurnOutward,
+    UniteShells,
     UseImported,
 )
 from palpate_editor.edits.configure import NUMBERS
@@ -78,7 +79,7 @@ def import_arguments(edit: Any, organ: Organ, document: Path | str) -> Arguments
         return None
     if organ.segmentation is not None:
         return segment_arguments(organ.source, organ.segmentation, document)
-    return source_arguments(organ.source, document)
+    return source_arguments(organ, document)
 
 
 def segment_arguments(source: Source, done: Segmentation, document: Path | str) -> Arguments:
@@ -100,7 +101,9 @@ def segment_arguments(source: Source, done: Segmentation, document: Path | str) 
     return [*arguments, "-o", document]
 
 
-def source_arguments(source: Source, document: Path | str) -> Arguments:
+def source_arguments(organ: Organ, document: Path | str) -> Arguments:
+    source = organ.source
+    assert source is not None
     arguments: Arguments = ["palpate", "import", Path(source.folder) / source.file]
     if source.parts != source.parts_available:
         for part in source.parts:
@@ -109,7 +112,22 @@ def source_arguments(source: Source, document: Path | str) -> Arguments:
         arguments += ["--unit", source.unit]
     if source.up_reason == ASKED:
         arguments.append(f"--up={source.up}")
-    return [*arguments, "-o", document]
+    return [*arguments, *assembly_options(organ.assembly), "-o", document]
+
+
+def assembly_options(done: Assembly | None) -> Arguments:
+    if done is None:
+        return []
+    options: Arguments = []
+    if done.weld is not None:
+        options.append(f"--weld={1e3 * done.weld:.12g}mm")
+    if done.unite:
+        options.append("--unite")
+    for name in done.subtracted:
+        options += ["--subtract", name]
+    if done.regions:
+        options.append("--region-per-part")
+    return options
 
 
 def decimate_arguments(edit: Decimate, organ: Organ, document: Path | str) -> Arguments:
@@ -127,6 +145,10 @@ def repair_arguments(problem: str) -> Callable[[Any, Organ, Path | str], Argumen
         return ["palpate", "repair", document, "--problem", problem, "-o", document]
 
     return find
+
+
+def unite_arguments(edit: UniteShells, organ: Organ, document: Path | str) -> Arguments:
+    return repair_arguments(edit.problem)(edit, organ, document)
 
 
 def hole_arguments(edit: FillHoles, organ: Organ, document: Path | str) -> Arguments | None:
@@ -292,6 +314,7 @@ FINDERS: dict[type, Callable[[Any, Organ, Path | str], Arguments | None]] = {
     TurnOutward: repair_arguments("inward"),
     CutCrowdedEdges: repair_arguments("non_manifold"),
     CutDisagreement: repair_arguments("one_sided"),
+    UniteShells: unite_arguments,
     FillHoles: hole_arguments,
     SetConstant: constant_arguments,
     SetChoice: choice_arguments,

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from palpate import FileError
@@ -159,7 +159,7 @@ class Files(QObject):
     def import_mesh(self, work: ImportWork) -> None:
         """Imports a mesh: over an organ of another file it begins a document of its own."""
         if is_replaceable(self.context.session.organ, work.path):
-            self.tasks.import_mesh(work.path, work.parts, work.unit, work.up)
+            self.tasks.start_import(work)
             return
         self.mesh = work
         self.guard(self.import_over)
@@ -167,8 +167,7 @@ class Files(QObject):
     def import_over(self) -> None:
         work = self.mesh
         if work is not None:
-            organ = self.context.session.organ
-            self.tasks.import_mesh(work.path, work.parts, work.unit, work.up, over=organ)
+            self.tasks.start_import(replace(work, over=self.context.session.organ))
 
     def open(self, path: Path) -> None:
         """Opens a document or imports a mesh, after asking about unsaved changes."""

@@ -4,43 +4,27 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from palpate_editor import authoring
-from palpate_editor.document import Organ, Surface
+from palpate_editor.document import Organ
 from palpate_editor.edits import (
     Edit,
     ImportMesh,
     Prepared,
     decimate_organ,
-    import_file,
+    import_read,
     prepare,
 )
-from palpate_editor.edits.orient import METRES, TURNS
+from palpate_editor.edits.import_mesh import BESIDE, Assembling
+from palpate_editor.edits.part_list import Part, list_parts
 from palpate_editor.views.context import Context
 from palpate_editor.views.jobs import Progress
 from palpate_editor.views.sentences import sentence_of
 from palpate_editor.views.translations import say_title, tr
-
-
-@dataclass(frozen=True, eq=False)
-class Part:
-    """A part of a mesh file, to choose it by."""
-
-    name: str
-    surface: Surface
-    """Metres and z up, as the whole file is understood; not welded."""
-    size: np.ndarray = field(init=False)
-    """[m] (3,) of its box; measured where the part is made, which is not the window's thread."""
-
-    def __post_init__(self) -> None:
-        x = self.surface.vertices
-        size = np.ptp(x, axis=0) if len(x) else np.zeros(3)
-        object.__setattr__(self, "size", size)
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,6 +54,7 @@ class ImportWork:
     unit: str | None = None
     up: str | None = None
     over: Organ | None = None
+    assembling: Assembling = BESIDE
 
     def __call__(self, progress: Progress) -> Reading:
         progress(tr("Reading {file}").format(file=self.path.name), 0.05)
@@ -77,10 +62,18 @@ class ImportWork:
         progress(tr("Welding, repairing and inspecting {file}").format(file=self.path.name), 0.35)
         edit, problem = None, None
         try:
-            edit = import_file(self.path, parts=self.parts, unit=self.unit, up=self.up)
+            edit = import_read(
+                self.path,
+                scene,
+                parts=self.parts,
+                unit=self.unit,
+                up=self.up,
+                assembling=self.assembling,
+            )
         except (ValueError, OSError) as refusal:
             problem = refusal
-        parts = place_parts(scene, *self.find_meaning(scene, edit))
+        progress(tr("Looking at its parts"), 0.8)
+        parts = list_parts(scene, *self.find_meaning(scene, edit))
         progress(tr("Done"), 1.0)
         return Reading(self.path, parts, self.parts, self.unit, self.up, edit, problem, self.over)
 
@@ -95,16 +88,6 @@ class ImportWork:
         except (ValueError, OSError):  # no triangle in it: anything will do
             return self.unit or "mm", self.up or "z"
         return joined.unit, joined.up
-
-
-def place_parts(scene: authoring.ImportedScene, unit: str, up: str) -> tuple[Part, ...]:
-    """The parts of a file as they lie beside each other, in metres and z up."""
-    turn = METRES[unit] * np.column_stack(TURNS[up])
-    found = []
-    for part in scene.parts:
-        x, triangles = np.asarray(part.mesh.vertices), np.asarray(part.mesh.triangles)
-        found.append(Part(part.name, Surface(x @ turn.T, triangles)))
-    return tuple(found)
 
 
 @dataclass(frozen=True, eq=False)
@@ -179,13 +162,15 @@ class Tasks(QObject):
         up: str | None = None,
         *,
         over: Organ | None = None,
+        assembling: Assembling = BESIDE,
     ) -> None:
         """Imports into the open document or, where `over` is its organ, into a new one."""
-        if self.is_busy():
-            return
-        work = ImportWork(path, tuple(parts), unit, up, over)
-        title = tr("Importing {file}").format(file=path.name)
-        self.context.jobs.start(title, work, self.on_read, self.context.refuse)
+        self.start_import(ImportWork(path, tuple(parts), unit, up, over, assembling))
+
+    def start_import(self, work: ImportWork) -> None:
+        if not self.is_busy():
+            title = tr("Importing {file}").format(file=work.path.name)
+            self.context.jobs.start(title, work, self.on_read, self.context.refuse)
 
     def import_scan(self, work: Callable[[Progress], Reading], file: str) -> None:
         """Imports what was cut out of a scan; the work says over which organ."""

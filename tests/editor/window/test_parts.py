@@ -31,7 +31,7 @@ def heart_window(qtbot, window, heart):
 
 
 def visible(panel) -> list[str]:
-    return [i.data(Qt.ItemDataRole.UserRole) for i in panel.chooser.items() if not i.isHidden()]
+    return [i.data(0, Qt.ItemDataRole.UserRole) for i in panel.parts.items() if not i.isHidden()]
 
 
 def drawn(window) -> int:
@@ -49,13 +49,13 @@ def test_parts_of_what_was_imported_are_shown_to_choose_from(qtbot, heart_window
     size = np.ptp(window.view.scenery.vertices, axis=0)
     assert 0.05 < size.max() < 0.3, "a heart, in metres"
     rest(qtbot, window)
-    panel.chooser.mark(panel.parts.item(2))
+    panel.parts.on_entered(panel.parts.items()[2])
     rest(qtbot, window)
     folder = checkout / "build" / "screenshots"
     folder.mkdir(parents=True, exist_ok=True)
     assert window.grab().save(str(folder / "editor_parts.png"))
 
-    panel.parts.item(0).setCheckState(Qt.CheckState.Unchecked)
+    panel.parts.items()[0].setCheckState(0, Qt.CheckState.Unchecked)
 
     assert drawn(window) == sum(len(part.surface.triangles) for part in parts[1:])
     click(panel.chooser.show_button)
@@ -71,8 +71,8 @@ def test_a_heart_of_many_parts_can_be_imported_in_part(qtbot, heart_window):
 
     click(panel.none_button)
     assert not panel.import_button.isEnabled()
-    row = next(i for i in range(14) if "aortic_valve" in panel.parts.item(i).text())
-    panel.parts.item(row).setCheckState(Qt.CheckState.Checked)
+    row = next(i for i in range(14) if "aortic_valve" in panel.parts.items()[i].text(0))
+    panel.parts.items()[row].setCheckState(0, Qt.CheckState.Checked)
     click(panel.import_button)
     settle(qtbot, window)
 
@@ -83,12 +83,14 @@ def test_a_heart_of_many_parts_can_be_imported_in_part(qtbot, heart_window):
 def test_a_part_says_how_much_of_it_there_is(heart_window):
     panel = heart_window.import_panel
     part = panel.reading.parts[0]
-    words = panel.parts.item(0).text().replace("\u202f", "")
+    words = panel.parts.items()[0].text(0).replace("\u202f", "")
 
     assert words.startswith(part.name)
     x = part.surface.vertices
-    assert f"{len(x)} vertices, {len(part.surface.triangles)} △" in words
-    assert f"{1e3 * np.ptp(x[:, 0]):.0f} ×" in words and words.endswith("mm")
+    size = " × ".join(f"{1e3 * length:.0f}" for length in np.ptp(x, axis=0))
+    assert f"{size} mm, {len(part.surface.triangles)} △" in words
+    told = panel.parts.items()[0].toolTip(0).replace("\u202f", "")
+    assert f"{len(x)} vertices, {len(part.surface.triangles)} △" in told
 
 
 @pytest.mark.landing
@@ -97,10 +99,10 @@ def test_the_part_under_the_pointer_stands_out_until_it_leaves(heart_window):
     click(panel.chooser.show_button)
     things = window.view.scenery._things
 
-    panel.parts.itemEntered.emit(panel.parts.item(3))
+    panel.parts.itemEntered.emit(panel.parts.items()[3], 0)
     assert things[MARK].visible
     assert len(things[MARK].triangles) == len(panel.reading.parts[3].surface.triangles)
-    panel.parts.itemEntered.emit(panel.parts.item(4))
+    panel.parts.itemEntered.emit(panel.parts.items()[4], 0)
     assert len(things[MARK].triangles) == len(panel.reading.parts[4].surface.triangles)
 
     QApplication.sendEvent(panel.parts.viewport(), QEvent(QEvent.Type.Leave))
@@ -128,8 +130,8 @@ def test_the_organ_has_the_view_again_when_parts_were_imported(qtbot, heart_wind
     click(panel.none_button)
     panel.chooser.search.setText("")
     click(panel.none_button)
-    row = next(i for i in range(14) if "aortic_valve" in panel.parts.item(i).text())
-    panel.parts.item(row).setCheckState(Qt.CheckState.Checked)
+    row = next(i for i in range(14) if "aortic_valve" in panel.parts.items()[i].text(0))
+    panel.parts.items()[row].setCheckState(0, Qt.CheckState.Checked)
     click(panel.import_button)
     settle(qtbot, window)
 
@@ -140,3 +142,54 @@ def test_the_organ_has_the_view_again_when_parts_were_imported(qtbot, heart_wind
     window.show_stage("repair")
     assert not window.context.previewing
     assert drawn(window) == len(window.session.organ.surface.triangles)
+
+
+def test_parts_stand_below_the_groups_of_the_file_and_a_group_is_ticked_whole(heart_window):
+    panel = heart_window.import_panel
+    tree = panel.parts
+    groups = {tree.topLevelItem(i).text(0): tree.topLevelItem(i) for i in range(3)}
+    assert set(groups) == {
+        "VH_M_heart_valve", "VH_M_papillary_muscle_of_heart", "VH_M_cardiac_chamber"
+    }  # fmt: skip
+    valves = groups["VH_M_heart_valve"]
+    assert valves.childCount() == 4
+
+    click(panel.none_button)
+    valves.setCheckState(0, Qt.CheckState.Checked)
+
+    assert len(panel.chosen_parts()) == 4
+    assert all("valve" in name for name in panel.chosen_parts())
+
+
+@pytest.mark.landing
+def test_a_hidden_part_leaves_the_view_and_stays_chosen(heart_window):
+    window, panel = heart_window, heart_window.import_panel
+    click(panel.chooser.show_button)
+    whole = drawn(window)
+    first = panel.parts.items()[0]
+
+    panel.parts.itemClicked.emit(first, 2)
+
+    part = panel.reading.parts[0]
+    assert drawn(window) == whole - len(part.surface.triangles)
+    assert part.name in panel.chosen_parts()
+    panel.parts.itemClicked.emit(first, 2)
+    assert drawn(window) == whole
+
+
+def test_a_part_that_is_taken_away_makes_solids_of_the_others(heart_window):
+    panel = heart_window.import_panel
+    click(panel.none_button)
+
+    panel.parts.itemClicked.emit(panel.parts.items()[0], 1)
+
+    name = panel.reading.parts[0].name
+    asked = panel.chooser.assembling()
+    assert asked.subtract == (name,) and asked.unite
+    assert panel.chosen_parts() == []
+    assert not panel.import_button.isEnabled()
+    assert not panel.chooser.form.way.isEnabled()
+    menu = panel.parts.build_menu(panel.parts.items()[0])
+    assert [action.text() for action in menu.actions()][2] == "Take nothing away"
+    menu.actions()[2].trigger()
+    assert panel.chooser.assembling().subtract == ()

@@ -180,6 +180,198 @@
 <context>
     <name>Refusal</name>
     <message>
+        <source>%1 bytes after the last triangle were left alone</source>
+        <translation>son üçgenden sonraki %1 bayt olduğu gibi bırakıldı</translation>
+    </message>
+    <message>
+        <source>%1 cells fill it: their outer faces are the surface, and the organ is filled again</source>
+        <translation>içini %1 hücre doldurur: dış yüzleri yüzeydir, organ yeniden doldurulur</translation>
+    </message>
+    <message>
+        <source>%1 edges where the surface touched itself were parted</source>
+        <translation>yüzeyin kendine değdiği %1 kenar ayrıldı</translation>
+    </message>
+    <message>
+        <source>%1 edges with more than two triangles</source>
+        <translation>ikiden çok üçgeni olan %1 kenar</translation>
+    </message>
+    <message>
+        <source>%1 faces of fewer than three corners were left out</source>
+        <translation>üçten az köşeli %1 yüz dışarıda bırakıldı</translation>
+    </message>
+    <message>
+        <source>%1 free-form curves or surfaces were left out</source>
+        <translation>%1 serbest biçimli eğri ya da yüzey dışarıda bırakıldı</translation>
+    </message>
+    <message>
+        <source>%1 holes</source>
+        <translation>%1 delik</translation>
+    </message>
+    <message>
+        <source>%1 parts</source>
+        <translation>%1 parça</translation>
+    </message>
+    <message>
+        <source>%1 pieces smaller than a thousandth of it were dropped</source>
+        <translation>binde birinden küçük %1 parça atıldı</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra fill it, whose outer faces are the surface</source>
+        <translation>içini %1 dörtyüzlü doldurur, dış yüzleri yüzeydir</translation>
+    </message>
+    <message>
+        <source>%1 vertices were welded across parts, by up to %2 mm</source>
+        <translation>parçalar arasında %1 köşe kaynaştırıldı, en çok %2 mm kayarak</translation>
+    </message>
+    <message>
+        <source>1 hole</source>
+        <translation>1 delik</translation>
+    </message>
+    <message>
+        <source>a closed part that does not cross itself: mend it, leave it out, or weld the parts of one surface without uniting them</source>
+        <translation>kendini kesmeyen kapalı bir parça: onarın, dışarıda bırakın, ya da tek bir yüzeyin parçalarını birleştirmeden kaynaştırın</translation>
+    </message>
+    <message>
+        <source>a closed surface without crossings: parts that nearly touch are welded instead</source>
+        <translation>kendini kesmeyen kapalı bir yüzey: neredeyse değen parçalar bunun yerine kaynaştırılır</translation>
+    </message>
+    <message>
+        <source>a name of 1 to %1 bytes</source>
+        <translation>1 ile %1 bayt arası bir ad</translation>
+    </message>
+    <message>
+        <source>a part named %1</source>
+        <translation>%1 adlı bir parça</translation>
+    </message>
+    <message>
+        <source>a solid</source>
+        <translation>bir katı cisim</translation>
+    </message>
+    <message>
+        <source>a surface with one side only</source>
+        <translation>tek yüzlü bir yüzey</translation>
+    </message>
+    <message>
+        <source>at least one that they are taken from</source>
+        <translation>çıkarılacakları en az bir parça</translation>
+    </message>
+    <message>
+        <source>at most %1: choose fewer</source>
+        <translation>en çok %1: daha azını seçin</translation>
+    </message>
+    <message>
+        <source>did not open %1, which lies outside of its folder</source>
+        <translation>klasörünün dışında kalan %1 açılmadı</translation>
+    </message>
+    <message>
+        <source>faces at %1 degrees to each other, where %2 are needed</source>
+        <translation>yüzleri arasında %1 derece var, %2 derece gerekir</translation>
+    </message>
+    <message>
+        <source>its parts differ in colour: the organ has their mean</source>
+        <translation>parçalarının renkleri farklı: organ bunların ortalamasını alır</translation>
+    </message>
+    <message>
+        <source>its tetrahedra are not used, and the organ is filled again: %1</source>
+        <translation>dörtyüzlüleri kullanılmaz, organ yeniden doldurulur: %1</translation>
+    </message>
+    <message>
+        <source>its tetrahedra fill the organ, the smallest angle between faces is %1 degrees</source>
+        <translation>organı kendi dörtyüzlüleri doldurur, yüzler arasındaki en küçük açı %1 derecedir</translation>
+    </message>
+    <message>
+        <source>nothing that is left of the parts</source>
+        <translation>parçalardan geriye hiçbir şey kalmaması</translation>
+    </message>
+    <message>
+        <source>parts that are all taken away</source>
+        <translation>hepsi çıkarılan parçalar</translation>
+    </message>
+    <message>
+        <source>parts that cross or are apart: weld those that only touch</source>
+        <translation>kesişen ya da ayrı duran parçalar: yalnızca değenleri kaynaştırın</translation>
+    </message>
+    <message>
+        <source>parts that touch along an edge or in a vertex without crossing there</source>
+        <translation>kesişmeden bir kenarda ya da köşede değen parçalar</translation>
+    </message>
+    <message>
+        <source>shells that are apart, or cross</source>
+        <translation>ayrı duran ya da kesişen kabuklar</translation>
+    </message>
+    <message>
+        <source>shells that touch along an edge or in a vertex</source>
+        <translation>bir kenarda ya da köşede değen kabuklar</translation>
+    </message>
+    <message>
+        <source>states a unit of %1 cm, which has no name here</source>
+        <translation>%1 cm uzunluğunda bir birim bildirir, bunun burada adı yok</translation>
+    </message>
+    <message>
+        <source>textures stay behind: an organ has a colour and a pattern, and no picture on it</source>
+        <translation>dokular gelmez: bir organın rengi ve deseni vardır, üzerinde resim yoktur</translation>
+    </message>
+    <message>
+        <source>the colours of its vertices stay behind</source>
+        <translation>köşelerinin renkleri gelmez</translation>
+    </message>
+    <message>
+        <source>the gantry was tilted by %1 degrees</source>
+        <translation>gantri %1 derece eğikti</translation>
+    </message>
+    <message>
+        <source>the materials in %1 are not there to be read</source>
+        <translation>%1 içindeki malzemeler okunacak yerde değil</translation>
+    </message>
+    <message>
+        <source>the surface is no longer their outside</source>
+        <translation>yüzey artık onların dışı değil</translation>
+    </message>
+    <message>
+        <source>there are %1, and an organ has %2 to %3</source>
+        <translation>%1 tane var, bir organda %2 ile %3 arası olur</translation>
+    </message>
+    <message>
+        <source>united parts with %1</source>
+        <translation>%1 bulunan birleşik parçalar</translation>
+    </message>
+    <message>
+        <source>voxels of %1 mm are not those of a clinical scan: is the unit another?</source>
+        <translation>%1 mm vokseller klinik bir taramanınki değil: birim başka mı?</translation>
+    </message>
+    <message>
+        <source>weld has no effect on parts that are united or subtracted: give one of them</source>
+        <translation>birleştirilen ya da çıkarılan parçalarda kaynağın etkisi yok: ikisinden birini verin</translation>
+    </message>
+    <message>
+        <source>weld must be a length that is not negative, got %1 m</source>
+        <translation>kaynak, eksi olmayan bir uzunluk olmalı, verilen %1 m</translation>
+    </message>
+    <message>
+        <source>the organ ends where the scan does at the left, and is closed there flat</source>
+        <translation>organ solda taramanın bittiği yerde biter ve orada düz kapatılır</translation>
+    </message>
+    <message>
+        <source>the organ ends where the scan does at the right, and is closed there flat</source>
+        <translation>organ sağda taramanın bittiği yerde biter ve orada düz kapatılır</translation>
+    </message>
+    <message>
+        <source>the organ ends where the scan does at the front, and is closed there flat</source>
+        <translation>organ önde taramanın bittiği yerde biter ve orada düz kapatılır</translation>
+    </message>
+    <message>
+        <source>the organ ends where the scan does at the back, and is closed there flat</source>
+        <translation>organ arkada taramanın bittiği yerde biter ve orada düz kapatılır</translation>
+    </message>
+    <message>
+        <source>the organ ends where the scan does at the bottom, and is closed there flat</source>
+        <translation>organ altta taramanın bittiği yerde biter ve orada düz kapatılır</translation>
+    </message>
+    <message>
+        <source>the organ ends where the scan does at the top, and is closed there flat</source>
+        <translation>organ üstte taramanın bittiği yerde biter ve orada düz kapatılır</translation>
+    </message>
+    <message>
         <source>0 for an integrator other than symplectic_euler: parts of a tissue sleep in vector code only</source>
         <translation>symplectic_euler dışındaki bir integral yöntemi için 0: dokunun parçaları yalnızca vektör kodunda uyur</translation>
     </message>

@@ -17,11 +17,12 @@ from PySide6.QtWidgets import (
 
 from palpate_editor.document import Organ, Source
 from palpate_editor.edits import SetName, SetUnit, SetUp
+from palpate_editor.edits.part_list import Part
 from palpate_editor.views.stages.appearance_row import AppearanceRow
 from palpate_editor.views.stages.facts import Facts, write_label
 from palpate_editor.views.stages.parts_chooser import PartsChooser
 from palpate_editor.views.stages.stage_panel import StagePanel
-from palpate_editor.views.tasks import ImportWork, Part, Reading
+from palpate_editor.views.tasks import ImportWork, Reading
 from palpate_editor.views.translations import count, number, quantity, tr
 
 UNITS = ("m", "cm", "mm", "um", "in")
@@ -93,7 +94,7 @@ class ImportPanel(StagePanel):
     def build_parts(self) -> None:
         self.parts_section = self.section(tr("Parts to use"))
         self.chooser = PartsChooser(self.context, self)
-        self.parts = self.chooser.list
+        self.parts = self.chooser.tree
         self.all_button, self.none_button = self.chooser.all_button, self.chooser.none_button
         self.chooser.changed.connect(self.on_part)
         self.parts_section.add(self.chooser)
@@ -185,15 +186,24 @@ class ImportPanel(StagePanel):
             self.fill_parts({}, ())
             return
         parts = {p.name: p for p in self.reading.parts} if known and self.reading else {}
-        self.fill_parts({name: parts.get(name) for name in source.parts_available}, source.parts)
+        self.fill_parts(
+            {name: parts.get(name) for name in source.parts_available},
+            source.parts,
+            self.context.session.organ,
+        )
 
     @staticmethod
     def reason(guessed: bool, reason: str) -> str:
         said = say_refusal(reason)
         return tr("Guessed: {reason}").format(reason=said) if guessed else said
 
-    def fill_parts(self, parts: Mapping[str, Part | None], chosen: tuple[str, ...]) -> None:
-        self.chooser.show_parts(parts, chosen)
+    def fill_parts(
+        self,
+        parts: Mapping[str, Part | None],
+        chosen: tuple[str, ...],
+        organ: Organ | None = None,
+    ) -> None:
+        self.chooser.show_parts(parts, chosen, organ)
         self.parts_section.setVisible(len(parts) > 1)
 
     def show_assessment(self) -> None:
@@ -265,7 +275,10 @@ class ImportPanel(StagePanel):
         unit = source.unit if same and source and not source.unit_guessed else None
         up = source.up if same and source and not source.up_guessed else None
         chosen = () if whole else tuple(parts)
-        self.context.mesh_wanted.emit(ImportWork(path, chosen, unit, up))
+        assembling = self.chooser.assembling()
+        if assembling.subtract:
+            chosen = tuple(parts)  # all means all of the others
+        self.context.mesh_wanted.emit(ImportWork(path, chosen, unit, up, assembling=assembling))
 
     def set_unit(self, row: int) -> None:
         source = self.context.session.organ.source

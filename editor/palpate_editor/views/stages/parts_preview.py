@@ -11,8 +11,8 @@ from palpate.render import Appearance, Shape, build_appearance
 from PySide6.QtCore import QObject
 
 from palpate_editor.appearance import USUAL, make_appearance
+from palpate_editor.edits.part_list import Part
 from palpate_editor.views.context import Context
-from palpate_editor.views.tasks import Part
 
 MARK = "part under the pointer"
 MARKED = Appearance(
