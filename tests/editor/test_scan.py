@@ -7,7 +7,9 @@ import numpy as np
 import palpate
 import pytest
 from palpate_editor import authoring
-from palpate_editor.scan import Choice, read_range, read_scan, segment_scan
+from palpate_editor.from_scan import CUT_ENDS
+from palpate_editor.scan import Choice, Series, SeveralSeries, read_range, read_scan, segment_scan
+from palpate_editor.scan_child.chosen_part import EDGES
 from scans import (
     BOX,
     MIDDLE,
@@ -268,3 +270,24 @@ def test_a_range_without_ends_is_refused(text):
 def test_a_choice_that_means_nothing_is_refused(wrong):
     with pytest.raises(ValueError, match="expected"):
         Choice(**wrong)
+
+
+def test_a_folder_of_several_series_says_which_there_are(tmp_path):
+    made = make_scan(PLAIN, np.int16, 400, -900)
+    write_dicom(tmp_path / "slices", made, "1.2.3.1", "abdomen")
+    made.voxels = made.voxels[:4]
+    write_dicom(tmp_path / "slices", made, "1.2.3.2", "scout")
+
+    with pytest.raises(SeveralSeries) as several:
+        read_scan(tmp_path / "slices")
+
+    size = made.voxels.shape[:0:-1]
+    rows = {row.title: row for row in several.value.series}
+    assert rows["scout"] == Series("1.2.3.2", "scout", 4, size)
+    assert rows["abdomen"].slices > 4
+    assert several.value.where == "--series" and "2 series" in several.value.got
+    assert read_scan(tmp_path / "slices", series="1.2.3.2").size[2] == 4
+
+
+def test_every_side_at_which_an_organ_is_cut_has_its_note():
+    assert set(CUT_ENDS) == set(EDGES)

@@ -17,12 +17,13 @@ from palpate_editor.scan.reader import (
     Cancelled,
     Limits,
     MissingExtra,
+    SeveralSeries,
     hash_scan,
     is_scan,
     read_scan,
     segment_scan,
 )
-from palpate_editor.scan.values import Label, Scan, ScanSurface
+from palpate_editor.scan.values import Label, Scan, ScanSurface, Series
 from palpate_editor.scan_child.choice import (
     MOST_SMOOTHING,
     USUAL_SMOOTHING,
@@ -43,6 +44,8 @@ __all__ = [
     "MissingExtra",
     "Scan",
     "ScanSurface",
+    "Series",
+    "SeveralSeries",
     "describe_choice",
     "find_chosen",
     "hash_scan",

@@ -20,7 +20,7 @@ from palpate.error import FileError
 from palpate.files.refusal import Refusal
 from palpate.system.isolated import build_command
 
-from palpate_editor.scan.values import Label, Scan, ScanSurface
+from palpate_editor.scan.values import Label, Scan, ScanSurface, Series
 from palpate_editor.scan_child.choice import Choice
 
 SUFFIXES = (".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".dcm")
@@ -47,6 +47,14 @@ class MissingExtra(Refusal):
 
     def __init__(self, path: Path, module: str):
         super().__init__(path, "", f"no {module} to read it with", INSTALL)
+
+
+class SeveralSeries(FileError):
+    """A folder of several series, of which one must be named."""
+
+    def __init__(self, path: Path, where: str, got: str, expected: str, series: tuple[Series, ...]):
+        super().__init__(str(path), where, got, expected)
+        self.series = series
 
 
 class Cancelled(Exception):  # noqa: N818  # not an error: a person wanted it
@@ -152,12 +160,21 @@ def ask(
     said = run(folder, json.dumps(request).encode(), path, limits, stopped)
     if "missing" in said:
         raise MissingExtra(path, str(said["missing"]))
+    if "series" in said:
+        rows = tuple(read_series(row) for row in said["series"])
+        raise SeveralSeries(path, *map(str, said["refused"]), rows)
     if "refused" in said:
         raise FileError(str(path), *map(str, said["refused"]))
     if "failed" in said:
         number, text, name = said["failed"]
         raise OSError(number, text, name or str(path))
     return dict(said["answer"])
+
+
+def read_series(row: Any) -> Series:
+    return Series(
+        str(row["uid"]), str(row["title"]), int(row["slices"]), tuple(map(int, row["size"]))
+    )
 
 
 def run(

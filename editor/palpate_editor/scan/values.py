@@ -21,6 +21,18 @@ class Label:
     voxels: int
 
 
+@dataclass(frozen=True)
+class Series:
+    """One of several in a folder of DICOM slices."""
+
+    uid: str
+    title: str
+    """Empty where the files have none."""
+    slices: int
+    size: tuple[int, ...]
+    """Columns and rows."""
+
+
 @dataclass(frozen=True, eq=False)
 class Scan:
     """A volume, as its file describes it."""

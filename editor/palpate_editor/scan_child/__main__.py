@@ -54,10 +54,16 @@ def main() -> int:
     folder = Path(sys.argv[1])
     request = json.load(sys.stdin)
     limit(request)
-    from palpate_editor.scan_child.refused import Refused
+    from palpate_editor.scan_child.refused import Refused, SeveralSeries
 
+    said: dict[str, Any]
     try:
         said = {"answer": answer(request, folder)}
+    except SeveralSeries as several:
+        said = {
+            "refused": [several.where, several.got, several.expected],
+            "series": several.series,
+        }
     except Refused as refused:
         said = {"refused": [refused.where, refused.got, refused.expected]}
     except MemoryError:

@@ -10,11 +10,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import SimpleITK
 
-from palpate_editor.scan_child.refused import Refused
+from palpate_editor.scan_child.refused import Refused, SeveralSeries
 from palpate_editor.scan_child.volume import Volume, check_places, check_size
 from palpate_editor.scan_child.volume_file import read_volume_file, shorten
 
@@ -117,8 +118,22 @@ def choose_series(slices: list[Slice], wanted: str | None) -> list[Slice]:
         f"{uid} ({len(group)} slices{', ' + group[0].title if group[0].title else ''})"
         for uid, group in sorted(by_series.items())
     )
-    got = f"{len(by_series)} series" if wanted is None else repr(wanted)
-    raise Refused("--series", got, f"one of {shown}")
+    if wanted is None:
+        rows = [describe_series(uid, group) for uid, group in sorted(by_series.items())]
+        raise SeveralSeries("--series", f"{len(by_series)} series", f"one of {shown}", rows)
+    raise Refused("--series", repr(wanted), f"one of {shown}")
+
+
+def describe_series(uid: str, slices: list[Slice]) -> dict[str, Any]:
+    """For JSON."""
+    first = slices[0]
+    frames = first.size[2] if len(first.size) == 3 and len(slices) == 1 else 1
+    return {
+        "uid": uid,
+        "title": first.title,
+        "slices": len(slices) * frames,
+        "size": list(first.size[:2]),
+    }
 
 
 def check_alike(slices: list[Slice]) -> None:

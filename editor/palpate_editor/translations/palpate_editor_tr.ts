@@ -5,6 +5,22 @@
 <context>
     <name>Editor</name>
     <message>
+        <source>Series of the folder</source>
+        <translation>Klasördeki seriler</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Seri</translation>
+    </message>
+    <message>
+        <source>without a name</source>
+        <translation>adsız</translation>
+    </message>
+    <message>
+        <source>{title}: {slices} slices of {columns} × {rows}</source>
+        <translation>{title}: {columns} × {rows} boyutunda {slices} kesit</translation>
+    </message>
+    <message>
         <source>{size} mm, {triangles} △</source>
         <translation>{size} mm, {triangles} △</translation>
     </message>

@@ -11,7 +11,7 @@ import pytest
 from hands import child, click
 from palpate_editor.scan import Choice, find_chosen
 from palpate_editor.views.scan.outlines import cut_surface, outline
-from patience import settle
+from patience import rest, settle
 from PySide6.QtCore import Qt
 
 sys.path.append(str(Path(__file__).resolve().parents[1]))
@@ -142,3 +142,49 @@ def test_reading_a_scan_can_be_cancelled(qtbot, window, tmp_path):
 
     qtbot.waitUntil(lambda: job not in window.context.jobs.alive, timeout=WAIT)
     assert window.scans.dialog.scan is None
+
+
+def write_two_series(folder: Path) -> dict[str, str]:
+    """Title -> UID: grey levels as a scanner has them, and a few slices that were planned by."""
+    made = make_scan(PLAIN, np.int16, 400, -900)
+    uids = {"abdomen": "1.2.826.0.1.3680043.2.1125.1", "scout": "1.2.826.0.1.3680043.2.1125.2"}
+    write_dicom(folder, made, uids["abdomen"], "abdomen")
+    few = make_scan(PLAIN, np.int16, 400, -900)
+    few.voxels = few.voxels[:4]
+    write_dicom(folder, few, uids["scout"], "scout")
+    return uids
+
+
+@pytest.mark.landing
+def test_of_several_series_the_largest_is_shown_and_another_can_be_chosen(
+    qtbot, window, tmp_path, checkout
+):
+    uids = write_two_series(tmp_path / "slices")
+    dialog = open_scan(qtbot, window, tmp_path / "slices")
+    row = dialog.series
+
+    assert row.isVisible() and row.list.count() == 2
+    assert row.uid() == uids["abdomen"] and dialog.scan.size[2] > 4
+    assert row.list.currentText().startswith("abdomen: ")
+    rest(qtbot, window)
+    folder = checkout / "build" / "screenshots"
+    folder.mkdir(parents=True, exist_ok=True)
+    assert dialog.grab().save(str(folder / "editor_series.png"))
+    child(dialog, "scan_low").setValue(100.0)
+    click(child(dialog, "import_scan"))
+    settle(qtbot, window)
+    assert window.session.organ.segmentation.series == uids["abdomen"]
+
+    row.list.setCurrentIndex(row.list.findData(uids["scout"]))
+    row.list.activated.emit(row.list.currentIndex())
+    qtbot.waitUntil(lambda: dialog.scan is not None and dialog.scan.size[2] == 4, timeout=WAIT)
+    assert row.uid() == uids["scout"]
+
+
+@pytest.mark.landing
+def test_a_folder_of_one_series_asks_for_none(qtbot, window, tmp_path):
+    folder = write_dicom(tmp_path / "slices", make_scan(PLAIN, np.int16, 400, -900))
+
+    dialog = open_scan(qtbot, window, folder)
+
+    assert not dialog.series.isVisible() and dialog.series.uid() is None

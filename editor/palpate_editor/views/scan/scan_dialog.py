@@ -10,11 +10,12 @@ from palpate.viewport.screen import fit_to_screen
 from PySide6.QtCore import QSize, Signal
 from PySide6.QtWidgets import QDialog, QGridLayout, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
-from palpate_editor.scan import Choice, Scan, ScanSurface
+from palpate_editor.scan import Choice, Scan, ScanSurface, SeveralSeries
 from palpate_editor.views.context import Context
 from palpate_editor.views.scan.choice_form import ChoiceForm
 from palpate_editor.views.scan.level_form import LevelForm
 from palpate_editor.views.scan.outlines import find_voxel_places
+from palpate_editor.views.scan.series_row import SeriesRow
 from palpate_editor.views.scan.slice_view import SliceView
 from palpate_editor.views.scan.surface_preview import SurfacePreview
 from palpate_editor.views.scan.work import CutScan, ImportScan, ReadScan
@@ -38,6 +39,8 @@ class ScanDialog(QDialog):
         self.setWindowTitle(tr("From a scan"))
         self.context = context
         self.scan: Scan | None = None
+        self.path: Path | None = None
+        """Of the scan that is shown, or was wanted last."""
         self.found: ScanSurface | None = None
         self.places: np.ndarray | None = None
         row = QHBoxLayout(self)
@@ -69,6 +72,9 @@ class ScanDialog(QDialog):
         self.about.setObjectName("scan_about")
         self.about.setWordWrap(True)
         column.addWidget(self.about)
+        self.series = SeriesRow(form)
+        self.series.chosen.connect(self.open_series)
+        column.addWidget(self.series)
         self.levels = LevelForm(form)
         self.levels.changed.connect(self.show_levels)
         column.addWidget(self.levels)
@@ -102,9 +108,32 @@ class ScanDialog(QDialog):
 
     def open_scan(self, path: Path) -> None:
         """Reads it beside the window, and shows it then."""
-        title = tr("Reading {file}").format(file=path.name)
-        work = ReadScan(path)
-        self.context.jobs.start(title, work, self.show_scan, self.context.refuse)
+        self.path = path
+        self.series.forget()
+        self.read(None)
+
+    def open_series(self, uid: str) -> None:
+        """One of several in the folder."""
+        if self.context.jobs.current is None:
+            self.read(uid)
+
+    def read(self, series: str | None) -> None:
+        assert self.path is not None
+        title = tr("Reading {file}").format(file=self.path.name)
+        work = ReadScan(self.path, series)
+        self.context.jobs.start(title, work, self.show_scan, self.refuse_scan)
+
+    def refuse_scan(self, problem: BaseException) -> None:
+        """Of several series the one of most slices is read; another can be chosen then."""
+        if isinstance(problem, SeveralSeries):
+            self.series.show_series(problem.series)
+            self.read(self.series.uid())
+            return
+        self.scan = None
+        self.show_use()
+        self.refuse(problem)
+        if self.series.uid() is not None:
+            self.show()
 
     def show_scan(self, scan: Scan) -> None:
         self.scan, self.found, self.places = scan, None, None
@@ -166,7 +195,7 @@ class ScanDialog(QDialog):
         if self.scan is None or choice is None:
             return
         title = tr("Cutting the surface out of {file}").format(file=self.scan.path.name)
-        work = CutScan(self.scan.path, choice)
+        work = CutScan(self.scan.path, choice, self.series.uid())
         self.context.jobs.start(title, work, self.show_found, self.refuse)
 
     def refuse(self, problem: BaseException) -> None:
@@ -198,4 +227,5 @@ class ScanDialog(QDialog):
     def import_scan(self) -> None:
         choice = self.choice()
         if self.scan is not None and choice is not None:
-            self.wanted.emit(ImportScan(self.scan.path, choice, self.found))
+            uid = self.series.uid()
+            self.wanted.emit(ImportScan(self.scan.path, choice, self.found, series=uid))

@@ -20,11 +20,15 @@ class ReadScan:
     """The volume with its voxels, to be looked at."""
 
     path: Path
+    series: str | None = None
+    """The UID of one of several in a folder."""
 
     def __call__(self, progress: Progress) -> Scan:
         progress(tr("Reading {file}").format(file=self.path.name), 0.2)
         try:
-            return read_scan(self.path, voxels=True, stopped=progress.stop.is_set)
+            return read_scan(
+                self.path, series=self.series, voxels=True, stopped=progress.stop.is_set
+            )
         except Cancelled:
             raise jobs.Cancelled from None
 
@@ -35,11 +39,14 @@ class CutScan:
 
     path: Path
     choice: Choice
+    series: str | None = None
 
     def __call__(self, progress: Progress) -> ScanSurface:
         progress(tr("Cutting the surface out of {file}").format(file=self.path.name), 0.3)
         try:
-            return segment_scan(self.path, self.choice, stopped=progress.stop.is_set)
+            return segment_scan(
+                self.path, self.choice, series=self.series, stopped=progress.stop.is_set
+            )
         except Cancelled:
             raise jobs.Cancelled from None
 
@@ -52,9 +59,10 @@ class ImportScan:
     choice: Choice
     found: ScanSurface | None = None
     over: Organ | None = None
+    series: str | None = None
 
     def __call__(self, progress: Progress) -> Reading:
-        found = self.found or CutScan(self.path, self.choice)(progress)
+        found = self.found or CutScan(self.path, self.choice, self.series)(progress)
         progress(tr("Repairing the surface"), 0.8)
-        edit = build_import(self.path, found)
+        edit = build_import(self.path, found, series=self.series)
         return Reading(self.path, (), (), None, None, edit, None, self.over)
