@@ -12,12 +12,15 @@ import palpate
 import pytest
 from palpate.cli.main import main
 from palpate_editor.authoring import import_mesh, read_mesh, unite_shells
+from palpate_editor.check import assess
 from palpate_editor.document import EMPTY, Assembly
 from palpate_editor.document.files import read_organ, write_organ
 from palpate_editor.edits import EditError, decimate_organ, import_file
 from palpate_editor.edits.import_mesh import Assembling
 from palpate_editor.edits.part_list import find_outermost, list_parts, sort_rows
 from palpate_editor.edits.unite import UniteShells, can_be_united
+from palpate_editor.repair_all import repair_all
+from palpate_editor.views.command_lines import find_arguments
 from scipy.spatial import ConvexHull
 from small_meshes import CORNERS, CUBE, mesh_of, together
 
@@ -419,3 +422,33 @@ def test_an_organ_of_united_parts_with_regions_is_rebuilt_from_its_file(tmp_path
     assert main(["rebuild", str(out), "--original", str(path), "-o", str(again)]) == 0
 
     assert again.read_bytes() == out.read_bytes()
+
+
+def test_parts_that_cross_open_are_red_and_can_be_united(tmp_path):
+    path = write_parts(
+        tmp_path / "liver.obj", {"left": ball(60.0), "right": ball(60.0, (50.0, 0.0, 0.0))}
+    )
+    organ = import_file(path, unit="mm", up="z")(EMPTY)
+
+    assessment = assess(organ)
+    crossing = next(p for p in assessment.problems if p.key == "crossing")
+    assert crossing.severity == "error" and len(crossing.faces) > 20
+    assert "unite them" in crossing.expected
+    assert crossing.fix is not None
+
+    whole = UniteShells()(organ)
+    keys = {p.key for p in assess(whole).problems if p.severity == "error"}
+    assert "crossing" not in keys and "non_manifold" not in keys
+    line = find_arguments(UniteShells(), whole, "liver.organ")
+    assert line[:4] == ["palpate", "repair", "liver.organ", "--problem"]
+
+
+def test_pieces_whose_largest_crosses_itself_cannot_be_told_apart_by_keeping_one(tmp_path):
+    parts = {f"p{i}": ball(20.0, (25.0 * i, 0.0, 0.0), vertices=120) for i in range(3)}
+    # one piece that nearly all of the others lie in keeps none of them from being united
+    path = write_parts(tmp_path / "spleen.obj", parts)
+    organ = import_file(path, unit="mm", up="z")(EMPTY)
+
+    mended, done = repair_all(organ, ["self_intersections", "crossing", "shells"])
+
+    assert done and not {"crossing", "self_intersections"} & {p.key for p in mended.problems}

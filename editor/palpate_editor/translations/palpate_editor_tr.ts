@@ -5,6 +5,14 @@
 <context>
     <name>Editor</name>
     <message>
+        <source>foot (ft)</source>
+        <translation>ayak (ft)</translation>
+    </message>
+    <message>
+        <source>{length} long</source>
+        <translation>{length} uzunlukta</translation>
+    </message>
+    <message>
         <source>Series of the folder</source>
         <translation>Klasördeki seriler</translation>
     </message>

@@ -34,7 +34,7 @@ from palpate_editor.verbs.parts import (
     report_parts,
 )
 
-UNITS = ("m", "cm", "mm", "um", "in")
+UNITS = ("m", "cm", "mm", "um", "in", "ft")
 UPS = ("x", "y", "z", "-x", "-y", "-z")
 
 

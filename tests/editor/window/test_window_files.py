@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from hands import CONTROL, choose_file, click, drop, log_of, press
 from patience import settle
@@ -61,6 +62,18 @@ def test_a_damaged_document_is_a_sentence_and_changes_nothing(qtbot, spleen_wind
 
     assert "broken.organ" in window.messages.text
     assert window.session.organ is organ
+
+
+def test_each_unit_says_how_long_the_organ_would_be_and_what_is_no_organ_is_faint(spleen_window):
+    panel = spleen_window.import_panel
+    words = [panel.unit.itemText(row) for row in range(panel.unit.count())]
+    x = spleen_window.session.organ.imported.vertices
+    size = float(np.linalg.norm(np.ptp(x, axis=0)))
+
+    assert words[0] == f"metre (m): {1e3 * size:.0f}\u00a0mm long"
+    assert words[2].startswith("millimetre (mm): 0.1") and "ft" in words[5]
+    faint = [panel.unit.itemData(row, Qt.ItemDataRole.ForegroundRole) for row in range(6)]
+    assert faint[0] is None and all(colour is not None for colour in faint[1:3])
 
 
 @pytest.mark.landing

@@ -19,6 +19,7 @@ from palpate_editor.views.scan.series_row import SeriesRow
 from palpate_editor.views.scan.slice_view import SliceView
 from palpate_editor.views.scan.surface_preview import SurfacePreview
 from palpate_editor.views.scan.work import CutScan, ImportScan, ReadScan
+from palpate_editor.views.sentences import sentence_of
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.translations import count, number, quantity, tr
 
@@ -199,7 +200,7 @@ class ScanDialog(QDialog):
         self.context.jobs.start(title, work, self.show_found, self.refuse)
 
     def refuse(self, problem: BaseException) -> None:
-        self.facts.setText(str(problem))
+        self.facts.setText(sentence_of(problem))
         self.context.refuse(problem)
 
     def show_found(self, found: ScanSurface) -> None:

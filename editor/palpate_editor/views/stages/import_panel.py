@@ -6,7 +6,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
+import numpy as np
 from palpate.translation.refusals import say_note, say_refusal
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QComboBox,
     QGridLayout,
@@ -16,7 +19,10 @@ from PySide6.QtWidgets import (
 )
 
 from palpate_editor.document import Organ, Source
+from palpate_editor.document.organ_sizes import find_range
+from palpate_editor.document.rules import find_organ_word
 from palpate_editor.edits import SetName, SetUnit, SetUp
+from palpate_editor.edits.orient import METRES
 from palpate_editor.edits.part_list import Part
 from palpate_editor.views.stages.appearance_row import AppearanceRow
 from palpate_editor.views.stages.facts import Facts, write_label
@@ -25,7 +31,7 @@ from palpate_editor.views.stages.stage_panel import StagePanel
 from palpate_editor.views.tasks import ImportWork, Reading
 from palpate_editor.views.translations import count, number, quantity, tr
 
-UNITS = ("m", "cm", "mm", "um", "in")
+UNITS = ("m", "cm", "mm", "um", "in", "ft")
 UPS = ("z", "y", "x", "-z", "-y", "-x")
 
 
@@ -139,6 +145,7 @@ class ImportPanel(StagePanel):
             "mm": tr("millimetre (mm)"),
             "um": tr("micrometre (µm)"),
             "in": tr("inch (in)"),
+            "ft": tr("foot (ft)"),
         }.get(unit, unit)
 
     # ------------------------------------------------------------ showing
@@ -163,7 +170,8 @@ class ImportPanel(StagePanel):
         if source is not self.shown_source:
             self.show_source(source)
         if source is not None:
-            self.unit.setCurrentText(self.unit_name(source.unit))
+            self.show_units(organ)
+            self.unit.setCurrentIndex(UNITS.index(source.unit) if source.unit in UNITS else -1)
             self.up.setCurrentText(source.up)
             self.unit_reason.setText(self.reason(source.unit_guessed, source.unit_reason))
             self.up_reason.setText(self.reason(source.up_guessed, source.up_reason))
@@ -172,6 +180,20 @@ class ImportPanel(StagePanel):
         elif self.reading is None:
             self.file.setText(tr("No file yet: choose one, or drop it anywhere on this window."))
             self.parts_section.hide()
+
+    def show_units(self, organ: Organ) -> None:
+        """Each unit with how long the organ would be in it; those that make no organ are faint."""
+        if organ.source is None or organ.imported is None or organ.source.unit not in METRES:
+            return
+        least, most = find_range(find_organ_word(organ))
+        x = organ.imported.vertices
+        size = float(np.linalg.norm(np.ptp(x, axis=0))) / METRES[organ.source.unit]
+        for row, unit in enumerate(UNITS):
+            length = size * METRES[unit]
+            fits = least <= length <= most
+            faint = None if fits else QColor(self.context.colours.faint)
+            self.unit.setItemText(row, f"{self.unit_name(unit)}: {say_length(length)}")
+            self.unit.setItemData(row, faint, Qt.ItemDataRole.ForegroundRole)
 
     def show_source(self, source: Source | None) -> None:
         self.shown_source = source
@@ -305,3 +327,10 @@ class ImportPanel(StagePanel):
             and self.context.session.organ.surface is not None
         ):
             self.context.apply(SetName(name))
+
+
+def say_length(length: float) -> str:
+    """[m] Of an organ in a unit, which may be any."""
+    if length >= 1.0:
+        return tr("{length} long").format(length=quantity(length, "m", 3))
+    return tr("{length} long").format(length=quantity(1e3 * length, "mm", 3))
