@@ -19,6 +19,8 @@ from palpate_editor.views.translations import tr
 
 ROWS = 7
 """That are in sight."""
+ROW = 40
+"""[px] Of a row, of its two or three lines."""
 SEARCHED = 6
 """Parts from which on there is a field to find them by."""
 
@@ -95,7 +97,7 @@ class PartsChooser(QWidget):
             self.tree.show_signs()
         self.tree.tick({*chosen, *self.tree.taken} if chosen else None)
         rows = max(3, min(ROWS, len(parts)))
-        self.tree.setFixedHeight(rows * max(26, self.tree.sizeHintForRow(0)) + 6)
+        self.tree.setFixedHeight(rows * ROW + 6)
         self.search.setVisible(len(parts) >= SEARCHED)
         self.show_button.setVisible(any(part is not None for part in parts.values()))
         self.outer_button.setVisible(bool(find_outermost(self.list_known())))
