@@ -243,5 +243,17 @@ MOST_TETRAHEDRA: int
 def choose_cell_size(surface: SurfaceMesh, tetrahedron_count: int) -> float:
     """[m] At which about tetrahedron_count tetrahedra fill the surface; good to a third."""
 
+COUNT_ERROR: float
+"""[-] By how much another number than was asked for may come of fill_to_count."""
+
+def fill_to_count(
+    surface: SurfaceMesh,
+    tetrahedron_count: int,
+    fine: Sequence[int] = (),
+    ratio: float = 1.0,
+) -> SolidMesh:
+    """tetrahedron_count tetrahedra, to a tenth, that fill a closed surface; cells at its triangles
+    `fine` are smaller by `ratio` than far away from them. Raises ValueError."""
+
 def fill_interior(surface: SurfaceMesh, cell_size: float) -> SolidMesh:
     """Tetrahedra of about cell_size [m] that fill a closed surface. Raises ValueError."""

@@ -9,6 +9,7 @@
     closed = fill_holes(organ.mesh, [0, 1])    # the first two holes closed
     write_mesh("spleen.obj", small.mesh)
     solid = fill_interior(small.mesh, 8e-3)    # tetrahedra of about 8 mm inside
+    solid = fill_to_count(small.mesh, 3000)    # 3000 of them, to a tenth
 
 A file that is refused raises `palpate.FileError` with file, where, found, expected; a wrong
 argument raises `ValueError`.
@@ -38,6 +39,7 @@ from palpate_editor._authoring import (
     decimate,
     fill_holes,
     fill_interior,
+    fill_to_count,
     find_crossing_groups,
     find_places,
     find_self_intersecting_faces,
@@ -70,6 +72,7 @@ __all__ = [
     "fill_interior",
     "find_crossing_groups",
     "find_places",
+    "fill_to_count",
     "find_self_intersecting_faces",
     "import_mesh",
     "import_scene",

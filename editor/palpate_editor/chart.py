@@ -11,6 +11,7 @@ import hashlib
 import json
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 import palpate
@@ -78,12 +79,20 @@ def compute_key(plan: Plan) -> str:
     content, arrays = pack_organ(open_document(plan.organ))
     for name in UNFELT:
         content.pop(name, None)
+    keep_known(content["fill"])
     head = [VERSION, REFINED, plan.path, plan.speed, plan.frames, plan.truth.key]
     whole = hashlib.sha256(json.dumps([head, content], sort_keys=True).encode())
     for name in sorted(arrays):
         array = np.ascontiguousarray(arrays[name])
         whole.update(f"{name} {array.dtype.str} {array.shape}".encode() + array.tobytes())
     return whole.hexdigest()
+
+
+def keep_known(fill: dict[str, Any]) -> None:
+    """Takes away what a filling of before version 9 does not say, so that its chart is known."""
+    if fill["sizing"] == "estimated" and not fill["fine_region"]:
+        for name in ("sizing", "fine_region", "fine_ratio"):
+            del fill[name]
 
 
 def draw_chart(

@@ -65,13 +65,17 @@ BUILT_FROM = (
     *("surface", "material", "model", "fill", "filling", "fixed", "stiffness_scale"),
     *("tool", "hand"),
 )
-"""What of an organ its scene depends on, but for the region that is reached."""
+"""What of an organ its scene depends on, but for the regions that its filling
+names."""
 
 
 def is_built_alike(one: Organ, other: Organ) -> bool:
     """Whether two organs are known to make the same scene: they differ at most in texts."""
     alike = all(is_alike(getattr(one, name), getattr(other, name)) for name in BUILT_FROM)
-    return alike and one.regions.get(one.fill.reach) is other.regions.get(other.fill.reach)
+    return alike and all(
+        one.regions.get(getattr(one.fill, name)) is other.regions.get(getattr(other.fill, name))
+        for name in ("reach", "fine_region")
+    )
 
 
 def is_alike(one: object, other: object) -> bool:

@@ -54,7 +54,7 @@ def make_ellipsoid(kind: str, law: str, vertices: int) -> Organ:
         EMPTY.with_surface(surface),
         material=replace(MATERIAL, wall_thickness=wall),
         model=ModelPart(kind=kind, constants="tissue", contact_law=contact),
-        fill=FillPart(PER_VERTEX * vertices),
+        fill=FillPart(PER_VERTEX * vertices, sizing="estimated"),
         tool=ToolPart(radius=TIP),
     )
     return FixLowest(HELD)(organ)

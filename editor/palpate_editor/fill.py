@@ -3,41 +3,88 @@
 
 from __future__ import annotations
 
+from typing import Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
 import palpate
 from palpate import scenario
 from palpate.scene.scene_file import build_material, enumerator
+from palpate.scene.scene_parts import SIZINGS
 
 from palpate_editor import authoring
 from palpate_editor.document import Organ, Surface
-from palpate_editor.document.constants import LEAST_TETRAHEDRA, MOST_TETRAHEDRA
+from palpate_editor.document.constants import LEAST_FINE_RATIO, LEAST_TETRAHEDRA, MOST_TETRAHEDRA
 from palpate_editor.edits.own_filling import find_own_filling
 
 MOST_KEPT = 4
 """Fillings of one surface: enough to go back and forth between a few."""
 
-filled: WeakKeyDictionary[Surface, dict[int, palpate.SolidMesh]] = WeakKeyDictionary()
+filled: WeakKeyDictionary[Surface, dict[Any, palpate.SolidMesh]] = WeakKeyDictionary()
 """A surface never changes, so neither does what fills it."""
 
+WHOLE = (np.empty(0, np.int32), 1.0)
+"""As fine everywhere."""
 
-def fill_surface(surface: Surface, tetrahedra: int) -> palpate.SolidMesh:
-    """About so many inside a surface. Raises ValueError where it is open or crosses itself."""
+
+def fill_surface(
+    surface: Surface,
+    tetrahedra: int,
+    sizing: str = "counted",
+    fine: tuple[np.ndarray, float] = WHOLE,
+) -> palpate.SolidMesh:
+    """So many tetrahedra inside a surface. Raises ValueError where it is open or crosses itself.
+
+    Args:
+        surface: What is filled.
+        tetrahedra: As asked for; see FillPart.
+        sizing: See FillPart.
+        fine: (k,) triangles of the surface at which they are smaller, and how much.
+    """
     if not LEAST_TETRAHEDRA <= tetrahedra <= MOST_TETRAHEDRA:
         raise ValueError(
             f"fill.tetrahedra: got {tetrahedra}, expected a whole number of {LEAST_TETRAHEDRA} "
             f"to {MOST_TETRAHEDRA}"
         )
+    if sizing not in SIZINGS:
+        raise ValueError(f"fill.sizing: got {sizing!r}, expected one of {', '.join(SIZINGS)}")
     kept = filled.setdefault(surface, {})
-    solid = kept.get(tetrahedra)
+    key = (tetrahedra, sizing, fine[0].tobytes(), fine[1])
+    solid = kept.get(key)
     if solid is None:
         mesh = palpate.SurfaceMesh(surface.vertices, surface.triangles)
-        solid = authoring.fill_interior(mesh, authoring.choose_cell_size(mesh, tetrahedra))
+        if sizing == "estimated":
+            solid = authoring.fill_interior(mesh, authoring.choose_cell_size(mesh, tetrahedra))
+        else:
+            solid = authoring.fill_to_count(mesh, tetrahedra, fine[0].tolist(), fine[1])
         if len(kept) >= MOST_KEPT:
             kept.pop(next(iter(kept)), None)
-        kept[tetrahedra] = solid
+        kept[key] = solid
     return solid
+
+
+def fill_organ(organ: Organ) -> palpate.SolidMesh:
+    """The tetrahedra of an organ. Raises ValueError naming what is wrong."""
+    assert organ.surface is not None
+    own = find_own_filling(organ)
+    if own is not None:
+        return own
+    fill = organ.fill
+    return fill_surface(organ.surface, fill.tetrahedra, fill.sizing, find_fine(organ))
+
+
+def find_fine(organ: Organ) -> tuple[np.ndarray, float]:
+    """Triangles at the fine region, and how much finer they are filled. Raises ValueError for a
+    region that is not there, or touches no triangle."""
+    assert organ.surface is not None
+    name, ratio = organ.fill.fine_region, organ.fill.fine_ratio
+    if not name:
+        return WHOLE
+    ids = find_region(organ, "fill.fine_region", name)
+    if not LEAST_FINE_RATIO <= ratio <= 1.0:
+        raise ValueError(f"fill.fine_ratio: got {ratio:g}, expected {LEAST_FINE_RATIO:g} to 1")
+    touched = np.isin(organ.surface.triangles, ids).any(axis=1)
+    return np.flatnonzero(touched).astype(np.int32), ratio
 
 
 BUILDERS = {
@@ -58,7 +105,7 @@ def build_filled(organ: Organ) -> palpate.TissueModel:
     assert organ.surface is not None
     reach = find_reach(organ)
     surface = palpate.SurfaceMesh(organ.surface.vertices, organ.surface.triangles)
-    solid = find_own_filling(organ) or fill_surface(organ.surface, organ.fill.tetrahedra)
+    solid = fill_organ(organ)
     check_room(solid, organ.model.kind)
     nearest = find_nearest(np.asarray(solid.vertices), organ.surface.vertices)
     outside = np.zeros(len(nearest), dtype=bool)
@@ -94,11 +141,16 @@ def find_reach(organ: Organ) -> np.ndarray | None:
     name = organ.fill.reach
     if organ.model.kind != "linear_solid" or not name:
         return None
+    return find_region(organ, "fill.reach", name)
+
+
+def find_region(organ: Organ, where: str, name: str) -> np.ndarray:
+    """(k,) its vertices. Raises ValueError where there is none of that name, or none in it."""
     if name not in organ.regions:
         known = ", ".join(map(repr, organ.regions)) or "this organ has none"
-        raise ValueError(f"fill.reach: got {name!r}, expected a region of the organ: {known}")
+        raise ValueError(f"{where}: got {name!r}, expected a region of the organ: {known}")
     if not organ.regions[name].size:
-        raise ValueError(f"fill.reach: got no vertex in {name!r}, expected at least one")
+        raise ValueError(f"{where}: got no vertex in {name!r}, expected at least one")
     return organ.regions[name]
 
 

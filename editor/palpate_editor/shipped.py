@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from palpate.scene.scene_parts import MaterialPart, ModelPart
+from palpate.scene.scene_parts import FillPart, MaterialPart, ModelPart
 from palpate_meshes.catalogue import (
     PICTURES,
     Entry,
@@ -63,6 +63,7 @@ def make_organ(name: str, vertices: int | None = None) -> Organ:
     organ = replace(
         EMPTY.with_surface(surface),
         name=entry.name.replace("_", " "),
+        fill=organ_fill(entry),
         imported=surface,
         source=source,
     )
@@ -77,11 +78,16 @@ def make_organ(name: str, vertices: int | None = None) -> Organ:
     return organ
 
 
+def organ_fill(entry: Entry) -> FillPart:
+    """As the published solids, which carry it, were filled."""
+    if entry.tetrahedra is None:
+        return EMPTY.fill
+    return FillPart(entry.tetrahedra, sizing="estimated")
+
+
 def list_edits(entry: Entry, tissue: Tissue) -> Iterator[Edit]:
     """What makes of the bare surface the organ that ships."""
     yield SetMaterial(MaterialPart(**tissue.material), ModelPart(**tissue.model), tissue.name)
-    if entry.tetrahedra is not None:
-        yield SetConstant("fill", "tetrahedra", entry.tetrahedra)
     yield SetConstant("tool", "radius", entry.tip_radius)
     yield SetTask(entry.title, entry.task)
     for code, words in entry.languages.items():

@@ -29,6 +29,18 @@ void bind_fill(py::module_& m) {
         py::call_guard<py::gil_scoped_release>(),
         "[m] The cell size at which about tetrahedron_count tetrahedra fill the surface; good to a "
         "third.");
+  m.attr("COUNT_ERROR") = kCountError;
+  m.def(
+      "fill_to_count",
+      [](const SurfaceMesh& surface, int tetrahedron_count, std::vector<int> fine, double ratio) {
+        return fill_to_count(surface, tetrahedron_count, {std::move(fine), ratio});
+      },
+      "surface"_a, "tetrahedron_count"_a, "fine"_a = std::vector<int>(), "ratio"_a = 1.0,
+      py::call_guard<py::gil_scoped_release>(),
+      "tetrahedron_count tetrahedra, to a tenth, that fill a closed surface; cells at its "
+      "triangles "
+      "`fine` are smaller by `ratio` than far away from them. Raises ValueError as fill_interior "
+      "does.");
   m.def("fill_interior", &fill_interior, "surface"_a, "cell_size"_a,
         py::call_guard<py::gil_scoped_release>(),
         "Tetrahedra of about cell_size [m] that fill a closed surface. Raises ValueError for a "

@@ -70,6 +70,7 @@ EXAMPLES = [
         replace(SPLEEN, fill=replace(SPLEEN.fill, tetrahedra=900)),
     ),
     (edits.SetReach(""), SPLEEN),
+    (edits.SetFineRegion("hilum"), SPLEEN),
     (edits.SetTissue(replace(TISSUES[0], density=1040.0)), replace(SPLEEN, tissues=())),
     (edits.FixVertices(np.array([20, 30])), SPLEEN),
     (edits.FixLowest(0.3), SPLEEN),

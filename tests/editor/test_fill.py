@@ -4,12 +4,13 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
+from dataclasses import asdict, replace
 from pathlib import Path
 
 import numpy as np
 import palpate
 import pytest
+from palpate import scenario
 from palpate.cli.main import main
 from palpate.scene.scene_parts import FILLED, FillPart
 from palpate_editor import _authoring
@@ -18,11 +19,21 @@ from palpate_editor.compile import build_organ
 from palpate_editor.document.constants import MOST_TETRAHEDRA
 from palpate_editor.document.cost_rules import compute_tick_share
 from palpate_editor.document.files import read_organ, write_organ
-from palpate_editor.edits import EditError, RemoveRegion, SetChoice, SetConstant, SetReach
-from palpate_editor.fill import fill_surface
+from palpate_editor.edits import (
+    EditError,
+    RemoveRegion,
+    SetChoice,
+    SetConstant,
+    SetFineRegion,
+    SetReach,
+)
+from palpate_editor.fill import fill_organ, fill_surface
+from palpate_editor.open_organ import open_organ
 from palpate_editor.shipped import make_organ as make_shipped
+from palpate_meshes.catalogue import PUBLISHED
 
 REACH = "diaphragmatic surface"
+COUNT_ERROR = _authoring.COUNT_ERROR
 
 
 @pytest.fixture(scope="module")
@@ -49,10 +60,75 @@ def test_more_tetrahedra_fill_the_same_organ_finer_and_cost_more(spleen):
 
     assert finer.fill.tetrahedra == 1800 and isinstance(finer.fill.tetrahedra, int)
     counts = [found.facts.tissue.tetrahedra for found in (coarse, fine)]
-    assert 600 / 1.6 < counts[0] < 1.6 * 600
-    assert 1800 / 1.6 < counts[1] < 1.6 * 1800
+    assert counts[0] == pytest.approx(600, rel=COUNT_ERROR)
+    assert counts[1] == pytest.approx(1800, rel=COUNT_ERROR)
     shares = [compute_tick_share(found.organ, found.facts) for found in (coarse, fine)]
     assert shares[1] / shares[0] >= counts[1] / counts[0]
+
+
+@pytest.mark.parametrize("name", ["spleen", "liver", "kidney"])
+def test_published_solids_carry_the_filling_that_their_document_still_gives(name):
+    """Nothing of what shipped before tetrahedra were counted changes."""
+    organ = open_organ(PUBLISHED / f"{name}.organ")
+    before = open_organ(PUBLISHED / f"{name}.palpate")
+    carried = scenario.read(str(PUBLISHED / f"{name}.palpate")).scene.bodies[0].tissue
+
+    assert organ.fill == before.fill and organ.fill.sizing == "estimated"
+    again = np.asarray(palpate.list_tetrahedra(build_organ(organ)))
+    assert np.array_equal(again, np.asarray(palpate.list_tetrahedra(carried)))
+
+
+def test_a_number_that_is_asked_for_in_an_older_document_is_counted():
+    organ = open_organ(PUBLISHED / "spleen.palpate")
+
+    again = SetConstant("fill", "tetrahedra", 2000)(organ)
+
+    assert again.fill.sizing == "counted"
+    made = len(fill_organ(again).tetrahedra)
+    assert made == pytest.approx(2000, rel=COUNT_ERROR)
+    assert (
+        len(fill_organ(replace(organ, fill=replace(organ.fill, tetrahedra=2000))).tetrahedra)
+        < (1.0 - COUNT_ERROR) * 2000
+    )
+
+
+def test_a_solid_is_filled_finer_at_a_region_and_as_many_tetrahedra_as_asked(spleen):
+    whole = replace(spleen, fill=FillPart(3000))
+    finer = SetConstant("fill", "fine_ratio", 0.3)(SetFineRegion("lower pole")(whole))
+
+    plain, graded = fill_organ(whole), fill_organ(finer)
+
+    assert len(graded.tetrahedra) == pytest.approx(3000, rel=COUNT_ERROR)
+    place = spleen.surface.vertices[spleen.regions["lower pole"]]
+    edges = [measure_edges_near(solid, place) for solid in (plain, graded)]
+    assert edges[1][0] < 0.6 * edges[0][0] and edges[1][1] > edges[0][1]
+    assert fill_organ(finer) is graded
+
+
+def measure_edges_near(solid: palpate.SolidMesh, place: np.ndarray) -> tuple[float, float]:
+    """[m] Mean edges of tetrahedra within 5 mm of points, and of those beyond 30 mm."""
+    x = np.asarray(solid.vertices)[np.asarray(solid.tetrahedra)]
+    away = np.linalg.norm(x.mean(axis=1)[:, None] - place[None], axis=2).min(axis=1)
+    edges = np.linalg.norm(x[:, [0, 0, 0, 1, 1, 2]] - x[:, [1, 2, 3, 2, 3, 3]], axis=2)
+    return float(edges[away < 5e-3].mean()), float(edges[away > 30e-3].mean())
+
+
+def test_a_fine_region_that_is_gone_is_an_error_and_no_region_has_no_ratio(spleen, file, capsys):
+    gone = RemoveRegion("lower pole")(SetFineRegion("lower pole")(spleen))
+
+    (problem,) = assess(gone).errors
+    assert problem.where == "fill.fine_region" and assess(problem.fix(gone)).errors == ()
+    with pytest.raises(EditError, match="no region apex"):
+        SetFineRegion("apex")(spleen)
+    words = ["material", str(file), "-o", str(file)]
+    assert main([*words, "--fine-ratio", "0.3"]) == 1
+    assert "--fine REGION with it" in capsys.readouterr().err
+    assert main([*words, "--fine", "lower pole", "--fine-ratio", "0.3"]) == 0
+    assert read_organ(file).fill == FillPart(600, fine_region="lower pole", fine_ratio=0.3)
+    assert main([*words, "--fine", "none"]) == 0
+    assert read_organ(file).fill.fine_region == ""
+    assert main([*words, "--kind", "mss", "--fine", "lower pole"]) == 1
+    assert "--kind solid with it" in capsys.readouterr().err
 
 
 def test_the_nodal_share_is_that_of_the_tissue(spleen):
@@ -128,7 +204,7 @@ def test_the_verb_sets_the_filling_and_says_the_memory_first(file, capsys):
 
     said = capsys.readouterr()
     report = json.loads(said.out)
-    assert report["scene"]["fill"] == {"tetrahedra": 500, "nodal_share": 0.5, "reach": REACH}
+    assert report["scene"]["fill"] == asdict(FillPart(500, 0.5, REACH))
     assert f"its response takes {1e-6 * report['response_bytes']:.1f} MB for " in said.err
     assert read_organ(file).fill == FillPart(500, 0.5, REACH)
     assert main(["material", str(file), "--reach", "none", "-o", str(file), "--json"]) == 0

@@ -19,7 +19,7 @@ from palpate_editor.document import Surface
 from palpate_editor.document.constants import find_constant
 from palpate_editor.document.files import write_organ
 from palpate_editor.edits import SetChoice
-from palpate_editor.fill import build_filled, fill_surface, find_nearest
+from palpate_editor.fill import build_filled, fill_organ, fill_surface, find_nearest
 from palpate_editor.shipped import find_mesh
 from palpate_editor.shipped import make_organ as make_shipped
 
@@ -55,7 +55,7 @@ def test_what_is_painted_on_the_surface_is_carried_inside(spleen):
     stiffer = np.asarray(tissue.volumes.bulk) / np.asarray(plain.volumes.bulk)
     assert stiffer.min() == pytest.approx(1.0) and stiffer.max() == pytest.approx(3.0)
     nearest = find_nearest(np.asarray(tissue.rest_position), spleen.surface.vertices)
-    outside = np.unique(palpate.find_boundary(fill_surface(spleen.surface, spleen.fill.tetrahedra)))
+    outside = np.unique(palpate.find_boundary(fill_organ(spleen)))
     assert set(np.asarray(tissue.fixed)) == set(outside) & set(np.flatnonzero(~high[nearest]))
 
 

@@ -30,6 +30,8 @@ INTEGRATORS = (
     "projective_dynamics",
 )
 """How a tissue steps in time: names of palpate.Integrator, the usual one first."""
+SIZINGS = ("counted", "estimated")
+"""How the size of tetrahedra follows from their number."""
 SPRING_RULES = ("van_gelder", "lloyd")
 """How the constants of springs follow from the material."""
 VALIDATED_PART, VALIDATED_RADII = 0.10, 1.5
@@ -118,6 +120,13 @@ class FillPart:
     particle, and not on each tetrahedron by itself."""
     reach: str = ""
     """The region of the surface on which a linear solid can be pushed; empty: all of it."""
+    sizing: str = field(default="counted", metadata={"since": 9})
+    """counted: sizes are tried until there are as many tetrahedra, to a tenth; estimated: one size,
+    as solids of before version 9 were filled, which gives up to a third fewer."""
+    fine_region: str = field(default="", metadata={"since": 9})
+    """The region of the surface at which tetrahedra are smaller; empty: none."""
+    fine_ratio: float = field(default=0.5, metadata={"since": 9})
+    """[-] How much smaller their edges are there than far away."""
 
 
 @dataclass(frozen=True)

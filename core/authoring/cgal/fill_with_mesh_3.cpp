@@ -8,7 +8,9 @@
 #include <CGAL/Polyhedral_mesh_domain_3.h>
 #include <CGAL/Random.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/exude_mesh_3.h>
 #include <CGAL/make_mesh_3.h>
+#include <CGAL/perturb_mesh_3.h>
 
 #include <map>
 #include <stdexcept>
@@ -65,22 +67,49 @@ SolidMesh to_solid(const Complex& complex) {
   return solid;
 }
 
+/// A size, or a distance from the surface, that depends on the place.
+struct Field {
+  using FT = Kernel::FT;
+  using Index = Domain::Index;
+
+  FT operator()(const Kernel::Point_3& p, int, const Index&) const {
+    return share * near({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+  }
+
+  std::function<double(const Vec3&)> near;
+  double share = 1.0;
+};
+
+Criteria build_criteria(const CellSize& size) {
+  namespace parameters = CGAL::parameters;
+  if (!size.near) {
+    return Criteria(parameters::facet_angle = kFacetAngle, parameters::facet_size = size.largest,
+                    parameters::facet_distance = kFacetDistance * size.largest,
+                    parameters::cell_radius_edge_ratio = kRadiusEdgeRatio,
+                    parameters::cell_size = size.largest);
+  }
+  const Field field{size.near};
+  return Criteria(parameters::facet_angle = kFacetAngle, parameters::facet_size = field,
+                  parameters::facet_distance = Field{size.near, kFacetDistance},
+                  parameters::cell_radius_edge_ratio = kRadiusEdgeRatio,
+                  parameters::cell_size = field);
+}
+
 }  // namespace
 
-SolidMesh fill_with_mesh_3(const SurfaceMesh& surface, double cell_size) {
+SolidMesh fill_with_mesh_3(const SurfaceMesh& surface, const CellSize& size,
+                           const Accepts& accepts) {
   namespace parameters = CGAL::parameters;
   // perturbing draws from CGAL's own source, which else begins with the time of day
   CGAL::get_default_random() = CGAL::Random(kSeed);
   const Surface bounded = to_surface(surface);
   const Domain domain(bounded);
-  const Criteria criteria(parameters::facet_angle = kFacetAngle, parameters::facet_size = cell_size,
-                          parameters::facet_distance = kFacetDistance * cell_size,
-                          parameters::cell_radius_edge_ratio = kRadiusEdgeRatio,
-                          parameters::cell_size = cell_size);
-  const Complex complex =
-      CGAL::make_mesh_3<Complex>(domain, criteria, parameters::no_lloyd(), parameters::no_odt(),
-                                 parameters::perturb(parameters::time_limit = kNoLimit),
-                                 parameters::exude(parameters::time_limit = kNoLimit));
+  Complex complex = CGAL::make_mesh_3<Complex>(domain, build_criteria(size), parameters::no_lloyd(),
+                                               parameters::no_odt(), parameters::no_perturb(),
+                                               parameters::no_exude());
+  if (accepts && !accepts(complex.number_of_cells_in_complex())) return {};
+  CGAL::perturb_mesh_3(complex, domain, parameters::time_limit = kNoLimit);
+  CGAL::exude_mesh_3(complex, parameters::time_limit = kNoLimit);
   return to_solid(complex);
 }
 

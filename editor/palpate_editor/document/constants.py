@@ -114,6 +114,8 @@ SWINGING = (*LINKED, *FINITE)
 ANY = -math.inf
 LEAST_TETRAHEDRA, MOST_TETRAHEDRA = 100, 40_000
 """Fewer are no shape; more are not begun (core/authoring/fill_interior.h)."""
+LEAST_FINE_RATIO = 0.1
+"""[-] Of the edges of a filling at its fine region to those far away."""
 MOST_SUBSTEPS = 1000
 """Of a tick. More take longer than a tick does on any machine."""
 
@@ -231,6 +233,18 @@ CONSTANTS = (
         "",
         "--nodal-share",
         "",
+        above=False,
+        most=1.0,
+        kinds=FILLED,
+    ),
+    Constant(
+        "fill",
+        "fine_ratio",
+        "Fine size",
+        "",
+        "--fine-ratio",
+        "",
+        least=LEAST_FINE_RATIO,
         above=False,
         most=1.0,
         kinds=FILLED,

@@ -45,6 +45,12 @@ def find_idle(constant: Constant, organ: Organ) -> Idle | None:
             "--relaxation above 0 with it",
             phrase("It counts where the relaxation is above 0."),
         )
+    if constant.key == "fill.fine_ratio" and not organ.fill.fine_region:
+        return Idle(
+            phrase("tetrahedra are of one size"),
+            "--fine REGION with it",
+            phrase("It counts where a region is filled finer."),
+        )
     return find_idle_modulus(constant, organ) if constant.key in ELASTIC else None
 
 

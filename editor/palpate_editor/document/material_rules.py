@@ -100,7 +100,7 @@ def find_constant_problems(organ: Organ) -> Iterator[Problem]:
 def refuse_tissue(tissue: TissueFacts) -> Iterator[Problem]:
     assert tissue.refusal is not None
     where, found, expected = tissue.refusal
-    key = "reach" if where == "fill.reach" else "tissue"
+    key = {"fill.reach": "reach", "fill.fine_region": "fine_region"}.get(where, "tissue")
     yield Problem(
         "indefinite" if tissue.coupling_range else key,
         "error",

@@ -70,12 +70,20 @@ def keep_hard_contact(content: Json, arrays: Arrays) -> tuple[Json, Arrays]:
     return content, arrays
 
 
+def keep_filling(content: Json, arrays: Arrays) -> tuple[Json, Arrays]:
+    """Version 9 counts tetrahedra; before, one size was estimated, and solids keep theirs."""
+    if content["model"].get("kind") in FILLED and isinstance(content.get("fill"), dict):
+        content["fill"] |= {"sizing": "estimated"}
+    return content, arrays
+
+
 MIGRATIONS: dict[int, Callable[[Json, Arrays], tuple[Json, Arrays]]] = {
     1: choose_constants,
     2: choose_filling,
     3: choose_substeps,
     4: name_appearance,
     6: keep_hard_contact,
+    8: keep_filling,
 }
 """Version -> what makes of a document of that version one of the next, beside the new fields."""
 

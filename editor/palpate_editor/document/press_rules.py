@@ -22,7 +22,7 @@ MOST_PATCH_FACTOR = 1.25
 LOCKING_POISSON, LOCKING_SHARE, LOCKED = 0.46, 0.7, 2.0
 """[-] Above this Poisson's ratio and below this nodal share volumes lock; how much stiffer than at
 a share of 0.9, at most [accuracy: patch]."""
-FEWER = 0.15
+FEWER = 0.1
 """[-] of the tetrahedra that were asked for: how many more or fewer are told."""
 
 

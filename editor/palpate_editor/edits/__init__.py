@@ -27,7 +27,7 @@ from palpate_editor.edits.repair import (
     TurnOutward,
 )
 from palpate_editor.edits.set_constant import SetChoice, SetConstant, SetGravity, SetMaterial
-from palpate_editor.edits.set_reach import SetReach
+from palpate_editor.edits.set_reach import SetFineRegion, SetReach
 from palpate_editor.edits.set_tissue import SetTissue
 from palpate_editor.edits.unite import UniteShells
 
@@ -51,6 +51,7 @@ __all__ = [
     "SetAppearance",
     "SetChoice",
     "SetConstant",
+    "SetFineRegion",
     "SetGravity",
     "SetMaterial",
     "SetName",
@@ -90,6 +91,7 @@ EVERY_EDIT: tuple[type, ...] = (
     SetMaterial,
     Configure,
     SetReach,
+    SetFineRegion,
     SetTissue,
     FixVertices,
     FixLowest,

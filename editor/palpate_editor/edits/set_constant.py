@@ -24,6 +24,13 @@ def replace_field(organ: Organ, part: str, field: str, value: object) -> Organ:
     return replace(organ, **{part: replace(getattr(organ, part), **{field: value})})
 
 
+def count_tetrahedra(organ: Organ, part: str, field: str) -> Organ:
+    """A number of tetrahedra that is asked for now is counted, also in a document of before."""
+    if (part, field) != ("fill", "tetrahedra") or organ.fill.sizing == "counted":
+        return organ
+    return replace_field(organ, "fill", "sizing", "counted")
+
+
 def check_constant(part: str, field: str, value: float | None) -> None:
     constant = find_constant(part, field)
     if constant is None:
@@ -63,7 +70,8 @@ class SetConstant:
         constant = find_constant(self.part, self.field)
         kind = int if constant is not None and constant.whole else float
         value = None if self.value is None else kind(self.value)
-        return replace_field(organ, self.part, self.field, value)
+        changed = replace_field(organ, self.part, self.field, value)
+        return count_tetrahedra(changed, self.part, self.field)
 
 
 @dataclass(frozen=True)

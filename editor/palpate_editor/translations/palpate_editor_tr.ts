@@ -177,8 +177,8 @@
         <translation>&amp;Arkadan</translation>
     </message>
     <message>
-        <source>About as many tetrahedra are made as are asked for; more are nearer to the tissue and take longer. A nodal share of 0 lets volumes lock, which makes the organ too stiff; 1 lets tetrahedra turn inside out.</source>
-        <translation>Yaklaşık istenen sayıda dörtyüzlü oluşturulur; sayı arttıkça model dokuya yaklaşır, hesap uzar. Düğüm payı 0 olursa hacimler kilitlenir, organ fazla sert olur; 1 olursa dörtyüzlüler tersyüz olabilir.</translation>
+        <source>As many tetrahedra are made as are asked for, to a tenth; more are nearer to the tissue and take longer. A nodal share of 0 lets volumes lock, which makes the organ too stiff; 1 lets tetrahedra turn inside out.</source>
+        <translation>Onda bir farkla istenen sayıda dörtyüzlü oluşturulur; sayı arttıkça model dokuya yaklaşır, hesap uzar. Düğüm payı 0 olursa hacimler kilitlenir, organ fazla sert olur; 1 olursa dörtyüzlüler tersyüz olabilir.</translation>
     </message>
     <message>
         <source>All of the surface</source>
@@ -2710,6 +2710,34 @@ Beklenen: {expected}.</translation>
         <source>There is no organ yet: import a mesh first.</source>
         <translation>Henüz organ yok: önce bir ağ içe aktarın.</translation>
     </message>
+    <message>
+        <source>Pressing it before and after</source>
+        <translation>Öncesine ve sonrasına bastırılıyor</translation>
+    </message>
+    <message>
+        <source>Felt at {depth}</source>
+        <translation>{depth} derinlikte hissedilen</translation>
+    </message>
+    <message>
+        <source>What is felt was not compared: {reason}</source>
+        <translation>Hissedilen karşılaştırılmadı: {reason}</translation>
+    </message>
+    <message>
+        <source>Nothing was felt at the places that were pressed.</source>
+        <translation>Bastırılan yerlerde bir şey hissedilmedi.</translation>
+    </message>
+    <message>
+        <source>Pressed at {places} places: by {change} at most.</source>
+        <translation>{places} yere bastırıldı: en çok {change} değişti.</translation>
+    </message>
+    <message>
+        <source>Finer at</source>
+        <translation>Daha ince olduğu yer</translation>
+    </message>
+    <message>
+        <source>Nowhere</source>
+        <translation>Hiçbir yer</translation>
+    </message>
 </context>
 <context>
     <name>constants</name>
@@ -2948,6 +2976,10 @@ Beklenen: {expected}.</translation>
     <message>
         <source>none</source>
         <translation>yok</translation>
+    </message>
+    <message>
+        <source>Fine size</source>
+        <translation>İnce boyut</translation>
     </message>
 </context>
 <context>
@@ -3958,6 +3990,34 @@ Beklenen: {expected}.</translation>
     <message>
         <source>{law}</source>
         <translation>{law}</translation>
+    </message>
+    <message>
+        <source>it cannot be built yet: {problem}</source>
+        <translation>henüz kurulamıyor: {problem}</translation>
+    </message>
+    <message>
+        <source>it ticks too slowly to be pressed here</source>
+        <translation>burada bastırılamayacak kadar yavaş adım atıyor</translation>
+    </message>
+    <message>
+        <source>it is too small to be pressed</source>
+        <translation>bastırılamayacak kadar küçük</translation>
+    </message>
+    <message>
+        <source>Filling: as fine everywhere</source>
+        <translation>Dolgu: her yerde aynı incelikte</translation>
+    </message>
+    <message>
+        <source>Filling finer at {region}</source>
+        <translation>{region} bölgesinde daha ince dolgu</translation>
+    </message>
+    <message>
+        <source>tetrahedra are of one size</source>
+        <translation>dörtyüzlüler tek boyda</translation>
+    </message>
+    <message>
+        <source>It counts where a region is filled finer.</source>
+        <translation>Bir bölge daha ince doldurulduğunda geçerlidir.</translation>
     </message>
 </context>
 <context>

@@ -30,7 +30,14 @@ from palpate_editor.document.constants import CHOICES, CONSTANTS, SHORT_KINDS, C
 from palpate_editor.document.files import write_organ
 from palpate_editor.document.idle import Idle, find_idle, find_idle_choice, say_unused
 from palpate_editor.document.problems import Problem
-from palpate_editor.edits import FixLowest, SetChoice, SetConstant, SetGravity, SetReach
+from palpate_editor.edits import (
+    FixLowest,
+    SetChoice,
+    SetConstant,
+    SetFineRegion,
+    SetGravity,
+    SetReach,
+)
 from palpate_editor.kinds import compare_kinds, describe_kinds
 from palpate_editor.scene_files import name_mesh, write_scene
 from palpate_editor.verbs.check import describe_problems
@@ -93,6 +100,11 @@ def add_material(parser: argparse.ArgumentParser) -> None:
         f"smaller; elsewhere it does not give ('{NONE}': all of the surface)",
     )
     parser.add_argument(
+        "--fine",
+        metavar="REGION",
+        help=f"of a solid: where it is filled finer, by --fine-ratio ('{NONE}': nowhere)",
+    )
+    parser.add_argument(
         "--gravity", type=read_vector, metavar="X,Y,Z", help="[m/s²] of the organ (0,0,0)"
     )
     parser.add_argument(
@@ -132,6 +144,9 @@ def set_constants(call: argparse.Namespace, organ: Organ) -> Organ:
     if call.reach is not None:
         everywhere = call.reach == NONE and NONE not in organ.regions
         organ = apply(SetReach("" if everywhere else call.reach), organ, call.file, "--reach")
+    if call.fine is not None:
+        nowhere = call.fine == NONE and NONE not in organ.regions
+        organ = apply(SetFineRegion("" if nowhere else call.fine), organ, call.file, "--fine")
     if call.gravity is not None:
         organ = apply(SetGravity(call.gravity), organ, call.file, "--gravity")
     if call.fix_lowest != 0.0:
@@ -153,6 +168,9 @@ def require_effects(call: argparse.Namespace, organ: Organ) -> None:
         idle = value and find_idle_choice(key.removeprefix("model."), value, organ)
         if idle:
             refuse_idle(call, option, value, idle)
+    if call.fine not in (None, NONE) and organ.model.kind not in FILLED:
+        idle = Idle(say_unused(organ.model.kind), "--kind solid with it")
+        refuse_idle(call, "--fine", call.fine, idle)
     if call.reach not in (None, NONE) and organ.model.kind != "linear_solid":
         refuse_idle(
             call,

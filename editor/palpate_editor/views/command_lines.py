@@ -43,6 +43,7 @@ from palpate_editor.edits import (
     SetAppearance,
     SetChoice,
     SetConstant,
+    SetFineRegion,
     SetGravity,
     SetMaterial,
     SetName,
@@ -197,6 +198,11 @@ def reach_arguments(edit: SetReach, organ: Organ, document: Path | str) -> Argum
     return material_arguments(document, [f"--reach={edit.region or NONE}"])
 
 
+def fine_arguments(edit: SetFineRegion, organ: Organ, document: Path | str) -> Arguments:
+    del organ
+    return material_arguments(document, [f"--fine={edit.region or NONE}"])
+
+
 def tissue_arguments(edit: SetTissue, organ: Organ, document: Path | str) -> Arguments:
     del organ
     tissue = edit.tissue
@@ -322,6 +328,7 @@ FINDERS: dict[type, Callable[[Any, Organ, Path | str], Arguments | None]] = {
     SetMaterial: all_arguments,
     Configure: configure_arguments,
     SetReach: reach_arguments,
+    SetFineRegion: fine_arguments,
     SetTissue: tissue_arguments,
     FixLowest: lowest_arguments,
     SetAppearance: appearance_arguments,

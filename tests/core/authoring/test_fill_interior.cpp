@@ -70,6 +70,61 @@ TEST_CASE("about as many tetrahedra come as a cell size was chosen for") {
   }
 }
 
+TEST_CASE("as many tetrahedra come as were asked for, to a tenth") {
+  for (const double flat : {1.0, 0.25}) {
+    SurfaceMesh surface = organ();
+    for (Vec3& x : surface.vertices) x.z() *= flat;
+    for (const int wanted : {100, 700, 3000}) {
+      const SolidMesh solid = authoring::fill_to_count(surface, wanted);
+      const auto found = static_cast<double>(solid.tetrahedra.size());
+      CAPTURE(flat);
+      CAPTURE(wanted);
+
+      CHECK(found == doctest::Approx(wanted).epsilon(authoring::kCountError));
+      CHECK(compute_smallest_dihedral(solid) > 8.0 * std::numbers::pi / 180.0);
+    }
+  }
+}
+
+TEST_CASE("a filling is finer at its fine triangles and as many tetrahedra as asked for") {
+  const SurfaceMesh surface = organ();
+  std::vector<int> fine;
+  for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
+    const auto& [a, b, c] = surface.triangles[t];
+    const Vec3 middle = (surface.vertices[a] + surface.vertices[b] + surface.vertices[c]) / 3.0;
+    if (middle.x() > 0.04) fine.push_back(t);
+  }
+
+  const SolidMesh solid = authoring::fill_to_count(surface, 3000, {fine, 0.3});
+
+  double at_tip = 0.0, opposite = 0.0;
+  int near = 0, far = 0;
+  for (const auto& corners : solid.tetrahedra) {
+    const Vec3 &a = solid.vertices[corners[0]], &b = solid.vertices[corners[1]];
+    if (a.x() > 0.045) at_tip += (a - b).norm(), ++near;
+    if (a.x() < -0.02) opposite += (a - b).norm(), ++far;
+  }
+  CHECK(static_cast<double>(solid.tetrahedra.size()) ==
+        doctest::Approx(3000.0).epsilon(authoring::kCountError));
+  REQUIRE((near > 20 && far > 20));
+  CHECK(at_tip / near < 0.5 * opposite / far);
+  CHECK(find_refusal([&] {
+          authoring::fill_to_count(surface, 3000, {fine, 0.0});
+        }) == "fill: fine ratio: got 0, expected above 0 to 1");
+  CHECK(find_refusal([&] {
+          authoring::fill_to_count(surface, 3000, {{99999}, 0.5});
+        }).find("fill: fine triangles: got 99999, expected 0 to ") == 0);
+  CHECK(find_refusal([&] { authoring::fill_to_count(surface, 0); }) ==
+        "fill: tetrahedron_count: got 0, expected 1 to 40000");
+}
+
+TEST_CASE("no more tetrahedra come than there may be") {
+  const SolidMesh solid = authoring::fill_to_count(organ(), authoring::kMostTetrahedra);
+
+  CHECK(solid.tetrahedra.size() <= static_cast<std::size_t>(authoring::kMostTetrahedra));
+  CHECK(static_cast<double>(solid.tetrahedra.size()) > 0.9 * authoring::kMostTetrahedra);
+}
+
 TEST_CASE("the cell size chosen for the most tetrahedra there may be is not refused") {
   // of some of these bodies as many again come of the size, but for rounding, as were asked for
   for (const double scale : {0.07, 0.3, 0.5, 0.9, 1.0, 1.3, 2.1}) {

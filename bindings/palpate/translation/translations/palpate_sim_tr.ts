@@ -2403,5 +2403,93 @@
         <source>%1, the one known here</source>
         <translation>%1, burada bilinen tek sürüm</translation>
     </message>
+    <message>
+        <source>%1 to 1</source>
+        <translation>%1 ile 1 arası</translation>
+    </message>
+    <message>
+        <source>a body with an inside</source>
+        <translation>içi olan bir cisim</translation>
+    </message>
+    <message>
+        <source>a step that can be done</source>
+        <translation>yapılabilen bir adım</translation>
+    </message>
+    <message>
+        <source>a whole number of 0 or more</source>
+        <translation>0 ya da daha büyük bir tam sayı</translation>
+    </message>
+    <message>
+        <source>above 0 to 1</source>
+        <translation>0'dan büyük, en çok 1</translation>
+    </message>
+    <message>
+        <source>an .organ in which what was done is written down: this one is as it was read, or was made before its steps were kept</source>
+        <translation>yapılanların yazılı olduğu bir .organ: bu, okunduğu gibi duruyor ya da adımlar saklanmadan önce yapılmış</translation>
+    </message>
+    <message>
+        <source>an object of %1</source>
+        <translation>şunlardan oluşan bir nesne: %1</translation>
+    </message>
+    <message>
+        <source>an organ that was not imported</source>
+        <translation>içe aktarılmamış bir organ</translation>
+    </message>
+    <message>
+        <source>an unknown value</source>
+        <translation>bilinmeyen bir değer</translation>
+    </message>
+    <message>
+        <source>another array</source>
+        <translation>başka bir dizi</translation>
+    </message>
+    <message>
+        <source>another file</source>
+        <translation>başka bir dosya</translation>
+    </message>
+    <message>
+        <source>arrays by name</source>
+        <translation>adlarıyla diziler</translation>
+    </message>
+    <message>
+        <source>every value of it</source>
+        <translation>her değeri</translation>
+    </message>
+    <message>
+        <source>no line</source>
+        <translation>satır yok</translation>
+    </message>
+    <message>
+        <source>no original beside it</source>
+        <translation>yanında özgün dosya olmaması</translation>
+    </message>
+    <message>
+        <source>one that no cell fits into</source>
+        <translation>içine hiçbir hücre sığmayan bir yüzey</translation>
+    </message>
+    <message>
+        <source>other %1 of %2</source>
+        <translation>%2 dosyasından başka %1</translation>
+    </message>
+    <message>
+        <source>something else</source>
+        <translation>başka bir şey</translation>
+    </message>
+    <message>
+        <source>the one whose SHA-256 is %1</source>
+        <translation>SHA-256 değeri %1 olan dosya</translation>
+    </message>
+    <message>
+        <source>those of lines</source>
+        <translation>satırlarınkiler</translation>
+    </message>
+    <message>
+        <source>values that this step can be done with</source>
+        <translation>bu adımın yapılabileceği değerler</translation>
+    </message>
+    <message>
+        <source>what the organ keeps of it</source>
+        <translation>organın ondan sakladığı</translation>
+    </message>
 </context>
 </TS>

@@ -8,51 +8,56 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QComboBox, QWidget
 
 from palpate_editor.document import Organ
-from palpate_editor.edits import SetReach
+from palpate_editor.edits import SetFineRegion, SetReach
 from palpate_editor.views.context import Context
 from palpate_editor.views.stages.constant_form import build_grid
 from palpate_editor.views.stages.facts import Section, write_label
 from palpate_editor.views.translations import tr
 
-FILLING = ("fill.tetrahedra", "fill.nodal_share")
+FILLING = ("fill.tetrahedra", "fill.nodal_share", "fill.fine_ratio")
 
 
-class ReachField(QComboBox):
-    """The region on which a linear solid can be pushed."""
+class RegionField(QComboBox):
+    """A region of the surface that the filling has a use for."""
 
-    def __init__(self, context: Context, parent: QWidget | None = None):
+    def __init__(
+        self, context: Context, field: str, edit: type, texts: tuple[str, str], parent: QWidget
+    ):
+        """`field` of the fill part, what sets it; its label, and what no region is called."""
         super().__init__(parent)
-        self.context = context
+        self.context, self.field, self.edit = context, field, edit
         self.names: list[str] = []
-        """One for each item; empty for all of the surface."""
-        label = tr("The tool reaches")
-        self.setObjectName("fill.reach")
+        """One for each item; empty for no region."""
+        label, self.nothing = texts
+        self.setObjectName(f"fill.{field}")
         self.setAccessibleName(label)
         self.label = write_label(label, "name", parent)
         self.label.setBuddy(self)
         self.activated.connect(self.choose)
 
-    def choose(self, row: int) -> None:
-        if self.names[row] != self.context.session.organ.fill.reach:
-            self.context.apply(SetReach(self.names[row]))
-        self.show_organ(self.context.session.organ)
+    def find_chosen(self, organ: Organ) -> str:
+        return str(getattr(organ.fill, self.field))
 
-    def show_organ(self, organ: Organ) -> None:
-        chosen = organ.fill.reach
+    def choose(self, row: int) -> None:
+        if self.names[row] != self.find_chosen(self.context.session.organ):
+            self.context.apply(self.edit(self.names[row]))
+        self.show_organ(self.context.session.organ, self.isVisible())
+
+    def show_organ(self, organ: Organ, shown: bool) -> None:
+        chosen = self.find_chosen(organ)
         names = ["", *organ.regions]
         if chosen not in names:  # a region that is gone, of which a check says so
             names.append(chosen)
         if names != self.names:
             self.names = names
             self.clear()
-            self.addItems([name or tr("All of the surface") for name in names])
+            self.addItems([name or self.nothing for name in names])
         self.setCurrentIndex(names.index(chosen))
-        shown = organ.model.kind == "linear_solid"
         self.label.setVisible(shown)
         self.setVisible(shown)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Scrolling the form must not change the reach on the way."""
+        """Scrolling the form must not change the region on the way."""
         event.ignore()
 
 
@@ -62,9 +67,13 @@ class FillForm(Section):
     def __init__(self, context: Context, parent: QWidget | None = None):
         super().__init__(tr("Filling"), parent)
         grid, self.constants = build_grid(context, FILLING, self)
-        self.reach = ReachField(context, self)
-        grid.addWidget(self.reach.label, len(FILLING), 0)
-        grid.addWidget(self.reach, len(FILLING), 1)
+        finer = (tr("Finer at"), tr("Nowhere"))
+        reaches = (tr("The tool reaches"), tr("All of the surface"))
+        self.fine = RegionField(context, "fine_region", SetFineRegion, finer, self)
+        self.reach = RegionField(context, "reach", SetReach, reaches, self)
+        for row, field in enumerate((self.fine, self.reach), start=len(FILLING)):
+            grid.addWidget(field.label, row, 0)
+            grid.addWidget(field, row, 1)
         self.body.addLayout(grid)
         self.note = write_label("", "note", self)
         self.note.setWordWrap(True)
@@ -72,11 +81,12 @@ class FillForm(Section):
 
     def show_organ(self, organ: Organ) -> None:
         self.setVisible(organ.model.kind in FILLED)
-        self.reach.show_organ(organ)
+        self.fine.show_organ(organ, organ.model.kind in FILLED)
+        self.reach.show_organ(organ, organ.model.kind == "linear_solid")
         text = tr(
-            "About as many tetrahedra are made as are asked for; more are nearer to the tissue and "
-            "take longer. A nodal share of 0 lets volumes lock, which makes the organ too stiff; 1 "
-            "lets tetrahedra turn inside out."
+            "As many tetrahedra are made as are asked for, to a tenth; more are nearer to the "
+            "tissue and take longer. A nodal share of 0 lets volumes lock, which makes the organ "
+            "too stiff; 1 lets tetrahedra turn inside out."
         )
         if organ.model.kind == "linear_solid":
             text += " " + tr(
