@@ -9,6 +9,7 @@ from functools import cache
 import numpy as np
 import pytest
 from organs import (
+    FILLING,
     fin,
     make_organ,
     moebius,
@@ -28,7 +29,7 @@ from palpate_editor.views.stages.panels import list_stages
 
 STAGES = list_stages()
 CONFIRMED = replace(make_organ().source, unit_guessed=False, up_guessed=False)
-SOUND = replace(make_organ(), source=CONFIRMED)
+SOUND = replace(make_organ(), source=CONFIRMED, filling=None)
 WALL = replace(
     SOUND,
     material=replace(SOUND.material, wall_thickness=2e-3),
@@ -102,6 +103,10 @@ WRONG = {
     "angles": (on(needles()), "decimate", "warning", "a smallest angle of"),
     "too_slow": (on(surface_of(2000), with_part("model", stiffness=1e5)), "decimate", "warning",
                  "2000 vertices"),
+    "own_filling": (
+        replace(with_part("model", kind="solid"), filling=FILLING),
+        "material", "note", "2 tetrahedra of the file",
+    ),
     "too_many": (on(grid(142)), "decimate", "error", "20164 vertices"),
     "constant": (with_part("material", density=-1.0), "material", "error", "-1 kg/m³"),
     "choice": (with_part("model", kind="jelly"), "material", "error", "jelly"),

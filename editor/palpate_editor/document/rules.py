@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from palpate.scenario import MOST_PARTICLES
+from palpate.scene.scene_parts import FILLED
 
 from palpate_editor.document.cost_rules import (
     find_cost_problems,
@@ -36,6 +37,7 @@ def find_problems(organ: Organ, facts: Facts) -> list[Problem]:
         find_import_problems,
         find_repair_problems,
         find_decimate_problems,
+        find_filling_problems,
         find_material_problems,
         find_press_problems,
         find_cost_problems,
@@ -211,6 +213,24 @@ def find_decimate_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
             phrase("at most {most}: decimate", most=MOST_PARTICLES),
         )
     yield from find_surface_cost_problems(organ, facts)
+
+
+def find_filling_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
+    """The file's own tetrahedra fill a surface that is as it was read, where as many are asked."""
+    del facts
+    if organ.filling is None or organ.model.kind not in FILLED:
+        return
+    count = len(organ.filling.tetrahedra)
+    if organ.surface is organ.imported and organ.fill.tetrahedra == count:
+        return
+    yield Problem(
+        "own_filling",
+        "note",
+        "material",
+        "fill.tetrahedra",
+        phrase("{count} tetrahedra of the file, which are not used", count=count),
+        phrase("the surface as it was read, and {count} tetrahedra asked for", count=count),
+    )
 
 
 def find_test_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:

@@ -3024,6 +3024,14 @@ Beklenen: {expected}.</translation>
 <context>
     <name>phrases</name>
     <message>
+        <source>{count} tetrahedra of the file, which are not used</source>
+        <translation>dosyanın kullanılmayan {count} dörtyüzlüsü</translation>
+    </message>
+    <message>
+        <source>the surface as it was read, and {count} tetrahedra asked for</source>
+        <translation>okunduğu gibi yüzey ve istenen {count} dörtyüzlü</translation>
+    </message>
+    <message>
         <source>The pieces cannot be united: {problem}.</source>
         <translation>Parçalar birleştirilemiyor: {problem}.</translation>
     </message>
