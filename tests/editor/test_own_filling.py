@@ -12,6 +12,7 @@ from foreign_files import write_msh, write_msh4, write_vtu
 from palpate_editor import authoring
 from palpate_editor.document import EMPTY
 from palpate_editor.document.files import read_organ, write_organ
+from palpate_editor.document.rules import find_filling_problems
 from palpate_editor.edits import (
     SetConstant,
     SetUnit,
@@ -78,6 +79,17 @@ def test_another_number_of_tetrahedra_asks_for_another_filling(solid, tmp_path):
     assert count > 1.2 * len(solid.tetrahedra)
     back = SetConstant("fill", "tetrahedra", len(solid.tetrahedra))(more)
     assert find_own_filling(back) is not None
+
+
+def test_a_finer_region_asks_for_another_filling(solid, tmp_path):
+    organ = import_solid(write(tmp_path / "a.vtu", solid), unit="mm")
+    fill = replace(organ.fill, fine_region="pole")
+
+    finer = replace(organ, regions={"pole": np.arange(5)}, fill=fill)
+
+    assert find_own_filling(finer) is None
+    assert any(p.key == "own_filling" for p in find_filling_problems(finer, None))
+    assert not list(find_filling_problems(organ, None))
 
 
 def test_unit_and_axis_move_it_with_the_surface(solid, tmp_path):

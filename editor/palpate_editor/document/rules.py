@@ -220,8 +220,8 @@ def find_filling_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
     del facts
     if organ.filling is None or organ.model.kind not in FILLED:
         return
-    count = len(organ.filling.tetrahedra)
-    if organ.surface is organ.imported and organ.fill.tetrahedra == count:
+    count, fill = len(organ.filling.tetrahedra), organ.fill
+    if organ.surface is organ.imported and fill.tetrahedra == count and not fill.fine_region:
         return
     yield Problem(
         "own_filling",
@@ -229,7 +229,7 @@ def find_filling_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
         "material",
         "fill.tetrahedra",
         phrase("{count} tetrahedra of the file, which are not used", count=count),
-        phrase("the surface as it was read, and {count} tetrahedra asked for", count=count),
+        phrase("the surface as it was read, {count} tetrahedra, and no finer region", count=count),
     )
 
 

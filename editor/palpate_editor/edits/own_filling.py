@@ -68,9 +68,11 @@ def find_fault(filling: Filling, surface: Surface) -> str:
 
 def find_own_filling(organ: Organ) -> palpate.SolidMesh | None:
     """The file's tetrahedra, where they fill the organ as it is: they are as many as are asked for,
-    and its surface is still their outside."""
-    filling, surface = organ.filling, organ.surface
-    if filling is None or surface is None or len(filling.tetrahedra) != organ.fill.tetrahedra:
+    nowhere finer than they are, and its surface is still their outside."""
+    filling, surface, fill = organ.filling, organ.surface, organ.fill
+    if filling is None or surface is None or fill.fine_region:
+        return None
+    if len(filling.tetrahedra) != fill.tetrahedra:
         return None
     return solid_of(filling) if is_bounded_by(filling, surface) else None
 

@@ -3028,8 +3028,8 @@ Beklenen: {expected}.</translation>
         <translation>dosyanın kullanılmayan {count} dörtyüzlüsü</translation>
     </message>
     <message>
-        <source>the surface as it was read, and {count} tetrahedra asked for</source>
-        <translation>okunduğu gibi yüzey ve istenen {count} dörtyüzlü</translation>
+        <source>the surface as it was read, {count} tetrahedra, and no finer region</source>
+        <translation>okunduğu gibi yüzey, {count} dörtyüzlü ve daha ince bölge olmaması</translation>
     </message>
     <message>
         <source>The pieces cannot be united: {problem}.</source>
