@@ -34,7 +34,7 @@
     </message>
     <message>
         <source>{count} parts: {first}, …</source>
-        <translation>{count} parça: {first}, …</translation>
+        <translation>{count} parça ({first}, …)</translation>
     </message>
     <message>
         <source>Taken away from the others</source>
@@ -66,11 +66,11 @@
     </message>
     <message>
         <source>inside {part}</source>
-        <translation>{part} içinde</translation>
+        <translation>içinde: {part}</translation>
     </message>
     <message>
         <source>crosses {parts}</source>
-        <translation>{parts} ile kesişiyor</translation>
+        <translation>kesişir: {parts}</translation>
     </message>
     <message>
         <source>{count} of its triangles cross others of its own</source>
