@@ -452,3 +452,21 @@ def test_pieces_whose_largest_crosses_itself_cannot_be_told_apart_by_keeping_one
     mended, done = repair_all(organ, ["self_intersections", "crossing", "shells"])
 
     assert done and not {"crossing", "self_intersections"} & {p.key for p in mended.problems}
+
+
+def test_the_outer_parts_alone_are_imported_where_some_lie_inside_others(tmp_path, capsys):
+    path = write_parts(
+        tmp_path / "a.obj",
+        {"skin": ball(40.0), "flesh": ball(20.0), "beside": ball(10.0, (90.0, 0.0, 0.0))},
+    )
+    out = tmp_path / "a.organ"
+    words = ["import", str(path), "--unit", "mm", "-o", str(out), "--outer"]
+
+    assert main(words) == 0
+    assert read_organ(out).source.parts == ("skin", "beside")
+
+    assert main([*words, "--part", "skin"]) == 2
+    assert "both say which parts" in capsys.readouterr().err
+    write_parts(path, {"skin": ball(40.0), "beside": ball(10.0, (90.0, 0.0, 0.0))})
+    assert main(words) == 2
+    assert "no part of the file lies inside another" in capsys.readouterr().err

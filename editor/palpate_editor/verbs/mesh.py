@@ -16,7 +16,7 @@ from palpate_editor.check import describe_problem, measure_surface, place_proble
 from palpate_editor.document import EMPTY, Decimation, Organ
 from palpate_editor.document.problems import Facts
 from palpate_editor.document.rules import find_import_problems, find_repair_problems
-from palpate_editor.edits import EditError, UseImported, decimate_organ, import_file
+from palpate_editor.edits import EditError, UseImported, decimate_organ, import_read
 from palpate_editor.verbs.check import describe_problems
 from palpate_editor.verbs.files import (
     OUTPUTS,
@@ -29,6 +29,7 @@ from palpate_editor.verbs.files import (
 )
 from palpate_editor.verbs.parts import (
     add_assembling,
+    choose_outer,
     describe_parts,
     read_assembling,
     report_parts,
@@ -112,6 +113,9 @@ def add_import(parser: argparse.ArgumentParser) -> None:
     )
     add_source(parser)
     parser.add_argument(
+        "--outer", action="store_true", help="only the parts that lie inside no other"
+    )
+    parser.add_argument(
         "--region-per-part",
         action="store_true",
         help="keep each part as a region of its name, for a tissue of its own (palpate material "
@@ -130,9 +134,11 @@ def add_import(parser: argparse.ArgumentParser) -> None:
 
 def run_import(call: argparse.Namespace) -> Report:
     assembling = read_assembling(call, regions=call.region_per_part)
+    scene = authoring.read_mesh(call.file)
+    parts = choose_outer(call, scene) if call.outer else call.part
     try:
-        edit = import_file(
-            call.file, parts=call.part, unit=call.unit, up=call.up, assembling=assembling
+        edit = import_read(
+            call.file, scene, parts=parts, unit=call.unit, up=call.up, assembling=assembling
         )
     except ValueError as problem:  # more parts than there can be regions
         raise WrongCall(str(problem)) from None

@@ -10,7 +10,7 @@ from palpate.command.verb import Report, WrongCall, quantity
 from palpate_editor import authoring
 from palpate_editor.appearance import write_colour
 from palpate_editor.edits.import_mesh import Assembling
-from palpate_editor.edits.part_list import Part, list_parts, sort_rows
+from palpate_editor.edits.part_list import Part, find_outermost, list_parts, sort_rows
 
 MOST_NAMED = 3
 """Parts that are named where one crosses many."""
@@ -44,6 +44,16 @@ def read_assembling(call: argparse.Namespace, *, regions: bool = False) -> Assem
     if call.weld is not None and (call.unite or call.subtract):
         raise WrongCall("--weld has no effect on solids that are united: give one of them")
     return Assembling(call.weld, call.unite, tuple(call.subtract), regions)
+
+
+def choose_outer(call: argparse.Namespace, scene: authoring.ImportedScene) -> list[str]:
+    """The parts that lie inside no other. Raises WrongCall where that is no choice."""
+    if call.part:
+        raise WrongCall("--outer and --part both say which parts: give one of them")
+    outer = find_outermost(list_parts(scene, "m", "z"))
+    if not outer:
+        raise WrongCall("--outer has no effect: no part of the file lies inside another")
+    return list(outer)
 
 
 def report_parts(scene: authoring.ImportedScene, unit: str, up: str) -> list[Report]:
