@@ -257,3 +257,69 @@ def fill_to_count(
 
 def fill_interior(surface: SurfaceMesh, cell_size: float) -> SolidMesh:
     """Tetrahedra of about cell_size [m] that fill a closed surface. Raises ValueError."""
+
+SHARP_EDGE: float
+"""[degree] Where neighbouring triangles turn by more, remeshing keeps their edge."""
+
+class UncrossedMesh:
+    """What one round made of a surface that crosses itself."""
+
+    @property
+    def mesh(self) -> SurfaceMesh: ...
+    @property
+    def replaced_triangles(self) -> int: ...
+    @property
+    def dropped_pieces(self) -> int: ...
+
+def remove_crossings(mesh: SurfaceMesh, rings: int) -> UncrossedMesh:
+    """Takes out triangles that cross others with rings around them. Raises ValueError."""
+
+class StitchedMesh:
+    """A surface whose borders were joined where they lie on each other."""
+
+    @property
+    def mesh(self) -> SurfaceMesh: ...
+    @property
+    def split_edges(self) -> int: ...
+    @property
+    def joined_vertices(self) -> int: ...
+
+def stitch_borders(mesh: SurfaceMesh, tolerance: float) -> StitchedMesh:
+    """Joins borders that lie within `tolerance` [m] of each other, T-junctions too."""
+
+class SurfaceDistance:
+    """How far the points of one surface are from another."""
+
+    @property
+    def mean(self) -> float:
+        """[m] over the area."""
+    @property
+    def least(self) -> float:
+        """[m] One point is at least so far away."""
+    @property
+    def most(self) -> float:
+        """[m] No point is further away."""
+
+def measure_distance(mesh: SurfaceMesh, onto: SurfaceMesh) -> SurfaceDistance: ...
+
+class WrappedMesh:
+    """A surface around another one, and what it cost."""
+
+    @property
+    def mesh(self) -> SurfaceMesh: ...
+    @property
+    def to_source(self) -> SurfaceDistance: ...
+    @property
+    def from_source(self) -> SurfaceDistance: ...
+    @property
+    def volume(self) -> float:
+        """[m³]"""
+
+def wrap_surface(mesh: SurfaceMesh, alpha: float) -> WrappedMesh:
+    """Wraps any triangles in a closed surface that crosses nothing. Raises ValueError."""
+
+def smooth_surface(mesh: SurfaceMesh, steps: int) -> SurfaceMesh:
+    """Smooths without shrinking. Raises ValueError."""
+
+def remesh_surface(mesh: SurfaceMesh, edge_lengths: Sequence[float]) -> SurfaceMesh:
+    """Even triangles, edges [m] as asked for at each vertex. Raises ValueError."""

@@ -18,6 +18,7 @@ from palpate_editor.edits import (
     Edit,
     FixLowest,
     KeepLargestShell,
+    RemoveCrossings,
     SetChoice,
     SetConstant,
     SetFineRegion,
@@ -67,7 +68,9 @@ def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
     if problem.key in ("crossing", "self_intersections") and surface is not None:
         if problem.key == "crossing" and surface.largest_crosses is False:
             return KeepLargestShell()
-        return UniteShells(problem.key) if surface.can_be_united else None
+        if surface.can_be_united:
+            return UniteShells(problem.key)
+        return RemoveCrossings() if surface.is_manifold else None
     return {
         "non_manifold": CutCrowdedEdges(),
         "one_sided": CutDisagreement(),

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Repairing one problem after another, by the edits that are offered for them."""
+"""Repairing an organ: its surface step by step, then one problem after another by the edits that
+are offered for them."""
 
 from __future__ import annotations
 
@@ -8,6 +9,7 @@ from collections.abc import Callable, Sequence
 from palpate_editor.check import Assessment, assess
 from palpate_editor.document import Organ
 from palpate_editor.document.problems import Problem
+from palpate_editor.edits.ladder import climb
 
 Apply = Callable[[Problem, Organ], Organ]
 """Does what a problem's fix says."""
@@ -19,10 +21,20 @@ def apply_fix(problem: Problem, organ: Organ) -> Organ:
     return problem.fix(organ)
 
 
-def repair_all(
+def repair_all(organ: Organ) -> tuple[Assessment, list[str]]:
+    """What is known of the organ once all that can be mended is, and the titles of what was done.
+
+    Raises EditError where there is no surface.
+    """
+    found = climb(organ)
+    assessment, done = repair_problems(found.organ)
+    return assessment, [*(rung.title for rung in found.rungs), *done]
+
+
+def repair_problems(
     organ: Organ, wanted: Sequence[str] = (), apply: Apply = apply_fix
 ) -> tuple[Assessment, list[str]]:
-    """What is known of the organ once it is repaired, and the titles of what was done.
+    """What is known of the organ once its problems are repaired, and the titles of what was done.
 
     One at a time, in the order of the stages: what solves one problem may solve, or change,
     another. A fix that did not help is not tried again.

@@ -21,6 +21,9 @@ void bind_decimate(pybind11::module_& m);
 /// fill_interior.
 void bind_fill(pybind11::module_& m);
 
+/// remove_crossings, stitch_borders, smooth_surface, wrap_surface, remesh_surface.
+void bind_repair(pybind11::module_& m);
+
 void bind_write(pybind11::module_& m);
 
 }  // namespace palpate::authoring

@@ -13,6 +13,7 @@ PYBIND11_MODULE(_authoring, m) {
   palpate::authoring::bind_import(m);
   palpate::authoring::bind_decimate(m);
   palpate::authoring::bind_fill(m);
+  palpate::authoring::bind_repair(m);
   palpate::authoring::bind_write(m);
   palpate::bindings::bind_calls(m);
 }

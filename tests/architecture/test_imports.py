@@ -28,6 +28,7 @@ EDITS = (
     "palpate_editor.appearance",
     "palpate_editor.authoring",
     "palpate_editor.document",
+    "palpate_editor.guarded",
     "palpate",
     "numpy",
 )

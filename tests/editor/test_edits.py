@@ -44,6 +44,39 @@ OPEN = replace(
 )
 WITH_A_FIN = replace(make_organ().with_surface(fin()), imported=None)
 ONE_SIDED = replace(make_organ().with_surface(moebius()), imported=None)
+UNWELDED = replace(
+    make_organ(imported=None).with_surface(
+        Surface(
+            SPLEEN.surface.vertices[SPLEEN.surface.triangles].reshape(-1, 3),
+            np.arange(3 * len(SPLEEN.surface.triangles)).reshape(-1, 3),
+        )
+    ),
+    imported=None,
+)
+
+
+def pull_through(surface: Surface) -> Surface:
+    """The first vertex that crosses something where it reaches out through the other side."""
+    for i in range(len(surface.vertices)):
+        x, middle = surface.vertices.copy(), surface.vertices.mean(axis=0)
+        x[i] = middle - 1.2 * (x[i] - middle)
+        pulled = Surface(x, surface.triangles)
+        if authoring.find_self_intersecting_faces(mesh_of(pulled)):
+            return pulled
+    raise AssertionError("nothing crosses")
+
+
+BALL = surface_of(150)
+ON_A_BALL = replace(
+    make_organ().with_surface(
+        Surface(
+            np.vstack([BALL.vertices, 1.5 * BALL.vertices[:1]]),
+            np.vstack([BALL.triangles, [*BALL.triangles[0, :2], len(BALL.vertices)]]),
+        )
+    ),
+    imported=None,
+)
+CROSSED = replace(make_organ().with_surface(pull_through(surface_of(150))), imported=None)
 COARSE = surface_of(50)
 OWN = find_configuration(SPLEEN)
 DECIMATION = Decimation(150, 296, 50, 96, 30.0, 1e-4, 2e-4)
@@ -58,6 +91,15 @@ EXAMPLES = [
     (edits.CutDisagreement(), ONE_SIDED),
     (edits.UniteShells(), IN_PIECES),
     (edits.FillHoles(), OPEN),
+    (edits.CleanUp(), INSIDE_OUT),
+    (edits.StitchBorders(), UNWELDED),
+    (edits.DropFins(), ON_A_BALL),
+    (edits.DropPieces(0.4), IN_PIECES),
+    (edits.RemoveCrossings(), CROSSED),
+    (edits.Smooth(3), SPLEEN),
+    (edits.Wrap(), SPLEEN),
+    (edits.RepairAll(), OPEN),
+    (edits.Remesh(0.01), SPLEEN),
     (edits.Decimate(SPLEEN.imported, COARSE, DECIMATION), SPLEEN),
     (edits.DecimateTo(50), SPLEEN),
     (edits.UseImported(), SPLEEN),

@@ -197,6 +197,7 @@ def test_a_problem_is_not_found_where_it_is_not(key):
 FIXABLE = {
     "size",
     "unit_guessed", "up_guessed", "inward", "shells", "non_manifold", "one_sided", "crossing",
+    "self_intersections",
     "constant", "choice", "open_solid",
     "indefinite", "loose", "reach", "small_tip", "no_title", "gravity", "springs_poisson",
     "locking", "coarse_contact",

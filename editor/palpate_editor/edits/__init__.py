@@ -8,10 +8,13 @@ inverse: documents are values, and to undo is to remember.
 from __future__ import annotations
 
 from palpate_editor.edits.appearance import SetAppearance
+from palpate_editor.edits.clean import CleanUp, DropPieces, Smooth, StitchBorders
 from palpate_editor.edits.configure import Configure
+from palpate_editor.edits.crossings import RemoveCrossings
 from palpate_editor.edits.decimate import Decimate, DecimateTo, UseImported, decimate_organ
 from palpate_editor.edits.edit import Edit, EditError
 from palpate_editor.edits.fill_holes import FillHoles
+from palpate_editor.edits.fins import DropFins
 from palpate_editor.edits.fix import FixLowest, FixVertices
 from palpate_editor.edits.history import read_line, write_down, write_line
 from palpate_editor.edits.import_mesh import ImportMesh, import_file, import_read
@@ -20,24 +23,30 @@ from palpate_editor.edits.orient import SetUnit, SetUp
 from palpate_editor.edits.paint import PaintStiffness
 from palpate_editor.edits.prepare import Prepared, prepare
 from palpate_editor.edits.regions import RemoveRegion, SetRegion
+from palpate_editor.edits.remesh import Remesh
 from palpate_editor.edits.repair import (
     CutCrowdedEdges,
     CutDisagreement,
     KeepLargestShell,
     TurnOutward,
 )
+from palpate_editor.edits.repair_all import RepairAll
 from palpate_editor.edits.set_constant import SetChoice, SetConstant, SetGravity, SetMaterial
 from palpate_editor.edits.set_reach import SetFineRegion, SetReach
 from palpate_editor.edits.set_tissue import SetTissue
 from palpate_editor.edits.unite import UniteShells
+from palpate_editor.edits.wrap import Wrap
 
 __all__ = [
     "EVERY_EDIT",
+    "CleanUp",
     "Configure",
     "CutCrowdedEdges",
     "CutDisagreement",
     "Decimate",
     "DecimateTo",
+    "DropFins",
+    "DropPieces",
     "Edit",
     "EditError",
     "FillHoles",
@@ -47,7 +56,10 @@ __all__ = [
     "KeepLargestShell",
     "PaintStiffness",
     "Prepared",
+    "Remesh",
+    "RemoveCrossings",
     "RemoveRegion",
+    "RepairAll",
     "SetAppearance",
     "SetChoice",
     "SetConstant",
@@ -61,9 +73,12 @@ __all__ = [
     "SetTissue",
     "SetUnit",
     "SetUp",
+    "Smooth",
+    "StitchBorders",
     "TurnOutward",
     "UniteShells",
     "UseImported",
+    "Wrap",
     "decimate_organ",
     "import_file",
     "import_read",
@@ -82,6 +97,15 @@ EVERY_EDIT: tuple[type, ...] = (
     CutDisagreement,
     UniteShells,
     FillHoles,
+    CleanUp,
+    StitchBorders,
+    DropFins,
+    DropPieces,
+    RemoveCrossings,
+    Smooth,
+    Wrap,
+    RepairAll,
+    Remesh,
     Decimate,
     DecimateTo,
     UseImported,

@@ -70,7 +70,10 @@ class FillHoles:
 def fill(surface: Surface, holes: Sequence[int]) -> Surface:
     """The surface with patches, its own vertices first; the very same where none fits."""
     mesh = palpate.SurfaceMesh(surface.vertices, surface.triangles)
-    found = authoring.fill_holes(mesh, list(holes))
+    try:
+        found = authoring.fill_holes(mesh, list(holes))
+    except ValueError as problem:
+        raise EditError(phrase("The holes cannot be filled: {why}", why=str(problem))) from None
     if not found.filled:
         return surface
     return Surface(np.asarray(found.mesh.vertices), np.asarray(found.mesh.triangles))

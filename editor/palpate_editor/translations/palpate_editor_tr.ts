@@ -2738,6 +2738,78 @@ Beklenen: {expected}.</translation>
         <source>Nowhere</source>
         <translation>Hiçbir yer</translation>
     </message>
+    <message>
+        <source>Clean up</source>
+        <translation>Temizle</translation>
+    </message>
+    <message>
+        <source>Stitch borders</source>
+        <translation>Sınırları dik</translation>
+    </message>
+    <message>
+        <source>Drop small pieces</source>
+        <translation>Küçük parçaları at</translation>
+    </message>
+    <message>
+        <source>Remove crossings</source>
+        <translation>Kesişmeleri gider</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Pürüzsüzleştir</translation>
+    </message>
+    <message>
+        <source>Remesh</source>
+        <translation>Yeniden ağla</translation>
+    </message>
+    <message>
+        <source>Wrap, the last resort</source>
+        <translation>Sar: son çare</translation>
+    </message>
+    <message>
+        <source>Repair all</source>
+        <translation>Hepsini onar</translation>
+    </message>
+    <message>
+        <source>finer in</source>
+        <translation>daha ince:</translation>
+    </message>
+    <message>
+        <source>nowhere</source>
+        <translation>hiçbir yerde</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Adımlar</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Uygula</translation>
+    </message>
+    <message>
+        <source>Preview: {step}</source>
+        <translation>Önizleme: {step}</translation>
+    </message>
+    <message>
+        <source>Left as it is:</source>
+        <translation>Olduğu gibi kalan:</translation>
+    </message>
+    <message>
+        <source>The organ has changed meanwhile: try the step again.</source>
+        <translation>Organ bu arada değişti: adımı yeniden deneyin.</translation>
+    </message>
+    <message>
+        <source>From cleaning to, where nothing else helps, a wrap: says what each step did.</source>
+        <translation>Temizlemekten, başka bir şey işe yaramazsa sarmaya kadar: her adımın ne yaptığını söyler.</translation>
+    </message>
+    <message>
+        <source>Each step is shown before it is applied, with what it changes and how far the surface moves. Repair all takes them in turn and says what each did; a wrap, which changes most, comes last and only where nothing else helps.</source>
+        <translation>Her adım uygulanmadan önce gösterilir: neyi değiştirdiği ve yüzeyin ne kadar oynadığıyla birlikte. Hepsini onar bunları sırayla yapar ve her birinin ne yaptığını söyler; en çok değiştiren sarma en sonda ve yalnızca başka bir şey işe yaramadığında gelir.</translation>
+    </message>
+    <message>
+        <source>Drop fins</source>
+        <translation>Yüzgeçleri at</translation>
+    </message>
 </context>
 <context>
     <name>constants</name>
@@ -3019,6 +3091,34 @@ Beklenen: {expected}.</translation>
     <message>
         <source>Cut where neighbours disagree</source>
         <translation>Komşuların anlaşamadığı yerde kes</translation>
+    </message>
+    <message>
+        <source>Clean up</source>
+        <translation>Temizle</translation>
+    </message>
+    <message>
+        <source>Stitch borders</source>
+        <translation>Sınırları dik</translation>
+    </message>
+    <message>
+        <source>Drop small pieces</source>
+        <translation>Küçük parçaları at</translation>
+    </message>
+    <message>
+        <source>Remove crossings</source>
+        <translation>Kesişmeleri gider</translation>
+    </message>
+    <message>
+        <source>Wrap</source>
+        <translation>Sar</translation>
+    </message>
+    <message>
+        <source>Repair all</source>
+        <translation>Hepsini onar</translation>
+    </message>
+    <message>
+        <source>Drop fins</source>
+        <translation>Yüzgeçleri at</translation>
     </message>
 </context>
 <context>
@@ -4026,6 +4126,166 @@ Beklenen: {expected}.</translation>
     <message>
         <source>It counts where a region is filled finer.</source>
         <translation>Bir bölge daha ince doldurulduğunda geçerlidir.</translation>
+    </message>
+    <message>
+        <source>{old} triangles, now {new}</source>
+        <translation>{old} üçgen, şimdi {new}</translation>
+    </message>
+    <message>
+        <source>{old} pieces, now {new}</source>
+        <translation>{old} parça, şimdi {new}</translation>
+    </message>
+    <message>
+        <source>{old} holes, now {new}</source>
+        <translation>{old} delik, şimdi {new}</translation>
+    </message>
+    <message>
+        <source>{old} edges with more than two triangles, now {new}</source>
+        <translation>ikiden çok üçgeni olan {old} kenar, şimdi {new}</translation>
+    </message>
+    <message>
+        <source>{old} triangles that cross others, now {new}</source>
+        <translation>başkalarıyla kesişen {old} üçgen, şimdi {new}</translation>
+    </message>
+    <message>
+        <source>{new} triangles that cross others, too many to count before</source>
+        <translation>başkalarıyla kesişen {new} üçgen, önceden sayılamayacak kadar çoktu</translation>
+    </message>
+    <message>
+        <source>volume {old:.4g} to {new:.4g} ml ({share:+.2f} %)</source>
+        <translation>hacim {old:.4g} ml'den {new:.4g} ml'ye (%{share:+.2f})</translation>
+    </message>
+    <message>
+        <source>closed now, volume {new:.4g} ml</source>
+        <translation>artık kapalı, hacim {new:.4g} ml</translation>
+    </message>
+    <message>
+        <source>no point further than {to:.3g} mm from the surface before, nor it than {back:.3g} mm from the new one</source>
+        <translation>hiçbir nokta önceki yüzeyden {to:.3g} mm'den, önceki yüzey de yenisinden {back:.3g} mm'den uzak değil</translation>
+    </message>
+    <message>
+        <source>The surface is clean already.</source>
+        <translation>Yüzey zaten temiz.</translation>
+    </message>
+    <message>
+        <source>Borders are stitched that are more than 0 mm apart at most, got {got:g} mm.</source>
+        <translation>Dikilecek sınırların en büyük aralığı 0 mm'den büyük olmalı; verilen {got:g} mm.</translation>
+    </message>
+    <message>
+        <source>No two borders lie on each other.</source>
+        <translation>Üst üste gelen iki sınır yok.</translation>
+    </message>
+    <message>
+        <source>The share of the area must be between 0 and 1, got {got:g}.</source>
+        <translation>Alanın payı 0 ile 1 arasında olmalı; verilen {got:g}.</translation>
+    </message>
+    <message>
+        <source>No piece of it is so small.</source>
+        <translation>Bu kadar küçük bir parçası yok.</translation>
+    </message>
+    <message>
+        <source>Smooth, {steps} steps</source>
+        <translation>Pürüzsüzleştir, {steps} adım</translation>
+    </message>
+    <message>
+        <source>Steps of smoothing: got {got}, expected 1 to {most}.</source>
+        <translation>Pürüzsüzleştirme adımları: verilen {got}, olması gereken 1 ile {most} arası.</translation>
+    </message>
+    <message>
+        <source>It cannot be smoothed yet: {why}</source>
+        <translation>Henüz pürüzsüzleştirilemez: {why}</translation>
+    </message>
+    <message>
+        <source>Smoothed by {steps} steps the surface would cross itself: take fewer.</source>
+        <translation>{steps} adım pürüzsüzleştirilince yüzey kendini keserdi: daha az adım alın.</translation>
+    </message>
+    <message>
+        <source>The time must be more than 0 s, got {got:g} s.</source>
+        <translation>Süre 0 s'den büyük olmalı; verilen {got:g} s.</translation>
+    </message>
+    <message>
+        <source>Crossings are removed once each edge has two triangles that agree.</source>
+        <translation>Kesişmeler, her kenarın birbiriyle anlaşan iki üçgeni olunca giderilir.</translation>
+    </message>
+    <message>
+        <source>The surface does not cross itself.</source>
+        <translation>Yüzey kendini kesmiyor.</translation>
+    </message>
+    <message>
+        <source>Crossings stay: {why}</source>
+        <translation>Kesişmeler kalıyor: {why}</translation>
+    </message>
+    <message>
+        <source>Nothing helped in the time: so many triangles lie on top of each other that they cannot be counted.</source>
+        <translation>Bu sürede hiçbir şey işe yaramadı: o kadar çok üçgen üst üste ki sayılamıyor.</translation>
+    </message>
+    <message>
+        <source>{count} triangles still cross others, at {places} mm; none of them could be replaced without another crossing, or in the time.</source>
+        <translation>{count} üçgen hâlâ başkalarıyla kesişiyor, yerleri {places} mm; hiçbiri yeni bir kesişme olmadan ya da bu sürede değiştirilemedi.</translation>
+    </message>
+    <message>
+        <source>It cannot be wrapped: {why}</source>
+        <translation>Sarılamıyor: {why}</translation>
+    </message>
+    <message>
+        <source>A wrap by a ball of {alpha:.3g} mm was not finished in {seconds:g} s: take a larger one.</source>
+        <translation>{alpha:.3g} mm'lik bir küreyle sarma {seconds:g} s içinde bitmedi: daha büyüğünü alın.</translation>
+    </message>
+    <message>
+        <source>Remesh to edges of {edge:.3g} mm</source>
+        <translation>{edge:.3g} mm kenarlarla yeniden ağla</translation>
+    </message>
+    <message>
+        <source>Remesh to edges of {edge:.3g} mm, {fine:.3g} mm in {region}</source>
+        <translation>{edge:.3g} mm kenarlarla yeniden ağla, {region} bölgesinde {fine:.3g} mm</translation>
+    </message>
+    <message>
+        <source>It cannot be remeshed before Repair has mended its surface.</source>
+        <translation>Onar aşaması yüzeyini onarmadan yeniden ağlanamaz.</translation>
+    </message>
+    <message>
+        <source>Edges must be longer than 0 mm, got {got:g} mm.</source>
+        <translation>Kenarlar 0 mm'den uzun olmalı; verilen {got:g} mm.</translation>
+    </message>
+    <message>
+        <source>The organ has no region '{name}'.</source>
+        <translation>Organın '{name}' adlı bir bölgesi yok.</translation>
+    </message>
+    <message>
+        <source>How long edges are in the region was not said.</source>
+        <translation>Bölgedeki kenarların ne kadar uzun olacağı söylenmedi.</translation>
+    </message>
+    <message>
+        <source>Edges in a region: got {got:g} mm, expected more than 0 mm and less than {most:g} mm, those of the rest.</source>
+        <translation>Bir bölgedeki kenarlar: verilen {got:g} mm, olması gereken 0 mm'den çok ve kalanlarınki olan {most:g} mm'den az.</translation>
+    </message>
+    <message>
+        <source>It cannot be remeshed: {why}</source>
+        <translation>Yeniden ağlanamıyor: {why}</translation>
+    </message>
+    <message>
+        <source>Remeshing was not finished in {seconds:g} s: longer edges take less.</source>
+        <translation>Yeniden ağlama {seconds:g} s içinde bitmedi: daha uzun kenarlar daha az sürer.</translation>
+    </message>
+    <message>
+        <source>With edges of {edge:.3g} mm {count} triangles would cross others: take shorter ones, or remove crossings first.</source>
+        <translation>{edge:.3g} mm kenarlarla {count} üçgen başkalarıyla kesişirdi: daha kısasını alın ya da önce kesişmeleri giderin.</translation>
+    </message>
+    <message>
+        <source>{count} holes that are no damage, or that no patch fits: a hollow organ or a sheet has them</source>
+        <translation>hasar olmayan ya da hiçbir yamanın uymadığı {count} delik: içi boş bir organda ya da bir tabakada bulunur</translation>
+    </message>
+    <message>
+        <source>There is nothing to repair that can be.</source>
+        <translation>Onarılabilecek bir şey yok.</translation>
+    </message>
+    <message>
+        <source>Nothing stands on it that ends freely.</source>
+        <translation>Üzerinde duran ve serbest biten bir şey yok.</translation>
+    </message>
+    <message>
+        <source>The holes cannot be filled: {why}</source>
+        <translation>Delikler doldurulamıyor: {why}</translation>
     </message>
 </context>
 <context>

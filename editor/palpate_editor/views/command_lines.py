@@ -58,6 +58,7 @@ from palpate_editor.edits import (
     UseImported,
 )
 from palpate_editor.edits.configure import NUMBERS
+from palpate_editor.views.repair_lines import REPAIRS
 
 KINDS = {kind: short for short, kind in SHORT_KINDS.items()}
 ASKED = "as asked"
@@ -339,6 +340,7 @@ FINDERS: dict[type, Callable[[Any, Organ, Path | str], Arguments | None]] = {
     SetName: name_arguments,
     SetTask: task_arguments,
     UseImported: imported_arguments,
+    **REPAIRS,
 }
 
 

@@ -21,6 +21,7 @@ from palpate_editor.edits import (
 )
 from palpate_editor.edits.import_mesh import BESIDE, Assembling
 from palpate_editor.edits.part_list import Part, list_parts
+from palpate_editor.guarded import stopping
 from palpate_editor.views.context import Context
 from palpate_editor.views.jobs import Progress
 from palpate_editor.views.sentences import sentence_of
@@ -114,7 +115,8 @@ class EditWork:
 
     def __call__(self, progress: Progress) -> Prepared:
         progress(say_title(self.edit.title), 0.3)
-        return prepare(self.edit, self.organ)
+        with stopping(progress.stop.is_set):
+            return prepare(self.edit, self.organ)
 
 
 class Tasks(QObject):

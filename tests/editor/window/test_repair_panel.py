@@ -202,3 +202,49 @@ def test_show_flies_to_the_place_and_fix_it_mends_it(qtbot, broken):
     broken.session.history.undo()
     settle(qtbot, broken)
     assert broken.problem_marks.shown is not None
+
+
+# ---------------------------------------------------------------- steps
+
+
+def test_repair_all_is_shown_before_it_is_applied_and_is_one_undo(qtbot, broken, checkout):
+    panel, before = broken.stage_dock.panels["repair"], broken.session.organ
+
+    click(child(broken, "repair_all"))
+    settle(qtbot, broken)
+
+    assert broken.session.organ is before and broken.context.previewing
+    assert "1 edges with more than two triangles, now 0" in panel.card.text.text()
+    assert panel.card.isVisible()
+    folder = checkout / "build" / "screenshots"
+    folder.mkdir(parents=True, exist_ok=True)
+    assert broken.grab().save(str(folder / "editor_repair_all.png"))
+    click(child(broken, "apply_step"))
+    settle(qtbot, broken)
+    assert not broken.context.previewing and not panel.card.isVisible()
+    assert broken.context.assessment.report.non_manifold_edges == 0
+    assert "palpate repair ball.organ --all -o ball.organ" in log_of(broken)
+    broken.session.history.undo()
+    assert broken.session.organ is before
+
+
+def test_a_step_that_is_discarded_leaves_the_organ_and_the_view_as_they_were(qtbot, broken):
+    panel, before = broken.stage_dock.panels["repair"], broken.session.organ
+
+    click(child(broken, "drop_fins"))
+    settle(qtbot, broken)
+    assert broken.context.previewing
+    click(child(broken, "discard_step"))
+
+    assert broken.session.organ is before
+    assert not broken.context.previewing and not panel.card.isVisible()
+
+
+def test_a_step_is_cancelled_and_nothing_has_changed(qtbot, broken):
+    before = broken.session.organ
+
+    click(child(broken, "wrap"))
+    broken.context.jobs.cancel()
+    qtbot.waitUntil(lambda: not broken.context.jobs.alive)
+
+    assert broken.session.organ is before and not broken.context.previewing

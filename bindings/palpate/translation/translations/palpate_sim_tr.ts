@@ -2491,5 +2491,29 @@
         <source>what the organ keeps of it</source>
         <translation>organın ondan sakladığı</translation>
     </message>
+    <message>
+        <source>one that is not finite</source>
+        <translation>sonlu olmayan bir tane</translation>
+    </message>
+    <message>
+        <source>%1 mm or more, a thousandth of the diagonal</source>
+        <translation>%1 mm ya da daha fazla: köşegenin binde biri</translation>
+    </message>
+    <message>
+        <source>%1 of them</source>
+        <translation>%1 tane</translation>
+    </message>
+    <message>
+        <source>one for each of %1 vertices</source>
+        <translation>%1 köşenin her biri için bir tane</translation>
+    </message>
+    <message>
+        <source>about %1 triangles</source>
+        <translation>yaklaşık %1 üçgen</translation>
+    </message>
+    <message>
+        <source>edges so long that at most %1 come</source>
+        <translation>en çok %1 üçgen çıkaracak kadar uzun kenarlar</translation>
+    </message>
 </context>
 </TS>

@@ -8,11 +8,13 @@ from PySide6.QtWidgets import QWidget
 from palpate_editor.authoring import MeshReport
 from palpate_editor.document import Organ, Repairs
 from palpate_editor.document.rules import MOST_CROSSING
-from palpate_editor.edits import KeepLargestShell
+from palpate_editor.edits import Edit, RemoveCrossings, RepairAll
 from palpate_editor.views.context import Context
 from palpate_editor.views.stages.facts import Facts
 from palpate_editor.views.stages.hole_list import HoleList
+from palpate_editor.views.stages.repair_steps import RepairSteps
 from palpate_editor.views.stages.stage_panel import StagePanel, Workers
+from palpate_editor.views.stages.step_card import StepCard
 from palpate_editor.views.tasks import Tasks
 from palpate_editor.views.translations import count, quantity, tr
 
@@ -39,6 +41,9 @@ class RepairPanel(StagePanel):
                "red on the organ, and the checks below name what mends them."),
             tr("Holes are never closed without being asked for: an open surface can be a hollow "
                "organ or a sheet, and then needs the thickness of its wall."),
+            tr("Each step is shown before it is applied, with what it changes and how far the "
+               "surface moves. Repair all takes them in turn and says what each did; a wrap, which "
+               "changes most, comes last and only where nothing else helps."),
         ]  # fmt: skip
 
     def __init__(self, context: Context, tasks: Tasks, parent: QWidget | None = None):
@@ -51,13 +56,21 @@ class RepairPanel(StagePanel):
 
     def build(self) -> None:
         self.facts = self.section(tr("The surface now")).add(Facts(self))
-        self.largest = self.main_button(tr("Keep the largest piece"), "keep_largest")
-        self.largest.clicked.connect(self.keep_largest)
-        self.form.addWidget(self.largest)
+        self.all = self.main_button(tr("Repair all"), "repair_all")
+        self.all.setToolTip(
+            tr("From cleaning to, where nothing else helps, a wrap: says what each step did.")
+        )
+        self.all.clicked.connect(self.repair_all)
+        self.form.addWidget(self.all)
+        self.card = StepCard(self.context, self.tasks, self)
+        self.form.addWidget(self.card)
         self.holes = self.section(tr("Holes")).add(HoleList(self.context, self.tasks, self))
+        self.steps = self.section(tr("Steps")).add(RepairSteps(self.card.attempt, self))
         self.repairs = self.section(tr("Repaired when it was read")).add(Facts(self))
 
     def show_organ(self, organ: Organ) -> None:
+        self.all.setEnabled(organ.surface is not None)
+        self.steps.show_organ(organ)
         repairs = organ.source.repairs if organ.source else Repairs()
         rows = [(name, count(value)) for name, value in repair_rows(repairs) if value]
         self.repairs.show_facts(rows or [(tr("Nothing needed repair"), "")])
@@ -67,7 +80,7 @@ class RepairPanel(StagePanel):
         assessment = self.context.assessment
         report = assessment.report if assessment else None
         self.facts.parentWidget().setVisible(report is not None)
-        self.largest.setVisible(report is not None and report.shells > 1)
+        self.steps.largest.setEnabled(report is not None and report.shells > 1)
         loops = [] if report is None else report.border_loops
         self.holes.parentWidget().setVisible(bool(loops))
         self.holes.show_surface(assessment.organ.surface if assessment and loops else None)
@@ -115,8 +128,15 @@ class RepairPanel(StagePanel):
             news.append(tr("The surface does not cross itself."))
         return news
 
-    def keep_largest(self) -> None:
-        self.tasks.apply_slowly(KeepLargestShell())
+    def fix(self, edit: Edit) -> None:
+        """What may take long is tried beside the window first."""
+        if isinstance(edit, RemoveCrossings):
+            self.card.attempt(edit)
+        else:
+            super().fix(edit)
+
+    def repair_all(self) -> None:
+        self.card.attempt(RepairAll())
 
 
 def say_crossing_tone(report: MeshReport) -> str:

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from palpate_editor.document import Organ
 from palpate_editor.document.problems import SEVERITIES, Problem
+from palpate_editor.edits import Edit
 from palpate_editor.views.chart.advisor import Advisor
 from palpate_editor.views.context import Context
 from palpate_editor.views.publishing import Publishing
@@ -147,6 +148,10 @@ class StagePanel(QWidget):
         button.setCursor(Qt.CursorShape.PointingHandCursor)
         return button
 
+    def fix(self, edit: Edit) -> None:
+        """Does what a check offers."""
+        self.context.apply(edit)
+
     def show_checks(self) -> None:
         """All problems of the stage, the gravest first, then what is good."""
         colours = self.context.colours
@@ -157,7 +162,7 @@ class StagePanel(QWidget):
         entries += [("good", sentence, None, "", None) for sentence in self.good_news()]
         while len(self.rows) < len(entries):
             row = CheckRow(self)
-            row.fix_wanted.connect(self.context.apply)
+            row.fix_wanted.connect(self.fix)
             row.look_wanted.connect(self.context.look_wanted)
             self.rows.append(row)
             self.checks.add(row)

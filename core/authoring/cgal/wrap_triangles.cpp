@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/authoring/cgal/wrap_triangles.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/alpha_wrap_3.h>
+
+// A file of its own: a minute to compile, and nobody includes it.
+
+namespace palpate::authoring {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
+
+SurfaceMesh to_mesh(const Surface& surface) {
+  SurfaceMesh mesh;
+  std::vector<int> number(surface.num_vertices() + surface.number_of_removed_vertices(), -1);
+  for (const auto v : surface.vertices()) {
+    number[v.idx()] = static_cast<int>(mesh.vertices.size());
+    const auto& p = surface.point(v);
+    mesh.vertices.emplace_back(p.x(), p.y(), p.z());
+  }
+  for (const auto face : surface.faces()) {
+    Triangle t{};
+    std::size_t corner = 0;
+    for (const auto v : surface.vertices_around_face(surface.halfedge(face))) {
+      t[corner++] = number[v.idx()];
+    }
+    mesh.triangles.push_back(t);
+  }
+  return mesh;
+}
+
+}  // namespace
+
+SurfaceMesh wrap_triangles(const SurfaceMesh& mesh, double alpha, double offset) {
+  std::vector<Kernel::Point_3> points;
+  points.reserve(mesh.vertices.size());
+  for (const Vec3& p : mesh.vertices) points.emplace_back(p.x(), p.y(), p.z());
+  std::vector<std::array<std::size_t, 3>> faces;
+  faces.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) {
+    faces.push_back({static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]),
+                     static_cast<std::size_t>(t[2])});
+  }
+  Surface wrapped;
+  CGAL::alpha_wrap_3(points, faces, alpha, offset, wrapped);
+  return to_mesh(wrapped);
+}
+
+}  // namespace palpate::authoring

@@ -1,0 +1,308 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The verbs that mend a surface: repair, remesh."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+import palpate
+from palpate.command.output import add_output
+from palpate.command.verb import Report, Verb, quantity
+from palpate.files.refusal import Refusal
+
+from palpate_editor.check import describe_problem
+from palpate_editor.document import Organ
+from palpate_editor.edits import (
+    CleanUp,
+    DropFins,
+    DropPieces,
+    Edit,
+    FillHoles,
+    Remesh,
+    RemoveCrossings,
+    Smooth,
+    StitchBorders,
+    Wrap,
+)
+from palpate_editor.edits.change import find_change, say_change
+from palpate_editor.edits.clean import SMALL
+from palpate_editor.edits.ladder import Rung, climb
+from palpate_editor.guarded import TIME
+from palpate_editor.repair_all import repair_problems
+from palpate_editor.verbs.check import describe_problems
+from palpate_editor.verbs.files import (
+    OUTPUTS,
+    ReadFile,
+    apply,
+    describe_loops,
+    open_any,
+    write_any,
+)
+
+EVERY_HOLE = 2**31 - 1
+"""[edges] More than any hole has."""
+AS_USUAL = -1.0
+"""A step that is asked for without its number."""
+NOTHING = ""
+"""The name of no problem."""
+
+# ---------------------------------------------------------------- repair
+
+
+def add_repair(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("file", type=Path, help=".organ, or OBJ written by `palpate import`")
+    parser.add_argument(
+        "--all",
+        action="store_true",
+        help="mend the surface step by step, from cleaning to, where nothing else helps, a wrap; "
+        "without any option this is done, and then errors of its material are mended",
+    )
+    parser.add_argument(
+        "--problem",
+        action="append",
+        default=[],
+        metavar="NAME",
+        help="of `palpate check --json`, may be repeated",
+    )
+    add_steps(parser)
+    parser.add_argument(
+        "--dry-run", action="store_true", help="say what it would do and cost; write nothing"
+    )
+    add_output(parser, "--out", "-o", writes=OUTPUTS, help=".organ or mesh file")
+
+
+def add_steps(parser: argparse.ArgumentParser) -> None:
+    """One step each; they are taken in this order."""
+    parser.add_argument(
+        "--clean",
+        action="store_true",
+        help="drop doubled and empty triangles and specks, part what only touches, turn outwards",
+    )
+    parser.add_argument(
+        "--stitch",
+        type=quantity("m"),
+        nargs="?",
+        const=AS_USUAL,
+        metavar="M",
+        help="join borders that lie so near to each other; default: a twentieth of their edges",
+    )
+    parser.add_argument(
+        "--drop-fins",
+        action="store_true",
+        help="drop triangles that stand on edges of two others and end freely",
+    )
+    parser.add_argument(
+        "--drop-pieces",
+        type=float,
+        nargs="?",
+        const=SMALL,
+        metavar="SHARE",
+        help=f"drop pieces that have less than this part of the area; default: {SMALL:g}",
+    )
+    parser.add_argument(
+        "--fill-holes",
+        type=int,
+        nargs="?",
+        const=EVERY_HOLE,
+        metavar="EDGES",
+        help="close every hole, or those of at most so many edges",
+    )
+    parser.add_argument(
+        "--crossings",
+        type=float,
+        nargs="?",
+        const=TIME,
+        metavar="SECONDS",
+        help=f"take out triangles that cross others, for at most so long; default: {TIME:g}",
+    )
+    parser.add_argument(
+        "--smooth", type=int, metavar="STEPS", help="smooth it; it neither shrinks nor swells"
+    )
+    parser.add_argument(
+        "--wrap",
+        type=quantity("m"),
+        nargs="?",
+        const=AS_USUAL,
+        metavar="M",
+        help="the last resort: a new surface around all of it, into which a ball of this radius "
+        "rolls; default: a hundredth of the diagonal",
+    )
+
+
+def run_repair(call: argparse.Namespace) -> Report:
+    check_output(call)
+    read = ReadFile.of(call.file)
+    organ = open_any(call.file)
+    if organ.surface is None:
+        raise Refusal(call.file, "organ", "no surface", "an imported mesh")
+    asked = list(list_steps(call, organ))
+    rungs: list[Rung] = []
+    left: list[str] = []
+    if call.all or not (asked or call.problem):
+        found = climb(organ)
+        organ, left = found.organ, [str(text) for text in found.left]
+        rungs += found.rungs
+    for option, edit in asked:
+        after = apply(edit, organ, call.file, option)
+        rungs.append(tell_step(edit, organ, after))
+        organ = after
+    wanted = call.problem or ([NOTHING] if asked or call.all else [])
+    assessment, repaired = repair_problems(
+        organ,
+        wanted,
+        lambda problem, before: apply(problem.fix, before, call.file, problem.where),
+    )
+    if not repaired and call.problem:
+        raise Refusal(
+            call.file, "--problem", ", ".join(call.problem), "problems it has, that can be repaired"
+        )
+    if not call.dry_run:
+        read.check(call.out)
+        write_any(call.out, assessment.organ)
+    return {
+        "out": None if call.dry_run else str(call.out),
+        "done": [*(rung.title for rung in rungs), *repaired],
+        "steps": [{"step": rung.title, "did": list(map(str, rung.did))} for rung in rungs],
+        "left": left,
+        "problems": [describe_problem(p, assessment.organ.surface) for p in assessment.problems],
+    }
+
+
+def check_output(call: argparse.Namespace) -> None:
+    if call.out is None and not call.dry_run:
+        raise Refusal(None, "--out", "nothing", "a file to write, or --dry-run")
+
+
+def list_steps(call: argparse.Namespace, organ: Organ) -> list[tuple[str, Edit]]:
+    """Option and edit of each step that is asked for. Raises Refusal."""
+    steps: list[tuple[str, Edit]] = []
+    if call.clean:
+        steps.append(("--clean", CleanUp()))
+    if call.stitch is not None:
+        steps.append(("--stitch", StitchBorders(find_number(call.stitch))))
+    if call.drop_fins:
+        steps.append(("--drop-fins", DropFins()))
+    if call.drop_pieces is not None:
+        steps.append(("--drop-pieces", DropPieces(call.drop_pieces)))
+    if call.fill_holes is not None:
+        steps.append(("--fill-holes", choose_holes(call, organ)))
+    if call.crossings is not None:
+        steps.append(("--crossings", RemoveCrossings(call.crossings)))
+    if call.smooth is not None:
+        steps.append(("--smooth", Smooth(call.smooth)))
+    if call.wrap is not None:
+        steps.append(("--wrap", Wrap(find_number(call.wrap))))
+    return steps
+
+
+def find_number(asked: float) -> float | None:
+    return None if asked == AS_USUAL else asked
+
+
+def tell_step(edit: Edit, before: Organ, after: Organ) -> Rung:
+    change = find_change(before, after)
+    return Rung(edit.title, () if change is None else tuple(say_change(change)))
+
+
+def choose_holes(call: argparse.Namespace, organ: Organ) -> FillHoles:
+    """Those that the call wants closed. Raises Refusal."""
+    assert organ.surface is not None
+    sizes = [len(loop) for loop in palpate.find_border_loops(organ.surface.triangles)]
+    holes = tuple(i for i, size in enumerate(sizes) if size <= call.fill_holes)
+    if not holes:
+        found = f"{describe_loops(sizes)}, none of at most {call.fill_holes} edges"
+        raise Refusal(
+            call.file, "--fill-holes", found if sizes else "a closed surface", "holes to fill"
+        )
+    return FillHoles(holes)
+
+
+def describe_repair(report: Report) -> str:
+    lines = []
+    for step in report["steps"]:
+        lines += [f"{step['step']}:", *(f"  {text}" for text in step["did"])]
+    done = ", ".join(report["done"]) or "nothing to repair"
+    out = "nothing written" if report["out"] is None else f"wrote {report['out']}"
+    lines.append(f"{out}: {done}")
+    lines += [f"  left: {text}" for text in report["left"]]
+    return "\n".join([*lines, "what is left:", *describe_problems(report["problems"])])
+
+
+# ---------------------------------------------------------------- remesh
+
+
+def add_remesh(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("file", type=Path, help=".organ, or OBJ written by `palpate import`")
+    parser.add_argument(
+        "--edge-length",
+        type=quantity("m"),
+        required=True,
+        metavar="M",
+        help="of most edges, such as 3mm",
+    )
+    parser.add_argument("--region", default="", metavar="NAME", help="where edges are shorter")
+    parser.add_argument(
+        "--region-edge-length", type=quantity("m"), metavar="M", help="of the edges there"
+    )
+    parser.add_argument(
+        "--dry-run", action="store_true", help="say what it would do and cost; write nothing"
+    )
+    add_output(parser, "--out", "-o", writes=OUTPUTS, help=".organ or mesh file")
+
+
+def run_remesh(call: argparse.Namespace) -> Report:
+    check_output(call)
+    read = ReadFile.of(call.file)
+    organ = open_any(call.file)
+    edit = Remesh(call.edge_length, call.region, call.region_edge_length)
+    after = apply(edit, organ, call.file, "--edge-length")
+    assert after.surface is not None and after.decimation is not None
+    rung = tell_step(edit, organ, after)
+    if not call.dry_run:
+        read.check(call.out)
+        write_any(call.out, after)
+    return {
+        "out": None if call.dry_run else str(call.out),
+        "step": rung.title,
+        "did": list(map(str, rung.did)),
+        "vertices": after.decimation.vertices,
+        "triangles": after.decimation.triangles,
+        "smallest_angle_deg": after.decimation.smallest_angle_deg,
+        "mean_distance_mm": 1e3 * after.decimation.mean_distance,
+        "max_distance_mm": 1e3 * after.decimation.max_distance,
+    }
+
+
+def describe_remesh(report: Report) -> str:
+    out = "nothing written" if report["out"] is None else f"wrote {report['out']}"
+    mean, most = report["mean_distance_mm"], report["max_distance_mm"]
+    return "\n".join(
+        [
+            f"{report['step']}:",
+            *(f"  {text}" for text in report["did"]),
+            f"{out}: {report['vertices']} vertices, {report['triangles']} triangles; smallest "
+            f"angle {report['smallest_angle_deg']:.1f} degrees; {mean:.3f} mm from the imported "
+            f"surface on average, {most:.3f} mm at most",
+        ]
+    )
+
+
+VERBS = [
+    Verb(
+        "repair",
+        "mend a surface, step by step or all at once, and say what each step did",
+        "palpate repair spleen.organ --fill-holes 12 --crossings -o spleen.organ",
+        add_repair,
+        run_repair,
+        describe_repair,
+    ),
+    Verb(
+        "remesh",
+        "make the triangles of a surface even, of a chosen size",
+        "palpate remesh spleen.organ --edge-length 4mm -o spleen.organ",
+        add_remesh,
+        run_remesh,
+        describe_remesh,
+    ),
+]

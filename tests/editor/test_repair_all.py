@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Shapes damaged in twelve ways are mended by Repair all, back to their volume."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import palpate
+import pytest
+from damaged_shapes import COPIES, DAMAGES, SHAPES, compute_volume, damage
+from foreign_files import write_obj
+from palpate.cli.main import main
+from palpate_editor.authoring import inspect_mesh
+from palpate_editor.document import EMPTY, Organ, Surface
+from palpate_editor.document.files import read_organ
+from palpate_editor.edits import EditError, RepairAll, import_file
+from palpate_editor.edits.change import mesh_of
+from palpate_editor.edits.ladder import climb
+
+CLOSE = 0.01
+"""[-] of the volume."""
+SEEDS = range(6)
+SAMPLE = [
+    *(("sphere", name) for name in ("holes", "crossed", "non-manifold edge", "T-junctions")),
+    *(("torus", name) for name in ("one face missing", "unwelded", "doubled")),
+    *(("spleen", name) for name in ("scale 1000", "flipped")),
+]
+
+
+def mend(shape: str, name: str, seed: int, folder: Path) -> Organ:
+    path = folder / f"{seed}.obj"
+    write_obj(path, *damage(shape, name, seed))
+    imported = import_file(path)(EMPTY)
+    return climb(imported).organ
+
+
+def find_fault(shape: str, name: str, organ: Organ) -> str:
+    """What is wrong with a shape that was mended; empty where nothing is."""
+    report = inspect_mesh(mesh_of(organ.surface))
+    if not report.closed or report.non_manifold_edges or not report.outward:
+        return f"{len(report.border_loops)} holes, outward {report.outward}"
+    if report.self_intersecting_faces:
+        return f"{report.self_intersecting_faces} crossing"
+    whole = 1e-3 * COPIES.get(name, 1.0) * compute_volume(*SHAPES[shape]())
+    ratio = report.volume_ml / whole
+    return "" if abs(ratio - 1.0) < CLOSE else f"volume {ratio:.4f}"
+
+
+@pytest.mark.parametrize(("shape", "name"), SAMPLE)
+def test_a_damaged_shape_gets_its_volume_back(shape, name, tmp_path):
+    assert find_fault(shape, name, mend(shape, name, 0, tmp_path)) == ""
+
+
+@pytest.mark.landing
+@pytest.mark.parametrize("shape", SHAPES)
+@pytest.mark.parametrize("name", DAMAGES)
+def test_every_damage_of_every_shape_is_mended(shape, name, tmp_path):
+    faults = {seed: find_fault(shape, name, mend(shape, name, seed, tmp_path)) for seed in SEEDS}
+
+    assert not any(faults.values()), faults
+
+
+def organ_of(x: np.ndarray, t: np.ndarray) -> Organ:
+    surface = Surface(1e-3 * x, t)
+    return replace(EMPTY.with_surface(surface), imported=surface)
+
+
+def test_what_nobody_cleaned_before_is_mended_too():
+    """A surface that came past the import: soup of triangles, some doubled."""
+    x, t = damage("sphere", "unwelded", 0)
+    organ = organ_of(x, np.concatenate([t, t[:40]]))
+
+    found = climb(organ)
+
+    assert find_fault("sphere", "unwelded", found.organ) == ""
+    assert found.left == ()
+    assert {rung.title for rung in found.rungs} >= {"Clean up", "Stitch borders"}
+
+
+def test_each_rung_says_what_it_did_and_nothing_says_nothing():
+    rungs = climb(organ_of(*damage("sphere", "holes", 1))).rungs
+
+    [filled] = [rung for rung in rungs if rung.title == "Fill holes"]
+    assert any("holes, now 0" in text for text in filled.did)
+    assert any(text.startswith("closed now, volume") for text in filled.did)
+    with pytest.raises(EditError, match="nothing to repair"):
+        RepairAll()(organ_of(*SHAPES["sphere"]()))
+
+
+def test_the_mouth_of_a_bowl_and_the_rim_of_a_sheet_are_no_damage():
+    x, t = SHAPES["sphere"]()
+    bowl = organ_of(x, t[x[t].mean(axis=1)[:, 2] < 0.0])
+
+    found = climb(bowl)
+
+    assert len(palpate.find_border_loops(found.organ.surface.triangles)) == 1
+    assert any("hollow" in text for text in found.left)
+
+
+def test_a_hollow_organ_keeps_its_holes():
+    organ = organ_of(*damage("sphere", "one face missing", 0))
+    hollow = replace(organ, material=replace(organ.material, wall_thickness=0.002))
+
+    assert inspect_mesh(mesh_of(climb(hollow).organ.surface)).border_loops == [3]
+    assert inspect_mesh(mesh_of(climb(organ).organ.surface)).closed
+
+
+def test_the_verb_does_the_same_and_a_dry_run_writes_nothing(tmp_path, capsys):
+    path, out = tmp_path / "a.obj", tmp_path / "b.organ"
+    write_obj(path, 1e-3 * damage("sphere", "crossed", 0)[0], damage("sphere", "crossed", 0)[1])
+
+    assert main(["repair", str(path), "--all", "--dry-run", "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert told["out"] is None and "Remove crossings" in told["done"]
+    assert main(["repair", str(path), "--all", "-o", str(out), "--json"]) == 0
+    again = json.loads(capsys.readouterr().out)
+    assert again["steps"] == told["steps"] and again["left"] == []
+    assert find_fault("sphere", "crossed", read_organ(out)) == ""
+    assert main(["repair", str(path), "--all"]) == 1
+    assert "--dry-run" in capsys.readouterr().err
