@@ -2116,6 +2116,9 @@ class NearField:
     def modulus(self) -> float:
         """[Pa] E / (1 - nu²)."""
     @property
+    def wall_thickness(self) -> float:
+        """[m] of prisms; 0 of a solid."""
+    @property
     def far_compliance(self) -> NDArray[np.float64]:
         """[m/N] per vertex of the surface, shape (n,): of the body beyond that of a half space;
         a view, read-only.

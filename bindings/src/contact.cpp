@@ -300,6 +300,7 @@ void bind_near_field(py::module_& m) {
       "What a body's tissue does near a ball, and what its mesh does of that already: with it a "
       "ball is felt as on tissue, however large the triangles are. Made by build_near_field.");
   near.def_readonly("modulus", &NearField::modulus, "[Pa] E / (1 - nu²).");
+  near.def_readonly("wall_thickness", &NearField::wall_thickness, "[m] of prisms; 0 of a solid.");
   def_table(near, "far_compliance", &NearField::far_compliance,
             "[m/N] per vertex of the surface, shape (n,): of the body beyond that of a half space; "
             "a view, read-only.");

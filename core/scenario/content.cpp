@@ -23,9 +23,13 @@ Json print_tissue(const TissueModel& tissue) {
   return printed;
 }
 
-/// A law of contact beside the hard one, and which form of it.
+/// A law of contact beside the hard one, and which form of it: the second has walls of prisms too.
 constexpr const char* kNearField = "near_field";
-constexpr int kContactVersion = 1;
+constexpr int kContactVersion = 2;
+
+int find_contact_version(const SoftBody& body) {
+  return body.tissue.prisms.corners.empty() ? 1 : kContactVersion;
+}
 
 Json print_body(const SoftBody& body) {
   Json printed = {{"tissue", print_tissue(body.tissue)},
@@ -35,8 +39,9 @@ Json print_body(const SoftBody& body) {
                   {"spectrum_damping", body.spectrum_damping}};
   if (body.force_error > 0.0) printed["force_error"] = body.force_error;
   if (body.contact_modulus > 0.0) {
-    printed["contact"] = {
-        {"law", kNearField}, {"version", kContactVersion}, {"modulus", body.contact_modulus}};
+    printed["contact"] = {{"law", kNearField},
+                          {"version", find_contact_version(body)},
+                          {"modulus", body.contact_modulus}};
   }
   if (body.integrator != Integrator::symplectic_euler) {
     printed["integrator"] = std::string(integrator_name(body.integrator));
@@ -103,7 +108,7 @@ double parse_contact(Fields& fields) {
   if (!fields.has("contact")) return 0.0;
   Fields contact = fields.object("contact");
   contact.choice("law", {kNearField});
-  contact.whole("version", kContactVersion, kContactVersion);
+  contact.whole("version", 1, kContactVersion);
   const double modulus = contact.number("modulus");
   contact.finish();
   return modulus;

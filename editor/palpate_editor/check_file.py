@@ -10,7 +10,7 @@ import palpate
 from palpate.command.verb import Report
 from palpate.runs.script_file import read_script_file
 from palpate.runs.validated import measure_script
-from palpate.scene.scene_parts import FILLED
+from palpate.scene.scene_parts import WITH_NEAR_FIELD
 
 from palpate_editor.check import Assessment, assess, describe_model, describe_problem
 from palpate_editor.document import Organ
@@ -74,7 +74,7 @@ def list_presses(
 
 def find_contact_law(organ: Organ) -> str:
     """By which a ball is felt; that of a surface is the hard one, whatever it would be filled."""
-    return organ.model.contact_law if organ.model.kind in FILLED else "hard"
+    return organ.model.contact_law if organ.model.kind in WITH_NEAR_FIELD else "hard"
 
 
 def describe_places(organ: Organ, trial: TrialFacts) -> list[Report]:

@@ -19,7 +19,7 @@ from palpate.runs.trial import (
 )
 from palpate.runs.validated import Depths, Validity
 from palpate.scene.scene_file import find_contact_modulus
-from palpate.scene.scene_parts import FILLED, SceneFile
+from palpate.scene.scene_parts import WITH_NEAR_FIELD, SceneFile
 
 from palpate_editor.document import Organ
 from palpate_editor.document.cost_rules import estimate_tick
@@ -68,8 +68,8 @@ def measure_trial(organ: Organ, scene: palpate.Scene) -> TrialFacts:
 
 
 def has_hard_law(organ: Organ) -> bool:
-    """Whether a solid is felt as its mesh gives way, and could be felt as tissue."""
-    return organ.model.kind in FILLED and organ.model.contact_law == "hard"
+    """Whether an organ is felt as its mesh gives way, and could be felt as tissue."""
+    return organ.model.kind in WITH_NEAR_FIELD and organ.model.contact_law == "hard"
 
 
 def find_near_modulus(organ: Organ) -> float:

@@ -95,7 +95,7 @@ DELETE = object()
     ("path", "value", "where"),
     [
         ("format", "other", "format"),
-        ("version", 2, "version"),
+        ("version", 3, "version"),
         ("extra", {}, ""),
         ("model.stifness", 3.0, "model.stifness"),
         ("model.stiffness", "3", "model.stiffness"),
@@ -118,6 +118,16 @@ def test_a_damaged_scene_file_is_refused_where_it_is_wrong(organ, tmp_path, path
 
     assert refusal.value.where == where
     assert refusal.value.file == str(file)
+
+
+@pytest.mark.parametrize(("version", "law"), [(1, "hard"), (2, "near_field")])
+def test_a_wall_of_an_older_file_is_felt_by_the_hard_law_as_before(organ, tmp_path, version, law):
+    file, scene = tmp_path / "a.json", scene_of(organ)
+    write_scene_file(file, replace(scene, model=replace(scene.model, kind="shell")))
+    data = json.loads(file.read_text())
+    file.write_text(json.dumps(data | {"version": version}))
+
+    assert read_scene_file(file).model.contact_law == law
 
 
 @pytest.mark.parametrize("text", ["", "{", "[]", "null", '{"format": "palpate scene"', "\xff\xfe"])

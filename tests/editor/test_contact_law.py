@@ -12,7 +12,13 @@ from palpate.cli.main import main
 from palpate.scene.scene_parts import FILLED, FillPart
 from palpate_editor.check import assess
 from palpate_editor.compile import compile_organ
-from palpate_editor.document.files import pack_organ, read_organ, unpack_organ, write_organ
+from palpate_editor.document.files import (
+    VERSION,
+    pack_organ,
+    read_organ,
+    unpack_organ,
+    write_organ,
+)
 from palpate_editor.edits import SetChoice
 
 SPLEEN = replace(make_organ(), fill=FillPart(300))
@@ -33,8 +39,37 @@ def test_a_solid_is_felt_by_its_near_field_unless_the_hard_law_is_chosen(kind):
     assert hard.bodies[0].contact_modulus == 0.0 and hard.bodies[0].near_field is None
 
 
-def test_a_wall_keeps_the_hard_law():
+def test_springs_along_the_surface_keep_the_hard_law():
     assert compile_organ(SPLEEN).bodies[0].contact_modulus == 0.0
+
+
+WALL = replace(
+    SPLEEN,
+    model=replace(SPLEEN.model, kind="shell", home_stiffness=None),
+    material=replace(SPLEEN.material, wall_thickness=2e-3),
+)
+
+
+def test_a_wall_of_prisms_is_felt_by_its_near_field_unless_the_hard_law_is_chosen():
+    near = compile_organ(WALL).bodies[0]
+
+    assert near.contact_modulus == pytest.approx(MODULUS)
+    assert near.near_field.wall_thickness == pytest.approx(2e-3, rel=0.05)
+    hard = replace(WALL, model=replace(WALL.model, contact_law="hard"))
+    assert compile_organ(hard).bodies[0].near_field is None
+
+
+@pytest.mark.parametrize("version", [7, 8])
+def test_a_wall_of_an_older_file_keeps_the_hard_law(version):
+    content, arrays = pack_organ(WALL)
+    content = json.loads(json.dumps(content))
+    if version < 8:
+        del content["model"]["integrator"]
+
+    assert unpack_organ(content, arrays, version, "old.organ").model.contact_law == "hard"
+    content, arrays = pack_organ(WALL)
+    content = json.loads(json.dumps(content))
+    assert unpack_organ(content, arrays, VERSION, "new.organ").model.contact_law == "near_field"
 
 
 @pytest.mark.parametrize("version", range(1, 7))

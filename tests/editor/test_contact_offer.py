@@ -92,13 +92,19 @@ def test_undo_takes_the_near_field_back_with_its_forces(old):
     assert [p.forces for p in again] == [p.forces for p in old.facts.tissue.trial.offer]
 
 
-@pytest.mark.parametrize("kind", ["mass_spring", "shell"])
-def test_a_surface_has_no_other_law_to_be_offered(kind):
-    model = replace(OLD.model, kind=kind, contact_law="hard")
-    wall = replace(OLD.material, wall_thickness=3e-3)
-    organ = replace(OLD, model=model, material=wall)
+def test_a_surface_has_no_other_law_to_be_offered():
+    model = replace(OLD.model, kind="mass_spring", contact_law="hard")
 
-    assert assess(organ).facts.tissue.trial.offer == ()
+    assert assess(replace(OLD, model=model)).facts.tissue.trial.offer == ()
+
+
+def test_a_wall_with_the_hard_law_is_offered_the_near_field_too():
+    model = replace(OLD.model, kind="shell", contact_law="hard", home_stiffness=None)
+    organ = replace(OLD, model=model, material=replace(OLD.material, wall_thickness=3e-3))
+
+    offer = assess(organ).facts.tissue.trial.offer
+    assert offer and all(near > 0.0 and hard > 0.0 for hard, near in (p.forces for p in offer))
+    assert assess(UPGRADE(organ)).facts.tissue.trial.offer == ()
 
 
 def test_a_solid_whose_tick_takes_too_long_is_not_pressed_to_be_offered_anything(monkeypatch):

@@ -11,7 +11,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any, get_type_hints
 
@@ -26,12 +26,13 @@ from palpate.scene.scene_parts import (
     FILLED,
     FINITE,
     ORIGINS,
+    WITH_NEAR_FIELD,
     MaterialPart,
     ModelPart,
     SceneFile,
 )
 
-FORMAT, VERSION = "palpate scene", 1
+FORMAT, VERSION = "palpate scene", 2
 MOST_BYTES = 32 * 2**20
 """Of a scene file: a factor for each of a million vertices, written out, takes 20 MB."""
 
@@ -58,9 +59,9 @@ def read_scene_file(path: Path) -> SceneFile:
             repr(data.get("format")) if isinstance(data, dict) else "no object",
             f'"{FORMAT}"',
         )
-    if data.get("version") != VERSION:
+    if data.get("version") not in (1, VERSION):
         raise Refusal(
-            path, "version", repr(data.get("version")), f"{VERSION}, the one this program knows"
+            path, "version", repr(data.get("version")), f"1 or {VERSION}, which this program knows"
         )
     unknown = set(data) - set(PARTS) - {"format", "version"}
     if unknown:
@@ -68,6 +69,9 @@ def read_scene_file(path: Path) -> SceneFile:
     parts = {}
     for name, kind in PARTS.items():
         parts[name] = read_part(path, name, kind, data.get(name, {}))
+    if data["version"] == 1 and parts["model"].kind == "shell":
+        # before version 2 a wall was felt as its mesh gives way, whatever its file said
+        parts["model"] = replace(parts["model"], contact_law="hard")
     return SceneFile(**parts)
 
 
@@ -187,14 +191,14 @@ def compile_scene(
 
 
 def find_contact_modulus(scene: SceneFile) -> float:
-    """[Pa] E / (1 - nu²) of a solid with a near field; 0 for the hard law."""
+    """[Pa] E / (1 - nu²) of tissue with a near field; 0 for the hard law."""
     model, material = scene.model, scene.material
     if model.contact_law not in CONTACT_LAWS:
         expected = ", ".join(CONTACT_LAWS)
         raise ValueError(
             f"model.contact_law: got {model.contact_law!r}, expected one of {expected}"
         )
-    if model.kind not in FILLED or model.contact_law == "hard":
+    if model.kind not in WITH_NEAR_FIELD or model.contact_law == "hard":
         return 0.0
     return material.young_modulus / (1.0 - material.poisson_ratio**2)
 

@@ -17,7 +17,9 @@ KINDS = ("mass_spring", "molecular", "shell", *FILLED)
 ORIGINS = ("chosen", "tissue")
 """Where the constants of springs, bonds and angles come from: the model part, or the material."""
 CONTACT_LAWS = ("near_field", "hard")
-"""How a solid is felt under a ball."""
+"""How tissue is felt under a ball."""
+WITH_NEAR_FIELD = ("shell", *FILLED)
+"""Kinds that both of them are for; the others are felt by the hard law."""
 INTEGRATORS = (
     "symplectic_euler",
     "explicit_euler",
@@ -100,8 +102,8 @@ class ModelPart:
     relaxation_time: float = field(default=0.5, metadata={"since": 6})
     """[s] in which 63 % of that fades."""
     contact_law: str = field(default="near_field", metadata={"since": 7})
-    """Of solids. near_field: as on tissue of Young's modulus and Poisson's ratio, however large its
-    triangles are; hard: as the mesh gives way, as the walls of hollow organs."""
+    """Of solids and walls of prisms. near_field: as on tissue of Young's modulus and Poisson's
+    ratio, however large its triangles are; hard: as the mesh gives way."""
     integrator: str = field(default="symplectic_euler", metadata={"since": 8})
     """Any but the first runs in plain code, at many times the cost."""
     fixed: tuple[int, ...] = ()

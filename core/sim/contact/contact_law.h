@@ -49,11 +49,14 @@ struct NearField {
   std::vector<int> first;         ///< (n + 1,)
   std::vector<int> neighbour;     ///< ascending
   std::vector<float> compliance;  ///< [m/N]
+
+  double wall_thickness = 0.0;  ///< [m] of prisms; 0 of a solid
 };
 
 /// The near field of a model touched by balls of up to `radius` [m]: solves for a unit force on
 /// each vertex of the surface about the model at rest and keeps what that does where such a ball
-/// may press as well. The far compliance is what a wide patch is moved beyond a half space. Throws
+/// may press as well. The far compliance is what a wide patch is moved beyond a half space; of a
+/// wall of prisms, what it is moved at a point beyond that. Throws
 /// std::invalid_argument for a modulus [Pa] or radius that is not positive, and for a model that
 /// can move without being strained.
 NearField build_near_field(const TissueModel& model, double modulus, double radius);

@@ -6,6 +6,7 @@
 
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/contact/private/find_wall.h"
 #include "palpate/sim/contact/private/particle_forces.h"
 #include "palpate/sim/mesh/mesh.h"
 
@@ -122,8 +123,28 @@ constexpr double kPatchEdges = 1.5;
 /// and no less than this, where elements are finer than what is near
 constexpr double kLeastPatch = 0.008;
 
-/// [m] Edges of the elements, or of the surface where that is all there is.
-double find_patch_radius(const Surface& surface) {
+/// A wall's patch has a vertex with those around it, for it bends within a few thicknesses; and is
+/// no smaller than that, since prisms are a wall beyond those only.
+constexpr double kWallPatchEdges = 1.3, kLeastWallPatch = 1.5;
+
+/// [m] The mean edge of the surface.
+double find_mean_edge(const Surface& surface) {
+  double sum = 0.0;
+  for (const Triangle& t : surface.mesh.triangles) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum += (surface.x(static_cast<std::size_t>(t[(c + 1) % 3])) -
+              surface.x(static_cast<std::size_t>(t[c])))
+                 .norm();
+    }
+  }
+  return sum / (3.0 * static_cast<double>(surface.mesh.triangles.size()));
+}
+
+/// [m] Edges of the elements, or of the surface where that is all there is; `wall` is 0 of a solid.
+double find_patch_radius(const Surface& surface, double wall) {
+  if (wall > 0.0) {
+    return std::max(kLeastWallPatch * wall, kWallPatchEdges * find_mean_edge(surface));
+  }
   double longest = 0.0;
   const auto& elements = surface.model.skin.corners;
   for (const auto& corners : elements) {
@@ -231,34 +252,61 @@ void list_neighbours(const Surface& surface, const Vicinity& vicinity, double re
   }
 }
 
+/// Adds a patch of this radius around every vertex, each to be known with itself; how far its
+/// points are apart.
+std::vector<double> add_patches(const Surface& surface, const Vicinity& vicinity, double radius,
+                                NormalForces& forces, ForcePairs& pairs) {
+  const std::vector<double> area = compute_vertex_areas(surface.mesh);
+  std::vector<double> spread(surface.size());
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    const Patch patch = make_patch(vicinity, area, v, radius);
+    spread[v] = measure_spread(surface, patch);
+    for (std::size_t k = 0; k < patch.vertices.size(); ++k) {
+      forces.push(patch.vertices[k], patch.weights[k]);
+    }
+    pairs.other.push_back(static_cast<int>(forces.all.count()));
+    pairs.first.push_back(static_cast<int>(pairs.other.size()));
+    forces.end();
+  }
+  return spread;
+}
+
+/// What a wall gives way at a point, beyond a half space: what the mesh has of a patch, and how
+/// much more tissue has under a point than prisms under that patch. A patch of one vertex, or of
+/// none, tells nothing.
+double find_wall_compliance(const WallLayer& wall, double compliance, double spread,
+                            double foundation) {
+  if (!(spread > 0.0)) return 0.0;
+  return compliance - compute_prism_compliance(wall, spread, foundation) +
+         compute_point_excess(wall, foundation);
+}
+
 /// Compliances between neighbours, and of each vertex's patch with itself.
 void solve_near_field(const Surface& surface, const FreeStiffness& stiffness,
                       const Factors& factors, const Vicinity& vicinity, NearField& near) {
-  const double radius = find_patch_radius(surface);
-  const std::vector<double> area = compute_vertex_areas(surface.mesh);
+  const WallLayer wall = find_wall(surface.model, surface.mesh, near.modulus);
+  near.wall_thickness = wall.thickness;
   const std::size_t count = surface.size();
   NormalForces forces(surface, stiffness);
   for (std::size_t v = 0; v < count; ++v) {
     if (surface.touched[v]) forces.push(v, 1.0);
     forces.end();
   }
-  std::vector<double> spread(count);
   ForcePairs pairs{near.first, near.neighbour};
-  for (std::size_t v = 0; v < count; ++v) {
-    const Patch patch = make_patch(vicinity, area, v, radius);
-    spread[v] = measure_spread(surface, patch);
-    for (std::size_t k = 0; k < patch.vertices.size(); ++k) {
-      forces.push(patch.vertices[k], patch.weights[k]);
-    }
-    forces.end();
-    pairs.other.push_back(static_cast<int>(count + v));
-    pairs.first.push_back(static_cast<int>(pairs.other.size()));
-  }
+  const double radius = find_patch_radius(surface, wall.thickness);
+  const std::vector<double> spread = add_patches(surface, vicinity, radius, forces, pairs);
   const std::vector<double> found = solve_compliances(stiffness, factors, forces.all, pairs);
   const std::size_t between = near.neighbour.size();
   near.compliance.assign(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(between));
+  std::vector<double> hold;
+  if (wall.thickness > 0.0) {
+    hold = find_foundations(surface.model, surface.mesh, surface.normals, wall);
+  }
   for (std::size_t v = 0; v < count; ++v) {
-    near.far_compliance.push_back(find_far_compliance(near.modulus, found[between + v], spread[v]));
+    const double patch = found[between + v];
+    near.far_compliance.push_back(hold.empty()
+                                      ? find_far_compliance(near.modulus, patch, spread[v])
+                                      : find_wall_compliance(wall, patch, spread[v], hold[v]));
   }
 }
 

@@ -5,18 +5,11 @@
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/model/build_surface.h"
+#include "palpate/sim/model/private/prism_shear.h"
 #include "palpate/sim/model/private/surface_particles.h"
 
 namespace palpate {
 namespace {
-
-/// [-] Of a wall's shear stiffness what counts, as its shear is not the same throughout.
-constexpr double kShearShare = 5.0 / 6.0;
-
-/// [-] Flat triangles cannot follow a bent wall without shear of their own, which would lock a thin
-/// one. Their shear stiffness is therefore h²/(h² + 0.1 l²) of the wall's, l the longest side,
-/// and comes to all of it as the mesh gets finer [LylyStenbergVihinen93].
-constexpr double kUnlocking = 0.1;
 
 /// [-] Of the outer triangle's area that the inner one must have.
 constexpr double kLeastArea = 0.1;
@@ -111,7 +104,7 @@ void add_prism(const SurfaceMesh& mesh, std::size_t t, const Material& material,
   for (int c = 0; c < 3; ++c) side[c] = distance(3 + (c + 1) % 3, 3 + (c + 2) % 3);
   const double longest = *std::ranges::max_element(side), h = *material.wall_thickness;
   const double shear = material.young_modulus / (2.0 * (1.0 + material.poisson_ratio));
-  const double unlocked = h * h / (h * h + kUnlocking * longest * longest);
+  const double unlocked = find_unlocked_shear(h, longest);
   const double area = compute_area_vector(mesh.vertices, outer).norm();
   const double energy = 2.0 / 3.0 * area * kShearShare * shear * h * unlocked * scale;
   std::array<double, 3> difference, stiffness, damping;

@@ -17,6 +17,7 @@ from palpate.scene.scene_parts import (
     KINDS,
     ORIGINS,
     SPRING_RULES,
+    WITH_NEAR_FIELD,
     ModelPart,
 )
 
@@ -339,7 +340,7 @@ VALUE_NAMES = {
 KINDS_OF_LAWS = {
     "angle_law": MOLECULAR,
     "constants": SURFACES,
-    "contact_law": FILLED,
+    "contact_law": WITH_NEAR_FIELD,
     "damping_law": LINKED,
     "spring_rule": ("mass_spring",),
 }

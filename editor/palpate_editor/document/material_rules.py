@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import hypot
 
-from palpate.scene.scene_parts import FILLED
+from palpate.scene.scene_parts import FILLED, WITH_NEAR_FIELD
 
 from palpate_editor.document.constants import CHOICES, CONSTANTS, SURFACES
 from palpate_editor.document.organ import Organ
@@ -59,7 +59,7 @@ def find_material_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
     yield from find_gravity_problems(organ, facts.tissue)
     yield from find_poisson_problems(organ, facts.tissue)
     edge, radius = facts.surface.mean_edge, organ.tool.radius
-    near_field = organ.model.kind in FILLED and organ.model.contact_law == "near_field"
+    near_field = organ.model.kind in WITH_NEAR_FIELD and organ.model.contact_law == "near_field"
     if not near_field and 0.0 < radius < EDGES_PER_RADIUS * edge:
         yield Problem(
             "small_tip",

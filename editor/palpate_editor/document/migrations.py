@@ -77,6 +77,14 @@ def keep_filling(content: Json, arrays: Arrays) -> tuple[Json, Arrays]:
     return content, arrays
 
 
+def keep_hard_walls(content: Json, arrays: Arrays) -> tuple[Json, Arrays]:
+    """Version 10 has the near field of walls; before, they were felt by the hard law, whatever the
+    file said."""
+    if content["model"].get("kind") == "shell":
+        content["model"] |= {"contact_law": "hard"}
+    return content, arrays
+
+
 MIGRATIONS: dict[int, Callable[[Json, Arrays], tuple[Json, Arrays]]] = {
     1: choose_constants,
     2: choose_filling,
@@ -84,6 +92,7 @@ MIGRATIONS: dict[int, Callable[[Json, Arrays], tuple[Json, Arrays]]] = {
     4: name_appearance,
     6: keep_hard_contact,
     8: keep_filling,
+    9: keep_hard_walls,
 }
 """Version -> what makes of a document of that version one of the next, beside the new fields."""
 

@@ -2343,8 +2343,8 @@ Beklenen: {expected}.</translation>
         <translation>Dokudaki gibi hissedilsin</translation>
     </message>
     <message>
-        <source>Contact as on the mesh, which files of before have, lets the tetrahedra be felt. A hand that presses {depth} deep feels by either law:</source>
-        <translation>Önceki dosyaların yasası olan ağdaki gibi temas, dörtyüzlüleri hissettirir. {depth} derine basan elin iki yasayla duyduğu:</translation>
+        <source>Contact as on the mesh, which files of before have, lets the mesh be felt. A hand that presses {depth} deep feels by either law:</source>
+        <translation>Önceki dosyaların yasası olan ağdaki gibi temas, ağı hissettirir. {depth} derine basan elin iki yasayla duyduğu:</translation>
     </message>
     <message>
         <source>Place [mm]</source>

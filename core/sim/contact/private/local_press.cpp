@@ -56,4 +56,18 @@ double LocalPress::find_depth(double depth, double area) const noexcept {
   return depth / y;
 }
 
+/// F rises with s, so there is one root; both bounds that begin are above it, and from above Newton
+/// comes down to it.
+double LocalPress::find_depth_on(double depth, double more) const noexcept {
+  if (!(depth > 0.0)) return 0.0;
+  const double whole = more * compute_force(depth);
+  double s = whole > depth ? depth * std::cbrt(depth / whole * (depth / whole)) : depth;
+  for (int i = 0; i < 12; ++i) {
+    const double step = (s + more * compute_force(s) - depth) / (1.0 + more * compute_slope(s));
+    s = std::clamp(s - step, 1e-3 * s, depth);
+    if (std::abs(step) < 1e-12 * depth) break;
+  }
+  return s;
+}
+
 }  // namespace palpate

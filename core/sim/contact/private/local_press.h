@@ -32,6 +32,8 @@ struct LocalPress {
   /// [m] s, where the ball cuts triangles on `area` [m²] in all. dC is that of the patch as it is,
   /// and goes as one over its radius.
   double find_depth(double depth, double area) const noexcept;
+  /// [m] s, where the mesh has left the tissue to give way by `more` [m/N]: s + more F(s) = depth.
+  double find_depth_on(double depth, double more) const noexcept;
 };
 
 }  // namespace palpate

@@ -72,14 +72,15 @@ MeshResponse compute_response(const TouchedSurface& surface, const NearContacts&
 /// A force F_j at the distance D moves a half space by F_j/(pi E* D) [Boussinesq85], and the body
 /// by its far compliance more; the mesh has moved by vᵀ G w of that. Where it has less, the dent is
 /// shallower than it looks. Contacts farther away than G reaches are left to the mesh, as are those
-/// on another side of the body.
+/// on another side of the body. A wall's far compliance is not the same all around, and its prisms
+/// bend as it does: it is left to them.
 void find_crossings(const Tool& tool, const TouchedSurface& surface,
                     NearContacts& contacts) noexcept {
   const NearField& near = *surface.near;
   for (std::size_t j = 0; j < surface.others.size(); ++j) {
     const NearContacts& other = *surface.others[j];
     contacts.cross[j] = 0.0;
-    if (!(other.force > 0.0)) continue;
+    if (!(other.force > 0.0) || near.wall_thickness > 0.0) continue;
     const MeshResponse mesh = compute_response(surface, other, contacts);
     const double distance = std::max((contacts.middle - other.middle).norm(), 2.0 * tool.radius);
     const double far = 0.5 * (contacts.far_compliance + other.far_compliance);

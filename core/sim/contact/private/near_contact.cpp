@@ -12,8 +12,9 @@
 namespace palpate {
 namespace {
 
-/// What a mesh may make of the pressures, either way.
-constexpr double kLeastGain = 0.3, kMostGain = 12.0;
+/// What a mesh may make of the pressures, either way. Under a wall that bends between its vertices
+/// they may be next to nothing.
+constexpr double kLeastGain = 0.3, kLeastWallGain = 1e-4, kMostGain = 12.0;
 
 /// Parts of the radius: what of a ball is left in the triangles when it is lifted off them, and by
 /// how much it is lifted at most.
@@ -75,15 +76,27 @@ struct Dent {
   double part;
 };
 
+/// [m] How far the ball goes into the triangles, where it does so farthest.
+double find_deepest(const Tool& tool, const NearContacts& contacts) noexcept {
+  double deepest = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
+    deepest = std::max(deepest, tool.radius - contacts.closest[i].distance);
+  }
+  return deepest;
+}
+
 /// Of one dent: the ball's lowest point, along the mean normal, below the centre of pressure, and
 /// the pressures in all. Of several planes: the mean below each, and the force on a whole one. The
 /// half space has F(s) at the depth s, of which the mesh has left that. Pressures are those of the
 /// ball that is lifted off the triangles; the force is that of the ball where it is, less what
-/// others have `sunk` [m] the tissue there.
+/// others have `sunk` [m] the tissue there. The dent in a wall is small beside the ridges between
+/// its triangles, so that it is measured from where the ball touches them first.
 NearGain find_gain(const NearField& near, const Tool& tool, const Patch& patch, double sunk,
                    const NearContacts& contacts) noexcept {
   const Dent dent(patch);
-  const double below = tool.radius + patch.centre.dot(dent.normal) / patch.force;
+  const bool wall = near.wall_thickness > 0.0;
+  const double below = wall ? find_deepest(tool, contacts)
+                            : tool.radius + patch.centre.dot(dent.normal) / patch.force;
   const double left_in = dent.part * below + (1.0 - dent.part) * patch.depth / patch.force;
   const double pressed = dent.part * patch.force + (1.0 - dent.part) * patch.whole / patch.force;
   const double lifted = contacts.lift.dot(dent.normal);
@@ -96,11 +109,16 @@ NearGain find_gain(const NearField& near, const Tool& tool, const Patch& patch, 
   // as much as all of it would be a press that nothing resists
   const double depth = std::clamp(seen - sunk, kLeastLeft * seen, seen / kLeastLeft);
   const double wider = measure_cut(tool.radius, depth) / measure_cut(tool.radius, on_mesh);
-  const double s = press.find_depth(depth, patch.area * wider);
+  const bool bends = wall && contacts.mesh_compliance < 0.0;
+  const double s = bends ? press.find_depth_on(depth, -contacts.mesh_compliance)
+                         : press.find_depth(depth, patch.area * wider);
+  const double slope =
+      bends ? press.compute_slope(s) / (1.0 - contacts.mesh_compliance * press.compute_slope(s))
+            : press.compute_slope(s) * s / depth;
   NearGain gain;
-  gain.force = std::clamp(press.compute_force(s) / pressed, kLeastGain, kMostGain);
-  gain.slope = std::clamp(press.compute_slope(s) * s / (depth * flat.compute_slope(on_mesh)),
-                          gain.force, 10.0 * kMostGain);
+  gain.force =
+      std::clamp(press.compute_force(s) / pressed, wall ? kLeastWallGain : kLeastGain, kMostGain);
+  gain.slope = std::clamp(slope / flat.compute_slope(on_mesh), gain.force, 10.0 * kMostGain);
   return gain;
 }
 
@@ -110,11 +128,8 @@ NearGain find_gain(const NearField& near, const Tool& tool, const Patch& patch, 
 Vec3 choose_lift(const Tool& tool, const Patch& patch, const NearContacts& contacts) noexcept {
   if (!(patch.force > 0.0)) return Vec3::Zero();
   const Dent dent(patch);
-  double deepest = 0.0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
-    deepest = std::max(deepest, tool.radius - contacts.closest[i].distance);
-  }
-  const double beyond = deepest + contacts.lift.dot(dent.normal) - kLeftIn * tool.radius;
+  const double beyond =
+      find_deepest(tool, contacts) + contacts.lift.dot(dent.normal) - kLeftIn * tool.radius;
   const Vec3 normal = (dent.normal - contacts.force * contacts.tilt).normalized();
   return dent.part * std::clamp(beyond, 0.0, kMostLift * tool.radius) * normal;
 }

@@ -53,7 +53,7 @@ class ContactOffer(QWidget):
             return
         self.lead.setText(
             tr(
-                "Contact as on the mesh, which files of before have, lets the tetrahedra be felt. "
+                "Contact as on the mesh, which files of before have, lets the mesh be felt. "
                 "A hand that presses {depth} deep feels by either law:"
             ).format(depth=quantity(1e3 * trial.depth, "mm"))
         )
