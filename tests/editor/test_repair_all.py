@@ -121,3 +121,14 @@ def test_the_verb_does_the_same_and_a_dry_run_writes_nothing(tmp_path, capsys):
     assert find_fault("sphere", "crossed", read_organ(out)) == ""
     assert main(["repair", str(path), "--all"]) == 1
     assert "--dry-run" in capsys.readouterr().err
+
+
+def test_a_wrap_that_gave_up_is_told(monkeypatch):
+    x, t = SHAPES["torus"]()
+    spiral = np.concatenate([x, x[:, [2, 0, 1]]])
+    organ = organ_of(spiral, np.concatenate([t, t[:-1] + len(x)]))
+    monkeypatch.setattr("palpate_editor.edits.wrap.SECONDS", 0.0)
+
+    left = climb(replace(organ, material=replace(organ.material, wall_thickness=0.002))).left
+
+    assert any("was not finished in 0 s" in text for text in left), left

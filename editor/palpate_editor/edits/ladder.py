@@ -224,6 +224,7 @@ def climb(organ: Organ, tell: Tell = lambda title: None) -> Climb:
     guarded.Cancelled once it is no longer wanted."""
     state = State.of(organ)
     rungs: list[Rung] = []
+    gave_up: list[Phrase] = []
     for choose in RUNGS:
         check_wanted()
         edit = choose(state)
@@ -232,11 +233,13 @@ def climb(organ: Organ, tell: Tell = lambda title: None) -> Climb:
         tell(edit.title)
         try:
             after = edit(state.organ)
-        except EditError:
-            continue  # what it leaves is told at the end
+        except EditError as refused:
+            # what other rungs leave is told by what the surface is like in the end
+            gave_up += [refused.sentence] if isinstance(edit, Wrap) else []
+            continue
         rungs.append(Rung(edit.title, tuple(say_rung(state.organ, after))))
         state = State.of(after)
-    return Climb(state.organ, tuple(rungs), tuple(find_left(state)))
+    return Climb(state.organ, tuple(rungs), (*find_left(state), *gave_up))
 
 
 def say_rung(before: Organ, after: Organ) -> Iterator[Phrase]:
