@@ -65,8 +65,8 @@ def say_change(change: SurfaceChange) -> list[Phrase]:
         phrase(
             "no point further than {to:.3g} mm from the surface before, nor it than {back:.3g} mm "
             "from the new one",
-            to=1e3 * change.to_before,
-            back=1e3 * change.from_before,
+            to=round(1e3 * change.to_before, 6),
+            back=round(1e3 * change.from_before, 6),
         )
     )
     return said

@@ -214,7 +214,9 @@ def test_repair_all_is_shown_before_it_is_applied_and_is_one_undo(qtbot, broken,
     settle(qtbot, broken)
 
     assert broken.session.organ is before and broken.context.previewing
+    assert "Drop fins\n" in panel.card.text.text()
     assert "1 edges with more than two triangles, now 0" in panel.card.text.text()
+    assert child(broken, "smooth").height() >= child(broken, "smooth").sizeHint().height()
     assert panel.card.isVisible()
     folder = checkout / "build" / "screenshots"
     folder.mkdir(parents=True, exist_ok=True)

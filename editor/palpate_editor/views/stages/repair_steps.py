@@ -94,6 +94,8 @@ class RepairSteps(QWidget):
     ) -> QPushButton:
         button = QPushButton(text, self)
         button.setObjectName(name)
+        # a panel that is short of room must scroll, not press them flat
+        button.setMinimumHeight(button.sizeHint().height())
         button.clicked.connect(lambda: self.attempt(make()))
         row = self.grid.rowCount()
         self.grid.addWidget(button, row, 0)
@@ -102,6 +104,7 @@ class RepairSteps(QWidget):
         return button
 
     def place(self, field: QWidget, unit: str, row: int) -> None:
+        field.setMinimumHeight(field.sizeHint().height())
         self.grid.addWidget(field, row, 1)
         if unit:
             self.grid.addWidget(write_label(unit, "name", self), row, 2)

@@ -86,7 +86,7 @@ def say_step(step: Step) -> str:
     """Rung by rung, what each did; then what is left."""
     lines = []
     for rung in step.rungs:
-        if len(step.rungs) > 1 or not rung.did:
+        if rung.title != step.edit.title or not rung.did:
             lines.append(say_title(rung.title))
         lines += [f"\N{BULLET} {say(text)}" for text in rung.did]
     if step.left:
