@@ -75,7 +75,8 @@ def rebuild(organ: Organ, steps: Sequence[Step], file: Path) -> Organ:
             raise Refusal(
                 file, step.place, f"{type(step.edit).__name__}: {wrong}", expected
             ) from None
-    return made
+    # the very lines that were done: an edit that has got another value since would write it down
+    return replace(made, history=replace(history, lines=history.lines[: len(steps)]))
 
 
 def read_again(steps: Sequence[Step], original: Path, file: Path) -> list[Step]:

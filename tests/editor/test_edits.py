@@ -282,6 +282,7 @@ REFUSED = [
     (edits.SetName("\udcff"), SPLEEN, "cannot be written"),
     (edits.SetTask("x" * 201), SPLEEN, "title: got 201 bytes"),
     (edits.SetTask(task="ı" * 10001), SPLEEN, "task: got 20002 bytes"),
+    (edits.DecimateTo(50, 1e-5), SPLEEN, "mm from the source, not within 0.01 mm"),
 ]
 
 

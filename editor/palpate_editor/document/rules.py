@@ -26,6 +26,8 @@ published: a unit is wrong by ten, or by two and a half where it is inches."""
 MOST_CROSSING = 0.02
 """[-] of its triangles may cross others: small folds, which decimation and smoothing mostly take
 out. More of them are parts that lie inside each other."""
+FAR = 0.03
+"""[-] Of the diagonal: how far a decimated surface may be from its source."""
 ANGLE_LEAST = 15.0
 """[degree] Needles make a model stiff and its stretch-bend range collapse [laws: degenerate]."""
 
@@ -190,6 +192,25 @@ def find_hole_problems(found: SurfaceFacts) -> Iterator[Problem]:
         )
 
 
+def find_distance_problems(organ: Organ, diagonal: float) -> Iterator[Problem]:
+    """Whether a decimated surface is still that of the organ."""
+    done = organ.decimation
+    if done is None or done.max_distance <= FAR * diagonal:
+        return
+    yield Problem(
+        "far",
+        "warning",
+        "decimate",
+        "surface",
+        phrase("{distance:.2f} mm from the source", distance=1e3 * done.max_distance),
+        phrase(
+            "at most {most:.2f} mm, {share:.0%} of its size: keep more vertices",
+            most=1e3 * FAR * diagonal,
+            share=FAR,
+        ),
+    )
+
+
 def find_decimate_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
     if facts.surface is None:
         return
@@ -201,8 +222,11 @@ def find_decimate_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
             "decimate",
             "surface",
             phrase("a smallest angle of {angle:.1f} degrees", angle=angle),
-            phrase("at least {least:g}: decimate again", least=ANGLE_LEAST),
+            phrase("at least {least:g}: decimate it", least=ANGLE_LEAST)
+            if organ.decimation is None
+            else phrase("at least {least:g}: keep more vertices", least=ANGLE_LEAST),
         )
+    yield from find_distance_problems(organ, facts.surface.diagonal)
     if organ.vertex_count > MOST_PARTICLES:
         yield Problem(
             "too_many",

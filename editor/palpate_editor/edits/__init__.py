@@ -11,7 +11,13 @@ from palpate_editor.edits.appearance import SetAppearance
 from palpate_editor.edits.clean import CleanUp, DropPieces, Smooth, StitchBorders
 from palpate_editor.edits.configure import Configure
 from palpate_editor.edits.crossings import RemoveCrossings
-from palpate_editor.edits.decimate import Decimate, DecimateTo, UseImported, decimate_organ
+from palpate_editor.edits.decimate import (
+    Decimate,
+    DecimateTo,
+    UseImported,
+    decimate_organ,
+    decimate_within,
+)
 from palpate_editor.edits.edit import Edit, EditError
 from palpate_editor.edits.fill_holes import FillHoles
 from palpate_editor.edits.fins import DropFins
@@ -80,6 +86,7 @@ __all__ = [
     "UseImported",
     "Wrap",
     "decimate_organ",
+    "decimate_within",
     "import_file",
     "import_read",
     "prepare",

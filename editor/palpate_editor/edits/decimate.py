@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
@@ -15,6 +16,11 @@ from palpate_editor.edits.carry import carry_paint
 from palpate_editor.edits.edit import EditError, find_surface
 from palpate_editor.edits.repair import find_crowded, find_disagreeing
 
+MOST_TRIES = 16
+"""Counts that are tried for an error."""
+FINE = 0.02
+"""[-] How near the count that is found is to the fewest."""
+
 
 @dataclass(frozen=True, eq=False)
 class Decimate:
@@ -24,15 +30,17 @@ class Decimate:
     """What was decimated: the imported surface."""
     surface: Surface
     decimation: Decimation
+    error: float | None = None
+    """[m] See DecimateTo."""
 
     @property
     def title(self) -> str:
-        return phrase("Decimate to {count} vertices", count=self.decimation.vertices)
+        return self.repeat.title
 
     @property
     def repeat(self) -> DecimateTo:
         """What does it again."""
-        return DecimateTo(self.decimation.vertices)
+        return DecimateTo(self.decimation.vertices, self.error)
 
     def __call__(self, organ: Organ) -> Organ:
         if organ.imported is not self.source:
@@ -42,12 +50,8 @@ class Decimate:
         return replace(carry_paint(organ, self.surface), decimation=self.decimation)
 
 
-def decimate_organ(organ: Organ, vertices: int) -> Decimate:
-    """Decimates the imported surface to exactly `vertices`: seconds for a large one, on any thread.
-
-    Always from the imported surface, so that trying several counts costs no quality.
-    Raises EditError where there is no organ or the count cannot be reached.
-    """
+def find_mendable(organ: Organ) -> Surface:
+    """The imported surface. Raises EditError where there is none, or Repair has to mend it."""
     find_surface(organ)
     source = organ.imported
     assert source is not None
@@ -55,6 +59,16 @@ def decimate_organ(organ: Organ, vertices: int) -> Decimate:
         raise EditError(
             phrase("It cannot be decimated before Repair has mended its surface: see its problems.")
         )
+    return source
+
+
+def decimate_organ(organ: Organ, vertices: int) -> Decimate:
+    """Decimates the imported surface to exactly `vertices`: seconds for a large one, on any thread.
+
+    Always from the imported surface, so that trying several counts costs no quality.
+    Raises EditError where there is no organ or the count cannot be reached.
+    """
+    source = find_mendable(organ)
     try:
         found = authoring.decimate(palpate.SurfaceMesh(source.vertices, source.triangles), vertices)
     except ValueError as problem:
@@ -86,13 +100,74 @@ class DecimateTo:
     """Decimate the imported surface to a number of vertices: seconds for a large one."""
 
     vertices: int
+    error: float | None = None
+    """[m] The distance from the imported surface for which so many were found to be needed."""
 
     @property
     def title(self) -> str:
-        return phrase("Decimate to {count} vertices", count=self.vertices)
+        if self.error is None:
+            return phrase("Decimate to {count} vertices", count=self.vertices)
+        return phrase(
+            "Decimate to {count} vertices, within {error:g} mm",
+            count=self.vertices,
+            error=1e3 * self.error,
+        )
 
     def __call__(self, organ: Organ) -> Organ:
-        return decimate_organ(organ, self.vertices)(organ)
+        edit = decimate_organ(organ, self.vertices)
+        found = edit.decimation.max_distance
+        if self.error is not None and found > self.error:
+            raise EditError(
+                phrase(
+                    "{count} vertices are {found:.4g} mm from the source, not within {error:g} mm.",
+                    count=self.vertices,
+                    found=1e3 * found,
+                    error=1e3 * self.error,
+                )
+            )
+        return replace(edit, error=self.error)(organ)
+
+
+def decimate_within(organ: Organ, error: float) -> Decimate:
+    """Decimates the imported surface to the fewest vertices, within 2 %, that keep every point of
+    both surfaces within `error` [m] of the other: some ten times as long as one count takes.
+
+    Raises EditError where there is no organ, or no coarser surface keeps within.
+    """
+    source = find_mendable(organ)
+    if not (math.isfinite(error) and error > 0.0):
+        raise EditError(phrase("The error must be more than 0 mm, got {got:g}.", got=1e3 * error))
+    low, high = 3, len(source.vertices)
+    best: Decimate | None = None
+    count = round(math.sqrt(low * high))
+    for row in range(MOST_TRIES):
+        found = try_count(organ, count)
+        if found is not None and found.decimation.max_distance <= error:
+            best, high = found, count
+        else:
+            low = count
+        if high - low <= max(1, FINE * high):
+            break
+        count = round(math.sqrt(low * high))
+        if found is not None and row % 2 == 0:  # a distance falls nearly as the count grows
+            count = round(found.decimation.vertices * found.decimation.max_distance / error)
+        count = min(max(count, low + 1), high - 1)
+    if best is None:
+        raise EditError(
+            phrase(
+                "No coarser surface is within {error:g} mm of it: use the imported one.",
+                error=1e3 * error,
+            )
+        )
+    return replace(best, error=error)
+
+
+def try_count(organ: Organ, count: int) -> Decimate | None:
+    """None where it cannot be that coarse."""
+    try:
+        return decimate_organ(organ, count)
+    except EditError:
+        return None
 
 
 @dataclass(frozen=True)

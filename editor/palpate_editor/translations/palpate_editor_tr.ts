@@ -3280,10 +3280,6 @@ Beklenen: {expected}.</translation>
         <translation>en az {edge:.1f} mm olan ortalama kenarın yarısı</translation>
     </message>
     <message>
-        <source>at least {least:g}: decimate again</source>
-        <translation>en az {least:g}: yeniden sadeleştirin</translation>
-    </message>
-    <message>
         <source>at least {low:g}{unit}</source>
         <translation>en az {low:g}{unit}</translation>
     </message>
@@ -4286,6 +4282,40 @@ Beklenen: {expected}.</translation>
     <message>
         <source>The holes cannot be filled: {why}</source>
         <translation>Delikler doldurulamıyor: {why}</translation>
+        <source>Decimate to {count} vertices, within {error:g} mm</source>
+        <translation>{count} köşeye indir, {error:g} mm içinde</translation>
+    </message>
+    <message>
+        <source>{count} vertices are {found:.4g} mm from the source, not within {error:g} mm.</source>
+        <translation>{count} köşe kaynaktan {found:.4g} mm uzak, {error:g} mm içinde değil.</translation>
+    </message>
+    <message>
+        <source>The error must be more than 0 mm, got {got:g}.</source>
+        <translation>Hata 0 mm'den fazla olmalı, verilen {got:g}.</translation>
+    </message>
+    <message>
+        <source>No coarser surface is within {error:g} mm of it: use the imported one.</source>
+        <translation>Daha kaba hiçbir yüzey {error:g} mm içinde kalmıyor: içe aktarılanı kullanın.</translation>
+    </message>
+    <message>
+        <source>at least {least:g}: decimate it</source>
+        <translation>en az {least:g}: seyreltin</translation>
+    </message>
+    <message>
+        <source>at least {least:g}: keep more vertices</source>
+        <translation>en az {least:g}: daha çok köşe bırakın</translation>
+    </message>
+    <message>
+        <source>{distance:.2f} mm from the source</source>
+        <translation>kaynaktan {distance:.2f} mm</translation>
+    </message>
+    <message>
+        <source>at most {most:.2f} mm, {share:.0%} of its size: keep more vertices</source>
+        <translation>en çok {most:.2f} mm, boyunun {share:.0%} kadarı: daha çok köşe bırakın</translation>
+    </message>
+    <message>
+        <source>Decimate to {count} vertices, within {error:g} mm</source>
+        <translation>{count} köşeye indir, {error:g} mm içinde</translation>
     </message>
 </context>
 <context>

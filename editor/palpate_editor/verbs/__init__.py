@@ -9,6 +9,7 @@ from palpate_editor.verbs import (
     calibrate,
     chart,
     check,
+    decimate,
     demo,
     felt,
     mesh,
@@ -26,6 +27,7 @@ from palpate_editor.verbs.editor import EDITOR
 
 VERBS = [
     *mesh.VERBS,
+    *decimate.VERBS,
     *scan.VERBS,
     *tissue.VERBS,
     *tissue_library.VERBS,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The verbs about surfaces: inspect, import, decimate."""
+"""The verbs about mesh files: inspect, import."""
 
 from __future__ import annotations
 
@@ -13,18 +13,15 @@ from palpate.command.verb import Report, Verb, WrongCall
 from palpate_editor import authoring
 from palpate_editor.appearance import write_colour
 from palpate_editor.check import describe_problem, measure_surface, place_problem
-from palpate_editor.document import EMPTY, Decimation, Organ
+from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.problems import Facts
 from palpate_editor.document.rules import find_import_problems, find_repair_problems
-from palpate_editor.edits import EditError, UseImported, decimate_organ, import_read
+from palpate_editor.edits import import_read
 from palpate_editor.verbs.check import describe_problems
+from palpate_editor.verbs.decimate import decimate_to, describe_decimate
 from palpate_editor.verbs.files import (
     OUTPUTS,
-    EditRefusal,
-    ReadFile,
-    apply,
     describe_loops,
-    open_any,
     write_any,
 )
 from palpate_editor.verbs.parts import (
@@ -178,21 +175,6 @@ def list_problems(organ: Organ, facts: Facts) -> list[Report]:
     return [describe_problem(place_problem(p, organ, facts), organ.surface) for p in found]
 
 
-def decimate_to(organ: Organ, vertices: int, file: Path) -> tuple[Organ, Report]:
-    try:
-        edit = decimate_organ(organ, vertices)
-    except EditError as refused:
-        raise EditRefusal(file, "--vertices", str(refused)) from None
-    return edit(organ), report_decimation(edit.decimation)
-
-
-def report_decimation(decimation: Decimation) -> Report:
-    report = asdict(decimation)
-    for name in ("mean_distance", "max_distance"):
-        report[f"{name}_mm"] = 1e3 * report.pop(name)
-    return report
-
-
 def describe_assembly(report: Report) -> str:
     done = report["assembly"] or {}
     if done.get("subtracted"):
@@ -229,43 +211,6 @@ def describe_import(report: Report) -> str:
     return "\n".join(lines)
 
 
-# ---------------------------------------------------------------- decimate
-
-
-def add_decimate(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("file", type=Path, help=".organ, or OBJ written by `palpate import`")
-    target = parser.add_mutually_exclusive_group(required=True)
-    target.add_argument("--vertices", type=int, help="exactly this many")
-    target.add_argument(
-        "--imported", action="store_true", help="use the imported surface of an .organ as it is"
-    )
-    add_output(parser, "--out", "-o", writes=OUTPUTS, required=True, help=".organ or mesh file")
-
-
-def run_decimate(call: argparse.Namespace) -> Report:
-    read = ReadFile.of(call.file)
-    if call.imported:
-        organ = apply(UseImported(), open_any(call.file), call.file, "--imported")
-        read.check(call.out)
-        write_any(call.out, organ)
-        return {"out": str(call.out), "vertices": organ.vertex_count}
-    organ, report = decimate_to(open_any(call.file), call.vertices, call.file)
-    read.check(call.out)
-    write_any(call.out, organ)
-    return {"out": str(call.out), **report}
-
-
-def describe_decimate(report: Report) -> str:
-    if "vertices_before" not in report:
-        return f"the imported surface of {report['vertices']} vertices is used as it is"
-    return (
-        f"decimated {report['vertices_before']} / {report['triangles_before']} to "
-        f"{report['vertices']} / {report['triangles']}; smallest angle "
-        f"{report['smallest_angle_deg']:.1f} degrees; {report['mean_distance_mm']:.3f} mm from the "
-        f"source on average, {report['max_distance_mm']:.3f} mm at most"
-    )
-
-
 VERBS = [
     Verb(
         "inspect",
@@ -282,13 +227,5 @@ VERBS = [
         add_import,
         run_import,
         describe_import,
-    ),
-    Verb(
-        "decimate",
-        "reduce a surface to an exact vertex count with well-shaped triangles",
-        "palpate decimate spleen.organ --vertices 600 -o spleen.organ",
-        add_decimate,
-        run_decimate,
-        describe_decimate,
     ),
 ]

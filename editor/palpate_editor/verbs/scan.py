@@ -24,8 +24,9 @@ from palpate_editor.scan import (
     read_range,
     read_scan,
 )
+from palpate_editor.verbs.decimate import decimate_to, describe_decimate
 from palpate_editor.verbs.files import OUTPUTS, write_any
-from palpate_editor.verbs.mesh import UNITS, decimate_to, describe_decimate
+from palpate_editor.verbs.mesh import UNITS
 
 
 def read_threshold(text: str) -> tuple[float | None, float | None]:

@@ -138,7 +138,10 @@ def decimate_arguments(edit: Decimate, organ: Organ, document: Path | str) -> Ar
 
 def count_arguments(edit: DecimateTo, organ: Organ, document: Path | str) -> Arguments:
     del organ
-    return ["palpate", "decimate", document, "--vertices", edit.vertices, "-o", document]
+    target: Arguments = ["--vertices", edit.vertices]
+    if edit.error is not None:
+        target = ["--error", f"{edit.error:.12g}m"]
+    return ["palpate", "decimate", document, *target, "-o", document]
 
 
 def repair_arguments(problem: str) -> Callable[[Any, Organ, Path | str], Arguments]:

@@ -21,6 +21,7 @@ from palpate_editor.edits import (
 )
 from palpate_editor.edits.import_mesh import BESIDE, Assembling
 from palpate_editor.edits.part_list import Part, list_parts
+from palpate_editor.felt_change import FeltChange, measure_felt_change
 from palpate_editor.guarded import stopping
 from palpate_editor.views.context import Context
 from palpate_editor.views.jobs import Progress
@@ -98,12 +99,12 @@ class DecimateWork:
     organ: Organ
     vertices: int
 
-    def __call__(self, progress: Progress) -> Prepared:
+    def __call__(self, progress: Progress) -> tuple[Prepared, FeltChange]:
         text = tr("Decimating to {count} vertices").format(count=self.vertices)
         progress(text, 0.15)
-        edit = decimate_organ(self.organ, self.vertices)
-        progress(text, 0.8)
-        return prepare(edit, self.organ)
+        prepared = prepare(decimate_organ(self.organ, self.vertices), self.organ)
+        progress(tr("Pressing it before and after"), 0.6)
+        return prepared, measure_felt_change(self.organ, prepared.after)
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,6 +125,8 @@ class Tasks(QObject):
 
     read = Signal(object)
     """A Reading, whether or not it could be imported."""
+    felt = Signal(object, object)
+    """The organ that was decimated, and the FeltChange of that."""
 
     def __init__(self, context: Context, parent: QObject | None = None):
         super().__init__(parent)
@@ -221,7 +224,12 @@ class Tasks(QObject):
         if self.is_busy():
             return
         work = DecimateWork(self.context.session.organ, vertices)
-        self.context.jobs.start(tr("Decimating"), work, self.context.apply, self.context.refuse)
+        self.context.jobs.start(tr("Decimating"), work, self.on_decimated, self.context.refuse)
+
+    def on_decimated(self, found: tuple[Prepared, FeltChange]) -> None:
+        prepared, change = found
+        if self.context.apply(prepared):
+            self.felt.emit(self.context.session.organ, change)
 
     def apply_slowly(self, edit: Edit) -> None:
         """Applies an edit whose work takes long for a large organ."""

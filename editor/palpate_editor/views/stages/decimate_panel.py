@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from palpate.runs.trial import DEPTH
 from palpate.viewport.tone import set_tone
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -14,19 +15,23 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from palpate_editor.compile import is_built_alike
 from palpate_editor.document import Decimation, Organ
 from palpate_editor.document.cost_rules import TICK_SHARE
 from palpate_editor.edits import UseImported
+from palpate_editor.felt_change import FeltChange
 from palpate_editor.views.context import Context
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.stages.stage_panel import StagePanel, Workers
 from palpate_editor.views.tasks import Tasks
-from palpate_editor.views.translations import count, number, quantity, tr
+from palpate_editor.views.translations import count, number, quantity, say, tr
 
 LEAST, STEP = 12, 100
 PRESETS = (600, 1200, 2400, 5400)
 GOOD_ANGLE = 15.0
 """[degree] below it a warning is given."""
+LITTLE = 0.1
+"""[-] Of the felt force, by which decimating may change it without a warning."""
 
 
 class DecimatePanel(StagePanel):
@@ -97,6 +102,7 @@ class DecimatePanel(StagePanel):
         self.undo_button.setObjectName("use_imported")
         self.undo_button.clicked.connect(self.use_imported)
         self.form.addWidget(self.undo_button)
+        self.tasks.felt.connect(self.show_felt)
 
     def build_table(self) -> None:
         self.result = self.section(tr("Before and after"))
@@ -108,6 +114,7 @@ class DecimatePanel(StagePanel):
             self.grid.addWidget(write_label(title, "name", self), 0, column)
         names = (tr("Vertices"), tr("Triangles"), tr("Smallest angle"))
         names += (tr("Mean distance to the source"), tr("Largest distance"))
+        names += (tr("Felt at {depth}").format(depth=quantity(1e3 * DEPTH, "mm", 2)),)
         self.cells: list[tuple[QLabel, QLabel]] = []
         for row, name in enumerate(names, start=1):
             before, after = write_label("", "value", self), write_label("", "value", self)
@@ -116,6 +123,12 @@ class DecimatePanel(StagePanel):
             self.grid.addWidget(after, row, 2)
             self.cells.append((before, after))
         self.result.body.addLayout(self.grid)
+        self.felt: tuple[Organ, FeltChange] | None = None
+        """Of the decimation that was done last, while its organ is built as it was."""
+        self.felt_words = write_label("", "note", self)
+        self.felt_words.setObjectName("felt_change")
+        self.felt_words.setWordWrap(True)
+        self.result.add(self.felt_words)
         self.coloured = QCheckBox(tr("Show the distance as colours"), self)
         self.coloured.setObjectName("distance_colours")
         self.coloured.setChecked(True)
@@ -148,6 +161,31 @@ class DecimatePanel(StagePanel):
         self.write(1, count(len(imported.triangles)), count(triangles))
         self.write(3, "", quantity(1e3 * done.mean_distance, "mm", 3) if done else "–")
         self.write(4, "", quantity(1e3 * done.max_distance, "mm", 3) if done else "–")
+
+        self.write_felt(organ)
+
+    def show_felt(self, organ: Organ, change: FeltChange) -> None:
+        self.felt = (organ, change)
+        self.write_felt(self.context.session.organ)
+
+    def write_felt(self, organ: Organ) -> None:
+        """What is felt before and after, as long as nothing that is felt has changed since."""
+        known = self.felt is not None and is_built_alike(self.felt[0], organ)
+        if self.felt is None or not known:
+            self.write(5, "", "–")
+            self.felt_words.setVisible(False)
+            return
+        change = self.felt[1]
+        places = [p for p in change.places if p.before is not None and p.after is not None]
+        if places:
+            before = sum(p.before or 0.0 for p in places) / len(places)
+            after = sum(p.after or 0.0 for p in places) / len(places)
+            self.write(5, quantity(1e3 * before, "mN", 3), quantity(1e3 * after, "mN", 3))
+        self.felt_words.setText(say_felt(change))
+        self.felt_words.setVisible(True)
+        largest = change.largest
+        if largest is not None:
+            set_tone(self.cells[5][1], "good" if abs(largest) <= LITTLE else "warning")
 
     def show_assessment(self) -> None:
         assessment = self.context.assessment
@@ -198,3 +236,15 @@ class DecimatePanel(StagePanel):
 
 def degrees(angle: float | None) -> str:
     return "–" if angle is None else f"{number(angle, 3)}°"
+
+
+def say_felt(change: FeltChange) -> str:
+    """In a sentence, which place has changed most."""
+    if change.untold:
+        return tr("What is felt was not compared: {reason}").format(reason=say(change.untold))
+    largest = change.largest
+    if largest is None:
+        return tr("Nothing was felt at the places that were pressed.")
+    return tr("Pressed at {places} places: by {change} at most.").format(
+        places=count(len(change.places)), change=f"{100.0 * largest:+.1f} %"
+    )

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is felt of an organ before and after it was decimated."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from organs import make_organ, surface_of
+from palpate.cli.main import main
+from palpate_editor.document import EMPTY, Organ, Surface
+from palpate_editor.document.files import write_organ
+from palpate_editor.edits import DecimateTo, FixLowest, PaintStiffness
+from palpate_editor.felt_change import measure_felt_change
+from palpate_editor.shipped import make_organ as make_shipped
+
+SOLIDS = ("kidney", "liver", "spleen")
+MOST_CHANGE, MOST_AT_A_PLACE = 0.06, 0.15
+"""[-] Of the felt force: at all places together, and at one, where a vertex or the middle of a
+triangle comes to lie under the tip."""
+
+
+def make_springs(vertices: int = 600) -> Organ:
+    """A ball of springs that rests on a table."""
+    surface = surface_of(vertices)
+    return FixLowest(0.1)(replace(EMPTY.with_surface(surface), imported=surface))
+
+
+def test_an_organ_is_felt_as_itself():
+    organ = make_springs()
+
+    change = measure_felt_change(organ, organ)
+
+    assert len(change.places) == 5 and change.depth == 3e-3 and not change.untold
+    assert all(place.before == place.after and place.before > 0.01 for place in change.places)
+    assert change.largest == 0.0
+
+
+def test_an_organ_twice_as_stiff_is_told_from_one_that_is_not():
+    organ = make_springs()
+    stiff = PaintStiffness(range(600), 2.0)(organ)
+
+    change = measure_felt_change(organ, stiff)
+
+    assert change.largest is not None and change.largest > 0.2
+    assert all(p.change == p.after / p.before - 1.0 for p in change.places)
+
+
+def test_places_are_away_from_what_is_held():
+    organ = make_springs()
+
+    change = measure_felt_change(organ, organ)
+
+    held = organ.surface.vertices[organ.fixed]
+    for place in change.places:
+        away = np.linalg.norm(held - place.point, axis=1).min()
+        assert away >= 3.0 * organ.tool.radius
+
+
+def test_an_organ_that_cannot_be_built_is_not_pressed_and_says_why():
+    organ = replace(make_springs(), surface=Surface(surface_of(600).vertices, [[0, 1, 2]]))
+
+    change = measure_felt_change(organ, organ)
+
+    assert change.places == () and change.largest is None
+    assert change.untold.startswith("it cannot be built yet: ")
+
+
+def test_an_organ_smaller_than_a_press_is_not_pressed():
+    surface = surface_of(60)
+    tiny = make_organ(imported=None)
+    tiny = replace(tiny, surface=Surface(1e-2 * surface.vertices, surface.triangles))
+    tiny = replace(tiny, tissues=())
+
+    assert measure_felt_change(tiny, tiny).untold == "it is too small to be pressed"
+
+
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(n, marks=[] if n == "spleen" else [pytest.mark.landing]) for n in SOLIDS],
+)
+def test_a_shipped_solid_of_half_as_many_vertices_is_felt_alike(name):
+    organ = make_shipped(name)
+
+    change = measure_felt_change(organ, DecimateTo(organ.vertex_count // 2)(organ))
+
+    assert len(change.places) == 5
+    assert all(abs(place.change) < MOST_AT_A_PLACE for place in change.places)
+    assert abs(change.mean) < MOST_CHANGE
+
+
+def test_the_verb_presses_before_and_after_and_says_both(tmp_path, capsys):
+    path, out = tmp_path / "a.organ", tmp_path / "b.organ"
+    write_organ(path, make_springs(300))
+
+    assert main(["decimate", str(path), "--vertices", "150", "-o", str(out), "--json"]) == 0
+
+    report = json.loads(capsys.readouterr().out)
+    places = report["felt"]["places"]
+    assert len(places) == 5 and report["felt"]["untold"] is None
+    largest = max((place["change"] for place in places), key=abs)
+    assert report["felt"]["largest_change"] == largest
+    assert main(["decimate", str(path), "--vertices", "150", "-o", str(out)]) == 0
+    said = capsys.readouterr().out
+    assert "felt 3 mm deep, before and after:" in said and f"{largest:+.1%}" in said
+
+
+def test_the_verb_need_not_press(tmp_path, capsys):
+    path = tmp_path / "a.organ"
+    write_organ(path, make_springs(300))
+    words = ["decimate", str(path), "-o", str(path)]
+
+    assert main([*words, "--vertices", "150", "--no-felt"]) == 0
+    assert "felt" not in capsys.readouterr().out
+    assert main([*words, "--imported", "--no-felt"]) == 2
+    assert "--no-felt has no effect beside --imported" in capsys.readouterr().err
