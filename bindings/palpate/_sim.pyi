@@ -2142,14 +2142,18 @@ class NearField:
     def __reduce_ex__(self, protocol: int) -> object:
         """Raises TypeError: not to be pickled."""
 
-def build_near_field(model: TissueModel, modulus: float, radius: float) -> NearField:
+def build_near_field(
+    model: TissueModel, modulus: float, radius: float, far: ArrayLike = ...
+) -> NearField:
     """The near field of a model touched by balls of up to radius [m]; modulus [Pa] is E / (1 -
-    nu²). Solves for a unit force on each vertex of the surface. Raises ValueError for
-    numbers that are not positive.
+    nu²). Solves for a unit force on each vertex of the surface. far [m/N] is the far
+    compliance of each vertex; where it is empty, that of this mesh is found. Raises
+    ValueError for numbers that are not positive.
 
     Args:
         modulus: [Pa] E / (1 - nu²) of the tissue
         radius: [m]
+        far: [m/N] shape (n,), far compliance per vertex of the surface; empty: of the mesh
     """
 
 CANDIDATE_MARGIN: float
@@ -2668,6 +2672,7 @@ class SoftBody:
         simd_target: str = ...,
         contact_modulus: float = ...,
         iterations: int = ...,
+        far_compliance: ArrayLike = ...,
     ) -> None:
         """Copies its tissue.
 
@@ -2703,6 +2708,14 @@ class SoftBody:
     of its triangles; 0: by the hard law alone.
     """
     @property
+    def far_compliance(self) -> NDArray[np.float64]:
+        """[m/N] per vertex of the surface, shape (n,): how much more the body gives way than a
+        half space, solved on a finer mesh than this; empty: that of this mesh, found by
+        build_scene. Reads as a read-only copy: assign a new array to change it.
+        """
+    @far_compliance.setter
+    def far_compliance(self, value: ArrayLike) -> None: ...
+    @property
     def rest_areas(self) -> NDArray[np.float64]:
         """[m²] per triangle, shape (t,), filled in by build_scene; a view, read-only."""
     @property
@@ -2726,7 +2739,7 @@ class SoftBody:
         """A copy of its own."""
     def __getstate__(
         self, /
-    ) -> tuple[object, object, object, object, object, object, object, object, object]: ...
+    ) -> tuple[object, object, object, object, object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """What it is, on one line."""

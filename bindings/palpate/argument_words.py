@@ -28,6 +28,7 @@ WORDS = {
     "drag": "[1/s]",
     "dt": "[s]",
     "f": "[N] shape (n, 3), float64, C order, written to",
+    "far": "[m/N] shape (n, 6): xx, yy, zz, xy, yz, zx per vertex; empty: that of the mesh",
     "force": "[N] shape (3,)",
     "frames": "the key frames of the script, in order",
     "from_": "[m] shape (3,)",

@@ -209,6 +209,10 @@ inline std::vector<std::array<double, 4>> copy_quads(const Numbers& argument, co
   return copy_rows<double, 4>(argument, name, [](double value) { return value; });
 }
 
+inline std::vector<std::array<double, 6>> copy_tensors(const Numbers& argument, const char* name) {
+  return copy_rows<double, 6>(argument, name, [](double value) { return value; });
+}
+
 /// A property that is a view of a table: its numbers may be written, its length may not change.
 template <class Class, class T, class Of>
 void def_view(Class& cls, const char* name, std::vector<T> Of::*member, const char* doc) {

@@ -321,10 +321,15 @@ void bind_near_field(py::module_& m) {
       "[m/N] of the mesh, shape (k,): what a vertex moves along its normal under 1 N along that "
       "of a neighbour; a view, read-only.");
   m.def(
-      "build_near_field", &build_near_field, "model"_a, "modulus"_a, "radius"_a,
-      py::call_guard<py::gil_scoped_release>(),
+      "build_near_field",
+      [](const TissueModel& model, double modulus, double radius, const Numbers& far) {
+        return build_near_field(model, modulus, radius, copy_tensors(far, "far"));
+      },
+      "model"_a, "modulus"_a, "radius"_a, "far"_a = py::tuple(),
       "The near field of a model touched by balls of up to radius [m]; modulus [Pa] is E / (1 - "
-      "nu²). Solves for a unit force on each vertex of the surface. Raises ValueError for numbers "
+      "nu²). Solves for a unit force on each vertex of the surface. far [m/N] is the far "
+      "compliance of "
+      "each vertex; where it is empty, that of this mesh is found. Raises ValueError for numbers "
       "that are not positive.");
 }
 

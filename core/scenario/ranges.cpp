@@ -56,6 +56,7 @@ std::vector<Range> build_ranges() {
   append_columns(ranges);
   ranges.push_back({"scene/bodies/i/tissue/home", "N/m", 0.0, 1e12});
   ranges.push_back({"scene/bodies/i/rest_areas", "m²", 0.0, 100.0});
+  ranges.push_back({"scene/bodies/i/contact/far_compliance", "m/N", -1e4, 1e4});
   return ranges;
 }
 
@@ -129,6 +130,7 @@ void check_body(const SoftBody& body, std::size_t b) {
     }
   };
   visit_body("scene/bodies/i/", body, check);
+  check("scene/bodies/i/contact/far_compliance", body.far_compliance);
 }
 
 }  // namespace

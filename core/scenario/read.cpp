@@ -106,8 +106,13 @@ Scenario unpack(Container container, const std::string& file) {
   visit_tables(scenario.scene, [&](const std::string& name, auto& table) {
     take_table(container.arrays, name, file, table);
   });
-  take_authored(container.arrays, file, scenario.authored_arrays);
   std::vector<SoftBody>& bodies = scenario.scene.bodies;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const std::string name = name_far_compliance(b);
+    if (!container.arrays.contains(name)) continue;
+    take_table(container.arrays, name, file, bodies[b].far_compliance);
+  }
+  take_authored(container.arrays, file, scenario.authored_arrays);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     find_around(file, name_folder(b), bodies[b].tissue);
   }

@@ -55,8 +55,8 @@ void visit_body(const std::string& folder, SomeBody& body, Visit& visit) {
   // kernel and vector target belong to the machine a scene runs on, a response and a near field are
   // solved for again: no file has them
   auto& [tissue, substeps, substeps_max, force_error, kernel, integrator, iterations, simd_target,
-         contact_modulus, rest_areas, spectrum_stiffness, spectrum_damping, least_damping_time,
-         response, near_field] = body;
+         contact_modulus, far_compliance, rest_areas, spectrum_stiffness, spectrum_damping,
+         least_damping_time, response, near_field] = body;
   const std::string t = folder + "tissue/";
   visit(t + "rest_position", tissue.rest_position);
   visit(t + "mass", tissue.mass);
@@ -65,6 +65,11 @@ void visit_body(const std::string& folder, SomeBody& body, Visit& visit) {
   visit(t + "home", tissue.home);
   visit(t + "triangles", tissue.triangles);
   visit(folder + "rest_areas", rest_areas);
+}
+
+/// Of a body: the one table that a file has only where it is not empty.
+inline std::string name_far_compliance(std::size_t body) {
+  return name_folder(body) + "contact/far_compliance";
 }
 
 /// visit(name, table) for every table of a Scene or a const Scene. Numbers that stand alone are

@@ -15,6 +15,10 @@ Container pack(const Scenario& scenario) {
   visit_tables(scenario.scene, [&](const std::string& name, const auto& table) {
     container.arrays[name] = to_array(table);
   });
+  for (std::size_t b = 0; b < scenario.scene.bodies.size(); ++b) {
+    const std::vector<Symmetric>& far = scenario.scene.bodies[b].far_compliance;
+    if (!far.empty()) container.arrays[name_far_compliance(b)] = to_array(far);
+  }
   for (const auto& [name, array] : scenario.authored_arrays) {
     container.arrays["authored/" + name] = array;
   }

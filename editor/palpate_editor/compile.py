@@ -12,6 +12,7 @@ from palpate.scene.scene_file import build_tissue, compile_scene
 from palpate.scene.scene_parts import FILLED, SceneFile
 
 from palpate_editor.document import Organ, Surface
+from palpate_editor.document.far_compliance import find_far_compliance
 from palpate_editor.fill import build_filled
 
 
@@ -50,7 +51,8 @@ def compile_organ(
     tissue = build_organ(organ)
     if measured is not None and len(tissue.elastic.corners):
         measured(palpate.measure_response(tissue))
-    return compile_scene(parts_of(organ), mesh_of(organ.surface), tissue)
+    far = find_far_compliance(organ)
+    return compile_scene(parts_of(organ), mesh_of(organ.surface), tissue, far)
 
 
 def build_organ(organ: Organ) -> palpate.TissueModel:
@@ -62,7 +64,7 @@ def build_organ(organ: Organ) -> palpate.TissueModel:
 
 
 BUILT_FROM = (
-    *("surface", "material", "model", "fill", "filling", "fixed", "stiffness_scale"),
+    *("surface", "material", "model", "fill", "filling", "far_field", "fixed", "stiffness_scale"),
     *("tool", "hand"),
 )
 """What of an organ its scene depends on, but for the regions that its filling

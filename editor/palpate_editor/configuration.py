@@ -25,6 +25,8 @@ def name_configuration(configuration: Configuration, organ: Organ) -> Phrase:
         template = "contact as on the mesh" if hard else "contact as on tissue"
         size = phrase("{count} tetrahedra", count=configuration.tetrahedra)
         parts = [size, phrase(template), *parts]
+        if configuration.far_field == "fine":
+            parts.insert(2, phrase("fine far field"))
     else:
         count = configuration.vertices or organ.vertex_count
         parts.insert(0, phrase("{count} vertices", count=count))

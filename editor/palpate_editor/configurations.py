@@ -50,10 +50,13 @@ def list_solids(base: Configuration, fitting: bool) -> Iterator[Configuration]:
     for kind in FILLED:
         most = MOST_FINITE if kind in FINITE else TETRAHEDRA[-1]
         for count in [n for n in TETRAHEDRA if n <= most] if fitting else STEPPED[0][1:]:
-            for law in ("near_field", "hard") if fitting else ("near_field",):
-                yield replace(
-                    base, kind=kind, constants="tissue", contact_law=law, tetrahedra=count
-                )
+            one = replace(base, kind=kind, constants="tissue", tetrahedra=count)
+            near = replace(one, contact_law="near_field")
+            yield near
+            if near.far_field == "fine":
+                yield replace(near, far_field="mesh")
+            if fitting:
+                yield replace(one, contact_law="hard", far_field="mesh")
     if not fitting:
         return
     solid = replace(base, kind="solid", constants="tissue", contact_law="near_field")
@@ -68,7 +71,7 @@ def list_solids(base: Configuration, fitting: bool) -> Iterator[Configuration]:
 def list_surfaces(base: Configuration, fitting: bool) -> Iterator[Configuration]:
     """Springs, molecules and prisms; those with constants from tissue need a wall, and are refused
     without one, so they are tried once."""
-    surface = replace(base, contact_law="hard")
+    surface = replace(base, contact_law="hard", far_field="mesh")
     for kind in ("shell", *SURFACES):
         for count in VERTICES if fitting else STEPPED[1][1:]:
             tissue = replace(surface, kind=kind, constants="tissue", vertices=count)

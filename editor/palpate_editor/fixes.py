@@ -31,6 +31,7 @@ from palpate_editor.edits import (
     UniteShells,
 )
 from palpate_editor.edits.orient import METRES
+from palpate_editor.far_field import SolveFarField
 
 AWAY = 0.1
 """[-] of an admissible range: how far from its end a corrected constant is put."""
@@ -80,6 +81,7 @@ def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
         "loose": FixLowest(FIXED_SHARE),
         "reach": SetReach(""),
         "fine_region": SetFineRegion(""),
+        "far_field": SolveFarField(),
         "locking": SetConstant("fill", "nodal_share", EMPTY.fill.nodal_share),
         "coarse_contact": SetChoice("contact_law", "near_field"),
         "springs_poisson": SetChoice("kind", "molecular"),

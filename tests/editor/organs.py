@@ -20,6 +20,7 @@ from palpate_editor.document import (
     AppliedTissue,
     Assembly,
     Decimation,
+    FarField,
     Filling,
     History,
     Line,
@@ -132,6 +133,7 @@ def make_organ(vertices: int = 60, imported: int | None = 150) -> Organ:
         material=MaterialPart(density=1050.0, damping_ratio=0.3),
         model=ModelPart(stiffness=120.0, home_stiffness=1e6, drag=8.0),
         fill=FillPart(tetrahedra=1200, nodal_share=0.75, reach="hilum"),
+        far_field=FarField("0123abcd", 0.008, 8123, rng.random(6 * vertices) - 0.3),
         fixed=np.arange(vertices) < 5,
         stiffness_scale=1.0 + rng.random(vertices),
         regions={"hilum": np.array([1, 4, 7]), "alt uç": np.array([], int)},
@@ -171,7 +173,7 @@ def same(one: Organ, other: Organ) -> bool:
 
 
 def same_value(a: object, b: object) -> bool:
-    for kind in (History, Line, Organ):
+    for kind in (FarField, History, Line, Organ):
         if isinstance(a, kind) and isinstance(b, kind):
             return all(same_value(getattr(a, f.name), getattr(b, f.name)) for f in fields(kind))
     if isinstance(a, list | tuple) and isinstance(b, list | tuple):

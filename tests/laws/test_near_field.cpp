@@ -134,6 +134,28 @@ TEST_CASE("a ball in a thick layer is felt within 7 % of theory on any mesh, spr
   }
 }
 
+TEST_CASE("a far field that is given is felt: the half space's force at the depth it leaves") {
+  constexpr double kRadius = 0.003, kDepth = 0.001;
+  for (const double far : {0.0, 0.02, 0.05}) {  // [m/N], beside 0.046 of the ball
+    Scene scene = make_block_scene(Kind::linear, 3, kRadius, kModulus);
+    scene.bodies[0].far_compliance.assign(scene.bodies[0].tissue.rest_position.size(),
+                                          {0.1, 0.2, far, 0.0, 0.0, 0.0});
+    scene = build_scene(std::move(scene));
+
+    const Press found = press(scene, kPlaces[0], kDepth, 500);
+
+    const LocalPress half{kModulus, kRadius, 0.0, 0.0};
+    double low = 0.0, high = found.depth;
+    for (int i = 0; i < 60; ++i) {
+      const double s = 0.5 * (low + high);
+      (s + far * half.compute_force(s) > found.depth ? high : low) = s;
+    }
+    CAPTURE(far);
+    CHECK(found.force == doctest::Approx(half.compute_force(low)).epsilon(0.05));
+    CHECK(found.noise < 1e-3);
+  }
+}
+
 TEST_CASE("and so is a ball in tetrahedra at finite strain, corotated or neo-Hookean") {
   check_layer(Kind::corotated, 3, 0.003, 0.001);
   check_layer(Kind::neo_hookean, 3, 0.008, 0.002);

@@ -15,6 +15,8 @@ from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any, get_type_hints
 
+import numpy as np
+
 import palpate
 from palpate.files.json_part import read_part
 from palpate.files.read_file import read_file
@@ -163,9 +165,15 @@ def enumerator(kind: Any, where: str, name: str) -> Any:
 
 
 def compile_scene(
-    scene: SceneFile, mesh: palpate.SurfaceMesh, tissue: palpate.TissueModel | None = None
+    scene: SceneFile,
+    mesh: palpate.SurfaceMesh,
+    tissue: palpate.TissueModel | None = None,
+    far_compliance: np.ndarray | None = None,
 ) -> palpate.Scene:
-    """A scene that ticks, of its own tissue or of one that is built. Raises ValueError."""
+    """A scene that ticks, of its own tissue or of one that is built. Raises ValueError.
+
+    `far_compliance` [m/N] (n, 6) is that of a solid's surface, where a finer mesh gave it.
+    """
     if len(scene.hand.gravity) != 3:
         raise ValueError(f"hand.gravity: got {len(scene.hand.gravity)} numbers, expected 3")
     hand = scene.hand
@@ -175,6 +183,7 @@ def compile_scene(
         force_error=hand.force_error,
         integrator=enumerator(palpate.Integrator, "model.integrator", scene.model.integrator),
         contact_modulus=find_contact_modulus(scene),
+        far_compliance=() if far_compliance is None else far_compliance,
     )
     instrument = palpate.Instrument(
         tool=palpate.Tool(radius=scene.tool.radius, stiffness=scene.tool.stiffness),

@@ -16,7 +16,7 @@ from palpate.files.json_part import json_kind, read_part
 from palpate.files.refusal import Refusal
 from palpate.files.whole_file import write_whole
 from palpate.scene.scene_parts import CONTACT_LAWS, FILLED, KINDS, ORIGINS
-from palpate.study.scene_chart import OUTCOMES, PATHS, RAN, Chart, Row
+from palpate.study.scene_chart import FAR_FIELDS, OUTCOMES, PATHS, RAN, Chart, Row
 
 FORMAT, VERSION = "palpate chart", 1
 MOST_BYTES = 16 * 2**20
@@ -56,13 +56,22 @@ def read_chart(path: Path) -> Chart:
     if not isinstance(rows, list) or len(rows) > MOST_ROWS:
         got = f"{len(rows)} rows" if isinstance(rows, list) else json_kind(rows)
         raise Refusal(path, "rows", got, f"a list of at most {MOST_ROWS}")
-    chart: Chart = read_part(path, "chart", Chart, content, whole=True)
+    given = content | {"rows": [add_far_field(row) for row in rows]}
+    chart: Chart = read_part(path, "chart", Chart, given, whole=True)
     for where, got, expected in find_faults(chart):
         raise Refusal(path, where, got, expected)
     hashed, told = hash_content(content), data.get("sha256")
     if told != hashed:
         raise Refusal(path, "sha256", json_kind(told), f'"{hashed}", of what stands in the file')
     return chart
+
+
+def add_far_field(row: Any) -> Any:
+    """Of charts of before there was a choice: that of the mesh."""
+    found = row.get("configuration") if isinstance(row, dict) else None
+    if not isinstance(found, dict) or "far_field" in found:
+        return row
+    return row | {"configuration": found | {"far_field": "mesh"}}
 
 
 def read_row(file: object, where: str, data: Any) -> Row:
@@ -114,6 +123,7 @@ def find_row_faults(where: str, row: Row) -> Iterator[Fault]:
         "configuration.kind": (row.configuration.kind, KINDS),
         "configuration.constants": (row.configuration.constants, ORIGINS),
         "configuration.contact_law": (row.configuration.contact_law, CONTACT_LAWS),
+        "configuration.far_field": (row.configuration.far_field, FAR_FIELDS),
     }
     for name, (value, allowed) in choices.items():
         if value not in allowed:

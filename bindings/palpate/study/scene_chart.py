@@ -19,6 +19,9 @@ ran it ended, and nobody knows."""
 PATHS = ("press", "pull", "drag", "script")
 """Straight down; up, with the tool holding on; over the surface at one depth; a script's."""
 
+FAR_FIELDS = ("fine", "mesh")
+"""Of a solid with a near field: solved on a finer mesh, or that of the tetrahedra it ticks on."""
+
 
 @dataclass(frozen=True)
 class Configuration:
@@ -55,6 +58,9 @@ class Configuration:
     """Of the surface, decimated from the imported one; 0: the surface as the document has it."""
     tetrahedra: int
     """fill.tetrahedra that are asked for; 0 for a surface, which has none."""
+    far_field: str = "mesh"
+    """Of solids with a near field: fine, the organ's table that was solved on a finer mesh; or
+    mesh, that of the tetrahedra it ticks on."""
 
 
 @dataclass(frozen=True)

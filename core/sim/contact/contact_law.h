@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -35,6 +36,15 @@ inline Vec3 compute_point(const Triangle& t, const Vec3& weights,
          weights[2] * x[static_cast<std::size_t>(t[2])];
 }
 
+/// A symmetric tensor: xx, yy, zz, xy, yz, zx.
+using Symmetric = std::array<double, 6>;
+
+/// Along a unit vector, n . t n.
+inline double compute_along(const Symmetric& t, const Vec3& n) noexcept {
+  return t[0] * n.x() * n.x() + t[1] * n.y() * n.y() + t[2] * n.z() * n.z() +
+         2.0 * (t[3] * n.x() * n.y() + t[4] * n.y() * n.z() + t[5] * n.z() * n.x());
+}
+
 /// What a body's tissue does near a ball, and what its mesh does of that already: with it a ball is
 /// felt as on tissue, however large the triangles are beside it [contact: near field].
 struct NearField {
@@ -42,6 +52,8 @@ struct NearField {
 
   // each (n,) per vertex of the surface
   std::vector<double> far_compliance;  ///< [m/N] of the body beyond that of a half space
+  /// [m/N] the same in every direction, where it was given; else empty
+  std::vector<Symmetric> far_tensor;
   std::vector<double> curvature;  ///< [1/m] of the surface at rest, positive where it is convex
 
   // the compliance of the mesh, along normals: of vertex v under a force on neighbour[k] it is
@@ -55,11 +67,13 @@ struct NearField {
 
 /// The near field of a model touched by balls of up to `radius` [m]: solves for a unit force on
 /// each vertex of the surface about the model at rest and keeps what that does where such a ball
-/// may press as well. The far compliance is what a wide patch is moved beyond a half space; of a
-/// wall of prisms, what it is moved at a point beyond that. Throws
-/// std::invalid_argument for a modulus [Pa] or radius that is not positive, and for a model that
-/// can move without being strained.
-NearField build_near_field(const TissueModel& model, double modulus, double radius);
+/// may press as well. The far compliance is `far` [m/N], one tensor per vertex of a solid's surface;
+/// where there is none, what a wide patch of this mesh is moved beyond a half space, along the
+/// normal; of a wall of prisms, what it is moved at a point beyond that. Throws
+/// std::invalid_argument for a modulus [Pa] or radius that is not positive, another number of far
+/// compliances, and those of a wall.
+NearField build_near_field(const TissueModel& model, double modulus, double radius,
+                           std::span<const Symmetric> far = {});
 
 /// The hand's spring: what pulls the tool to where the device is.
 struct Coupling {

@@ -281,11 +281,15 @@ double find_wall_compliance(const WallLayer& wall, double compliance, double spr
          compute_point_excess(wall, foundation);
 }
 
-/// Compliances between neighbours, and of each vertex's patch with itself.
+/// Compliances between neighbours and, where `far` is empty, of each vertex's patch with itself.
 void solve_near_field(const Surface& surface, const FreeStiffness& stiffness,
-                      const Factors& factors, const Vicinity& vicinity, NearField& near) {
+                      const Factors& factors, const Vicinity& vicinity,
+                      std::span<const Symmetric> far, NearField& near) {
   const WallLayer wall = find_wall(surface.model, surface.mesh, near.modulus);
   near.wall_thickness = wall.thickness;
+  if (!far.empty() && wall.thickness > 0.0) {
+    refuse("near field: far", "that of a wall of prisms", "none, or a solid");
+  }
   const std::size_t count = surface.size();
   NormalForces forces(surface, stiffness);
   for (std::size_t v = 0; v < count; ++v) {
@@ -293,11 +297,19 @@ void solve_near_field(const Surface& surface, const FreeStiffness& stiffness,
     forces.end();
   }
   ForcePairs pairs{near.first, near.neighbour};
-  const double radius = find_patch_radius(surface, wall.thickness);
-  const std::vector<double> spread = add_patches(surface, vicinity, radius, forces, pairs);
+  std::vector<double> spread;
+  if (far.empty()) {
+    const double radius = find_patch_radius(surface, wall.thickness);
+    spread = add_patches(surface, vicinity, radius, forces, pairs);
+  }
   const std::vector<double> found = solve_compliances(stiffness, factors, forces.all, pairs);
   const std::size_t between = near.neighbour.size();
   near.compliance.assign(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(between));
+  near.far_tensor.assign(far.begin(), far.end());
+  for (std::size_t v = 0; v < far.size(); ++v) {
+    near.far_compliance.push_back(compute_along(far[v], surface.normals[v]));
+  }
+  if (!far.empty()) return;
   std::vector<double> hold;
   if (wall.thickness > 0.0) {
     hold = find_foundations(surface.model, surface.mesh, surface.normals, wall);
@@ -331,10 +343,15 @@ NearContacts::NearContacts(int triangles, int vertices, int others)
       weight(static_cast<std::size_t>(vertices), 0.0),
       cross(static_cast<std::size_t>(others), 0.0) {}
 
-NearField build_near_field(const TissueModel& model, double modulus, double radius) {
+NearField build_near_field(const TissueModel& model, double modulus, double radius,
+                           std::span<const Symmetric> far) {
   require_positive("modulus [Pa]", modulus);
   require_positive("radius [m]", radius);
   const Surface surface(model);
+  if (!far.empty() && far.size() != surface.size()) {
+    refuse("near field: far", write_text(far.size(), " tensors"),
+           write_text(surface.size(), ", one per vertex of the surface"));
+  }
   FreeStiffness stiffness(model);
   Factors factors;
   if (!factor(stiffness, factors)) ground(stiffness, factors);
@@ -344,7 +361,7 @@ NearField build_near_field(const TissueModel& model, double modulus, double radi
   near.curvature = compute_curvature(surface);
   const Vicinity vicinity(surface);
   list_neighbours(surface, vicinity, 2.0 * (radius + find_edge_length(surface)), near);
-  solve_near_field(surface, stiffness, factors, vicinity, near);
+  solve_near_field(surface, stiffness, factors, vicinity, far, near);
   return near;
 }
 

@@ -80,6 +80,25 @@ void validate(const Instrument& instrument, const Place& place) {
   require_positive(place("hold_stiffness [N/m]"), instrument.hold_stiffness);
 }
 
+void check_far_compliance(const SoftBody& body, const Place& place) {
+  const std::vector<Symmetric>& far = body.far_compliance;
+  if (far.empty()) return;
+  const std::string where = "scene: " + place("far_compliance");
+  const auto vertices = static_cast<std::size_t>(surface_count(body.tissue));
+  if (far.size() != vertices) {
+    palpate::refuse(where, write_text(far.size(), " tensors"),
+                    write_text(vertices, ", one per vertex of the surface"));
+  }
+  if (body.contact_modulus == 0.0) {
+    palpate::refuse(where, "one without a contact_modulus", "none: the hard law has no use for it");
+  }
+  for (const Symmetric& tensor : far) {
+    for (const double number : tensor) {
+      if (!std::isfinite(number)) refuse(place("far_compliance"), number, "finite numbers [m/N]");
+    }
+  }
+}
+
 void validate(const SoftBody& body, const Scene& scene, const Place& place) {
   try {
     palpate::validate(body.tissue);
@@ -92,6 +111,7 @@ void validate(const SoftBody& body, const Scene& scene, const Place& place) {
     refuse(place("contact_modulus [Pa]"), body.contact_modulus,
            "0 for the hard law, or E / (1 - nu^2) of the tissue");
   }
+  check_far_compliance(body, place);
   check_integrator("scene: " + place(""), body.tissue, body.integrator, body.iterations);
   check_force_error(body, scene, place);
   check_target(place("simd_target"), body.simd_target);
@@ -224,7 +244,7 @@ void build_contact(double radius, SoftBody& body) {
   body.near_field.reset();
   if (body.contact_modulus == 0.0) return;
   body.near_field = std::make_shared<const NearField>(
-      build_near_field(body.tissue, body.contact_modulus, radius));
+      build_near_field(body.tissue, body.contact_modulus, radius, body.far_compliance));
 }
 
 }  // namespace

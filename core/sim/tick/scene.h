@@ -47,6 +47,10 @@ struct SoftBody {
   /// [Pa] E* = E / (1 - nu²) of a solid organ: balls are felt as on such tissue, whatever the size
   /// of its triangles [contact: near field]. 0: by the hard law alone, as a wall or a bone
   double contact_modulus = 0.0;
+  /// [m/N] per vertex of the surface: how much more the body gives way than a half space, in every
+  /// direction at rest, solved on a finer mesh than this [contact: far field]. Empty: that of this
+  /// mesh, found by build_scene
+  std::vector<Symmetric> far_compliance;
 
   // filled in by build_scene
   std::vector<double> rest_areas;            ///< [m²] per triangle

@@ -7,6 +7,7 @@ left alone, so to undo is to remember. No Qt and no simulation.
 
 from __future__ import annotations
 
+from palpate_editor.document.far_field import FarField
 from palpate_editor.document.history import Line
 from palpate_editor.document.organ import (
     EMPTY,
@@ -29,6 +30,7 @@ __all__ = [
     "AppliedTissue",
     "Assembly",
     "Decimation",
+    "FarField",
     "Filling",
     "History",
     "Line",

@@ -21,6 +21,7 @@ from palpate.files.refusal import Refusal
 from palpate.scenario import MOST_LANGUAGES, Container, read_container, write_container
 from palpate.scene.scene_parts import AppearancePart, ModelPart, find_appearance_fault
 
+from palpate_editor.document.far_field import FarField
 from palpate_editor.document.history import MOST_LINES, Line
 from palpate_editor.document.history_file import Packing, Unpacking
 from palpate_editor.document.migrations import (
@@ -52,6 +53,9 @@ TEXTS = ("name", "title", "task")
 SOMETIMES = {"segmentation": Segmentation, "assembly": Assembly}
 """Parts that a file has where the organ has them; a reader from before them refuses such a file."""
 OPTIONAL = {"source": Source, "decimation": Decimation, "appearance": AppearancePart}
+
+OF_FAR_FIELD = ("key", "patch", "tetrahedra")
+FAR_FIELD = "far_field/softness"
 
 
 def write_organ(path: Path, organ: Organ) -> None:
@@ -113,6 +117,9 @@ def pack_parts(organ: Organ) -> tuple[Json, Arrays]:
     for name in SOMETIMES:
         if getattr(organ, name) is not None:
             content[name] = asdict(getattr(organ, name))
+    if organ.far_field is not None:
+        content["far_field"] = {name: getattr(organ.far_field, name) for name in OF_FAR_FIELD}
+        arrays[FAR_FIELD] = organ.far_field.softness
     if organ.tissues:
         content["tissues"] = [asdict(tissue) for tissue in organ.tissues]
     if organ.languages:
@@ -198,7 +205,7 @@ def unpack_alone(content: Any, arrays: Arrays, file: str) -> Organ:
     known = {*TEXTS, *OPTIONAL, *NUMBERS, "regions"}
     if not isinstance(content, dict):
         raise Refusal(file, "", json_kind(content), "an object")
-    needed = set(content) - {"languages", "tissues", *SOMETIMES}
+    needed = set(content) - {"languages", "tissues", "far_field", *SOMETIMES}
     if needed != known:
         odd = sorted(needed ^ known)[0]
         found = "an unknown field" if odd in content else "nothing"
@@ -219,8 +226,28 @@ def unpack_alone(content: Any, arrays: Arrays, file: str) -> Organ:
     parts["tissues"] = unpack_tissues(content.get("tissues", []), file)
     parts["languages"] = unpack_languages(content.get("languages", {}), file)
     regions = read_value(file, "regions", tuple[str, ...], content["regions"])
+    if "far_field" in content:
+        parts["far_field"] = unpack_far_field(content["far_field"], arrays, file)
     parts |= unpack_arrays(arrays, regions, file)
+    if "far_field" in content:
+        check_far_field(parts["far_field"], parts["surface"], file)
     return Organ(**parts)
+
+
+def unpack_far_field(section: Any, arrays: Arrays, file: str) -> FarField:
+    softness = take(arrays, FAR_FIELD, np.float64, (None,), file)
+    found: FarField = read_part(
+        file, "far_field", FarField, section, without=("softness",), whole=True
+    )
+    return replace(found, softness=softness)
+
+
+def check_far_field(found: FarField, surface: Surface | None, file: str) -> None:
+    """Refuses one of another surface than the file's."""
+    count = 0 if surface is None else len(surface.vertices)
+    if len(found.softness) != 6 * count:
+        expected = f"{6 * count}, six per vertex"
+        raise Refusal(file, FAR_FIELD, f"{len(found.softness)} numbers", expected)
 
 
 def unpack_tissues(rows: Any, file: str) -> tuple[AppliedTissue, ...]:

@@ -19,6 +19,7 @@ from palpate.scene.scene_parts import (
 )
 
 from palpate_editor.document.defaults import FILL, HAND, MATERIAL, MODEL, TOOL
+from palpate_editor.document.far_field import FarField
 from palpate_editor.document.history import Line
 from palpate_editor.document.surface import Filling, Surface, freeze
 from palpate_editor.document.tissue import AppliedTissue
@@ -187,6 +188,8 @@ class Organ:
     """Of the library, at most one for all of it and one for each region."""
     fill: FillPart = FILL
     """Of a solid; a surface has no use for it."""
+    far_field: FarField | None = None
+    """None where that of the mesh is felt."""
     fixed: np.ndarray = field(default_factory=lambda: np.empty(0, bool))
     """(n,) bool per vertex of the surface, held at rest; read-only"""
     stiffness_scale: np.ndarray = field(default_factory=lambda: np.empty(0))

@@ -8,6 +8,7 @@ from math import hypot, sqrt
 
 from palpate_editor.document.constants import MOST_TETRAHEDRA
 from palpate_editor.document.defaults import FILL
+from palpate_editor.document.far_compliance import is_stale, wants_far_field
 from palpate_editor.document.organ import Organ
 from palpate_editor.document.phrase import Phrase, phrase
 from palpate_editor.document.problems import Facts, Problem, TissueFacts
@@ -44,6 +45,7 @@ def find_press_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
     yield from find_home_problems(facts.tissue)
     yield from find_patch_problems(organ, facts.tissue)
     yield from find_filling_problems(organ, facts.tissue)
+    yield from find_far_field_problems(organ)
     yield from find_locking_problems(organ, facts.tissue)
 
 
@@ -122,6 +124,29 @@ def find_filling_problems(organ: Organ, tissue: TissueFacts) -> Iterator[Problem
             say_difference(made, asked),
             say_filling(organ, made),
         )
+
+
+def find_far_field_problems(organ: Organ) -> Iterator[Problem]:
+    """Whether what gives way beyond the ball is the organ, or its tetrahedra."""
+    if not wants_far_field(organ):
+        return
+    stale = is_stale(organ)
+    if organ.far_field is not None and not stale:
+        return
+    got = phrase("that of these tetrahedra, stiffer than tissue where they are large")
+    if stale:
+        got = phrase(
+            "one that was solved before the surface, what is held or painted, or Poisson's ratio "
+            "was changed: that of these tetrahedra is felt"
+        )
+    yield Problem(
+        "far_field",
+        "warning" if stale else "note",
+        "material",
+        "model.contact_law",
+        got,
+        phrase("one that was solved on a finer mesh, in seconds: it costs a tick nothing"),
+    )
 
 
 def find_locking_problems(organ: Organ, tissue: TissueFacts) -> Iterator[Problem]:

@@ -38,6 +38,7 @@ from palpate_editor.edits.repair import (
 )
 from palpate_editor.edits.repair_all import RepairAll
 from palpate_editor.edits.set_constant import SetChoice, SetConstant, SetGravity, SetMaterial
+from palpate_editor.edits.set_far_field import SetFarField
 from palpate_editor.edits.set_reach import SetFineRegion, SetReach
 from palpate_editor.edits.set_tissue import SetTissue
 from palpate_editor.edits.unite import UniteShells
@@ -69,6 +70,7 @@ __all__ = [
     "SetAppearance",
     "SetChoice",
     "SetConstant",
+    "SetFarField",
     "SetFineRegion",
     "SetGravity",
     "SetMaterial",
@@ -121,6 +123,7 @@ EVERY_EDIT: tuple[type, ...] = (
     SetGravity,
     SetMaterial,
     Configure,
+    SetFarField,
     SetReach,
     SetFineRegion,
     SetTissue,

@@ -7,10 +7,11 @@ from dataclasses import asdict, dataclass, replace
 from typing import Any, TypeVar
 
 from palpate.scene.scene_parts import FILLED
-from palpate.study.scene_chart import Configuration
+from palpate.study.scene_chart import FAR_FIELDS, Configuration
 
 from palpate_editor.document import Organ, phrase
 from palpate_editor.document.constants import CHOICES, VALUE_NAMES
+from palpate_editor.document.far_compliance import find_far_compliance, is_stale
 from palpate_editor.edits.decimate import decimate_organ
 from palpate_editor.edits.edit import EditError, find_surface
 from palpate_editor.edits.set_constant import check_constant
@@ -28,7 +29,7 @@ OF_MODEL = (
     "integrator",
 )
 """Fields that a configuration shares with the document's model part."""
-CHANGED = ("surface", "model", "fill", "hand")
+CHANGED = ("surface", "model", "fill", "far_field", "hand")
 NUMBERS = ("stiffness", "bend_stiffness", "stretch_coupling", "home_stiffness")
 
 Part = TypeVar("Part")
@@ -75,6 +76,15 @@ def check_configuration(configuration: Configuration) -> None:
                     got=values[field],
                 )
             )
+    if configuration.far_field not in FAR_FIELDS:
+        raise EditError(
+            phrase(
+                "{field} must be one of {allowed}, got {got}.",
+                field="far_field",
+                allowed=", ".join(FAR_FIELDS),
+                got=configuration.far_field,
+            )
+        )
     for field in NUMBERS:
         check_constant("model", field, values[field])
     check_constant("hand", "substeps", values["substeps"])
@@ -91,6 +101,7 @@ def find_configuration(organ: Organ) -> Configuration:
         substeps=organ.hand.substeps,
         vertices=0,
         tetrahedra=organ.fill.tetrahedra if solid else 0,
+        far_field="fine" if find_far_compliance(organ) is not None else "mesh",
     )
 
 
@@ -106,6 +117,12 @@ def apply_configuration(organ: Organ, configuration: Configuration) -> Organ:
     if configuration.vertices not in (0, organ.vertex_count):
         organ = decimate_organ(organ, configuration.vertices)(organ)
     values = asdict(configuration)
+    if configuration.far_field == "fine" and not has_far_field(organ):
+        raise EditError(
+            phrase("The far field has not been solved for this surface yet: solve it first.")
+        )
+    if configuration.far_field == "mesh" and organ.far_field is not None and has_near_field(values):
+        organ = replace(organ, far_field=None)
     changed = {
         "model": change(organ.model, {name: values[name] for name in OF_MODEL}),
         "hand": change(organ.hand, {"substeps": configuration.substeps}),
@@ -113,6 +130,14 @@ def apply_configuration(organ: Organ, configuration: Configuration) -> Organ:
     if configuration.tetrahedra:
         changed["fill"] = change(organ.fill, {"tetrahedra": configuration.tetrahedra})
     return replace(organ, **changed)
+
+
+def has_far_field(organ: Organ) -> bool:
+    return organ.far_field is not None and not is_stale(organ)
+
+
+def has_near_field(values: dict[str, Any]) -> bool:
+    return values["kind"] in FILLED and values["contact_law"] == "near_field"
 
 
 def change(part: Part, values: dict[str, Any]) -> Part:

@@ -48,7 +48,7 @@ def note(edit: Edit, before: Organ, after: Organ) -> Organ:
     return replace(after, history=replace(history, lines=lines))
 
 
-SURFACES_OWN = ("source", "segmentation", "assembly", "decimation", "filling")
+SURFACES_OWN = ("source", "segmentation", "assembly", "decimation", "filling", "far_field")
 """Of an organ, what goes with its surface."""
 
 

@@ -15,6 +15,7 @@ from palpate.command.verb import Report, Verb, quantity
 from palpate.files.file_kind import OBJ, ORGAN, SCENE
 from palpate.files.refusal import Refusal
 from palpate.scene.scene_parts import FILLED
+from palpate.study.scene_chart import FAR_FIELDS
 
 from palpate_editor.argument_text import LAWS, NONE
 from palpate_editor.check import (
@@ -27,6 +28,7 @@ from palpate_editor.check import (
 from palpate_editor.compile import compile_organ
 from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.constants import CHOICES, CONSTANTS, SHORT_KINDS, Constant
+from palpate_editor.document.far_compliance import is_stale, wants_far_field
 from palpate_editor.document.files import write_organ
 from palpate_editor.document.idle import Idle, find_idle, find_idle_choice, say_unused
 from palpate_editor.document.problems import Problem
@@ -34,10 +36,12 @@ from palpate_editor.edits import (
     FixLowest,
     SetChoice,
     SetConstant,
+    SetFarField,
     SetFineRegion,
     SetGravity,
     SetReach,
 )
+from palpate_editor.far_field import SolveFarField
 from palpate_editor.kinds import compare_kinds, describe_kinds
 from palpate_editor.scene_files import name_mesh, write_scene
 from palpate_editor.verbs.check import describe_problems
@@ -93,6 +97,12 @@ def add_material(parser: argparse.ArgumentParser) -> None:
         )
     for key, option in LAWS.items():
         parser.add_argument(option, dest=key, choices=CHOICES[key])
+    parser.add_argument(
+        "--far-field",
+        choices=FAR_FIELDS,
+        help="of a solid with contact as on tissue, how the organ gives way beyond the ball: "
+        "solved now on a finer mesh, some seconds; or that of the tetrahedra it ticks on",
+    )
     parser.add_argument(
         "--reach",
         metavar="REGION",
@@ -151,7 +161,18 @@ def set_constants(call: argparse.Namespace, organ: Organ) -> Organ:
         organ = apply(SetGravity(call.gravity), organ, call.file, "--gravity")
     if call.fix_lowest != 0.0:
         organ = apply(FixLowest(call.fix_lowest), organ, call.file, "--fix-lowest")
+    # what is held counts, so this comes last
+    if call.far_field is not None and call.far_field != find_far_field(organ):
+        edit = SolveFarField() if call.far_field == "fine" else SetFarField(None)
+        organ = apply(edit, organ, call.file, "--far-field")
     return organ
+
+
+def find_far_field(organ: Organ) -> str:
+    """One of FAR_FIELDS, or empty where there is none that could be one."""
+    if not wants_far_field(organ):
+        return ""
+    return "mesh" if organ.far_field is None else "" if is_stale(organ) else "fine"
 
 
 def require_effects(call: argparse.Namespace, organ: Organ) -> None:
@@ -188,7 +209,7 @@ def require_compared(call: argparse.Namespace) -> None:
     """Raises Refusal for an option that no kind has a use for where all are compared."""
     options = [(c.option, getattr(call, c.key)) for c in CONSTANTS if c.chosen]
     options += [(option, getattr(call, key)) for key, option in LAWS.items()]
-    for option, value in [*options, ("--kind", call.kind)]:
+    for option, value in [*options, ("--kind", call.kind), ("--far-field", call.far_field)]:
         if value is not None and option != LAWS["model.damping_law"]:
             idle = Idle(
                 "without --out every kind is built of the tissue and compared",

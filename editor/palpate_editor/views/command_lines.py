@@ -24,6 +24,7 @@ from palpate_editor.document.constants import (
     counts_choice,
     find_constant,
 )
+from palpate_editor.document.far_compliance import wants_far_field
 from palpate_editor.document.idle import find_idle
 from palpate_editor.edits import (
     Configure,
@@ -43,6 +44,7 @@ from palpate_editor.edits import (
     SetAppearance,
     SetChoice,
     SetConstant,
+    SetFarField,
     SetFineRegion,
     SetGravity,
     SetMaterial,
@@ -58,6 +60,7 @@ from palpate_editor.edits import (
     UseImported,
 )
 from palpate_editor.edits.configure import NUMBERS
+from palpate_editor.far_field import SolveFarField
 from palpate_editor.views.repair_lines import REPAIRS
 
 KINDS = {kind: short for short, kind in SHORT_KINDS.items()}
@@ -240,12 +243,22 @@ def all_arguments(edit: SetMaterial, organ: Organ, document: Path | str) -> Argu
     return counting_arguments(organ, document, [c.key for c in CONSTANTS if c.part in parts])
 
 
+def far_field_arguments(edit: Any, organ: Organ, document: Path | str) -> Arguments:
+    del edit
+    return material_arguments(document, say_far_field(organ))
+
+
+def say_far_field(organ: Organ) -> Arguments:
+    return ["--far-field", "fine" if organ.far_field is not None else "mesh"]
+
+
 def configure_arguments(edit: Configure, organ: Organ, document: Path | str) -> Arguments | None:
     """What of a configuration has an effect; one that decimates takes two lines, which none is."""
     if edit.configuration.vertices:
         return None
     keys = [f"model.{name}" for name in NUMBERS]
-    return counting_arguments(organ, document, [*keys, "fill.tetrahedra", "hand.substeps"])
+    line = counting_arguments(organ, document, [*keys, "fill.tetrahedra", "hand.substeps"])
+    return line[:-2] + say_far_field(organ) + line[-2:] if wants_far_field(organ) else line
 
 
 def counting_arguments(organ: Organ, document: Path | str, keys: Sequence[str]) -> Arguments:
@@ -331,6 +344,8 @@ FINDERS: dict[type, Callable[[Any, Organ, Path | str], Arguments | None]] = {
     SetGravity: gravity_arguments,
     SetMaterial: all_arguments,
     Configure: configure_arguments,
+    SetFarField: far_field_arguments,
+    SolveFarField: far_field_arguments,
     SetReach: reach_arguments,
     SetFineRegion: fine_arguments,
     SetTissue: tissue_arguments,

@@ -46,6 +46,8 @@ class Context(QObject):
     preview_shown = Signal(bool)
     """The view shows something else than the open organ, or the organ again."""
     distance_wanted = Signal(bool)
+    long_edit_wanted = Signal(object)
+    """An edit that takes seconds is to be done beside the window."""
     look_wanted = Signal(object)
     """A Problem is to be looked at, where it is on the surface."""
     assessed = Signal()

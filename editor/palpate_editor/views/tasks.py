@@ -131,6 +131,7 @@ class Tasks(QObject):
     def __init__(self, context: Context, parent: QObject | None = None):
         super().__init__(parent)
         self.context = context
+        context.long_edit_wanted.connect(self.apply_slowly)
 
     def is_busy(self) -> bool:
         """Says so where other work is under way."""

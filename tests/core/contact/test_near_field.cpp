@@ -145,6 +145,34 @@ TEST_CASE("the far compliance of a thick block is that of a layer") {
   }
 }
 
+TEST_CASE("a far compliance that is given is kept, and what neighbours do stays that of the mesh") {
+  const TissueModel model = scenes::make_linear_organ(4, 0.9);
+  const NearField own = build_near_field(model, kModulus, 0.003);
+  std::vector<Symmetric> far(model.rest_position.size());
+  for (std::size_t v = 0; v < far.size(); ++v) {
+    const double x = 1e-3 * static_cast<double>(v) - 0.01;
+    far[v] = {x, 2.0 * x, 3.0 * x, 0.1 * x, 0.2 * x, 0.3 * x};
+  }
+
+  const NearField near = build_near_field(model, kModulus, 0.003, far);
+
+  CHECK(near.far_tensor == far);
+  const Vec3Array normals = compute_vertex_normals(model.rest_position, model.triangles);
+  for (const std::size_t v : {3u, 11u}) {
+    Mat3 tensor;
+    tensor << far[v][0], far[v][3], far[v][5], far[v][3], far[v][1], far[v][4], far[v][5],
+        far[v][4], far[v][2];
+    CHECK(near.far_compliance[v] == doctest::Approx(normals[v].dot(tensor * normals[v])));
+  }
+  CHECK(own.far_tensor.empty());
+  CHECK(near.compliance == own.compliance);
+  CHECK(near.neighbour == own.neighbour);
+  CHECK(near.curvature == own.curvature);
+  far.pop_back();
+  CHECK_THROWS_WITH_AS(build_near_field(model, kModulus, 0.003, far),
+                       doctest::Contains("near field: far: got"), std::invalid_argument);
+}
+
 TEST_CASE("the curvature of a ball's surface is that of the ball") {
   const TissueModel model = scenes::make_covered_linear_organ(4, 0.9);
   const NearField near = build_near_field(model, kModulus, 0.003);

@@ -125,6 +125,37 @@ TEST_CASE("a body keeps its law of contact, and one of the hard law names none")
   CHECK(contains(refuse(R"({"law":"near_field","version":1})"), place + ".modulus"));
 }
 
+TEST_CASE("a far field that was given is kept bit for bit, and a body without one has no entry") {
+  Scenario made = make_pair();
+  made.scene.bodies[0].tissue.fixed = {0, 1, 2};
+  made.scene.bodies[0].contact_modulus = 6270.0;
+  made.scene.bodies[0].far_compliance.assign(42, {0.0123, 0.02, 0.03, -0.004, 0.005, 0.006});
+  made.scene.bodies[0].far_compliance[7][5] = -1.0 / 300.0;
+  made.scene = build_scene(made.scene);
+
+  const Container packed = scenario::pack(made);
+  const Scenario found = scenario::unpack(packed, "file");
+
+  const std::string name = "scene/bodies/0/contact/far_compliance";
+  CHECK(found.scene.bodies[0].far_compliance == made.scene.bodies[0].far_compliance);
+  CHECK(found.scene.bodies[0].near_field->far_tensor == made.scene.bodies[0].far_compliance);
+  CHECK(felt_bits(found.scene) == felt_bits(made.scene));
+  CHECK(packed.arrays.at(name).shape[0] == 42);
+  CHECK_FALSE(packed.arrays.contains("scene/bodies/1/contact/far_compliance"));
+  Container hard = packed, wide = packed, shorter = packed;
+  hard.arrays["scene/bodies/1/contact/far_compliance"] = hard.arrays.at(name);
+  CHECK(contains(refusal([&] { scenario::unpack(hard, "file"); }),
+                 "bodies[1].far_compliance: got one without a contact_modulus"));
+  const double far_off = 1e5;
+  std::memcpy(wide.arrays.at(name).bytes.data(), &far_off, sizeof(far_off));
+  CHECK(contains(refusal([&] { scenario::unpack(wide, "file"); }),
+                 "contact/far_compliance: row 0: got 100000, expected -10000 to 10000 m/N"));
+  shorter.arrays.at(name).shape[0] = 41;
+  shorter.arrays.at(name).bytes.resize(41 * sizeof(Symmetric));
+  CHECK(contains(refusal([&] { scenario::unpack(shorter, "file"); }),
+                 "bodies[0].far_compliance: got 41 tensors, expected 42"));
+}
+
 TEST_CASE("each body has its arrays under its number") {
   const Container packed = scenario::pack(make_pair());
 

@@ -39,7 +39,8 @@ struct Patch {
   double whole = 0.0;          // [N²]
   double depth = 0.0;          // [N m] below each plane
   double area = 0.0;           // [m²]
-  double far = 0.0;            // [m]
+  double far = 0.0;            // [m] along each plane's normal
+  Symmetric far_tensor{};      // [m] where there is one, in every direction
   double curvature = 0.0;      // [N/m]
   Vec3 normal = Vec3::Zero();  // [N]
   Vec3 centre = Vec3::Zero();  // [N m] of pressure, from the ball's
@@ -55,7 +56,11 @@ struct Patch {
     centre += q * at;
     for (std::size_t c = 0; c < 3; ++c) {
       const double carried = q * part.weights[static_cast<Eigen::Index>(c)];
-      far += carried * near.far_compliance[static_cast<std::size_t>(triangle[c])];
+      const auto v = static_cast<std::size_t>(triangle[c]);
+      far += carried * near.far_compliance[v];
+      for (std::size_t k = 0; !near.far_tensor.empty() && k < far_tensor.size(); ++k) {
+        far_tensor[k] += carried * near.far_tensor[v][k];
+      }
       curvature += carried * near.curvature[static_cast<std::size_t>(triangle[c])];
     }
   }
@@ -200,7 +205,9 @@ void find_near_contacts(const Tool& tool, const TouchedSurface& surface, const V
   if (patch.force > 0.0) {
     contacts.middle = p + patch.centre / patch.force;
     contacts.normal = Dent(patch).normal;
-    contacts.far_compliance = patch.far / patch.force;
+    const bool given = !near.far_tensor.empty();
+    contacts.far_compliance =
+        (given ? compute_along(patch.far_tensor, contacts.normal) : patch.far) / patch.force;
     if (!contacts.knows_compliance) {
       const MeshResponse mesh = compute_response(surface, contacts, contacts);
       contacts.mesh_compliance = mesh.compliance - contacts.far_compliance;

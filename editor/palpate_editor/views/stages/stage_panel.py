@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 from palpate_editor.document import Organ
 from palpate_editor.document.problems import SEVERITIES, Problem
 from palpate_editor.edits import Edit
+from palpate_editor.far_field import SolveFarField
 from palpate_editor.views.chart.advisor import Advisor
 from palpate_editor.views.context import Context
 from palpate_editor.views.publishing import Publishing
@@ -149,8 +150,11 @@ class StagePanel(QWidget):
         return button
 
     def fix(self, edit: Edit) -> None:
-        """Does what a check offers."""
-        self.context.apply(edit)
+        """Does what a check offers: at once, or beside the window where it takes seconds."""
+        if isinstance(edit, SolveFarField):
+            self.context.long_edit_wanted.emit(edit)
+        else:
+            self.context.apply(edit)
 
     def show_checks(self) -> None:
         """All problems of the stage, the gravest first, then what is good."""
