@@ -2153,7 +2153,7 @@ def build_near_field(
     Args:
         modulus: [Pa] E / (1 - nu²) of the tissue
         radius: [m]
-        far: [m/N] shape (n,), far compliance per vertex of the surface; empty: of the mesh
+        far: [m/N] shape (n, 6): xx, yy, zz, xy, yz, zx per vertex; empty: that of the mesh
     """
 
 CANDIDATE_MARGIN: float
@@ -2709,8 +2709,8 @@ class SoftBody:
     """
     @property
     def far_compliance(self) -> NDArray[np.float64]:
-        """[m/N] per vertex of the surface, shape (n,): how much more the body gives way than a
-        half space, solved on a finer mesh than this; empty: that of this mesh, found by
+        """[m/N] per vertex of the surface, shape (n, 6): how much more the body gives way than
+        a half space, solved on a finer mesh than this; empty: that of this mesh, found by
         build_scene. Reads as a read-only copy: assign a new array to change it.
         """
     @far_compliance.setter

@@ -67,9 +67,9 @@ struct NearField {
 
 /// The near field of a model touched by balls of up to `radius` [m]: solves for a unit force on
 /// each vertex of the surface about the model at rest and keeps what that does where such a ball
-/// may press as well. The far compliance is `far` [m/N], one tensor per vertex of a solid's surface;
-/// where there is none, what a wide patch of this mesh is moved beyond a half space, along the
-/// normal; of a wall of prisms, what it is moved at a point beyond that. Throws
+/// may press as well. The far compliance is `far` [m/N], one tensor per vertex of a solid's
+/// surface; where there is none, what a wide patch of this mesh is moved beyond a half space, along
+/// the normal; of a wall of prisms, what it is moved at a point beyond that. Throws
 /// std::invalid_argument for a modulus [Pa] or radius that is not positive, another number of far
 /// compliances, and those of a wall.
 NearField build_near_field(const TissueModel& model, double modulus, double radius,

@@ -22,8 +22,9 @@ class FarField:
     tetrahedra: int
     """Of the mesh that it was solved on, quadratic ones."""
     softness: np.ndarray = field(default_factory=lambda: np.empty(0))
-    """[1/m] (6 n,) six per vertex of the surface, one vertex after the other: compliance beyond that
-    of a half space in every direction (xx, yy, zz, xy, yz, zx), times E / (1 - nu²); read-only."""
+    """[1/m] (6 n,) six per vertex of the surface, one vertex after the other: compliance beyond
+    that of a half space in every direction (xx, yy, zz, xy, yz, zx), times E / (1 - nu²);
+    read-only."""
 
     @property
     def tensors(self) -> np.ndarray:
