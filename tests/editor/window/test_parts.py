@@ -71,7 +71,7 @@ def test_a_heart_of_many_parts_can_be_imported_in_part(qtbot, heart_window):
 
     click(panel.none_button)
     assert not panel.import_button.isEnabled()
-    row = next(i for i in range(14) if "aortic_valve" in panel.parts.items()[i].text(0))
+    row = next(i for i in range(14) if panel.parts.items()[i].text(0).startswith("VH_M_aortic"))
     panel.parts.items()[row].setCheckState(0, Qt.CheckState.Checked)
     click(panel.import_button)
     settle(qtbot, window)
@@ -130,7 +130,7 @@ def test_the_organ_has_the_view_again_when_parts_were_imported(qtbot, heart_wind
     click(panel.none_button)
     panel.chooser.search.setText("")
     click(panel.none_button)
-    row = next(i for i in range(14) if "aortic_valve" in panel.parts.items()[i].text(0))
+    row = next(i for i in range(14) if panel.parts.items()[i].text(0).startswith("VH_M_aortic"))
     panel.parts.items()[row].setCheckState(0, Qt.CheckState.Checked)
     click(panel.import_button)
     settle(qtbot, window)
