@@ -118,8 +118,9 @@ def test_the_table_of_constants_names_fields_there_are_and_allows_their_defaults
 
 def test_every_number_and_law_of_the_parts_can_be_set_by_someone():
     known = {c.key for c in CONSTANTS} | set(CHOICES)
-    # painted; SetReach and SetGravity
+    # painted; SetReach, SetFineRegion and SetGravity; set with the number of tetrahedra
     elsewhere = {"model.fixed", "model.stiffness_scale", "fill.reach", "hand.gravity"}
+    elsewhere |= {"fill.fine_region", "fill.sizing"}
 
     there = {f"{name}.{f.name}" for name, part in PARTS.items() for f in fields(part)}
 

@@ -25,6 +25,7 @@ from palpate_editor.document import EMPTY, Organ, Surface
 from palpate_editor.document.constants import CONSTANTS
 from palpate_editor.document.cost_rules import TICK_SHARE, compute_tick_share
 from palpate_editor.document.problems import SEVERITIES, Problem
+from palpate_editor.edits import SetConstant
 from palpate_editor.views.stages.panels import list_stages
 
 STAGES = list_stages()
@@ -123,7 +124,8 @@ WRONG = {
     "coarse_contact": (replace(with_part("model", kind="solid", contact_law="hard"),
                                fill=FillPart(300)), "material",
                        "warning", "under a contact radius of 6.0 mm (a tip of 12 mm pressed 3 mm)"),
-    "filling": (replace(with_part("model", kind="solid"), fill=FillPart(6000)), "material", "note",
+    "filling": (replace(with_part("model", kind="solid"),
+                        fill=FillPart(6000, sizing="estimated")), "material", "note",
                 "than the 6000 that were asked for"),
     "locking": (replace(with_part("model", kind="solid"), fill=FillPart(300, 0.2),
                         material=replace(SOUND.material, poisson_ratio=0.49)), "material",
@@ -285,11 +287,13 @@ def test_a_tissue_too_slow_for_any_machine_is_an_error_and_one_for_this_a_warnin
 
 @pytest.mark.landing
 def test_what_is_asked_for_instead_gives_as_many_tetrahedra_as_were_wanted():
-    organ = replace(with_part("model", kind="solid"), fill=FillPart(6000))
+    organ = replace(with_part("model", kind="solid"), fill=FillPart(6000, sizing="estimated"))
     [problem] = [p for p in assess(organ).problems if p.key == "filling"]
+    assert problem.expected.values["asked"] == 6000
 
-    asked = replace(organ, fill=FillPart(problem.expected.values["other"]))
+    asked = SetConstant("fill", "tetrahedra", 6000)(organ)
 
+    assert not [p for p in assess(asked).problems if p.key == "filling"]
     assert assess(asked).facts.tissue.tetrahedra == pytest.approx(6000, rel=0.1)
 
 

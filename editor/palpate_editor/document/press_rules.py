@@ -6,7 +6,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import hypot, sqrt
 
-from palpate_editor.document.constants import MOST_TETRAHEDRA
 from palpate_editor.document.defaults import FILL
 from palpate_editor.document.far_compliance import is_stale, wants_far_field
 from palpate_editor.document.organ import Organ
@@ -122,7 +121,7 @@ def find_filling_problems(organ: Organ, tissue: TissueFacts) -> Iterator[Problem
             "material",
             "fill.tetrahedra",
             say_difference(made, asked),
-            say_filling(organ, made),
+            say_filling(organ),
         )
 
 
@@ -171,13 +170,16 @@ def find_locking_problems(organ: Organ, tissue: TissueFacts) -> Iterator[Problem
     )
 
 
-def say_filling(organ: Organ, made: int) -> Phrase:
-    """What to ask for, where so many can be had."""
+def say_filling(organ: Organ) -> Phrase:
+    """What there should be, and how to have it."""
     asked = organ.fill.tetrahedra
-    other = 10 * round(0.1 * asked * asked / made)
-    if other > MOST_TETRAHEDRA:
-        return phrase("about {asked}", asked=asked)
-    return phrase("about {asked}: to have them ask for {other}", asked=asked, other=other)
+    if organ.fill.sizing == "estimated":
+        return phrase(
+            "about {asked}: it was filled by an estimate; ask for a number again, and they are "
+            "counted",
+            asked=asked,
+        )
+    return phrase("about {asked}; what is thin takes more than a few", asked=asked)
 
 
 def say_difference(made: int, asked: int) -> Phrase:

@@ -3608,14 +3608,6 @@ Beklenen: {expected}.</translation>
         <translation>yaylar, bağlar ve yuva yayları seçilen katılığı alır</translation>
     </message>
     <message>
-        <source>about {asked}</source>
-        <translation>yaklaşık {asked}</translation>
-    </message>
-    <message>
-        <source>about {asked}: to have them ask for {other}</source>
-        <translation>yaklaşık {asked}: bu kadarı için {other} isteyin</translation>
-    </message>
-    <message>
         <source>{made}, {share:.0%} fewer than the {asked} that were asked for</source>
         <translation>{made}; istenen {asked} sayısından {share:.0%} az</translation>
     </message>
@@ -4316,6 +4308,62 @@ Beklenen: {expected}.</translation>
     <message>
         <source>Decimate to {count} vertices, within {error:g} mm</source>
         <translation>{count} köşeye indir, {error:g} mm içinde</translation>
+    </message>
+    <message>
+        <source>Far field of a finer mesh</source>
+        <translation>Daha ince bir ağın uzak alanı</translation>
+    </message>
+    <message>
+        <source>Far field of the mesh</source>
+        <translation>Ağın kendi uzak alanı</translation>
+    </message>
+    <message>
+        <source>Only a solid with contact as on tissue, without a wall, has a far field.</source>
+        <translation>Yalnızca teması doku gibi olan, duvarsız dolu bir organın uzak alanı vardır.</translation>
+    </message>
+    <message>
+        <source>The far field has not been solved for this surface yet: solve it first.</source>
+        <translation>Uzak alan bu yüzey için henüz çözülmedi: önce çözün.</translation>
+    </message>
+    <message>
+        <source>The far field has {got} numbers, expected {count}, six per vertex.</source>
+        <translation>Uzak alanda {got} sayı var, köşe başına altı olmak üzere {count} bekleniyordu.</translation>
+    </message>
+    <message>
+        <source>The far field is that of a finer mesh already.</source>
+        <translation>Uzak alan zaten daha ince bir ağınki.</translation>
+    </message>
+    <message>
+        <source>The far field is that of the mesh already.</source>
+        <translation>Uzak alan zaten ağın kendisininki.</translation>
+    </message>
+    <message>
+        <source>about {asked}: it was filled by an estimate; ask for a number again, and they are counted</source>
+        <translation>yaklaşık {asked}: bir tahminle dolduruldu; yeniden bir sayı isteyin, o zaman sayılırlar</translation>
+    </message>
+    <message>
+        <source>about {asked}; what is thin takes more than a few</source>
+        <translation>yaklaşık {asked}; ince olan şey az sayıyla dolmaz</translation>
+    </message>
+    <message>
+        <source>fine far field</source>
+        <translation>ince uzak alan</translation>
+    </message>
+    <message>
+        <source>one that was solved before the surface, what is held or painted, or Poisson's ratio was changed: that of these tetrahedra is felt</source>
+        <translation>yüzey, tutulan ya da boyanan yerler veya Poisson oranı değişmeden önce çözülmüş olan: bu dörtyüzlülerinki hissediliyor</translation>
+    </message>
+    <message>
+        <source>one that was solved on a finer mesh, in seconds: it costs a tick nothing</source>
+        <translation>daha ince bir ağda saniyeler içinde çözülmüş olan: bir adıma yükü yoktur</translation>
+    </message>
+    <message>
+        <source>that of these tetrahedra, stiffer than tissue where they are large</source>
+        <translation>bu dörtyüzlülerinki; büyük oldukları yerde dokudan serttir</translation>
+    </message>
+    <message>
+        <source>{problem}</source>
+        <translation>{problem}</translation>
     </message>
 </context>
 <context>

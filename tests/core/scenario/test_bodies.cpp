@@ -118,8 +118,8 @@ TEST_CASE("a body keeps its law of contact, and one of the hard law names none")
   };
   const std::string place = "content.scene.bodies[1].contact";
   CHECK(contains(refuse(R"({"law":"soft","version":1,"modulus":10})"), place + ".law: got"));
-  CHECK(contains(refuse(R"({"law":"near_field","version":2,"modulus":10})"),
-                 place + ".version: got 2"));
+  CHECK(contains(refuse(R"({"law":"near_field","version":3,"modulus":10})"),
+                 place + ".version: got 3"));
   CHECK(contains(refuse(R"({"law":"near_field","version":1,"modulus":-10})"),
                  "contact.modulus: got -10"));
   CHECK(contains(refuse(R"({"law":"near_field","version":1})"), place + ".modulus"));
@@ -128,6 +128,7 @@ TEST_CASE("a body keeps its law of contact, and one of the hard law names none")
 TEST_CASE("a far field that was given is kept bit for bit, and a body without one has no entry") {
   Scenario made = make_pair();
   made.scene.bodies[0].tissue.fixed = {0, 1, 2};
+  made.scene.bodies[0].tissue.prisms = {};
   made.scene.bodies[0].contact_modulus = 6270.0;
   made.scene.bodies[0].far_compliance.assign(42, {0.0123, 0.02, 0.03, -0.004, 0.005, 0.006});
   made.scene.bodies[0].far_compliance[7][5] = -1.0 / 300.0;

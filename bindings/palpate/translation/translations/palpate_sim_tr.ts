@@ -176,6 +176,42 @@
         <source>the most substeps became %1, expected at least %2</source>
         <translation>en çok alt adım sayısı %1 oldu, en az %2 olmalı</translation>
     </message>
+    <message>
+        <source>%1 tensors</source>
+        <translation>%1 tensör</translation>
+    </message>
+    <message>
+        <source>%1, one per vertex of the surface</source>
+        <translation>%1, yüzeyin her köşesi için bir tane</translation>
+    </message>
+    <message>
+        <source>%1, six per vertex</source>
+        <translation>%1, her köşe için altı tane</translation>
+    </message>
+    <message>
+        <source>1 or %1, which this program knows</source>
+        <translation>bu programın bildiği 1 veya %1</translation>
+    </message>
+    <message>
+        <source>finite numbers [m/N]</source>
+        <translation>sonlu sayılar [m/N]</translation>
+    </message>
+    <message>
+        <source>none, or a solid</source>
+        <translation>hiç biri ya da dolu bir organ</translation>
+    </message>
+    <message>
+        <source>none: the hard law has no use for it</source>
+        <translation>hiç biri: sert yasa bunu kullanmaz</translation>
+    </message>
+    <message>
+        <source>one without a contact_modulus</source>
+        <translation>contact_modulus olmadan bir tane</translation>
+    </message>
+    <message>
+        <source>that of a wall of prisms</source>
+        <translation>prizmalardan bir duvarınki</translation>
+    </message>
 </context>
 <context>
     <name>Refusal</name>
@@ -550,10 +586,6 @@
     <message>
         <source>%1, one per triangle</source>
         <translation>%1, her üçgene bir tane</translation>
-    </message>
-    <message>
-        <source>%1, the one this program knows</source>
-        <translation>bu programın bildiği %1</translation>
     </message>
     <message>
         <source>%1, which its shape needs</source>
