@@ -176,42 +176,6 @@
         <source>the most substeps became %1, expected at least %2</source>
         <translation>en çok alt adım sayısı %1 oldu, en az %2 olmalı</translation>
     </message>
-    <message>
-        <source>%1 tensors</source>
-        <translation>%1 tensör</translation>
-    </message>
-    <message>
-        <source>%1, one per vertex of the surface</source>
-        <translation>%1, yüzeyin her köşesi için bir tane</translation>
-    </message>
-    <message>
-        <source>%1, six per vertex</source>
-        <translation>%1, her köşe için altı tane</translation>
-    </message>
-    <message>
-        <source>1 or %1, which this program knows</source>
-        <translation>bu programın bildiği 1 veya %1</translation>
-    </message>
-    <message>
-        <source>finite numbers [m/N]</source>
-        <translation>sonlu sayılar [m/N]</translation>
-    </message>
-    <message>
-        <source>none, or a solid</source>
-        <translation>hiç biri ya da dolu bir organ</translation>
-    </message>
-    <message>
-        <source>none: the hard law has no use for it</source>
-        <translation>hiç biri: sert yasa bunu kullanmaz</translation>
-    </message>
-    <message>
-        <source>one without a contact_modulus</source>
-        <translation>contact_modulus olmadan bir tane</translation>
-    </message>
-    <message>
-        <source>that of a wall of prisms</source>
-        <translation>prizmalardan bir duvarınki</translation>
-    </message>
 </context>
 <context>
     <name>Refusal</name>
@@ -2546,6 +2510,42 @@
     <message>
         <source>edges so long that at most %1 come</source>
         <translation>en çok %1 üçgen çıkaracak kadar uzun kenarlar</translation>
+    </message>
+    <message>
+        <source>%1 tensors</source>
+        <translation>%1 tensör</translation>
+    </message>
+    <message>
+        <source>%1, one per vertex of the surface</source>
+        <translation>%1, yüzeyin her köşesi için bir tane</translation>
+    </message>
+    <message>
+        <source>%1, six per vertex</source>
+        <translation>%1, her köşe için altı tane</translation>
+    </message>
+    <message>
+        <source>1 or %1, which this program knows</source>
+        <translation>bu programın bildiği 1 veya %1</translation>
+    </message>
+    <message>
+        <source>finite numbers [m/N]</source>
+        <translation>sonlu sayılar [m/N]</translation>
+    </message>
+    <message>
+        <source>none, or a solid</source>
+        <translation>hiç biri ya da dolu bir organ</translation>
+    </message>
+    <message>
+        <source>none: the hard law has no use for it</source>
+        <translation>hiç biri: sert yasa bunu kullanmaz</translation>
+    </message>
+    <message>
+        <source>one without a contact_modulus</source>
+        <translation>contact_modulus olmadan bir tane</translation>
+    </message>
+    <message>
+        <source>that of a wall of prisms</source>
+        <translation>prizmalardan bir duvarınki</translation>
     </message>
 </context>
 </TS>
