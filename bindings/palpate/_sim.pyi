@@ -2124,6 +2124,11 @@ class NearField:
         a view, read-only.
         """
     @property
+    def far_tensor(self) -> NDArray[np.float64]:
+        """[m/N] the same in every direction (xx, yy, zz, xy, yz, zx), shape (n, 6), where it
+        was given, else empty; a view, read-only.
+        """
+    @property
     def curvature(self) -> NDArray[np.float64]:
         """[1/m] per vertex, shape (n,): of the surface at rest, positive where it is convex; a
         view, read-only.

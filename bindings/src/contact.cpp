@@ -304,6 +304,10 @@ void bind_near_field(py::module_& m) {
   def_table(near, "far_compliance", &NearField::far_compliance,
             "[m/N] per vertex of the surface, shape (n,): of the body beyond that of a half space; "
             "a view, read-only.");
+  def_table(
+      near, "far_tensor", &NearField::far_tensor,
+      "[m/N] the same in every direction (xx, yy, zz, xy, yz, zx), shape (n, 6), where it was "
+      "given, else empty; a view, read-only.");
   def_table(near, "curvature", &NearField::curvature,
             "[1/m] per vertex, shape (n,): of the surface at rest, positive where it is convex; a "
             "view, read-only.");

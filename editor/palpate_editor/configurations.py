@@ -15,8 +15,8 @@ from palpate_editor.document import Organ
 from palpate_editor.document.constants import CHOICES, SURFACES
 from palpate_editor.document.defaults import MODEL
 
-TETRAHEDRA = (300, 600, 1000, 2000, 3000, 6000)
-"""That are asked for, of a solid; ..."""
+TETRAHEDRA = (300, 600, 1000, 2000, 3000, 5000)
+"""That are asked for, of a solid; a linear one has room for 6000, and a tenth more may come; ..."""
 MOST_FINITE = 1000
 """... those of finite strain, which run in plain code, up to here."""
 VERTICES = (300, 450, 600, 900, 1200, 2400)

@@ -24,7 +24,7 @@ Content = scenario.Scenario | scenario.Container
 
 
 def read(path: str, published: bool) -> Content:
-    return scenario.read(path) if published else scenario.read_container(path, "organ", 8)
+    return scenario.read(path) if published else scenario.read_container(path, "organ", 10)
 
 
 def save(path: str, content: Content) -> None:

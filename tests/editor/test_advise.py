@@ -76,7 +76,7 @@ def test_apply_writes_the_choice_into_the_organ_and_nothing_else(files, organ, c
 def test_what_meets_no_target_is_the_nearest_miss_and_is_not_applied(files, capsys):
     tight = "--force-error", "0.01", "--no-score"
     report = call(files, *tight, capsys=capsys)
-    assert report["code"] == 0 and not report["fits"]
+    assert report["code"] == 0 and not report["fits"], report
     assert report["said"][0].startswith("None of the ") and "Nearest:" in report["said"][0]
     assert report["binding"] == "truth" or report["binding"] == "force"
 

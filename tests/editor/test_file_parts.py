@@ -19,7 +19,7 @@ from palpate_editor.edits import EditError, decimate_organ, import_file
 from palpate_editor.edits.import_mesh import Assembling
 from palpate_editor.edits.part_list import find_outermost, list_parts, sort_rows
 from palpate_editor.edits.unite import UniteShells, can_be_united
-from palpate_editor.repair_all import repair_all
+from palpate_editor.repair_all import repair_problems
 from palpate_editor.views.command_lines import find_arguments
 from scipy.spatial import ConvexHull
 from small_meshes import CORNERS, CUBE, mesh_of, together
@@ -449,7 +449,7 @@ def test_pieces_whose_largest_crosses_itself_cannot_be_told_apart_by_keeping_one
     path = write_parts(tmp_path / "spleen.obj", parts)
     organ = import_file(path, unit="mm", up="z")(EMPTY)
 
-    mended, done = repair_all(organ, ["self_intersections", "crossing", "shells"])
+    mended, done = repair_problems(organ, ["self_intersections", "crossing", "shells"])
 
     assert done and not {"crossing", "self_intersections"} & {p.key for p in mended.problems}
 

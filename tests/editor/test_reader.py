@@ -124,8 +124,11 @@ def test_a_stream_that_lies_about_its_counts_is_refused(stream, organ, tmp_path)
 
 
 def test_a_stream_with_an_index_out_of_range_is_refused(organ, tmp_path):
-    part = struct.pack("<I4sI9dI3i", 4, b"part", 3, *range(9), 1, 0, 1, 3)
-    (tmp_path / "stream").write_bytes(MAGIC + struct.pack("<IIIII", 0, 0, 0, 0, 1) + part + MAGIC)
+    # no groups, no colours; and no tetrahedra of the file
+    part = struct.pack("<I4sIII9dI3i", 4, b"part", 0, 0, 3, *range(9), 1, 0, 1, 3)
+    filling = struct.pack("<II", 0, 0)
+    head = struct.pack("<IIIII", 0, 0, 0, 0, 1)
+    (tmp_path / "stream").write_bytes(MAGIC + head + part + filling + MAGIC)
     reader = program(tmp_path / "reader", f"cat '{tmp_path / 'stream'}'")
 
     with pytest.raises(palpate.FileError, match="vertex 3"):

@@ -39,12 +39,6 @@ inline Vec3 compute_point(const Triangle& t, const Vec3& weights,
 /// A symmetric tensor: xx, yy, zz, xy, yz, zx.
 using Symmetric = std::array<double, 6>;
 
-/// Along a unit vector, n . t n.
-inline double compute_along(const Symmetric& t, const Vec3& n) noexcept {
-  return t[0] * n.x() * n.x() + t[1] * n.y() * n.y() + t[2] * n.z() * n.z() +
-         2.0 * (t[3] * n.x() * n.y() + t[4] * n.y() * n.z() + t[5] * n.z() * n.x());
-}
-
 /// What a body's tissue does near a ball, and what its mesh does of that already: with it a ball is
 /// felt as on tissue, however large the triangles are beside it [contact: near field].
 struct NearField {

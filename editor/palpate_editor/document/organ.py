@@ -227,7 +227,8 @@ class Organ:
         return len(self.fixed)
 
     def with_surface(self, surface: Surface) -> Organ:
-        """This organ on another surface, on which nothing is fixed, stiffened or named yet."""
+        """This organ on another surface, on which nothing is fixed, stiffened, named or
+        solved yet."""
         count = len(surface.vertices)
         return replace(
             self,
@@ -235,6 +236,7 @@ class Organ:
             fixed=np.zeros(count, bool),
             stiffness_scale=np.ones(count),
             regions=NO_REGIONS,
+            far_field=None,
         )
 
 

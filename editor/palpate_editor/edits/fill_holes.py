@@ -56,6 +56,7 @@ class FillHoles:
             organ,
             surface=closed,
             imported=imported,
+            far_field=None,
             decimation=organ.decimation
             and replace(
                 organ.decimation, vertices=len(closed.vertices), triangles=len(closed.triangles)

@@ -60,7 +60,7 @@ def test_the_window_lives_through_a_heavy_import_and_decimation(
 ):
     path = shared_data(f"organs/{organ}.glb")
     heartbeat, seen = Heartbeat(window), {}
-    record_threads(monkeypatch, tasks, ["import_file", "decimate_organ"], seen, heartbeat)
+    record_threads(monkeypatch, tasks, ["import_read", "decimate_organ"], seen, heartbeat)
     record_threads(monkeypatch, assessment, ["assess", "measure_distances"], seen, heartbeat)
 
     window.tasks.import_mesh(path, list(parts))
@@ -69,16 +69,16 @@ def test_the_window_lives_through_a_heavy_import_and_decimation(
     settle(qtbot, window)
 
     assert window.session.organ.decimation.vertices == vertices
-    assert set(seen) == {"import_file", "decimate_organ", "assess", "measure_distances"}
+    assert set(seen) == {"import_read", "decimate_organ", "assess", "measure_distances"}
     assert threading.get_ident() not in seen.values()
     # each takes many times longer than a beat: the window's thread was never kept waiting for one
-    for phase in ("import_file", "decimate_organ", "assess"):
+    for phase in ("import_read", "decimate_organ", "assess"):
         assert heartbeat.beats.get(phase, 0) >= 3, (phase, heartbeat.beats)
 
 
 def test_the_heavy_functions_are_the_ones_the_work_calls():
     """What the test above watches is what does the work."""
-    assert tasks.import_file is import_room.import_file
+    assert tasks.import_read is import_room.import_read
     assert tasks.decimate_organ is decimate_room.decimate_organ
     assert decimate_room.authoring is authoring
 

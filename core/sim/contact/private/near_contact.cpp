@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "palpate/sim/contact/private/along.h"
 #include "palpate/sim/contact/private/footprint.h"
 #include "palpate/sim/contact/private/local_press.h"
 #include "palpate/sim/contact/private/mesh_response.h"
