@@ -78,6 +78,7 @@ def make_layer_organ(cell: float, sphere: float) -> Organ:
         make_organ(imported=None),
         name="layer",
         fill=FillPart(),
+        far_field=None,
         surface=surface,
         material=MaterialPart(),
         model=ModelPart(kind="solid", constants="tissue", drag=60.0),

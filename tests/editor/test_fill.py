@@ -238,8 +238,8 @@ def test_a_response_too_large_for_memory_is_refused_before_it_is_solved(file, ca
     assert main(["material", str(file), *words]) == 1
 
     said = capsys.readouterr().err
-    assert "its response takes 92.5 MB for 1603 of 1603 particles" in said
-    assert "linear solid: response: got 92.5" in said
+    assert "its response takes 118.5 MB for 1814 of 1814 particles" in said
+    assert "linear solid: response: got 118.461" in said
     assert "expected at most 67.1089 MB: fill with fewer tetrahedra, or limit the reach" in said
     assert read_organ(file).fill.tetrahedra == 600
 

@@ -100,7 +100,7 @@ def test_a_reader_that_crashes_is_told_from_one_that_refuses(organ, tmp_path):
         read_mesh(organ, reader=program(tmp_path / "reader", "kill -SEGV $$"))
 
 
-MAGIC = struct.pack("<Q", 0x31454E4543534C50)
+MAGIC = struct.pack("<Q", 0x32454E4543534C50)
 
 
 @pytest.mark.parametrize(
