@@ -15,7 +15,7 @@ import numpy as np
 from organs import APPEARANCE, SEGMENTATION, SOURCE
 from palpate.error import FileError
 from palpate.scenario import Container, pack_container, unpack_container
-from palpate_editor.document import Decimation, Organ, Surface
+from palpate_editor.document import Decimation, FarField, Organ, Surface
 from palpate_editor.document.files import FORMAT, VERSION, pack_organ, unpack_organ
 
 Arrays = dict[str, np.ndarray]
@@ -38,6 +38,7 @@ def make_octahedron() -> Organ:
         imported=imported,
         surface=surface,
         decimation=Decimation(6, 8, 6, 8, 60.0, 1e-3, 2e-3),
+        far_field=FarField("0123abcd", 0.008, 8000, np.linspace(-1.0, 50.0, 36)),
         fixed=np.arange(6) == 5,
         stiffness_scale=np.linspace(1.0, 2.0, 6),
         regions={"top": np.array([0, 4], np.int32), "dalağın ucu": np.array([3], np.int32)},
