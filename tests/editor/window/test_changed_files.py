@@ -111,7 +111,7 @@ def test_other_parts_of_the_same_file_stay_in_its_document(qtbot, spleen_window,
     parts = window.session.organ.source.parts_available
 
     window.import_panel.tick_none()
-    window.import_panel.parts.item(0).setCheckState(Qt.CheckState.Checked)
+    window.import_panel.parts.tick({parts[0]})
     window.import_panel.import_parts()
     settle(qtbot, window)
 
