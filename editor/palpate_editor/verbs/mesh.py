@@ -18,6 +18,7 @@ from palpate_editor.document.problems import Facts
 from palpate_editor.document.rules import find_import_problems, find_repair_problems
 from palpate_editor.edits import import_read
 from palpate_editor.verbs.check import describe_problems
+from palpate_editor.verbs.clean import add_cleaning, clean, describe_cleaning
 from palpate_editor.verbs.decimate import decimate_to, describe_decimate
 from palpate_editor.verbs.files import (
     OUTPUTS,
@@ -118,6 +119,7 @@ def add_import(parser: argparse.ArgumentParser) -> None:
         help="keep each part as a region of its name, for a tissue of its own (palpate material "
         "--tissue NAME=TISSUE)",
     )
+    add_cleaning(parser)
     parser.add_argument("--vertices", type=int, help="decimate to exactly this many")
     add_output(
         parser,
@@ -157,6 +159,8 @@ def run_import(call: argparse.Namespace) -> Report:
         "welded_vertices": repaired.pop("welded_vertices"),
         "repaired": repaired,
     }
+    organ, cleaned = clean(call, organ)
+    report |= cleaned
     if call.vertices is not None:
         organ, report["decimated"] = decimate_to(organ, call.vertices, call.file)
     assert organ.surface is not None
@@ -196,6 +200,7 @@ def describe_import(report: Report) -> str:
         if not loops
         else f"{describe_loops(loops)}, kept open (palpate repair --fill-holes closes them)",
     ]
+    lines += describe_cleaning(report)
     if "decimated" in report:
         lines.append(describe_decimate(report["decimated"]))
     lines.append(
