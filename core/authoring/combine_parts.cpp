@@ -21,7 +21,7 @@ namespace {
 constexpr std::array kRoundings = {kWeldTolerance, 1e-5, 1e-4};
 
 constexpr const char* kSolid =
-    "a closed part that does not cross itself: mend it, leave it out, or weld the parts of one "
+    "a closed part that does not cross itself: repair it, leave it out, or weld the parts of one "
     "surface without uniting them";
 
 /// What keeps a surface from bounding a solid; empty where it does.

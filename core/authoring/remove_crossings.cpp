@@ -70,7 +70,7 @@ class Wounds {
 
   int find(int vertex) { return sets_.find(vertex); }
 
-  /// They are mended together or not at all.
+  /// They are repaired together or not at all.
   void unite(int vertex, int other) { sets_.unite(vertex, other); }
 
   const Marks& taken() const { return taken_; }

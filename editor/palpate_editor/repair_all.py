@@ -22,7 +22,7 @@ def apply_fix(problem: Problem, organ: Organ) -> Organ:
 
 
 def repair_all(organ: Organ) -> tuple[Assessment, list[str]]:
-    """What is known of the organ once all that can be mended is, and the titles of what was done.
+    """What is known of the organ once all that can be repaired is, and the titles of what was done.
 
     Raises EditError where there is no surface.
     """

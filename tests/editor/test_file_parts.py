@@ -449,9 +449,9 @@ def test_pieces_whose_largest_crosses_itself_cannot_be_told_apart_by_keeping_one
     path = write_parts(tmp_path / "spleen.obj", parts)
     organ = import_file(path, unit="mm", up="z")(EMPTY)
 
-    mended, done = repair_problems(organ, ["self_intersections", "crossing", "shells"])
+    repaired, done = repair_problems(organ, ["self_intersections", "crossing", "shells"])
 
-    assert done and not {"crossing", "self_intersections"} & {p.key for p in mended.problems}
+    assert done and not {"crossing", "self_intersections"} & {p.key for p in repaired.problems}
 
 
 def test_the_outer_parts_alone_are_imported_where_some_lie_inside_others(tmp_path, capsys):

@@ -71,9 +71,9 @@ def test_a_stated_unit_ten_times_off_is_mended_by_the_fix_that_is_offered(tmp_pa
 
     [problem] = [p for p in assess(organ).problems if p.key == "size"]
 
-    mended = problem.fix(organ)
-    assert palpate.compute_diagonal(mended.surface.vertices) == pytest.approx(0.11)
-    assert "size" not in [p.key for p in assess(mended).problems]
+    repaired = problem.fix(organ)
+    assert palpate.compute_diagonal(repaired.surface.vertices) == pytest.approx(0.11)
+    assert "size" not in [p.key for p in assess(repaired).problems]
 
 
 def test_a_part_may_be_smaller_than_the_whole(tmp_path):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shapes damaged in twelve ways are mended by Repair all, back to their volume."""
+"""Shapes damaged in twelve ways are repaired by Repair all, back to their volume."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ SAMPLE = [
 ]
 
 
-def mend(shape: str, name: str, seed: int, folder: Path) -> Organ:
+def repair(shape: str, name: str, seed: int, folder: Path) -> Organ:
     path = folder / f"{seed}.obj"
     write_obj(path, *damage(shape, name, seed))
     imported = import_file(path)(EMPTY)
@@ -38,7 +38,7 @@ def mend(shape: str, name: str, seed: int, folder: Path) -> Organ:
 
 
 def find_fault(shape: str, name: str, organ: Organ) -> str:
-    """What is wrong with a shape that was mended; empty where nothing is."""
+    """What is wrong with a shape that was repaired; empty where nothing is."""
     report = inspect_mesh(mesh_of(organ.surface))
     if not report.closed or report.non_manifold_edges or not report.outward:
         return f"{len(report.border_loops)} holes, outward {report.outward}"
@@ -51,14 +51,14 @@ def find_fault(shape: str, name: str, organ: Organ) -> str:
 
 @pytest.mark.parametrize(("shape", "name"), SAMPLE)
 def test_a_damaged_shape_gets_its_volume_back(shape, name, tmp_path):
-    assert find_fault(shape, name, mend(shape, name, 0, tmp_path)) == ""
+    assert find_fault(shape, name, repair(shape, name, 0, tmp_path)) == ""
 
 
 @pytest.mark.landing
 @pytest.mark.parametrize("shape", SHAPES)
 @pytest.mark.parametrize("name", DAMAGES)
 def test_every_damage_of_every_shape_is_mended(shape, name, tmp_path):
-    faults = {seed: find_fault(shape, name, mend(shape, name, seed, tmp_path)) for seed in SEEDS}
+    faults = {seed: find_fault(shape, name, repair(shape, name, seed, tmp_path)) for seed in SEEDS}
 
     assert not any(faults.values()), faults
 

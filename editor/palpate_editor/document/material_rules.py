@@ -38,7 +38,7 @@ def find_material_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
             "material",
             "surface",
             phrase("a surface that no tissue can be built on yet"),
-            phrase("one whose problems the Repair stage has mended"),
+            phrase("one without the problems that the Repair stage lists"),
         )
     if facts.surface is None or facts.tissue is None:
         return

@@ -50,14 +50,14 @@ class Decimate:
         return replace(carry_paint(organ, self.surface), decimation=self.decimation)
 
 
-def find_mendable(organ: Organ) -> Surface:
-    """The imported surface. Raises EditError where there is none, or Repair has to mend it."""
+def find_repaired(organ: Organ) -> Surface:
+    """The imported surface. Raises EditError where there is none, or one to be repaired."""
     find_surface(organ)
     source = organ.imported
     assert source is not None
     if len(find_crowded(source.triangles)) or len(find_disagreeing(source.triangles)):
         raise EditError(
-            phrase("It cannot be decimated before Repair has mended its surface: see its problems.")
+            phrase("It cannot be decimated before its surface is repaired: see its problems.")
         )
     return source
 
@@ -68,7 +68,7 @@ def decimate_organ(organ: Organ, vertices: int) -> Decimate:
     Always from the imported surface, so that trying several counts costs no quality.
     Raises EditError where there is no organ or the count cannot be reached.
     """
-    source = find_mendable(organ)
+    source = find_repaired(organ)
     try:
         found = authoring.decimate(palpate.SurfaceMesh(source.vertices, source.triangles), vertices)
     except ValueError as problem:
@@ -134,7 +134,7 @@ def decimate_within(organ: Organ, error: float) -> Decimate:
 
     Raises EditError where there is no organ, or no coarser surface keeps within.
     """
-    source = find_mendable(organ)
+    source = find_repaired(organ)
     if not (math.isfinite(error) and error > 0.0):
         raise EditError(phrase("The error must be more than 0 mm, got {got:g}.", got=1e3 * error))
     low, high = 3, len(source.vertices)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Mending a surface rung by rung, the least invasive first, and saying what each rung did.
+"""Repairing a surface step by step, the least invasive first, and saying what each did.
 
 A rung looks at the organ as it is by then and gives an edit, or none where there is nothing for it
-to do. What one rung mends the next ones need not.
+to do. What one rung repairs the next ones need not.
 """
 
 from __future__ import annotations
@@ -220,7 +220,7 @@ def lies_inside(surface: Surface, largest: Surface) -> bool:
 
 
 def climb(organ: Organ, tell: Tell = lambda title: None) -> Climb:
-    """Mends all that can be mended. Raises EditError where there is no surface, and
+    """Repairs all that can be repaired. Raises EditError where there is no surface, and
     guarded.Cancelled once it is no longer wanted."""
     state = State.of(organ)
     rungs: list[Rung] = []

@@ -49,7 +49,7 @@ class Remesh:
         self.check(organ)
         source = surface if organ.imported is None else organ.imported
         if len(find_crowded(source.triangles)) or len(find_disagreeing(source.triangles)):
-            raise EditError(phrase("It cannot be remeshed before Repair has mended its surface."))
+            raise EditError(phrase("It cannot be remeshed before its surface is repaired."))
         fine = surface.vertices[organ.regions[self.region]] if self.region else np.zeros((0, 3))
         numbers = {
             "edge_length": self.edge_length,

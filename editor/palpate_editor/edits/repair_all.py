@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All that can be mended of a surface, as one edit."""
+"""All that can be repaired of a surface, as one edit."""
 
 from __future__ import annotations
 

@@ -2435,7 +2435,7 @@ Beklenen: {expected}.</translation>
         <translation>Göster</translation>
     </message>
     <message>
-        <source>Whatever can be drawn is imported. Triangles that no tissue can be built on are red on the organ, and the checks below name what mends them.</source>
+        <source>Whatever can be drawn is imported. Triangles that no tissue can be built on are red on the organ, and the checks below name what repairs them.</source>
         <translation>Çizilebilen her şey içe aktarılır. Üzerine doku kurulamayan üçgenler organda kırmızıdır; onları neyin onaracağını aşağıdaki denetimler söyler.</translation>
     </message>
     <message>
@@ -3852,7 +3852,7 @@ Beklenen: {expected}.</translation>
         <translation>Bütün komşular hangi yanın dışarısı olduğunda anlaşıyor.</translation>
     </message>
     <message>
-        <source>It cannot be decimated before Repair has mended its surface: see its problems.</source>
+        <source>It cannot be decimated before its surface is repaired: see its problems.</source>
         <translation>Onarım yüzeyini onarmadan sadeleştirilemez: sorunlarına bakın.</translation>
     </message>
     <message>
@@ -3880,7 +3880,7 @@ Beklenen: {expected}.</translation>
         <translation>en çok %{most:g}: daha az parça seçin, birleştirin ya da en büyük parçayı tutun</translation>
     </message>
     <message>
-        <source>one whose problems the Repair stage has mended</source>
+        <source>one without the problems that the Repair stage lists</source>
         <translation>sorunlarını Onarım aşamasının giderdiği bir yüzey</translation>
     </message>
     <message>
@@ -4228,7 +4228,7 @@ Beklenen: {expected}.</translation>
         <translation>{edge:.3g} mm kenarlarla yeniden ağla, {region} bölgesinde {fine:.3g} mm</translation>
     </message>
     <message>
-        <source>It cannot be remeshed before Repair has mended its surface.</source>
+        <source>It cannot be remeshed before its surface is repaired.</source>
         <translation>Onar aşaması yüzeyini onarmadan yeniden ağlanamaz.</translation>
     </message>
     <message>

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The verbs that mend a surface: repair, remesh."""
+"""The verbs that repair a surface: repair, remesh."""
 
 from __future__ import annotations
 
@@ -55,8 +55,8 @@ def add_repair(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--all",
         action="store_true",
-        help="mend the surface step by step, from cleaning to, where nothing else helps, a wrap; "
-        "without any option this is done, and then errors of its material are mended",
+        help="repair the surface step by step, from cleaning to, where nothing else helps, a wrap; "
+        "without any option this is done, and then errors of its material are repaired",
     )
     parser.add_argument(
         "--problem",
@@ -291,7 +291,7 @@ def describe_remesh(report: Report) -> str:
 VERBS = [
     Verb(
         "repair",
-        "mend a surface, step by step or all at once, and say what each step did",
+        "repair a surface, step by step or all at once, and say what each step did",
         "palpate repair spleen.organ --fill-holes 12 --crossings -o spleen.organ",
         add_repair,
         run_repair,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command lines of the steps that mend a surface."""
+"""The command lines of the steps that repair a surface."""
 
 from __future__ import annotations
 

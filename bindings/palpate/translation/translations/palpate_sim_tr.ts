@@ -228,7 +228,7 @@
         <translation>1 delik</translation>
     </message>
     <message>
-        <source>a closed part that does not cross itself: mend it, leave it out, or weld the parts of one surface without uniting them</source>
+        <source>a closed part that does not cross itself: repair it, leave it out, or weld the parts of one surface without uniting them</source>
         <translation>kendini kesmeyen kapalı bir parça: onarın, dışarıda bırakın, ya da tek bir yüzeyin parçalarını birleştirmeden kaynaştırın</translation>
     </message>
     <message>

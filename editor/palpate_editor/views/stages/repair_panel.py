@@ -38,7 +38,7 @@ class RepairPanel(StagePanel):
             tr("Doubled points are welded, doubled and empty triangles removed, and triangles "
                "turned so that all face outwards. What was done stands in the panel."),
             tr("Whatever can be drawn is imported. Triangles that no tissue can be built on are "
-               "red on the organ, and the checks below name what mends them."),
+               "red on the organ, and the checks below name what repairs them."),
             tr("Holes are never closed without being asked for: an open surface can be a hollow "
                "organ or a sheet, and then needs the thickness of its wall."),
             tr("Each step is shown before it is applied, with what it changes and how far the "
