@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
@@ -11,8 +11,8 @@ import palpate
 
 from palpate_editor import authoring
 from palpate_editor.document import Organ, Surface, phrase
-from palpate_editor.edits.carry import carry_paint
 from palpate_editor.edits.edit import EditError, find_surface
+from palpate_editor.edits.repair import put_in_place
 
 
 @dataclass(frozen=True)
@@ -26,22 +26,19 @@ class UniteShells:
 
     def __call__(self, organ: Organ) -> Organ:
         surface = find_surface(organ)
-        united = unite(surface)
-        if united is surface:
+        if is_one_piece(surface):
             raise EditError(phrase("The surface is one piece already."))
-        whole = united
-        if organ.imported is not None and organ.imported is not surface:
-            whole = unite(organ.imported)
-        decimation = organ.decimation and replace(
-            organ.decimation, vertices=len(united.vertices), triangles=len(united.triangles)
-        )
-        return replace(carry_paint(organ, united), imported=whole, decimation=decimation)
+        return put_in_place(organ, unite)
+
+
+def is_one_piece(surface: Surface) -> bool:
+    shell = palpate.find_shells(len(surface.vertices), surface.triangles)
+    return bool(np.max(shell) < 1)
 
 
 def unite(surface: Surface) -> Surface:
     """The very same surface where it is one piece. Raises EditError."""
-    shell = palpate.find_shells(len(surface.vertices), surface.triangles)
-    if np.max(shell) < 1:
+    if is_one_piece(surface):
         return surface
     try:
         mesh = authoring.unite_shells(palpate.SurfaceMesh(surface.vertices, surface.triangles))

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import argparse
 
-import palpate
 from palpate.command.verb import Report
 from palpate.files.refusal import Refusal
 
@@ -13,21 +12,12 @@ from palpate_editor.document import Organ
 from palpate_editor.edits import FillHoles, KeepLargestShell
 from palpate_editor.edits.repair import keep_largest
 from palpate_editor.verbs.files import apply, describe_loops
-
-EVERY_HOLE = 2**31 - 1
-"""[edges] More than any hole has."""
+from palpate_editor.verbs.holes import add_fill_holes, find_holes
 
 
 def add_cleaning(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--largest", action="store_true", help="keep its largest piece alone")
-    parser.add_argument(
-        "--fill-holes",
-        type=int,
-        nargs="?",
-        const=EVERY_HOLE,
-        metavar="EDGES",
-        help="close every hole, or those of at most so many edges",
-    )
+    add_fill_holes(parser)
 
 
 def clean(call: argparse.Namespace, organ: Organ) -> tuple[Organ, Report]:
@@ -44,18 +34,13 @@ def clean(call: argparse.Namespace, organ: Organ) -> tuple[Organ, Report]:
 
 def fill_small(call: argparse.Namespace, organ: Organ) -> tuple[Organ, list[int]]:
     """The organ without those holes, and how many edges each had; a closed one as it is."""
-    assert organ.surface is not None
     if call.fill_holes < 3:
         raise Refusal(call.file, "--fill-holes", f"{call.fill_holes} edges", "3 or more")
-    sizes = [len(loop) for loop in palpate.find_border_loops(organ.surface.triangles)]
-    holes = tuple(i for i, size in enumerate(sizes) if size <= call.fill_holes)
-    if sizes and not holes:
-        found = f"{describe_loops(sizes)}, none of at most {call.fill_holes} edges"
-        raise Refusal(call.file, "--fill-holes", found, "holes to fill")
+    holes = find_holes(call, organ)
     if not holes:
         return organ, []
-    filled = apply(FillHoles(holes), organ, call.file, "--fill-holes")
-    return filled, [sizes[i] for i in holes]
+    filled = apply(FillHoles(tuple(holes)), organ, call.file, "--fill-holes")
+    return filled, list(holes.values())
 
 
 def describe_cleaning(report: Report) -> list[str]:

@@ -6,7 +6,6 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-import palpate
 from palpate.command.output import add_output
 from palpate.command.verb import Report, Verb, quantity
 from palpate.files.refusal import Refusal
@@ -35,13 +34,11 @@ from palpate_editor.verbs.files import (
     OUTPUTS,
     ReadFile,
     apply,
-    describe_loops,
     open_any,
     write_any,
 )
+from palpate_editor.verbs.holes import add_fill_holes, find_holes
 
-EVERY_HOLE = 2**31 - 1
-"""[edges] More than any hole has."""
 AS_USUAL = -1.0
 """A step that is asked for without its number."""
 NOTHING = ""
@@ -100,14 +97,7 @@ def add_steps(parser: argparse.ArgumentParser) -> None:
         metavar="SHARE",
         help=f"drop pieces that have less than this part of the area; default: {SMALL:g}",
     )
-    parser.add_argument(
-        "--fill-holes",
-        type=int,
-        nargs="?",
-        const=EVERY_HOLE,
-        metavar="EDGES",
-        help="close every hole, or those of at most so many edges",
-    )
+    add_fill_holes(parser)
     parser.add_argument(
         "--crossings",
         type=float,
@@ -207,15 +197,10 @@ def tell_step(edit: Edit, before: Organ, after: Organ) -> Rung:
 
 def choose_holes(call: argparse.Namespace, organ: Organ) -> FillHoles:
     """Those that the call wants closed. Raises Refusal."""
-    assert organ.surface is not None
-    sizes = [len(loop) for loop in palpate.find_border_loops(organ.surface.triangles)]
-    holes = tuple(i for i, size in enumerate(sizes) if size <= call.fill_holes)
+    holes = find_holes(call, organ)
     if not holes:
-        found = f"{describe_loops(sizes)}, none of at most {call.fill_holes} edges"
-        raise Refusal(
-            call.file, "--fill-holes", found if sizes else "a closed surface", "holes to fill"
-        )
-    return FillHoles(holes)
+        raise Refusal(call.file, "--fill-holes", "a closed surface", "holes to fill")
+    return FillHoles(tuple(holes))
 
 
 def describe_repair(report: Report) -> str:
