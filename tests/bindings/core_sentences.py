@@ -11,6 +11,7 @@ CORE = Path(__file__).resolve().parents[2] / "core"
 FILES = (
     *("authoring/*.cpp", "authoring/cgal/*.cpp", "authoring/read_mesh_child/*.cpp"),
     "authoring/read_mesh_child/mean_colour.h",
+    "authoring/cgal/private/*.h",
     *("sim/base/private/whole_file.cpp", "sim/arm/serial_transport.cpp"),
     *("sim/arm/serial_device.cpp", "sim/arm/private/serial_link_status.cpp"),
     *("sim/arm/pty_device.cpp", "sim/arm/calibration.cpp", "sim/tick/scene.cpp"),

@@ -5,10 +5,11 @@
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <map>
 #include <utility>
+
+#include "palpate/authoring/cgal/private/surface_mesh.h"
 
 // A file of its own: minutes to compile, and nobody includes it.
 
@@ -19,38 +20,6 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 // exact points, as a solid that was cut is cut again
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
-using Vertex = Surface::Vertex_index;
-
-Vertex to_vertex(int v) { return Vertex(static_cast<unsigned>(v)); }
-
-Surface to_surface(const SurfaceMesh& mesh) {
-  Surface surface;
-  for (const Vec3& p : mesh.vertices) surface.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z()));
-  for (const auto& [a, b, c] : mesh.triangles) {
-    surface.add_face(to_vertex(a), to_vertex(b), to_vertex(c));
-  }
-  return surface;
-}
-
-SurfaceMesh to_mesh(const Surface& surface) {
-  SurfaceMesh mesh;
-  std::vector<int> number(surface.num_vertices() + surface.number_of_removed_vertices(), -1);
-  for (const Vertex v : surface.vertices()) {
-    number[v.idx()] = static_cast<int>(mesh.vertices.size());
-    const auto& p = surface.point(v);
-    mesh.vertices.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()),
-                               CGAL::to_double(p.z()));
-  }
-  for (const auto face : surface.faces()) {
-    Triangle t{};
-    std::size_t corner = 0;
-    for (const Vertex v : surface.vertices_around_face(surface.halfedge(face))) {
-      t[corner++] = number[v.idx()];
-    }
-    mesh.triangles.push_back(t);
-  }
-  return mesh;
-}
 
 bool is_apart(const Surface& a, const Surface& b) {
   return a.is_empty() || b.is_empty() || !CGAL::do_overlap(pmp::bbox(a), pmp::bbox(b));
@@ -80,7 +49,9 @@ bool unite_all(std::vector<Surface>& solids) {
 
 std::vector<Surface> to_surfaces(const std::vector<SurfaceMesh>& meshes) {
   std::vector<Surface> surfaces;
-  for (const SurfaceMesh& mesh : meshes) surfaces.push_back(to_surface(mesh));
+  for (const SurfaceMesh& mesh : meshes) {
+    surfaces.push_back(to_surface<Surface>(mesh, "parts"));
+  }
   return surfaces;
 }
 

@@ -7,13 +7,14 @@
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Polyhedral_mesh_domain_3.h>
 #include <CGAL/Random.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/exude_mesh_3.h>
 #include <CGAL/make_mesh_3.h>
 #include <CGAL/perturb_mesh_3.h>
 
 #include <map>
 #include <stdexcept>
+
+#include "palpate/authoring/cgal/private/surface_mesh.h"
 
 // A file of its own: minutes and gigabytes to compile, and nobody includes it.
 
@@ -34,17 +35,6 @@ constexpr double kRadiusEdgeRatio = 2.0;  // of a cell's circumsphere to its sho
 constexpr unsigned kSeed = 1;
 /// [s] Else perturbing and exuding may take as long as refining did, on this machine, just then.
 constexpr double kNoLimit = 0.0;
-
-Surface to_surface(const SurfaceMesh& mesh) {
-  Surface surface;
-  for (const Vec3& p : mesh.vertices) surface.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z()));
-  using Vertex = Surface::Vertex_index;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    surface.add_face(Vertex(static_cast<unsigned>(a)), Vertex(static_cast<unsigned>(b)),
-                     Vertex(static_cast<unsigned>(c)));
-  }
-  return surface;
-}
 
 SolidMesh to_solid(const Complex& complex) {
   SolidMesh solid;
@@ -102,7 +92,7 @@ SolidMesh fill_with_mesh_3(const SurfaceMesh& surface, const CellSize& size,
   namespace parameters = CGAL::parameters;
   // perturbing draws from CGAL's own source, which else begins with the time of day
   CGAL::get_default_random() = CGAL::Random(kSeed);
-  const Surface bounded = to_surface(surface);
+  const auto bounded = to_surface<Surface>(surface, "fill");
   const Domain domain(bounded);
   Complex complex = CGAL::make_mesh_3<Complex>(domain, build_criteria(size), parameters::no_lloyd(),
                                                parameters::no_odt(), parameters::no_perturb(),

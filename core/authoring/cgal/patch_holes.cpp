@@ -5,11 +5,10 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <map>
 
-#include "palpate/sim/base/private/refuse.h"
+#include "palpate/authoring/cgal/private/surface_mesh.h"
 
 // A file of its own: a minute and more to compile, and nobody includes it.
 
@@ -22,21 +21,6 @@ using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Surface::Vertex_index;
 using Halfedge = Surface::Halfedge_index;
 using Face = Surface::Face_index;
-
-Vertex to_vertex(int v) { return Vertex(static_cast<unsigned>(v)); }
-
-Surface to_surface(const SurfaceMesh& mesh) {
-  Surface surface;
-  for (const Vec3& p : mesh.vertices) surface.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z()));
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto& [a, b, c] = mesh.triangles[i];
-    if (surface.add_face(to_vertex(a), to_vertex(b), to_vertex(c)) == Surface::null_face()) {
-      refuse(write_text("fill: triangle ", i), "an edge or a vertex shared by too many",
-             "a manifold surface");
-    }
-  }
-  return surface;
-}
 
 /// The halfedge along the hole: the surface lies left of its loop, so the hole lies on the other
 /// side.
@@ -88,7 +72,7 @@ std::vector<Patch> patch_holes(const SurfaceMesh& mesh, const std::vector<std::v
                                PatchShape shape) {
   std::vector<Patch> patches;
   if (loops.empty()) return patches;
-  Surface surface = to_surface(mesh);
+  auto surface = to_surface<Surface>(mesh, "fill");
   for (const auto& loop : loops) {
     const Halfedge border = find_border(surface, loop);
     patches.emplace_back();

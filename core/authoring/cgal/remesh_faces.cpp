@@ -4,9 +4,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Surface_mesh.h>
 
-#include "palpate/sim/base/private/refuse.h"
+#include "palpate/authoring/cgal/private/surface_mesh.h"
 
 // A file of its own: a minute and more to compile, and nobody includes it.
 
@@ -16,7 +15,6 @@ namespace {
 namespace pmp = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
-using Vertex = Surface::Vertex_index;
 using Face = Surface::Face_index;
 
 /// Of splitting, collapsing, flipping and sliding; more change little.
@@ -25,44 +23,11 @@ constexpr unsigned kRounds = 5;
 /// Of the length that is asked for, the edges come out this much shorter in the middle.
 constexpr double kShorter = 0.91;
 
-Vertex to_vertex(int v) { return Vertex(static_cast<unsigned>(v)); }
-
-Surface to_surface(const SurfaceMesh& mesh) {
-  Surface surface;
-  for (const Vec3& p : mesh.vertices) surface.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z()));
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto& [a, b, c] = mesh.triangles[i];
-    if (surface.add_face(to_vertex(a), to_vertex(b), to_vertex(c)) == Surface::null_face()) {
-      refuse(write_text("remesh: triangle ", i), "an edge or a vertex shared by too many",
-             "a manifold surface");
-    }
-  }
-  return surface;
-}
-
-SurfaceMesh to_mesh(Surface& surface) {
-  surface.collect_garbage();
-  SurfaceMesh mesh;
-  for (const Vertex v : surface.vertices()) {
-    const auto& p = surface.point(v);
-    mesh.vertices.emplace_back(p.x(), p.y(), p.z());
-  }
-  for (const Face face : surface.faces()) {
-    Triangle t{};
-    std::size_t corner = 0;
-    for (const Vertex v : surface.vertices_around_face(surface.halfedge(face))) {
-      t[corner++] = static_cast<int>(v.idx());
-    }
-    mesh.triangles.push_back(t);
-  }
-  return mesh;
-}
-
 }  // namespace
 
 SurfaceMesh remesh_faces(const SurfaceMesh& mesh, const std::vector<char>& chosen,
                          double edge_length, double sharp) {
-  Surface surface = to_surface(mesh);
+  auto surface = to_surface<Surface>(mesh, "remesh");
   std::vector<Face> faces;
   for (const Face face : surface.faces()) {
     if (chosen[face.idx()]) faces.push_back(face);
@@ -75,6 +40,7 @@ SurfaceMesh remesh_faces(const SurfaceMesh& mesh, const std::vector<char>& chose
                                .edge_is_constrained_map(kept)
                                .number_of_relaxation_steps(3)
                                .relax_constraints(true));
+  surface.collect_garbage();
   return to_mesh(surface);
 }
 

@@ -2,8 +2,9 @@
 #include "palpate/authoring/cgal/wrap_triangles.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/alpha_wrap_3.h>
+
+#include "palpate/authoring/cgal/private/surface_mesh.h"
 
 // A file of its own: a minute to compile, and nobody includes it.
 
@@ -12,25 +13,6 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
-
-SurfaceMesh to_mesh(const Surface& surface) {
-  SurfaceMesh mesh;
-  std::vector<int> number(surface.num_vertices() + surface.number_of_removed_vertices(), -1);
-  for (const auto v : surface.vertices()) {
-    number[v.idx()] = static_cast<int>(mesh.vertices.size());
-    const auto& p = surface.point(v);
-    mesh.vertices.emplace_back(p.x(), p.y(), p.z());
-  }
-  for (const auto face : surface.faces()) {
-    Triangle t{};
-    std::size_t corner = 0;
-    for (const auto v : surface.vertices_around_face(surface.halfedge(face))) {
-      t[corner++] = number[v.idx()];
-    }
-    mesh.triangles.push_back(t);
-  }
-  return mesh;
-}
 
 }  // namespace
 
