@@ -4,76 +4,22 @@
 from __future__ import annotations
 
 import json
-from functools import cache
-from pathlib import Path
 
 import numpy as np
 import palpate
 import pytest
 from palpate.cli.main import main
-from palpate_editor.authoring import import_mesh, read_mesh, unite_shells
+from palpate_editor.authoring import import_mesh
 from palpate_editor.check import assess
 from palpate_editor.document import EMPTY, Assembly
 from palpate_editor.document.files import read_organ, write_organ
-from palpate_editor.edits import EditError, decimate_organ, import_file
+from palpate_editor.edits import decimate_organ, import_file
 from palpate_editor.edits.import_mesh import Assembling
-from palpate_editor.edits.part_list import find_outermost, list_parts, sort_rows
-from palpate_editor.edits.unite import UniteShells, can_be_united
+from palpate_editor.edits.part_list import find_outermost, sort_rows
+from palpate_editor.edits.unite import UniteShells
 from palpate_editor.repair_all import repair_problems
 from palpate_editor.views.command_lines import find_arguments
-from scipy.spatial import ConvexHull
-from small_meshes import CORNERS, CUBE, mesh_of, together
-
-Parts = dict[str, tuple[np.ndarray, np.ndarray]]
-
-
-def ball(radius: float, centre: tuple[float, float, float] = (0.0, 0.0, 0.0), vertices: int = 300):
-    """[mm] A sphere: the hull of points on a spiral from pole to pole."""
-    x, triangles = unit_ball(vertices)
-    return radius * x + np.array(centre), triangles
-
-
-@cache
-def unit_ball(vertices: int) -> tuple[np.ndarray, np.ndarray]:
-    k = np.arange(vertices) + 0.5
-    height, angle = 1.0 - 2.0 * k / vertices, np.pi * (1.0 + np.sqrt(5.0)) * k
-    across = np.sqrt(1.0 - height**2)
-    x = np.column_stack([across * np.cos(angle), across * np.sin(angle), height])
-    triangles = ConvexHull(x).simplices.copy()
-    inward = np.linalg.det(x[triangles]) < 0.0
-    triangles[inward] = triangles[inward][:, ::-1]
-    return x, triangles
-
-
-def box(low: tuple[float, float, float], size: float = 10.0):
-    """[mm] A cube."""
-    return 100.0 * size * CORNERS + np.array(low), CUBE
-
-
-def write_parts(path: Path, parts: Parts) -> Path:
-    """An OBJ in millimetres with an object for each."""
-    lines, first = [], 1
-    for name, (x, triangles) in parts.items():
-        lines.append(f"o {name}")
-        lines += [f"v {p[0]!r} {p[1]!r} {p[2]!r}" for p in x.tolist()]
-        lines += [f"f {a} {b} {c}" for a, b, c in (triangles + first).tolist()]
-        first += len(x)
-    path.write_text("\n".join(lines) + "\n")
-    return path
-
-
-def read_parts(tmp_path: Path, parts: Parts):
-    path = write_parts(tmp_path / "parts.obj", parts)
-    return path, {part.name: part for part in list_parts(read_mesh(path), "mm", "z")}
-
-
-def volume_of(path: Path, **options: object) -> float:
-    """[ml] of what becomes one solid, which is clean."""
-    report = import_mesh(path, unit="mm", up="z", **options).report
-    assert (report.closed, report.outward) == (True, True)
-    assert (report.non_manifold_edges, report.self_intersecting_faces) == (0, 0)
-    return report.volume_ml
-
+from part_files import Parts, ball, box, read_parts, write_parts
 
 # ---------------------------------------------------------------- how they lie
 
@@ -137,121 +83,6 @@ def test_parts_that_cross_are_told_from_those_that_touch_and_those_that_cross_th
     assert crosses["knot"] == ()
     assert parts["knot"].crossing_faces > 0
     assert parts["left"].crossing_faces == 0
-
-
-# ---------------------------------------------------------------- solids
-
-
-@pytest.mark.parametrize("seed", range(6))
-def test_the_union_and_what_is_left_add_up_to_rounding(seed, tmp_path):
-    random = np.random.default_rng(seed)
-    direction = random.normal(size=3)
-    direction /= np.linalg.norm(direction)
-    left, right = ball(20.0), ball(random.uniform(8.0, 18.0), tuple(17.0 * direction))
-    path = write_parts(tmp_path / "two.obj", {"left": left, "right": right})
-
-    alone = [volume_of(path, parts=[name]) for name in ("left", "right")]
-    united = volume_of(path, unite=True)
-    less = volume_of(path, subtract=["right"])
-
-    # |A u B| = |A - B| + |B|, whatever the shapes
-    assert united == pytest.approx(less + alone[1], rel=1e-9)
-    assert max(alone) < united < sum(alone)
-    assert less < alone[0]
-
-
-def test_cubes_are_united_and_subtracted_to_the_volume_by_hand(tmp_path):
-    path = write_parts(tmp_path / "a.obj", {"one": box((0, 0, 0)), "two": box((5.0, 5.0, 5.0))})
-
-    assert volume_of(path, unite=True) == pytest.approx(1.0 + 1.0 - 0.125)
-    assert volume_of(path, subtract=["two"]) == pytest.approx(1.0 - 0.125)
-
-
-def test_cubes_that_share_a_face_become_one_box(tmp_path):
-    path = write_parts(tmp_path / "a.obj", {"one": box((0, 0, 0)), "two": box((10.0, 0, 0))})
-
-    organ = import_mesh(path, unit="mm", unite=True)
-
-    assert organ.report.volume_ml == pytest.approx(2.0)
-    assert (organ.report.shells, organ.report.genus) == (1, 0)
-
-
-def test_a_part_inside_goes_and_one_that_is_taken_away_leaves_a_cavity(tmp_path):
-    path = write_parts(tmp_path / "a.obj", {"outer": ball(20.0), "inner": ball(10.0)})
-    outer, inner = (volume_of(path, parts=[name]) for name in ("outer", "inner"))
-
-    assert volume_of(path, unite=True) == pytest.approx(outer)
-    organ = import_mesh(path, unit="mm", subtract=["inner"])
-    assert palpate.compute_volume(organ.mesh) * 1e6 == pytest.approx(outer - inner)
-    assert organ.report.shells == 2
-    assert list(organ.joined.parts) == ["outer"]
-    assert list(organ.joined.subtracted) == ["inner"]
-
-
-def test_parts_that_are_apart_stay_apart(tmp_path):
-    path = write_parts(tmp_path / "a.obj", {"one": ball(10.0), "two": ball(10.0, (50.0, 0, 0))})
-
-    organ = import_mesh(path, unit="mm", unite=True)
-
-    assert organ.report.shells == 2
-    assert len(organ.mesh.vertices) == 600
-
-
-REFUSED = {
-    "an open part": ({"whole": ball(20.0), "bowl": (ball(9.0)[0], ball(9.0)[1][20:])},
-                     {"unite": True}, "part 'bowl'", "hole"),
-    "nothing left": ({"small": ball(5.0), "large": ball(20.0)}, {"subtract": ["large"]}, "",
-                     "nothing that is left"),
-    "all taken away": ({"one": ball(5.0)}, {"subtract": ["one"]}, "", "all taken away"),
-    "an unknown part": ({"one": ball(5.0)}, {"subtract": ["two"]}, "part 'two'", "no such part"),
-    "an edge": ({"one": box((0, 0, 0)), "two": box((10.0, 10.0, 0.0))}, {"unite": True}, "",
-                "touch along an edge"),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("name", REFUSED)
-def test_what_cannot_be_united_is_refused_in_a_sentence(name, tmp_path):
-    parts, options, where, got = REFUSED[name]
-    path = write_parts(tmp_path / "a.obj", parts)
-
-    with pytest.raises(palpate.FileError) as refusal:
-        import_mesh(path, unit="mm", **options)
-
-    assert where in refusal.value.where and got in refusal.value.got
-    assert refusal.value.expected
-
-
-def test_pieces_of_one_surface_are_united_as_an_edit():
-    x, triangles = (np.asarray(a) for a in ball(0.02))
-    y, more = ball(0.015, (0.018, 0.0, 0.0))
-    both = together(mesh_of(x, triangles), mesh_of(y, more))
-    organ = EMPTY.with_surface(palpate_surface(both))
-    assert can_be_united(organ.surface)
-
-    united = UniteShells()(organ)
-
-    mesh = palpate.SurfaceMesh(united.surface.vertices, united.surface.triangles)
-    assert palpate.is_closed(united.surface.triangles)
-    separate = [palpate.compute_volume(mesh_of(*piece)) for piece in ((x, triangles), (y, more))]
-    assert max(separate) < palpate.compute_volume(mesh) < sum(separate)
-    assert united.imported is united.surface
-    with pytest.raises(EditError, match="one piece"):
-        UniteShells()(united)
-
-
-def palpate_surface(mesh: palpate.SurfaceMesh):
-    from palpate_editor.compile import surface_of
-
-    return surface_of(mesh)
-
-
-def test_an_open_piece_cannot_be_united():
-    x, triangles = ball(0.02)
-    both = together(mesh_of(x, triangles[10:]), mesh_of(*ball(0.015, (0.018, 0.0, 0.0))))
-
-    assert not can_be_united(palpate_surface(both))
-    with pytest.raises(ValueError, match="hole"):
-        unite_shells(both)
 
 
 # ---------------------------------------------------------------- welding across
