@@ -32,8 +32,8 @@ from palpate_editor.edits import (
 from palpate_editor.edits.configure import find_configuration
 from palpate_editor.far_field import SolveFarField
 from palpate_editor.truth import far_field as solver
-from palpate_editor.truth.far_field import round_digits, snap, solve_far_field
-from palpate_editor.truth.graded import Skin
+from palpate_editor.truth.far_field import round_digits, solve_far_field
+from palpate_editor.truth.graded import Skin, snap
 from palpate_editor.truth.progress import Stopped, TruthError
 from palpate_editor.truth.tetrahedra import compute_volumes
 
@@ -279,7 +279,7 @@ def test_outer_vertices_go_to_the_surface_and_no_tetrahedron_is_turned_inside_ou
     x, t = np.array(filled.vertices), np.asarray(filled.tetrahedra, dtype=np.int64)
     skin = Skin(surface.vertices, surface.triangles.astype(np.int64))
 
-    moved = snap(x, t, skin)
+    moved = snap(x, t, 0, skin)
 
     assert (compute_volumes(moved, t) >= 0.2 * compute_volumes(x, t)).all()
     outer = np.unique(palpate.find_boundary(filled))

@@ -19,12 +19,12 @@ from palpate_editor.document.far_compliance import compute_key
 from palpate_editor.document.far_field import FarField
 from palpate_editor.truth.elasticity import Press
 from palpate_editor.truth.find_truth import require_solver
-from palpate_editor.truth.graded import Skin
+from palpate_editor.truth.graded import snap
 from palpate_editor.truth.levels import build_press
 from palpate_editor.truth.patches import POINTS, WEIGHTS, compute_shapes, find_nodes
 from palpate_editor.truth.progress import Asked, Told, TruthError, Watch
 from palpate_editor.truth.subject import Subject, find_whole, take_subject
-from palpate_editor.truth.tetrahedra import Floats, Ints, compute_volumes, find_surface
+from palpate_editor.truth.tetrahedra import Floats, Ints, find_surface
 
 TETRAHEDRA = 8000
 LEAST_PATCH = 0.008
@@ -35,8 +35,6 @@ BLOCK = 32
 """Discs that are solved for at once."""
 ROWS, COLUMNS = [0, 1, 2, 0, 1, 2], [0, 1, 2, 1, 2, 0]
 """Of a symmetric tensor, as a table has it: xx, yy, zz, xy, yz, zx."""
-LEAST_VOLUME = 0.2
-"""Of a tetrahedron's volume, that must be left when its corners go to the surface."""
 DIGITS = 6
 """Of the table that are kept: another machine rounds otherwise, and means the same."""
 
@@ -136,19 +134,7 @@ def build_mesh(whole: Organ, subject: Subject) -> tuple[Floats, Ints]:
     except ValueError as refused:
         raise TruthError(f"far field: the surface cannot be filled: {refused}") from None
     x, t = np.array(solid.vertices), np.asarray(solid.tetrahedra, dtype=np.int64)
-    return snap(x, t, subject.surface), t
-
-
-def snap(x: Floats, t: Ints, skin: Skin) -> Floats:
-    """The outer vertices on the surface, but those that would flatten a tetrahedron."""
-    outer = np.unique(find_surface(t))
-    moved = x.copy()
-    moved[outer] = skin.project(x[outer])[0]
-    before = compute_volumes(x, t)
-    while (flat := compute_volumes(moved, t) < LEAST_VOLUME * before).any():
-        corners = np.unique(t[flat])
-        moved[corners] = x[corners]
-    return moved
+    return snap(x, t, 0, subject.surface), t
 
 
 def measure_edge(x: Floats, t: Ints) -> float:
