@@ -11,6 +11,7 @@
 #include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/tick/tick.h"
 #include "palpate/sim/tree/queries.h"
+#include "scenes/flicks.h"
 #include "scenes/kernels.h"
 #include "scenes/scenes.h"
 
@@ -19,6 +20,8 @@
 using namespace palpate;
 
 namespace {
+
+using scenes::hand_at;
 
 constexpr double kTick = 1e-3;
 
@@ -77,12 +80,6 @@ Scene make_organ(int n, double radius, double k_a) {
   scene.instruments[0].tool = {.radius = radius, .stiffness = k_a};
   scene.instruments[0].coupling = {.stiffness = 400.0, .force_max = 5.0};
   return build_scene(std::move(scene));
-}
-
-HapticSample hand_at(const Vec3& position) {
-  HapticSample sample;
-  sample.position = position;
-  return sample;
 }
 
 struct Held {

@@ -8,6 +8,7 @@
 #include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/tick/tick.h"
 #include "palpate/sim/tree/queries.h"
+#include "scenes/flicks.h"
 #include "scenes/held_block.h"
 #include "scenes/kernels.h"
 
@@ -16,6 +17,8 @@
 using namespace palpate;
 
 namespace {
+
+using scenes::hand_at;
 
 constexpr double kYoung = scenes::kBlockYoung, kPoisson = scenes::kBlockPoisson;
 constexpr double kModulus = scenes::kBlockModulus;  ///< [Pa]
@@ -51,12 +54,6 @@ Scene make_block_scene(Kind kind, int n, double radius, double modulus) {
   scene.instruments[0].tool.radius = radius;
   scene.instruments[0].coupling.stiffness = 1000.0;
   return build_scene(std::move(scene));
-}
-
-HapticSample hand_at(const Vec3& position) {
-  HapticSample sample;
-  sample.position = position;
-  return sample;
 }
 
 /// Presses the top of a block until the tool is `depth` deep, and waits there.

@@ -7,6 +7,7 @@
 #include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/tick/tick.h"
 #include "palpate/sim/tree/queries.h"
+#include "scenes/flicks.h"
 #include "scenes/kernels.h"
 #include "scenes/solids.h"
 
@@ -15,6 +16,8 @@
 using namespace palpate;
 
 namespace {
+
+using scenes::hand_at;
 
 constexpr double kYoung = 5000.0, kPoisson = 0.45;                 // of scenes::make_material
 constexpr double kModulus = kYoung / (1.0 - kPoisson * kPoisson);  ///< [Pa]
@@ -49,12 +52,6 @@ Scene make_block_scene(double edge, double radius) {
                     radius);
 }
 
-HapticSample hand_at(const Vec3& position) {
-  HapticSample sample;
-  sample.position = position;
-  return sample;
-}
-
 double find_top(double edge) { return 0.5 * kLayers * edge; }
 
 /// Of the ball lifted off the triangles by what they lack of the dent.
@@ -64,32 +61,17 @@ bool is_inside(const Scene& scene, const World& world) {
                                 centre) > 0.5;
 }
 
-struct Flicks {
-  int crossed = 0, touched = 0, alarms = 0;
-};
-
 /// Straight down into the top at places all over it, to two fifths of the thickness or 20 mm deep.
-Flicks flick(const Scene& scene, double edge, double speed, int places) {
-  Flicks found;
+scenes::Flicks flick(const Scene& scene, double edge, double speed, int places) {
+  std::vector<Vec3> starts;
   const double radius = scene.instruments[0].tool.radius, side = (2 * kLayers - 2) * edge;
   const double reach = 1.5 * radius + std::min(0.020, 0.4 * kLayers * edge);
   for (int place = 0; place < places; ++place) {
     const double u = std::fmod(0.618034 * place, 1.0) - 0.5;
     const double v = (place + 0.5) / places - 0.5;
-    const Vec3 start(side * u, side * v, find_top(edge) + 1.5 * radius);
-    World world(scene);
-    const int ticks = static_cast<int>(std::ceil(reach / speed / kTick)) + 20;
-    bool crossed = false, felt = false;
-    for (int i = 0; i <= ticks; ++i) {
-      const Vec3 hand = start - Vec3(0.0, 0.0, std::min(reach, speed * kTick * i));
-      felt = tick(scene, hand_at(hand), kTick, world).force.norm() > 0.0 || felt;
-      crossed = crossed || is_inside(scene, world);
-    }
-    found.crossed += crossed;
-    found.touched += felt;
-    found.alarms += static_cast<bool>(world.alarm);
+    starts.emplace_back(side * u, side * v, find_top(edge) + 1.5 * radius);
   }
-  return found;
+  return scenes::flick_down(scene, starts, reach, speed, is_inside);
 }
 
 void check_flicks(double edge, double radius, int places) {
@@ -98,7 +80,7 @@ void check_flicks(double edge, double radius, int places) {
     CAPTURE(edge);
     CAPTURE(radius);
     CAPTURE(speed);
-    const Flicks found = flick(scene, edge, speed, places);
+    const scenes::Flicks found = flick(scene, edge, speed, places);
     CHECK(found.crossed == 0);
     CHECK(found.touched == places);
     CHECK(found.alarms == 0);

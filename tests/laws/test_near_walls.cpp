@@ -9,6 +9,7 @@
 
 #include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/tick/tick.h"
+#include "scenes/flicks.h"
 #include "scenes/kernels.h"
 #include "scenes/walls.h"
 
@@ -17,6 +18,8 @@
 using namespace palpate;
 
 namespace {
+
+using scenes::hand_at;
 
 constexpr double kYoung = 100e3, kPoisson = 0.45;
 constexpr double kModulus = kYoung / (1.0 - kPoisson * kPoisson);  ///< [Pa]
@@ -41,12 +44,6 @@ struct Plate {
   }
 };
 
-HapticSample hand_at(const Vec3& position) {
-  HapticSample sample;
-  sample.position = position;
-  return sample;
-}
-
 /// Below the plate as it lies now: on the far side of the triangle that is above or below the
 /// ball's centre, lifted off by what it lacks of the dent.
 bool is_through(const Scene& scene, const World& world) {
@@ -66,30 +63,15 @@ bool is_through(const Scene& scene, const World& world) {
   return false;
 }
 
-struct Flicks {
-  int crossed = 0, touched = 0, alarms = 0;
-};
-
 /// Straight down at places over the inner part, 20 mm deep.
-Flicks flick(const Scene& scene, double within, double speed, int places) {
-  Flicks found;
+scenes::Flicks flick(const Scene& scene, double within, double speed, int places) {
+  std::vector<Vec3> starts;
   const double radius = scene.instruments[0].tool.radius, reach = 1.5 * radius + 0.020;
   for (int place = 0; place < places; ++place) {
     const double angle = 2.399963 * place, r = within * std::sqrt((place + 0.5) / places);
-    const Vec3 start(r * std::cos(angle), r * std::sin(angle), 1.5 * radius);
-    World world(scene);
-    const int ticks = static_cast<int>(std::ceil(reach / speed / kTick)) + 20;
-    bool crossed = false, felt = false;
-    for (int i = 0; i <= ticks; ++i) {
-      const Vec3 hand = start - Vec3(0.0, 0.0, std::min(reach, speed * kTick * i));
-      felt = tick(scene, hand_at(hand), kTick, world).force.norm() > 0.0 || felt;
-      crossed = crossed || is_through(scene, world);
-    }
-    found.crossed += crossed;
-    found.touched += felt;
-    found.alarms += static_cast<bool>(world.alarm);
+    starts.emplace_back(r * std::cos(angle), r * std::sin(angle), 1.5 * radius);
   }
-  return found;
+  return scenes::flick_down(scene, starts, reach, speed, is_through);
 }
 
 void check_flicks(const Plate& plate, double ball, int places, int most = 0) {
@@ -98,7 +80,7 @@ void check_flicks(const Plate& plate, double ball, int places, int most = 0) {
     CAPTURE(plate.edge);
     CAPTURE(plate.thickness);
     CAPTURE(speed);
-    const Flicks found = flick(scene, 0.7 * plate.radius(), speed, places);
+    const scenes::Flicks found = flick(scene, 0.7 * plate.radius(), speed, places);
     CHECK(found.crossed <= most);
     CHECK(found.touched == places);
     CHECK(found.alarms == 0);
