@@ -17,6 +17,7 @@ from palpate.study.advice import (
     Advice,
     Candidate,
     Need,
+    is_deeper,
 )
 from palpate.study.scene_chart import Chart
 
@@ -40,6 +41,14 @@ def describe_advised(advised: Advised, chart: Chart, organ: Organ) -> list[Phras
         return lines
     if advised.ground is not None:
         lines += describe_ground(advised.ground, organ)
+    if is_deeper(advice.targets, chart):
+        lines.append(
+            phrase(
+                "It will be pressed or pulled {depth:.1f} mm: kinds for small displacements are "
+                "left out, and how right the others are so far was not asked.",
+                depth=1e3 * advice.targets.depth,
+            )
+        )
     lines += [say_need(need) for need in advice.choice.needs]
     lines.append(say_binding(advice))
     lines += describe_neighbours(advice, organ)

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from palpate.scene.scene_parts import FILLED
+from palpate.scene.scene_parts import FILLED, WITH_NEAR_FIELD
 from palpate.study.scene_chart import Configuration
 
 from palpate_editor.document import Organ, Phrase, phrase
@@ -20,11 +20,12 @@ def name_configuration(configuration: Configuration, organ: Organ) -> Phrase:
         parts.append(phrase("1 substep"))
     elif configuration.substeps:
         parts.append(phrase("{count} substeps", count=configuration.substeps))
-    if configuration.kind in FILLED:
+    if configuration.kind in WITH_NEAR_FIELD:
         hard = configuration.contact_law == "hard"
         template = "contact as on the mesh" if hard else "contact as on tissue"
-        size = phrase("{count} tetrahedra", count=configuration.tetrahedra)
-        parts = [size, phrase(template), *parts]
+        parts.insert(0, phrase(template))
+    if configuration.kind in FILLED:
+        parts.insert(0, phrase("{count} tetrahedra", count=configuration.tetrahedra))
         if configuration.far_field == "fine":
             parts.insert(2, phrase("fine far field"))
     else:

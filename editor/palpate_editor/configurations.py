@@ -76,6 +76,8 @@ def list_surfaces(base: Configuration, fitting: bool) -> Iterator[Configuration]
         for count in VERTICES if fitting else STEPPED[1][1:]:
             tissue = replace(surface, kind=kind, constants="tissue", vertices=count)
             yield tissue
+            if fitting and kind == "shell":
+                yield replace(tissue, contact_law="near_field")
             if fitting and kind == "mass_spring":
                 yield replace(tissue, spring_rule="lloyd")
             if fitting and kind == "molecular":

@@ -24,6 +24,8 @@ FORCE, DISPLACEMENT, TIME, STEP = "force", "displacement", "time", "step"
 NEEDS = (FORCE, DISPLACEMENT, TIME, STEP)
 """Errors of a row and of the truth together, 1.5 times the p99 in touch, a step of the limit."""
 TRUTH, NOTHING = "truth", "nothing"
+SMALL_DISPLACEMENTS = ("linear_solid",)
+"""Kinds that turn where they only bend, and are right for small displacements alone."""
 BINDINGS = (*NEEDS, TRUTH, NOTHING)
 """Which need keeps cheaper rows from being chosen. The truth: they are right enough, but for what
 the truth itself leaves open. Nothing: no row is cheaper."""
@@ -39,6 +41,9 @@ class Targets:
     """[-] Root mean square, of the tool's depth; the truth's own error included."""
     rate: float
     """[Hz] of ticks."""
+    depth: float = 0.0
+    """[m] How far the organ will be pressed or pulled, where that is farther than it was charted:
+    kinds for small displacements are no choice then."""
 
 
 @dataclass(frozen=True)
@@ -145,14 +150,14 @@ def advise(chart: Chart, targets: Targets, find_steps: FindSteps) -> Advice:
         targets: What is asked for.
         find_steps: Asked for rows that could be chosen, and the neighbours of the choice.
     """
-    rows = chart.list_ran()
+    rows = [row for row in chart.list_ran() if holds(row, chart, targets)]
     fitting = find_fitting(chart, rows, targets, find_steps)
     choice = choose(fitting) if fitting else find_nearest(chart, rows, targets, find_steps)
     cheaper = better = None
     if choice is not None:
         cheaper = weigh_if(find_cheaper(rows, choice), chart, targets, find_steps)
         better = weigh_if(find_better(rows, choice, chart), chart, targets, find_steps)
-    own = next((row for row in rows if row.own), None)
+    own = next((row for row in chart.list_ran() if row.own), None)
     return Advice(
         targets,
         choice,
@@ -163,6 +168,16 @@ def advise(chart: Chart, targets: Targets, find_steps: FindSteps) -> Advice:
         len(chart.rows),
         len(rows),
     )
+
+
+def is_deeper(targets: Targets, chart: Chart) -> bool:
+    """Whether the organ will be pressed or pulled farther than it was charted."""
+    return targets.depth > abs(chart.way.depth)
+
+
+def holds(row: Row, chart: Chart, targets: Targets) -> bool:
+    """Whether its kind is made for displacements as large as are asked for."""
+    return row.configuration.kind not in SMALL_DISPLACEMENTS or not is_deeper(targets, chart)
 
 
 def weigh_if(

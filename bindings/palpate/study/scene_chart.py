@@ -48,7 +48,8 @@ class Configuration:
     home_stiffness: float | None
     """[N/m³] model.home_stiffness; None: the builder's own. Of springs, molecules and shells."""
     contact_law: str
-    """model.contact_law: near_field or hard. Of solids; a surface is felt by the hard law."""
+    """model.contact_law: near_field or hard. Of solids and walls of prisms; springs and molecules
+    have the hard law."""
     integrator: str
     """A name of palpate.Integrator. A linear solid under symplectic_euler answers from its
     precomputed response, at rest in every step; under any other its masses swing."""

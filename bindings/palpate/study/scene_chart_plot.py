@@ -18,6 +18,7 @@ from matplotlib.ticker import FuncFormatter, NullFormatter
 from palpate.files.whole_file import write_whole
 from palpate.render.force_plot import DPI, dress
 from palpate.render.theme import THEMES, Theme
+from palpate.scene.scene_parts import WITH_NEAR_FIELD
 from palpate.study.chart import scale, scale_percents
 from palpate.study.scene_chart import Chart, Row, find_front
 from palpate.study.scene_chart_words import (
@@ -163,10 +164,11 @@ def draw_point(axes: Axes, row: Row, error: float, chart: Chart) -> None:
 
 def draw_marker(axes: Axes, row: Row, x: float, y: float, chart: Chart) -> None:
     """Colour is the model, form the integrator, size the mesh; hollow is what was chosen instead of
-    derived: constants of springs, and the hard law of solids."""
+    derived: constants of springs, and the hard law of solids and walls."""
     c = row.configuration
     colour = KINDS[c.kind][1]
-    filled = c.contact_law == "near_field" if c.tetrahedra else c.constants == "tissue"
+    near = c.contact_law == "near_field"
+    filled = near if c.kind in WITH_NEAR_FIELD else c.constants == "tissue"
     axes.plot(
         x, y,
         marker=MARKERS[find_form(c.integrator)][0],

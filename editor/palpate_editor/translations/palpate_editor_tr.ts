@@ -2659,6 +2659,14 @@ Beklenen: {expected}.</translation>
         <translation>Yer değiştirme hatası</translation>
     </message>
     <message>
+        <source>Pressed or pulled to</source>
+        <translation>Basma, çekme derinliği</translation>
+    </message>
+    <message>
+        <source>as charted</source>
+        <translation>grafikteki kadar</translation>
+    </message>
+    <message>
         <source>Draw the chart</source>
         <translation>Çizelgeyi çiz</translation>
     </message>
@@ -3922,6 +3930,10 @@ Beklenen: {expected}.</translation>
     <message>
         <source>Accuracy binds: its shape is too far off.</source>
         <translation>Doğruluk sınırlıyor: biçimi çok sapıyor.</translation>
+    </message>
+    <message>
+        <source>It will be pressed or pulled {depth:.1f} mm: kinds for small displacements are left out, and how right the others are so far was not asked.</source>
+        <translation>{depth:.1f} mm basılacak ya da çekilecek: küçük yer değiştirmeler için olan türler dışarıda bırakıldı; ötekilerin o kadar derinde ne kadar doğru olduğu sorulmadı.</translation>
     </message>
     <message>
         <source>Accuracy binds: the force of what is cheaper is further off.</source>

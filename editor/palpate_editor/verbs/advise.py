@@ -10,7 +10,7 @@ from dataclasses import asdict, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from palpate.command.verb import Report, Verb, WrongCall
+from palpate.command.verb import Report, Verb, WrongCall, quantity
 from palpate.files.refusal import Refusal
 from palpate.study.advice import Candidate, Targets
 from palpate.study.chart_file import read_chart
@@ -47,6 +47,14 @@ def add_advise(parser: argparse.ArgumentParser) -> None:
         help=f"root mean square of the surface, of the depth, likewise ({DISPLACEMENT_TARGET:g})",
     )
     parser.add_argument("--rate", type=read_rate, metavar="HZ", help="of ticks (the organ's own)")
+    parser.add_argument(
+        "--depth",
+        type=quantity("m"),
+        default=0.0,
+        metavar="LENGTH",
+        help="how far it will be pressed or pulled: farther than it was charted, linear solids are "
+        "left out (as far as it was charted)",
+    )
     parser.add_argument(
         "--chart",
         type=Path,
@@ -111,8 +119,10 @@ def run_advise(call: argparse.Namespace) -> Report:
     read, organ = ReadFile.of(call.file), open_any(call.file)
     if organ.surface is None:
         raise Refusal(call.file, "organ", "no surface", "an imported mesh")
+    if call.depth < 0.0:
+        raise Refusal(None, "--depth", f"{1e3 * call.depth:g} mm", "0 mm or more")
     rate = organ.hand.rate if call.rate is None else call.rate
-    targets = Targets(call.force_error, call.displacement_error, rate)
+    targets = Targets(call.force_error, call.displacement_error, rate, call.depth)
     organ = replace(organ, hand=replace(organ.hand, rate=rate))
     chart = find_chart(call, organ)
     try:

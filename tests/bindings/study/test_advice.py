@@ -63,6 +63,20 @@ def test_the_errors_of_row_and_truth_are_added():
     assert needs[DISPLACEMENT].value == pytest.approx(0.05)
 
 
+def test_an_organ_that_is_pressed_deeper_than_charted_is_no_linear_solid():
+    linear = make_row(1, cost=1e-4, error=0.02)
+    linear = replace(linear, configuration=replace(linear.configuration, kind="linear_solid"))
+    rows = make_row(0, cost=2e-4, error=0.03), linear
+    depth = abs(make_chart().way.depth)
+
+    for deep, number in (0.0, 1), (depth, 1), (1.01 * depth, 0):
+        advice = ask(*rows, targets=replace(TARGETS, depth=deep))
+        assert advice.choice.row.number == number
+        assert advice.tried == 2 and advice.own.row.number == 0
+    alone = ask(linear, targets=replace(TARGETS, depth=2.0 * depth))
+    assert alone.choice is None and alone.ran == 0
+
+
 def test_half_as_much_again_as_the_p99_is_within_a_tick():
     # the p99 of a made-up row is 1.5 times its median
     just = make_row(0, cost=1e-3 / 1.5 / 1.5 * 0.999, error=0.01)

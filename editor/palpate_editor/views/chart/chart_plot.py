@@ -9,6 +9,7 @@ from math import log10
 
 import pyqtgraph as pg
 from palpate.render.theme import THEMES
+from palpate.scene.scene_parts import WITH_NEAR_FIELD
 from palpate.study.scene_chart import Chart, Row, find_front
 from palpate.translation.refusals import say_refusal
 from PySide6.QtCore import QEvent, Qt, Signal
@@ -246,10 +247,11 @@ class ChartPlot(QWidget):
 
     def build_spot(self, row: Row, x: float, y: float) -> dict[str, object]:
         """Colour is the kind, form the integrator; hollow is what was chosen and not derived:
-        constants of springs, the hard law of solids."""
+        constants of springs, the hard law of solids and walls."""
         self.places[row.number] = (x, y)
         c, colour = row.configuration, self.find_colour(row)
-        derived = c.contact_law == "near_field" if c.tetrahedra else c.constants == "tissue"
+        near = c.contact_law == "near_field"
+        derived = near if c.kind in WITH_NEAR_FIELD else c.constants == "tissue"
         ground = self.palette().window().color()
         failed = row.total is None
         return {

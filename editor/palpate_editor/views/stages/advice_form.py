@@ -41,6 +41,7 @@ class AdviceForm(Section):
         self.displacement = self.add_target(
             grid, tr("Displacement error"), "target_displacement", DISPLACEMENT_TARGET
         )
+        self.depth = self.add_depth(grid)
         self.body.addLayout(grid)
         row = QHBoxLayout()
         row.setSpacing(8)
@@ -72,12 +73,28 @@ class AdviceForm(Section):
         box.setDecimals(1)
         box.setValue(100.0 * target)
         box.setSuffix("\N{NO-BREAK SPACE}%")
+        self.add_box(grid, text, box)
+        return box
+
+    def add_depth(self, grid: QGridLayout) -> NumberBox:
+        """In millimetres; 0 is as far as the chart goes."""
+        box = NumberBox(self)
+        box.setObjectName("target_depth")
+        text = tr("Pressed or pulled to")
+        box.setAccessibleName(text)
+        box.setRange(0.0, 1000.0)
+        box.setDecimals(1)
+        box.setSpecialValueText(tr("as charted"))
+        box.setSuffix("\N{NO-BREAK SPACE}mm")
+        self.add_box(grid, text, box)
+        return box
+
+    def add_box(self, grid: QGridLayout, text: str, box: NumberBox) -> None:
         label = write_label(text, "name", self)
         label.setBuddy(box)
         line = grid.rowCount()
         grid.addWidget(label, line, 0)
         grid.addWidget(box, line, 1)
-        return box
 
     def say_nothing(self) -> None:
         self.words.setText(
@@ -94,7 +111,12 @@ class AdviceForm(Section):
     def ask(self) -> None:
         rate = self.context.session.organ.hand.rate
         self.advisor.advise(
-            Targets(self.force.value() / 100.0, self.displacement.value() / 100.0, rate)
+            Targets(
+                self.force.value() / 100.0,
+                self.displacement.value() / 100.0,
+                rate,
+                1e-3 * self.depth.value(),
+            )
         )
 
     def show_advised(self, advised: Advised) -> None:
