@@ -93,9 +93,12 @@ def require_chart_of(chart: Chart, organ: Organ) -> None:
     if difference is not None:
         raise AdviseError(f"chart: {difference}")
     own = next((row for row in chart.rows if row.own and row.counts is not None), None)
-    if own is not None and find_wanted(own, organ) != own.configuration:
+    if own is None:
+        return
+    wanted = find_wanted(own, organ)
+    if wanted != own.configuration:
         raise AdviseError(
-            f"chart: got one of a surface of {own.counts.particles} vertices, expected "
+            f"chart: got one of a surface of {wanted.vertices} vertices, expected "
             f"{organ.vertex_count}"
         )
 

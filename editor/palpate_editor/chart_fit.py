@@ -16,6 +16,8 @@ from palpate_editor.edits.configure import find_configuration
 
 SAME = 1e-6
 """[-] Numbers that differ by less are the same."""
+LAYERS = {"shell": 2}
+"""Particles of a tissue for each vertex of its surface, where they are more than one."""
 SHARED = {
     "material.young_modulus": "young_modulus",
     "material.poisson_ratio": "poisson_ratio",
@@ -64,8 +66,5 @@ def find_wanted(row: Row, organ: Organ) -> Configuration:
     c = row.configuration
     if c.kind in FILLED or c.vertices or row.counts is None:
         return c
-    return (
-        c
-        if row.counts.particles == organ.vertex_count
-        else replace(c, vertices=row.counts.particles)
-    )
+    count = row.counts.particles // LAYERS.get(c.kind, 1)
+    return c if count == organ.vertex_count else replace(c, vertices=count)

@@ -11,7 +11,7 @@ import pytest
 from charts_of import FAILED, drop_costs, make_chart
 from hands import action, child, choose_file, click
 from palpate.study.chart_file import read_chart, write_chart
-from palpate_editor.chart_fit import find_present
+from palpate_editor.chart_fit import find_present, find_wanted
 from palpate_editor.document.files import write_organ
 from palpate_editor.edits import SetConstant
 from palpate_editor.edits.configure import find_configuration
@@ -172,3 +172,17 @@ def test_the_row_of_the_organ_is_found_on_its_mesh_alone():
     assert find_present([other], organ) is None
     elsewhere = replace(rows[0], counts=replace(rows[0].counts, particles=90))
     assert find_present([elsewhere], organ) is None
+
+
+def test_a_wall_of_prisms_has_two_particles_for_each_vertex_of_its_surface():
+    organ = replace(make_organ(), model=replace(make_organ().model, kind="shell"))
+    row = make_chart(organ).rows[0]
+    row = replace(row, configuration=find_configuration(organ))
+
+    def with_particles(count):
+        return replace(row, counts=replace(row.counts, particles=count))
+
+    wall = with_particles(2 * organ.vertex_count)
+    assert find_wanted(wall, organ) == find_configuration(organ)
+    assert find_present([wall], organ) == wall
+    assert find_wanted(with_particles(90), organ).vertices == 45
