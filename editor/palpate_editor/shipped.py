@@ -21,9 +21,11 @@ from palpate_meshes.catalogue import (
 )
 
 from palpate_editor.document import EMPTY, Organ, Source, Surface
+from palpate_editor.document.far_compliance import wants_far_field
 from palpate_editor.document.files import write_organ
-from palpate_editor.edits import DecimateTo, Edit, SetConstant, SetMaterial, SetTask
+from palpate_editor.edits import DecimateTo, Edit, SetConstant, SetFarField, SetMaterial, SetTask
 from palpate_editor.publish import publish
+from palpate_editor.shipped_far_fields import read_table
 
 HOW = "ships with Palpate"
 
@@ -75,7 +77,8 @@ def make_organ(name: str, vertices: int | None = None) -> Organ:
         organ = DecimateTo(entry.wall_vertices)(organ)
     for edit in list_edits(entry, tissue):
         organ = edit(organ)
-    return organ
+    table = read_table(name) if vertices is None and wants_far_field(organ) else None
+    return organ if table is None else SetFarField(table)(organ)
 
 
 def organ_fill(entry: Entry) -> FillPart:

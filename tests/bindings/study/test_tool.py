@@ -137,10 +137,28 @@ def test_under_its_near_field_the_block_is_felt_within_three_percent_of_large_de
 @pytest.mark.parametrize("body", ["kidney", "liver", "spleen"])
 def test_shipped_solids_are_felt_within_a_tenth_on_average_and_a_fifth_at_worst(body, radius):
     pressed = open_pressed(PUBLISHED / f"{body}.palpate")
-    ratios = [row.ratio for row in compare_tool(pressed, "linear", [radius])]
+    # deeper, linear truth is stiffer than tissue with large displacements is
+    shallow = [r for r in compare_tool(pressed, "linear", [radius]) if r.depth <= 0.5 * radius]
 
+    hold_within(shallow)
+
+
+def hold_within(rows: list[ToolRow]) -> None:
+    """A tenth on average, a fifth at worst."""
+    ratios = [row.ratio for row in rows]
     assert np.mean(ratios) == pytest.approx(1.0, abs=0.10)
     assert ratios == pytest.approx(np.ones(len(ratios)), abs=0.20)
+
+
+@pytest.mark.landing
+@pytest.mark.parametrize("body", ["kidney", "liver", "spleen"])
+def test_of_large_displacements_shipped_solids_are_felt_so_to_every_depth(body):
+    pressed = open_pressed(PUBLISHED / f"{body}.palpate")
+    rows = compare_tool(pressed, "neo_hookean")
+
+    for radius in {row.radius for row in rows}:
+        hold_within([row for row in rows if row.radius == radius])
+    assert max(row.depth / row.radius for row in rows) > 0.75
 
 
 @pytest.mark.landing
