@@ -18,7 +18,7 @@ from palpate.study.chart_file import read_chart
 from palpate.study.scene_chart import ALARM, LOST, RAN, REFUSED
 from palpate.study.track import run_track, set_course
 from palpate.study.truth_file import write_truth
-from palpate_editor import chart_pool
+from palpate_editor import job_pool
 from palpate_editor.chart import compute_key, draw_chart
 from palpate_editor.chart_jobs import (
     Converged,
@@ -116,7 +116,7 @@ def test_errors_are_the_same_in_other_processes_and_however_many(plan, chart):
 def test_a_process_that_is_killed_loses_its_own_run_only(plan, chart, tmp_path, monkeypatch):
     started = []
 
-    class Mortal(chart_pool.Worker):
+    class Mortal(job_pool.Worker):
         def send(self, what):
             super().send(what)
             if isinstance(what, Job) and what.number == 1 and not what.converges:
@@ -126,7 +126,7 @@ def test_a_process_that_is_killed_loses_its_own_run_only(plan, chart, tmp_path, 
     few = list_few(open_document(plan.organ))[:3]
     key = compute_key(plan)
     with monkeypatch.context() as patch, Store(key, tmp_path) as store:
-        patch.setattr(chart_pool, "Worker", Mortal)
+        patch.setattr(job_pool, "Worker", Mortal)
         found = draw_chart(plan, configurations=few, runner=run_in_processes(2), store=store)
 
     assert len(started) == 1

@@ -23,7 +23,7 @@ from palpate.files.refusal import Refusal
 EDITOR_VERBS = (
     *("inspect", "import", "decimate", "material", "appearance", "calibrate", "check", "repair"),
     *("publish", "organs", "demo", "editor", "segment", "tissues", "felt", "truth", "chart"),
-    "advise",
+    *("advise", "stability"),
 )
 """Verbs of the palpate-editor distribution, to say what to install where it is missing."""
 NEGATIVE = re.compile(r"-\.?\d")

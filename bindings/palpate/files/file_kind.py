@@ -22,6 +22,7 @@ TRUTH = "a truth"
 SVG = "an SVG picture"
 FINDINGS = "findings of a study"
 CHART = "the chart of an organ"
+ATLAS = "the atlas of an organ"
 SELFTEST = "the report of a self-test"
 REPLAY = "the report of a replay"
 SUMMARY = "the summary of a demo"
@@ -37,6 +38,7 @@ OF_FORMAT = {
     "palpate scene": SCENE,
     "palpate script": SCRIPT,
     "palpate chart": CHART,
+    "palpate atlas": ATLAS,
     "palpate truth": TRUTH,
 }
 """The member `format` of a manifest or a JSON file -> what it is."""

@@ -3,66 +3,34 @@
 
 from __future__ import annotations
 
-import hashlib
-import json
 import math
 from collections.abc import Iterator
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from palpate.files.json_document import read_document
-from palpate.files.json_part import json_kind, read_part
+from palpate.files.json_part import read_part
 from palpate.files.refusal import Refusal
-from palpate.files.whole_file import write_whole
 from palpate.scene.scene_parts import CONTACT_LAWS, FILLED, KINDS, ORIGINS
+from palpate.study.row_file import Fault, check_rows, read_rows, write_rows
 from palpate.study.scene_chart import FAR_FIELDS, OUTCOMES, PATHS, RAN, Chart, Row
 
 FORMAT, VERSION = "palpate chart", 1
 MOST_BYTES = 16 * 2**20
 MOST_ROWS = 10_000
 
-Json = dict[str, Any]
-
 
 def write_chart(path: Path, chart: Chart) -> None:
     """Writes whole or not at all. Raises OSError."""
-    content = asdict(chart)
-    head = {"format": FORMAT, "version": VERSION, "sha256": hash_content(content)} | content
-    rows = head.pop("rows")
-    lines = [f"  {json.dumps(name)}: {dump(value)}" for name, value in head.items()]
-    table = ",\n    ".join(map(dump, rows))
-    lines.append(f'  "rows": [\n    {table}\n  ]' if rows else '  "rows": []')
-    write_whole(path, ("{\n" + ",\n".join(lines) + "\n}\n").encode())
-
-
-def dump(value: Any) -> str:
-    return json.dumps(value, allow_nan=False, ensure_ascii=False)
-
-
-def hash_content(content: Json) -> str:
-    """SHA-256 of all but format, version and itself."""
-    whole = json.dumps(content, sort_keys=True, separators=(",", ":"))
-    return hashlib.sha256(whole.encode()).hexdigest()
+    write_rows(path, asdict(chart), FORMAT, VERSION)
 
 
 def read_chart(path: Path) -> Chart:
     """Checked field by field and against its hash. Raises Refusal or OSError."""
-    data = read_document(
-        path, format=FORMAT, version=VERSION, what="a chart", most_bytes=MOST_BYTES
-    )
-    content = {name: data[name] for name in data if name not in ("format", "version", "sha256")}
-    rows = content.get("rows")
-    if not isinstance(rows, list) or len(rows) > MOST_ROWS:
-        got = f"{len(rows)} rows" if isinstance(rows, list) else json_kind(rows)
-        raise Refusal(path, "rows", got, f"a list of at most {MOST_ROWS}")
-    given = content | {"rows": [add_far_field(row) for row in rows]}
+    content, told = read_rows(path, FORMAT, VERSION, "a chart", MOST_BYTES, MOST_ROWS)
+    given = content | {"rows": [add_far_field(row) for row in content["rows"]]}
     chart: Chart = read_part(path, "chart", Chart, given, whole=True)
-    for where, got, expected in find_faults(chart):
-        raise Refusal(path, where, got, expected)
-    hashed, told = hash_content(content), data.get("sha256")
-    if told != hashed:
-        raise Refusal(path, "sha256", json_kind(told), f'"{hashed}", of what stands in the file')
+    check_rows(path, content, told, find_faults(chart))
     return chart
 
 
@@ -80,10 +48,6 @@ def read_row(file: object, where: str, data: Any) -> Row:
     for what, got, expected in find_row_faults(where, row):
         raise Refusal(file, what, got, expected)
     return row
-
-
-Fault = tuple[str, str, str]
-"""Where, what was got, what was expected."""
 
 
 def find_faults(chart: Chart) -> Iterator[Fault]:

@@ -14,7 +14,8 @@ from made_up_charts import make_chart, make_row
 from palpate.files.file_kind import CHART, find_kind
 from palpate.files.refusal import Refusal
 from palpate.study import scene_chart
-from palpate.study.chart_file import hash_content, read_chart, write_chart
+from palpate.study.chart_file import read_chart, write_chart
+from palpate.study.row_file import hash_content
 from palpate.study.scene_chart import find_front, find_possible_front
 
 SCHEMA = json.loads(

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A process that runs rows of a chart: jobs come in, what they came to goes out.
+"""A process that runs jobs: they come in, what they came to goes out.
 
-    python -P -m palpate_editor.chart_worker
+    python -P -m palpate_editor.job_worker
 
-Its parent alone starts it and speaks with it, by pickles on its standard streams (chart_pool).
+Its parent alone starts it and speaks with it, by pickles on its standard streams (job_pool): first
+the function that runs a job, then the plan that all jobs share, then jobs.
 """
 
 from __future__ import annotations
@@ -13,8 +14,6 @@ import pickle
 import signal
 import sys
 from typing import BinaryIO
-
-from palpate_editor.chart_jobs import Job, Plan, run_job
 
 
 def main() -> None:
@@ -27,13 +26,13 @@ def main() -> None:
 
 def answer(jobs: BinaryIO, results: BinaryIO) -> None:
     """Until nobody asks any more."""
-    plan: Plan = pickle.load(jobs)
+    run, plan = pickle.load(jobs)
     while True:
         try:
-            job: Job = pickle.load(jobs)
+            job = pickle.load(jobs)
         except EOFError:
             return
-        pickle.dump(run_job(plan, job), results)
+        pickle.dump(run(plan, job), results)
         results.flush()
 
 
