@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The common work at equal accuracy in Palpate: whole haptic ticks of an organ as it is published.
 
-`palpate_tissue.py FOLDER WORK SIZE [STIFFNESS]`. SIZE is how many tetrahedra fill the organ, or to
-how many vertices a wall is decimated; WORK's modulus gives all constants of the tissue, STIFFNESS
-[N/m³] is that of the tool's contact, if not the usual one. A step is a tick at 1 kHz with as many
+`palpate_tissue.py FOLDER WORK SIZE [STIFFNESS|mesh]`. SIZE is how many tetrahedra fill the organ,
+or to how many vertices a wall is decimated; WORK's modulus gives all constants of the tissue,
+STIFFNESS [N/m³] is that of the tool's contact, if not the usual one; mesh: with the far field of
+these tetrahedra instead of the one that a shipped solid has of finer ones. A step is a tick at 1 kHz with as many
 substeps as it asks for: tree, candidates, near field, tool, forces, alarm; none of the tissue
 sleeps. The hand holds the tool by a spring so stiff that the ball is where the hand is, to a
 hundredth of a millimetre.
@@ -33,8 +34,13 @@ DRAG = 60.0
 """[1/s] So that what swings has come to rest within a hold."""
 
 
-def make_work_organ(work: Work, size: int, stiffness: float | None = None) -> Organ:
-    """The shipped organ of the work with another modulus, ball and number of elements."""
+OF_MESH = "mesh"
+
+
+def make_work_organ(work: Work, size: int, word: str = "") -> Organ:
+    """The shipped organ of the work with another modulus, ball and number of elements; `word` is
+    a stiffness [N/m³] or OF_MESH."""
+    stiffness = None if word in ("", OF_MESH) else float(word)
     wall = work.wall_thickness is not None
     organ = make_organ(work.shipped)
     if wall:
@@ -53,6 +59,7 @@ def make_work_organ(work: Work, size: int, stiffness: float | None = None) -> Or
         fill=organ.fill if wall else FillPart(size),
         tool=tool if stiffness is None else replace(tool, stiffness=stiffness),
         hand=HandPart(coupling=COUPLING, force_max=FORCE_MAX),
+        far_field=None if word == OF_MESH else organ.far_field,
     )
 
 
@@ -80,10 +87,10 @@ class Tissue:
         return np.asarray(self.world.bodies[0].tissue.position)
 
 
-def press_organ(work: Work, size: int, stiffness: float | None = None) -> dict:
+def press_organ(work: Work, size: int, word: str = "") -> dict:
     """The row of one size."""
     began = time.perf_counter()
-    scene = compile_organ(make_work_organ(work, size, stiffness))
+    scene = compile_organ(make_work_organ(work, size, word))
     built = time.perf_counter() - began
     x, triangles = (np.asarray(part) for part in take_surface(scene, 0))
     touch = find_touch(x, triangles, np.array(work.point), np.array(work.direction), work.radius)
@@ -99,9 +106,9 @@ def press_organ(work: Work, size: int, stiffness: float | None = None) -> dict:
 
 def main() -> None:
     folder, name, size = Path(sys.argv[1]), sys.argv[2], int(sys.argv[3])
-    stiffness = float(sys.argv[4]) if len(sys.argv) > 4 else None
+    word = sys.argv[4] if len(sys.argv) > 4 else ""
     work = read_work(folder / f"{name}.json")
-    row = press_organ(work, size, stiffness)
+    row = press_organ(work, size, word)
     report(work, row, engine="Palpate", version=palpate.__version__, recipe=str(size))
 
 
