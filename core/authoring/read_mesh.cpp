@@ -46,13 +46,10 @@ void validate_file(const std::filesystem::path& path) {
   }
 }
 
+bool is_finite(const Vec3& x) { return x.allFinite(); }
+
 void validate_part(const std::string& file, const ImportedPart& part) {
   const auto& vertices = part.mesh.vertices;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    if (vertices[i].allFinite()) continue;
-    throw FileError(file, "part '" + part.name + "', vertex " + std::to_string(i),
-                    "a coordinate that is not a finite number", "finite coordinates");
-  }
   for (std::size_t t = 0; t < part.mesh.triangles.size(); ++t) {
     for (const int corner : part.mesh.triangles[t]) {
       if (corner >= 0 && static_cast<std::size_t>(corner) < vertices.size()) continue;
@@ -63,12 +60,53 @@ void validate_part(const std::string& file, const ImportedPart& part) {
   }
 }
 
-void validate_filling(const std::string& file, const SolidMesh& filling) {
-  const auto is_finite = [](const Vec3& x) { return x.allFinite(); };
-  if (!std::all_of(filling.vertices.begin(), filling.vertices.end(), is_finite)) {
-    throw FileError(file, "tetrahedra", "a coordinate that is not a finite number",
+/// Vertices that lie nowhere, and the triangles on them.
+struct Nowhere {
+  int vertices = 0, triangles = 0;
+  std::string first;  ///< of them, with its part
+};
+
+void drop_nowhere(SurfaceMesh& mesh, const std::string& name, Nowhere& dropped) {
+  if (std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_finite)) return;
+  std::vector<int> place;
+  Vec3Array kept;
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    const bool keep = is_finite(mesh.vertices[i]);
+    if (!keep && ++dropped.vertices == 1) {
+      dropped.first = "part '" + name + "', vertex " + std::to_string(i);
+    }
+    place.push_back(keep ? static_cast<int>(kept.size()) : -1);
+    if (keep) kept.push_back(mesh.vertices[i]);
+  }
+  mesh.vertices = std::move(kept);
+  for (Triangle& t : mesh.triangles) t = {place[t[0]], place[t[1]], place[t[2]]};
+  dropped.triangles += static_cast<int>(std::erase_if(
+      mesh.triangles, [](const Triangle& t) { return t[0] < 0 || t[1] < 0 || t[2] < 0; }));
+}
+
+/// Leaves out what lies nowhere, and says so. Refuses a file of which nothing is left.
+void drop_nowhere(ImportedScene& scene) {
+  Nowhere dropped;
+  for (ImportedPart& part : scene.parts) drop_nowhere(part.mesh, part.name, dropped);
+  std::erase_if(scene.parts, [](const ImportedPart& p) { return p.mesh.triangles.empty(); });
+  if (scene.parts.empty()) {
+    throw FileError(scene.file, dropped.first, "a coordinate that is not a finite number",
                     "finite coordinates");
   }
+  if (dropped.vertices > 0) {
+    scene.notes.push_back(std::to_string(dropped.vertices) +
+                          " vertices without finite coordinates were left out, with " +
+                          std::to_string(dropped.triangles) + " triangles on them; the first is " +
+                          dropped.first);
+  }
+  const Vec3Array& filled = scene.filling.vertices;
+  if (!std::all_of(filled.begin(), filled.end(), is_finite)) {
+    scene.filling = {};
+    scene.notes.emplace_back("its tetrahedra were left out: a coordinate is not a finite number");
+  }
+}
+
+void validate_filling(const std::string& file, const SolidMesh& filling) {
   const auto count = static_cast<int>(filling.vertices.size());
   for (std::size_t t = 0; t < filling.tetrahedra.size(); ++t) {
     for (const int corner : filling.tetrahedra[t]) {
@@ -100,6 +138,7 @@ ImportedScene read_mesh(const std::filesystem::path& path, const ReadOptions& op
   }
   for (const ImportedPart& part : scene.parts) validate_part(scene.file, part);
   validate_filling(scene.file, scene.filling);
+  drop_nowhere(scene);
   return scene;
 }
 

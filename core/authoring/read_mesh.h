@@ -45,8 +45,9 @@ struct ReadOptions {
 
 /// Reads a mesh file in a child process, so that no file can crash, hang or exhaust this one.
 ///
-/// Every coordinate is finite, every index in range, every part has a triangle. Throws FileError
-/// for a file that cannot be read so, std::invalid_argument for limits that are not positive.
+/// Every coordinate is finite, every index in range, every part has a triangle; vertices that are
+/// not finite are left out with their triangles, and a note says so. Throws FileError for a file
+/// that cannot be read so, std::invalid_argument for limits that are not positive.
 ImportedScene read_mesh(const std::filesystem::path& path, const ReadOptions& options);
 
 }  // namespace palpate::authoring

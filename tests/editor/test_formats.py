@@ -252,7 +252,7 @@ def test_every_variant_of_off_is_the_same_surface(name, tmp_path):
         ("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1\n3 0 1 2\n", "line 5", "'0 1'"),
         ("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "line 6", "vertex 3"),
         ("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n9 0 1 2\n", "line 6", "'9 0 1 2'"),
-        ("OFF BINARY\n", "line 1", "OFF BINARY"),
+        ("OFF BINARY\n", "number 0 after the first line", "the end of the file"),
         ("GOFF\n3 1 0\n", "line 1", "'GOFF'"),
         ("OFF\nmany\n", "line 2", "'many'"),
     ],

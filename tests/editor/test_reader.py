@@ -47,16 +47,39 @@ def test_a_missing_file_and_a_folder_are_refused(tmp_path):
         read_mesh(tmp_path / "folder.obj")
 
 
-def test_a_coordinate_that_is_not_a_number_is_refused_with_its_place(tmp_path):
-    path = tmp_path / "organ.stl"
+@pytest.mark.parametrize("wrong", [np.nan, np.inf, -np.inf])
+@pytest.mark.parametrize(("write", "name"), [(write_stl, "a.stl"), (write_obj, "a.obj")])
+def test_a_vertex_that_lies_nowhere_goes_with_its_triangles_and_a_note(
+    write, name, wrong, tmp_path
+):
+    path = tmp_path / name
     points = TETRAHEDRON.copy()
-    points[3, 1] = np.nan
-    write_stl(path, points, TETRAHEDRON_FACES)
+    points[3, 1] = wrong
+    write(path, points, TETRAHEDRON_FACES)
 
-    with pytest.raises(palpate.FileError, match="finite") as refusal:
+    scene = read_mesh(path)
+
+    [part] = scene.parts
+    left = [t for t in TETRAHEDRON_FACES if 3 not in t]
+    assert len(part.mesh.triangles) == len(left) == 1
+    assert np.array_equal(
+        sorted(part.mesh.vertices[part.mesh.triangles[0]].tolist()),
+        sorted(TETRAHEDRON[left[0]].tolist()),
+    )
+    of_each = 3 if name.endswith("stl") else 1  # STL has each triangle's corners to itself
+    [note] = scene.notes
+    assert note.startswith(f"{of_each} vertices without finite coordinates were left out, with 3 ")
+    assert "the first is part 'a', vertex " in note
+
+
+def test_a_file_of_nowhere_is_refused_with_its_place(tmp_path):
+    path = tmp_path / "organ.stl"
+    write_stl(path, np.full_like(TETRAHEDRON, np.nan), TETRAHEDRON_FACES)
+
+    with pytest.raises(palpate.FileError, match="not a finite number") as refusal:
         read_mesh(path)
 
-    assert "vertex" in refusal.value.where
+    assert refusal.value.where == "part 'organ', vertex 0"
 
 
 def test_an_stl_that_promises_more_triangles_than_it_has_is_refused(tmp_path):

@@ -21,8 +21,21 @@ std::optional<ImportedScene> read_binary_stl(const std::string& path);
 /// single bytes, which is assimp's to read or refuse. Throws FileError with the line.
 std::optional<ImportedScene> read_obj(const std::string& path);
 
-/// An OFF as text: OFF, COFF, NOFF, CNOFF, STOFF and their like, 4OFF; normals, colours and texture
-/// coordinates are left alone. Throws FileError with the line.
+/// An STL as text, in small letters or capitals; each solid is a part. Throws FileError with the
+/// line.
+ImportedScene read_text_stl(const std::string& path);
+
+/// An OFF as text or binary: OFF, COFF, NOFF, CNOFF, STOFF and their like, 4OFF; normals, colours
+/// and texture coordinates are left alone. Throws FileError with the line, or the number.
 ImportedScene read_off(const std::string& path);
+
+/// What the first word of an OFF says of its vertices.
+struct OffKind {
+  bool texture = false, colours = false, normals = false, weighted = false;
+};
+
+/// The binary part of an OFF, from byte `begin` on; faces of fewer than three corners are counted.
+SurfaceMesh read_binary_off(const std::string& path, const OffKind& kind, std::size_t begin,
+                            int& left_out);
 
 }  // namespace palpate::authoring

@@ -43,6 +43,7 @@ void limit_myself(const std::string& path, rlim_t memory, rlim_t seconds) {
 ImportedScene read_any(const std::string& path, const std::string& format) {
   if (format == "STL") {
     if (auto scene = read_binary_stl(path)) return *std::move(scene);
+    return read_text_stl(path);
   }
   if (format == "OBJ") {
     if (auto scene = read_obj(path)) return *std::move(scene);

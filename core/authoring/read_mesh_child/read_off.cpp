@@ -30,6 +30,9 @@ class Lines {
 
   const std::string& text() const { return line_; }
 
+  /// [byte] Where the next line begins.
+  std::size_t tell() { return static_cast<std::size_t>(in_.tellg()); }
+
  private:
   std::string path_;
   std::ifstream in_;
@@ -39,10 +42,16 @@ class Lines {
 
 /// The head of an OFF: [ST][C][N][4]OFF; the dimension of its vertices is 4 or 3.
 struct Head {
-  bool weighted = false;
-  bool coloured = false;
+  OffKind kind;
+  bool binary = false;  ///< then the counts are not read yet
   long vertices = 0, faces = 0;
 };
+
+bool take_prefix(std::string_view& word, std::string_view prefix) {
+  if (!word.starts_with(prefix)) return false;
+  word.remove_prefix(prefix.size());
+  return true;
+}
 
 void take_counts(Lines& lines, TextLine line, Head& head) {
   if (!line.take(head.vertices) || !line.take(head.faces) || head.vertices < 0 || head.faces < 0) {
@@ -62,15 +71,16 @@ Head take_head(Lines& lines) {
     return head;
   }
   const std::string said(word);
-  if (word.starts_with("ST")) word.remove_prefix(2);
-  head.coloured = word.starts_with("C");
-  if (head.coloured) word.remove_prefix(1);
-  if (word.starts_with("N")) word.remove_prefix(1);
-  head.weighted = word.starts_with("4");
-  if (head.weighted) word.remove_prefix(1);
-  if (word != "OFF") lines.refuse("'" + said.substr(0, 40) + "'", "OFF, COFF, NOFF, STOFF or 4OFF");
+  head.kind.texture = take_prefix(word, "ST");
+  head.kind.colours = take_prefix(word, "C");
+  head.kind.normals = take_prefix(word, "N");
+  head.kind.weighted = take_prefix(word, "4");
+  if (word != "OFF" && word != "off") {
+    lines.refuse("'" + said.substr(0, 40) + "'", "OFF, COFF, NOFF, STOFF or 4OFF");
+  }
   const std::string rest(first.take_rest());
-  if (rest.starts_with("BINARY")) lines.refuse("OFF BINARY", "an OFF that was saved as text");
+  head.binary = rest.starts_with("BINARY");
+  if (head.binary) return head;
   if (rest.empty()) {
     take_counts(lines, lines.take("the counts of vertices and faces"), head);
   } else {
@@ -85,10 +95,10 @@ Vec3 take_vertex(Lines& lines, const Head& head, std::size_t taken) {
   Vec3 p;
   double weight = 1.0;
   const bool whole = line.take(p.x()) && line.take(p.y()) && line.take(p.z()) &&
-                     (!head.weighted || line.take(weight));
+                     (!head.kind.weighted || line.take(weight));
   if (!whole) {
     lines.refuse("'" + lines.text().substr(0, 40) + "'",
-                 head.weighted ? "a vertex of four numbers" : "a vertex of three numbers");
+                 head.kind.weighted ? "a vertex of four numbers" : "a vertex of three numbers");
   }
   return p / weight;
 }
@@ -113,29 +123,35 @@ void take_face(Lines& lines, const Head& head, long taken, std::vector<int>& cor
   }
 }
 
-}  // namespace
-
-ImportedScene read_off(const std::string& path) {
-  Lines lines(path);
-  const Head head = take_head(lines);
+SurfaceMesh take_text(Lines& lines, const Head& head, int& left_out) {
   SurfaceMesh mesh;
   // one at a time: a count is only believed as far as the lines go
   while (static_cast<long>(mesh.vertices.size()) < head.vertices) {
     mesh.vertices.push_back(take_vertex(lines, head, mesh.vertices.size()));
   }
   std::vector<int> corners;
-  int left_out = 0;
   for (long f = 0; f < head.faces; ++f) {
     take_face(lines, head, f, corners);
     left_out += corners.size() < 3;
     triangulate_polygon(corners, mesh.vertices, mesh.triangles);
   }
+  return mesh;
+}
+
+}  // namespace
+
+ImportedScene read_off(const std::string& path) {
+  Lines lines(path);
+  const Head head = take_head(lines);
+  int left_out = 0;
+  SurfaceMesh mesh = head.binary ? read_binary_off(path, head.kind, lines.tell(), left_out)
+                                 : take_text(lines, head, left_out);
   ImportedScene scene{};
   if (left_out > 0) {
     scene.notes.push_back(std::to_string(left_out) +
                           " faces of fewer than three corners were left out");
   }
-  if (head.coloured) {
+  if (head.kind.colours) {
     scene.notes.emplace_back("the colours of its vertices stay behind");
   }
   scene.parts.push_back({std::filesystem::path(path).stem().string(), std::move(mesh)});

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <cstdlib>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace palpate::authoring {
 
@@ -40,7 +43,14 @@ class TextLine {
   static bool parse(std::string_view word, Number& value) {
     if (word.starts_with('+')) word.remove_prefix(1);
     const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
-    return !word.empty() && problem == std::errc() && end == word.data() + word.size();
+    if (word.empty() || end != word.data() + word.size()) return false;
+    if (problem == std::errc()) return true;
+    // a number nearer to zero than any is zero; others out of range are none
+    if constexpr (std::is_floating_point_v<Number>) {
+      value = std::strtod(std::string(word).c_str(), nullptr);
+      return problem == std::errc::result_out_of_range && std::abs(value) < 1.0;
+    }
+    return false;
   }
 
  private:
