@@ -8,6 +8,7 @@
 #include "palpate/authoring/join_parts.h"
 #include "palpate/authoring/orient.h"
 #include "palpate/authoring/part_touching_edges.h"
+#include "palpate/authoring/triangle_shape.h"
 #include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/mesh/topology.h"
 
@@ -25,21 +26,6 @@ int drop_duplicates(std::vector<Triangle>& triangles) {
     return t[0] == t[1] || t[1] == t[2] || !seen.insert(t).second;
   };
   return static_cast<int>(std::erase_if(triangles, is_repeated));
-}
-
-/// The corner opposite the longest side of a triangle lower than `tolerance` [m]; -1 for one that
-/// has an area.
-int find_flat_corner(const SurfaceMesh& mesh, const Triangle& t, double tolerance) {
-  const auto side = [&](int c) -> Vec3 {
-    return mesh.vertices[t[(c + 2) % 3]] - mesh.vertices[t[(c + 1) % 3]];
-  };
-  int corner = 0;
-  for (int c = 1; c < 3; ++c) {
-    if (side(c).norm() > side(corner).norm()) corner = c;
-  }
-  const double longest = side(corner).norm();
-  const double height = longest > 0.0 ? side(0).cross(side(1)).norm() / longest : 0.0;
-  return height <= tolerance ? corner : -1;
 }
 
 bool has_edge(std::span<const HalfEdge> sides, int i, int j) {
@@ -76,7 +62,7 @@ int flip_flat_triangles(SurfaceMesh& mesh, double tolerance) {
       const auto is_changed = [&](int v) { return changed[v] != 0; };
       if (std::any_of(t.begin(), t.end(), is_changed)) return;
       if (std::any_of(u.begin(), u.end(), is_changed)) return;
-      const int corner = find_flat_corner(mesh, t, tolerance);
+      const int corner = find_flat_corner(corners_of(mesh, t), tolerance);
       if (corner < 0 || (flat.corner + 2) % 3 != corner) continue;
       if (!flip_away(flat, other, sides, mesh.triangles)) continue;
       for (const int v : t) changed[v] = 1;
@@ -89,7 +75,9 @@ int flip_flat_triangles(SurfaceMesh& mesh, double tolerance) {
 }
 
 int remove_flat_triangles(SurfaceMesh& mesh, double tolerance) {
-  const auto is_flat = [&](const Triangle& t) { return find_flat_corner(mesh, t, tolerance) >= 0; };
+  const auto is_flat = [&](const Triangle& t) {
+    return find_flat_corner(corners_of(mesh, t), tolerance) >= 0;
+  };
   const auto count = std::count_if(mesh.triangles.begin(), mesh.triangles.end(), is_flat);
   if (count == 0) return 0;
   for (int round = 0; round < kFlipRounds; ++round) {

@@ -29,6 +29,19 @@ inline double smallest_angle(const Corners& x) {
   return smallest;
 }
 
+/// The corner opposite the longest side of a triangle lower than `tolerance` [m]; -1 for one that
+/// has an area.
+inline int find_flat_corner(const Corners& x, double tolerance) {
+  const auto side = [&](int c) -> Vec3 { return x[(c + 2) % 3] - x[(c + 1) % 3]; };
+  int corner = 0;
+  for (int c = 1; c < 3; ++c) {
+    if (side(c).norm() > side(corner).norm()) corner = c;
+  }
+  const double longest = side(corner).norm();
+  const double height = longest > 0.0 ? side(0).cross(side(1)).norm() / longest : 0.0;
+  return height <= tolerance ? corner : -1;
+}
+
 /// Twice the area long.
 inline Vec3 normal_of(const Corners& x) { return (x[1] - x[0]).cross(x[2] - x[0]); }
 

@@ -91,6 +91,15 @@ class JoinedSurface:
     def largest_move(self) -> float:
         """[m] of a vertex by the stated tolerance."""
 
+class Histogram:
+    """How many values lie between one limit and the next; the last limit belongs to the last
+    count."""
+
+    @property
+    def limits(self) -> list[float]: ...
+    @property
+    def counts(self) -> list[int]: ...
+
 class MeshReport:
     """What a surface is like; None where a number is not defined."""
 
@@ -103,6 +112,11 @@ class MeshReport:
     @property
     def border_loops(self) -> list[int]: ...
     @property
+    def euler_number(self) -> int: ...
+    @property
+    def border_lengths_mm(self) -> list[float]:
+        """Of those loops, in their order."""
+    @property
     def genus(self) -> int | None: ...
     @property
     def closed(self) -> bool: ...
@@ -110,6 +124,21 @@ class MeshReport:
     def outward(self) -> bool | None: ...
     @property
     def non_manifold_edges(self) -> int: ...
+    @property
+    def pinched_vertices(self) -> list[int]:
+        """Where surfaces touch in a point alone, ascending."""
+    @property
+    def disagreeing_edges(self) -> int:
+        """Edges whose two triangles run along them the same way."""
+    @property
+    def coincident_vertices(self) -> int:
+        """Vertices in the very place of one before."""
+    @property
+    def duplicate_faces(self) -> list[int]:
+        """Triangles of the same three vertices as one before, ascending."""
+    @property
+    def degenerate_faces(self) -> list[int]:
+        """Triangles of no height, ascending."""
     @property
     def self_intersecting_faces(self) -> int | None: ...
     @property
@@ -120,6 +149,24 @@ class MeshReport:
         """Whether neighbours can agree on a side; not of a Moebius band."""
     @property
     def smallest_angle_deg(self) -> float | None: ...
+    @property
+    def angles_deg(self) -> Histogram:
+        """Every corner of every triangle, in steps of ten degrees."""
+    @property
+    def edges_mm(self) -> list[float] | None:
+        """Shortest, median and longest."""
+    @property
+    def edge_lengths_mm(self) -> Histogram:
+        """In steps of equal ratio."""
+    @property
+    def thinnest_mm(self) -> float | None:
+        """Of the body behind a triangle; None where no look behind one meets another."""
+    @property
+    def thickness_looks(self) -> int:
+        """Triangles behind which the body ends somewhere; at most 4000 are looked behind."""
+    @property
+    def thin_faces(self) -> list[int]:
+        """Of those, the triangles behind which the body is thinner than half their edges."""
     @property
     def size_mm(self) -> list[float]: ...
     @property
@@ -200,6 +247,9 @@ def join_parts(
 def find_places(scene: ImportedScene) -> list[PartPlace]: ...
 def unite_shells(mesh: SurfaceMesh) -> SurfaceMesh: ...
 def inspect_mesh(mesh: SurfaceMesh) -> MeshReport: ...
+def measure_exposure(mesh: SurfaceMesh) -> list[float]:
+    """[-] Of each shell."""
+
 def repair_mesh(mesh: SurfaceMesh) -> RepairedMesh: ...
 def import_scene(
     scene: ImportedScene,

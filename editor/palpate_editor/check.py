@@ -31,6 +31,7 @@ from palpate_editor.document.problems import (
     WallFit,
 )
 from palpate_editor.document.rules import MOST_CROSSING, find_problems
+from palpate_editor.edits.keep_outer import keep_outer
 from palpate_editor.edits.repair import keep_largest
 from palpate_editor.edits.unite import can_be_united
 from palpate_editor.fixes import find_fix
@@ -117,6 +118,9 @@ def measure_surface(surface: Surface) -> tuple[authoring.MeshReport, SurfaceFact
             smallest_angle_deg=found.smallest_angle_deg,
             mean_edge=float(edges.mean()),
             diagonal=float(palpate.compute_diagonal(x)),
+            inner_shells=len(keep_outer(surface).dropped) if found.shells > 1 else 0,
+            thinnest=None if found.thinnest_mm is None else 1e-3 * found.thinnest_mm,
+            thin_share=len(found.thin_faces) / max(1, found.thickness_looks),
         )
         measured[surface] = found, facts
     return measured[surface]

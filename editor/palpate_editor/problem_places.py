@@ -3,13 +3,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import palpate
 
 from palpate_editor.authoring import MeshReport
 from palpate_editor.document import Surface
 from palpate_editor.document.rules import ANGLE_LEAST
-from palpate_editor.edits.repair import find_crowded, find_disagreeing
+from palpate_editor.edits.keep_outer import find_outer
+from palpate_editor.edits.repair import find_crowded, find_disagreeing, list_sides
 
 
 def find_faces(key: str, surface: Surface, report: MeshReport) -> np.ndarray | None:
@@ -22,6 +25,12 @@ def find_faces(key: str, surface: Surface, report: MeshReport) -> np.ndarray | N
         return np.asarray(report.crossing_faces, np.int32)
     if key == "shells":
         return find_lesser(surface)
+    if key == "inner":
+        return np.flatnonzero(~find_outer(surface)).astype(np.int32)
+    if key == "holes":
+        return find_border(surface.triangles)
+    if key == "thin":
+        return np.asarray(report.thin_faces, np.int32)
     if key == "angles":
         return np.flatnonzero(compute_angles(surface) < np.radians(ANGLE_LEAST)).astype(np.int32)
     return None
@@ -33,6 +42,16 @@ def find_lesser(surface: Surface) -> np.ndarray:
     of_triangle = shell[surface.triangles[:, 0]]
     largest = np.bincount(of_triangle).argmax()
     return np.flatnonzero(of_triangle != largest).astype(np.int32)
+
+
+def find_border(triangles: np.ndarray) -> np.ndarray:
+    """The triangles that have a side to themselves, ascending."""
+    return np.unique(np.flatnonzero(list_sides(triangles)[1] == 1) // 3).astype(np.int32)
+
+
+def find_around(triangles: np.ndarray, vertices: Sequence[int]) -> np.ndarray:
+    """The triangles that have one of these vertices, ascending."""
+    return np.flatnonzero(np.isin(triangles, vertices).any(axis=1)).astype(np.int32)
 
 
 def compute_angles(surface: Surface) -> np.ndarray:

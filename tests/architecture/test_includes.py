@@ -219,10 +219,10 @@ def test_nothing_of_sim_includes_scenario():
     assert wrong == []
 
 
-def test_authoring_sees_only_base_mesh_and_model_of_sim():
+def test_authoring_sees_only_base_mesh_model_and_tree_of_sim():
     allowed = (
         "palpate/authoring/",
-        *(f"palpate/sim/{room}/" for room in ("model", *ROOMS["model"])),
+        *(f"palpate/sim/{room}/" for room in ("model", "tree", *ROOMS["model"])),
     )
     files = files_under("core/authoring", ".h", ".cpp")
     assert files

@@ -157,6 +157,15 @@ def with_history(organ: Organ) -> Organ:
     return organ
 
 
+def nested() -> Surface:
+    """A small copy of an organ in the middle of it."""
+    one = surface_of()
+    middle = one.vertices.mean(axis=0)
+    within = middle + 0.3 * (one.vertices - middle)
+    both = np.concatenate([one.triangles, one.triangles + len(one.vertices)])
+    return Surface(np.concatenate([one.vertices, within]), both)
+
+
 def two_shells() -> Surface:
     """A large and a small ellipsoid side by side."""
     large, small = surface_of(60), surface_of(50)

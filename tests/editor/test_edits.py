@@ -13,6 +13,7 @@ from organs import (
     fin,
     make_organ,
     moebius,
+    nested,
     open_surface,
     same,
     same_value,
@@ -38,6 +39,7 @@ OPEN = replace(
     ),
     imported=None,
 )
+NESTED = replace(make_organ().with_surface(nested()), imported=None)
 WITH_A_FIN = replace(make_organ().with_surface(fin()), imported=None)
 ONE_SIDED = replace(make_organ().with_surface(moebius()), imported=None)
 UNWELDED = replace(
@@ -81,6 +83,7 @@ EXAMPLES = [
     (edits.ImportMesh("liver", SOURCE, surface_of(80)), SPLEEN),
     (edits.SetUnit("cm"), SPLEEN),
     (edits.SetUp("y"), SPLEEN),
+    (edits.KeepOuter(), NESTED),
     (edits.KeepLargestShell(), IN_PIECES),
     (edits.TurnOutward(), INSIDE_OUT),
     (edits.CutCrowdedEdges(), WITH_A_FIN),
@@ -205,6 +208,7 @@ def test_what_an_edit_made_cannot_be_written(edit, organ):
 NEEDS_A_SURFACE = [
     edits.SetUnit("cm"),
     edits.SetUp("y"),
+    edits.KeepOuter(),
     edits.KeepLargestShell(),
     edits.TurnOutward(),
     edits.CutCrowdedEdges(),
@@ -226,6 +230,8 @@ REFUSED = [
     (edits.SetUnit("parsec"), SPLEEN, "The unit must be one of m, cm"),
     (edits.SetUp("w"), SPLEEN, "The axis must be one of z, y"),
     (edits.SetUnit("mm"), replace(SPLEEN, source=None), "not read from a file"),
+    (edits.KeepOuter(), SPLEEN, "No piece of the surface lies inside"),
+    (edits.KeepOuter(), IN_PIECES, "No piece of the surface lies inside"),
     (edits.KeepLargestShell(), SPLEEN, "one piece already"),
     (edits.TurnOutward(), SPLEEN, "outwards already"),
     (edits.TurnOutward(), EMPTY.with_surface(open_surface()), "no outside"),

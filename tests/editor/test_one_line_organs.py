@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import re
 import shlex
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -16,9 +15,9 @@ from palpate.runs.press import CLEARANCE, find_top
 from palpate_editor.authoring import inspect_mesh
 from palpate_editor.compile import compile_organ, mesh_of
 from palpate_editor.document import EMPTY, Organ, Surface
-from palpate_editor.document.defaults import WALL_THICKNESS
 from palpate_editor.document.files import read_organ
 from palpate_editor.edits import import_file
+from palpate_editor.edits.keep_outer import keep_outer
 from palpate_editor.edits.repair import keep_largest
 
 README = Path(__file__).parents[2] / "meshes/README.md"
@@ -51,7 +50,7 @@ def import_outer(line: str, path: Path) -> Surface:
     surface = import_file(path, parts=parts)(EMPTY).surface
     if "--largest" in words:
         return keep_largest(surface)
-    return surface
+    return keep_outer(surface).surface if "--visible" in words else surface
 
 
 def sample(surface: Surface) -> np.ndarray:
@@ -69,7 +68,7 @@ def measure_distance(of: Surface, to: Surface) -> float:
 
 def press(organ: Organ) -> float:
     """[N] the largest force of a press of 3 mm that lasts a second. No tick may raise an alarm."""
-    scene = compile_organ(organ if palpate.is_closed(organ.surface.triangles) else wall(organ))
+    scene = compile_organ(organ)
     world, dt, place, largest = palpate.World(scene), 1.0 / scene.rate, find_top(scene), 0.0
     for tick in range(round(PRESSED * scene.rate)):
         part = min(1.0, tick * dt / 0.2)
@@ -78,11 +77,6 @@ def press(organ: Organ) -> float:
         largest = max(largest, float(np.linalg.norm(palpate.tick(scene, hand, dt, world).force)))
         assert not world.alarm, (tick, world.alarm)
     return largest
-
-
-def wall(organ: Organ) -> Organ:
-    """An open one is hollow."""
-    return replace(organ, material=replace(organ.material, wall_thickness=WALL_THICKNESS))
 
 
 def list_cases() -> list:

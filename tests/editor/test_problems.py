@@ -13,6 +13,7 @@ from organs import (
     fin,
     make_organ,
     moebius,
+    nested,
     open_surface,
     surface_of,
     two_shells,
@@ -81,6 +82,11 @@ def needles() -> Surface:
     return Surface(surface.vertices * [1.0, 1.0, 0.02], surface.triangles)
 
 
+def flat() -> Surface:
+    surface = surface_of(60)
+    return Surface(surface.vertices * [1.0, 1.0, 0.1], surface.triangles)
+
+
 def indefinite(coupling: float) -> Organ:
     return with_part("model", kind="molecular", bend_stiffness=1e-3, stretch_coupling=coupling)
 
@@ -94,6 +100,7 @@ WRONG = {
     "up_guessed": (make_organ(), "import", "note", "z, guessed"),
     "inward": (on(Surface(surface_of().vertices, surface_of().triangles[:, ::-1])), "repair",
                "error", "face inwards"),
+    "inner": (on(nested()), "repair", "warning", "1 pieces inside others"),
     "shells": (on(two_shells()), "repair", "warning", "2 pieces"),
     "non_manifold": (on(fin()), "repair", "error", "1 edges with more than two triangles"),
     "one_sided": (on(moebius()), "repair", "error", "one side only"),
@@ -101,6 +108,7 @@ WRONG = {
     "unsound": (on(fin()), "material", "error", "no tissue can be built on yet"),
     "holes": (on(open_surface()), "repair", "note", "a hole of "),
     "self_intersections": (on(pricked()), "repair", "warning", "triangles that cross others"),
+    "thin": (on(flat()), "decimate", "note", "parts thinner than half of their triangles' edges"),
     "angles": (on(needles()), "decimate", "warning", "a smallest angle of"),
     "too_slow": (on(surface_of(2000), with_part("model", stiffness=1e5)), "decimate", "warning",
                  "2000 vertices"),
@@ -198,8 +206,8 @@ def test_a_problem_is_not_found_where_it_is_not(key):
 
 FIXABLE = {
     "size",
-    "unit_guessed", "up_guessed", "inward", "shells", "non_manifold", "one_sided", "crossing",
-    "self_intersections",
+    "unit_guessed", "up_guessed", "inward", "inner", "shells", "non_manifold", "one_sided",
+    "crossing", "self_intersections",
     "constant", "choice", "open_solid",
     "indefinite", "loose", "reach", "small_tip", "no_title", "gravity", "springs_poisson",
     "locking", "coarse_contact",

@@ -48,18 +48,38 @@ def moebius(n: int = 12) -> palpate.SurfaceMesh:
 def test_the_report_of_a_cube_is_what_a_ruler_says():
     report = inspect_mesh(mesh_of(CORNERS, CUBE)).as_dict()
 
+    lengths = report.pop("edge_lengths_mm")
+    assert report.pop("angles_deg") == {
+        "limits": pytest.approx([10.0 * i for i in range(19)]),
+        "counts": [0, 0, 0, 0, 24, 0, 0, 0, 0, 12, *[0] * 8],
+    }
+    # twelve edges of a centimetre, and the six diagonals
+    assert (lengths["counts"][0], lengths["counts"][-1], sum(lengths["counts"])) == (12, 6, 18)
+    assert lengths["limits"][0] == pytest.approx(10.0)
+    assert lengths["limits"][-1] == pytest.approx(200.0**0.5)
     assert report == {
         "vertices": 8,
         "triangles": 12,
         "shells": 1,
+        "euler_number": 2,
         "border_loops": [],
+        "border_lengths_mm": [],
         "genus": 0,
         "closed": True,
         "outward": True,
         "non_manifold_edges": 0,
+        "non_manifold_vertices": 0,
+        "disagreeing_edges": 0,
+        "coincident_vertices": 0,
+        "duplicate_triangles": 0,
+        "degenerate_triangles": 0,
         "self_intersecting_faces": 0,
         "orientable": True,
         "smallest_angle_deg": pytest.approx(45.0),
+        "edges_mm": pytest.approx([10.0, 10.0, 200.0**0.5]),
+        "thinnest_mm": pytest.approx(10.0),
+        "thin_triangles": 0,
+        "thickness_looks": 12,
         "size_mm": pytest.approx([10.0, 10.0, 10.0]),
         "volume_ml": pytest.approx(1.0),
     }

@@ -2,7 +2,9 @@
 #include "palpate/sim/model/tissue_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iomanip>
 #include <map>
 #include <numeric>
 
@@ -54,6 +56,16 @@ void check_fixed(const std::vector<int>& fixed, int n) {
   }
 }
 
+/// Two numbers that are not the same, with as many digits as it takes to see that.
+std::array<std::string, 2> write_apart(double one, double other) {
+  std::array<std::string, 2> texts;
+  for (int digits = 6; digits <= 17 && texts[0] == texts[1]; ++digits) {
+    texts = {write_text(std::setprecision(digits), one),
+             write_text(std::setprecision(digits), other)};
+  }
+  return texts;
+}
+
 /// The cosines are those that the rest lengths give.
 void check_shapes(const Angles& angles) {
   // the cosine of the law of cosines, less what rounding may have done to it
@@ -65,8 +77,9 @@ void check_shapes(const Angles& angles) {
       const double found = angles.rest_cosine[a][c];
       const double expected = (one * one + two * two - length[c] * length[c]) / (2.0 * one * two);
       if (std::abs(found - expected) <= kCosineError) continue;
-      refuse(laws::name_row("angles", "rest_cosine", a), write_text(found),
-             write_text(expected, ", which the rest lengths give"));
+      const auto [got, wanted] = write_apart(found, expected);
+      refuse(laws::name_row("angles", "rest_cosine", a), got,
+             wanted + ", which the rest lengths give");
     }
   }
 }
@@ -110,9 +123,10 @@ void check_bond_shares(const Links& bonds, const Angles& angles) {
     }
     Share& share = at->second;
     if (share.bond_found || std::abs(k - share.sum) > kSumError * share.size) {
+      const auto [got, wanted] = write_apart(k, share.sum);
       refuse(laws::name_row("bonds", "stiffness", l),
-             share.bond_found ? "a second bond along the same side" : write_text(k, " N/m"),
-             write_text(share.sum, " N/m, the sum of its triangles' shares, once"));
+             share.bond_found ? "a second bond along the same side" : got + " N/m",
+             wanted + " N/m, the sum of its triangles' shares, once");
     }
     share.bond_found = true;
   }

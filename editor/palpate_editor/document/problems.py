@@ -58,6 +58,12 @@ class SurfaceFacts:
     """[m]"""
     diagonal: float
     """[m] of the bounding box."""
+    inner_shells: int = 0
+    """Pieces that are not seen from outside."""
+    thinnest: float | None = None
+    """[m] of the body behind a triangle; None where none ends there."""
+    thin_share: float = 0.0
+    """[-] of the triangles looked behind: there the body is thinner than half their edges."""
 
     @property
     def is_manifold(self) -> bool:

@@ -19,6 +19,7 @@ from palpate_editor.document.organ_sizes import LEAST, find_range, find_word
 from palpate_editor.document.phrase import Phrase, phrase
 from palpate_editor.document.press_rules import find_press_problems
 from palpate_editor.document.problems import Facts, Problem, SurfaceFacts
+from palpate_editor.document.shape_rules import find_shape_problems
 
 FAR_OFF = 2.5
 """[-] An organ so many times larger than any of its name, or smaller than any organ, cannot be
@@ -38,6 +39,7 @@ def find_problems(organ: Organ, facts: Facts) -> list[Problem]:
     for rules in (
         find_import_problems,
         find_repair_problems,
+        find_shape_problems,
         find_decimate_problems,
         find_filling_problems,
         find_material_problems,
@@ -142,10 +144,17 @@ def find_repair_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
             phrase("{count} pieces that nothing holds together", count=found.shells),
             phrase("one piece"),
         )
-    yield from find_hole_problems(found)
+    if found.inner_shells:
+        yield repair_problem(
+            "inner",
+            "warning",
+            phrase("{count} pieces inside others, not seen from outside", count=found.inner_shells),
+            phrase("the outer surface alone, which is what is touched"),
+        )
+    yield from find_hole_problems(organ, found)
 
 
-def find_hole_problems(found: SurfaceFacts) -> Iterator[Problem]:
+def find_hole_problems(organ: Organ, found: SurfaceFacts) -> Iterator[Problem]:
     """Where a surface ends, and where it runs through itself."""
     if found.border_loops:
         least, most = min(found.border_loops), max(found.border_loops)
@@ -160,7 +169,12 @@ def find_hole_problems(found: SurfaceFacts) -> Iterator[Problem]:
             else phrase(
                 "{count} holes of {least} to {most} edges", count=count, least=least, most=most
             ),
-            phrase("a closed surface, or a hollow organ or sheet that has them"),
+            phrase("a closed surface, or a hollow organ or sheet that has them")
+            if organ.material.wall_thickness is None
+            else phrase(
+                "a closed surface, or the wall of {wall:g} mm that it has now (Material)",
+                wall=1e3 * organ.material.wall_thickness,
+            ),
         )
     if found.self_intersecting_faces is None:
         yield repair_problem(

@@ -24,6 +24,7 @@ from palpate_editor.edits.fins import DropFins
 from palpate_editor.edits.fix import FixLowest, FixVertices
 from palpate_editor.edits.history import read_line, write_down, write_line
 from palpate_editor.edits.import_mesh import ImportMesh, import_file, import_read
+from palpate_editor.edits.keep_outer import KeepOuter
 from palpate_editor.edits.name import SetName, SetTask
 from palpate_editor.edits.orient import SetUnit, SetUp
 from palpate_editor.edits.paint import PaintStiffness
@@ -61,6 +62,7 @@ __all__ = [
     "FixVertices",
     "ImportMesh",
     "KeepLargestShell",
+    "KeepOuter",
     "PaintStiffness",
     "Prepared",
     "Remesh",
@@ -100,6 +102,7 @@ EVERY_EDIT: tuple[type, ...] = (
     ImportMesh,
     SetUnit,
     SetUp,
+    KeepOuter,
     KeepLargestShell,
     TurnOutward,
     CutCrowdedEdges,

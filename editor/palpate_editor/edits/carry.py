@@ -9,16 +9,18 @@ import numpy as np
 import palpate
 
 from palpate_editor.document import Organ, Surface
+from palpate_editor.edits.wall import settle_wall
 
 
 def carry_paint(organ: Organ, surface: Surface) -> Organ:
     """`organ` on `surface`, each vertex painted as the old surface is at the point closest to it.
 
     A factor of stiffness is interpolated; a vertex is fixed, or in a region, where most of its
-    point is. A region that nothing is left of goes.
+    point is. A region that nothing is left of goes. A
+    surface that is open now has a wall.
     """
     old = organ.surface
-    fresh = organ.with_surface(surface)
+    fresh = settle_wall(organ.with_surface(surface), organ)
     painted = organ.fixed.any() or (organ.stiffness_scale != 1.0).any() or organ.regions
     if old is None or not painted:
         return fresh

@@ -14,6 +14,7 @@ from palpate_editor import authoring
 from palpate_editor.document import Organ, Surface, phrase
 from palpate_editor.edits.carry import find_closest
 from palpate_editor.edits.edit import EditError, find_surface
+from palpate_editor.edits.wall import settle_wall
 
 
 @dataclass(frozen=True)
@@ -52,7 +53,7 @@ class FillHoles:
             imported = closed
         elif imported is not None:
             imported = fill(imported, match_holes(surface, holes, imported))
-        return replace(
+        filled = replace(
             organ,
             surface=closed,
             imported=imported,
@@ -66,6 +67,7 @@ class FillHoles:
             ),
             stiffness_scale=spread(organ.stiffness_scale, surface, closed),
         )
+        return settle_wall(filled, organ)
 
 
 def fill(surface: Surface, holes: Sequence[int]) -> Surface:

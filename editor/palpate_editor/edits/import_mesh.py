@@ -29,6 +29,7 @@ from palpate_editor.edits.orient import METRES
 from palpate_editor.edits.own_filling import take_filling
 from palpate_editor.edits.part_regions import find_regions
 from palpate_editor.edits.place_parts import find_colour, place_surfaces
+from palpate_editor.edits.wall import settle_wall
 
 REPAIRS = tuple(f.name for f in fields(Repairs) if f.name != "welded_vertices")
 """Those that are counted after the parts of a file were welded."""
@@ -59,7 +60,8 @@ BESIDE = Assembling()
 @dataclass(frozen=True, eq=False)
 class ImportMesh:
     """Put a surface that was read in the editor. Constants stay; what was painted goes. An organ
-    without an appearance gets the one that fits its name, in the file's colour."""
+    without an appearance gets the one that fits its name, in the file's colour, an open one without
+    a wall the usual wall."""
 
     title: ClassVar[str] = "Import"
     begins: ClassVar[bool] = True
@@ -97,7 +99,8 @@ class ImportMesh:
             count = len(fresh.filling.tetrahedra)
             fresh = replace(fresh, fill=replace(organ.fill, tetrahedra=count))
         name = organ.name or self.name
-        return replace(fresh, name=name, appearance=organ.appearance or self.find_appearance(name))
+        appearance = organ.appearance or self.find_appearance(name)
+        return settle_wall(replace(fresh, name=name, appearance=appearance), organ)
 
     def build_regions(self) -> dict[str, np.ndarray]:
         """Parts without a vertex have none."""

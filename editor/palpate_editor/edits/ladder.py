@@ -33,6 +33,7 @@ from palpate_editor.edits.repair import (
     keep_largest,
 )
 from palpate_editor.edits.unite import UniteShells, can_be_united
+from palpate_editor.edits.wall import has_chosen_wall
 from palpate_editor.edits.wrap import Wrap
 from palpate_editor.guarded import check_wanted
 
@@ -126,7 +127,7 @@ def choose_filling(state: State) -> Edit | None:
     """The holes that are damage; none of an organ that is told to be hollow."""
     if not state.is_manifold or not state.report.border_loops:
         return None
-    if state.organ.material.wall_thickness is not None:
+    if has_chosen_wall(state.organ):
         return None
     holes = tuple(find_damage(state.surface))
     return FillHoles(holes) if holes else None

@@ -2818,6 +2818,38 @@ Beklenen: {expected}.</translation>
         <source>Drop fins</source>
         <translation>Yüzgeçleri at</translation>
     </message>
+    <message>
+        <source>Angles of triangles</source>
+        <translation>Üçgenlerin açıları</translation>
+    </message>
+    <message>
+        <source>Edge of the holes</source>
+        <translation>Deliklerin kenarı</translation>
+    </message>
+    <message>
+        <source>Euler number</source>
+        <translation>Euler sayısı</translation>
+    </message>
+    <message>
+        <source>Its triangles</source>
+        <translation>Üçgenleri</translation>
+    </message>
+    <message>
+        <source>Lengths of edges</source>
+        <translation>Kenar uzunlukları</translation>
+    </message>
+    <message>
+        <source>Points where surfaces touch</source>
+        <translation>Yüzeylerin değdiği noktalar</translation>
+    </message>
+    <message>
+        <source>Thinnest</source>
+        <translation>En ince yeri</translation>
+    </message>
+    <message>
+        <source>{low} to {high}: {count}</source>
+        <translation>{low} – {high}: {count}</translation>
+    </message>
 </context>
 <context>
     <name>constants</name>
@@ -3127,6 +3159,10 @@ Beklenen: {expected}.</translation>
     <message>
         <source>Drop fins</source>
         <translation>Yüzgeçleri at</translation>
+    </message>
+    <message>
+        <source>Keep what is seen from outside</source>
+        <translation>Dışarıdan görüneni tut</translation>
     </message>
 </context>
 <context>
@@ -4376,6 +4412,66 @@ Beklenen: {expected}.</translation>
     <message>
         <source>{problem}</source>
         <translation>{problem}</translation>
+    </message>
+    <message>
+        <source>No piece of the surface lies inside of others.</source>
+        <translation>Yüzeyin hiçbir parçası ötekilerin içinde değil.</translation>
+    </message>
+    <message>
+        <source>each once: importing removes the others</source>
+        <translation>her biri bir kez: içe aktarma ötekileri kaldırır</translation>
+    </message>
+    <message>
+        <source>more vertices, or a wall of a thickness (Material)</source>
+        <translation>daha çok köşe ya da kalınlığı olan bir duvar (Malzeme)</translation>
+    </message>
+    <message>
+        <source>one outside: importing turns triangles until neighbours agree, where they can</source>
+        <translation>tek bir dış taraf: içe aktarma, komşular olabildiğince uyuşana dek üçgenleri çevirir</translation>
+    </message>
+    <message>
+        <source>outwards: importing turns them</source>
+        <translation>dışa: içe aktarma çevirir</translation>
+    </message>
+    <message>
+        <source>parts thinner than half of their triangles' edges under {share:.0%} of them, {thinnest:.2g} mm at the thinnest</source>
+        <translation>üçgenlerin {share:.0%} kadarının altında, kenarlarının yarısından ince yerler; en incesi {thinnest:.2g} mm</translation>
+    </message>
+    <message>
+        <source>surfaces that hang together by edges: importing parts them there</source>
+        <translation>kenarlarla bağlı yüzeyler: içe aktarma onları orada ayırır</translation>
+    </message>
+    <message>
+        <source>the outer surface alone, which is what is touched</source>
+        <translation>yalnız dış yüzey: dokunulan odur</translation>
+    </message>
+    <message>
+        <source>triangles that have an area: importing flips these away or removes them</source>
+        <translation>alanı olan üçgenler: içe aktarma bunları çevirip giderir ya da kaldırır</translation>
+    </message>
+    <message>
+        <source>{count} edges at which neighbours face different sides</source>
+        <translation>komşuların ayrı taraflara baktığı {count} kenar</translation>
+    </message>
+    <message>
+        <source>{count} pieces inside others, not seen from outside</source>
+        <translation>ötekilerin içinde, dışarıdan görünmeyen {count} parça</translation>
+    </message>
+    <message>
+        <source>{count} points where surfaces touch and no edge is shared</source>
+        <translation>yüzeylerin değdiği ama kenar paylaşmadığı {count} nokta</translation>
+    </message>
+    <message>
+        <source>{count} triangles of no height</source>
+        <translation>yüksekliği olmayan {count} üçgen</translation>
+    </message>
+    <message>
+        <source>{count} triangles that are there twice</source>
+        <translation>iki kez bulunan {count} üçgen</translation>
+    </message>
+    <message>
+        <source>a closed surface, or the wall of {wall:g} mm that it has now (Material)</source>
+        <translation>kapalı bir yüzey ya da şu anki {wall:g} mm kalınlığındaki duvar (Malzeme)</translation>
     </message>
 </context>
 <context>

@@ -12,6 +12,7 @@ from palpate_editor.verbs import (
     decimate,
     demo,
     felt,
+    inspect,
     mesh,
     organs,
     paint,
@@ -27,6 +28,7 @@ from palpate_editor.verbs import (
 from palpate_editor.verbs.editor import EDITOR
 
 VERBS = [
+    *inspect.VERBS,
     *mesh.VERBS,
     *decimate.VERBS,
     *scan.VERBS,

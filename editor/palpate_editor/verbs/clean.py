@@ -10,12 +10,19 @@ from palpate.files.refusal import Refusal
 
 from palpate_editor.document import Organ
 from palpate_editor.edits import FillHoles, KeepLargestShell
+from palpate_editor.edits.keep_outer import KeepOuter, keep_outer
 from palpate_editor.edits.repair import keep_largest
 from palpate_editor.verbs.files import apply, describe_loops
 from palpate_editor.verbs.holes import add_fill_holes, find_holes
 
 
 def add_cleaning(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--visible",
+        action="store_true",
+        help="drop the pieces that are not seen from outside, such as the parts within an atlas's "
+        "organ, and list them",
+    )
     parser.add_argument("--largest", action="store_true", help="keep its largest piece alone")
     add_fill_holes(parser)
 
@@ -23,6 +30,8 @@ def add_cleaning(parser: argparse.ArgumentParser) -> None:
 def clean(call: argparse.Namespace, organ: Organ) -> tuple[Organ, Report]:
     """The organ with what was asked for done, and what that was. Raises Refusal."""
     report: Report = {}
+    if call.visible:
+        organ, report["dropped"] = drop_inner(organ)
     if call.largest:
         assert organ.surface is not None
         if keep_largest(organ.surface) is not organ.surface:
@@ -30,6 +39,22 @@ def clean(call: argparse.Namespace, organ: Organ) -> tuple[Organ, Report]:
     if call.fill_holes is not None:
         organ, report["filled_holes"] = fill_small(call, organ)
     return organ, report
+
+
+def drop_inner(organ: Organ) -> tuple[Organ, list[Report]]:
+    """The organ without the pieces that lie within it, and what these were."""
+    assert organ.surface is not None
+    dropped = keep_outer(organ.surface).dropped
+    rows = [
+        {
+            "triangles": piece.triangles,
+            "size_mm": 1e3 * piece.size,
+            "place_m": list(piece.middle),
+            "seen_share": piece.exposed,
+        }
+        for piece in dropped
+    ]
+    return KeepOuter()(organ) if dropped else organ, rows
 
 
 def fill_small(call: argparse.Namespace, organ: Organ) -> tuple[Organ, list[int]]:
@@ -44,7 +69,7 @@ def fill_small(call: argparse.Namespace, organ: Organ) -> tuple[Organ, list[int]
 
 
 def describe_cleaning(report: Report) -> list[str]:
-    """Which holes were filled."""
+    """Which holes were filled; what was dropped stands in the notes."""
     if "filled_holes" not in report:
         return []
     return [f"filled: {describe_loops(report['filled_holes'])}"]

@@ -11,6 +11,8 @@ from pathlib import Path
 from palpate.command.output import add_output
 from palpate.command.verb import Report, Verb, WrongCall, quantity
 
+from palpate_editor.check import describe_problem
+from palpate_editor.doctor import list_decimated
 from palpate_editor.document import Decimation, Organ
 from palpate_editor.edits import (
     Decimate,
@@ -20,6 +22,7 @@ from palpate_editor.edits import (
     decimate_within,
 )
 from palpate_editor.felt_change import FeltChange, measure_felt_change
+from palpate_editor.verbs.check import describe_problems
 from palpate_editor.verbs.files import (
     OUTPUTS,
     EditRefusal,
@@ -41,7 +44,9 @@ def run_edit(
         edit = make()
     except EditError as refused:
         raise EditRefusal(file, option, str(refused)) from None
-    return edit(organ), report_decimation(edit.decimation)
+    made = edit(organ)
+    found = [describe_problem(p, made.surface) for p in list_decimated(made)]
+    return made, {**report_decimation(edit.decimation), "problems": found}
 
 
 def report_decimation(decimation: Decimation) -> Report:
@@ -138,7 +143,9 @@ def describe_decimate(report: Report) -> str:
         f"{report['smallest_angle_deg']:.1f} degrees; {report['mean_distance_mm']:.3f} mm from the "
         f"source on average, {report['max_distance_mm']:.3f} mm at most"
     )
-    return "\n".join([done, *(describe_felt(report["felt"]) if report.get("felt") else [])])
+    found = describe_problems(report["problems"]) if report["problems"] else []
+    felt = describe_felt(report["felt"]) if report.get("felt") else []
+    return "\n".join([done, *found, *felt])
 
 
 VERBS = [

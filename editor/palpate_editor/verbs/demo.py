@@ -28,7 +28,7 @@ from palpate_editor.document.defaults import CONSTANTS
 from palpate_editor.edits import EditError
 from palpate_editor.publish import PublishError
 from palpate_editor.shipped import find_mesh
-from palpate_editor.verbs.mesh import add_source
+from palpate_editor.verbs.source import add_source
 
 
 def add_demo(parser: argparse.ArgumentParser) -> None:

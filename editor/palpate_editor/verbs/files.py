@@ -18,6 +18,7 @@ from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.file_state import is_changed, read_state
 from palpate_editor.document.files import write_organ
 from palpate_editor.edits import Edit, EditError
+from palpate_editor.edits.wall import settle_wall
 from palpate_editor.open_organ import open_organ
 
 MESHES = (".obj", ".stl")
@@ -31,7 +32,8 @@ def open_any(path: Path) -> Organ:
     if path.suffix != ".obj":
         return open_organ(path)
     surface = surface_of(read_mesh_file(path))
-    return replace(EMPTY.with_surface(surface), name=path.stem, imported=surface)
+    organ = replace(EMPTY.with_surface(surface), name=path.stem, imported=surface)
+    return settle_wall(organ, EMPTY)
 
 
 def write_any(path: Path, organ: Organ) -> None:

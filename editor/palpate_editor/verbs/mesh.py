@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The verbs about mesh files: inspect, import."""
+"""The verb that reads mesh files: import."""
 
 from __future__ import annotations
 
@@ -12,10 +12,9 @@ from palpate.command.verb import Report, Verb, WrongCall
 
 from palpate_editor import authoring
 from palpate_editor.appearance import write_colour
-from palpate_editor.check import describe_problem, measure_surface, place_problem
-from palpate_editor.document import EMPTY, Organ
-from palpate_editor.document.problems import Facts
-from palpate_editor.document.rules import find_import_problems, find_repair_problems
+from palpate_editor.check import describe_problem, measure_surface
+from palpate_editor.doctor import list_surface_problems
+from palpate_editor.document import EMPTY
 from palpate_editor.edits import import_read
 from palpate_editor.verbs.check import describe_problems
 from palpate_editor.verbs.clean import add_cleaning, clean, describe_cleaning
@@ -25,82 +24,8 @@ from palpate_editor.verbs.files import (
     describe_loops,
     write_any,
 )
-from palpate_editor.verbs.parts import (
-    add_assembling,
-    choose_outer,
-    describe_parts,
-    read_assembling,
-    report_parts,
-)
-
-UNITS = ("m", "cm", "mm", "um", "in", "ft")
-UPS = ("x", "y", "z", "-x", "-y", "-z")
-
-
-def add_source(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "--part",
-        action="append",
-        default=[],
-        metavar="NAME",
-        help="part of the file to use, or a group of parts, may be repeated; default: all",
-    )
-    parser.add_argument("--unit", choices=UNITS, help="of the file; default: stated or guessed")
-    parser.add_argument("--up", choices=UPS, help="axis of the file; default: stated or z")
-    add_assembling(parser)
-
-
-# ---------------------------------------------------------------- inspect
-
-
-def add_inspect(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("file", type=Path, help="mesh file")
-    add_source(parser)
-
-
-def run_inspect(call: argparse.Namespace) -> Report:
-    scene = authoring.read_mesh(call.file)
-    options = read_assembling(call).options()
-    joined = authoring.join_parts(scene, parts=call.part, unit=call.unit, up=call.up, **options)
-    return {
-        **authoring.inspect_mesh(joined.mesh).as_dict(),
-        "unit": joined.unit,
-        "unit_guessed": joined.unit_guessed,
-        "unit_reason": joined.unit_reason,
-        "up": joined.up,
-        "up_guessed": joined.up_guessed,
-        "up_reason": joined.up_reason,
-        "format": scene.format,
-        "parts": report_parts(scene, joined.unit, joined.up),
-        "parts_used": list(joined.parts),
-        "subtracted": list(joined.subtracted),
-        "welded_vertices": joined.welded_vertices,
-        "notes": list(scene.notes),
-    }
-
-
-def describe_inspect(report: Report) -> str:
-    def known(value: object, unit: str = "") -> str:
-        return "unknown" if value is None else f"{value:.4g}{unit}"
-
-    loops = report["border_loops"]
-    guess = "guessed" if report["unit_guessed"] else "stated"
-    lines = [
-        f"{report['vertices']} vertices, {report['triangles']} triangles, "
-        f"{report['shells']} shell(s), genus {known(report['genus'])}",
-        "closed" if report["closed"] else f"open: {describe_loops(loops)}",
-        f"outward: {'unknown' if report['outward'] is None else report['outward']}",
-        f"{report['non_manifold_edges']} non-manifold edges, "
-        f"{known(report['self_intersecting_faces'])} self-intersecting faces, smallest angle "
-        f"{known(report['smallest_angle_deg'], ' degrees')}",
-        f"size {' x '.join(f'{length:.1f}' for length in report['size_mm'])} mm, volume "
-        f"{known(report['volume_ml'], ' ml')}",
-        f"unit {report['unit']} ({guess}: {report['unit_reason']})",
-        f"up {report['up']} ({report['up_reason']})",
-        *describe_parts(report["parts"]),
-    ]
-    return "\n".join(lines + [f"note: {note}" for note in report["notes"]])
-
+from palpate_editor.verbs.parts import choose_outer, read_assembling
+from palpate_editor.verbs.source import add_source
 
 # ---------------------------------------------------------------- import
 
@@ -163,20 +88,14 @@ def run_import(call: argparse.Namespace) -> Report:
     report |= cleaned
     if call.vertices is not None:
         organ, report["decimated"] = decimate_to(organ, call.vertices, call.file)
-    assert organ.surface is not None
+    assert organ.surface is not None and organ.source is not None
     report["regions"] = {name: len(ids) for name, ids in organ.regions.items()}
-    mesh, facts = measure_surface(organ.surface)
-    report["mesh"] = mesh.as_dict()
-    report["notes"] = list(source.notes)
-    report["problems"] = list_problems(organ, Facts(facts))
+    report["mesh"] = measure_surface(organ.surface)[0].as_dict()
+    report["notes"] = list(organ.source.notes)
+    report["wall_thickness_m"] = organ.material.wall_thickness
+    report["problems"] = [describe_problem(p, organ.surface) for p in list_surface_problems(organ)]
     write_any(call.out, organ)
     return report
-
-
-def list_problems(organ: Organ, facts: Facts) -> list[Report]:
-    """What is wrong with an imported surface, before anything is built on it."""
-    found = [*find_import_problems(organ, facts), *find_repair_problems(organ, facts)]
-    return [describe_problem(place_problem(p, organ, facts), organ.surface) for p in found]
 
 
 def describe_assembly(report: Report) -> str:
@@ -198,7 +117,9 @@ def describe_import(report: Report) -> str:
         f"repaired: {done or 'nothing to do'}",
         "closed"
         if not loops
-        else f"{describe_loops(loops)}, kept open (palpate repair --fill-holes closes them)",
+        else f"{describe_loops(loops)}, kept open as a wall of "
+        f"{1e3 * report['wall_thickness_m']:g} mm (palpate material --wall; palpate repair "
+        "--fill-holes closes them)",
     ]
     lines += describe_cleaning(report)
     if "decimated" in report:
@@ -217,14 +138,6 @@ def describe_import(report: Report) -> str:
 
 
 VERBS = [
-    Verb(
-        "inspect",
-        "say what is good and bad about a mesh file",
-        "palpate inspect VH_F_Spleen.glb --json",
-        add_inspect,
-        run_inspect,
-        describe_inspect,
-    ),
     Verb(
         "import",
         "read a mesh file, weld, repair, orient, and write it in metres, z up",

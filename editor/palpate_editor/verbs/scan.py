@@ -26,7 +26,7 @@ from palpate_editor.scan import (
 )
 from palpate_editor.verbs.decimate import decimate_to, describe_decimate
 from palpate_editor.verbs.files import OUTPUTS, write_any
-from palpate_editor.verbs.mesh import UNITS
+from palpate_editor.verbs.source import UNITS
 
 
 def read_threshold(text: str) -> tuple[float | None, float | None]:

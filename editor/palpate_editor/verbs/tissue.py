@@ -282,8 +282,8 @@ def build_assessed(call: argparse.Namespace, organ: Organ) -> Assessment:
 
 
 def is_of_tissue(problem: Problem) -> bool:
-    """Whether the material has a part in it, and not the surface alone."""
-    return problem.stage == "material" or problem.key == "too_slow"
+    """Whether the material has a part in it, and not the shape of the surface alone."""
+    return problem.stage == "material" or problem.key in ("too_slow", "size")
 
 
 def say_size(size: palpate.ResponseSize) -> None:

@@ -15,9 +15,12 @@ from palpate_editor.document.problems import Problem
 from palpate_editor.problem_places import find_place
 from palpate_editor.views.context import Context
 
-MARK = "problems"
+MARK, LOOKED = "problems", "looked at"
 RED = Appearance(
     (0.95, 0.10, 0.08), gloss=0.1, subsurface=0.0, seen_through=True, casts_shadow=False
+)
+AMBER = Appearance(
+    (1.00, 0.62, 0.05), gloss=0.1, subsurface=0.0, seen_through=True, casts_shadow=False
 )
 STAGES = ("import", "repair")
 """Where they are shown: further on the surface is taken to be good."""
@@ -35,18 +38,34 @@ class ProblemMarks(QObject):
         self.context = context
         self.stage = context.stage
         self.shown: tuple[Surface, np.ndarray] | None = None
+        self.looked: Surface | None = None
         context.assessed.connect(self.show)
         context.stage_shown.connect(self.on_stage)
         context.preview_shown.connect(self.show)
         context.session.changed.connect(self.show)
 
     def on_stage(self, stage: str) -> None:
+        if stage != self.stage:
+            self.forget_looked()
         self.stage = stage
         self.show()
+
+    def show_looked(self, surface: Surface, faces: np.ndarray) -> None:
+        """Paints the triangles of the problem that is looked at, whatever its severity."""
+        self.forget_looked()
+        self.looked = surface
+        self.context.view.show_part(LOOKED, build_shape(surface, faces), AMBER)
+
+    def forget_looked(self) -> None:
+        if self.looked is not None:
+            self.looked = None
+            self.context.view.show_part(LOOKED, None, AMBER)
 
     def show(self, *_: object) -> None:
         """Paints what there is; nothing is done where it is painted already."""
         surface, faces = self.context.session.organ.surface, self.find_faces()
+        if surface is not self.looked or self.context.previewing:
+            self.forget_looked()
         if surface is None or not len(faces):
             if self.shown is not None:
                 self.shown = None
@@ -80,7 +99,8 @@ class ProblemMarks(QObject):
             return
         if assessment is None or assessment.organ.surface is not surface:
             return
-        middle, outward = find_outside(surface, problem.faces)
+        middle, outward = find_view(surface, problem.faces)
+        self.show_looked(surface, problem.faces)
         view = self.context.view
         view.orbit(0.0, 0.0)  # from here on the camera is where it is put
         x, y, z = (float(value) for value in outward)
@@ -102,9 +122,27 @@ def build_shape(surface: Surface, faces: np.ndarray) -> Shape:
     return Shape(corners, directions, np.arange(len(corners), dtype=np.int32).reshape(-1, 3))
 
 
-def find_outside(surface: Surface, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The middle of one triangle [m], and the direction from the middle of the organ to it."""
+def find_view(surface: Surface, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The middle of one triangle [m], and a direction from which it is in sight: that in which its
+    surface faces, else the one away from the middle of the organ, else any that is free."""
     middle = np.array(find_place(surface, faces))
-    outward = middle - surface.vertices.mean(axis=0)
-    size = np.linalg.norm(outward)
-    return middle, outward / size if size > 0.0 else np.array([0.0, 0.0, 1.0])
+    x = surface.vertices[surface.triangles[faces]]
+    nearest = np.linalg.norm(x.mean(axis=1) - middle, axis=1).argmin()
+    normal = np.cross(x[nearest, 1] - x[nearest, 0], x[nearest, 2] - x[nearest, 0])
+    wanted = [normal, middle - surface.vertices.mean(axis=0), *list_directions(), -normal]
+    directions = [d / np.linalg.norm(d) for d in wanted if np.linalg.norm(d) > 0.0]
+    tree = palpate.AabbTree(surface.vertices, surface.triangles)
+    lift = LIFT * float(palpate.compute_diagonal(surface.vertices))
+    for direction in directions:
+        start = middle + lift * direction
+        if palpate.find_ray_hit(tree, surface.vertices, start, direction) is None:
+            return middle, direction
+    return middle, directions[0]
+
+
+def list_directions(count: int = 64) -> np.ndarray:
+    """(count, 3) unit, evenly over the sphere."""
+    z = 1.0 - (2.0 * np.arange(count) + 1.0) / count
+    turn = np.pi * (3.0 - 5.0**0.5) * np.arange(count)
+    across = np.sqrt(1.0 - z**2)
+    return np.column_stack([across * np.cos(turn), across * np.sin(turn), z])

@@ -13,7 +13,7 @@ from hands import child, click, log_of
 from palpate_editor.document import Organ, Surface
 from palpate_editor.document.cost_rules import TICK_SHARE
 from palpate_editor.views.assessment import Assessment
-from palpate_editor.views.problem_marks import MARK, find_outside
+from palpate_editor.views.problem_marks import MARK, find_view
 from patience import rest, settle
 from touch_context import build_organ
 
@@ -189,7 +189,7 @@ def test_triangles_that_nothing_can_be_built_on_are_red_and_only_there(qtbot, br
 def test_show_flies_to_the_place_and_fix_it_mends_it(qtbot, broken):
     row = row_of(broken, "more than two triangles")
     assert row.look.isVisible() and row.button.isVisible()
-    middle, _ = find_outside(broken.session.organ.surface, row.place.faces)
+    middle, _ = find_view(broken.session.organ.surface, row.place.faces)
 
     click(row.look)
     assert np.allclose(broken.view.camera.target, middle)

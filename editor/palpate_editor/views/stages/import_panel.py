@@ -26,6 +26,7 @@ from palpate_editor.edits.orient import METRES
 from palpate_editor.edits.part_list import Part
 from palpate_editor.views.stages.appearance_row import AppearanceRow
 from palpate_editor.views.stages.facts import Facts, write_label
+from palpate_editor.views.stages.histogram import Histograms
 from palpate_editor.views.stages.parts_chooser import PartsChooser
 from palpate_editor.views.stages.stage_panel import StagePanel
 from palpate_editor.views.tasks import ImportWork, Reading
@@ -67,6 +68,7 @@ class ImportPanel(StagePanel):
         self.build_meaning()
         found = self.section(tr("What was found"))
         self.facts = found.add(Facts(self))
+        self.histograms = found.add(Histograms(self.context, self))
         self.notes = found.add(write_label("", "note", self))
         self.notes.setWordWrap(True)
 
@@ -231,9 +233,12 @@ class ImportPanel(StagePanel):
     def show_assessment(self) -> None:
         assessment = self.context.assessment
         report = assessment.report if assessment else None
+        self.histograms.show_report(report)
         if report is None:
             self.facts.show_facts([])
             return
+        tissue = assessment.tissue if assessment else None
+        step = None if tissue is None or tissue.stable_step is None else 1e6 * tissue.stable_step
         size = " × ".join(number(length, 3) for length in report.size_mm)
         self.facts.show_facts(
             [
@@ -242,7 +247,9 @@ class ImportPanel(StagePanel):
                 (tr("Size"), f"{size} mm"),
                 (tr("Volume"), quantity(report.volume_ml, "ml", 4)),
                 (tr("Pieces"), count(report.shells)),
+                (tr("Thinnest"), quantity(report.thinnest_mm, "mm", 3)),
                 (tr("Smallest angle"), quantity(report.smallest_angle_deg, "°", 3)),
+                (tr("Longest stable step"), quantity(step, "µs", 3)),
             ]
         )
 

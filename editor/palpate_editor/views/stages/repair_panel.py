@@ -11,6 +11,7 @@ from palpate_editor.document.rules import MOST_CROSSING
 from palpate_editor.edits import Edit, RemoveCrossings, RepairAll
 from palpate_editor.views.context import Context
 from palpate_editor.views.stages.facts import Facts
+from palpate_editor.views.stages.histogram import Histograms
 from palpate_editor.views.stages.hole_list import HoleList
 from palpate_editor.views.stages.repair_steps import RepairSteps
 from palpate_editor.views.stages.stage_panel import StagePanel, Workers
@@ -64,6 +65,7 @@ class RepairPanel(StagePanel):
         self.form.addWidget(self.all)
         self.card = StepCard(self.context, self.tasks, self)
         self.form.addWidget(self.card)
+        self.shape = self.section(tr("Its triangles")).add(Histograms(self.context, self))
         self.holes = self.section(tr("Holes")).add(HoleList(self.context, self.tasks, self))
         self.steps = self.section(tr("Steps")).add(RepairSteps(self.card.attempt, self))
         self.repairs = self.section(tr("Repaired when it was read")).add(Facts(self))
@@ -80,6 +82,8 @@ class RepairPanel(StagePanel):
         assessment = self.context.assessment
         report = assessment.report if assessment else None
         self.facts.parentWidget().setVisible(report is not None)
+        self.shape.parentWidget().setVisible(report is not None)
+        self.shape.show_report(report)
         self.steps.largest.setEnabled(report is not None and report.shells > 1)
         loops = [] if report is None else report.border_loops
         self.holes.parentWidget().setVisible(bool(loops))
@@ -97,6 +101,8 @@ class RepairPanel(StagePanel):
                 (tr("Holes"), holes, "warning" if loops else "good"),
                 (tr("Pieces"), count(report.shells), "good" if report.shells == 1 else "warning"),
                 (tr("Handles"), "–" if report.genus is None else count(report.genus)),
+                (tr("Euler number"), count(report.euler_number)),
+                (tr("Edge of the holes"), quantity(sum(report.border_lengths_mm), "mm", 3)),
                 (tr("Triangles face"), *say_outward(report)),
                 (
                     tr("Edges shared by more than two"),
@@ -104,11 +110,17 @@ class RepairPanel(StagePanel):
                     "bad" if report.non_manifold_edges else "good",
                 ),
                 (
+                    tr("Points where surfaces touch"),
+                    count(len(report.pinched_vertices)),
+                    "warning" if report.pinched_vertices else "good",
+                ),
+                (
                     tr("Crossing triangles"),
                     tr("too many to count") if crossing is None else count(crossing),
                     say_crossing_tone(report),
                 ),
                 (tr("Volume"), quantity(report.volume_ml, "ml")),
+                (tr("Thinnest"), quantity(report.thinnest_mm, "mm", 3)),
             ]
         )
 

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Keeping of an atlas's organ, which is a soup of nested parts, what is seen from outside."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import ClassVar
+
+import numpy as np
+import palpate
+
+from palpate_editor import authoring
+from palpate_editor.document import Organ, Surface, phrase
+from palpate_editor.edits.carry import carry_paint
+from palpate_editor.edits.edit import EditError, find_surface
+
+SEEN = 0.05
+"""[-] of a piece's triangles that are seen from outside, where it is kept."""
+LISTED = 12
+"""Dropped pieces that a note names, the largest first."""
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A piece of a surface: what hangs together."""
+
+    triangles: int
+    size: float
+    """[m] from corner to corner."""
+    middle: tuple[float, float, float]
+    """[m] of its box."""
+    exposed: float
+    """[-] of its triangles: seen from outside past all others."""
+
+
+@dataclass(frozen=True, eq=False)
+class Outer:
+    """What is seen from outside, and what lies within."""
+
+    surface: Surface
+    """The very same where nothing lies within."""
+    dropped: tuple[Piece, ...]
+    """The largest first."""
+
+
+def find_shells(surface: Surface) -> tuple[np.ndarray, np.ndarray]:
+    """(t,) the piece of each triangle, and of each piece [-] what is seen of it from outside."""
+    x, triangles = surface.vertices, surface.triangles
+    shells = np.asarray(palpate.find_shells(len(x), triangles))[triangles[:, 0]]
+    return shells, np.array(authoring.measure_exposure(palpate.SurfaceMesh(x, triangles)))
+
+
+def find_outer(surface: Surface) -> np.ndarray:
+    """(t,) bool: triangles of pieces of which more than a few are seen from outside."""
+    shells, exposed = find_shells(surface)
+    return exposed[shells] > SEEN
+
+
+def keep_outer(surface: Surface) -> Outer:
+    """The pieces of which more than a few triangles are seen from outside."""
+    x, triangles = surface.vertices, surface.triangles
+    shells, exposed = find_shells(surface)
+    kept = exposed[shells] > SEEN
+    if kept.all():
+        return Outer(surface, ())
+    pieces = [
+        describe_piece(x[triangles[shells == shell]], float(exposed[shell]))
+        for shell in np.unique(shells[~kept])
+    ]
+    pieces.sort(key=lambda piece: -piece.size)
+    used, numbers = np.unique(triangles[kept], return_inverse=True)
+    return Outer(Surface(x[used], numbers.reshape(-1, 3)), tuple(pieces))
+
+
+def describe_piece(corners: np.ndarray, exposed: float) -> Piece:
+    """Of the corners (t, 3, 3) [m] of its triangles."""
+    points = corners.reshape(-1, 3)
+    low, high = points.min(axis=0), points.max(axis=0)
+    x, y, z = (float(c) for c in 0.5 * (low + high))
+    return Piece(len(corners), float(np.linalg.norm(high - low)), (x, y, z), exposed)
+
+
+def list_dropped(dropped: tuple[Piece, ...]) -> str:
+    """In a sentence, for people."""
+    named = [
+        f"{piece.triangles} triangles, {1e3 * piece.size:.3g} mm long at "
+        f"({', '.join(f'{1e3 * c:.3g}' for c in piece.middle)}) mm"
+        for piece in dropped[:LISTED]
+    ]
+    rest = len(dropped) - len(named)
+    more = [f"{rest} smaller ones"] if rest else []
+    count = f"{len(dropped)} inner piece{'s' if len(dropped) > 1 else ''} dropped"
+    return f"{count}: {'; '.join([*named, *more])}"
+
+
+@dataclass(frozen=True)
+class KeepOuter:
+    """Throw away the pieces of the surface that are not seen from outside."""
+
+    title: ClassVar[str] = "Keep what is seen from outside"
+
+    def __call__(self, organ: Organ) -> Organ:
+        surface = find_surface(organ)
+        outer = keep_outer(surface)
+        if outer.surface is surface:
+            raise EditError(phrase("No piece of the surface lies inside of others."))
+        imported = outer.surface
+        if organ.imported is not None and organ.imported is not surface:
+            imported = keep_outer(organ.imported).surface
+        decimation = organ.decimation and replace(
+            organ.decimation,
+            vertices=len(outer.surface.vertices),
+            triangles=len(outer.surface.triangles),
+        )
+        source = organ.source and replace(
+            organ.source, notes=(*organ.source.notes, list_dropped(outer.dropped))
+        )
+        changed = carry_paint(organ, outer.surface)
+        return replace(changed, imported=imported, decimation=decimation, source=source)
