@@ -290,3 +290,35 @@ TEST_CASE("implicit midpoint keeps the energy of what is linear, and nearly of w
   for (int s = 0; s < 300; ++s) stepper.step(Load(), dt, state);
   CHECK(total_energy(organ, state) == Approx(start).epsilon(0.05));
 }
+
+TEST_CASE("implicit midpoint chatters at w dt >> 1, and damping stops it as foretold") {
+  const double mass = 1e-3, w = std::sqrt(1e5);
+  for (const double h : {10.0, 100.0}) {
+    CAPTURE(h);
+    // from one step to the next it turns by 2 atan(h/2), nearly half a turn
+    const TissueModel undamped = scenes::make_oscillator_model(mass, 100.0);
+    State state(undamped);
+    state.position[1].x() += 1e-5;
+    ImplicitStepper stepper(undamped, Integrator::implicit_midpoint);
+    for (int s = 1; s <= 10; ++s) {
+      stepper.step(Load(), h / w, state);
+      const double offset = state.position[1].x() - undamped.rest_position[1].x();
+      CHECK(offset / 1e-5 == Approx(std::cos(2.0 * s * std::atan(0.5 * h))).epsilon(0.05));
+    }
+
+    for (const double zeta : {0.1, 0.5}) {
+      CAPTURE(zeta);
+      const double foretold =
+          std::log((1.0 + zeta * h + 0.25 * h * h) / (1.0 - zeta * h + 0.25 * h * h));
+      const TissueModel damped = scenes::make_oscillator_model(mass, 100.0, 2.0 * zeta * w * mass);
+      State fading(damped);
+      fading.position[1].x() += 1e-5;
+      const double start = total_energy(damped, fading);
+      ImplicitStepper fade(damped, Integrator::implicit_midpoint);
+      const int steps = static_cast<int>(15.0 / foretold);
+      for (int s = 0; s < steps; ++s) fade.step(Load(), h / w, fading);
+      const double measured = -std::log(total_energy(damped, fading) / start) / steps;
+      CHECK(measured == Approx(foretold).epsilon(0.05));
+    }
+  }
+}

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""No alarm where nothing is wrong: fast and deep presses, and steps just within the limit."""
+
+from __future__ import annotations
+
+import copy
+
+import numpy as np
+import palpate
+import pytest
+from palpate.runs.press import CLEARANCE, find_top
+from palpate.runs.run import read_scene
+from palpate_editor.shipped import list_organs
+from scripted_hands import SPRINGS, find_scattered_place, open_organ_scene, press, run_hand
+
+ORGANS = [entry.name for entry, _ in list_organs()]
+OF_SPRINGS = sorted(path.stem for path in SPRINGS.glob("*.palpate"))
+NONE = palpate.AlarmKind.none
+DEEP, FAST = 10e-3, 0.1
+"""[m], [m/s] as a hand explores that means it."""
+COSTLY = ("liver", "spleen", "kidney")
+"""Solids whose near field takes a second to build."""
+LIMIT_SHARE = 0.9
+"""[-] of the limit, that palpate.stable_step gives."""
+
+
+def some(names: list[str]) -> list[object]:
+    return [pytest.param(n, marks=pytest.mark.landing) if n in COSTLY else n for n in names]
+
+
+@pytest.mark.parametrize("name", some(ORGANS))
+def test_a_hand_that_presses_10_mm_at_100_mm_s_ends_no_run(name):
+    scene = open_organ_scene(name)
+    for place in (find_top(scene), find_scattered_place(scene, 1)):
+        assert press(scene, place, DEEP, FAST).alarm == NONE
+
+
+@pytest.mark.verify
+@pytest.mark.parametrize("name", ORGANS)
+def test_it_ends_none_at_forty_places_either(name):
+    scene = open_organ_scene(name)
+
+    ends = {k: press(scene, find_scattered_place(scene, k), DEEP, FAST).alarm for k in range(40)}
+
+    assert {k: end.name for k, end in ends.items() if end != NONE} == {}
+
+
+def step_at(scene: palpate.Scene, share: float) -> palpate.Scene:
+    """A scene of which each substep in the air is that part of the longest that is stable."""
+    limit = palpate.stable_step(scene.bodies[0].tissue) / LIMIT_SHARE
+    if not np.isfinite(limit):  # a stone, which cannot swing
+        return scene
+    slower = copy.copy(scene)
+    slower.rate = 1.0 / (scene.bodies[0].substeps * share * limit)
+    return slower
+
+
+def poke(scene: palpate.Scene, seconds: float) -> palpate.AlarmKind:
+    """3 mm into a place every second, at another each time; the tool is away between them."""
+    frames: list[palpate.KeyFrame] = []
+    radius = scene.instruments[0].tool.radius
+    for k in range(int(seconds)):
+        place = find_scattered_place(scene, k)
+        out = np.asarray(place.outward)
+        for time, height in ((0.2, 20e-3), (0.35, CLEARANCE), (0.5, -3e-3), (0.7, -3e-3),
+                             (0.85, CLEARANCE), (0.95, 20e-3)):  # fmt: skip
+            frames.append(palpate.KeyFrame(k + time, place.point + (radius + height) * out))
+    return run_hand(scene, frames).alarm
+
+
+@pytest.mark.parametrize("name", ["simple_tissue", "gallbladder"])
+def test_at_098_of_its_limit_a_shipped_organ_that_is_poked_raises_no_alarm(name):
+    assert poke(step_at(open_organ_scene(name), 0.98), 3.0) == NONE
+
+
+@pytest.mark.parametrize("name", ["spleen"])
+def test_at_098_of_its_limit_an_organ_of_springs_that_is_poked_raises_no_alarm(name):
+    assert poke(step_at(read_scene(SPRINGS / f"{name}.palpate"), 0.98), 3.0) == NONE
+
+
+@pytest.mark.verify
+@pytest.mark.parametrize("name", ORGANS)
+def test_for_a_minute_at_098_of_its_limit_no_shipped_organ_raises_an_alarm(name):
+    assert poke(step_at(open_organ_scene(name), 0.98), 60.0) == NONE
+
+
+@pytest.mark.verify
+@pytest.mark.parametrize("name", OF_SPRINGS)
+def test_for_a_minute_at_098_of_its_limit_no_organ_of_springs_raises_an_alarm(name):
+    assert poke(step_at(read_scene(SPRINGS / f"{name}.palpate"), 0.98), 60.0) == NONE
