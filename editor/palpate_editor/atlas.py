@@ -59,7 +59,7 @@ def compute_key(plan: Plan) -> str:
     keep_known(content["fill"])
     content["hand"] = {name: content["hand"][name] for name in ("rate", "gravity", "substeps")}
     whole = hashlib.sha256(json.dumps([VERSION, STEPS, content], sort_keys=True).encode())
-    for name in sorted(arrays):
+    for name in sorted(name for name in arrays if name.split("/")[0] not in UNSTEPPED):
         array = np.ascontiguousarray(arrays[name])
         whole.update(f"{name} {array.dtype.str} {array.shape}".encode() + array.tobytes())
     return whole.hexdigest()

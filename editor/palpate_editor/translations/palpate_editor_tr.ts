@@ -2850,6 +2850,62 @@ Beklenen: {expected}.</translation>
         <source>{low} to {high}: {count}</source>
         <translation>{low} – {high}: {count}</translation>
     </message>
+    <message>
+        <source>&amp;Stability…</source>
+        <translation>&amp;Kararlılık…</translation>
+    </message>
+    <message>
+        <source>Atlases (*.json)</source>
+        <translation>Atlaslar (*.json)</translation>
+    </message>
+    <message>
+        <source>Find the limits</source>
+        <translation>Sınırları bul</translation>
+    </message>
+    <message>
+        <source>No atlas yet: find the limits of this organ, or open one</source>
+        <translation>Henüz atlas yok: bu organın sınırlarını bulun ya da bir atlas açın</translation>
+    </message>
+    <message>
+        <source>Open an atlas</source>
+        <translation>Atlas aç</translation>
+    </message>
+    <message>
+        <source>Open an atlas…</source>
+        <translation>Atlas aç…</translation>
+    </message>
+    <message>
+        <source>Save the atlas</source>
+        <translation>Atlası kaydet</translation>
+    </message>
+    <message>
+        <source>Save the atlas…</source>
+        <translation>Atlası kaydet…</translation>
+    </message>
+    <message>
+        <source>Stiffness, times that of the atlas</source>
+        <translation>Sertlik, atlastakinin katı</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Zaman adımı</translation>
+    </message>
+    <message>
+        <source>it blows up</source>
+        <translation>dağılır</translation>
+    </message>
+    <message>
+        <source>the step holds</source>
+        <translation>adım dayanır</translation>
+    </message>
+    <message>
+        <source>{done} of {all} tissues</source>
+        <translation>{all} dokudan {done}</translation>
+    </message>
+    <message>
+        <source>{step}: the line was found by running it, dashes are foretold, ★ is this scene</source>
+        <translation>{step}: çizgi çalıştırılarak bulundu, kesikli çizgi öngörülen, ★ bu sahne</translation>
+    </message>
 </context>
 <context>
     <name>constants</name>
@@ -4472,6 +4528,26 @@ Beklenen: {expected}.</translation>
     <message>
         <source>a closed surface, or the wall of {wall:g} mm that it has now (Material)</source>
         <translation>kapalı bir yüzey ya da şu anki {wall:g} mm kalınlığındaki duvar (Malzeme)</translation>
+    </message>
+    <message>
+        <source>Its surface came with {most} vertices, and {count} cannot be made of them.</source>
+        <translation>Yüzeyi {most} köşeyle geldi; bunlardan {count} köşe yapılamaz.</translation>
+    </message>
+    <message>
+        <source>Its tetrahedra came with its file, and stay as they are.</source>
+        <translation>Dörtyüzlüleri dosyasıyla geldi ve oldukları gibi kalır.</translation>
+    </message>
+    <message>
+        <source>The atlas has no step of {step} that holds for this model.</source>
+        <translation>Atlasta bu model için {step} ile dayanan bir adım yok.</translation>
+    </message>
+    <message>
+        <source>This scene: {used:.3g} of {limit:.3g} ms used, {count} steps a tick of {step}.</source>
+        <translation>Bu sahne: {limit:.3g} ms sınırın {used:.3g} ms kadarı kullanılıyor, {step} ile bir vuruşta {count} adım.</translation>
+    </message>
+    <message>
+        <source>{step} holds every step: this scene takes {used:.3g} ms.</source>
+        <translation>{step} her adımda dayanır: bu sahne {used:.3g} ms adım atıyor.</translation>
     </message>
 </context>
 <context>

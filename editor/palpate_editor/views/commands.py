@@ -176,6 +176,7 @@ def material_commands(w: CommandTargets) -> list[Command]:
             line_before=True,
         ),
         Command("open_chart", "material", tr("&Open a chart…"), w.chart.ask_open, ("Ctrl+Alt+G",)),
+        Command("stability", "material", tr("&Stability…"), w.show_atlas, ("Ctrl+Alt+J",)),
     ]
 
 

@@ -50,6 +50,8 @@ class Context(QObject):
     """An edit that takes seconds is to be done beside the window."""
     look_wanted = Signal(object)
     """A Problem is to be looked at, where it is on the surface."""
+    dragged = Signal(object)
+    """What the organ would be while a number of it is being dragged; it is no edit yet."""
     assessed = Signal()
     """`assessment` is that of the open organ."""
 

@@ -14,7 +14,7 @@ AREA = Qt.DockWidgetArea
 DIRECT = Qt.FindChildOption.FindDirectChildrenOnly
 SIDE, STAGE, BELOW = 262, 396, 226
 """[px] widths of the docks at the left and right, height of those below."""
-APART = {"chart": QSize(1060, 640)}
+APART = {"chart": QSize(1060, 640), "stability": QSize(820, 560)}
 """[px] Docks that begin hidden, as floating windows; they can be docked."""
 FOLDED, LEAST = 400, 200
 """[px] width of docks that are folded into one column, as it begins and at the least."""
@@ -70,7 +70,8 @@ class Docks(QObject):
         return dock
 
     def build(self, panels: dict[str, QWidget]) -> None:
-        """All docks; `panels` by name: scene, history, stage, force, costs, chart, log."""
+        """All docks; `panels` by name: scene, history, stage, force, costs, chart, stability,
+        log."""
         self.add("scene", tr("Scene"), panels["scene"], AREA.LeftDockWidgetArea)
         self.add("history", tr("History"), panels["history"], AREA.LeftDockWidgetArea)
         self.add("stage", tr("Stage"), panels["stage"], AREA.RightDockWidgetArea)
@@ -82,6 +83,12 @@ class Docks(QObject):
         if "chart" in panels:
             dock = self.add(
                 "chart", tr("Speed and accuracy"), panels["chart"], AREA.BottomDockWidgetArea
+            )
+            dock.setFloating(True)
+            dock.hide()
+        if "stability" in panels:
+            dock = self.add(
+                "stability", tr("Stability"), panels["stability"], AREA.BottomDockWidgetArea
             )
             dock.setFloating(True)
             dock.hide()

@@ -35,6 +35,7 @@ from palpate_editor.views.publishing import Publishing
 from palpate_editor.views.recent_menu import RecentMenu
 from palpate_editor.views.scan.scans import Scans
 from palpate_editor.views.scene_tree import SceneTree
+from palpate_editor.views.stability.atlas_view import AtlasView
 from palpate_editor.views.stage_bar import StageBar
 from palpate_editor.views.stage_dock import StageDock
 from palpate_editor.views.stages.decimate_panel import DecimatePanel
@@ -124,6 +125,7 @@ class MainWindow(QMainWindow):
         self.log = LogDock(context, hold("log"))
         self.scans = Scans(context, self.files, self.tasks, self)
         self.chart = ChartView(context, self.tasks, self.files, self.advisor, hold("chart"))
+        self.atlas = AtlasView(context, self.files, hold("stability"))
         self.docks.build(
             {
                 "scene": SceneTree(context, hold("scene")),
@@ -133,6 +135,7 @@ class MainWindow(QMainWindow):
                 "force": self.test_panel.plot,
                 "costs": self.test_panel.costs,
                 "chart": self.chart,
+                "stability": self.atlas,
             }
         )
 
@@ -174,6 +177,7 @@ class MainWindow(QMainWindow):
         context.jobs.stopped.connect(self.on_job)
         self.publishing.published.connect(self.on_published)
         self.chart.opened.connect(self.show_chart)
+        self.atlas.opened.connect(self.show_atlas)
         self.material_panel.advice.chart_wanted.connect(self.show_chart)
         self.stage_bar.chosen.connect(self.show_stage)
         self.docks.folding.connect(self.tools.be_narrow)
@@ -214,6 +218,9 @@ class MainWindow(QMainWindow):
 
     def show_chart(self) -> None:
         self.docks.show("chart")
+
+    def show_atlas(self) -> None:
+        self.docks.show("stability")
 
     # ------------------------------------------------------------ showing
 

@@ -20,9 +20,10 @@ from palpate_editor.document.constants import (
     find_constant,
 )
 from palpate_editor.document.idle import Idle, find_idle
-from palpate_editor.edits import SetChoice, SetConstant
+from palpate_editor.edits import EditError, SetChoice, SetConstant
 from palpate_editor.views.context import Context
 from palpate_editor.views.quantity_box import QuantityBox, QuantityRow
+from palpate_editor.views.stages.drag_label import DragLabel
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.translations import say, tr
 
@@ -49,9 +50,11 @@ class ConstantField(QuantityRow):
         box = QuantityBox(constant.unit, constant.scale)
         super().__init__(box, self.tick_text(constant), parent)
         self.context, self.constant = context, constant
-        self.label = write_label(say(constant.label), "name", parent)
+        self.label = DragLabel(say(constant.label), "name", parent)
         self.label.setMinimumWidth(LABEL_WIDTH)
         self.label.setBuddy(box)
+        self.label.dragged.connect(self.drag)
+        self.label.dropped.connect(self.drop)
         box.setObjectName(constant.key)
         box.setAccessibleName(say(constant.label))
         if constant.field == "wall_thickness":
@@ -63,6 +66,36 @@ class ConstantField(QuantityRow):
         if not constant.optional:
             return None
         return tr("hollow") if constant.field == "wall_thickness" else tr("own value")
+
+    def find_dragged(self, factor: float) -> float | None:
+        """The value that a drag by so much gives, to three digits; None where there is none."""
+        organ = self.context.session.organ
+        value = getattr(getattr(organ, self.constant.part), self.constant.field)
+        if value is None or not self.box.isEnabled():
+            return None
+        wanted = float(f"{factor * value:.3g}")
+        return float(round(wanted)) if self.constant.whole else wanted
+
+    def drag(self, factor: float) -> None:
+        """Shows what it would be; those who listen to `dragged` are told the organ."""
+        value = self.find_dragged(factor)
+        if value is None or not self.constant.allows(value):
+            return
+        self.box.show_value(value)
+        try:
+            edit = SetConstant(self.constant.part, self.constant.field, value)
+            self.context.dragged.emit(edit(self.context.session.organ))
+        except EditError:
+            return  # a drag back to where it was changes nothing
+
+    def drop(self, factor: float) -> None:
+        """One edit, whatever way the drag went."""
+        value = self.find_dragged(factor)
+        organ = self.context.session.organ
+        self.show_organ(organ)
+        if value is not None and self.constant.allows(value):
+            self.enter(value)
+        self.context.dragged.emit(self.context.session.organ)
 
     def enter(self, value: float | None) -> None:
         edit = SetConstant(self.constant.part, self.constant.field, value)
