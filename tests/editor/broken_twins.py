@@ -192,8 +192,52 @@ def cut_band(x: np.ndarray, t: np.ndarray, random: Random) -> Mesh:
     return join((x, t), (band, u))
 
 
+def punch_many(x: np.ndarray, t: np.ndarray, random: Random) -> Mesh:
+    """Some thirty holes of a few triangles each."""
+    for vertex in random.choice(len(x), 32, replace=False):
+        t = t[~(t == vertex).any(axis=1)]
+    return x, t
+
+
+def open_parts(x: np.ndarray, t: np.ndarray, random: Random) -> Mesh:
+    """Five open parts with vertices of their own, which only together are closed."""
+    turn = np.arctan2(*x[t].mean(axis=1)[:, :2].T) + random.uniform(0.0, 6.0)
+    of = np.floor(5.0 * np.mod(turn / (2.0 * np.pi), 1.0)).astype(int)
+    return join(*((x, t[of == part]) for part in range(5)))
+
+
+def bore_through(x: np.ndarray, t: np.ndarray, random: Random) -> Mesh:
+    """A segmentation with holes right through it."""
+    del x, t
+    solid = np.ones((10, 10, 6), bool)
+    for i, j in random.choice(4, (2, 2)) * 2 + 1:
+        solid[i, j] = False
+    return build_voxels(solid, 6.0)
+
+
+def scatter_pieces(x: np.ndarray, t: np.ndarray, random: Random) -> Mesh:
+    """Three thousand crumbs in and around it."""
+    corners = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    places = random.uniform(-1.1, 1.1, (3000, 3)) * np.abs(x).max(axis=0)
+    crumbs = (places[:, None] + random.uniform(0.3, 2.0, (3000, 1, 1)) * corners).reshape(-1, 3)
+    return join((x, t), (crumbs, (4 * np.arange(3000)[:, None, None] + faces).reshape(-1, 3)))
+
+
+def cross_often(x: np.ndarray, t: np.ndarray, random: Random) -> Mesh:
+    """A dozen vertices pulled through the other side."""
+    some = random.choice(len(x), 12, replace=False)
+    x[some] *= -random.uniform(1.05, 1.3, (12, 1))
+    return x, t
+
+
 DAMAGES: dict[str, Callable[[np.ndarray, np.ndarray, Random], Mesh]] = {
     "holes": punch_holes,
+    "thirty holes": punch_many,
+    "open parts": open_parts,
+    "bored through": bore_through,
+    "three thousand pieces": scatter_pieces,
+    "crossed often": cross_often,
     "one face missing": miss_one,
     "flipped": flip_some,
     "inside out": turn_inside_out,
