@@ -86,7 +86,9 @@ def resize(organ: Organ, mesh: str, kind: str) -> Organ:
             phrase("Its surface came with {most} vertices, and {count} cannot be made of them.",
                    most=most, count=count)
         )  # fmt: skip
-    return apply_configuration(organ, replace(find_configuration(organ), vertices=count))
+    # a table is of the surface that it was solved for
+    own = replace(find_configuration(organ), vertices=count, far_field="mesh")
+    return apply_configuration(organ, own)
 
 
 def change_kind(organ: Organ, kind: str) -> Organ:

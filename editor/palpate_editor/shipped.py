@@ -24,8 +24,8 @@ from palpate_editor.document import EMPTY, Organ, Source, Surface
 from palpate_editor.document.far_compliance import wants_far_field
 from palpate_editor.document.files import write_organ
 from palpate_editor.edits import DecimateTo, Edit, SetConstant, SetFarField, SetMaterial, SetTask
+from palpate_editor.far_field_tables import read_table
 from palpate_editor.publish import publish
-from palpate_editor.shipped_far_fields import read_table
 
 HOW = "ships with Palpate"
 

@@ -4,10 +4,10 @@
 `palpate_tissue.py FOLDER WORK SIZE [STIFFNESS|mesh]`. SIZE is how many tetrahedra fill the organ,
 or to how many vertices a wall is decimated; WORK's modulus gives all constants of the tissue,
 STIFFNESS [N/m³] is that of the tool's contact, if not the usual one; mesh: with the far field of
-these tetrahedra instead of the one that a shipped solid has of finer ones. A step is a tick at 1 kHz with as many
-substeps as it asks for: tree, candidates, near field, tool, forces, alarm; none of the tissue
-sleeps. The hand holds the tool by a spring so stiff that the ball is where the hand is, to a
-hundredth of a millimetre.
+these tetrahedra instead of the one that a shipped solid has of finer ones. A step is a tick at
+1 kHz with as many substeps as it asks for: tree, candidates, near field, tool, forces, alarm; none
+of the tissue sleeps. The hand holds the tool by a spring so stiff that the ball is where the hand
+is, to a hundredth of a millimetre.
 """
 
 from __future__ import annotations
