@@ -4378,6 +4378,8 @@ Beklenen: {expected}.</translation>
     <message>
         <source>The holes cannot be filled: {why}</source>
         <translation>Delikler doldurulamıyor: {why}</translation>
+    </message>
+    <message>
         <source>Decimate to {count} vertices, within {error:g} mm</source>
         <translation>{count} köşeye indir, {error:g} mm içinde</translation>
     </message>
