@@ -23,8 +23,10 @@ from palpate_editor.compile import (
     mesh_of,
 )
 from palpate_editor.document import Organ, Surface
+from palpate_editor.document.cost_rules import TICK_SHARE, compute_tick_share
 from palpate_editor.document.problems import (
     Facts,
+    NearestFacts,
     Problem,
     SurfaceFacts,
     TissueFacts,
@@ -35,6 +37,7 @@ from palpate_editor.edits.keep_outer import keep_outer
 from palpate_editor.edits.repair import keep_largest
 from palpate_editor.edits.unite import can_be_united
 from palpate_editor.fixes import find_fix
+from palpate_editor.nearest import find_fitting
 from palpate_editor.problem_places import find_faces, find_place
 from palpate_editor.trial import measure_trial
 
@@ -148,10 +151,14 @@ def build(
     except ValueError as problem:
         refusal = split_refusal(str(problem))
         allowed = find_coupling_range(organ)
-        return None, TissueFacts(refusal=refusal, coupling_range=allowed, default_home=home)
+        # which is of all that build_scene refuses a tissue for
+        nearest = find_fitting(organ) if refusal[0] == "scene: tissue" else None
+        return None, TissueFacts(
+            refusal=refusal, coupling_range=allowed, default_home=home, nearest=nearest
+        )
     tissue = scene.bodies[0].tissue
     stable_step = palpate.stable_step(tissue)
-    return scene, TissueFacts(
+    found = TissueFacts(
         substeps=scene.bodies[0].substeps,
         stable_step=stable_step,
         margin=compute_stability_margin(scene, stable_step),
@@ -162,6 +169,15 @@ def build(
         trial=measure_trial(organ, scene),
         wall=compare_with_wall(organ, tissue),
     )
+    return scene, replace(found, nearest=find_overload(organ, found))
+
+
+def find_overload(organ: Organ, tissue: TissueFacts) -> NearestFacts | None:
+    """Of a tissue that takes more of a tick than there is, the constant that is to blame."""
+    share = compute_tick_share(organ, Facts(tissue=tissue))
+    if share is None or share <= TICK_SHARE:
+        return None
+    return find_fitting(organ, tissue.tetrahedra)
 
 
 def compare_with_wall(organ: Organ, tissue: palpate.TissueModel) -> WallFit | None:

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import palpate
 from palpate.scene.scene_parts import FINITE, KINDS
+from palpate.scene.tick_cost import SUBSTEP_COST
 from palpate.study.findings import find_span
 
-from palpate_editor.document.cost_rules import SUBSTEP_COST
 from palpate_editor.document.phrase import Phrase, phrase
 
 FRONT_KINDS = ("solid", "shell")

@@ -61,6 +61,10 @@ def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
     if problem.key == "indefinite" and facts.tissue is not None:
         wanted = move_inside(organ.model.stretch_coupling, *(facts.tissue.coupling_range or (0, 0)))
         return SetConstant("model", "stretch_coupling", wanted)
+    if problem.key in ("hard_constant", "blown") and facts.tissue is not None:
+        trial = facts.tissue.trial
+        found = facts.tissue.nearest if problem.key == "hard_constant" else trial and trial.blown
+        return None if not found else SetConstant(*found.key.split("."), found.limit)
     if problem.key == "gravity":
         size = math.hypot(*organ.hand.gravity)
         x, y, z = (GRAVITY * each / size for each in organ.hand.gravity)

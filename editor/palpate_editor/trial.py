@@ -24,6 +24,7 @@ from palpate.scene.scene_parts import WITH_NEAR_FIELD, SceneFile
 from palpate_editor.document import Organ
 from palpate_editor.document.cost_rules import estimate_tick
 from palpate_editor.document.problems import PlaceFacts, TrialFacts
+from palpate_editor.nearest import find_blown
 
 LONG_TICK, LONGEST_TICK = 2e-3, 20e-3
 """[s] of the reference machine: longer ticks are pressed at one place only, or not at all, so that
@@ -46,9 +47,11 @@ def measure_trial(organ: Organ, scene: palpate.Scene) -> TrialFacts:
     pressed = places if is_carried and tick <= LONG_TICK else places[:1]
     trials: list[Trial | None] = [None] * len(places)
     is_large = palpate.compute_diagonal(body.tissue.rest_position) >= LEAST_DEPTHS * DEPTH
+    blown = None
     if tick <= LONGEST_TICK and is_large:
         found = press_places(scene, pressed, HOLD if is_carried else 0.0)
         trials[: len(found)] = found
+        blown = find_blown(scene, next((t.alarm for t in found if t.stopped), None))
     edges: list[float | None] = [None] * len(places)
     if len(tetrahedra):
         edges = list(measure_edges(body.tissue, tetrahedra, places))
@@ -60,6 +63,7 @@ def measure_trial(organ: Organ, scene: palpate.Scene) -> TrialFacts:
     return TrialFacts(
         depth=DEPTH,
         substeps=max((t.substeps for t in trials if t and t.substeps), default=body.substeps),
+        blown=blown,
         places=tuple(
             describe_place(place, depths.find(place), trial, edge, force)
             for place, trial, edge, force in zip(places, trials, edges, forces, strict=True)

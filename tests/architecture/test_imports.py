@@ -22,7 +22,13 @@ FILES = (
     "palpate.files.refusal",
     "palpate.scenario",
 )
-DOCUMENT = ("palpate_editor.document", "palpate.scene.scene_parts", *FILES, "numpy")
+DOCUMENT = (
+    "palpate_editor.document",
+    "palpate.scene.scene_parts",
+    "palpate.scene.tick_cost",
+    *FILES,
+    "numpy",
+)
 EDITS = (
     "palpate_editor.edits",
     "palpate_editor.appearance",

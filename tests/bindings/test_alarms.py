@@ -88,7 +88,7 @@ def test_only_what_is_unstable_is_said_to_have_blown_up():
 
 def list_advice() -> list[tuple[Advice, int]]:
     """Every advice, and how many values of its cause it holds."""
-    causes = [(advice, 0 if name in ("pressure", "eq10") else 2) for name, advice in CAUSES.items()]
+    causes = [(advice, 2) for advice in CAUSES.values()]
     return causes + [(words.design, 0) for words in ALARMS.values()]
 
 

@@ -110,8 +110,8 @@ WRONG = {
     "self_intersections": (on(pricked()), "repair", "warning", "triangles that cross others"),
     "thin": (on(flat()), "decimate", "note", "parts thinner than half of their triangles' edges"),
     "angles": (on(needles()), "decimate", "warning", "a smallest angle of"),
-    "too_slow": (on(surface_of(2000), with_part("model", stiffness=1e5)), "decimate", "warning",
-                 "2000 vertices"),
+    "too_slow": (on(surface_of(2000), replace(WALL, material=replace(WALL.material,
+                 young_modulus=5e4))), "decimate", "warning", "2000 vertices"),
     "own_filling": (
         replace(with_part("model", kind="solid"), filling=FILLING),
         "material", "note", "2 tetrahedra of the file",
@@ -145,8 +145,12 @@ WRONG = {
     "springs_poisson": (replace(WALL, model=replace(WALL.model, kind="mass_spring",
                                                     constants="tissue")),
                         "material", "warning", "0.45, but springs stretch like 0.3"),
-    "too_many_substeps": (with_part("model", stiffness=5e8), "material", "error",
-                          "steps a tick, of 0."),
+    "too_many_substeps": (replace(with_part("model", stiffness=500.0), hand=replace(SOUND.hand,
+                          rate=1.0)), "material", "error", "steps a tick, of "),
+    "hard_constant": (with_part("model", stiffness=5e8), "material", "error",
+                      "steps a tick: about"),
+    "blown": (with_part("tool", stiffness=3e11), "material", "error",
+              "a light touch ends the run"),
     "small_tip": (with_part("tool", radius=1e-3), "material", "warning", "1.0 mm"),
     "untested": (SOUND, "test", "note", "never felt"),
     "no_title": (untitled(SOUND), "publish", "error", "no title"),
@@ -179,7 +183,7 @@ def find_problem(key: str) -> Problem:
     return problem
 
 
-COSTLY = ("slow_solid", "too_many_substeps")
+COSTLY = ("slow_solid", "too_many_substeps", "hard_constant")
 
 
 @pytest.mark.parametrize(
@@ -210,7 +214,7 @@ FIXABLE = {
     "crossing", "self_intersections",
     "constant", "choice", "open_solid",
     "indefinite", "loose", "reach", "small_tip", "no_title", "gravity", "springs_poisson",
-    "locking", "coarse_contact",
+    "locking", "coarse_contact", "hard_constant", "blown",
 }  # fmt: skip
 
 
@@ -288,7 +292,7 @@ def test_weight_as_on_earth_in_any_direction_is_no_problem():
 def test_a_tissue_too_slow_for_any_machine_is_an_error_and_one_for_this_a_warning():
     organs = [on(surface_of(600), with_part("model", stiffness=k)) for k in (1e2, 1e6, 2e7)]
 
-    found = [[p.severity for p in assess(o).problems if p.key == "too_slow"] for o in organs]
+    found = [[p.severity for p in assess(o).problems if p.key == "hard_constant"] for o in organs]
 
     assert found == [[], ["warning"], ["error"]]
 

@@ -168,13 +168,14 @@ CAUSES = {
         ("model.drag", "hand.substeps"),
     ),
     "pressure": Advice(
-        "Its pressure does it with nothing touching: choose a lower one (%1), or stiffer springs "
-        "(%2, %3).",
+        "A pressure of %1 kPa does it with nothing touching, and one of %2 kPa does not: choose a "
+        "lower one (%3), or stiffer springs (%4, %5).",
         ("model.pressure", "model.stiffness", "model.home_stiffness"),
+        unit=1e3,
     ),
     "eq10": Advice(
-        "Its angles do it with nothing touching, for Eq 10 makes energy: choose another law of "
-        "angles (%1) or softer angles (%2).",
+        "Angles of %1 N do it with nothing touching, for Eq 10 makes energy, and those of %2 N do "
+        "not: choose another law of angles (%3) or softer angles (%4).",
         ("model.angle_law", "model.bend_stiffness"),
     ),
     "finer": Advice(

@@ -29,6 +29,10 @@ FINER = 4
 """Times the substeps that are tried."""
 STEP = 10.0
 """Between two trials of a constant."""
+HALVINGS = 3
+"""Then of the step in which the value lies that is farthest from usual and passes."""
+LEAST_PART = 7
+"""Steps down to a millionth: what moves the tissue even then is not this."""
 BLOWN = (AlarmKind.not_finite, AlarmKind.moved_far, AlarmKind.energy)
 """For want of substeps or of a softer contact; what is merely strained is so without."""
 NEVER_ASKED = (
@@ -38,6 +42,10 @@ NEVER_ASKED = (
     AlarmKind.not_solved,
 )
 """These say themselves what they are of."""
+
+
+Put = Callable[[palpate.Scene, float], palpate.Scene]
+"""(scene, value) -> the same scene with that value of a constant."""
 
 
 @dataclass(frozen=True)
@@ -199,20 +207,34 @@ def change_instrument(scene: palpate.Scene, **fields: object) -> palpate.Scene:
     return other
 
 
-def drop_pressure(scene: palpate.Scene) -> palpate.Scene:
+def with_tissue(scene: palpate.Scene, tissue: palpate.TissueModel) -> palpate.Scene:
+    """The scene of another tissue, with the steps of before."""
     body = scene.bodies[0]
-    slack = copy.copy(body.tissue)
-    slack.pressure = 0.0
     kept = ("substeps", "substeps_max", "force_error", "kernel", "integrator", "iterations")
-    fields = {name: getattr(body, name) for name in kept}
+    steps = {name: getattr(body, name) for name in kept}
     return palpate.build_scene(
         palpate.Scene(
-            bodies=[palpate.SoftBody(tissue=slack, **fields)],
+            bodies=[palpate.SoftBody(tissue=tissue, **steps)],
             instruments=list(scene.instruments),
             gravity=scene.gravity,
             rate=scene.rate,
         )
     )
+
+
+def scale_pressure(scene: palpate.Scene, pressure: float) -> palpate.Scene:
+    """The same scene with another pressure [Pa]."""
+    tissue = copy.copy(scene.bodies[0].tissue)
+    tissue.pressure = pressure
+    return with_tissue(scene, tissue)
+
+
+def scale_angles(scene: palpate.Scene, bend: float) -> palpate.Scene:
+    """The same scene with angles of which the hardest has another constant [N], as under Eq 10."""
+    tissue = copy.copy(scene.bodies[0].tissue)
+    rows = np.asarray(tissue.angles.bend_stiffness)
+    rows *= bend / rows.max()
+    return with_tissue(scene, tissue)
 
 
 def find_restless_part(scene: palpate.Scene) -> Cause | None:
@@ -221,9 +243,40 @@ def find_restless_part(scene: palpate.Scene) -> Cause | None:
     has_eq10 = tissue.angle_law == palpate.AngleLaw.eq10 and len(tissue.angles.corners) > 0
     if not (tissue.pressure or has_eq10) or rests_untouched(scene):
         return None
-    if tissue.pressure and rests_untouched(drop_pressure(scene)):
-        return Cause("pressure")
-    return Cause("eq10") if has_eq10 else None
+    if tissue.pressure and rests_untouched(scale_pressure(scene, 0.0)):
+        return find_borne("pressure", tissue.pressure, scene, scale_pressure)
+    if not has_eq10:
+        return None
+    hardest = float(np.asarray(tissue.angles.bend_stiffness).max())
+    return find_borne("eq10", hardest, scene, scale_angles) if hardest > 0.0 else None
+
+
+def find_borne(name: str, value: float, scene: palpate.Scene, put: Put) -> Cause:
+    """Of a constant that moves the tissue by itself, the value nearest to it that does not; 0
+    where a millionth of it still does.
+    """
+
+    def passes(other: float) -> bool:
+        try:
+            return rests_untouched(put(scene, other))
+        except ValueError:
+            return False
+
+    for power in range(1, LEAST_PART):
+        if passes(borne := value / STEP**power):
+            return Cause(name, value, sharpen(passes, borne, borne * STEP))
+    return Cause(name, value, 0.0)
+
+
+def sharpen(passes: Callable[[float], bool], good: float, bad: float) -> float:
+    """A value between one that passes and one that does not, which passes: in two digits."""
+    for _ in range(HALVINGS):
+        middle = float(f"{math.copysign(math.sqrt(good * bad), good):.2g}")
+        if passes(middle):
+            good = middle
+        else:
+            bad = middle
+    return good
 
 
 def find_hard_part(scene: palpate.Scene) -> Cause | None:
@@ -251,7 +304,7 @@ class Hard:
     usual: float
     """[SI]"""
     get: Callable[[palpate.Scene], float]
-    put: Callable[[palpate.Scene, float], palpate.Scene]
+    put: Put
 
     def excess(self, scene: palpate.Scene) -> float:
         """[-] Times beyond what is usual."""

@@ -41,8 +41,13 @@ class Trial:
     """[-] of that, through home springs; None where there are none, or nothing was felt."""
     substeps: int
     """Of a tick in touch, the most."""
-    stopped: bool
-    """An alarm ended the press."""
+    alarm: palpate.Alarm | None = None
+    """That ended the press."""
+
+    @property
+    def stopped(self) -> bool:
+        """Whether an alarm ended the press."""
+        return self.alarm is not None
 
 
 def choose_places(scene: palpate.Scene, count: int = PLACES) -> list[Place]:
@@ -143,20 +148,20 @@ def press_place(
     mean: float,
     untouched: NDArray[np.float64] | None,
 ) -> Trial:
-    force, home, substeps, stopped = run_press(scene, place, hold, depth, mean, 0.0)
+    force, home, substeps, alarm = run_press(scene, place, hold, depth, mean, 0.0)
     along = float(force @ place.outward)
     share = None
-    if len(scene.bodies[0].tissue.home) and along > 0.0 and not stopped:
+    if len(scene.bodies[0].tissue.home) and along > 0.0 and alarm is None:
         carried = home if untouched is None else home - untouched
         share = float(carried @ place.outward) / along
-    return Trial(place, along, share, substeps, stopped)
+    return Trial(place, along, share, substeps, alarm)
 
 
 def run_press(
     scene: palpate.Scene, place: Place, hold: float, depth: float, mean: float, above: float
-) -> tuple[NDArray[np.float64], NDArray[np.float64], int, bool]:
+) -> tuple[NDArray[np.float64], NDArray[np.float64], int, palpate.Alarm | None]:
     """Force on the hand [N] (3,), that of home springs on the tissue [N] (3,), both as means over
-    the end; the most substeps of a tick in touch; whether an alarm ended it."""
+    the end; the most substeps of a tick in touch; the alarm that ended it."""
     world, sample = palpate.World(scene), palpate.HapticSample()
     radius = scene.instruments[0].tool.radius
     down = int(np.ceil((depth + CLEARANCE) / SPEED * scene.rate))
@@ -168,13 +173,13 @@ def run_press(
         sample.position = place.point + place.outward * (radius + height)
         command = palpate.tick(scene, sample, 1.0 / scene.rate, world)
         if world.alarm.kind != palpate.AlarmKind.none:
-            return force, home, substeps, True
+            return force, home, substeps, copy(world.alarm)
         if np.any(command.force):
             substeps = max(substeps, world.bodies[0].substeps)
         if tick > ticks - averaged:
             force += np.asarray(command.force) / averaged
             home += pull_home(scene.bodies[0].tissue, world) / averaged
-    return force, home, substeps, False
+    return force, home, substeps, None
 
 
 def pull_home(tissue: palpate.TissueModel, world: palpate.World) -> NDArray[np.float64]:

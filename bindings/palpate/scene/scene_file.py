@@ -23,6 +23,7 @@ from palpate.files.read_file import read_file
 from palpate.files.refusal import Refusal
 from palpate.files.whole_file import write_whole
 from palpate.scene.mesh_file import read_mesh_file
+from palpate.scene.nearest import find_nearest
 from palpate.scene.scene_parts import (
     CONTACT_LAWS,
     FILLED,
@@ -33,10 +34,13 @@ from palpate.scene.scene_parts import (
     ModelPart,
     SceneFile,
 )
+from palpate.scene.tick_cost import LONGEST_TICK, count_affordable
 
 FORMAT, VERSION = "palpate scene", 2
 MOST_BYTES = 32 * 2**20
 """Of a scene file: a factor for each of a million vertices, written out, takes 20 MB."""
+MOST_SUBSTEPS = 10_000
+"""A tick: build_scene refuses more (core/sim/tick/scene.cpp)."""
 
 
 PARTS = get_type_hints(SceneFile)
@@ -235,9 +239,36 @@ def read_scene_and_mesh(path: Path) -> tuple[SceneFile, palpate.SurfaceMesh]:
 
 
 def open_scene(path: Path) -> tuple[SceneFile, palpate.Scene]:
-    """Reads a scene file and its mesh and compiles them. Raises Refusal or OSError."""
+    """Reads a scene file and its mesh and compiles them.
+
+    Raises OSError, or Refusal, also of a constant that is not what tissues have and asks for more
+    substeps than a tick has time for: with the nearest value that does not.
+    """
     scene, mesh = read_scene_and_mesh(path)
     try:
-        return scene, compile_scene(scene, mesh)
+        compiled = compile_scene(scene, mesh)
     except ValueError as problem:
+        refuse_overload(path, scene, mesh, MOST_SUBSTEPS + 1)
         raise Refusal(path, "", str(problem), "a scene that can be built") from None
+    refuse_overload(path, scene, mesh, compiled.bodies[0].substeps)
+    return scene, compiled
+
+
+def refuse_overload(path: Path, scene: SceneFile, mesh: palpate.SurfaceMesh, substeps: int) -> None:
+    """Raises Refusal where so many substeps [a tick] are more than any machine of today has time
+    for, and one constant is to blame."""
+    kind, count, rate = scene.model.kind, len(mesh.vertices), scene.hand.rate
+    if substeps <= count_affordable(kind, count, rate, LONGEST_TICK):
+        return
+    most = count_affordable(kind, count, rate)
+    nearest = find_nearest(scene, lambda parts: build_tissue(parts, mesh), most)
+    if nearest is None or not nearest.excess > 0.0:
+        return
+    word = "at most" if nearest.limit < nearest.value else "at least"
+    raise Refusal(
+        path,
+        nearest.key,
+        f"{nearest.value:g}, which asks for {nearest.needed} substeps a tick",
+        f"{word} {nearest.limit:g}, with which it asks for no more than the {most} that a tick of "
+        f"{1e3 / rate:g} ms has time for",
+    )

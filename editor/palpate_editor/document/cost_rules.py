@@ -5,30 +5,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from palpate.scene.tick_cost import LONGEST_TICK, TICK_SHARE
+from palpate.scene.tick_cost import estimate_tick as estimate_tick_of
+
 from palpate_editor.document.constants import MOST_SUBSTEPS
+from palpate_editor.document.fit_rules import find_wrong_constant, say_label, say_limit
 from palpate_editor.document.organ import Organ
 from palpate_editor.document.phrase import phrase
 from palpate_editor.document.problems import Facts, Problem, TissueFacts
-
-TICK_SHARE = 0.7
-"""[-] of a tick that may be spent on the tissue; the rest is for the hand and the machine."""
-LONGEST_TICK = 4.0
-"""[-] of a tick. A machine four times as fast as the reference machine is none of today."""
-SUBSTEP_COST = {
-    "mass_spring": 10e-9,
-    "molecular": 16e-9,
-    "shell": 65e-9,
-    "solid": 18e-9,
-    "corotated_solid": 245e-9,
-    "neo_hookean_solid": 185e-9,
-}
-"""[s] per vertex, or per tetrahedron of a solid, and substep of a tick in touch on the reference
-machine: medians of pressed ticks of the shipped organs (palpate.runs.costs.press_costs); of the
-last two, which run in plain code, by their ratio to the solid in one process, 13.6 and 10.3."""
-LINEAR_COST = 4e-6
-"""[s] per substep of a linear solid in touch, whatever its size: it costs by what is touched."""
-SUBSTEPS_IN_CONTACT = 3
-"""A touched tissue takes at least as many (core/sim/tick/tick.cpp)."""
 
 
 def compute_tick_share(organ: Organ, facts: Facts) -> float | None:
@@ -43,11 +27,7 @@ def compute_tick_share(organ: Organ, facts: Facts) -> float | None:
 
 def estimate_tick(organ: Organ, tetrahedra: int, substeps: int) -> float | None:
     """[s] in touch on the reference machine, of so many substeps; None for a kind there is not."""
-    substeps = max(SUBSTEPS_IN_CONTACT, substeps)
-    if organ.model.kind == "linear_solid":
-        return LINEAR_COST * substeps
-    each = SUBSTEP_COST.get(organ.model.kind)
-    return None if each is None else each * (tetrahedra or organ.vertex_count) * substeps
+    return estimate_tick_of(organ.model.kind, tetrahedra or organ.vertex_count, substeps)
 
 
 def count_substeps(tissue: TissueFacts) -> int:
@@ -58,7 +38,7 @@ def count_substeps(tissue: TissueFacts) -> int:
 def find_cost_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
     """Whether a solid has too many tetrahedra for its time."""
     tissue = facts.tissue
-    if tissue is None or not tissue.tetrahedra:
+    if tissue is None or not tissue.tetrahedra or find_wrong_constant(tissue) is not None:
         return
     share = compute_tick_share(organ, facts)
     if share is not None and share > TICK_SHARE:
@@ -73,7 +53,14 @@ def find_cost_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
                 substeps=count_substeps(tissue),
                 share=share,
             ),
-            phrase("at most {share:.0%}: fewer tetrahedra, or a softer tissue", share=TICK_SHARE),
+            phrase("at most {share:.0%}: fewer tetrahedra, or a softer tissue", share=TICK_SHARE)
+            if tissue.nearest is None
+            else phrase(
+                "at most {share:.0%}: fewer tetrahedra, or {name}: {limit}",
+                share=TICK_SHARE,
+                name=say_label(tissue.nearest),
+                limit=say_limit(tissue.nearest),
+            ),
         )
 
 
@@ -81,6 +68,8 @@ def find_surface_cost_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
     """Whether a surface has too many vertices for its time."""
     tissue, share = facts.tissue, compute_tick_share(organ, facts)
     if tissue is None or tissue.tetrahedra or share is None or share <= TICK_SHARE:
+        return
+    if find_wrong_constant(tissue) is not None:
         return
     yield Problem(
         "too_slow",
@@ -94,7 +83,14 @@ def find_surface_cost_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
             substeps=count_substeps(tissue),
             share=share,
         ),
-        phrase("at most {share:.0%}: fewer vertices, softer links or more mass", share=TICK_SHARE),
+        phrase("at most {share:.0%}: fewer vertices, softer links or more mass", share=TICK_SHARE)
+        if tissue.nearest is None
+        else phrase(
+            "at most {share:.0%}: fewer vertices, or {name}: {limit}",
+            share=TICK_SHARE,
+            name=say_label(tissue.nearest),
+            limit=say_limit(tissue.nearest),
+        ),
     )
 
 
@@ -103,6 +99,8 @@ def find_substep_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
     del organ
     tissue = facts.tissue
     if tissue is None or count_substeps(tissue) <= MOST_SUBSTEPS:
+        return
+    if find_wrong_constant(tissue) is not None:
         return
     yield Problem(
         "too_many_substeps",

@@ -9,6 +9,7 @@ from math import hypot
 from palpate.scene.scene_parts import FILLED, WITH_NEAR_FIELD
 
 from palpate_editor.document.constants import CHOICES, CONSTANTS, SURFACES
+from palpate_editor.document.fit_rules import find_wrong_constant
 from palpate_editor.document.organ import Organ
 from palpate_editor.document.phrase import phrase
 from palpate_editor.document.problems import Facts, Problem, TissueFacts
@@ -52,7 +53,7 @@ def find_material_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
             phrase("a solid with holes"),
             phrase("a closed surface, or the thickness of its wall"),
         )
-    elif facts.tissue.refusal is not None and not wrong:
+    elif facts.tissue.refusal is not None and not wrong and not find_wrong_constant(facts.tissue):
         yield from refuse_tissue(facts.tissue)
     yield from find_tissue_problems(organ)
     yield from find_support_problems(organ)

@@ -118,6 +118,22 @@ class PressFacts:
 
 
 @dataclass(frozen=True)
+class NearestFacts:
+    """A constant with which the tissue cannot be felt, and the nearest value with which it can."""
+
+    key: str
+    """As in the table of constants: "model.stiffness"."""
+    value: float
+    """[SI] as it is."""
+    limit: float
+    """[SI] the nearest that would do."""
+    substeps: int = 0
+    """A tick that it asks for at rest; 0 where it is not for want of these."""
+    excess: float = 0.0
+    """[-] decades by which it is farther from what is usual than tissues differ."""
+
+
+@dataclass(frozen=True)
 class TrialFacts:
     """What came of pressing the tissue, place by place."""
 
@@ -126,6 +142,8 @@ class TrialFacts:
     substeps: int
     """Per tick, the most that a press takes; those in the air where nothing was felt."""
     places: tuple[PlaceFacts, ...] = ()
+    blown: NearestFacts | None = None
+    """Where a light touch ends in an alarm, the constant that does it."""
 
     @property
     def home_shares(self) -> tuple[float, ...]:
@@ -172,6 +190,8 @@ class TissueFacts:
     """None for a solid, and where triangles are too thin to be compared."""
     refusal: tuple[str, str, str] | None = None
     """Where, got, expected: why there is none."""
+    nearest: NearestFacts | None = None
+    """Of a tissue that needs more substeps than a tick has time for."""
     coupling_range: tuple[float, float] | None = None
     """[N] the stretch-bend that every triangle can take, where one could not take the organ's."""
 

@@ -13,6 +13,7 @@ from palpate_editor.document.cost_rules import (
     find_substep_problems,
     find_surface_cost_problems,
 )
+from palpate_editor.document.fit_rules import find_fit_problems
 from palpate_editor.document.material_rules import find_material_problems
 from palpate_editor.document.organ import Organ
 from palpate_editor.document.organ_sizes import LEAST, find_range, find_word
@@ -44,6 +45,7 @@ def find_problems(organ: Organ, facts: Facts) -> list[Problem]:
         find_filling_problems,
         find_material_problems,
         find_press_problems,
+        find_fit_problems,
         find_cost_problems,
         find_substep_problems,
         find_test_problems,

@@ -4551,6 +4551,30 @@ Beklenen: {expected}.</translation>
         <source>{step} holds every step: this scene takes {used:.3g} ms.</source>
         <translation>{step} her adımda dayanır: bu sahne {used:.3g} ms adım atıyor.</translation>
     </message>
+    <message>
+        <source>{value}, which asks for {count} steps a tick: about {share:.0%} of the time there is</source>
+        <translation>{value}; her tikte {count} adım ister: var olan zamanın yaklaşık {share:.0%} kadarı</translation>
+    </message>
+    <message>
+        <source>{value}, with which a light touch ends the run</source>
+        <translation>{value}; bununla hafif bir dokunuş çalışmayı bitiriyor</translation>
+    </message>
+    <message>
+        <source>at most {limit}</source>
+        <translation>en çok {limit}</translation>
+    </message>
+    <message>
+        <source>at least {limit}</source>
+        <translation>en az {limit}</translation>
+    </message>
+    <message>
+        <source>at most {share:.0%}: fewer tetrahedra, or {name}: {limit}</source>
+        <translation>en çok {share:.0%}: daha az dörtyüzlü ya da {name}: {limit}</translation>
+    </message>
+    <message>
+        <source>at most {share:.0%}: fewer vertices, or {name}: {limit}</source>
+        <translation>en çok {share:.0%}: daha az köşe ya da {name}: {limit}</translation>
+    </message>
 </context>
 <context>
     <name>tissues</name>

@@ -73,14 +73,6 @@
         <translation>Sürüklenmesi her tikte %1 alt adım ister, en çok %2 atılır: daha az sürüklenme (%3) ya da daha çok alt adım (%4) seçin.</translation>
     </message>
     <message>
-        <source>Its pressure does it with nothing touching: choose a lower one (%1), or stiffer springs (%2, %3).</source>
-        <translation>Hiçbir şey değmeden basıncı bunu yapıyor: daha düşük bir basınç (%1) ya da daha sert yaylar (%2, %3) seçin.</translation>
-    </message>
-    <message>
-        <source>Its angles do it with nothing touching, for Eq 10 makes energy: choose another law of angles (%1) or softer angles (%2).</source>
-        <translation>Hiçbir şey değmeden açıları bunu yapıyor, çünkü Eşitlik 10 enerji üretir: başka bir açı yasası (%1) ya da daha yumuşak açılar (%2) seçin.</translation>
-    </message>
-    <message>
         <source>A light touch does it with %1 substeps a tick, and does not with %2: choose more (%3).</source>
         <translation>Hafif bir dokunuş her tikte %1 alt adımla bunu yapıyor, %2 ile yapmıyor: daha çok alt adım (%3) seçin.</translation>
     </message>
@@ -175,6 +167,14 @@
     <message>
         <source>the most substeps became %1, expected at least %2</source>
         <translation>en çok alt adım sayısı %1 oldu, en az %2 olmalı</translation>
+    </message>
+    <message>
+        <source>A pressure of %1 kPa does it with nothing touching, and one of %2 kPa does not: choose a lower one (%3), or stiffer springs (%4, %5).</source>
+        <translation>%1 kPa basınç hiçbir şey değmeden bunu yapıyor, %2 kPa yapmıyor: daha düşük bir basınç (%3) ya da daha sert yaylar (%4, %5) seçin.</translation>
+    </message>
+    <message>
+        <source>Angles of %1 N do it with nothing touching, for Eq 10 makes energy, and those of %2 N do not: choose another law of angles (%3) or softer angles (%4).</source>
+        <translation>%1 N açılar hiçbir şey değmeden bunu yapıyor, çünkü Eşitlik 10 enerji üretir; %2 N yapmıyor: başka bir açı yasası (%3) ya da daha yumuşak açılar (%4) seçin.</translation>
     </message>
 </context>
 <context>
