@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """What a designer waits for, beside its goals: processor time on one core, and memory.
 
 ./run bench --authoring [--quick] [--json]
