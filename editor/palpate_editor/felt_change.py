@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import palpate
@@ -20,6 +20,7 @@ from palpate.runs.trial import (
 from palpate_editor.compile import compile_organ
 from palpate_editor.document import Organ, phrase
 from palpate_editor.document.cost_rules import estimate_tick
+from palpate_editor.document.far_compliance import is_stale
 from palpate_editor.trial import LEAST_DEPTHS, LONG_TICK, LONGEST_TICK
 
 MOST_TRIED, FREE = 12, 3.0
@@ -76,7 +77,11 @@ def measure_felt_change(before: Organ, after: Organ) -> FeltChange:
 
     Each is compiled as it is, so that constants that come from tissue are derived for its own
     surface. An organ that cannot be built, or ticks too slowly to be waited for, is not pressed.
+    A far field that one of the two has and the other would have to solve again is left out of both:
+    it is for the surface to say what it changes.
     """
+    if any(organ.far_field is None or is_stale(organ) for organ in (before, after)):
+        before, after = replace(before, far_field=None), replace(after, far_field=None)
     try:
         scenes = [compile_organ(organ) for organ in (before, after)]
     except ValueError as refused:

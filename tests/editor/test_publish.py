@@ -218,7 +218,7 @@ def test_a_surface_too_slow_for_any_machine_is_refused_when_it_is_chosen(tmp_pat
 
     assert main(["material", str(tmp_path / "a.organ"), *words]) == 1
 
-    assert "steps a tick in touch: about" in capsys.readouterr().err
+    assert "923 steps a tick, of 1.1 us at most: about 5" in capsys.readouterr().err
     assert not (tmp_path / "b.organ").exists()
 
 

@@ -33,10 +33,11 @@ def find_fit_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
             "material",
             wrong.key,
             phrase(
-                "{value}, which asks for {count} steps a tick: about {share:.0%} of the time there "
-                "is",
+                "{value}, which asks for {count} steps a tick, of {step:.2g} us at most: about "
+                "{share:.0%} of the time there is",
                 value=say_value(wrong.key, wrong.value),
                 count=wrong.substeps,
+                step=1e6 / (organ.hand.rate * wrong.substeps),
                 share=share,
             ),
             say_limit(wrong),

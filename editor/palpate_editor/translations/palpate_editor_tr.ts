@@ -4552,8 +4552,8 @@ Beklenen: {expected}.</translation>
         <translation>{step} her adımda dayanır: bu sahne {used:.3g} ms adım atıyor.</translation>
     </message>
     <message>
-        <source>{value}, which asks for {count} steps a tick: about {share:.0%} of the time there is</source>
-        <translation>{value}; her tikte {count} adım ister: var olan zamanın yaklaşık {share:.0%} kadarı</translation>
+        <source>{value}, which asks for {count} steps a tick, of {step:.2g} us at most: about {share:.0%} of the time there is</source>
+        <translation>{value}; her adımda en çok {step:.2g} us’lik {count} alt adım ister: var olan zamanın yaklaşık {share:.0%} kadarı</translation>
     </message>
     <message>
         <source>{value}, with which a light touch ends the run</source>

@@ -2172,10 +2172,6 @@
         <translation>üç sayılı bir köşe</translation>
     </message>
     <message>
-        <source>an OFF that was saved as text</source>
-        <translation>metin olarak kaydedilmiş bir OFF</translation>
-    </message>
-    <message>
         <source>how many corners a face has</source>
         <translation>bir yüzün kaç köşesi olduğu</translation>
     </message>
@@ -2546,6 +2542,62 @@
     <message>
         <source>that of a wall of prisms</source>
         <translation>prizmalardan bir duvarınki</translation>
+    </message>
+    <message>
+        <source>%1 %2, with which it asks for no more than the %3 that a tick of %4 ms has time for</source>
+        <translation>%1 %2; bununla, %4 ms’lik bir adımın yetiştirebildiği %3 alt adımdan fazlasını istemez</translation>
+    </message>
+    <message>
+        <source>%1 numbers of a colour</source>
+        <translation>bir rengin %1 sayısı</translation>
+    </message>
+    <message>
+        <source>%1 vertices without finite coordinates were left out, with %2 triangles on them; the first is %3</source>
+        <translation>koordinatları sonlu olmayan %1 köşe, üzerlerindeki %2 üçgenle birlikte dışarıda bırakıldı; ilki %3</translation>
+    </message>
+    <message>
+        <source>%1, which asks for %2 substeps a tick</source>
+        <translation>%1; adım başına %2 alt adım ister</translation>
+    </message>
+    <message>
+        <source>%1..., of this organ</source>
+        <translation>%1..., bu organın</translation>
+    </message>
+    <message>
+        <source>%1: format: expected %2 of version %3</source>
+        <translation>%1: format: %3 sürümlü %2 bekleniyordu</translation>
+    </message>
+    <message>
+        <source>a row</source>
+        <translation>bir satır</translation>
+    </message>
+    <message>
+        <source>as many as the file has</source>
+        <translation>dosyada olduğu kadar</translation>
+    </message>
+    <message>
+        <source>counts of vertices and faces</source>
+        <translation>köşe ve yüz sayıları</translation>
+    </message>
+    <message>
+        <source>ends without endsolid</source>
+        <translation>endsolid olmadan bitiyor</translation>
+    </message>
+    <message>
+        <source>its tetrahedra were left out: a coordinate is not a finite number</source>
+        <translation>dörtyüzlüleri dışarıda bırakıldı: bir koordinat sonlu bir sayı değil</translation>
+    </message>
+    <message>
+        <source>solid before it</source>
+        <translation>ondan önce solid</translation>
+    </message>
+    <message>
+        <source>the rest of a facet, and endfacet</source>
+        <translation>bir facet’in kalanı ve endfacet</translation>
+    </message>
+    <message>
+        <source>vertex</source>
+        <translation>vertex</translation>
     </message>
 </context>
 </TS>
