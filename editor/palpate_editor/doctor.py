@@ -88,8 +88,8 @@ def list_decimated(organ: Organ) -> list[Problem]:
     return [place_problem(p, organ, facts) for p in found]
 
 
-def list_mended(surface: Surface, report: MeshReport) -> Iterator[Problem]:
-    """What is wrong with a surface as its file has it that importing it mends."""
+def list_repaired(surface: Surface, report: MeshReport) -> Iterator[Problem]:
+    """What is wrong with a surface as its file has it that importing it repairs."""
     rows = [
         ("duplicates", report.duplicate_faces,
          phrase("{count} triangles that are there twice", count=len(report.duplicate_faces)),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the doctor says of a surface: each fault counted, placed and named with what mends it."""
+"""What the doctor says of a surface: each fault counted, placed and named with what repairs it."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from foreign_files import write_obj
 from palpate.cli.main import main
 from palpate_editor.authoring import inspect_mesh
 from palpate_editor.compile import build_organ, surface_of
-from palpate_editor.doctor import find_stable_step, list_mended, list_surface_problems
+from palpate_editor.doctor import find_stable_step, list_repaired, list_surface_problems
 from palpate_editor.document import EMPTY
 from palpate_meshes.generate import ellipsoid, tube
 from small_meshes import CORNERS, CUBE, mesh_of, scaled, together
 
 SAID = (
     *("Euler number", "1 hole of 3 edges", "mm around", "angles", "edges", "thinnest"),
-    *("stable step", "there twice", "face different sides", "importing it mends"),
+    *("stable step", "there twice", "face different sides", "importing it repairs"),
 )
 
 
@@ -99,10 +99,10 @@ def test_every_fault_of_a_list_of_triangles_is_counted_and_placed():
     assert report.degenerate_faces == [13]
     assert report.coincident_vertices == 1
     assert report.disagreeing_edges >= 2
-    mended = {p.key: p for p in list_mended(surface_of(mesh_of(x, triangles)), report)}
-    assert {"duplicates", "flat", "winding"} <= set(mended)
-    assert list(mended["flat"].faces) == [13]
-    assert 5 in mended["winding"].faces
+    repaired = {p.key: p for p in list_repaired(surface_of(mesh_of(x, triangles)), report)}
+    assert {"duplicates", "flat", "winding"} <= set(repaired)
+    assert list(repaired["flat"].faces) == [13]
+    assert 5 in repaired["winding"].faces
 
 
 @pytest.mark.parametrize("thickness", [1e-3, 4e-3, 20e-3])
@@ -163,8 +163,8 @@ def test_inspect_says_all_of_it_in_words_and_as_json(tmp_path, capsys):
 
     for words in SAID:
         assert words in said, words
-    assert {p["problem"] for p in report["mended_at_import"]} == {"duplicates", "winding"}
-    assert all(p["place_m"] for p in report["mended_at_import"])
+    assert {p["problem"] for p in report["repaired_at_import"]} == {"duplicates", "winding"}
+    assert all(p["place_m"] for p in report["repaired_at_import"])
     assert report["stable_step"]["substeps"] >= 1
     assert "holes" in [p["problem"] for p in report["problems"]]
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Constants that are wrong by a factor of 1000: told, with the nearest value that works, and mended
-by that."""
+"""Constants that are wrong by a factor of 1000: told, with the nearest value that works, and
+repaired by that."""
 
 from __future__ import annotations
 
@@ -88,10 +88,10 @@ def test_a_wrong_constant_is_named_with_the_nearest_value_that_works(organ, key)
     assert (problem.fix.part, problem.fix.field) == (part, field)
     was = getattr(getattr(wrong, part), field)
     assert (problem.fix.value > was) == (key == "material.density")
-    mended = problem.fix(wrong)
-    left = [p for p in assess(mended).problems if p.severity == "error"]
+    repaired = problem.fix(wrong)
+    left = [p for p in assess(repaired).problems if p.severity == "error"]
     assert [p for p in left if p.stage == "material"] == []
-    assert bears_presses(mended, 2.0)
+    assert bears_presses(repaired, 2.0)
 
 
 @pytest.mark.parametrize("key", BORNE)
@@ -152,7 +152,7 @@ def run(capsys, *words) -> tuple[int, str, str]:
 
 
 def test_the_verbs_open_press_explain_and_mend_it(organ, tmp_path, capsys):
-    file, mended = tmp_path / "wrong.organ", tmp_path / "mended.organ"
+    file, repaired = tmp_path / "wrong.organ", tmp_path / "repaired.organ"
     write_organ(file, make_wrong(organ, "tool.stiffness"))
 
     code, out, _ = run(capsys, "check", file, "--json")
@@ -160,9 +160,9 @@ def test_the_verbs_open_press_explain_and_mend_it(organ, tmp_path, capsys):
     assert code == 1 and problem["where"] == "tool.stiffness"
     assert problem["expected"].startswith("at most ") and problem["fix"]
 
-    code, _, err = run(capsys, "repair", file, "--problem", "blown", "--out", mended)
+    code, _, err = run(capsys, "repair", file, "--problem", "blown", "--out", repaired)
     assert code == 0, err
-    code, out, _ = run(capsys, "check", mended, "--json")
+    code, out, _ = run(capsys, "check", repaired, "--json")
     assert "blown" not in {p["problem"] for p in json.loads(out)["problems"]}
 
 

@@ -56,7 +56,7 @@ def test_f13_slivers_are_told_by_their_angle_and_shorten_the_step(even):
 def test_f13_remeshed_the_organ_is_stable_at_the_step_it_had_without_slivers(even):
     mean = float(assess(even).facts.surface.mean_edge)
 
-    mended = Remesh(mean)(with_slivers(even))
+    repaired = Remesh(mean)(with_slivers(even))
 
-    assert assess(mended).facts.surface.smallest_angle_deg > ANGLE_LEAST
-    assert find_step(mended) > 0.8 * find_step(even)
+    assert assess(repaired).facts.surface.smallest_angle_deg > ANGLE_LEAST
+    assert find_step(repaired) > 0.8 * find_step(even)

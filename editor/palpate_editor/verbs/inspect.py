@@ -12,7 +12,7 @@ from palpate.command.verb import Report, Verb
 from palpate_editor import authoring
 from palpate_editor.check import describe_problem, measure_surface
 from palpate_editor.compile import surface_of
-from palpate_editor.doctor import find_stable_step, list_mended, list_surface_problems
+from palpate_editor.doctor import find_stable_step, list_repaired, list_surface_problems
 from palpate_editor.document import EMPTY, Organ, Source, Surface
 from palpate_editor.edits.import_mesh import import_read
 from palpate_editor.verbs.check import describe_problems
@@ -42,14 +42,14 @@ def run_inspect(call: argparse.Namespace) -> Report:
     )
     raw = joined.mesh
     found = authoring.inspect_mesh(raw)
-    mended = [describe_problem(p, surface_of(raw)) for p in list_mended(surface_of(raw), found)]
+    repaired = [describe_problem(p, surface_of(raw)) for p in list_repaired(surface_of(raw), found)]
     organ = edit(EMPTY)
     return {
         **found.as_dict(),
         **describe_meaning(source),
         "parts": report_parts(scene, source.unit, source.up),
         "subtracted": list(joined.subtracted),
-        **judge(organ, mended),
+        **judge(organ, repaired),
     }
 
 
@@ -61,10 +61,10 @@ def inspect_organ(organ: Organ) -> Report:
     return {**found.as_dict(), **meaning, "parts": [], **judge(organ, [])}
 
 
-def judge(organ: Organ, mended: list[Report]) -> Report:
+def judge(organ: Organ, repaired: list[Report]) -> Report:
     found = list_surface_problems(organ)
     return {
-        "mended_at_import": mended,
+        "repaired_at_import": repaired,
         "problems": [describe_problem(p, organ.surface) for p in found],
         "stable_step": asdict(find_stable_step(organ)),
     }
@@ -91,8 +91,8 @@ def describe_meaning(source: Source) -> Report:
 def describe_inspect(report: Report) -> str:
     lines = [*describe_size(report), *describe_triangles(report), *describe_step(report)]
     lines += describe_source(report)
-    if report["mended_at_import"]:
-        lines += ["importing it mends:", *describe_problems(report["mended_at_import"])]
+    if report["repaired_at_import"]:
+        lines += ["importing it repairs:", *describe_problems(report["repaired_at_import"])]
     if report["problems"]:
         lines += ["then there is:", *describe_problems(report["problems"])]
     else:

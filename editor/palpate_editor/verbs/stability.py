@@ -16,7 +16,7 @@ from palpate.files.file_kind import ATLAS, PICTURE, SVG
 from palpate.files.refusal import Refusal
 from palpate.study.atlas_file import read_atlas, write_atlas
 
-from palpate_editor.verbs.chart import read_count
+from palpate_editor.verbs.chart import describe_rerun, has_failed, read_count
 from palpate_editor.verbs.files import open_any
 
 if TYPE_CHECKING:  # they load SciPy and matplotlib
@@ -157,15 +157,6 @@ def describe_row(row: object, rate: float) -> str:
     if row.outcome == LIMITED and row.predicted is not None:
         said += f" (foretold {write_step(row.predicted)})"
     return said
-
-
-def describe_rerun(row: Report) -> str:
-    said = "the same to the bit" if row["largest"] == 0.0 else f"off by {row['largest']:.1e}"
-    return f"{'  ' if row['same'] else 'X '}{row['name']}: {said}"
-
-
-def has_failed(report: Report) -> bool:
-    return not all(row["same"] for row in report.get("rerun", ()))
 
 
 VERBS = [
