@@ -2664,7 +2664,7 @@ Beklenen: {expected}.</translation>
     </message>
     <message>
         <source>as charted</source>
-        <translation>grafikteki kadar</translation>
+        <translation>çizelgedeki kadar</translation>
     </message>
     <message>
         <source>Draw the chart</source>
