@@ -148,7 +148,7 @@ WRONG = {
     "too_many_substeps": (replace(with_part("model", stiffness=500.0), hand=replace(SOUND.hand,
                           rate=1.0)), "material", "error", "steps a tick, of "),
     "hard_constant": (with_part("model", stiffness=5e8), "material", "error",
-                      "steps a tick: about"),
+                      "us at most: about"),
     "blown": (with_part("tool", stiffness=3e11), "material", "error",
               "a light touch ends the run"),
     "small_tip": (with_part("tool", radius=1e-3), "material", "warning", "1.0 mm"),
