@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""An open surface is hollow: it has the usual wall until somebody chooses one or closes it."""
+"""An open surface is hollow: it has the usual wall until a designer chooses one or closes it."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def test_a_cut_that_opens_a_solid_gives_it_a_wall(tmp_path):
 
 
 @pytest.mark.parametrize("chosen", [False, True])
-def test_repair_fills_what_is_damage_unless_somebody_says_that_it_is_hollow(chosen, tmp_path):
+def test_repair_fills_what_is_damage_unless_a_designer_says_that_it_is_hollow(chosen, tmp_path):
     x, triangles = damage("sphere", "one face missing", 0)
     organ = read(tmp_path, "sphere", 1e-3 * x, triangles)
     organ = with_wall(organ, WALL_THICKNESS) if chosen else organ

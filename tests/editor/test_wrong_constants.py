@@ -151,7 +151,7 @@ def run(capsys, *words) -> tuple[int, str, str]:
     return code, said.out, said.err
 
 
-def test_the_verbs_open_press_explain_and_mend_it(organ, tmp_path, capsys):
+def test_the_verbs_open_press_explain_and_repair_it(organ, tmp_path, capsys):
     file, repaired = tmp_path / "wrong.organ", tmp_path / "repaired.organ"
     write_organ(file, make_wrong(organ, "tool.stiffness"))
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import itertools
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
@@ -15,6 +16,9 @@ from palpate.runs.press import Place, find_top
 from palpate.runs.run import read_scene
 
 CHECKOUT = Path(__file__).resolve().parents[2]
+sys.path.append(str(CHECKOUT / "tests" / "bindings"))
+from surfaces import ellipsoid  # noqa: E402
+
 PUBLISHED, SPRINGS = CHECKOUT / "meshes" / "published", Path(__file__).with_name("springs")
 WALL = palpate.Material(damping_ratio=0.2, wall_thickness=3e-3, young_modulus=5e4)
 NONE = palpate.AlarmKind.none
@@ -24,41 +28,9 @@ TICK = 1e-3
 """[s]"""
 
 
-def make_ball(subdivisions: int = 2, radii: tuple[float, ...] = (0.03, 0.025, 0.02)):
+def make_ball(subdivisions: int = 2, radii: tuple[float, float, float] = (0.03, 0.025, 0.02)):
     """A closed ellipsoid around the origin: an icosahedron divided `subdivisions` times."""
-    g = (1.0 + 5.0**0.5) / 2.0
-    corners = [
-        c for s, t in itertools.product((-1, 1), (-g, g)) for c in ((0, s, t), (s, t, 0), (t, 0, s))
-    ]
-    points = [np.array(c) / np.linalg.norm(c) for c in corners]
-    edge = min(np.linalg.norm(points[0] - p) for p in points[1:])
-    faces = [
-        t
-        for t in itertools.combinations(range(12), 3)
-        if all(
-            np.linalg.norm(points[i] - points[j]) < 1.1 * edge
-            for i, j in itertools.combinations(t, 2)
-        )
-    ]
-    faces = [(a, b, c) if np.linalg.det([points[a], points[b], points[c]]) > 0 else (a, c, b)
-             for a, b, c in faces]  # fmt: skip
-    for _ in range(subdivisions):
-        middles: dict[tuple[int, int], int] = {}
-
-        def halve(i: int, j: int, middles: dict[tuple[int, int], int] = middles) -> int:
-            key = (min(i, j), max(i, j))
-            if key not in middles:
-                middles[key] = len(points)
-                middle = points[i] + points[j]
-                points.append(middle / np.linalg.norm(middle))
-            return middles[key]
-
-        finer = []
-        for a, b, c in faces:
-            ab, bc, ca = halve(a, b), halve(b, c), halve(c, a)
-            finer += [(a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca)]
-        faces = finer
-    return palpate.SurfaceMesh(np.array(points) * radii, faces)
+    return ellipsoid(radii, subdivisions)
 
 
 def make_block(cells: tuple[int, int, int] = (3, 3, 2), sides=(0.06, 0.06, 0.04)):

@@ -91,7 +91,7 @@ def find_nearest(scene: SceneFile, build: Build, most: int) -> Nearest | None:
     needed = count(None, "")
     if scene.model.kind == "linear_solid" or most < 1 or not most < needed < math.inf:
         return None
-    for key in list_suspects(scene):
+    for key in rank_constants(scene):
         usual, value = USUAL[key], read(scene, key)
         sign = math.copysign(1.0, value)
 
@@ -124,7 +124,7 @@ def put(scene: SceneFile, key: str, value: float) -> SceneFile:
     return replace(scene, **{part: replace(getattr(scene, part), **{field: value})})
 
 
-def list_suspects(scene: SceneFile) -> list[str]:
+def rank_constants(scene: SceneFile) -> list[str]:
     """Constants that count for this model and are not 0, the least usual first."""
     keys = [key for key in list_stiffening(scene.model) if read(scene, key) != 0.0]
     return sorted(keys, key=lambda key: -find_excess(abs(read(scene, key)), USUAL[key]))

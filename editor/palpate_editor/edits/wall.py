@@ -33,8 +33,8 @@ def settle_wall(organ: Organ, before: Organ) -> Organ:
 
 
 def has_chosen_wall(organ: Organ) -> bool:
-    """Whether the organ is hollow because somebody has said so: by another thickness than the usual
-    one, or by an edit since the surface was read."""
+    """Whether the organ is hollow because a designer has said so: by another thickness than the
+    usual one, or by an edit since the surface was read."""
     wall = organ.material.wall_thickness
     if wall is None:
         return False

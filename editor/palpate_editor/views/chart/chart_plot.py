@@ -8,17 +8,16 @@ from html import escape
 from math import log10
 
 import pyqtgraph as pg
-from palpate.render.theme import THEMES
 from palpate.scene.scene_parts import WITH_NEAR_FIELD
 from palpate.study.scene_chart import Chart, Row, find_front
 from palpate.translation.refusals import say_refusal
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from palpate_editor.document.constants import VALUE_NAMES
-from palpate_editor.views.chart.log_axis import LogAxis, write_share, write_span
-from palpate_editor.views.touch.force_plot import to_colour
+from palpate_editor.views.chart.log_axis import write_share
+from palpate_editor.views.chart.map_plot import MapPlot
 from palpate_editor.views.translations import say, tr
 
 COLOURS = {
@@ -50,11 +49,9 @@ MARGIN, RAIL = 0.12, 0.3
 """[decades] around the points, and from them to a rail."""
 POINT, RING = 9.0, 17.0
 """[px]"""
-LEFT_WIDTH = 62
-"""[px] of the axis of costs."""
 
 
-class ChartPlot(QWidget):
+class ChartPlot(MapPlot):
     """Draws a chart. What did not run to its end stands on a rail above, what is not timed yet on
     one below."""
 
@@ -63,38 +60,18 @@ class ChartPlot(QWidget):
 
     def __init__(self, name: Callable[[Row], str], parent: QWidget | None = None):
         """`name` says what a row is called; a bound method."""
-        super().__init__(parent)
-        self.setObjectName("chart_plot")
+        super().__init__("chart", write_share, parent)
+        self.layout().setSpacing(2)
         self.name = name
         self.chart: Chart | None = None
         self.selected: int | None = None
         self.present: int | None = None
         self.advised: int | None = None
-        self.theme = "dark"
-        self.plot = pg.PlotWidget(
-            self,
-            axisItems={
-                "left": LogAxis("left", write_span),
-                "bottom": LogAxis("bottom", write_share),
-            },
-        )
-        self.plot.setMenuEnabled(False)
-        self.plot.hideButtons()
-        self.plot.getAxis("left").setWidth(LEFT_WIDTH)
-        self.key = QLabel(self)
-        self.key.setObjectName("chart_key")
         self.key.setTextFormat(Qt.TextFormat.RichText)
         self.key.setWordWrap(True)
-        self.key.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.points = pg.ScatterPlotItem(hoverable=True, tip=self.write_tip, pxMode=True)
         self.points.sigClicked.connect(self.on_clicked)
         self.rings = pg.ScatterPlotItem(pxMode=True)
-        self.drawn: list[pg.GraphicsObject] = []
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 4, 0, 0)
-        column.setSpacing(2)
-        column.addWidget(self.key)
-        column.addWidget(self.plot, 1)
         self.dress()
 
     # ------------------------------------------------------------ what is shown
@@ -128,24 +105,8 @@ class ChartPlot(QWidget):
 
     # ------------------------------------------------------------ drawing
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "drawn"):
-            self.theme = "dark" if self.palette().window().color().lightness() < 128 else "light"
-            self.dress()
-
-    def dress(self) -> None:
-        theme = THEMES[self.theme]
-        self.plot.setBackground(self.palette().window().color())
-        self.text, self.faint = to_colour(theme.text), to_colour(theme.faint)
-        labels = {"left": tr("A tick in touch"), "bottom": tr("Force error, of the largest force")}
-        for side, label in labels.items():
-            axis = self.plot.getAxis(side)
-            axis.setPen(pg.mkPen(self.faint))
-            axis.setTextPen(pg.mkPen(self.text))
-            axis.setLabel(label, siPrefixEnableRanges=(), color=self.text.name())
-        self.plot.showGrid(x=True, y=True, alpha=0.13)
-        self.draw()
+    def name_axes(self) -> dict[str, str]:
+        return {"left": tr("A tick in touch"), "bottom": tr("Force error, of the largest force")}
 
     def draw(self) -> None:
         for item in self.drawn:

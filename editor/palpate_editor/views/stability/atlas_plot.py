@@ -8,16 +8,14 @@ from math import log10
 
 import numpy as np
 import pyqtgraph as pg
-from palpate.render.theme import THEMES
 from palpate.study.atlas import Row
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from palpate_editor.atlas_fit import Mark
 from palpate_editor.document.constants import VALUE_NAMES
-from palpate_editor.views.chart.chart_plot import LEFT_WIDTH, to_colour
-from palpate_editor.views.chart.log_axis import LogAxis, write_span
+from palpate_editor.views.chart.map_plot import MapPlot
 from palpate_editor.views.translations import number, say, tr
 
 HOLDS, FAILS, LINE = QColor(47, 158, 110, 56), QColor(205, 70, 60, 56), QColor("#2f7fd0")
@@ -31,35 +29,15 @@ def write_factor(factor: float) -> str:
     return f"{number(factor, 2)} ×"
 
 
-class AtlasPlot(QWidget):
+class AtlasPlot(MapPlot):
     """Draws one line of an atlas, and the mark of the scene."""
 
     def __init__(self, parent: QWidget | None = None):
-        super().__init__(parent)
-        self.setObjectName("atlas_plot")
+        super().__init__("atlas", write_factor, parent)
         self.line: Sequence[Row] = ()
         self.mark: Mark | None = None
-        self.theme = "dark"
-        self.plot = pg.PlotWidget(
-            self,
-            axisItems={
-                "left": LogAxis("left", write_span),
-                "bottom": LogAxis("bottom", write_factor),
-            },
-        )
-        self.plot.setMenuEnabled(False)
-        self.plot.hideButtons()
-        self.plot.getAxis("left").setWidth(LEFT_WIDTH)
         self.star = pg.ScatterPlotItem(pxMode=True)
         self.margin = pg.PlotDataItem([], [])
-        self.drawn: list[pg.GraphicsObject] = []
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 4, 0, 0)
-        self.key = QLabel(self)
-        self.key.setObjectName("atlas_key")
-        self.key.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        column.addWidget(self.key)
-        column.addWidget(self.plot, 1)
         self.dress()
 
     def show_line(self, line: Sequence[Row]) -> None:
@@ -74,24 +52,8 @@ class AtlasPlot(QWidget):
 
     # ------------------------------------------------------------ drawing
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "drawn"):
-            self.theme = "dark" if self.palette().window().color().lightness() < 128 else "light"
-            self.dress()
-
-    def dress(self) -> None:
-        theme = THEMES[self.theme]
-        self.plot.setBackground(self.palette().window().color())
-        self.text, self.faint = to_colour(theme.text), to_colour(theme.faint)
-        labels = {"left": tr("Time step"), "bottom": tr("Stiffness, times that of the atlas")}
-        for side, label in labels.items():
-            axis = self.plot.getAxis(side)
-            axis.setPen(pg.mkPen(self.faint))
-            axis.setTextPen(pg.mkPen(self.text))
-            axis.setLabel(label, siPrefixEnableRanges=(), color=self.text.name())
-        self.plot.showGrid(x=True, y=True, alpha=0.13)
-        self.draw()
+    def name_axes(self) -> dict[str, str]:
+        return {"left": tr("Time step"), "bottom": tr("Stiffness, times that of the atlas")}
 
     def draw(self) -> None:
         for item in self.drawn:
