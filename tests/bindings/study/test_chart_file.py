@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import fields, replace
+from dataclasses import replace
 from pathlib import Path
 
 import jsonschema
@@ -15,8 +15,8 @@ from palpate.files.file_kind import CHART, find_kind
 from palpate.files.refusal import Refusal
 from palpate.study import scene_chart
 from palpate.study.chart_file import read_chart, write_chart
-from palpate.study.row_file import hash_content
 from palpate.study.scene_chart import find_front, find_possible_front
+from row_files import check_schema_fields, spoil
 
 SCHEMA = json.loads(
     (Path(palpate.__file__).parent / "schemas" / "chart.schema.json").read_text(encoding="utf-8")
@@ -34,22 +34,7 @@ def test_a_chart_comes_back_as_it_was_written_and_fits_its_schema(tmp_path):
 
 
 def test_the_schema_has_every_field_of_a_chart():
-    for name, described in SCHEMA["$defs"].items():
-        assert list(described["properties"]) == [f.name for f in fields(getattr(scene_chart, name))]
-        assert described["required"] == list(described["properties"])
-    head = ["format", "version", "sha256"]
-    expected = head + [f.name for f in fields(scene_chart.Chart)]
-    assert list(SCHEMA["properties"]) == SCHEMA["required"] == expected
-
-
-def spoil(path: Path, change, *, hashed: bool = True) -> None:
-    """Changes a written chart; with a new hash, as an edit by hand might."""
-    data = json.loads(path.read_text())
-    change(data)
-    if hashed:
-        head = ("format", "version", "sha256")
-        data["sha256"] = hash_content({k: v for k, v in data.items() if k not in head})
-    path.write_text(json.dumps(data))
+    check_schema_fields(SCHEMA, scene_chart, scene_chart.Chart)
 
 
 FAULTS = [
