@@ -8,7 +8,8 @@
 namespace palpate::scenario {
 
 /// Validates a scene as build_scene does, and that what is derived in it is what build_scene
-/// derives, which comes back. Throws std::invalid_argument: "where: got this, expected that".
+/// derives, which comes back, and that no body steps longer than it is stable at rest. Throws
+/// std::invalid_argument: "where: got this, expected that".
 Scene check_built(const Scene& scene);
 
 /// Throws std::invalid_argument where a scene has more bodies or instruments, or all of its bodies

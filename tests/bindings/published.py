@@ -21,10 +21,9 @@ def publish(folder: Path, title: str = TITLE, task: str = TASK, subdivisions: in
 
 
 def publish_unstable(folder: Path) -> Path:
-    """An organ that blows up as soon as it is touched: its substeps are far too few."""
+    """An organ that blows up as soon as it is touched: its contact is far too stiff."""
     scene = organ_scene(2, stiffness=400.0)
-    scene.rate = 1000.0 / (4.0 * scene.bodies[0].substeps)
-    scene.bodies[0].substeps = scene.bodies[0].substeps_max = 1
+    scene.instruments[0].tool.stiffness = 3e10
     path = folder / "unstable.palpate"
     scenario.write(path, scenario.Scenario(scene=scene, title="Unstable"))
     return path

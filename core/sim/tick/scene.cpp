@@ -16,6 +16,7 @@
 #include "palpate/sim/packed/private/follow_motion.h"
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/packed/simd_targets.h"
+#include "palpate/sim/tick/private/substep_need.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
 namespace palpate {
@@ -200,26 +201,13 @@ void fill_spectrum(SoftBody& body) {
       needs_damping(body.integrator) ? estimate_least_damping_time(body.tissue) : 0.0;
 }
 
-/// Substeps that the integrator needs at rest; infinite where it is never stable. XPBD is stable at
-/// any step but far too soft in long ones, and gets as many as symplectic Euler [laws: xpbd].
-double count_needed(double rate, const SoftBody& body) {
-  if (body.integrator == Integrator::symplectic_euler || body.integrator == Integrator::xpbd) {
-    return std::ceil(1.0 / (rate * stable_step(body.tissue)));
-  }
-  const double limit =
-      kLimitShare * find_step_limit(body.integrator,
-                                    Spectrum{body.spectrum_stiffness, body.spectrum_damping},
-                                    body.least_damping_time);
-  return std::ceil(1.0 / (rate * limit));
-}
-
 /// Substeps are what stable_step() allows at rest, n = ceil(dt / stable_step). Contact may raise
 /// them by a third, and to kSubstepsInImpact at least: more brings no more stability, for the
 /// massless tool gives way before a contact gets as stiff as its row sum says [contact: substeps].
 void choose_substeps(double rate, const Place& place, SoftBody& body) {
   const bool chooses = body.substeps == 0;
   if (chooses || needs_damping(body.integrator)) {
-    const double needed = count_needed(rate, body);
+    const double needed = std::ceil(count_needed_substeps(rate, body));
     if (!(needed <= kMostSubsteps) && needs_damping(body.integrator)) {
       palpate::refuse("scene: " + place("integrator"),
                       std::string(integrator_name(body.integrator)),
@@ -228,7 +216,10 @@ void choose_substeps(double rate, const Place& place, SoftBody& body) {
                                  needed, " substeps per tick, of 10000"));
     }
     if (!(needed <= kMostSubsteps)) {
-      refuse(place("tissue"), needed, "a tissue that needs at most 10000 substeps per tick");
+      palpate::refuse("scene: " + place("tissue"), write_text("one of ", needed, " substeps"),
+                      write_text("one of at most 10000 substeps per tick, as this with ",
+                                 find_fitting_part(rate, body, double(kMostSubsteps)),
+                                 " of all its stiffness and damping"));
     }
     if (chooses) body.substeps = std::max(1, static_cast<int>(needed));
   }
@@ -236,7 +227,8 @@ void choose_substeps(double rate, const Place& place, SoftBody& body) {
     body.substeps_max = std::max(kSubstepsInImpact, body.substeps + std::max(1, body.substeps / 3));
   }
   if (body.substeps_max < body.substeps) {
-    refuse(place("substeps_max"), body.substeps_max, "at least the substeps the tissue needs");
+    palpate::refuse("scene: " + place("substeps_max"), write_text(body.substeps_max),
+                    write_text("at least the ", body.substeps, " substeps that the tissue needs"));
   }
 }
 

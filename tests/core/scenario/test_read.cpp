@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "palpate/scenario/read.h"
+#include "palpate/sim/base/private/refuse.h"
 #include "some_scenario.h"
 
 using namespace palpate;
@@ -148,6 +149,53 @@ TEST_CASE("substeps a designer has chosen stay as they were chosen") {
 
   CHECK(found.scene.bodies[0].substeps == made.scene.bodies[0].substeps);
   CHECK(found.scene.bodies[0].substeps_max == made.scene.bodies[0].substeps_max);
+}
+
+TEST_CASE("substeps too few for the tissue are refused, with how many it needs and what would do") {
+  Scenario made = make_scenario();
+  SoftBody& body = made.scene.bodies[0];
+  made.scene.rate = 50.0;
+  body.substeps = body.substeps_max = 0;
+  made.scene = build_scene(std::move(made.scene));
+  const int needed = body.substeps;
+  REQUIRE(needed >= 4);
+  const Container sound = scenario::pack(made);
+  const std::string place = write_text("\"substeps\":", needed);
+
+  for (const int few : {1, needed / 2, needed - 1}) {
+    Container changed = sound;
+    changed.content.replace(changed.content.find(place), place.size(),
+                            write_text("\"substeps\":", few));
+    const std::string told = refusal([&] { scenario::unpack(changed, "file"); });
+    CHECK(contains(told, write_text("scene.bodies[0].substeps: got ", few, ", steps of ")));
+    CHECK(contains(told, write_text("expected at least ", needed, " (and a substeps_max of")));
+    body.substeps = few;
+    CHECK_THROWS_AS(scenario::pack(made), std::invalid_argument);  // nor written
+    body.substeps = needed;
+  }
+  body.substeps = body.substeps_max = needed + 1;
+  CHECK(scenario::unpack(scenario::pack(made), "file").scene.bodies[0].substeps == needed + 1);
+}
+
+TEST_CASE("the part of a tissue's stiffness that its substeps are said to do for is the nearest") {
+  const auto refuse_part = [](double part) {
+    Scenario made;
+    SoftBody& body = made.scene.bodies[0];
+    body.tissue = scenes::make_spring_organ(2);
+    for (double& number : body.tissue.springs.stiffness) number *= part;
+    for (double& number : body.tissue.springs.damping) number *= part;
+    for (double& number : body.tissue.home) number *= part;
+    made.scene.rate = 20.0;
+    body.substeps = body.substeps_max = 3;
+    made.scene = build_scene(std::move(made.scene));
+    return bad_argument([&] { scenario::pack(made); });
+  };
+  const std::string told = refuse_part(1.0);
+  REQUIRE(contains(told, " ms; or at most 0.0"));
+  const double part = std::stod(told.substr(told.find("at most ") + 8));
+  CHECK(contains(told, " of all its stiffness and damping"));
+  CHECK(refuse_part(part) == "not refused");
+  CHECK(contains(refuse_part(1.15 * part), "scene.bodies[0].substeps: got 3, steps of "));
 }
 
 TEST_CASE(

@@ -98,6 +98,22 @@ TEST_CASE("a scene that cannot run is refused by the name of the field") {
   CHECK(refusal([](Scene&) {}) == "");
 }
 
+TEST_CASE("a tissue that no tick has room for is refused with the part of it that one has") {
+  const auto refuse_part = [](double part) {
+    return refusal([part](Scene& s) {
+      for (double& number : s.bodies[0].tissue.springs.stiffness) number *= part;
+      for (double& number : s.bodies[0].tissue.springs.damping) number *= part;
+      for (double& number : s.bodies[0].tissue.home) number *= part;
+      s.rate = 0.01;
+    });
+  };
+  const std::string told = refuse_part(1.0);
+  REQUIRE(names(told, "at most 10000 substeps per tick, as this with 0."));
+  const double part = std::stod(told.substr(told.find("as this with ") + 13));
+  CHECK(refuse_part(part) == "");
+  CHECK(names(refuse_part(1.15 * part), "scene: tissue: got one of 1"));
+}
+
 TEST_CASE("a world wants a scene that was built") {
   Scene scene;
   scene.bodies[0].tissue = press_scene().bodies[0].tissue;

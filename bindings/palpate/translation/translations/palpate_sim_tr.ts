@@ -1080,10 +1080,6 @@
         <translation>%1 veren bir doku</translation>
     </message>
     <message>
-        <source>a tissue that needs at most 10000 substeps per tick</source>
-        <translation>her tikte en çok 10000 alt adım isteyen bir doku</translation>
-    </message>
-    <message>
         <source>a tissue with particles that have no home springs</source>
         <translation>yuva yayı olmayan parçacıkları olan bir doku</translation>
     </message>
@@ -1354,10 +1350,6 @@
     <message>
         <source>scene: %1</source>
         <translation>sahne: %1</translation>
-    </message>
-    <message>
-        <source>at least the substeps the tissue needs</source>
-        <translation>en az dokunun gerektirdiği alt adımlar</translation>
     </message>
     <message>
         <source>at most %1</source>
@@ -2598,6 +2590,30 @@
     <message>
         <source>vertex</source>
         <translation>vertex</translation>
+    </message>
+    <message>
+        <source>one of %1 substeps</source>
+        <translation>%1 alt adımlık bir doku</translation>
+    </message>
+    <message>
+        <source>one of at most 10000 substeps per tick, as this with %1 of all its stiffness and damping</source>
+        <translation>her tikte en çok 10000 alt adım isteyen bir doku; tüm sertliğinin ve sönümünün %1 katıyla bu da öyledir</translation>
+    </message>
+    <message>
+        <source>at least the %1 substeps that the tissue needs</source>
+        <translation>en az dokunun gereksindiği %1 alt adım</translation>
+    </message>
+    <message>
+        <source>%1, steps of %2 ms</source>
+        <translation>%1, %2 ms'lik adımlar</translation>
+    </message>
+    <message>
+        <source>at least %1 (and a substeps_max of no less): the tissue at rest is stable up to %2 ms</source>
+        <translation>en az %1 (substeps_max da daha az olmamalı): doku dinlenirken %2 ms'ye kadar kararlıdır</translation>
+    </message>
+    <message>
+        <source>at least %1 (and a substeps_max of no less): the tissue at rest is stable up to %2 ms; or at most %3 of all its stiffness and damping</source>
+        <translation>en az %1 (substeps_max da daha az olmamalı): doku dinlenirken %2 ms'ye kadar kararlıdır; ya da tüm sertliğinin ve sönümünün en çok %3 katı</translation>
     </message>
 </context>
 </TS>

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/tick/private/substep_need.h"
+
+#include <cmath>
+
+#include "palpate/sim/dynamics/private/step_limit.h"
+
+namespace palpate {
+namespace {
+
+/// The integrator whose limit a body is given substeps by.
+Integrator find_limiting(const SoftBody& body) noexcept {
+  return body.integrator == Integrator::xpbd ? Integrator::symplectic_euler : body.integrator;
+}
+
+/// [s] The stable step, reserve included, of a tissue with this part of its stiffness and damping:
+/// both eigenvalues go with it, and the quotient of the two stays.
+double find_stable_step(const SoftBody& body, double part) noexcept {
+  const Spectrum spectrum{part * body.spectrum_stiffness, part * body.spectrum_damping};
+  return kLimitShare * find_step_limit(find_limiting(body), spectrum, body.least_damping_time);
+}
+
+double round_down(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return unit * std::floor(value / unit * (1.0 + 1e-12));
+}
+
+}  // namespace
+
+double count_needed_substeps(double rate, const SoftBody& body) {
+  if (find_limiting(body) == Integrator::symplectic_euler) {
+    return 1.0 / (rate * stable_step(body.tissue));
+  }
+  return 1.0 / (rate * find_stable_step(body, 1.0));
+}
+
+double find_fitting_part(double rate, const SoftBody& body, double substeps) {
+  constexpr double kLeast = 1e-12;
+  constexpr int kHalvings = 60;
+  const double step = 1.0 / (rate * substeps);
+  const auto fits = [&](double part) { return step <= find_stable_step(body, part); };
+  if (fits(1.0)) return 1.0;
+  if (!fits(kLeast)) return 0.0;
+  double good = std::log(kLeast), bad = 0.0;
+  for (int halving = 0; halving < kHalvings; ++halving) {
+    const double middle = 0.5 * (good + bad);
+    (fits(std::exp(middle)) ? good : bad) = middle;
+  }
+  return round_down(std::exp(good));
+}
+
+}  // namespace palpate
