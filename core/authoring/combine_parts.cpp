@@ -8,7 +8,9 @@
 #include "palpate/authoring/cgal/combine_solids.h"
 #include "palpate/authoring/inspect_mesh.h"
 #include "palpate/authoring/join_parts.h"
+#include "palpate/authoring/remove_crossings.h"
 #include "palpate/authoring/repair_mesh.h"
+#include "palpate/authoring/self_intersections.h"
 #include "palpate/authoring/weld.h"
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/mesh/mesh.h"
@@ -19,6 +21,12 @@ namespace {
 
 /// [-] of the diagonal: within how much cut points are welded where rounding made triangles cross.
 constexpr std::array kRoundings = {kWeldTolerance, 1e-5, 1e-4};
+
+/// [-] of a shell's triangles: where more cross others it does not cross itself in a few places.
+constexpr double kFewCross = 0.05;
+
+/// Rings of neighbours that are replaced with the triangles that cross, round by round.
+constexpr std::array kRings = {0, 1, 1, 2, 2, 3};
 
 constexpr const char* kSolid =
     "a closed part that does not cross itself: repair it, leave it out, or weld the parts of one "
@@ -62,7 +70,27 @@ void turn_over(SurfaceMesh& mesh) {
 /// What one part fills: its shells that face outwards, without those that face inwards.
 struct Solid {
   std::vector<SurfaceMesh> filled, hollow;
+  int uncrossed = 0;  ///< triangles that were replaced
 };
+
+/// Takes out where a closed manifold runs through itself in a few places, as far as that goes, and
+/// says how many triangles it has replaced.
+int uncross(const MeshReport& report, SurfaceMesh& shell) {
+  const bool is_solid = report.non_manifold_edges == 0 && report.closed && report.orientable;
+  std::size_t left = report.crossing_faces.size();
+  if (!is_solid || left > kFewCross * report.triangles) return 0;
+  int replaced = 0;
+  for (const int rings : kRings) {
+    if (left == 0) break;
+    UncrossedMesh found = remove_crossings(shell, rings);
+    const auto faces = find_self_intersecting_faces(found.mesh);
+    if (!faces || faces->size() >= left) continue;
+    left = faces->size();
+    replaced += found.replaced_triangles;
+    shell = std::move(found.mesh);
+  }
+  return replaced;
+}
 
 /// Each shell is checked by itself: shells of one part may cross each other.
 Solid take_solid(const std::string& where, const SurfaceMesh& mesh) {
@@ -70,7 +98,10 @@ Solid take_solid(const std::string& where, const SurfaceMesh& mesh) {
   const SurfaceMesh clean = repair_mesh(weld(mesh, kWeldTolerance * diagonal).mesh).mesh;
   Solid solid;
   for (SurfaceMesh& shell : split_shells(clean)) {
-    const std::string fault = find_solid_problem(inspect_mesh(shell));
+    const MeshReport report = inspect_mesh(shell);
+    const int replaced = uncross(report, shell);
+    solid.uncrossed += replaced;
+    const std::string fault = find_solid_problem(replaced > 0 ? inspect_mesh(shell) : report);
     if (!fault.empty()) throw FileError("", where, fault, kSolid);
     const bool outward = compute_volume(shell) > 0.0;
     if (!outward) turn_over(shell);
@@ -108,12 +139,17 @@ SurfaceMesh tidy(const SurfaceMesh& cut) {
                   "a closed surface without crossings: parts that nearly touch are welded instead");
 }
 
-SurfaceMesh combine(const std::vector<std::pair<std::string, const SurfaceMesh*>>& kept,
-                    const std::vector<std::pair<std::string, const SurfaceMesh*>>& taken) {
+CombinedParts combine(const std::vector<std::pair<std::string, const SurfaceMesh*>>& kept,
+                      const std::vector<std::pair<std::string, const SurfaceMesh*>>& taken) {
+  CombinedParts combined;
   std::vector<SurfaceMesh> more, less;
-  const auto add = [](const auto& parts, std::vector<SurfaceMesh>& to) {
+  const auto add = [&](const auto& parts, std::vector<SurfaceMesh>& to) {
     for (const auto& [where, mesh] : parts) {
       Solid solid = take_solid(where, *mesh);
+      if (solid.uncrossed > 0) {
+        combined.notes.push_back(write_text(where, " crossed itself: ", solid.uncrossed,
+                                            " of its triangles were replaced"));
+      }
       if (solid.hollow.empty()) {
         std::move(solid.filled.begin(), solid.filled.end(), std::back_inserter(to));
       } else {
@@ -128,13 +164,14 @@ SurfaceMesh combine(const std::vector<std::pair<std::string, const SurfaceMesh*>
     throw FileError("", "", "parts that touch along an edge or in a vertex without crossing there",
                     "parts that cross or are apart: weld those that only touch");
   }
-  return tidy(*cut);
+  combined.mesh = tidy(*cut);
+  return combined;
 }
 
 }  // namespace
 
-SurfaceMesh combine_parts(const std::string& file, const std::vector<const ImportedPart*>& kept,
-                          const std::vector<const ImportedPart*>& taken) {
+CombinedParts combine_parts(const std::string& file, const std::vector<const ImportedPart*>& kept,
+                            const std::vector<const ImportedPart*>& taken) {
   const auto list = [](const std::vector<const ImportedPart*>& parts) {
     std::vector<std::pair<std::string, const SurfaceMesh*>> named;
     for (const ImportedPart* part : parts) {
@@ -151,7 +188,7 @@ SurfaceMesh combine_parts(const std::string& file, const std::vector<const Impor
 
 SurfaceMesh unite_shells(const SurfaceMesh& mesh) {
   try {
-    return combine({{"surface", &mesh}}, {});
+    return combine({{"surface", &mesh}}, {}).mesh;
   } catch (const FileError& fault) {
     refuse(fault.where.empty() ? "surface" : fault.where, fault.got, fault.expected);
   }

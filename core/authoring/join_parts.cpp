@@ -168,7 +168,9 @@ JoinedSurface join_parts(const ImportedScene& scene, const JoinOptions& options)
   JoinedSurface joined{};
   take_choices(unit, up, joined);
   if (options.unite || !chosen.taken.empty()) {
-    joined.mesh = combine_parts(scene.file, chosen.kept, chosen.taken);
+    CombinedParts combined = combine_parts(scene.file, chosen.kept, chosen.taken);
+    joined.mesh = std::move(combined.mesh);
+    joined.notes = std::move(combined.notes);
   } else {
     const auto tolerance =
         options.weld ? std::optional<double>(*options.weld / scale) : std::nullopt;

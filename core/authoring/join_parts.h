@@ -29,9 +29,10 @@ struct JoinedSurface {
   std::string up;  ///< axis of the file
   bool up_guessed;
   std::string up_reason;
-  int welded_vertices;  ///< vertices that became one with another
-  int welded_across;    ///< of those, by the stated tolerance
-  double largest_move;  ///< [m] by the stated tolerance
+  int welded_vertices;             ///< vertices that became one with another
+  int welded_across;               ///< of those, by the stated tolerance
+  double largest_move;             ///< [m] by the stated tolerance
+  std::vector<std::string> notes;  ///< what parts had to be changed in to be united, for people
 };
 
 /// Takes the chosen parts together and turns them to metres and z up: welded across, or united as

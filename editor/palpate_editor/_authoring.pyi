@@ -90,6 +90,9 @@ class JoinedSurface:
     @property
     def largest_move(self) -> float:
         """[m] of a vertex by the stated tolerance."""
+    @property
+    def notes(self) -> list[str]:
+        """What parts had to be changed in to be united."""
 
 class Histogram:
     """How many values lie between one limit and the next; the last limit belongs to the last

@@ -63,7 +63,9 @@ void bind_joined(py::module_& m) {
       .def_readonly("welded_across", &JoinedSurface::welded_across,
                     "Of those, by the stated tolerance.")
       .def_readonly("largest_move", &JoinedSurface::largest_move,
-                    "[m] of a vertex by the stated tolerance.");
+                    "[m] of a vertex by the stated tolerance.")
+      .def_readonly("notes", &JoinedSurface::notes,
+                    "What parts had to be changed in to be united, for people.");
 }
 
 void bind_imported(py::module_& m) {

@@ -6,11 +6,13 @@ from __future__ import annotations
 import numpy as np
 import palpate
 import pytest
-from palpate_editor.authoring import import_mesh, unite_shells
+from palpate.cli.main import main
+from palpate_editor.authoring import find_self_intersecting_faces, import_mesh, unite_shells
 from palpate_editor.document import EMPTY
+from palpate_editor.document.files import read_organ
 from palpate_editor.edits import EditError
 from palpate_editor.edits.unite import UniteShells, can_be_united
-from part_files import ball, box, volume_of, write_parts
+from part_files import ball, box, read_parts, volume_of, write_parts
 from small_meshes import mesh_of, together
 
 # ---------------------------------------------------------------- solids
@@ -126,3 +128,97 @@ def test_an_open_piece_cannot_be_united():
     assert not can_be_united(palpate_surface(both))
     with pytest.raises(ValueError, match="hole"):
         unite_shells(both)
+
+
+# ---------------------------------------------------------------- parts that cross themselves
+
+RIGHT = (17.0, 0.0, 0.0)
+"""[mm] The middle of the second ball."""
+WAYS = {"outwards": (1.0, 0.0, 0.0), "into the other": (-1.0, 0.0, 0.0), "aside": (0.0, 1.0, 0.0)}
+"""From the middle of the ball to the vertex that is pushed, away from where it comes out."""
+
+
+def pushed_through(way: tuple[float, float, float], count: int = 1):
+    """[mm] A ball of which the vertices that lie furthest that way stick out on the other side."""
+    x, triangles = ball(15.0)
+    x[np.argsort(-(x @ way))[:count]] *= -1.15
+    return x + np.array(RIGHT), triangles
+
+
+def balls(right) -> dict:
+    return {"left": ball(20.0), "right": right}
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_parts_are_united_where_one_crosses_itself_a_little(way, tmp_path):
+    path, parts = read_parts(tmp_path, balls(pushed_through(WAYS[way])))
+    clean = write_parts(tmp_path / "clean.obj", balls(ball(15.0, RIGHT)))
+    assert 6 < parts["right"].crossing_faces < 20
+
+    organ = import_mesh(path, unit="mm", unite=True)
+
+    [note] = organ.joined.notes
+    assert "part 'right' crossed itself" in note and "were replaced" in note
+    assert int(note.split(": ")[1].split()[0]) >= parts["right"].crossing_faces
+    assert (organ.report.shells, organ.report.genus) == (1, 0)
+    assert organ.report.closed and organ.report.self_intersecting_faces == 0
+    # two patches of some triangles each in the place of a spike of 15 mm
+    assert organ.report.volume_ml == pytest.approx(volume_of(clean, unite=True), rel=0.01)
+    assert furthest_outside(np.asarray(organ.mesh.vertices)) < 1.0
+
+
+def furthest_outside(x: np.ndarray) -> float:
+    """[mm] How far the furthest of the points [m] (n, 3) is outside of both balls."""
+    centres = zip((20.0, 15.0), ((0.0, 0.0, 0.0), RIGHT), strict=True)
+    away = [np.linalg.norm(1e3 * x - np.array(middle), axis=1) - r for r, middle in centres]
+    return float(np.minimum(*away).max())
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_a_part_that_crosses_itself_a_little_is_taken_away(way, tmp_path):
+    path = write_parts(tmp_path / "two.obj", balls(pushed_through(WAYS[way])))
+    clean = write_parts(tmp_path / "clean.obj", balls(ball(15.0, RIGHT)))
+
+    organ = import_mesh(path, unit="mm", subtract=["right"])
+
+    assert "part 'right' crossed itself" in organ.joined.notes[0]
+    assert find_self_intersecting_faces(organ.mesh) == []
+    less = volume_of(clean, subtract=["right"])
+    assert 1e6 * palpate.compute_volume(organ.mesh) == pytest.approx(less, rel=0.01)
+
+
+def test_nothing_is_noted_of_parts_that_only_cross_each_other(tmp_path):
+    path = write_parts(tmp_path / "two.obj", balls(ball(15.0, RIGHT)))
+
+    assert import_mesh(path, unit="mm", unite=True).joined.notes == []
+
+
+def test_a_part_that_crosses_itself_all_over_is_refused_by_name(tmp_path):
+    path = write_parts(tmp_path / "two.obj", balls(pushed_through(WAYS["aside"], count=40)))
+
+    with pytest.raises(palpate.FileError, match="triangles that cross others") as refusal:
+        import_mesh(path, unit="mm", unite=True)
+
+    assert "part 'right'" in refusal.value.where
+
+
+def test_an_organ_of_a_part_that_crossed_itself_says_so(tmp_path, capsys):
+    path = write_parts(tmp_path / "two.obj", balls(pushed_through(WAYS["outwards"])))
+    out = tmp_path / "two.organ"
+
+    call = ["import", str(path), "--unit", "mm", "--up", "z", "--unite", "-o", str(out)]
+    assert main(call) == 0
+
+    assert "part 'right' crossed itself" in capsys.readouterr().out
+    assert any("crossed itself" in note for note in read_organ(out).source.notes)
+
+
+def test_a_piece_that_crosses_itself_a_little_is_united_as_an_edit():
+    x, triangles = pushed_through(WAYS["aside"])
+    both = together(mesh_of(*ball(0.02)), mesh_of(1e-3 * x, triangles))
+
+    united = unite_shells(both)
+
+    assert palpate.is_closed(united.triangles)
+    assert find_self_intersecting_faces(united) == []
+    assert furthest_outside(np.asarray(united.vertices)) < 1.0

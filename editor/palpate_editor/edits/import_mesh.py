@@ -260,7 +260,7 @@ def describe_source(
         up_guessed=joined.up_guessed,
         up_reason=joined.up_reason,
         repairs=Repairs(welded_vertices=joined.welded_vertices, **done),
-        notes=(*scene.notes, *list_changes(repaired)),
+        notes=(*scene.notes, *joined.notes, *list_changes(repaired)),
     )
 
 
