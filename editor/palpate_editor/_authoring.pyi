@@ -354,6 +354,20 @@ class SurfaceDistance:
         """[m] No point is further away."""
 
 def measure_distance(mesh: SurfaceMesh, onto: SurfaceMesh) -> SurfaceDistance: ...
+def measure_seen_distance(mesh: SurfaceMesh, onto: SurfaceMesh) -> SurfaceDistance:
+    """Of what is seen of `mesh` from outside; `most` within a hundredth of its diagonal."""
+
+class DroppedPiece:
+    """What of a surface hung together and is gone."""
+
+    @property
+    def triangles(self) -> int: ...
+    @property
+    def size(self) -> float:
+        """[m] From corner to corner."""
+    @property
+    def middle(self) -> list[float]:
+        """[m] Of its box."""
 
 class WrappedMesh:
     """A surface around another one, and what it cost."""
@@ -363,10 +377,14 @@ class WrappedMesh:
     @property
     def to_source(self) -> SurfaceDistance: ...
     @property
-    def from_source(self) -> SurfaceDistance: ...
+    def from_source(self) -> SurfaceDistance:
+        """Of what is seen of the source from outside."""
     @property
     def volume(self) -> float:
         """[m³]"""
+    @property
+    def dropped(self) -> list[DroppedPiece]:
+        """Pieces of the source that lie inside, the largest first."""
 
 def wrap_surface(mesh: SurfaceMesh, alpha: float) -> WrappedMesh:
     """Wraps any triangles in a closed surface that crosses nothing. Raises ValueError."""

@@ -29,12 +29,18 @@ void bind_results(py::module_& m) {
       .def_readonly("mean", &SurfaceDistance::mean, "[m] over the area.")
       .def_readonly("least", &SurfaceDistance::least, "[m] One point is at least so far away.")
       .def_readonly("most", &SurfaceDistance::most, "[m] No point is further away.");
+  py::class_<DroppedPiece>(m, "DroppedPiece", "What of a surface hung together and is gone.")
+      .def_readonly("triangles", &DroppedPiece::triangles)
+      .def_readonly("size", &DroppedPiece::size, "[m] From corner to corner.")
+      .def_readonly("middle", &DroppedPiece::middle, "[m] Of its box.");
   py::class_<WrappedMesh>(m, "WrappedMesh", "A surface around another one, and what it cost.")
       .def_readonly("mesh", &WrappedMesh::mesh)
       .def_readonly("to_source", &WrappedMesh::to_source, "From the new surface to the source.")
       .def_readonly("from_source", &WrappedMesh::from_source,
-                    "From the source, what lies inside it too, to the new surface.")
-      .def_readonly("volume", &WrappedMesh::volume, "[m³] inside the new surface.");
+                    "From what is seen of the source from outside to the new surface.")
+      .def_readonly("volume", &WrappedMesh::volume, "[m³] inside the new surface.")
+      .def_readonly("dropped", &WrappedMesh::dropped,
+                    "Pieces of the source that lie inside, the largest first.");
 }
 
 }  // namespace
@@ -72,6 +78,14 @@ void bind_repair(py::module_& m) {
       },
       "mesh"_a, "onto"_a, py::call_guard<py::gil_scoped_release>(),
       "How far the points of a surface are from another.");
+  m.def(
+      "measure_seen_distance",
+      [](const SurfaceMesh& mesh, const SurfaceMesh& onto) {
+        return measure_seen_distance(mesh, SourceSurface(onto));
+      },
+      "mesh"_a, "onto"_a, py::call_guard<py::gil_scoped_release>(),
+      "How far what is seen of a surface from outside is from another; `most` within a hundredth "
+      "of its diagonal.");
 }
 
 }  // namespace palpate::authoring

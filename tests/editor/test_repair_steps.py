@@ -16,6 +16,7 @@ from palpate_editor.authoring import (
     find_self_intersecting_faces,
     inspect_mesh,
     measure_distance,
+    measure_seen_distance,
     remesh_surface,
     remove_crossings,
     smooth_surface,
@@ -241,8 +242,46 @@ def test_two_balls_through_each_other_are_wrapped_as_one():
     assert report.volume_ml == pytest.approx(1e-3 * volume, rel=0.03)
     assert wrapped.volume == pytest.approx(1e-6 * report.volume_ml)
     assert wrapped.to_source.most < 0.002
-    # what lies inside is gone: up to the middle of one ball in the other
-    assert 0.010 < wrapped.from_source.most < 0.030
+    # what lies inside is gone, and no price: the crease between the balls is bridged
+    assert wrapped.from_source.least < 0.002
+    assert wrapped.from_source.most == pytest.approx(
+        wrapped.from_source.least + 0.01 * palpate.compute_diagonal(mesh.vertices)
+    )
+    assert wrapped.dropped == []
+
+
+def test_what_lies_inside_a_wrap_is_listed_and_costs_nothing():
+    x, t = SPHERE
+    inner = [(0.4 * x, t), (0.1 * x + [16.0, 0, 0], t)]
+    mesh = mesh_of(organ_of(*join_meshes((x, t), *inner)).surface)
+
+    wrapped = wrap_surface(mesh, 0.004)
+
+    assert [piece.triangles for piece in wrapped.dropped] == [len(t), len(t)]
+    sizes = [2e-3 * np.sqrt(3.0) * radius for radius in (12.0, 3.0)]
+    assert [piece.size for piece in wrapped.dropped] == pytest.approx(sizes, rel=0.02)
+    assert wrapped.dropped[1].middle == pytest.approx([0.016, 0, 0], abs=1e-4)
+    assert wrapped.from_source.most < 0.002
+    assert measure_distance(mesh, wrapped.mesh).most > 0.017
+
+
+def test_what_is_seen_of_a_surface_is_its_outside():
+    x, t = SPHERE
+    nested = mesh_of(organ_of(*join_meshes((x, t), (0.5 * x, t))).surface)
+    small, large = (mesh_of(organ_of(r * x, t).surface) for r in (0.5, 1.1))
+
+    seen = measure_seen_distance(nested, large)
+
+    assert 0.0028 < seen.mean < seen.least < 0.0031
+    assert measure_distance(nested, large).most > 0.015
+    # nobody sees the larger one's inside from the smaller one's place
+    assert measure_seen_distance(small, large).least == pytest.approx(0.018, rel=0.02)
+
+
+def join_meshes(*meshes: tuple[np.ndarray, np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    first = np.cumsum([0, *(len(x) for x, _ in meshes)])
+    triangles = [t + k for (_, t), k in zip(meshes, first, strict=False)]
+    return np.concatenate([x for x, _ in meshes]), np.concatenate(triangles)
 
 
 def test_a_wrap_takes_the_place_of_what_was_imported():

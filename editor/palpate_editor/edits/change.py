@@ -10,6 +10,7 @@ import palpate
 
 from palpate_editor import authoring
 from palpate_editor.document import Organ, Phrase, Surface, phrase
+from palpate_editor.edits.edit import Edit
 
 
 @dataclass(frozen=True)
@@ -19,31 +20,37 @@ class SurfaceChange:
     before: authoring.MeshReport
     after: authoring.MeshReport
     from_before: float
-    """[m] No point of the surface before is further from the one after."""
+    """[m] No point of the surface before is further from the one after; where `seen`, none that was
+    seen from outside."""
     to_before: float
     """[m] No point of the surface after is further from the one before."""
+    seen: bool = False
+    """What lay inside counts for nothing."""
 
 
 def mesh_of(surface: Surface) -> palpate.SurfaceMesh:
     return palpate.SurfaceMesh(surface.vertices, surface.triangles)
 
 
-def measure_change(before: Surface, after: Surface) -> SurfaceChange:
+def measure_change(before: Surface, after: Surface, *, seen: bool = False) -> SurfaceChange:
     """Both surfaces, and how far they are from each other: a part of a second for a large one."""
     old, new = mesh_of(before), mesh_of(after)
+    measure = authoring.measure_seen_distance if seen else authoring.measure_distance
     return SurfaceChange(
         authoring.inspect_mesh(old),
         authoring.inspect_mesh(new),
-        authoring.measure_distance(old, new).most,
+        measure(old, new).most,
         authoring.measure_distance(new, old).most,
+        seen,
     )
 
 
-def find_change(before: Organ, after: Organ) -> SurfaceChange | None:
-    """None where the surface is the same, or where there was none."""
+def find_change(edit: Edit, before: Organ, after: Organ) -> SurfaceChange | None:
+    """What the edit has changed. None where the surface is the same, or where there was none."""
     if before.surface is None or after.surface is None or before.surface is after.surface:
         return None
-    return measure_change(before.surface, after.surface)
+    seen = getattr(edit, "drops_inside", False)
+    return measure_change(before.surface, after.surface, seen=seen)
 
 
 def say_change(change: SurfaceChange) -> list[Phrase]:
@@ -61,15 +68,26 @@ def say_change(change: SurfaceChange) -> list[Phrase]:
         )
     elif new.volume_ml:
         said.append(phrase("closed now, volume {new:.4g} ml", new=new.volume_ml))
-    said.append(
-        phrase(
-            "no point further than {to:.3g} mm from the surface before, nor it than {back:.3g} mm "
-            "from the new one",
-            to=round(1e3 * change.to_before, 6),
-            back=round(1e3 * change.from_before, 6),
-        )
-    )
+    said.append(say_distances(change))
     return said
+
+
+def say_distances(change: SurfaceChange) -> Phrase:
+    to, back = (round(1e3 * away, 6) for away in (change.to_before, change.from_before))
+    if change.seen:
+        return phrase(
+            "no point further than {to:.3g} mm from the surface before, and nothing that was seen "
+            "of that from outside further than {back:.3g} mm from the new one; what lay inside is "
+            "gone",
+            to=to,
+            back=back,
+        )
+    return phrase(
+        "no point further than {to:.3g} mm from the surface before, nor it than {back:.3g} mm "
+        "from the new one",
+        to=to,
+        back=back,
+    )
 
 
 def say_counts(old: authoring.MeshReport, new: authoring.MeshReport) -> Iterator[Phrase]:

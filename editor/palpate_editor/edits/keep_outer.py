@@ -12,23 +12,17 @@ import palpate
 from palpate_editor import authoring
 from palpate_editor.document import Organ, Surface, phrase
 from palpate_editor.edits.carry import carry_paint
+from palpate_editor.edits.dropped import Dropped, list_dropped
 from palpate_editor.edits.edit import EditError, find_surface
 
 SEEN = 0.05
 """[-] of a piece's triangles that are seen from outside, where it is kept."""
-LISTED = 12
-"""Dropped pieces that a note names, the largest first."""
 
 
 @dataclass(frozen=True)
-class Piece:
-    """A piece of a surface: what hangs together."""
+class Piece(Dropped):
+    """A piece that lies within others."""
 
-    triangles: int
-    size: float
-    """[m] from corner to corner."""
-    middle: tuple[float, float, float]
-    """[m] of its box."""
     exposed: float
     """[-] of its triangles: seen from outside past all others."""
 
@@ -80,19 +74,6 @@ def describe_piece(corners: np.ndarray, exposed: float) -> Piece:
     return Piece(len(corners), float(np.linalg.norm(high - low)), (x, y, z), exposed)
 
 
-def list_dropped(dropped: tuple[Piece, ...]) -> str:
-    """In a sentence, for people."""
-    named = [
-        f"{piece.triangles} triangles, {1e3 * piece.size:.3g} mm long at "
-        f"({', '.join(f'{1e3 * c:.3g}' for c in piece.middle)}) mm"
-        for piece in dropped[:LISTED]
-    ]
-    rest = len(dropped) - len(named)
-    more = [f"{rest} smaller ones"] if rest else []
-    count = f"{len(dropped)} inner piece{'s' if len(dropped) > 1 else ''} dropped"
-    return f"{count}: {'; '.join([*named, *more])}"
-
-
 @dataclass(frozen=True)
 class KeepOuter:
     """Throw away the pieces of the surface that are not seen from outside."""
@@ -113,7 +94,7 @@ class KeepOuter:
             triangles=len(outer.surface.triangles),
         )
         source = organ.source and replace(
-            organ.source, notes=(*organ.source.notes, list_dropped(outer.dropped))
+            organ.source, notes=(*organ.source.notes, list_dropped(outer.dropped, "inner {piece}"))
         )
         changed = carry_paint(organ, outer.surface)
         return replace(changed, imported=imported, decimation=decimation, source=source)

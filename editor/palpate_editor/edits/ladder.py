@@ -238,13 +238,13 @@ def climb(organ: Organ, tell: Tell = lambda title: None) -> Climb:
             # what other rungs leave is told by what the surface is like in the end
             gave_up += [refused.sentence] if isinstance(edit, Wrap) else []
             continue
-        rungs.append(Rung(edit.title, tuple(say_rung(state.organ, after))))
+        rungs.append(Rung(edit.title, tuple(say_rung(edit, state.organ, after))))
         state = State.of(after)
     return Climb(state.organ, tuple(rungs), (*find_left(state), *gave_up))
 
 
-def say_rung(before: Organ, after: Organ) -> Iterator[Phrase]:
-    change = find_change(before, after)
+def say_rung(edit: Edit, before: Organ, after: Organ) -> Iterator[Phrase]:
+    change = find_change(edit, before, after)
     if change is not None:
         yield from say_change(change)
 

@@ -10,6 +10,7 @@ import palpate
 
 from palpate_editor.document import Organ, Surface, phrase
 from palpate_editor.edits.carry import carry_paint
+from palpate_editor.edits.dropped import Dropped, list_dropped
 from palpate_editor.edits.edit import EditError, find_surface
 from palpate_editor.guarded import GuardedError, run_guarded
 
@@ -19,27 +20,52 @@ SECONDS = 60.0
 """[s] A wrap may take: one that is asked for by hand may be much finer."""
 
 
+@dataclass(frozen=True, eq=False)
+class Wrapped:
+    """A surface around another one, and its price."""
+
+    surface: Surface
+    volume: float
+    """[m³]"""
+    to_source: float
+    """[m] No point of it is further from what it was put around."""
+    from_source: float
+    """[m] Nothing that is seen of that from outside is further from it."""
+    dropped: tuple[Dropped, ...]
+    """What lay inside, the largest first."""
+
+
 @dataclass(frozen=True)
 class Wrap:
     """Put a closed surface that crosses nothing in the place of this one, around all of it.
 
     What lies inside is gone, and what is narrower than a ball is bridged. It takes the place of the
-    imported surface; what was painted is carried over to it.
+    imported surface; what was painted is carried over to it, and pieces that are gone are noted.
     """
 
     title: ClassVar[str] = "Wrap"
+    drops_inside: ClassVar[bool] = True
+    """So that how far it is from what lay there is no price."""
 
     alpha: float | None = None
     """[m] The radius of the ball; None for a hundredth of the organ's diagonal."""
 
     def __call__(self, organ: Organ) -> Organ:
-        surface = find_surface(organ)
-        whole = surface if organ.imported is None else organ.imported
-        wrapped = self.wrap(whole)
-        changed = carry_paint(organ, wrapped)
-        return replace(changed, imported=wrapped, decimation=None)
+        return self.put(organ, self.find(organ))
 
-    def wrap(self, surface: Surface) -> Surface:
+    def put(self, organ: Organ, wrapped: Wrapped) -> Organ:
+        source = organ.source
+        if source is not None and wrapped.dropped:
+            source = replace(
+                source,
+                notes=(*source.notes, list_dropped(wrapped.dropped, "{piece} inside the wrap")),
+            )
+        changed = carry_paint(organ, wrapped.surface)
+        return replace(changed, imported=wrapped.surface, decimation=None, source=source)
+
+    def find(self, organ: Organ) -> Wrapped:
+        """Around what was imported. Raises EditError."""
+        surface = find_surface(organ) if organ.imported is None else organ.imported
         alpha = self.alpha
         if alpha is None:
             alpha = FINENESS * float(palpate.compute_diagonal(surface.vertices))
@@ -56,4 +82,11 @@ class Wrap:
                     seconds=SECONDS,
                 )
             )
-        return found.surface
+        told = found.told
+        return Wrapped(
+            found.surface,
+            told["volume"],
+            told["to_source"],
+            told["from_source"],
+            tuple(Dropped(p["triangles"], p["size"], tuple(p["middle"])) for p in told["dropped"]),
+        )

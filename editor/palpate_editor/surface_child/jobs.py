@@ -49,6 +49,10 @@ def wrap(mesh: palpate.SurfaceMesh, numbers: dict[str, Any], keep: Keep) -> None
         "to_source_mean": found.to_source.mean,
         "from_source": found.from_source.most,
         "from_source_mean": found.from_source.mean,
+        "dropped": [
+            {"triangles": piece.triangles, "size": piece.size, "middle": list(piece.middle)}
+            for piece in found.dropped
+        ],
     }
     keep(found.mesh, told)
 

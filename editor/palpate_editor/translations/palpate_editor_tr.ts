@@ -4256,6 +4256,10 @@ Beklenen: {expected}.</translation>
         <translation>hiçbir nokta önceki yüzeyden {to:.3g} mm'den, önceki yüzey de yenisinden {back:.3g} mm'den uzak değil</translation>
     </message>
     <message>
+        <source>no point further than {to:.3g} mm from the surface before, and nothing that was seen of that from outside further than {back:.3g} mm from the new one; what lay inside is gone</source>
+        <translation>hiçbir nokta önceki yüzeyden {to:.3g} mm'den, onun dışarıdan görünen hiçbir yeri de yenisinden {back:.3g} mm'den uzak değil; içeride kalanlar gitti</translation>
+    </message>
+    <message>
         <source>The surface is clean already.</source>
         <translation>Yüzey zaten temiz.</translation>
     </message>

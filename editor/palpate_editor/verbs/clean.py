@@ -14,6 +14,7 @@ from palpate_editor.edits.keep_outer import KeepOuter, keep_outer
 from palpate_editor.edits.repair import keep_largest
 from palpate_editor.verbs.files import apply, describe_loops
 from palpate_editor.verbs.holes import add_fill_holes, find_holes
+from palpate_editor.verbs.wrapping import add_wrap, describe_wrap, wrap
 
 
 def add_cleaning(parser: argparse.ArgumentParser) -> None:
@@ -25,6 +26,7 @@ def add_cleaning(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--largest", action="store_true", help="keep its largest piece alone")
     add_fill_holes(parser)
+    add_wrap(parser)
 
 
 def clean(call: argparse.Namespace, organ: Organ) -> tuple[Organ, Report]:
@@ -38,6 +40,8 @@ def clean(call: argparse.Namespace, organ: Organ) -> tuple[Organ, Report]:
             organ = apply(KeepLargestShell(), organ, call.file, "--largest")
     if call.fill_holes is not None:
         organ, report["filled_holes"] = fill_small(call, organ)
+    if call.wrap is not None:
+        organ, report["wrapped"] = wrap(organ, call.wrap, call.file)
     return organ, report
 
 
@@ -69,7 +73,10 @@ def fill_small(call: argparse.Namespace, organ: Organ) -> tuple[Organ, list[int]
 
 
 def describe_cleaning(report: Report) -> list[str]:
-    """Which holes were filled; what was dropped stands in the notes."""
-    if "filled_holes" not in report:
-        return []
-    return [f"filled: {describe_loops(report['filled_holes'])}"]
+    """Which holes were filled, and what a wrap has cost; what was dropped stands in the notes."""
+    lines = []
+    if "filled_holes" in report:
+        lines.append(f"filled: {describe_loops(report['filled_holes'])}")
+    if "wrapped" in report:
+        lines.append(describe_wrap(report["wrapped"]))
+    return lines

@@ -38,9 +38,8 @@ from palpate_editor.verbs.files import (
     write_any,
 )
 from palpate_editor.verbs.holes import add_fill_holes, find_holes
+from palpate_editor.verbs.wrapping import AS_USUAL, add_wrap, find_number
 
-AS_USUAL = -1.0
-"""A step that is asked for without its number."""
 NOTHING = ""
 """The name of no problem."""
 
@@ -109,15 +108,7 @@ def add_steps(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--smooth", type=int, metavar="STEPS", help="smooth it; it neither shrinks nor swells"
     )
-    parser.add_argument(
-        "--wrap",
-        type=quantity("m"),
-        nargs="?",
-        const=AS_USUAL,
-        metavar="M",
-        help="the last resort: a new surface around all of it, into which a ball of this radius "
-        "rolls; default: a hundredth of the diagonal",
-    )
+    add_wrap(parser)
 
 
 def run_repair(call: argparse.Namespace) -> Report:
@@ -186,12 +177,8 @@ def list_steps(call: argparse.Namespace, organ: Organ) -> list[tuple[str, Edit]]
     return steps
 
 
-def find_number(asked: float) -> float | None:
-    return None if asked == AS_USUAL else asked
-
-
 def tell_step(edit: Edit, before: Organ, after: Organ) -> Rung:
-    change = find_change(before, after)
+    change = find_change(edit, before, after)
     return Rung(edit.title, () if change is None else tuple(say_change(change)))
 
 

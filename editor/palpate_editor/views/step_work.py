@@ -39,7 +39,7 @@ class StepWork:
                 return self.climb(progress)
             after = self.edit(self.organ)
             progress(say_title(self.edit.title), 0.8)
-            change = find_change(self.organ, after)
+            change = find_change(self.edit, self.organ, after)
         did = () if change is None else tuple(say_change(change))
         return Step(Prepared(self.edit, self.organ, after), (Rung(self.edit.title, did),))
 
