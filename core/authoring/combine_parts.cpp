@@ -186,9 +186,9 @@ CombinedParts combine_parts(const std::string& file, const std::vector<const Imp
   }
 }
 
-SurfaceMesh unite_shells(const SurfaceMesh& mesh) {
+CombinedParts unite_shells(const SurfaceMesh& mesh) {
   try {
-    return combine({{"surface", &mesh}}, {}).mesh;
+    return combine({{"surface", &mesh}}, {});
   } catch (const FileError& fault) {
     refuse(fault.where.empty() ? "surface" : fault.where, fault.got, fault.expected);
   }

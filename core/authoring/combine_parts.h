@@ -22,6 +22,6 @@ CombinedParts combine_parts(const std::string& file, const std::vector<const Imp
                             const std::vector<const ImportedPart*>& taken);
 
 /// The same of the shells of one surface. Throws std::invalid_argument with the sentence.
-SurfaceMesh unite_shells(const SurfaceMesh& mesh);
+CombinedParts unite_shells(const SurfaceMesh& mesh);
 
 }  // namespace palpate::authoring

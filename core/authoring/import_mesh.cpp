@@ -8,7 +8,6 @@ ImportedMesh import_scene(const ImportedScene& scene, const JoinOptions& join) {
   organ.joined = join_parts(scene, join);
   organ.repaired = repair_mesh(organ.joined.mesh);
   organ.mesh = organ.repaired.mesh;
-  organ.report = inspect_mesh(organ.mesh);
   if (organ.mesh.triangles.empty()) {
     throw FileError(scene.file, "", "no triangle that has an area", "a surface");
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "palpate/authoring/inspect_mesh.h"
 #include "palpate/authoring/join_parts.h"
 #include "palpate/authoring/repair_mesh.h"
 
@@ -12,11 +11,10 @@ struct ImportedMesh {
   SurfaceMesh mesh;  ///< metres, z up, outward where it has an outside; open where the file is
   JoinedSurface joined;
   RepairedMesh repaired;
-  MeshReport report;  ///< of mesh
 };
 
-/// Joins, repairs, orients and measures what was read. What can be drawn is never refused: whether
-/// a tissue can be built on it is told by `report` and palpate::validate. Throws FileError where
+/// Joins, repairs and orients what was read. What can be drawn is never refused: whether a tissue
+/// can be built on it is told by inspect_mesh() and palpate::validate. Throws FileError where
 /// nothing is left that has an area.
 ImportedMesh import_scene(const ImportedScene& scene, const JoinOptions& join = {});
 

@@ -2,9 +2,8 @@
 #include "palpate/authoring/measure_exposure.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
+#include "palpate/authoring/spread_directions.h"
 #include "palpate/sim/mesh/topology.h"
 #include "palpate/sim/tree/queries.h"
 
@@ -13,18 +12,6 @@ namespace {
 
 /// [-] of the diagonal: a look begins this far off its triangle, so as not to meet that.
 constexpr double kOff = 1e-6;
-
-/// Points of a Fibonacci lattice on the unit sphere: heights evenly apart, turned by the golden
-/// angle each.
-Vec3Array spread_directions() {
-  Vec3Array directions;
-  const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
-  for (int i = 0; i < kDirections; ++i) {
-    const double z = 1.0 - (2.0 * i + 1.0) / kDirections, r = std::sqrt(1.0 - z * z);
-    directions.emplace_back(r * std::cos(golden * i), r * std::sin(golden * i), z);
-  }
-  return directions;
-}
 
 std::vector<std::vector<int>> list_shells(const SurfaceMesh& mesh) {
   const std::vector<int> shell =
@@ -43,7 +30,7 @@ std::vector<double> measure_exposure(const SurfaceMesh& mesh) {
   const std::vector<std::vector<int>> shells = list_shells(mesh);
   if (shells.empty()) return {};
   const AabbTree tree(mesh.vertices, mesh.triangles);
-  const Vec3Array directions = spread_directions();
+  const Vec3Array directions = spread_directions(kDirections);
   const double off = kOff * compute_diagonal(mesh.vertices);
   const auto is_seen = [&](const Triangle& t) {
     const Vec3 middle = (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0;

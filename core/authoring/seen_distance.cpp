@@ -5,25 +5,18 @@
 #include <cmath>
 #include <numbers>
 
+#include "palpate/authoring/spread_directions.h"
 #include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/tree/queries.h"
 
 namespace palpate::authoring {
 namespace {
 
-/// Points of a Fibonacci lattice on the unit sphere: heights evenly apart, each turned on by the
-/// golden angle.
-Vec3 choose_side(int i) {
-  const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
-  const double z = 1.0 - (2.0 * i + 1.0) / kSides, r = std::sqrt(1.0 - z * z);
-  return {r * std::cos(golden * i), r * std::sin(golden * i), z};
-}
-
 /// The rays of one side: a square grid over the ball around the surface, seen along `along`.
 class Rays {
  public:
-  Rays(const Vec3& middle, double radius, double spacing, int side)
-      : along_(choose_side(side)),
+  Rays(const Vec3& middle, double radius, double spacing, const Vec3& along, int side)
+      : along_(along),
         right_(along_.unitOrthogonal()),
         up_(along_.cross(right_)),
         first_(middle - 2.0 * radius * along_),
@@ -56,8 +49,9 @@ Vec3Array find_seen_points(const SurfaceMesh& mesh) {
   const double diagonal = (tree.high() - tree.low()).norm();
   Vec3Array points;
   if (!(diagonal > 0.0)) return points;
+  const Vec3Array sides = spread_directions(kSides);
   for (int side = 0; side < kSides; ++side) {
-    const Rays rays(middle, 0.5 * diagonal, kSightGrid * diagonal, side);
+    const Rays rays(middle, 0.5 * diagonal, kSightGrid * diagonal, sides[side], side);
     rays.for_each([&](const Vec3& from, const Vec3& along) {
       if (const auto hit = find_ray_hit(tree, mesh.vertices, from, along)) {
         points.push_back(hit->point);

@@ -25,6 +25,7 @@ from palpate import FileError
 
 from palpate_editor import _authoring
 from palpate_editor._authoring import (
+    CombinedParts,
     DecimatedMesh,
     FilledHoles,
     Histogram,
@@ -69,6 +70,7 @@ __all__ = [
     "MEMORY_LIMIT",
     "READER",
     "TIME_LIMIT",
+    "CombinedParts",
     "DecimatedMesh",
     "FilledHoles",
     "Histogram",

@@ -33,6 +33,7 @@ from palpate_editor.document.problems import (
     WallFit,
 )
 from palpate_editor.document.rules import MOST_CROSSING, find_problems
+from palpate_editor.edits.inspected import inspect_surface
 from palpate_editor.edits.keep_outer import keep_outer
 from palpate_editor.edits.repair import keep_largest
 from palpate_editor.edits.unite import can_be_united
@@ -106,7 +107,7 @@ def place_problem(problem: Problem, organ: Organ, facts: Facts) -> Problem:
 def measure_surface(surface: Surface) -> tuple[authoring.MeshReport, SurfaceFacts]:
     if surface not in measured:
         x, triangles = surface.vertices, surface.triangles
-        found = authoring.inspect_mesh(mesh_of(surface))
+        found = inspect_surface(surface)
         edges = np.linalg.norm(x[triangles] - x[np.roll(triangles, 1, axis=1)], axis=2)
         facts = SurfaceFacts(
             shells=found.shells,

@@ -2,6 +2,7 @@
 #include "bindings.h"
 #include "palpate/authoring/combine_parts.h"
 #include "palpate/authoring/import_mesh.h"
+#include "palpate/authoring/inspect_mesh.h"
 #include "palpate/authoring/nest_parts.h"
 
 namespace palpate::authoring {
@@ -68,13 +69,22 @@ void bind_joined(py::module_& m) {
                     "What parts had to be changed in to be united, for people.");
 }
 
+void bind_combined(py::module_& m) {
+  py::class_<CombinedParts>(m, "CombinedParts", "One solid of many.")
+      .def_readonly("mesh", &CombinedParts::mesh)
+      .def_readonly("notes", &CombinedParts::notes,
+                    "What had to be changed in them to be united, for people.");
+}
+
 void bind_imported(py::module_& m) {
   py::class_<ImportedMesh>(m, "ImportedMesh",
                            "An organ's surface as it can be shown, and how it came to be.")
       .def_readonly("mesh", &ImportedMesh::mesh)
       .def_readonly("joined", &ImportedMesh::joined)
       .def_readonly("repaired", &ImportedMesh::repaired)
-      .def_readonly("report", &ImportedMesh::report, "Of the repaired mesh.");
+      .def_property_readonly(
+          "report", [](const ImportedMesh& organ) { return inspect_mesh(organ.mesh); },
+          "Of the mesh, measured as it is asked for.");
 }
 
 using Words = std::vector<std::string>;
@@ -113,6 +123,7 @@ ReadOptions read_options(const std::filesystem::path& reader, const Words& words
 void bind_read(py::module_& m) {
   bind_scene(m);
   bind_joined(m);
+  bind_combined(m);
   m.def(
       "read_mesh",
       [](const std::filesystem::path& path, double time_limit, std::size_t memory_limit,
@@ -136,7 +147,7 @@ void bind_read(py::module_& m) {
 void bind_import(py::module_& m) {
   bind_imported(m);
   def_join(m, "import_scene", import_scene,
-           "Join, repair, orient and measure what was read. Raises FileError where nothing is left "
+           "Join, repair and orient what was read. Raises FileError where nothing is left "
            "that has an area.");
 }
 

@@ -17,7 +17,7 @@ from palpate_editor.authoring import inspect_mesh
 from palpate_editor.document import EMPTY, Organ, Surface
 from palpate_editor.document.files import read_organ
 from palpate_editor.edits import EditError, RepairAll, import_file
-from palpate_editor.edits.change import mesh_of
+from palpate_editor.edits.inspected import mesh_of
 from palpate_editor.edits.ladder import climb
 
 CLOSE = 0.01

@@ -34,7 +34,7 @@ from palpate_editor.edits import (
     StitchBorders,
     Wrap,
 )
-from palpate_editor.edits.change import mesh_of
+from palpate_editor.edits.inspected import mesh_of
 from palpate_editor.guarded import Cancelled, GuardedError, run_guarded, stopping
 from palpate_editor.surface_child.jobs import JOBS
 from small_meshes import CORNERS, CUBE, together

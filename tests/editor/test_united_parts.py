@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import palpate
 import pytest
@@ -10,7 +12,7 @@ from palpate.cli.main import main
 from palpate_editor.authoring import find_self_intersecting_faces, import_mesh, unite_shells
 from palpate_editor.document import EMPTY
 from palpate_editor.document.files import read_organ
-from palpate_editor.edits import EditError
+from palpate_editor.edits import EditError, import_file
 from palpate_editor.edits.unite import UniteShells, can_be_united
 from part_files import ball, box, read_parts, volume_of, write_parts
 from small_meshes import mesh_of, together
@@ -219,6 +221,18 @@ def test_a_piece_that_crosses_itself_a_little_is_united_as_an_edit():
 
     united = unite_shells(both)
 
-    assert palpate.is_closed(united.triangles)
-    assert find_self_intersecting_faces(united) == []
-    assert furthest_outside(np.asarray(united.vertices)) < 1.0
+    assert palpate.is_closed(united.mesh.triangles)
+    assert find_self_intersecting_faces(united.mesh) == []
+    assert furthest_outside(np.asarray(united.mesh.vertices)) < 1.0
+    [note] = united.notes
+    assert re.fullmatch(r"surface crossed itself: \d+ of its triangles were replaced", note)
+
+
+def test_the_organ_tells_that_its_pieces_were_changed_to_be_united(tmp_path):
+    path = write_parts(tmp_path / "two.obj", balls(pushed_through(WAYS["aside"])))
+    organ = import_file(path, unit="mm", up="z")(EMPTY)
+
+    united = UniteShells()(organ)
+
+    assert any("surface crossed itself" in note for note in united.source.notes)
+    assert organ.source.notes == united.source.notes[: len(organ.source.notes)]

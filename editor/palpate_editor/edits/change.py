@@ -6,11 +6,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-import palpate
-
 from palpate_editor import authoring
 from palpate_editor.document import Organ, Phrase, Surface, phrase
 from palpate_editor.edits.edit import Edit
+from palpate_editor.edits.inspected import inspect_surface, mesh_of
 
 
 @dataclass(frozen=True)
@@ -28,17 +27,13 @@ class SurfaceChange:
     """What lay inside counts for nothing."""
 
 
-def mesh_of(surface: Surface) -> palpate.SurfaceMesh:
-    return palpate.SurfaceMesh(surface.vertices, surface.triangles)
-
-
 def measure_change(before: Surface, after: Surface, *, seen: bool = False) -> SurfaceChange:
     """Both surfaces, and how far they are from each other: a part of a second for a large one."""
     old, new = mesh_of(before), mesh_of(after)
     measure = authoring.measure_seen_distance if seen else authoring.measure_distance
     return SurfaceChange(
-        authoring.inspect_mesh(old),
-        authoring.inspect_mesh(new),
+        inspect_surface(before),
+        inspect_surface(after),
         measure(old, new).most,
         authoring.measure_distance(new, old).most,
         seen,

@@ -11,8 +11,8 @@ import palpate
 
 from palpate_editor import authoring
 from palpate_editor.document import Organ, Surface, phrase
-from palpate_editor.edits.change import mesh_of
 from palpate_editor.edits.edit import EditError, find_surface
+from palpate_editor.edits.inspected import mesh_of
 from palpate_editor.edits.repair import list_sides, put_in_place
 
 NEAR = 0.05

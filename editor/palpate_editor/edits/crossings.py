@@ -11,8 +11,8 @@ import palpate
 
 from palpate_editor import authoring
 from palpate_editor.document import Organ, Phrase, Surface, phrase
-from palpate_editor.edits.change import mesh_of
 from palpate_editor.edits.edit import EditError, find_surface
+from palpate_editor.edits.inspected import mesh_of
 from palpate_editor.edits.repair import find_crowded, find_disagreeing, put_in_place
 from palpate_editor.guarded import TIME, GuardedError, run_guarded
 

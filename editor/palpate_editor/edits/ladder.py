@@ -18,12 +18,13 @@ from palpate_editor import authoring
 from palpate_editor.document import Organ, Phrase, Surface, phrase
 from palpate_editor.document.organ_sizes import LEAST, MOST, find_fitting_unit
 from palpate_editor.document.rules import FAR_OFF, MOST_CROSSING, find_organ_word
-from palpate_editor.edits.change import find_change, mesh_of, say_change
+from palpate_editor.edits.change import find_change, say_change
 from palpate_editor.edits.clean import CleanUp, DropPieces, StitchBorders, measure_pieces
 from palpate_editor.edits.crossings import RemoveCrossings, say_left
 from palpate_editor.edits.edit import Edit, EditError, find_surface
 from palpate_editor.edits.fill_holes import FillHoles
 from palpate_editor.edits.fins import DropFins
+from palpate_editor.edits.inspected import inspect_surface, mesh_of
 from palpate_editor.edits.orient import METRES, SetUnit
 from palpate_editor.edits.repair import (
     CutCrowdedEdges,
@@ -77,7 +78,7 @@ class State:
     @classmethod
     def of(cls, organ: Organ) -> State:
         surface = find_surface(organ)
-        return cls(organ, surface, authoring.inspect_mesh(mesh_of(surface)))
+        return cls(organ, surface, inspect_surface(surface))
 
     @property
     def is_manifold(self) -> bool:

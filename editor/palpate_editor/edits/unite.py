@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 import numpy as np
@@ -28,7 +28,13 @@ class UniteShells:
         surface = find_surface(organ)
         if is_one_piece(surface):
             raise EditError(phrase("The surface is one piece already."))
-        return put_in_place(organ, unite)
+        notes: list[str] = []
+        united = put_in_place(organ, lambda surface: unite(surface, notes))
+        source = united.source
+        if source is None or not notes:
+            return united
+        # both surfaces of a decimated organ may have crossed alike
+        return replace(united, source=replace(source, notes=(*source.notes, *dict.fromkeys(notes))))
 
 
 def is_one_piece(surface: Surface) -> bool:
@@ -36,17 +42,19 @@ def is_one_piece(surface: Surface) -> bool:
     return bool(np.max(shell) < 1)
 
 
-def unite(surface: Surface) -> Surface:
-    """The very same surface where it is one piece. Raises EditError."""
+def unite(surface: Surface, notes: list[str]) -> Surface:
+    """The very same surface where it is one piece. What had to be changed in its pieces is added to
+    `notes`. Raises EditError."""
     if is_one_piece(surface):
         return surface
     try:
-        mesh = authoring.unite_shells(palpate.SurfaceMesh(surface.vertices, surface.triangles))
+        found = authoring.unite_shells(palpate.SurfaceMesh(surface.vertices, surface.triangles))
     except ValueError as problem:
         raise EditError(
             phrase("The pieces cannot be united: {problem}.", problem=str(problem))
         ) from None
-    return Surface(np.asarray(mesh.vertices), np.asarray(mesh.triangles))
+    notes += found.notes
+    return Surface(np.asarray(found.mesh.vertices), np.asarray(found.mesh.triangles))
 
 
 def can_be_united(surface: Surface) -> bool:

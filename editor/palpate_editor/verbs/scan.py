@@ -10,9 +10,8 @@ from pathlib import Path
 from palpate.command.output import add_output
 from palpate.command.verb import Report, Verb, WrongCall, quantity
 
-from palpate_editor import authoring
-from palpate_editor.compile import mesh_of
 from palpate_editor.document import EMPTY
+from palpate_editor.edits.inspected import inspect_surface
 from palpate_editor.from_scan import import_scan
 from palpate_editor.scan import (
     MOST_SMOOTHING,
@@ -117,7 +116,7 @@ def run_segment(call: argparse.Namespace) -> Report:
     if call.vertices is not None:
         organ, report["decimated"] = decimate_to(organ, call.vertices, call.file)
     assert organ.surface is not None
-    report["mesh"] = authoring.inspect_mesh(mesh_of(organ.surface)).as_dict()
+    report["mesh"] = inspect_surface(organ.surface).as_dict()
     if call.output is not None:
         write_any(call.output, organ)
     return report
