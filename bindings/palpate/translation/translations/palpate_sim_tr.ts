@@ -2615,5 +2615,9 @@
         <source>at least %1 (and a substeps_max of no less): the tissue at rest is stable up to %2 ms; or at most %3 of all its stiffness and damping</source>
         <translation>en az %1 (substeps_max da daha az olmamalı): doku dinlenirken %2 ms'ye kadar kararlıdır; ya da tüm sertliğinin ve sönümünün en çok %3 katı</translation>
     </message>
+    <message>
+        <source>%1 crossed itself: %2 of its triangles were replaced</source>
+        <translation>%1 kendini kesiyordu: üçgenlerinden %2 tanesi yenilendi</translation>
+    </message>
 </context>
 </TS>
