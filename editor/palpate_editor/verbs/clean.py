@@ -14,7 +14,7 @@ from palpate_editor.edits.keep_outer import KeepOuter, keep_outer
 from palpate_editor.edits.repair import keep_largest
 from palpate_editor.verbs.files import apply, describe_loops
 from palpate_editor.verbs.holes import add_fill_holes, find_holes
-from palpate_editor.verbs.wrapping import add_wrap, describe_wrap, wrap
+from palpate_editor.verbs.wrapping import add_wrap, describe_wrap, report_piece, wrap
 
 
 def add_cleaning(parser: argparse.ArgumentParser) -> None:
@@ -49,15 +49,7 @@ def drop_inner(organ: Organ) -> tuple[Organ, list[Report]]:
     """The organ without the pieces that lie within it, and what these were."""
     assert organ.surface is not None
     dropped = keep_outer(organ.surface).dropped
-    rows = [
-        {
-            "triangles": piece.triangles,
-            "size_mm": 1e3 * piece.size,
-            "place_m": list(piece.middle),
-            "seen_share": piece.exposed,
-        }
-        for piece in dropped
-    ]
+    rows = [{**report_piece(piece), "seen_share": piece.exposed} for piece in dropped]
     return KeepOuter()(organ) if dropped else organ, rows
 
 

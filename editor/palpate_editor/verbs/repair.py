@@ -38,7 +38,7 @@ from palpate_editor.verbs.files import (
     write_any,
 )
 from palpate_editor.verbs.holes import add_fill_holes, find_holes
-from palpate_editor.verbs.wrapping import AS_USUAL, add_wrap, find_number
+from palpate_editor.verbs.wrapping import add_step, add_wrap, find_number
 
 NOTHING = ""
 """The name of no problem."""
@@ -75,36 +75,18 @@ def add_steps(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="drop doubled and empty triangles and specks, part what only touches, turn outwards",
     )
-    parser.add_argument(
-        "--stitch",
-        type=quantity("m"),
-        nargs="?",
-        const=AS_USUAL,
-        metavar="M",
-        help="join borders that lie so near to each other; default: a twentieth of their edges",
-    )
+    told = "join borders that lie so near to each other; default: a twentieth of their edges"
+    add_step(parser, "--stitch", "M", told, read=quantity("m"))
     parser.add_argument(
         "--drop-fins",
         action="store_true",
         help="drop triangles that stand on edges of two others and end freely",
     )
-    parser.add_argument(
-        "--drop-pieces",
-        type=float,
-        nargs="?",
-        const=SMALL,
-        metavar="SHARE",
-        help=f"drop pieces that have less than this part of the area; default: {SMALL:g}",
-    )
+    told = f"drop pieces that have less than this part of the area; default: {SMALL:g}"
+    add_step(parser, "--drop-pieces", "SHARE", told, usual=SMALL)
     add_fill_holes(parser)
-    parser.add_argument(
-        "--crossings",
-        type=float,
-        nargs="?",
-        const=TIME,
-        metavar="SECONDS",
-        help=f"take out triangles that cross others, for at most so long; default: {TIME:g}",
-    )
+    told = f"take out triangles that cross others, for at most so long; default: {TIME:g}"
+    add_step(parser, "--crossings", "SECONDS", told, usual=TIME)
     parser.add_argument(
         "--smooth", type=int, metavar="STEPS", help="smooth it; it neither shrinks nor swells"
     )

@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Callable
 from pathlib import Path
 
 from palpate.command.verb import Report, quantity
 
 from palpate_editor.document import Organ
 from palpate_editor.edits import EditError, Wrap
+from palpate_editor.edits.dropped import Dropped
 from palpate_editor.edits.history import note
 from palpate_editor.edits.wrap import Wrapped
 from palpate_editor.verbs.files import EditRefusal
@@ -22,16 +24,25 @@ def find_number(asked: float) -> float | None:
     return None if asked == AS_USUAL else asked
 
 
+def add_step(
+    parser: argparse.ArgumentParser,
+    flag: str,
+    metavar: str,
+    told: str,
+    *,
+    read: Callable[[str], float] = float,
+    usual: float = AS_USUAL,
+) -> None:
+    """A step that may go without its number, which is `usual` then."""
+    parser.add_argument(flag, type=read, nargs="?", const=usual, metavar=metavar, help=told)
+
+
 def add_wrap(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "--wrap",
-        type=quantity("m"),
-        nargs="?",
-        const=AS_USUAL,
-        metavar="M",
-        help="the last resort: a new surface around all of it, into which a ball of this radius "
-        "rolls; what lies inside goes; default: a hundredth of the diagonal",
+    told = (
+        "the last resort: a new surface around all of it, into which a ball of this radius "
+        "rolls; what lies inside goes; default: a hundredth of the diagonal"
     )
+    add_step(parser, "--wrap", "M", told, read=quantity("m"))
 
 
 def wrap(organ: Organ, asked: float, file: Path) -> tuple[Organ, Report]:
@@ -49,14 +60,15 @@ def report_wrap(found: Wrapped) -> Report:
         "volume_ml": 1e6 * found.volume,
         "max_distance_mm": 1e3 * found.to_source,
         "max_seen_distance_mm": 1e3 * found.from_source,
-        "dropped": [
-            {
-                "triangles": piece.triangles,
-                "size_mm": 1e3 * piece.size,
-                "place_m": list(piece.middle),
-            }
-            for piece in found.dropped
-        ],
+        "dropped": [report_piece(piece) for piece in found.dropped],
+    }
+
+
+def report_piece(piece: Dropped) -> Report:
+    return {
+        "triangles": piece.triangles,
+        "size_mm": 1e3 * piece.size,
+        "place_m": list(piece.middle),
     }
 
 
