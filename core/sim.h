@@ -35,6 +35,7 @@
 #include "palpate/sim/model/material.h"
 #include "palpate/sim/model/membrane.h"
 #include "palpate/sim/model/tissue_model.h"
+#include "palpate/sim/multirate/slow_tissue.h"
 #include "palpate/sim/packed/simd_targets.h"
 #include "palpate/sim/response/response.h"
 #include "palpate/sim/session/record.h"

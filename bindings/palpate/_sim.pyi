@@ -4546,6 +4546,103 @@ class FaultyTransport(Transport):
     def __reduce_ex__(self, protocol: int) -> object:
         """Raises TypeError: not to be pickled."""
 
+class LocalForceMode(enum.Enum):
+    """What is felt between two exchanges with a slow tissue."""
+
+    local_stiffness = 0
+    hold = 1
+    extrapolation = 2
+
+class LocalModel:
+    """What a tissue does to a tool near some place, to first order: F(p) = f0 - K (p - p0), and
+    nothing where that would pull.
+    """
+    def __init__(
+        self,
+        *,
+        time: float = ...,
+        position: ArrayLike = ...,
+        force: ArrayLike = ...,
+        normal: ArrayLike = ...,
+        stiffness: ArrayLike = ...,
+        held: bool = ...,
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
+    time: float
+    """[s] of the hand that it was taken at."""
+    @property
+    def position(self) -> NDArray[np.float64]:
+        """[m] p0 of the tool. Shape (3,), a view."""
+    @position.setter
+    def position(self, value: ArrayLike) -> None: ...
+    @property
+    def force(self) -> NDArray[np.float64]:
+        """[N] f0 on the tool there. Shape (3,), a view."""
+    @force.setter
+    def force(self, value: ArrayLike) -> None: ...
+    @property
+    def normal(self) -> NDArray[np.float64]:
+        """[-] Unit, out of the tissue; 0 where none is near. Shape (3,), a view."""
+    @normal.setter
+    def normal(self, value: ArrayLike) -> None: ...
+    @property
+    def stiffness(self) -> NDArray[np.float64]:
+        """[N/m] K, shape (3, 3), symmetric."""
+    @stiffness.setter
+    def stiffness(self, value: ArrayLike) -> None: ...
+    held: bool
+    """The force pulls as well: the tool is attached."""
+    def __copy__(self) -> LocalModel:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> LocalModel:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class SlowTissue:
+    """A scene whose tissue moves at a rate of its own beside hands that are read faster. Hands
+    are told to it every so many ticks; it follows them until the next exchange, and is then
+    told as a local model, which is one to two intervals old while it is felt.
+    """
+    def __init__(
+        self, scene: Scene, hand_rate: float, ticks: int, mode: LocalForceMode = ...
+    ) -> None:
+        """Hands are read at hand_rate [Hz] and told every `ticks` of theirs; the tissue ticks
+        at Scene.rate. Raises ValueError where an interval is not a whole number of its
+        ticks.
+
+        Args:
+            hand_rate: [Hz] at which hands are read
+        """
+    @overload
+    def tick(self, sample: HapticSample) -> HapticCommand:
+        """tick(*args, **kwargs)
+
+        One tick of the hand of a scene with one instrument: the force to be felt.
+
+        One tick of the hands, with a sample and a command for each instrument.
+
+        Args:
+            samples: a structured array with the fields of HapticSample, shape (k,), or a
+                list of these
+        """
+    @overload
+    def tick(self, samples: Sequence[HapticSample]) -> list[HapticCommand]: ...
+    def model(self, instrument: int = ...) -> LocalModel:
+        """What an instrument is rendered from; a copy. Raises IndexError for one that there is
+        not.
+        """
+    def alarm(self) -> Alarm:
+        """The first of the tissue."""
+    def interval(self) -> float:
+        """[s] between exchanges."""
+    def tissue_ticks(self) -> int:
+        """Ticks of the tissue in an interval."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
+
 class FaultResponse(enum.Enum):
     """What becomes of a run of which a device fails, or gives no force any more. The force of
     that device is zero from then on; the other instruments know nothing of it.

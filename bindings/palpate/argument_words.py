@@ -35,6 +35,7 @@ WORDS = {
     "gimbal": "[rad] shape (3,)",
     "gravity": "[m/s²] shape (3,)",
     "hand_position": "[m] shape (3,)",
+    "hand_rate": "[Hz] at which hands are read",
     "home": "[N/m] shape (n,) or empty, per particle",
     "internal": "[-] or [m] shape (k,) or empty",
     "joints": "[rad] shape (3,): yaw, elevation, forearm",

@@ -33,6 +33,7 @@ void bind_safe_device(pybind11::module_& m);
 void bind_arm(pybind11::module_& m);
 void bind_plant(pybind11::module_& m);
 void bind_serial(pybind11::module_& m);
+void bind_multirate(pybind11::module_& m);
 void bind_loop(pybind11::module_& m);
 void bind_session(pybind11::module_& m);
 void bind_bench(pybind11::module_& m);

@@ -175,6 +175,7 @@ void bind_tick(py::module_& m) {
   bind_arm(m);
   bind_plant(m);
   bind_serial(m);
+  bind_multirate(m);
   bind_loop(m);
 }
 

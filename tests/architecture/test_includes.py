@@ -36,6 +36,17 @@ ROOMS = {
         "contact",
         "device",
     ),
+    "multirate": (
+        "base",
+        "model",
+        "dynamics",
+        "packed",
+        "response",
+        "tree",
+        "contact",
+        "device",
+        "tick",
+    ),
     "loop": ("base", "model", "packed", "tree", "contact", "device", "tick"),
     "arm": ("base", "device"),
     "session": ("base", "device", "tick", "loop"),
@@ -45,7 +56,7 @@ ROOMS = {
 MOST_FILES = 36
 """in a room: with more it holds two."""
 
-MOST_PUBLIC_HEADERS = 45
+MOST_PUBLIC_HEADERS = 46
 
 POSIX = ("fcntl.h", "poll.h", "pthread.h", "sched.h", "sys/", "time.h", "unistd.h")
 SYSTEM = {

@@ -126,6 +126,10 @@ MADE: dict[str, Callable[[], object]] = {
     "PlantState": lambda: palpate.PlantState(palpate.Plant()),
     "Calibration": lambda: palpate.find_calibration(palpate.Plant()),
     "Loop": lambda: palpate.Loop(organ_scene(1), device()),
+    "SlowTissue": lambda: palpate.SlowTissue(organ_scene(1), 1000.0, 10),
+    "LocalModel": lambda: palpate.LocalModel(
+        time=0.5, force=(0, 0, 0.1), normal=(0, 0, 1), stiffness=[[1, 0, 0], [0, 2, 0], [0, 0, 3]]
+    ),
     "Snapshot": lambda: palpate.Loop(organ_scene(1), device()).snapshot(),
     "BodySnapshot": lambda: palpate.Loop(organ_scene(1), device()).snapshot().bodies[0],
     "InstrumentSnapshot": lambda: palpate.Loop(organ_scene(1), device()).snapshot().instruments[0],

@@ -25,7 +25,7 @@ NO_VALUES = {
     "HapticDevice", "ScriptedDevice", "PointerDevice", "ReplayDevice", "SafeDevice",
     "SurfacePointer", "MailboxDevice",
     "SerialDevice", "FaultyDevice", "SimulatedArm", "Transport", "NativeCore", "SerialTransport",
-    "FaultyTransport", "PtyDevice", "Loop", "DeviceLoop", "Recorder",
+    "FaultyTransport", "PtyDevice", "Loop", "DeviceLoop", "Recorder", "SlowTissue",
 }  # fmt: skip
 """What runs, or holds what it cannot share."""
 WORK_SPACE = {"State": {"scratch"}, "Candidates": {"lanes", "near"}}

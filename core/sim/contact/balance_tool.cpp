@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/contact/private/list_contacts.h"
 #include "palpate/sim/contact/private/near_contact.h"
 #include "palpate/sim/contact/private/touched_surface.h"
 #include "palpate/sim/tree/private/box.h"
@@ -367,6 +368,17 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
                   std::span<const Vec3> x, ToolState& state, Load& load) noexcept {
   const TouchedSurface surface{&candidates, triangles, x, &load};
   return balance_tool(tool, coupling, hand_position, {&surface, 1}, state);
+}
+
+std::vector<TriangleContact> list_contacts(const Tool& tool, const TouchedSurface& surface,
+                                           const Vec3& position) {
+  std::vector<TriangleContact> list;
+  surface.candidates->lanes.reach = -1.0;
+  surface.candidates->near.found = false;
+  for_each_contact(tool, surface, position, [&](int t, const Contact& contact) {
+    if (contact.force > 0.0) list.push_back({t, contact});
+  });
+  return list;
 }
 
 }  // namespace palpate

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/sim/response/private/free_stiffness.h"
 
-#include "palpate/sim/dynamics/tangent.h"
-
 namespace palpate {
 
-FreeStiffness::FreeStiffness(const TissueModel& model) : number(model.rest_position.size(), 0) {
+FreeStiffness::FreeStiffness(const TissueModel& model, std::span<const Vec3> x,
+                             Projection projection)
+    : number(model.rest_position.size(), 0) {
   for (const int i : model.fixed) number[static_cast<std::size_t>(i)] = -1;
   for (int& n : number) {
     if (n == 0) n = count++;
   }
-  const SparseMatrix whole = compute_stiffness(model, model.rest_position, Projection::none);
+  const SparseMatrix whole = compute_stiffness(model, x, projection);
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(static_cast<std::size_t>(whole.nonZeros()));
   for (Eigen::Index column = 0; column < whole.outerSize(); ++column) {

@@ -4,15 +4,20 @@
 #include <Eigen/SparseCholesky>
 #include <vector>
 
+#include "palpate/sim/dynamics/tangent.h"
 #include "palpate/sim/model/tissue_model.h"
 
 namespace palpate {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-/// K of a model's free particles alone, at rest.
+/// K of a model's free particles alone.
 struct FreeStiffness {
-  explicit FreeStiffness(const TissueModel& model);
+  /// At rest.
+  explicit FreeStiffness(const TissueModel& model)
+      : FreeStiffness(model, model.rest_position, Projection::none) {}
+  /// At positions x [m].
+  FreeStiffness(const TissueModel& model, std::span<const Vec3> x, Projection projection);
 
   /// Of a coordinate of the model, among those of the free; -1 where it is held.
   Eigen::Index place(Eigen::Index coordinate) const {

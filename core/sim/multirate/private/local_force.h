@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/sim/multirate/slow_tissue.h"
+
+namespace palpate {
+
+/// The force on one hand from local models that come at a rate of their own. Does not allocate,
+/// lock or throw.
+class LocalForce {
+ public:
+  /// Models come every `interval` [s].
+  LocalForce(const Coupling& coupling, LocalForceMode mode, double interval) noexcept;
+
+  /// From now on by this model. Under local_stiffness what the last one would go on to give beside
+  /// it fades over half an interval.
+  void take(const LocalModel& model, double now) noexcept;
+
+  /// [N] on a hand at [m], the tool balanced between the hand's spring and F(p). A model whose hand
+  /// is older than three intervals is stale: its force falls to 0 in 20 ms.
+  Vec3 render(const Vec3& hand, double now) noexcept;
+
+  const LocalModel& model() const noexcept { return model_; }
+  bool is_stale(double now) const noexcept;
+
+ private:
+  Vec3 follow(const Vec3& hand, double now) const noexcept;
+
+  Coupling coupling_;
+  LocalForceMode mode_;
+  double interval_;                 // [s]
+  LocalModel model_, before_;       // the last told, and the one before it
+  int told_ = 0;                    // models so far, 2 for more
+  Vec3 left_over_ = Vec3::Zero();   // [N] of the model before, when the last came
+  double taken_ = 0.0;              // [s] when
+  Vec3 last_hand_ = Vec3::Zero();   // [m]
+  Vec3 last_force_ = Vec3::Zero();  // [N]
+  double stale_since_ = -1.0;       // [s]; negative while it is not
+  Vec3 fade_from_ = Vec3::Zero();   // [N]
+};
+
+}  // namespace palpate
