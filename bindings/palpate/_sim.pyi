@@ -1562,11 +1562,12 @@ class Integrator(enum.Enum):
     symplectic_euler = 1
     midpoint = 2
     runge_kutta_4 = 3
-    implicit_euler_linear = 4
-    implicit_euler = 5
-    implicit_midpoint = 6
-    xpbd = 7
-    projective_dynamics = 8
+    symplectic_euler_implicit_damping = 4
+    implicit_euler_linear = 5
+    implicit_euler = 6
+    implicit_midpoint = 7
+    xpbd = 8
+    projective_dynamics = 9
 
 def find_integrator(name: str) -> Integrator | None:
     """'symplectic_euler' -> Integrator.symplectic_euler; None for an unknown name."""

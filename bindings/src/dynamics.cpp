@@ -152,6 +152,8 @@ void bind_integrators(py::module_& m) {
              "v first, x with the new v: what Eq 4-5 of the paper really is.")
       .value("midpoint", Integrator::midpoint, "Explicit midpoint, second order.")
       .value("runge_kutta_4", Integrator::runge_kutta_4)
+      .value("symplectic_euler_implicit_damping", Integrator::symplectic_euler_implicit_damping,
+             "Symplectic Euler, damped by the velocity it steps to.")
       .value("implicit_euler_linear", Integrator::implicit_euler_linear,
              "One Newton step with the projected tangent.")
       .value("implicit_euler", Integrator::implicit_euler, "Newton until the residual is small.")

@@ -77,6 +77,9 @@ void bind_body_fields(py::class_<SoftBody>& body) {
                     "[1/s] of M⁻¹C, filled in by build_scene.")
       .def_readonly("least_damping_time", &SoftBody::least_damping_time,
                     "[s] of C over K, filled in by build_scene for an integrator that needs it.")
+      .def_readonly("damped_limit", &SoftBody::damped_limit,
+                    "[s] the step up to which symplectic Euler with implicit damping is stable at "
+                    "rest, filled in by build_scene for that integrator; else 0.")
       .def_property_readonly(
           "response",
           // Python knows no const; everything of a Response is read-only

@@ -56,7 +56,7 @@ void visit_body(const std::string& folder, SomeBody& body, Visit& visit) {
   // solved for again: no file has them
   auto& [tissue, substeps, substeps_max, force_error, kernel, integrator, iterations, simd_target,
          contact_modulus, far_compliance, rest_areas, spectrum_stiffness, spectrum_damping,
-         least_damping_time, response, near_field] = body;
+         least_damping_time, damped_limit, response, near_field] = body;
   const std::string t = folder + "tissue/";
   visit(t + "rest_position", tissue.rest_position);
   visit(t + "mass", tissue.mass);

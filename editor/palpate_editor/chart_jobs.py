@@ -47,8 +47,15 @@ from palpate_editor.edits import EditError
 REFINED = 4
 """How many times the substeps of need a run takes that stands for the same model converged in time.
 Its own error in time is a third of what it finds at the substeps of need."""
-STAGES = {"explicit_euler": 1, "symplectic_euler": 1, "midpoint": 2, "runge_kutta_4": 4}
-"""Explicit integrator -> evaluations of all forces in a step."""
+STAGES = {
+    "explicit_euler": 1,
+    "symplectic_euler": 1,
+    "midpoint": 2,
+    "runge_kutta_4": 4,
+    "symplectic_euler_implicit_damping": 1,
+}
+"""Explicit integrator -> evaluations of all forces in a step; of what damps, implicit damping has
+several more."""
 
 
 @dataclass(frozen=True)

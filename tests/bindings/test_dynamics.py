@@ -9,7 +9,13 @@ import pytest
 import scipy.sparse
 from surfaces import MEMBRANE, chain, ellipsoid
 
-EXPLICIT = ["explicit_euler", "symplectic_euler", "midpoint", "runge_kutta_4"]
+EXPLICIT = [
+    "explicit_euler",
+    "symplectic_euler",
+    "midpoint",
+    "runge_kutta_4",
+    "symplectic_euler_implicit_damping",
+]
 IMPLICIT = [
     "implicit_euler_linear",
     "implicit_euler",

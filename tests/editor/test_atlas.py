@@ -54,7 +54,7 @@ def atlas(plan):
 def test_every_limit_lies_where_it_is_foretold_or_beyond(atlas):
     limited = [row for row in atlas.rows if row.outcome == LIMITED]
 
-    assert len(limited) == 7
+    assert len(limited) == 8
     for row in limited:
         assert row.measured >= 0.98 * row.predicted, row
         most = 1.02 if row.integrator == "symplectic_euler" else 2.5

@@ -121,6 +121,12 @@ inline MatrixXd build_step_matrix(const LinearTissue& tissue, Integrator integra
       step << identity - dt * dt * k, dt * (identity - dt * c), -dt * k, identity - dt * c;
       return step;
     }
+    case Integrator::symplectic_euler_implicit_damping: {
+      const MatrixXd damped = (identity + dt * c).partialPivLu().inverse();
+      MatrixXd step(2 * n, 2 * n);
+      step << identity - dt * dt * damped * k, dt * damped, -dt * damped * k, damped;
+      return step;
+    }
     default:
       return (one - h).partialPivLu().solve(one);
   }

@@ -25,6 +25,7 @@ INTEGRATORS = (
     "explicit_euler",
     "midpoint",
     "runge_kutta_4",
+    "symplectic_euler_implicit_damping",
     "implicit_euler_linear",
     "implicit_euler",
     "implicit_midpoint",

@@ -33,7 +33,12 @@ from palpate.study.scene_chart_words import (
 
 WIDTH, HEIGHT = 1500, 1120
 """[px]"""
-EXPLICIT = ("explicit_euler", "midpoint", "runge_kutta_4")
+EXPLICIT = (
+    "explicit_euler",
+    "midpoint",
+    "runge_kutta_4",
+    "symplectic_euler_implicit_damping",
+)
 MARKERS = {
     "symplectic_euler": ("o", "symplectic Euler"),
     "explicit": ("^", "another explicit integrator"),

@@ -2,6 +2,9 @@
 #include "palpate/sim/dynamics/forces.h"
 #include "palpate/sim/dynamics/private/elastic_law.h"
 #include "palpate/sim/dynamics/private/hyperelastic_law.h"
+#include "palpate/sim/dynamics/private/laws.h"
+#include "palpate/sim/dynamics/private/prism_law.h"
+#include "palpate/sim/dynamics/private/tensions.h"
 
 namespace palpate {
 
@@ -86,6 +89,72 @@ void accumulate_neo_hookean_forces(const Hyperelastic& table, std::span<const Ve
                                    std::span<const Vec3> x, std::span<const Vec3> v,
                                    std::span<Vec3> f) noexcept {
   accumulate<NeoHookean>(table, rest, x, v, f);
+}
+
+/// c (w·n) n along a link, c w in all directions, w = v_j - v_i (accumulate_links, forces.cpp).
+void accumulate_link_damping(const Links& links, DampingLaw law, std::span<const Vec3> x,
+                             std::span<const Vec3> v, std::span<Vec3> f) noexcept {
+  for (std::size_t l = 0; l < links.ends.size(); ++l) {
+    if (links.damping[l] == 0.0) continue;
+    const auto [i, j] = links.ends[l];
+    Vec3 rate = v[j] - v[i];
+    if (law == DampingLaw::axis) {
+      const Vec3 d = x[j] - x[i];
+      const double length = d.norm();
+      if (length <= kNoDirection * links.rest_length[l]) continue;
+      const Vec3 n = d / length;
+      rate = rate.dot(n) * n;
+    }
+    const Vec3 pull = links.damping[l] * rate;
+    f[i] += pull;
+    f[j] -= pull;
+  }
+}
+
+/// c ds/dt of each side (accumulate_prism_forces, forces.cpp).
+void accumulate_prism_damping(const Prisms& prisms, std::span<const Vec3> x,
+                              std::span<const Vec3> v, std::span<Vec3> f) noexcept {
+  const auto at = [x](int i) -> const Vec3& { return x[static_cast<std::size_t>(i)]; };
+  for (std::size_t p = 0; p < prisms.corners.size(); ++p) {
+    for (int c = 0; c < 3; ++c) {
+      if (prisms.shear_damping[p][c] == 0.0) continue;
+      const PrismSide side(prisms.corners[p], c);
+      const auto [i, j, k, l] = side.ends;
+      const Diagonals now(side, at);
+      const double rate = (v[j] - v[i]).dot(now.unit[0]) - (v[l] - v[k]).dot(now.unit[1]);
+      const double tension = prisms.shear_damping[p][c] * rate;
+      f[i] += tension * now.unit[0];
+      f[j] -= tension * now.unit[0];
+      f[k] -= tension * now.unit[1];
+      f[l] += tension * now.unit[1];
+    }
+  }
+}
+
+/// P_v = 2 eta F E' of every tetrahedron (accumulate, above, [laws: viscosity]).
+void accumulate_viscous_damping(const Hyperelastic& table, std::span<const Vec3> rest,
+                                std::span<const Vec3> x, std::span<const Vec3> v,
+                                std::span<Vec3> f) noexcept {
+  const auto at = [x](int i) noexcept -> const Vec3& { return x[i]; };
+  const auto rate_at = [v](int i) noexcept -> const Vec3& { return v[i]; };
+  for (std::size_t t = 0; t < table.corners.size(); ++t) {
+    if (!(table.viscosity[t] > 0.0)) continue;
+    const RestTetrahedron tetrahedron(table, t, rest);
+    const Mat3 deformation = compute_deformation(tetrahedron, rest, at);
+    const Mat3 rate = deformation.transpose() * tetrahedron.compute_gradient(rate_at);
+    const Mat3 stress = table.viscosity[t] * deformation * (rate + rate.transpose());
+    for (int k = 0; k < 4; ++k) f[tetrahedron.corners[k]] -= stress * tetrahedron.slopes.col(k);
+  }
+}
+
+void accumulate_damping(const TissueModel& model, std::span<const Vec3> x, std::span<const Vec3> v,
+                        std::span<Vec3> f) noexcept {
+  laws::for_each([&]<class Law>(Law) {
+    if constexpr (requires { Law::accumulate_damping(model, x, v, f); }) {
+      Law::accumulate_damping(model, x, v, f);
+    }
+  });
+  if (model.drag != 0.0) accumulate_drag(model.mass, model.drag, v, f);
 }
 
 }  // namespace palpate

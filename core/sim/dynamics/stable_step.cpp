@@ -115,6 +115,11 @@ double solve_limit(double k, double c) {
   return 4.0 / (c + std::sqrt(c * c + 4.0 * std::max(k, 0.0)));
 }
 
+/// The positive root of dt² k - 2 dt c = 4.
+double solve_damped_limit(double k, double c) {
+  return k > 0.0 ? (c + std::sqrt(c * c + 4.0 * k)) / k : kInfinity;
+}
+
 double upper(const Largest& largest) { return largest.value + largest.residual; }
 
 /// The dt at which the largest eigenvalue of dt² K + 2 dt C is 4. The top vector at a dt gives two
@@ -233,9 +238,38 @@ double find_step_limit(Integrator integrator, const Spectrum& spectrum,
       const double fastest = std::max(std::sqrt(std::max(k, 0.0)), c);
       return fastest > 0.0 ? kRungeKuttaRadius / fastest : kInfinity;
     }
+    // t k <= c, and the stiffest has the least room
+    case Integrator::symplectic_euler_implicit_damping:
+      return solve_damped_limit(k, least_damping_time * k);
     default:
       return solve_limit(k, c);
   }
+}
+
+/// The step matrix is that of the characteristic equation
+///
+///     M (x'' - 2 x' + x) + dt C (x'' - x') + dt² K x' = 0,
+///
+/// with an eigenvalue -1 where 4 M + 2 dt C - dt² K is singular, and none outside the unit circle
+/// while that is positive definite. Every motion u is within that up to a dt of its own, so the
+/// limit is the least of those. It comes down on it: at a dt beyond, the vector of the largest
+/// eigenvalue of dt² K - 2 dt C has a lower one.
+double find_damped_limit(const TissueModel& model) {
+  constexpr int kMostRounds = 30;
+  constexpr double kSettled = 1e-4;
+  const Tangents tangents(model);
+  Eigen::VectorXd v = tangents.find_largest(1.0, 0.0).vector;
+  double dt = kInfinity;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const double k = v.dot(tangents.stiffness * v), c = v.dot(tangents.damping * v);
+    const double next = solve_damped_limit(k, std::max(c, 0.0));
+    if (!(next < dt)) break;
+    const bool settled = dt - next <= kSettled * next;
+    dt = next;
+    if (settled) break;
+    v = tangents.find_largest(dt * dt, -2.0 * dt).vector;
+  }
+  return dt;
 }
 
 double estimate_least_damping_time(const TissueModel& model) {
@@ -244,6 +278,9 @@ double estimate_least_damping_time(const TissueModel& model) {
 
 double stable_step(const TissueModel& model, Integrator integrator) {
   if (integrator == Integrator::symplectic_euler) return stable_step(model);
+  if (integrator == Integrator::symplectic_euler_implicit_damping) {
+    return kLimitShare * find_damped_limit(model);
+  }
   const double least = needs_damping(integrator) ? estimate_least_damping_time(model) : 0.0;
   return kLimitShare * find_step_limit(integrator, estimate_spectrum(model), least);
 }

@@ -16,8 +16,9 @@ enum class Integrator {
   symplectic_euler,  ///< v first, x with the new v: what Eq 4-5 of the paper really is
   midpoint,          ///< explicit midpoint, second order
   runge_kutta_4,
-  implicit_euler_linear,  ///< one Newton step with the projected tangent
-  implicit_euler,         ///< Newton until the residual is small
+  symplectic_euler_implicit_damping,  ///< symplectic Euler, damped by the velocity it steps to
+  implicit_euler_linear,              ///< one Newton step with the projected tangent
+  implicit_euler,                     ///< Newton until the residual is small
   implicit_midpoint,
   xpbd,                 ///< extended position-based dynamics: constraints one after the other
   projective_dynamics,  ///< local steps and one constant matrix
@@ -26,7 +27,8 @@ enum class Integrator {
 /// "symplectic_euler" -> Integrator::symplectic_euler; none for an unknown name.
 std::optional<Integrator> find_integrator(std::string_view name) noexcept;
 std::string_view integrator_name(Integrator integrator) noexcept;
-/// Whether it solves for the state that it steps to (ImplicitStepper).
+/// Whether it solves for the state that it steps to (ImplicitStepper). Implicit damping does not:
+/// it solves for velocities alone, in the memory of a state.
 bool is_implicit(Integrator integrator) noexcept;
 
 /// Largest eigenvalues at rest of M⁻¹K [1/s²] and M⁻¹C [1/s], fixed particles left out, with
@@ -49,7 +51,8 @@ double stable_step(const TissueModel& model, double coupling = 0.0);
 /// [s] The same for any integrator [motion: step]: infinite for an implicit one, and 0 where no
 /// step is stable, because something swings that nothing damps: explicit Euler and the explicit
 /// midpoint rule feed it energy at any step. Lies between 0.4 and 1.0 of the exact limit where
-/// damping is proportional to stiffness.
+/// damping is proportional to stiffness; of symplectic Euler with implicit damping, which has one
+/// only where something swings, from 0.85 on, whatever the damping is.
 double stable_step(const TissueModel& model, Integrator integrator);
 
 /// Advances `state` by `dt` [s] with symplectic Euler, which must stay below stable_step(model).

@@ -198,7 +198,9 @@ void fill_spectrum(SoftBody& body) {
   body.spectrum_stiffness = spectrum.stiffness;
   body.spectrum_damping = spectrum.damping;
   body.least_damping_time =
-      needs_damping(body.integrator) ? estimate_least_damping_time(body.tissue) : 0.0;
+      uses_damping(body.integrator) ? estimate_least_damping_time(body.tissue) : 0.0;
+  const bool damped = body.integrator == Integrator::symplectic_euler_implicit_damping;
+  body.damped_limit = damped ? find_damped_limit(body.tissue) : 0.0;
 }
 
 /// Substeps are what stable_step() allows at rest, n = ceil(dt / stable_step). Contact may raise

@@ -57,6 +57,7 @@ struct SoftBody {
   double spectrum_stiffness = 0.0;           ///< [1/s²] largest eigenvalue of M⁻¹K at rest
   double spectrum_damping = 0.0;             ///< [1/s] of M⁻¹C
   double least_damping_time = 0.0;           ///< [s] of C over K, for an integrator that needs it
+  double damped_limit = 0.0;                 ///< [s] at rest, under implicit damping
   std::shared_ptr<const Response> response;  ///< under the response kernel, else null
   std::shared_ptr<const NearField> near_field;  ///< with a contact_modulus, else null
 };

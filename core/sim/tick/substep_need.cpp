@@ -13,10 +13,26 @@ Integrator find_limiting(const SoftBody& body) noexcept {
   return body.integrator == Integrator::xpbd ? Integrator::symplectic_euler : body.integrator;
 }
 
+/// [s] A stable step by implicit damping of a tissue with this part p of its stiffness and damping.
+/// Of dt0, the limit of all of it, s times leave
+///
+///     s p (dt0² K - 2 dt0 C) + s (s - 1) p dt0² K <= 4 s p + s (s - 1) a,   a = p dt0² lambda_K,
+///
+/// and 4 is enough [motion: implicit damping].
+double find_damped_step(const SoftBody& body, double part) noexcept {
+  const double dt0 = body.damped_limit, a = part * dt0 * dt0 * body.spectrum_stiffness;
+  if (!std::isfinite(dt0) || !(a > 0.0)) return dt0;
+  const double b = 4.0 * part - a;
+  return dt0 * (std::sqrt(b * b + 16.0 * a) - b) / (2.0 * a);
+}
+
 /// [s] The stable step, reserve included, of a tissue with this part of its stiffness and damping:
 /// both eigenvalues go with it, and the quotient of the two stays.
 double find_stable_step(const SoftBody& body, double part) noexcept {
   const Spectrum spectrum{part * body.spectrum_stiffness, part * body.spectrum_damping};
+  if (body.integrator == Integrator::symplectic_euler_implicit_damping) {
+    return kLimitShare * find_damped_step(body, part);
+  }
   return kLimitShare * find_step_limit(find_limiting(body), spectrum, body.least_damping_time);
 }
 

@@ -3122,6 +3122,10 @@ Beklenen: {expected}.</translation>
         <translation>Runge–Kutta 4</translation>
     </message>
     <message>
+        <source>Symplectic Euler, implicit damping</source>
+        <translation>Simplektik Euler, kapalı sönüm</translation>
+    </message>
+    <message>
         <source>Implicit Euler, linear</source>
         <translation>Kapalı Euler, doğrusal</translation>
     </message>

@@ -25,8 +25,9 @@ TEST_CASE("no explicit step and no check for alarms allocates") {
   for (int s = 0; s < 200; ++s) {
     load.clear();
     load.add({s % 7, {0.2, 0.3, 0.5}, {0, 0, -0.01}});
-    for (const Integrator integrator : {Integrator::explicit_euler, Integrator::symplectic_euler,
-                                        Integrator::midpoint, Integrator::runge_kutta_4}) {
+    for (const Integrator integrator :
+         {Integrator::explicit_euler, Integrator::symplectic_euler, Integrator::midpoint,
+          Integrator::runge_kutta_4, Integrator::symplectic_euler_implicit_damping}) {
       step(model, load, 1e-5, integrator, state);
     }
     step(model, load, 1e-5, state);

@@ -12,7 +12,8 @@ using doctest::Approx;
 namespace {
 
 constexpr Integrator kExplicit[] = {Integrator::explicit_euler, Integrator::symplectic_euler,
-                                    Integrator::midpoint, Integrator::runge_kutta_4};
+                                    Integrator::midpoint, Integrator::runge_kutta_4,
+                                    Integrator::symplectic_euler_implicit_damping};
 constexpr Integrator kImplicit[] = {Integrator::implicit_euler_linear, Integrator::implicit_euler,
                                     Integrator::implicit_midpoint, Integrator::xpbd,
                                     Integrator::projective_dynamics};
@@ -55,6 +56,32 @@ TEST_CASE("symplectic Euler moves with the new velocity") {
 
   CHECK(state.velocity[1].x() == Approx(-4e-3));
   CHECK(state.position[1].x() == Approx(1e-3 - 4e-5));  // 1 - h²
+}
+
+TEST_CASE("implicit damping of dt c/m = 1 halves the velocity that symplectic Euler would give") {
+  const TissueModel model = scenes::make_oscillator_model(0.25, 100.0, 25.0);
+  State state(model);
+  state.position[1].x() += 1e-3;
+  step(model, Load(), 0.01, Integrator::symplectic_euler_implicit_damping, state);
+
+  CHECK(state.velocity[1].x() == Approx(-2e-3));
+  CHECK(state.position[1].x() - model.rest_position[1].x() == Approx(1e-3 - 2e-5));
+  // what moved it, and what the support carries: the spring, 0.1 N, less half of it in the damper
+  CHECK(state.force[1].x() == Approx(-0.05));
+  CHECK(state.force[0].x() == Approx(0.05));
+}
+
+TEST_CASE("drag alone slows every particle by 1 + dt drag, exactly and in one round") {
+  TissueModel model = scenes::make_chain_model(4);
+  model.springs.stiffness.assign(model.springs.stiffness.size(), 0.0);
+  model.drag = 300.0;
+  State state(model);
+  for (std::size_t i = 1; i < 4; ++i) state.velocity[i] = {0.1 * double(i), 0.2, -0.3};
+  const Vec3Array before = state.velocity;
+  step(model, Load(), 0.01, Integrator::symplectic_euler_implicit_damping, state);
+  for (std::size_t i = 1; i < 4; ++i) {
+    CHECK((state.velocity[i] - before[i] / 4.0).norm() < 1e-15);
+  }
 }
 
 TEST_CASE("midpoint moves with the velocity half way") {

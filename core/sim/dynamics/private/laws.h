@@ -26,6 +26,10 @@ struct LinkLaw {
   static void accumulate(const Configuration& now, std::span<Vec3> f) noexcept {
     accumulate_link_forces(now.model.*links, now.model.damping_law, now.x, now.v, f);
   }
+  static void accumulate_damping(const TissueModel& model, std::span<const Vec3> x,
+                                 std::span<const Vec3> v, std::span<Vec3> f) noexcept {
+    accumulate_link_damping(model.*links, model.damping_law, x, v, f);
+  }
   template <class At>
   static double compute_energy(const TissueModel& model, At at, std::span<const double>) noexcept {
     return compute_link_energy(model.*links, at);
@@ -60,6 +64,10 @@ struct PrismLaw {
   static constexpr Stiffens kStiffens = Stiffens::as_sides;
   static void accumulate(const Configuration& now, std::span<Vec3> f) noexcept {
     accumulate_prism_forces(now.model.prisms, now.x, now.v, f);
+  }
+  static void accumulate_damping(const TissueModel& model, std::span<const Vec3> x,
+                                 std::span<const Vec3> v, std::span<Vec3> f) noexcept {
+    accumulate_prism_damping(model.prisms, x, v, f);
   }
   template <class At>
   static double compute_energy(const TissueModel& model, At at, std::span<const double>) noexcept {
@@ -98,6 +106,12 @@ struct ElasticLaw {
   static void accumulate(const Configuration& now, std::span<Vec3> f) noexcept {
     accumulate_elastic_forces(now.model.elastic, now.model.rest_position, now.x, now.v, f);
   }
+  /// At rest nothing but what is damped pulls.
+  static void accumulate_damping(const TissueModel& model, std::span<const Vec3>,
+                                 std::span<const Vec3> v, std::span<Vec3> f) noexcept {
+    if (model.elastic.damping_time == 0.0) return;
+    accumulate_elastic_forces(model.elastic, model.rest_position, model.rest_position, v, f);
+  }
   template <class At>
   static double compute_energy(const TissueModel& model, At at, std::span<const double>) noexcept {
     return compute_linear_energy(model, at);
@@ -121,6 +135,10 @@ struct HyperelasticLaw {
   static constexpr Stiffens kStiffens = Stiffens::as_strains;
   static void accumulate(const Configuration& now, std::span<Vec3> f) noexcept {
     accumulate_all(now.model.*of, now.model.rest_position, now.x, now.v, f);
+  }
+  static void accumulate_damping(const TissueModel& model, std::span<const Vec3> x,
+                                 std::span<const Vec3> v, std::span<Vec3> f) noexcept {
+    accumulate_viscous_damping(model.*of, model.rest_position, x, v, f);
   }
   template <class At>
   static double compute_energy(const TissueModel& model, At at, std::span<const double>) noexcept {

@@ -14,6 +14,15 @@ inline bool needs_damping(Integrator integrator) noexcept {
   return integrator == Integrator::explicit_euler || integrator == Integrator::midpoint;
 }
 
+/// Whether its limit follows from how much the least damped motion is damped.
+inline bool uses_damping(Integrator integrator) noexcept {
+  return needs_damping(integrator) || integrator == Integrator::symplectic_euler_implicit_damping;
+}
+
+/// [s] The exact limit at rest of symplectic Euler with implicit damping: where the largest
+/// eigenvalue of M⁻¹(dt² K - 2 dt C) is 4. Infinite where nothing can swing.
+double find_damped_limit(const TissueModel& model);
+
 /// [s] The least that u'Cu is of u'Ku at rest, over all displacements u: 0 where something swings
 /// undamped, infinite where nothing can swing. To a thousandth of what it is for the stiffest mode.
 double estimate_least_damping_time(const TissueModel& model);

@@ -26,6 +26,25 @@ constexpr double kLongestMove = 0.3;
 /// A tissue that is this much stiffer gets other substeps: 0.9² of stable_step() has room for it.
 constexpr double kStiffening = 1.2;
 
+/// [s] Of symplectic Euler with implicit damping where `added` [1/s²], which nothing damps, comes
+/// to the tissue's w². With the limit dt0 of the tissue alone and s dt0 that of both,
+/// dt² K - 2 dt C <= 4 s, and dt² `added` takes the rest:
+///
+///     4 s + s² dt0² added <= 4
+///
+/// and with the least damping time t, C >= t K: dt² (w² + added) - 2 dt t w² <= 4, and not beyond
+/// 2/sqrt(added), where the softest has no room left. Each is enough, so the longer one holds.
+double find_limit_with_implicit_damping(const SoftBody& body, double added) noexcept {
+  const double dt0 = body.damped_limit, w2 = body.spectrum_stiffness + added;
+  if (!(added > 0.0) || !(w2 > 0.0)) return dt0;
+  if (!std::isfinite(dt0)) return 2.0 / std::sqrt(added);
+  const double damped_part = body.spectrum_stiffness / w2;
+  const double by_time = find_step_limit(body.integrator, {w2, body.spectrum_damping},
+                                         damped_part * body.least_damping_time);
+  return std::max(2.0 * dt0 / (1.0 + std::sqrt(1.0 + dt0 * dt0 * added)),
+                  std::min(by_time, 2.0 / std::sqrt(added)));
+}
+
 /// [s] The longest stable step where w² [1/s²] and c [1/s] are the largest eigenvalues of M⁻¹K and
 /// M⁻¹C:
 ///
@@ -37,6 +56,9 @@ double find_limit(const SoftBody& body, double w2) noexcept {
   const double c = body.spectrum_damping;
   if (body.integrator == Integrator::symplectic_euler) {
     return (std::sqrt(c * c + 4.0 * w2) - c) / w2;
+  }
+  if (body.integrator == Integrator::symplectic_euler_implicit_damping) {
+    return find_limit_with_implicit_damping(body, w2 - body.spectrum_stiffness);
   }
   const double damped_part = std::min(1.0, body.spectrum_stiffness / w2);
   return find_step_limit(body.integrator, {w2, c}, damped_part * body.least_damping_time);

@@ -162,7 +162,8 @@ double step_kernel(ReferenceKernel& kernel, const Moved& moved, double dt, bool)
     step(tissue, state.load, dt, integrator, state.tissue);
   }
   move_skin(tissue.skin, state.tissue.position, state.skin);
-  if (integrator == Integrator::symplectic_euler) {
+  if (integrator == Integrator::symplectic_euler ||
+      integrator == Integrator::symplectic_euler_implicit_damping) {
     return dt * sum_over_pushes(pushes, tissue, state.tissue.velocity);
   }
   return sum_over_pushes(pushes, tissue, state.tissue.position) - before;

@@ -41,7 +41,13 @@ COLOURS = {
     },
 }
 """By kind of model; in the light ones pictures of charts are drawn (study.scene_chart_plot)."""
-SYMBOLS = {"symplectic_euler": "o", "explicit_euler": "t1", "midpoint": "t1", "runge_kutta_4": "t1"}
+SYMBOLS = {
+    "symplectic_euler": "o",
+    "explicit_euler": "t1",
+    "midpoint": "t1",
+    "runge_kutta_4": "t1",
+    "symplectic_euler_implicit_damping": "t1",
+}
 IMPLICIT = "s"
 LEAST_ERROR, LEAST_COST = 1e-5, 1e-8
 """[-] and [s] At which a smaller error or cost is drawn."""
