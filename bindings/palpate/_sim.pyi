@@ -2734,6 +2734,11 @@ class SoftBody:
     def least_damping_time(self) -> float:
         """[s] of C over K, filled in by build_scene for an integrator that needs it."""
     @property
+    def damped_limit(self) -> float:
+        """[s] the step up to which symplectic Euler with implicit damping is stable at rest,
+        filled in by build_scene for that integrator; else 0.
+        """
+    @property
     def response(self) -> Response:
         """Under the response kernel, filled in by build_scene; else None."""
     @property

@@ -328,7 +328,7 @@ VALUE_NAMES = {
     "explicit_euler": "Explicit Euler",
     "midpoint": "Explicit midpoint",
     "runge_kutta_4": "Runge–Kutta 4",
-    "symplectic_euler_implicit_damping": "Symplectic Euler, implicit damping",
+    "symplectic_euler_implicit_damping": "Implicit damping",
     "implicit_euler_linear": "Implicit Euler, linear",
     "implicit_euler": "Implicit Euler",
     "implicit_midpoint": "Implicit midpoint",

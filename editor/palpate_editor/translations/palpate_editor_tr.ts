@@ -3122,8 +3122,8 @@ Beklenen: {expected}.</translation>
         <translation>Runge–Kutta 4</translation>
     </message>
     <message>
-        <source>Symplectic Euler, implicit damping</source>
-        <translation>Simplektik Euler, kapalı sönüm</translation>
+        <source>Implicit damping</source>
+        <translation>Kapalı sönüm</translation>
     </message>
     <message>
         <source>Implicit Euler, linear</source>
