@@ -109,7 +109,7 @@ def run_study(call: argparse.Namespace) -> Report:
 
 def run_tool(call: argparse.Namespace) -> Report:
     from palpate.study.reference import LAWS
-    from palpate.study.tool import compare_tool, open_pressed
+    from palpate.study.tool import compare_tool, open_pressed, tell_apart
     from palpate.study.tool_block import open_blocks
 
     for option in ("reference", "deep", "findings", "chart"):
@@ -119,6 +119,7 @@ def run_tool(call: argparse.Namespace) -> Report:
     for path in call.tool:
         blocks = str(path) == BLOCK
         scenes += [*open_blocks(), *open_blocks(hard=True)] if blocks else [open_pressed(path)]
+    scenes = tell_apart(scenes)
     return {
         "scenes": [describe_pressed(scene) for scene in scenes],
         "tool_rows": [
@@ -128,10 +129,11 @@ def run_tool(call: argparse.Namespace) -> Report:
 
 
 def describe_pressed(scene: PressedScene) -> Report:
+    which = scene.name.removeprefix(scene.reference.name) if scene.file else ""
     return {
         "file": scene.file,
         "body": scene.name,
-        "title": scene.reference.title,
+        "title": scene.reference.title + which,
         "kind": scene.kind,
         "constants_derived": scene.derived,
         "young_modulus_Pa": scene.young_modulus,

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -30,6 +30,8 @@ from palpate.study.contact_reference import (
 from palpate.study.indent import OutOfReach, measure_indentation
 from palpate.study.tables import write_table
 
+KINDS = {"solid": "springs + volumes", "shell": "shell of prisms"}
+"""Where what a kind is called says less than what it is."""
 SURFACES = ("mass_spring", "molecular")
 """Kinds whose constants may be chosen."""
 MOST_STEPS, TOUCHING = 1000, 1e-9
@@ -101,13 +103,22 @@ def open_pressed(path: Path) -> PressedScene:
     return PressedScene(
         name=reference.name,
         file=str(path),
-        kind=constants.model.kind.replace("_", " "),
+        kind=describe_kind(constants.model.kind, scenario.scene.bodies[0]),
         derived=derives_constants(constants.model),
         young_modulus=constants.material.young_modulus,
         radius=constants.tool.radius,
         reference=reference,
         load=lambda: palpate.scenario.read(path).scene,
     )
+
+
+def describe_kind(kind: str, body: palpate.SoftBody) -> str:
+    """Its words, with the law that a tool touches it by."""
+    words = KINDS.get(kind, kind.replace("_", " "))
+    if body.near_field is None:
+        return f"{words} under the hard law"
+    far = ", its far field of a finer mesh" if len(body.far_compliance) else ""
+    return f"{words} under the near field{far}"
 
 
 def find_reference(path: Path, made_of: str) -> ContactReference:
@@ -156,6 +167,17 @@ def find_held(arrays: Mapping[str, np.ndarray], reference: ContactReference) -> 
     found = [palpate.find_closest_point(tree, x, point) for point in arrays["surface/vertices"]]
     shares = [is_held[triangles[near.triangle]] @ np.asarray(near.weights) for near in found]
     return np.flatnonzero(np.array(shares) >= 0.5).tolist()
+
+
+def tell_apart(scenes: Sequence[PressedScene]) -> list[PressedScene]:
+    """The same, those of one body by the names of their files."""
+    names = [scene.name for scene in scenes]
+    return [
+        replace(scene, name=f"{scene.name}, {scene.file}")
+        if scene.file and names.count(scene.name) > 1
+        else scene
+        for scene in scenes
+    ]
 
 
 def compare_tool(

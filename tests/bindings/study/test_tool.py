@@ -12,6 +12,7 @@ import numpy as np
 import palpate
 import pytest
 from palpate.cli.main import main
+from palpate.cli.study import describe_pressed
 from palpate.files.refusal import Refusal
 from palpate.scenario import read
 from palpate.scene.scene_parts import ModelPart
@@ -24,6 +25,7 @@ from palpate.study.tool import (
     list_balls,
     open_pressed,
     require_same,
+    tell_apart,
     write_tool_tables,
 )
 from palpate.study.tool_block import build_mesh, open_blocks
@@ -81,6 +83,21 @@ def test_constants_that_are_chosen_are_said_so_in_the_table(spleen, rows):
 
     assert "constants chosen, and not derived from the E 10 kPa that it states" in text
     assert "| 4 mm, the scene's own | linear |" in text
+
+
+def test_two_files_of_one_body_keep_rows_of_their_own(spleen, rows):
+    shipped = open_pressed(PUBLISHED / "spleen.palpate")
+
+    scenes = tell_apart([spleen, shipped])
+
+    assert [scene.name for scene in scenes] == [f"spleen, {s.file}" for s in (spleen, shipped)]
+    assert tell_apart([shipped])[0].name == "spleen"
+    told = [describe_pressed(scene) for scene in scenes]
+    text = write_tool_tables(told, [replace(row, body=scenes[0].name) for row in rows])
+    assert f"**Spleen, {SPRINGS}**: molecular under the hard law" in text
+    second = text[text.index(shipped.file) :]
+    assert "springs + volumes under the near field, its far field of a finer mesh" in second
+    assert "4 mm" not in second
 
 
 @pytest.mark.parametrize(
