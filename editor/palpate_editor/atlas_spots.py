@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import palpate
 from palpate.scene.scene_file import relax
-from palpate.scene.scene_parts import FILLED, INTEGRATORS
+from palpate.scene.scene_parts import EXPLICIT, FILLED, INTEGRATORS
 from palpate.study.atlas import DAMPINGS, MESHES, OWN, Spot
 
 from palpate_editor.compile import build_organ
@@ -21,13 +21,6 @@ STIFFNESS = (0.01, OWN, 100.0)
 """[-] times the organ's own ..."""
 ENDS = (OWN, 100.0)
 """... and on the coarser mesh."""
-EXPLICIT = (
-    "symplectic_euler",
-    "explicit_euler",
-    "midpoint",
-    "runge_kutta_4",
-    "symplectic_euler_implicit_damping",
-)
 IMPLICIT = tuple(name for name in INTEGRATORS if name not in EXPLICIT)
 SIZES = dict(zip(MESHES, (0.5, 1.0, 2.0), strict=True))
 """[-] times the tetrahedra or vertices that the organ has."""

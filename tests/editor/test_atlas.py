@@ -14,7 +14,7 @@ from charted import make_block
 from palpate.cli.main import main
 from palpate.files.file_kind import ATLAS, PICTURE, SVG, find_kind
 from palpate.files.refusal import Refusal
-from palpate.scene.scene_parts import INTEGRATORS
+from palpate.scene.scene_parts import EXPLICIT, INTEGRATORS
 from palpate.study.atlas import AT_REST, LIMITED, LOST, NEVER, REFUSED, UNLIMITED, Spot
 from palpate.study.atlas_file import read_atlas, write_atlas
 from palpate.study.step_limit import LIMIT_SHARE
@@ -22,7 +22,7 @@ from palpate_editor import job_pool
 from palpate_editor.atlas import compute_key, draw_atlas, find_present, run_tissues
 from palpate_editor.atlas_jobs import Plan, run_job
 from palpate_editor.atlas_rerun import choose_rows, rerun_atlas
-from palpate_editor.atlas_spots import EXPLICIT, build_tissue, list_points, make_organ
+from palpate_editor.atlas_spots import build_tissue, list_points, make_organ
 from palpate_editor.atlas_store import Store
 from palpate_editor.chart_jobs import pack_document
 from palpate_editor.document.files import write_organ

@@ -20,12 +20,16 @@ CONTACT_LAWS = ("near_field", "hard")
 """How tissue is felt under a ball."""
 WITH_NEAR_FIELD = ("shell", *FILLED)
 """Kinds that both of them are for; the others are felt by the hard law."""
-INTEGRATORS = (
+EXPLICIT = (
     "symplectic_euler",
     "explicit_euler",
     "midpoint",
     "runge_kutta_4",
     "symplectic_euler_implicit_damping",
+)
+"""Integrators that have a longest step."""
+INTEGRATORS = (
+    *EXPLICIT,
     "implicit_euler_linear",
     "implicit_euler",
     "implicit_midpoint",

@@ -18,7 +18,7 @@ from matplotlib.ticker import FuncFormatter, NullFormatter
 from palpate.files.whole_file import write_whole
 from palpate.render.force_plot import DPI, dress
 from palpate.render.theme import THEMES, Theme
-from palpate.scene.scene_parts import WITH_NEAR_FIELD
+from palpate.scene.scene_parts import EXPLICIT, WITH_NEAR_FIELD
 from palpate.study.chart import scale, scale_percents
 from palpate.study.scene_chart import Chart, Row, find_front
 from palpate.study.scene_chart_words import (
@@ -33,12 +33,6 @@ from palpate.study.scene_chart_words import (
 
 WIDTH, HEIGHT = 1500, 1120
 """[px]"""
-EXPLICIT = (
-    "explicit_euler",
-    "midpoint",
-    "runge_kutta_4",
-    "symplectic_euler_implicit_damping",
-)
 MARKERS = {
     "symplectic_euler": ("o", "symplectic Euler"),
     "explicit": ("^", "another explicit integrator"),

@@ -8,7 +8,7 @@ from html import escape
 from math import log10
 
 import pyqtgraph as pg
-from palpate.scene.scene_parts import WITH_NEAR_FIELD
+from palpate.scene.scene_parts import EXPLICIT, WITH_NEAR_FIELD
 from palpate.study.scene_chart import Chart, Row, find_front
 from palpate.translation.refusals import say_refusal
 from PySide6.QtCore import Qt, Signal
@@ -41,13 +41,7 @@ COLOURS = {
     },
 }
 """By kind of model; in the light ones pictures of charts are drawn (study.scene_chart_plot)."""
-SYMBOLS = {
-    "symplectic_euler": "o",
-    "explicit_euler": "t1",
-    "midpoint": "t1",
-    "runge_kutta_4": "t1",
-    "symplectic_euler_implicit_damping": "t1",
-}
+SYMBOLS = dict.fromkeys(EXPLICIT, "t1") | {"symplectic_euler": "o"}
 IMPLICIT = "s"
 LEAST_ERROR, LEAST_COST = 1e-5, 1e-8
 """[-] and [s] At which a smaller error or cost is drawn."""
