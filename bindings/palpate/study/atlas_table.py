@@ -34,7 +34,7 @@ COLOURS = {
 FEW, MANY = (0xCF, 0xEB, 0xD3), (0xF8, 0xE3, 0xB8)
 """Of a limited row: one step a tick is enough, and a hundred are needed."""
 MOST = 100.0
-LEFT = 1.9
+LEFT = 2.15
 """Cells that the names of models take."""
 
 

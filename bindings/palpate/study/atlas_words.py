@@ -23,7 +23,7 @@ INTEGRATORS = {
     "explicit_euler": ("explicit Euler", "#b0256f"),
     "midpoint": ("explicit midpoint", "#d9822b"),
     "runge_kutta_4": ("Runge-Kutta 4", "#0f9d7a"),
-    "symplectic_euler_implicit_damping": ("symplectic Euler, implicit damping", "#6b4fbb"),
+    "symplectic_euler_implicit_damping": ("implicit damping", "#6b4fbb"),
     "implicit_euler_linear": ("implicit Euler, linear", "#5f6b7a"),
     "implicit_euler": ("implicit Euler", "#5f6b7a"),
     "implicit_midpoint": ("implicit midpoint", "#5f6b7a"),
