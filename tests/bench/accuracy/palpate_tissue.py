@@ -39,13 +39,14 @@ OF_MESH = "mesh"
 
 def make_work_organ(work: Work, size: int, word: str = "") -> Organ:
     """The shipped organ of the work with another modulus, ball and number of elements; `word` is
-    a stiffness [N/m³] or OF_MESH."""
+    the stiffness [N/m³] of the hard law of contact or OF_MESH."""
     stiffness = None if word in ("", OF_MESH) else float(word)
     wall = work.wall_thickness is not None
     organ = make_organ(work.shipped)
     if wall:
         organ = decimate_organ(organ, size)(organ)
     tool = replace(organ.tool, radius=work.radius)
+    law = organ.model.contact_law if stiffness is None else "hard"
     return replace(
         organ,
         material=replace(
@@ -55,7 +56,7 @@ def make_work_organ(work: Work, size: int, word: str = "") -> Organ:
             poisson_ratio=work.poisson_ratio,
             wall_thickness=work.wall_thickness,
         ),
-        model=replace(organ.model, drag=DRAG),
+        model=replace(organ.model, drag=DRAG, contact_law=law),
         fill=organ.fill if wall else FillPart(size),
         tool=tool if stiffness is None else replace(tool, stiffness=stiffness),
         hand=HandPart(coupling=COUPLING, force_max=FORCE_MAX),
