@@ -2,6 +2,7 @@
 #include "palpate/sim/multirate/private/measure_local_model.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -17,15 +18,23 @@ namespace {
 /// before it would resist.
 constexpr double kTrialDepth = 0.1;
 
+/// Part of the radius by which it is moved to find a slope.
+constexpr double kSlopeStep = 2e-3;
+
 /// What a tool leans on: springs, and the points of one surface that they act on.
 struct Support {
   std::vector<LocalSpring> springs;
-  std::vector<Push> points;  // their force is the springs' direction
+  std::vector<Push> points;    // their force is the springs' direction
+  Vec3 force = Vec3::Zero();   // [N] of the contacts, in all
+  std::vector<double> shares;  // [N] of each in that
 
-  void add(int triangle, const Vec3& weights, const Vec3& direction, double stiffness) {
+  void add(int triangle, const Vec3& weights, const Vec3& direction, double stiffness,
+           double share = 0.0) {
+    force += share * direction;
     if (!(stiffness > 0.0)) return;
     springs.push_back({direction, stiffness});
     points.push_back({triangle, weights, direction});
+    shares.push_back(share);
   }
 };
 
@@ -45,9 +54,20 @@ TouchedSurface look_around(const Scene& scene, std::size_t instrument, std::size
 Support list_contact_springs(const Tool& tool, const TouchedSurface& surface, const Vec3& at) {
   Support support;
   for (const TriangleContact& its : list_contacts(tool, surface, at)) {
-    support.add(its.triangle, its.contact.weights, its.contact.direction, its.contact.stiffness);
+    support.add(its.triangle, its.contact.weights, its.contact.direction, its.contact.stiffness,
+                its.contact.force);
   }
   return support;
+}
+
+/// [N/m] How the contacts' force along n grows with depth, the tissue held: by finite differences,
+/// for under a near field each contact's force depends on the others.
+double measure_slope(const Tool& tool, const TouchedSurface& surface, const Vec3& at,
+                     const Vec3& n) {
+  const double step = kSlopeStep * tool.radius;
+  const Vec3 deeper = list_contact_springs(tool, surface, at - step * n).force;
+  const Vec3 higher = list_contact_springs(tool, surface, at + step * n).force;
+  return (deeper - higher).dot(n) / (2.0 * step);
 }
 
 void add_holds(const ToolState& tool, std::size_t body, Support& support) {
@@ -60,16 +80,30 @@ void add_holds(const ToolState& tool, std::size_t body, Support& support) {
   }
 }
 
-/// A tissue that cannot be solved for counts as not giving way at all.
-void add_body(const Scene& scene, std::size_t body, const World& world, const Support& support,
-              LocalModel& model) {
-  if (support.springs.empty()) return;
+/// [m/N] Along the springs of a support. A tissue that cannot be solved for counts as not giving
+/// way at all.
+Eigen::MatrixXd find_compliance(const Scene& scene, std::size_t body, const World& world,
+                                const Support& support) {
   const auto count = static_cast<Eigen::Index>(support.springs.size());
   const std::optional<Eigen::MatrixXd> compliance =
       compute_local_compliance(scene.bodies[body].tissue, world.bodies[body].tissue.position,
                                support.points, kMostParticles);
-  model.stiffness +=
-      condense(support.springs, compliance ? *compliance : Eigen::MatrixXd::Zero(count, count));
+  return compliance ? *compliance : Eigen::MatrixXd::Zero(count, count);
+}
+
+/// [N/m] Of contacts without friction: along their force F alone, K = M / (1 + C M) with C the
+/// compliance under pushes in the shares that they have of F. Sideways the dent goes along with the
+/// tool, which no stiffness at points of the tissue knows.
+Mat3 measure_contact(const Scene& scene, std::size_t body, const World& world, const Tool& tool,
+                     const TouchedSurface& surface, const Vec3& at, const Support& support) {
+  if (support.springs.empty() || !(support.force.norm() > 0.0)) return Mat3::Zero();
+  const Vec3 n = support.force.normalized();
+  const Eigen::Map<const Eigen::VectorXd> shares(support.shares.data(),
+                                                 static_cast<Eigen::Index>(support.shares.size()));
+  const double give = shares.dot(find_compliance(scene, body, world, support) * shares) /
+                      support.force.squaredNorm();
+  const double slope = std::max(0.0, measure_slope(tool, surface, at, n));
+  return slope / (1.0 + give * slope) * Mat3(n * n.transpose());
 }
 
 struct NearestBody {
@@ -100,7 +134,8 @@ void model_approach(const Scene& scene, std::size_t instrument, World& world,
   const Vec3 trial = point->point + (1.0 - kTrialDepth) * tool.radius * model.normal;
   const TouchedSurface surface =
       look_around(scene, instrument, body, trial, Vec3::Zero(), world, scratch[body]);
-  add_body(scene, body, world, list_contact_springs(tool, surface, trial), model);
+  const Support support = list_contact_springs(tool, surface, trial);
+  model.stiffness = measure_contact(scene, body, world, tool, surface, trial, support);
 }
 
 }  // namespace
@@ -137,8 +172,14 @@ LocalModel measure_local_model(const Scene& scene, std::size_t instrument, const
     const TouchedSurface surface =
         look_around(scene, instrument, b, tool.position, lift, world, scratch[b]);
     Support support = list_contact_springs(its.tool, surface, tool.position);
+    if (!model.held) {
+      model.stiffness +=
+          measure_contact(scene, b, world, its.tool, surface, tool.position, support);
+      continue;
+    }
     add_holds(tool, b, support);
-    add_body(scene, b, world, support, model);
+    if (support.springs.empty()) continue;
+    model.stiffness += condense(support.springs, find_compliance(scene, b, world, support));
   }
   if (model.stiffness.isZero(0.0) || felt.isZero(0.0)) {
     model.stiffness.setZero();

@@ -23,7 +23,7 @@ Mat3 condense(std::span<const LocalSpring> springs, const Eigen::MatrixXd& compl
 inline constexpr int kMostTriangles = 4096;
 
 /// Particles that give way around a contact; more of them are held.
-inline constexpr int kMostParticles = 300;
+inline constexpr int kMostParticles = 200;
 
 /// The local model of one instrument where the last tick has left its tool. `felt` [N] is what the
 /// hand at `hand` [m] was given then. `scratch` is work space, per body. Tissues must be caught up.
