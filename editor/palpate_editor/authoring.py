@@ -132,7 +132,7 @@ def read_mesh(
     """Reads a mesh file in a child process.
 
     A .obj, .stl, .ply, .off, .glb, .gltf, .3ds, .fbx or .dae is read by `reader`, a .vtk, .vtp,
-    .vtu or .msh by an isolated Python that has VTK and meshio: see palpate_editor.formats.
+    .vtu or .msh by an isolated Python: see palpate_editor.formats.
     """
     missing = find_missing(Path(path))
     if missing is not None:

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The files of VTK and Gmsh, read by their own libraries in a process of its own.
+"""The files of VTK and Gmsh, read in a process of its own; those of VTK by its own library.
 
 A reader of these formats is a Python that imports nothing from where the user stands, limits its
 memory and time, opens nothing but the one file, and writes what it found in the words of
 palpate-read-mesh (core/authoring/scene_stream.h). This module only says how it is started: nothing
-of VTK or meshio is ever imported by a program that opens windows.
+of VTK is ever imported by a program that opens windows.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ NEEDED = {
     ".vtk": "vtkmodules",
     ".vtp": "vtkmodules",
     ".vtu": "vtkmodules",
-    ".msh": "meshio",
+    ".msh": "numpy",
 }
-"""Extension -> the module that reads such files."""
+"""Extension -> the module that is needed to read such files."""
 
-PACKAGES = {"vtkmodules": "vtk", "meshio": "meshio"}
+PACKAGES = {"vtkmodules": "vtk", "numpy": "numpy"}
 """Module -> the package that has it."""
 
 CHILD = Path(__file__).parent / "formats_child" / "child.py"

@@ -80,7 +80,6 @@ ARROWS = {
         "palpate_editor.formats_child",
         "numpy",
         "vtkmodules",
-        "meshio",
     ),
     "editor/palpate_editor/scan": (
         "palpate_editor.scan",

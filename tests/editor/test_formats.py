@@ -76,7 +76,7 @@ def test_strips_and_polygons_of_a_vtk_file_are_triangles(tmp_path):
 
 
 BAD = {
-    "noise.vtk": (b"\x00\x01\x02" * 50, "Unrecognized"),
+    "noise.vtk": (b"\x00\x01\x02" * 50, "'???"),
     "corner.vtk": (b"# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
                    b"0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 9\n", "vertex 9"),
     "count.vtk": (b"# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\n"
@@ -86,7 +86,7 @@ BAD = {
     "points.vtk": (b"# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n"
                    b"0 0 0\n", "no polygons"),
     "tag.vtu": (b"<VTKFile type='UnstructuredGrid'><oops></VTKFile>", "mismatched tag"),
-    "half.msh": (b"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n", "fails on"),
+    "half.msh": (b"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n", "its end"),
     "fluent.msh": (b"(0 \"made by another program\")\n", "no $MeshFormat"),
     "old.msh": (b"$MeshFormat\n1 0 8\n$EndMeshFormat\n", "version 1"),
 }  # fmt: skip
@@ -144,7 +144,7 @@ def test_the_libraries_are_never_loaded_by_a_program_that_opens_windows():
     code = (
         "import sys, palpate_editor.views.editor, palpate_editor.verbs\n"
         "import palpate_editor.edits, palpate_editor.authoring\n"
-        "print([name for name in sys.modules if name.split('.')[0] in ('vtkmodules', 'meshio')])"
+        "print([name for name in sys.modules if name.split('.')[0] == 'vtkmodules'])"
     )
     run = subprocess.run([sys.executable, "-P", "-c", code], capture_output=True, text=True)
 

@@ -29,6 +29,11 @@ ImportedScene read_text_stl(const std::string& path);
 /// and texture coordinates are left alone. Throws FileError with the line, or the number.
 ImportedScene read_off(const std::string& path);
 
+/// A PLY 1.0 as text or binary of either byte order: its vertices, polygons and strips, and the
+/// mean of its colours; other elements and properties are passed over. Throws FileError with the
+/// line, or the row.
+ImportedScene read_ply(const std::string& path);
+
 /// What the first word of an OFF says of its vertices.
 struct OffKind {
   bool texture = false, colours = false, normals = false, weighted = false;

@@ -49,6 +49,7 @@ ImportedScene read_any(const std::string& path, const std::string& format) {
     if (auto scene = read_obj(path)) return *std::move(scene);
   }
   if (format == "OFF") return read_off(path);
+  if (format == "PLY") return read_ply(path);
   return read_with_assimp(path, format);
 }
 

@@ -9,6 +9,7 @@
 #include "palpate/authoring/read_mesh_child/read_materials.h"
 #include "palpate/authoring/read_mesh_child/text_line.h"
 #include "palpate/authoring/read_mesh_child/triangulate.h"
+#include "palpate/authoring/read_mesh_child/wrong_faces.h"
 
 namespace palpate::authoring {
 namespace {
@@ -68,6 +69,7 @@ class Obj {
     const auto note = [&](int count, const char* what) {
       if (count > 0) scene.notes.push_back(std::to_string(count) + what);
     };
+    wrong_.settle(faces_, scene.notes);
     note(skipped_.short_faces, " faces of fewer than three corners were left out");
     note(skipped_.curves, " free-form curves or surfaces were left out");
     if (has_textures_) scene.notes.emplace_back(kTexturesStay);
@@ -78,8 +80,12 @@ class Obj {
   }
 
  private:
+  FileError make_error(std::string_view got, const std::string& expected) const {
+    return {path_, "line " + std::to_string(number_), std::string(got), expected};
+  }
+
   [[noreturn]] void refuse(std::string_view got, const std::string& expected) const {
-    throw FileError(path_, "line " + std::to_string(number_), std::string(got), expected);
+    throw make_error(got, expected);
   }
 
   void take_library(const std::string& name) {
@@ -143,10 +149,13 @@ class Obj {
   }
 
   void take_face(TextLine& line) {
+    ++faces_;
     corners_.clear();
     for (std::string_view word = line.take_word(); !word.empty(); word = line.take_word()) {
       if (word.starts_with('#')) break;
-      corners_.push_back(find_vertex(word));
+      const int vertex = find_vertex(word);
+      if (vertex < 0) return;
+      corners_.push_back(vertex);
     }
     if (corners_.size() < 3) {
       ++skipped_.short_faces;
@@ -156,8 +165,9 @@ class Obj {
     of_.back().resize(parts_.back().size(), material_);
   }
 
-  /// Of the corner v/vt/vn only v is asked; below zero it counts back from the last vertex.
-  int find_vertex(std::string_view word) const {
+  /// Of the corner v/vt/vn only v is asked; below zero it counts back from the last vertex. -1
+  /// where there is none, which is remembered.
+  int find_vertex(std::string_view word) {
     const int count = static_cast<int>(vertices_.size());
     int index = 0;
     if (!TextLine::parse(word.substr(0, word.find('/')), index)) {
@@ -165,7 +175,8 @@ class Obj {
     }
     const int vertex = index < 0 ? count + index : index - 1;
     if (vertex < 0 || vertex >= count) {
-      refuse("vertex " + std::to_string(index), "1 to " + std::to_string(count));
+      wrong_.add(make_error("vertex " + std::to_string(index), "1 to " + std::to_string(count)));
+      return -1;
     }
     return vertex;
   }
@@ -192,6 +203,8 @@ class Obj {
   int number_ = 0;
   bool marked_ = false;
   Skipped skipped_;
+  WrongFaces wrong_;
+  long faces_ = 0;
   Vec3Array vertices_;
   std::vector<int> corners_;  // of the face being taken
   std::vector<std::string> part_names_;

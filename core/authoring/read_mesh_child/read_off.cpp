@@ -5,6 +5,7 @@
 #include "palpate/authoring/read_mesh_child/foreign_formats.h"
 #include "palpate/authoring/read_mesh_child/text_line.h"
 #include "palpate/authoring/read_mesh_child/triangulate.h"
+#include "palpate/authoring/read_mesh_child/wrong_faces.h"
 
 namespace palpate::authoring {
 namespace {
@@ -24,8 +25,12 @@ class Lines {
     throw FileError(path_, "line " + std::to_string(number_), "the end of the file", missing);
   }
 
+  FileError make_error(const std::string& got, const std::string& expected) const {
+    return {path_, "line " + std::to_string(number_), got, expected};
+  }
+
   [[noreturn]] void refuse(const std::string& got, const std::string& expected) const {
-    throw FileError(path_, "line " + std::to_string(number_), got, expected);
+    throw make_error(got, expected);
   }
 
   const std::string& text() const { return line_; }
@@ -103,8 +108,10 @@ Vec3 take_vertex(Lines& lines, const Head& head, std::size_t taken) {
   return p / weight;
 }
 
-/// The corners of one face; what follows them on its line is a colour.
-void take_face(Lines& lines, const Head& head, long taken, std::vector<int>& corners) {
+/// The corners of one face; what follows them on its line is a colour. False where one of them is
+/// no vertex, which is remembered.
+bool take_face(Lines& lines, const Head& head, long taken, std::vector<int>& corners,
+               WrongFaces& wrong) {
   TextLine line = lines.take("face " + std::to_string(taken) + " of " + std::to_string(head.faces));
   const auto refuse = [&](const std::string& expected) {
     lines.refuse("'" + lines.text().substr(0, 40) + "'", expected);
@@ -116,25 +123,30 @@ void take_face(Lines& lines, const Head& head, long taken, std::vector<int>& cor
     int corner = 0;
     if (!line.take(corner)) refuse(std::to_string(count) + " corners");
     if (corner < 0 || corner >= head.vertices) {
-      lines.refuse("vertex " + std::to_string(corner),
-                   "an index below " + std::to_string(head.vertices));
+      wrong.add(lines.make_error("vertex " + std::to_string(corner),
+                                 "an index below " + std::to_string(head.vertices)));
+      return false;
     }
     corners.push_back(corner);
   }
+  return true;
 }
 
-SurfaceMesh take_text(Lines& lines, const Head& head, int& left_out) {
+SurfaceMesh take_text(Lines& lines, const Head& head, int& left_out,
+                      std::vector<std::string>& notes) {
   SurfaceMesh mesh;
   // one at a time: a count is only believed as far as the lines go
   while (static_cast<long>(mesh.vertices.size()) < head.vertices) {
     mesh.vertices.push_back(take_vertex(lines, head, mesh.vertices.size()));
   }
+  WrongFaces wrong;
   std::vector<int> corners;
   for (long f = 0; f < head.faces; ++f) {
-    take_face(lines, head, f, corners);
+    if (!take_face(lines, head, f, corners, wrong)) continue;
     left_out += corners.size() < 3;
     triangulate_polygon(corners, mesh.vertices, mesh.triangles);
   }
+  wrong.settle(head.faces, notes);
   return mesh;
 }
 
@@ -144,9 +156,9 @@ ImportedScene read_off(const std::string& path) {
   Lines lines(path);
   const Head head = take_head(lines);
   int left_out = 0;
-  SurfaceMesh mesh = head.binary ? read_binary_off(path, head.kind, lines.tell(), left_out)
-                                 : take_text(lines, head, left_out);
   ImportedScene scene{};
+  SurfaceMesh mesh = head.binary ? read_binary_off(path, head.kind, lines.tell(), left_out)
+                                 : take_text(lines, head, left_out, scene.notes);
   if (left_out > 0) {
     scene.notes.push_back(std::to_string(left_out) +
                           " faces of fewer than three corners were left out");

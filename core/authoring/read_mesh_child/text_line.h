@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -43,6 +44,12 @@ class TextLine {
   static bool parse(std::string_view word, Number& value) {
     if (word.starts_with('+')) word.remove_prefix(1);
     const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if constexpr (std::is_floating_point_v<Number>) {
+      if (is_nowhere(word, end)) {
+        value = std::numeric_limits<Number>::quiet_NaN();
+        return true;
+      }
+    }
     if (word.empty() || end != word.data() + word.size()) return false;
     if (problem == std::errc()) return true;
     // a number nearer to zero than any is zero; others out of range are none
@@ -54,6 +61,13 @@ class TextLine {
   }
 
  private:
+  /// 1.#QNAN, -1.#IND00 and their like, as programs for Windows write what is no number.
+  static bool is_nowhere(std::string_view word, const char* end) {
+    const std::string_view rest = word.substr(static_cast<std::size_t>(end - word.data()));
+    return rest.starts_with("#QNAN") || rest.starts_with("#SNAN") || rest.starts_with("#IND") ||
+           rest.starts_with("#INF");
+  }
+
   static constexpr std::string_view kBlanks = " \t\r";
 
   void skip_blanks() {

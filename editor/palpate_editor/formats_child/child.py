@@ -33,7 +33,7 @@ def main(folders: str, path: str, form: str, memory: str, seconds: str) -> int:
 
     read = choose_reader(form)
     answers = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # meshio prints what it thinks of a file
+    os.dup2(2, 1)  # VTK prints what it thinks of a file
     libraries = [*folders.split(os.pathsep), os.path.dirname(os.__file__)]
     confine(path, libraries, int(memory), int(seconds))
     try:

@@ -1,20 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Surfaces from the files of Gmsh (.msh 2.2, 4.0 and 4.1, text or binary), through meshio."""
+"""Surfaces from the files of Gmsh (.msh 1, 2, 4.0 and 4.1, text or binary)."""
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 
-import meshio
 import numpy as np
-from meshio import gmsh
 
+from palpate_editor.formats_child.gmsh_file import GmshFile, open_gmsh
 from palpate_editor.formats_child.scene import (
     NO_FILLING,
     Part,
     Refusal,
     Scene,
+    check_lost,
     cut_filling,
     cut_out,
     describe_cells,
@@ -33,7 +32,18 @@ FACES = {
 """Cell -> its faces from outside, by corners in the order of Gmsh."""
 CORNERS = {"triangle": 3, "quad": 4, "tetra": 4, "pyramid": 5, "wedge": 6, "hexahedron": 8}
 """Further points of a cell of higher order follow its corners."""
+KINDS = {
+    **dict.fromkeys((2, 9, 20, 21, 22, 23, 24, 25), "triangle"),
+    **dict.fromkeys((3, 10, 16, 36, 37), "quad"),
+    **dict.fromkeys((4, 11, 29, 30, 31), "tetra"),
+    **dict.fromkeys((5, 12, 17, 92, 93), "hexahedron"),
+    **dict.fromkeys((6, 13, 18), "wedge"),
+    **dict.fromkeys((7, 14, 19), "pyramid"),
+}
+"""Type of an element, as Gmsh numbers them -> what it is."""
 
+Cells = list[tuple[str, np.ndarray, np.ndarray]]
+"""Kind, corners (k, c), and the group of each (k,)."""
 Polygons = list[tuple[np.ndarray, np.ndarray]]
 """Corners (k, 3) or (k, 4), and the group of each (k,)."""
 
@@ -41,19 +51,20 @@ Polygons = list[tuple[np.ndarray, np.ndarray]]
 def read_gmsh(path: str) -> Scene:
     """The outer faces of cells that fill space, where there are some, else the faces; a part for
     each physical group. Raises Refusal."""
-    check_head(path)
-    mesh = gmsh.read(path)
+    mesh = open_gmsh(path)
     notes: list[str] = []
+    check_lost(mesh.lost, sum(len(block.nodes) for block in mesh.blocks), "elements", notes)
     solid = collect(mesh, tuple(FACES))
-    polygons = find_outside(solid) if solid else collect_polygons(mesh)
     filling = NO_FILLING
     if solid:
+        solid = share_points(mesh.points, solid)
         count = sum(len(cells) for _, cells, _ in solid)
         if all(kind == "tetra" for kind, _, _ in solid):
             filling = cut_filling(mesh.points, np.concatenate([cells for _, cells, _ in solid]))
             notes.append(describe_tetrahedra(count))
         else:
             notes.append(describe_cells(count))
+    polygons = find_outside(solid) if solid else collect_polygons(mesh)
     triangles = np.concatenate([split(corners) for corners, _ in polygons] or [np.empty((0, 3))])
     if len(triangles) == 0:
         raise Refusal("", "no faces", "a surface made of triangles or quadrilaterals")
@@ -62,36 +73,38 @@ def read_gmsh(path: str) -> Scene:
     return Scene(list_parts(Path(path).stem, mesh, triangles, group, dimension), notes, filling)
 
 
-def check_head(path: str) -> None:
-    with open(path, "rb") as file:
-        head = file.read(4096)
-    at = head.find(b"$MeshFormat")
-    if at < 0:
-        raise Refusal("header", "no $MeshFormat", "a file of Gmsh, version 2.2, 4.0 or 4.1")
-    version = re.match(rb"\$MeshFormat\s+(\S+)", head[at:])
-    words = version.group(1).decode(errors="replace") if version else "none"
-    if words not in ("2", "2.0", "2.1", "2.2", "4", "4.0", "4.1"):
-        raise Refusal("header", f"version {words}", "version 2.2, 4.0 or 4.1")
-
-
-def collect(mesh: meshio.Mesh, kinds: tuple[str, ...]) -> list[tuple[str, np.ndarray, np.ndarray]]:
+def collect(mesh: GmshFile, kinds: tuple[str, ...]) -> Cells:
     """The cells of some kinds, without their inner points, and their physical groups."""
-    groups = mesh.cell_data.get("gmsh:physical")
     found = []
-    for i, block in enumerate(mesh.cells):
-        kind = re.sub(r"\d+$", "", block.type)
-        if kind not in kinds or len(block.data) == 0:
-            continue
-        group = np.zeros(len(block.data), int) if groups is None else np.asarray(groups[i])
-        found.append((kind, np.asarray(block.data)[:, : CORNERS[kind]], group))
+    for block in mesh.blocks:
+        kind = KINDS.get(block.type)
+        if kind in kinds and len(block.nodes) > 0:
+            found.append((kind, block.nodes[:, : CORNERS[kind]], block.groups))
     return found
 
 
-def collect_polygons(mesh: meshio.Mesh) -> Polygons:
+def collect_polygons(mesh: GmshFile) -> Polygons:
     return [(cells, group) for _, cells, group in collect(mesh, ("triangle", "quad"))]
 
 
-def find_outside(solid: list[tuple[str, np.ndarray, np.ndarray]]) -> Polygons:
+def share_points(points: np.ndarray, solid: Cells) -> Cells:
+    """Cells that have points of their own where they meet share them; tetrahedra that have a corner
+    twice are gone."""
+    used = np.unique(np.concatenate([cells.ravel() for _, cells, _ in solid]))
+    _, first, which = np.unique(points[used], axis=0, return_index=True, return_inverse=True)
+    place = np.zeros(len(points), np.int64)
+    place[used] = used[first[which.ravel()]]
+    shared: Cells = []
+    for kind, cells, group in solid:
+        corners = place[cells]
+        kept = np.ones(len(cells), bool)
+        if kind == "tetra":
+            kept = (np.diff(np.sort(corners, axis=1), axis=1) > 0).all(axis=1)
+        shared.append((kind, corners[kept], group[kept]))
+    return shared
+
+
+def find_outside(solid: Cells) -> Polygons:
     """The faces that only one of all cells has."""
     faces: dict[int, list[np.ndarray]] = {3: [], 4: []}
     groups: dict[int, list[np.ndarray]] = {3: [], 4: []}
@@ -120,9 +133,9 @@ def split(corners: np.ndarray) -> np.ndarray:
 
 
 def list_parts(
-    stem: str, mesh: meshio.Mesh, triangles: np.ndarray, group: np.ndarray, dimension: int
+    stem: str, mesh: GmshFile, triangles: np.ndarray, group: np.ndarray, dimension: int
 ) -> list[Part]:
-    names = {int(number): name for name, (number, of) in mesh.field_data.items() if of == dimension}
+    names = {number: name for (of, number), name in mesh.names.items() if of == dimension}
     ids = np.unique(group)
     if len(ids) == 1:
         return [cut_out(names.get(int(ids[0]), stem), mesh.points, triangles)]

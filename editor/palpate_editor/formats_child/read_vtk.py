@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Surfaces from the files of VTK: legacy (.vtk), polygons (.vtp), unstructured grids (.vtu)."""
+"""Surfaces from the files of VTK: legacy (.vtk), polygons (.vtp), unstructured grids (.vtu).
+
+Which of them a file is, its beginning tells, whatever its name ends in.
+"""
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkStringOutputWindow
 from vtkmodules.vtkCommonDataModel import (
     vtkDataSet,
     vtkGenericCell,
@@ -17,10 +18,12 @@ from vtkmodules.vtkCommonDataModel import (
     vtkStructuredGrid,
     vtkUnstructuredGrid,
 )
-from vtkmodules.vtkFiltersCore import vtkExtractCells, vtkTriangleFilter
+from vtkmodules.vtkFiltersCore import (
+    vtkExtractCells,
+    vtkStaticCleanUnstructuredGrid,
+    vtkTriangleFilter,
+)
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
-from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 
 from palpate_editor.formats_child.scene import (
     NO_FILLING,
@@ -34,56 +37,37 @@ from palpate_editor.formats_child.scene import (
     describe_cells,
     describe_tetrahedra,
 )
+from palpate_editor.formats_child.vtk_data import open_vtk
 
-READERS = {
-    "VTK": vtkGenericDataObjectReader,
-    "VTP": vtkXMLPolyDataReader,
-    "VTU": vtkXMLUnstructuredGridReader,
-}
+VOXELS = ("a volume of voxels", "a surface: palpate segment cuts one out of a volume")
+SURFACE = "polygons, or a grid of cells"
 WHAT = {
-    "vtkImageData": "a volume of voxels",
-    "vtkStructuredPoints": "a volume of voxels",
-    "vtkRectilinearGrid": "a grid of boxes",
-    "vtkTable": "a table",
+    "vtkImageData": VOXELS,
+    "vtkStructuredPoints": VOXELS,
+    "vtkRectilinearGrid": ("a grid of boxes", SURFACE),
+    "vtkTable": ("a table", SURFACE),
 }
-"""Kind of data -> in words, where it is no surface."""
+"""Kind of data -> what it is in words and what was expected, where it is no surface."""
 TETRAHEDRA = (10, 24)
 """VTK_TETRA, VTK_QUADRATIC_TETRA: their corners come first."""
 
 
 def read_vtk(path: str, form: str) -> Scene:
     """The outside of what a file holds. Raises Refusal."""
-    said = vtkStringOutputWindow()
-    vtkStringOutputWindow.SetInstance(said)
-    reader = READERS[form]()
-    reader.SetFileName(path)
-    reader.Update()
-    data = reader.GetOutputDataObject(0)
-    errors, warnings = sort_words(said.GetOutput())
-    if data is None or errors:
-        got = errors[0] if errors else "no data"
-        raise Refusal("", f"content VTK refuses ({got})", f"a readable {form} file")
+    data, notes = open_vtk(path, form)
     if not isinstance(data, vtkPolyData | vtkUnstructuredGrid | vtkStructuredGrid):
         kind = data.GetClassName()
-        raise Refusal("", WHAT.get(kind, kind), "polygons, or a grid of cells")
-    notes = [f"VTK says: {warning}" for warning in dict.fromkeys(warnings)]
+        raise Refusal("", *WHAT.get(kind, (kind, SURFACE)))
     if data.GetNumberOfPoints() == 0:
         raise Refusal("", "no points", "a surface made of triangles or polygons")
     filling = NO_FILLING
     if isinstance(data, vtkUnstructuredGrid):
+        if data.GetNumberOfCells() == 0:
+            raise Refusal("", "points without cells", SURFACE)
         check_cells(Path(path).stem, data.GetCells(), data.GetNumberOfPoints())
         data = choose_cells(data)
         filling = take_filling(data, notes)
     return Scene([take_surface(Path(path).stem, data)], notes, filling)
-
-
-def sort_words(text: str) -> tuple[list[str], list[str]]:
-    """What VTK said, as errors and warnings, without its own files, lines and addresses."""
-    kinds: dict[str, list[str]] = {"ERROR": [], "ERR": [], "WARN": [], "Warning": []}
-    pattern = r"(ERROR|Warning|ERR|WARN)[:|].*?(?:\): |\| )(.*?)(?=\n\n|\n(?:ERROR|Warning)|\Z)"
-    for kind, words in re.findall(pattern, text, re.DOTALL):
-        kinds[kind].append(" ".join(words.split())[:200])
-    return kinds["ERROR"] + kinds["ERR"], kinds["WARN"] + kinds["Warning"]
 
 
 def take_surface(name: str, data: vtkDataSet) -> Part:
@@ -146,19 +130,34 @@ def check_cells(name: str, cells: object, count: int) -> None:
 
 def choose_cells(grid: vtkUnstructuredGrid) -> vtkUnstructuredGrid:
     """The cells that fill space, where there are some, else all: faces drawn on or in them as well
-    would be there twice."""
+    would be there twice. Cells that have points of their own where they meet share them then."""
     types = vtk_to_numpy(grid.GetCellTypesArray())
     fills = [int(kind) for kind in np.unique(types) if measure_dimension(int(kind)) == 3]
-    solid = np.flatnonzero(np.isin(types, fills))
+    solid = np.flatnonzero(np.isin(types, fills) & ~find_flat(grid, types))
     if len(solid) == 0:
         return grid
-    if len(solid) == grid.GetNumberOfCells():
-        return grid
-    chosen = vtkExtractCells()
-    chosen.SetInputData(grid)
-    chosen.SetCellIds(solid.astype(np.int64), len(solid))
-    chosen.Update()
-    return chosen.GetOutput()
+    if len(solid) < grid.GetNumberOfCells():
+        chosen = vtkExtractCells()
+        chosen.SetInputData(grid)
+        chosen.SetCellIds(solid.astype(np.int64), len(solid))
+        chosen.Update()
+        grid = chosen.GetOutput()
+    joined = vtkStaticCleanUnstructuredGrid()
+    joined.SetInputData(grid)
+    joined.SetTolerance(0.0)
+    joined.RemoveUnusedPointsOff()
+    joined.Update()
+    return joined.GetOutput()
+
+
+def find_flat(grid: vtkUnstructuredGrid, types: np.ndarray) -> np.ndarray:
+    """(cells,) bool: tetrahedra that have a corner twice."""
+    flat = np.zeros(len(types), bool)
+    rows = np.flatnonzero(np.isin(types, TETRAHEDRA))
+    first = vtk_to_numpy(grid.GetCells().GetOffsetsArray())[rows]
+    corners = vtk_to_numpy(grid.GetCells().GetConnectivityArray())[first[:, None] + np.arange(4)]
+    flat[rows] = (np.diff(np.sort(corners, axis=1), axis=1) == 0).any(axis=1)
+    return flat
 
 
 def measure_dimension(kind: int) -> int:

@@ -74,6 +74,20 @@ def check_corners(name: str, corners: np.ndarray, count: int) -> None:
     raise Refusal(f"part '{name}'", f"vertex {wrong}", f"an index below {count}")
 
 
+MOST_LOST = 0.01
+"""[-] of the cells of a file: where more of them lead nowhere, it is damaged."""
+
+
+def check_lost(lost: int, kept: int, what: str, notes: list[str]) -> None:
+    """Says that cells were left out that name a point that is not there. Raises Refusal where they
+    are more than a few."""
+    if lost == 0:
+        return
+    if lost > MOST_LOST * (lost + kept):
+        raise Refusal("", f"{lost} of {lost + kept} {what} on points that are not there", "a mesh")
+    notes.append(f"{lost} {what} on points that are not there were left out")
+
+
 def encode_text(text: str) -> bytes:
     letters = text.encode(errors="replace")
     return struct.pack("<I", len(letters)) + letters
