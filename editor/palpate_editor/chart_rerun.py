@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One row in ten of a chart run again: its errors are the same to the bit, or to rounding."""
+"""One row in ten of a chart run again: its errors are the same, to rounding."""
 
 from __future__ import annotations
 
@@ -16,8 +16,11 @@ from palpate_editor.chart_jobs import Converged, Job, Plan, find_converged
 from palpate_editor.chart_pool import Runner
 
 EVERY = 10
-ROUNDING = 1e-6
-"""[-] Of errors, on a machine with other vector code than the chart's."""
+SUMMED = 1e-9
+"""[-] Of errors: libraries that solve the truth sum otherwise from one machine to the next."""
+ROUNDING = 2e-4
+"""[-] Of errors, where vector code is other than the chart's. Packed tissue is in single precision:
+of the spleen's chart, of AVX3, rows came to within 4e-5 in AVX2."""
 
 
 def rerun_chart(
@@ -36,7 +39,7 @@ def rerun_chart(
     ]
     found = {job.number: result for job, result in runner(plan, again)} if again else {}
     target = (palpate.simd_targets() or ["none"])[0]
-    allowed = 0.0 if target == chart.machine.target else ROUNDING
+    allowed = SUMMED if target == chart.machine.target else ROUNDING
     return [compare(row, found[row.number], allowed) for row in rows]
 
 
