@@ -15,6 +15,7 @@ from palpate_editor.document.rules import find_organ_word
 from palpate_editor.edits import (
     CutCrowdedEdges,
     CutDisagreement,
+    DecimateTo,
     Edit,
     FixLowest,
     KeepLargestShell,
@@ -34,6 +35,8 @@ from palpate_editor.edits import (
 from palpate_editor.edits.orient import METRES
 from palpate_editor.far_field import SolveFarField
 
+SIMULATED = 5000
+"""Vertices that a surface is decimated to that has more than can be simulated."""
 AWAY = 0.1
 """[-] of an admissible range: how far from its end a corrected constant is put."""
 
@@ -82,6 +85,7 @@ def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
         "one_sided": CutDisagreement(),
         "inward": TurnOutward(),
         "inner": KeepOuter(),
+        "too_many": DecimateTo(SIMULATED),
         "shells": KeepLargestShell(),
         "open_solid": SetConstant("material", "wall_thickness", WALL_THICKNESS),
         "loose": FixLowest(FIXED_SHARE),

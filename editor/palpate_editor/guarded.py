@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
+from os import sysconf
 from pathlib import Path
 from tempfile import TemporaryDirectory, TemporaryFile
 from time import monotonic
@@ -27,6 +28,10 @@ TIME = 10.0
 """[s] That a job may take where nobody says otherwise."""
 MEMORY = 8_000_000_000
 """[bytes] Of address space."""
+PATIENCE = 4.0
+"""[-] How much longer than its processor time it may take on a clock."""
+START = 1.0
+"""[s] Of processor time that its process takes to begin."""
 POLL = 0.02
 """[s] Between two questions whether the work is still wanted."""
 
@@ -83,7 +88,7 @@ def run_guarded(
         job: Its name.
         surface: What it works on.
         numbers: What else it is told, as JSON has it.
-        seconds: [s] It may take, beside the start of its process.
+        seconds: [s] of processor time it may take; four times as long on a clock.
     """
     with TemporaryDirectory(prefix="palpate-surface-") as name:
         folder = Path(name)
@@ -121,15 +126,29 @@ def run(folder: Path, seconds: float) -> bool:
 
 
 def wait(child: subprocess.Popen[bytes], seconds: float) -> int | None:
-    """Its exit code; None where its time was over. Raises Cancelled."""
-    end = monotonic() + seconds
+    """Its exit code; None where its time was over. Raises Cancelled.
+
+    Its own time counts, so that a job gives the same on a busy machine as on an idle one.
+    """
+    end = monotonic() + PATIENCE * seconds
     while True:
         try:
             return child.wait(timeout=POLL)
         except subprocess.TimeoutExpired:
             check_wanted()
-        if monotonic() > end:
+        if monotonic() > end or measure_time(child.pid) > seconds:
             return None
+
+
+def measure_time(process: int) -> float:
+    """[s] Of processor time that it has taken, the start of its Python not counted; 0 once it has
+    ended."""
+    try:
+        stat = Path(f"/proc/{process}/stat").read_text(encoding="ascii", errors="replace")
+    except OSError:
+        return 0.0
+    user, system = stat.rpartition(")")[2].split()[11:13]
+    return (int(user) + int(system)) / sysconf("SC_CLK_TCK") - START
 
 
 def read_found(path: Path, finished: bool) -> Found | None:

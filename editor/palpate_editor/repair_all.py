@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from palpate_editor.check import Assessment, assess
 from palpate_editor.document import Organ
 from palpate_editor.document.problems import Problem
+from palpate_editor.edits.edit import EditError
 from palpate_editor.edits.ladder import climb
 
 Apply = Callable[[Problem, Organ], Organ]
@@ -37,7 +38,8 @@ def repair_problems(
     """What is known of the organ once its problems are repaired, and the titles of what was done.
 
     One at a time, in the order of the stages: what solves one problem may solve, or change,
-    another. A fix that did not help is not tried again.
+    another. A fix that did not help is not tried again; one that is refused leaves its problem to
+    be told, where that was not asked for by its key.
 
     Args:
         organ: What is repaired.
@@ -50,8 +52,14 @@ def repair_problems(
     while problem := find_next(assessment.problems, wanted, tried):
         assert problem.fix is not None
         tried.add((problem.key, problem.where))
+        try:
+            after = apply(problem, assessment.organ)
+        except EditError:
+            if wanted:
+                raise
+            continue
         done.append(problem.fix.title)
-        assessment = assess(apply(problem, assessment.organ), before=assessment)
+        assessment = assess(after, before=assessment)
     return assessment, done
 
 

@@ -14,13 +14,14 @@ import pytest
 from data_folder import find_data
 from foreign_files import WRITERS
 from forks import End, run_in_forks
-from hostile_verdicts import OPENS, REFUSED
+from hostile_verdicts import OPENS, REFUSED, SIMULABLE
 from palpate_editor.authoring import import_mesh, inspect_mesh, join_parts, read_mesh
 from palpate_editor.check import measure_surface
 from palpate_editor.document import EMPTY
 from palpate_editor.document.problems import Facts
 from palpate_editor.document.rules import find_import_problems, find_repair_problems
 from palpate_editor.edits import import_file
+from palpate_editor.repair_all import repair_all
 from palpate_meshes.generate import ellipsoid
 
 LIMITS = {"memory": 2_000_000_000, "processor": 10, "wall": 120}
@@ -126,6 +127,39 @@ def test_what_is_no_mesh_is_refused_with_what_was_found(name, shared_data):
 
     assert REFUSED[name] in refusal.value.got
     assert refusal.value.expected
+
+
+QUICK = ("VH_F_Spleen", "hostile/")
+SLOW = ("regr01", "VH_F_Kidney_L", "VH_F_Liver", "VH_M_Heart")
+"""Shared files that are wrapped, or of a hundred thousand triangles: a quarter of a minute each."""
+
+
+def list_repaired() -> list:
+    def mark(name: str) -> tuple:
+        if any(word in name for word in SLOW):
+            return (pytest.mark.verify,)
+        is_quick = any(word in name for word in QUICK) and "soup" not in name
+        return () if is_quick else (pytest.mark.landing,)
+
+    return [pytest.param(name, marks=mark(name)) for name in SIMULABLE]
+
+
+@pytest.mark.parametrize("name", list_repaired())
+def test_repair_all_makes_of_a_shared_file_what_the_table_says(name, shared_data):
+    found, _ = repair_all(import_file(shared_data(name))(EMPTY))
+
+    stages = ("import", "repair", "decimate", "material")
+    errors = tuple(p.key for p in found.errors if p.stage in stages)
+    assert errors == SIMULABLE[name]
+    assert errors or found.scene is not None
+    # nothing that can be drawn is lost by it
+    assert len(found.organ.surface.triangles) > 0
+
+
+def test_every_shared_file_that_opens_is_in_the_table(shared_data):
+    folder = shared_data("organs")
+    organs = [f"organs/{file.name}" for file in folder.iterdir() if file.suffix != ".csv"]
+    assert sorted(SIMULABLE) == sorted([*(f"hostile/{name}" for name in OPENS), *organs])
 
 
 @pytest.mark.parametrize("name", LARGE)

@@ -14,11 +14,13 @@ from damaged_shapes import COPIES, DAMAGES, SHAPES, compute_volume, damage
 from foreign_files import write_obj
 from palpate.cli.main import main
 from palpate_editor.authoring import inspect_mesh
-from palpate_editor.document import EMPTY, Organ, Surface
+from palpate_editor.document import EMPTY, Organ, Surface, phrase
 from palpate_editor.document.files import read_organ
+from palpate_editor.document.problems import Problem
 from palpate_editor.edits import EditError, RepairAll, import_file
 from palpate_editor.edits.inspected import mesh_of
 from palpate_editor.edits.ladder import climb
+from palpate_editor.repair_all import repair_problems
 
 CLOSE = 0.01
 """[-] of the volume."""
@@ -121,6 +123,21 @@ def test_the_verb_does_the_same_and_a_dry_run_writes_nothing(tmp_path, capsys):
     assert find_fault("sphere", "crossed", read_organ(out)) == ""
     assert main(["repair", str(path), "--all"]) == 1
     assert "--dry-run" in capsys.readouterr().err
+
+
+def test_a_fix_that_is_refused_loses_nothing_of_what_was_repaired():
+    x, t = SHAPES["torus"]()
+    organ = organ_of(x, t[:, ::-1])
+
+    def refuse(problem: Problem, organ: Organ) -> Organ:
+        raise EditError(phrase("It stays."))
+
+    assessment, done = repair_problems(organ, apply=refuse)
+
+    assert done == [] and "inward" in {problem.key for problem in assessment.problems}
+    assert repair_problems(organ)[1][0] == "Turn triangles outward"
+    with pytest.raises(EditError, match="It stays"):
+        repair_problems(organ, ["inward"], apply=refuse)
 
 
 def test_a_wrap_that_gave_up_is_told(monkeypatch):

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <filesystem>
-#include <fstream>
 #include <map>
 
 #include "palpate/authoring/file_signature.h"
 #include "palpate/authoring/read_mesh_child/foreign_formats.h"
 #include "palpate/authoring/read_mesh_child/mean_colour.h"
 #include "palpate/authoring/read_mesh_child/read_materials.h"
+#include "palpate/authoring/read_mesh_child/text_file.h"
 #include "palpate/authoring/read_mesh_child/text_line.h"
 #include "palpate/authoring/read_mesh_child/triangulate.h"
 #include "palpate/authoring/read_mesh_child/wrong_faces.h"
@@ -221,16 +221,12 @@ class Obj {
 };
 
 /// Joins a line that ends in a backslash with those that follow it; how many there were.
-int take_whole_line(std::istream& in, std::string& line) {
+int take_whole_line(TextFile& in, std::string& line) {
   int taken = 1;
-  const auto goes_on = [&] {
-    while (line.ends_with('\r')) line.pop_back();
-    return line.ends_with('\\');
-  };
-  while (goes_on()) {
+  while (line.ends_with('\\')) {
     line.back() = ' ';
     std::string next;
-    if (!std::getline(in, next)) break;
+    if (!in.take_line(next)) break;
     line += next;
     ++taken;
   }
@@ -240,10 +236,10 @@ int take_whole_line(std::istream& in, std::string& line) {
 }  // namespace
 
 std::optional<ImportedScene> read_obj(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
+  TextFile in(path);
   Obj obj(path);
   int number = 1;
-  for (std::string line; std::getline(in, line);) {
+  for (std::string line; in.take_line(line);) {
     if (number == 1) drop_byte_order_mark(line);
     const int taken = take_whole_line(in, line);
     if (line.find('\0') != std::string::npos) return std::nullopt;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cctype>
 #include <filesystem>
-#include <fstream>
 
 #include "palpate/authoring/read_mesh_child/foreign_formats.h"
+#include "palpate/authoring/read_mesh_child/text_file.h"
 #include "palpate/authoring/read_mesh_child/text_line.h"
 #include "palpate/authoring/read_mesh_child/triangulate.h"
 #include "palpate/authoring/read_mesh_child/wrong_faces.h"
@@ -13,16 +14,22 @@ namespace {
 /// The lines of a file that have something in them, comments taken off.
 class Lines {
  public:
-  explicit Lines(const std::string& path) : path_(path), in_(path, std::ios::binary) {}
+  explicit Lines(const std::string& path) : path_(path), in_(path) {}
 
   /// The next line. Refuses the end of the file, where `missing` is still expected.
   TextLine take(const std::string& missing) {
-    while (std::getline(in_, line_)) {
+    if (find()) return TextLine(line_);
+    throw make_error("the end of the file", missing);
+  }
+
+  /// Whether there is another line, which text() is then.
+  bool find() {
+    while (in_.take_line(line_)) {
       if (++number_ == 1) drop_byte_order_mark(line_);
-      line_.resize(std::min(line_.find('#'), line_.size()));
-      if (line_.find_first_not_of(" \t\r") != std::string::npos) return TextLine(line_);
+      drop_comment();
+      if (line_.find_first_not_of(" \t\r") != std::string::npos) return true;
     }
-    throw FileError(path_, "line " + std::to_string(number_), "the end of the file", missing);
+    return false;
   }
 
   FileError make_error(const std::string& got, const std::string& expected) const {
@@ -34,13 +41,23 @@ class Lines {
   }
 
   const std::string& text() const { return line_; }
+  bool is_last() const { return in_.is_at_end(); }
 
   /// [byte] Where the next line begins.
-  std::size_t tell() { return static_cast<std::size_t>(in_.tellg()); }
+  std::size_t tell() const { return in_.tell(); }
 
  private:
+  /// It begins with a word: 1.#IND is a number, though none that is anywhere.
+  void drop_comment() {
+    for (std::size_t at = line_.find('#'); at != std::string::npos; at = line_.find('#', at + 1)) {
+      if (at > 0 && line_[at - 1] != ' ' && line_[at - 1] != '\t') continue;
+      line_.resize(at);
+      return;
+    }
+  }
+
   std::string path_;
-  std::ifstream in_;
+  TextFile in_;
   std::string line_;
   int number_ = 0;
 };
@@ -76,11 +93,14 @@ Head take_head(Lines& lines) {
     return head;
   }
   const std::string said(word);
+  std::string large = said;
+  for (char& c : large) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  word = large;
   head.kind.texture = take_prefix(word, "ST");
   head.kind.colours = take_prefix(word, "C");
   head.kind.normals = take_prefix(word, "N");
   head.kind.weighted = take_prefix(word, "4");
-  if (word != "OFF" && word != "off") {
+  if (word != "OFF") {
     lines.refuse("'" + said.substr(0, 40) + "'", "OFF, COFF, NOFF, STOFF or 4OFF");
   }
   const std::string rest(first.take_rest());
@@ -110,9 +130,8 @@ Vec3 take_vertex(Lines& lines, const Head& head, std::size_t taken) {
 
 /// The corners of one face; what follows them on its line is a colour. False where one of them is
 /// no vertex, which is remembered.
-bool take_face(Lines& lines, const Head& head, long taken, std::vector<int>& corners,
-               WrongFaces& wrong) {
-  TextLine line = lines.take("face " + std::to_string(taken) + " of " + std::to_string(head.faces));
+bool take_face(const Lines& lines, const Head& head, std::vector<int>& corners, WrongFaces& wrong) {
+  TextLine line(lines.text());
   const auto refuse = [&](const std::string& expected) {
     lines.refuse("'" + lines.text().substr(0, 40) + "'", expected);
   };
@@ -121,7 +140,12 @@ bool take_face(Lines& lines, const Head& head, long taken, std::vector<int>& cor
   corners.clear();
   for (long c = 0; c < count; ++c) {
     int corner = 0;
-    if (!line.take(corner)) refuse(std::to_string(count) + " corners");
+    if (!line.take(corner)) {
+      if (!lines.is_last()) refuse(std::to_string(count) + " corners");
+      wrong.add(lines.make_error("'" + lines.text().substr(0, 40) + "'",
+                                 std::to_string(count) + " corners"));
+      return false;
+    }
     if (corner < 0 || corner >= head.vertices) {
       wrong.add(lines.make_error("vertex " + std::to_string(corner),
                                  "an index below " + std::to_string(head.vertices)));
@@ -142,7 +166,12 @@ SurfaceMesh take_text(Lines& lines, const Head& head, int& left_out,
   WrongFaces wrong;
   std::vector<int> corners;
   for (long f = 0; f < head.faces; ++f) {
-    if (!take_face(lines, head, f, corners, wrong)) continue;
+    if (!lines.find()) {
+      const std::string missing = "face " + std::to_string(f) + " of " + std::to_string(head.faces);
+      wrong.add(lines.make_error("the end of the file", missing), head.faces - f);
+      break;
+    }
+    if (!take_face(lines, head, corners, wrong)) continue;
     left_out += corners.size() < 3;
     triangulate_polygon(corners, mesh.vertices, mesh.triangles);
   }

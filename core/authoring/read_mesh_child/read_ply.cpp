@@ -16,6 +16,8 @@
 namespace palpate::authoring {
 namespace {
 
+constexpr const char* kEnd = "the end of the file";
+
 /// The numbers behind the header, row by row.
 class Body {
  public:
@@ -28,7 +30,7 @@ class Body {
     row_ = row;
     if (order_ != PlyOrder::text || element.properties.empty()) return;
     do {
-      if (at_ >= bytes_.size()) refuse("the end of the file", say_row());
+      if (at_ >= bytes_.size()) refuse(kEnd, say_row());
       const std::size_t end = std::min(bytes_.find_first_of("\r\n", at_), bytes_.size());
       line_ = TextLine(std::string_view(bytes_).substr(at_, end - at_));
       at_ = end + (bytes_.compare(end, 2, "\r\n") == 0 ? 2 : 1);
@@ -41,11 +43,12 @@ class Body {
       double value = 0.0;
       const std::string_view word = line_.take_word();
       if (TextLine::parse(word, value)) return value;
+      if (word.empty() && at_ >= bytes_.size()) refuse(kEnd, say_row());
       refuse(word.empty() ? "the end of the line" : "'" + std::string(word.substr(0, 40)) + "'",
              say_row());
     }
     const auto bytes = static_cast<std::size_t>(type.bytes);
-    if (bytes > bytes_.size() - at_) refuse("the end of the file", say_row());
+    if (bytes > bytes_.size() - at_) refuse(kEnd, say_row());
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < bytes; ++i) {
       const std::size_t from = order_ == PlyOrder::big ? i : bytes - 1 - i;
@@ -199,7 +202,7 @@ class Ply {
     if (list == nullptr) throw FileError(path_, "header", "faces without a list", "their corners");
     const Places colours = find_colours(element);
     for (long row = 0; row < element.count; ++row) {
-      take_row(element, row, list);
+      if (!take_face_row(element, row, list)) return;
       const std::size_t first = mesh_.triangles.size();
       if (element.name == "face") {
         take_polygon(corners_);
@@ -208,6 +211,19 @@ class Ply {
       }
       add_colours(first, colours ? std::optional(take_colour(element, *colours)) : std::nullopt);
     }
+  }
+
+  /// False where the file ends before the row does, and what is left is a few faces.
+  bool take_face_row(const PlyElement& element, long row, const PlyProperty* list) {
+    try {
+      take_row(element, row, list);
+    } catch (const FileError& refusal) {
+      if (refusal.got != kEnd || element.name != "face") throw;
+      wrong_.add(refusal, element.count - row);
+      faces_ += element.count - row;
+      return false;
+    }
+    return true;
   }
 
   void take_polygon(std::span<const double> corners) {

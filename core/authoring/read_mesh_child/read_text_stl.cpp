@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <map>
 
 #include "palpate/authoring/read_mesh_child/foreign_formats.h"
+#include "palpate/authoring/read_mesh_child/text_file.h"
 #include "palpate/authoring/read_mesh_child/text_line.h"
 #include "palpate/authoring/read_mesh_child/triangulate.h"
+#include "palpate/authoring/read_mesh_child/wrong_faces.h"
 
 namespace palpate::authoring {
 namespace {
+
+constexpr const char* kEnd = "the end of the file";
 
 std::string lower(std::string_view word) {
   std::string text(word);
@@ -20,14 +23,14 @@ std::string lower(std::string_view word) {
 /// The words of a file, wherever its lines end.
 class Words {
  public:
-  explicit Words(const std::string& path) : path_(path), in_(path, std::ios::binary) {}
+  explicit Words(const std::string& path) : path_(path), in_(path) {}
 
   /// The next word as it stands; empty at the end of the file.
   std::string_view take() {
     for (;;) {
       const std::string_view word = rest_.take_word();
       if (!word.empty()) return word;
-      if (!std::getline(in_, line_)) return {};
+      if (!in_.take_line(line_)) return {};
       if (++number_ == 1) drop_byte_order_mark(line_);
       rest_ = TextLine(line_);
     }
@@ -48,14 +51,14 @@ class Words {
   }
 
   [[noreturn]] void refuse(std::string_view got, const std::string& expected) const {
-    throw FileError(
-        path_, "line " + std::to_string(number_),
-        got.empty() ? "the end of the file" : "'" + std::string(got.substr(0, 40)) + "'", expected);
+    throw FileError(path_, "line " + std::to_string(number_),
+                    got.empty() ? std::string(kEnd) : "'" + std::string(got.substr(0, 40)) + "'",
+                    expected);
   }
 
  private:
   std::string path_;
-  std::ifstream in_;
+  TextFile in_;
   std::string line_;
   TextLine rest_{""};
   int number_ = 0;
@@ -69,18 +72,31 @@ class TextStl {
       : words_(path), stem_(std::filesystem::path(path).stem().string()) {}
 
   ImportedScene read() {
-    for (std::string_view word = words_.take(); !word.empty(); word = words_.take()) {
-      take_word(word);
+    try {
+      take_words();
+    } catch (const FileError& refusal) {
+      if (refusal.got != kEnd) throw;
+      wrong_.add(refusal);
     }
-    if (!corners_.empty()) words_.refuse("", "the rest of a facet, and endfacet");
+    wrong_.settle(facets_, scene_.notes);
     if (is_open_) scene_.notes.emplace_back("ends without endsolid");
     return std::move(scene_);
   }
 
  private:
+  void take_words() {
+    for (std::string_view word = words_.take(); !word.empty(); word = words_.take()) {
+      take_word(word);
+    }
+    if (!corners_.empty()) words_.refuse("", "the rest of a facet, and endfacet");
+  }
+
   void take_word(std::string_view word) {
     const std::string said = lower(word);
-    if (of_normal_ > 0 && said != "outer") {
+    if (scene_.parts.empty() && said == "facet") begin_part("");
+    if (scene_.parts.empty() && said != "solid") {
+      words_.take_line();  // what some programs write above it
+    } else if (of_normal_ > 0 && said != "outer") {
       --of_normal_;
     } else if (said == "solid") {
       begin_part(words_.take_line());
@@ -97,7 +113,9 @@ class TextStl {
       words_.take_line();
     } else if (said == "outer") {
       of_normal_ = 0;
-    } else if (said != "facet" && said != "loop") {
+    } else if (said == "facet") {
+      ++facets_;
+    } else if (said != "loop") {
       words_.refuse(word, "solid, facet, outer loop, vertex, endloop, endfacet or endsolid");
     }
   }
@@ -131,6 +149,8 @@ class TextStl {
   ImportedScene scene_{};
   std::vector<int> corners_;  ///< of the loop being taken
   std::map<std::string, int> seen_;
+  WrongFaces wrong_;
+  long facets_ = 0;
   int of_normal_ = 0;     ///< numbers of it to come; the corners tell it better
   bool is_open_ = false;  ///< no endsolid since the last solid
 };

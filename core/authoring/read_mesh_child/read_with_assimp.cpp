@@ -12,6 +12,7 @@
 
 #include "palpate/authoring/read_mesh_child/confine.h"
 #include "palpate/authoring/read_mesh_child/foreign_formats.h"
+#include "palpate/authoring/read_mesh_child/gltf_head.h"
 #include "palpate/authoring/read_mesh_child/mean_colour.h"
 
 namespace palpate::authoring {
@@ -25,11 +26,14 @@ class FolderFiles : public Assimp::DefaultIOSystem {
  public:
   explicit FolderFiles(const std::string& mesh) : folder_(mesh) {}
 
-  bool Exists(const char* file) const override {
-    return folder_.holds(file) && DefaultIOSystem::Exists(file);
+  bool Exists(const char* reference) const override {
+    const std::string file = find_name(reference);
+    return folder_.holds(file) && DefaultIOSystem::Exists(file.c_str());
   }
 
-  Assimp::IOStream* Open(const char* file, const char* mode) override {
+  Assimp::IOStream* Open(const char* reference, const char* mode) override {
+    const std::string name = find_name(reference);
+    const char* const file = name.c_str();
     if (folder_.holds(file)) return DefaultIOSystem::Open(file, mode);
     std::error_code nothing_there;
     if (std::filesystem::exists(file, nothing_there)) outside_.insert(file);
@@ -39,6 +43,13 @@ class FolderFiles : public Assimp::DefaultIOSystem {
   const std::set<std::string>& outside() const { return outside_; }  ///< asked for and not opened
 
  private:
+  /// A file of that very name, or else of the one that it stands for in glTF.
+  static std::string find_name(const char* reference) {
+    std::error_code nothing_there;
+    return std::filesystem::exists(reference, nothing_there) ? reference
+                                                             : decode_reference(reference);
+  }
+
   MeshFolder folder_;
   std::set<std::string> outside_;
 };
@@ -224,6 +235,9 @@ std::string one_line(std::string text) {
 }  // namespace
 
 ImportedScene read_with_assimp(const std::string& path, const std::string& format) {
+  ImportedScene scene{};
+  const bool is_gltf = format == "GLB" || format == "GLTF";
+  if (is_gltf) check_gltf(path, scene.notes);
   Assimp::Importer importer;
   auto* const files = new FolderFiles(path);  // the importer's own from the next line on
   importer.SetIOHandler(files);
@@ -244,7 +258,8 @@ ImportedScene read_with_assimp(const std::string& path, const std::string& forma
   }
   const std::string said = importer.GetErrorString();
   if (from == nullptr && (said.find("mNumMeshes is 0") != std::string::npos ||
-                          said.find("contains no faces") != std::string::npos)) {
+                          said.find("contains no faces") != std::string::npos ||
+                          said.find("No meshes remaining") != std::string::npos)) {
     throw FileError(path, "", "no faces", "a surface made of triangles or polygons");
   }
   if (from == nullptr && said.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
@@ -253,9 +268,8 @@ ImportedScene read_with_assimp(const std::string& path, const std::string& forma
                     "a readable " + format + " file");
   }
 
-  ImportedScene scene{};
   // the colours of glTF are linear; those of other formats are as they are seen
-  Walk walk(path, *from, format == "GLB" || format == "GLTF");
+  Walk walk(path, *from, is_gltf);
   walk.visit(*from->mRootNode, Eigen::Matrix4d::Identity(), 0);
   scene.parts = walk.take_parts();
   take_units(*from, format, scene);

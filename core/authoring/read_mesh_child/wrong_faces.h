@@ -10,13 +10,14 @@
 
 namespace palpate::authoring {
 
-/// Faces that name a vertex that is not there. A few of them leave holes in a surface that can be
-/// drawn; of more than that the whole file is in doubt.
+/// Faces that name a vertex that is not there, or are not there themselves where a file ends too
+/// soon. A few of them leave holes in a surface that can be drawn; of more than that the whole file
+/// is in doubt.
 class WrongFaces {
  public:
-  void add(FileError refusal) {
+  void add(FileError refusal, long count = 1) {
     if (!first_) first_ = std::move(refusal);
-    ++count_;
+    count_ += count;
   }
 
   /// Notes how many were left out of `all` faces. Throws the first refusal where they are too many.
@@ -24,8 +25,8 @@ class WrongFaces {
     if (!first_) return;
     if (static_cast<double>(count_) > kMost * static_cast<double>(all)) throw *first_;
     notes.push_back(std::to_string(count_) + " of " + std::to_string(all) +
-                    " faces were left out, which name vertices that are not there; the first: " +
-                    first_->where + ", " + first_->got);
+                    " faces cannot be read and were left out; the first: " + first_->where +
+                    ", got " + first_->got);
   }
 
  private:

@@ -28,7 +28,7 @@ from palpate_editor.edits.change import find_change, say_change
 from palpate_editor.edits.clean import SMALL
 from palpate_editor.edits.ladder import Rung, climb
 from palpate_editor.guarded import TIME
-from palpate_editor.repair_all import repair_problems
+from palpate_editor.repair_all import apply_fix, repair_problems
 from palpate_editor.verbs.check import describe_problems
 from palpate_editor.verbs.files import (
     OUTPUTS,
@@ -114,7 +114,9 @@ def run_repair(call: argparse.Namespace) -> Report:
     assessment, repaired = repair_problems(
         organ,
         wanted,
-        lambda problem, before: apply(problem.fix, before, call.file, problem.where),
+        (lambda problem, before: apply(problem.fix, before, call.file, problem.where))
+        if call.problem
+        else apply_fix,
     )
     if not repaired and call.problem:
         raise Refusal(

@@ -1,0 +1,289 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Mesh files that programs write oddly, or that lost their last bytes, open all the same."""
+
+from __future__ import annotations
+
+import base64
+import json
+import struct
+from pathlib import Path
+
+import numpy as np
+import palpate
+import pytest
+from foreign_files import TETRAHEDRON, TETRAHEDRON_FACES, numbers, write_glb, write_stl
+from palpate_editor.authoring import import_mesh, join_parts, read_mesh
+from palpate_meshes.generate import ellipsoid
+from test_read_mesh import EXPECTED, corners_of
+
+ROUND, ROUND_FACES = ellipsoid(200)
+MANY = len(ROUND_FACES)
+
+
+def write_text(kind: str, x: np.ndarray, faces: np.ndarray, declared: int | None = None) -> str:
+    """As OBJ, OFF, STL or PLY."""
+    points = [numbers(p) for p in x]
+    rows = [" ".join(map(str, face)) for face in faces.tolist()]
+    if kind == "obj":
+        lines = [f"v {p}" for p in points]
+        lines += ["f " + " ".join(str(i + 1) for i in face) for face in faces.tolist()]
+    elif kind == "off":
+        lines = ["OFF", f"{len(x)} {declared or len(faces)} 0", *points, *(f"3 {r}" for r in rows)]
+    elif kind == "stl":
+        lines = ["solid a"]
+        for face in faces:
+            lines += ["facet normal 0 0 0", "outer loop", *(f"vertex {points[i]}" for i in face)]
+            lines += ["endloop", "endfacet"]
+        lines.append("endsolid a")
+    else:
+        lines = ["ply", "format ascii 1.0", f"element vertex {len(x)}"]
+        lines += [f"property double {axis}" for axis in "xyz"]
+        lines += [f"element face {declared or len(faces)}", "property list uchar int vertex_index"]
+        lines += ["end_header", *points, *(f"3 {r}" for r in rows)]
+    return "\n".join(lines) + "\n"
+
+
+KINDS = ("obj", "off", "stl", "ply")
+
+
+@pytest.mark.parametrize("end", ["\r\n", "\r"], ids=["of Windows", "of old Macs"])
+@pytest.mark.parametrize("kind", KINDS)
+def test_lines_may_end_as_anywhere(kind, end, tmp_path):
+    path = tmp_path / f"a.{kind}"
+    text = write_text(kind, TETRAHEDRON, TETRAHEDRON_FACES)
+    path.write_bytes(text.replace("\n", end).encode())
+
+    assert corners_of(join_parts(read_mesh(path)).mesh) == EXPECTED
+
+
+@pytest.mark.parametrize("code", ["utf-16-le", "utf-16-be"])
+@pytest.mark.parametrize("kind", ["obj", "off", "stl"])
+def test_text_of_two_bytes_a_letter_is_read(kind, code, tmp_path):
+    path = tmp_path / f"a.{kind}"
+    text = "\ufeff" + write_text(kind, TETRAHEDRON, TETRAHEDRON_FACES)
+    path.write_bytes(text.encode(code))
+
+    assert corners_of(join_parts(read_mesh(path)).mesh) == EXPECTED
+
+
+@pytest.mark.parametrize("word", ["nan", "-nan(ind)", "1.#QNAN", "-1.#IND00", "inf", "-1.#INF"])
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_vertex_that_is_no_place_is_left_out_with_a_note(kind, word, tmp_path):
+    path = tmp_path / f"a.{kind}"
+    x = np.vstack([ROUND, [[7.25, 7.25, 7.25]]])
+    faces = np.vstack([ROUND_FACES, [[0, 1, len(ROUND)]]])
+    path.write_text(write_text(kind, x, faces).replace("7.25 7.25 7.25", f"{word} 0 0"))
+
+    organ, scene = import_mesh(path), read_mesh(path)
+
+    assert (organ.report.triangles, organ.report.closed) == (MANY, True)
+    assert [note for note in scene.notes if "without finite coordinates" in note]
+
+
+@pytest.mark.parametrize("kind", ["obj", "off", "ply"])
+def test_one_face_of_many_on_a_vertex_that_is_not_there_is_left_out_with_a_note(kind, tmp_path):
+    path = tmp_path / f"a.{kind}"
+    path.write_text(write_text(kind, ROUND, np.vstack([ROUND_FACES, [[0, 1, 99999]]])))
+
+    scene = read_mesh(path)
+
+    assert len(scene.parts[0].mesh.triangles) == MANY
+    [note] = scene.notes
+    assert note.startswith(f"1 of {MANY + 1} faces cannot be read") and "line" in note
+
+
+@pytest.mark.parametrize("kind", ["off", "stl", "ply"])
+def test_a_text_that_lost_its_last_lines_opens_with_a_note(kind, tmp_path):
+    path = tmp_path / f"a.{kind}"
+    path.write_text(write_text(kind, ROUND, ROUND_FACES)[: -40 if kind == "stl" else -12])
+
+    scene = read_mesh(path)
+
+    assert len(scene.parts[0].mesh.triangles) == MANY - 1
+    assert any(f"1 of {MANY} faces cannot be read" in note for note in scene.notes)
+
+
+@pytest.mark.parametrize("kind", ["off", "stl", "ply"])
+def test_a_text_that_lost_half_is_refused(kind, tmp_path):
+    path = tmp_path / f"a.{kind}"
+    text = write_text(kind, TETRAHEDRON, TETRAHEDRON_FACES)
+    path.write_text(text[: -60 if kind == "stl" else -20])
+
+    with pytest.raises(palpate.FileError) as refusal:
+        read_mesh(path)
+
+    last = path.read_text().rpartition("\n")[2]
+    assert refusal.value.got in ("the end of the file", f"'{last}'")
+
+
+def binary_stl(stated: int = MANY, count: int = MANY) -> bytes:
+    """Of a round organ, of which the header states another count."""
+    corners = ROUND[ROUND_FACES[:count]].astype("<f4")
+    records = b"".join(struct.pack("<3f", 0, 0, 1) + c.tobytes() + b"\0\0" for c in corners)
+    return b"solid of a program".ljust(80, b"\0") + struct.pack("<I", stated) + records
+
+
+STLS = {
+    "stated too few": (binary_stl(stated=MANY // 2), MANY, f"states {MANY // 2} triangles"),
+    "stated one too many": (binary_stl(stated=MANY + 1), MANY, f"1 of {MANY + 1} faces cannot"),
+    "cut in the last": (binary_stl()[:-20], MANY - 1, f"1 of {MANY} faces cannot"),
+    "much behind it": (binary_stl() + b"\1" * 9999, MANY, "9999 bytes after the last"),
+    "a remark first": (b"; by hand\n" + write_text("stl", ROUND, ROUND_FACES).encode(), MANY, ""),
+    "no solid first": (write_text("stl", ROUND, ROUND_FACES).encode()[8:], MANY, ""),
+}
+
+
+@pytest.mark.parametrize("name", STLS)
+def test_an_odd_stl_opens(name, tmp_path):
+    content, triangles, note = STLS[name]
+    path = tmp_path / "a.stl"
+    path.write_bytes(content)
+
+    scene = read_mesh(path)
+
+    assert [len(part.mesh.triangles) for part in scene.parts] == [triangles]
+    assert not note or any(text.startswith(note) for text in scene.notes), scene.notes
+
+
+def test_two_binary_stl_in_one_file_are_two_parts(tmp_path):
+    write_stl(tmp_path / "a.stl", TETRAHEDRON, TETRAHEDRON_FACES)
+    write_stl(tmp_path / "b.stl", TETRAHEDRON + 200.0, TETRAHEDRON_FACES)
+    both = (tmp_path / "a.stl").read_bytes() + (tmp_path / "b.stl").read_bytes()
+    (tmp_path / "both.stl").write_bytes(both)
+
+    assert [p.name for p in read_mesh(tmp_path / "both.stl").parts] == ["both", "both (2)"]
+
+
+@pytest.mark.parametrize(
+    ("content", "got"),
+    [
+        (b"<!DOCTYPE html>\n<html>not found</html>\n" * 9, "'<!DOCTYPE html>'"),
+        (b"version https://git-lfs.github.com/spec/v1\noid 1\nsize 12345\n", "'version https"),
+        (binary_stl(stated=2 * MANY), f"{2 * MANY} triangles in"),
+    ],
+)
+def test_what_is_no_stl_is_refused_with_how_it_begins(content, got, tmp_path):
+    path = tmp_path / "a.stl"
+    path.write_bytes(content)
+
+    with pytest.raises(palpate.FileError) as refusal:
+        read_mesh(path)
+
+    assert refusal.value.got.startswith(got)
+
+
+# ---------------------------------------------------------------- PLY
+
+
+def ply(order: str, kind: str = "float", corner: str = "int", end: str = "\n",
+        stretch: bytes = b"") -> bytes:  # fmt: skip
+    """A tetrahedron with colours, a list and an element that nobody asked for."""
+    head = ["ply", f"format {order} 1.0", "comment TextureFile a.png", "obj_info 1"]
+    head += ["element camera 1", "property list uchar short k", f"element vertex {4}"]
+    head += [*(f"property {kind} {axis}" for axis in "xyz"), "property uchar red"]
+    head += ["property uchar green", "property uchar blue", "element face 4", "property uchar flag"]
+    head += [f"property list uchar {corner} vertex_indices", "end_header"]
+    sign = "<" if "little" in order else ">"
+    letter = {"float": "f", "double": "d"}[kind], {"int": "i", "uint": "I", "ushort": "H"}[corner]
+    body = struct.pack(f"{sign}B2h", 2, 7, -1)
+    for p in TETRAHEDRON:
+        body += struct.pack(f"{sign}3{letter[0]}3B", *p, 255, 102, 0)
+    for face in TETRAHEDRON_FACES.tolist():
+        body += struct.pack(f"{sign}BB3{letter[1]}", 9, 3, *face)
+    return (end.join(head) + end).encode() + body + stretch
+
+
+LITTLE, BIG = "binary_little_endian", "binary_big_endian"
+PLYS = [
+    ply(LITTLE), ply(BIG), ply(LITTLE, "double"), ply(BIG, "double", "uint"),
+    ply(LITTLE, corner="ushort"), ply(LITTLE, end="\r\n"), ply(BIG, stretch=b"\0\0\0"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("content", PLYS)
+def test_a_binary_ply_is_the_same_surface_and_has_its_colour(content, tmp_path):
+    path = tmp_path / "a.ply"
+    path.write_bytes(content)
+
+    scene = read_mesh(path)
+
+    assert corners_of(join_parts(scene).mesh) == EXPECTED
+    assert scene.parts[0].colour == pytest.approx((1.0, 0.4, 0.0))
+    assert any("textures stay behind" in note for note in scene.notes)
+
+
+def test_strips_of_a_ply_are_triangles_that_face_one_side(tmp_path):
+    path = tmp_path / "a.ply"
+    head = "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+    head += "property float z\nelement tristrips 1\nproperty list int int vertex_indices\n"
+    points = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n"
+    path.write_text(f"{head}end_header\n{points}9 0 1 2 3 4 -1 0 1 2\n")
+
+    mesh = read_mesh(path).parts[0].mesh
+
+    x = np.asarray(mesh.vertices)[np.asarray(mesh.triangles)]
+    up = np.cross(x[:, 1] - x[:, 0], x[:, 2] - x[:, 0])[:, 2]
+    assert up.tolist() == [1.0, 1.0, 1.0, 1.0]
+
+
+@pytest.mark.parametrize(
+    ("text", "where", "got"),
+    [
+        ("plyx\n", "line 1", "'plyx'"),
+        ("ply\nformat utf8 1.0\n", "line 2", "'format utf8 1.0'"),
+        ("ply\nformat ascii 1.0\nelement vertex many\n", "line 3", "'element vertex many'"),
+        ("ply\nelement vertex 1\nproperty complex x\n", "line 3", "'property complex x'"),
+        ("ply\nelement vertex 1\nend_header\n", "line 3", "'end_header'"),
+        ("ply\nformat ascii 1.0\n", "line 2", "'the end of the file'"),
+        ("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n", "header",
+         "vertices without x, y, z"),
+        ("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+         "property float z\nend_header\n1 2 b\n", "line 8", "'b'"),
+    ],
+)  # fmt: skip
+def test_a_ply_is_refused_with_its_line(text, where, got, tmp_path):
+    path = tmp_path / "a.ply"
+    path.write_text(text)
+
+    with pytest.raises(palpate.FileError) as refusal:
+        read_mesh(path)
+
+    assert (refusal.value.where, refusal.value.got) == (where, got)
+
+
+# ---------------------------------------------------------------- glTF
+
+
+def read_glb(path: Path) -> tuple[dict, bytes]:
+    content = path.read_bytes()
+    (size,) = struct.unpack_from("<I", content, 12)
+    return json.loads(content[20 : 20 + size]), content[28 + size :]
+
+
+@pytest.mark.parametrize("name", ["EXT_meshopt_compression", "KHR_mesh_quantization"])
+def test_a_gltf_that_would_be_misread_is_refused_with_what_it_needs(name, tmp_path):
+    write_glb(tmp_path / "a.glb", TETRAHEDRON, TETRAHEDRON_FACES)
+    scene, binary = read_glb(tmp_path / "a.glb")
+    scene["extensionsRequired"] = [name]
+    uri = "data:application/octet-stream;base64," + base64.b64encode(binary).decode()
+    scene["buffers"][0]["uri"] = uri
+    (tmp_path / "a.gltf").write_text(json.dumps(scene))
+
+    with pytest.raises(palpate.FileError) as refusal:
+        read_mesh(tmp_path / "a.gltf")
+
+    assert (refusal.value.where, refusal.value.got) == ("extensionsRequired", name)
+
+
+def test_a_gltf_finds_its_buffer_by_a_name_with_a_blank_and_tells_of_other_scenes(tmp_path):
+    write_glb(tmp_path / "a.glb", TETRAHEDRON, TETRAHEDRON_FACES)
+    scene, binary = read_glb(tmp_path / "a.glb")
+    (tmp_path / "my mesh.bin").write_bytes(binary)
+    scene["buffers"][0]["uri"] = "my%20mesh.bin"
+    scene["scenes"].append({"nodes": []})
+    (tmp_path / "a.gltf").write_text(json.dumps(scene))
+
+    read = read_mesh(tmp_path / "a.gltf")
+
+    assert [len(part.mesh.triangles) for part in read.parts] == [4]
+    assert "of its 2 scenes the usual one was read" in read.notes
