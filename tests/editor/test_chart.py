@@ -276,6 +276,19 @@ def test_the_verb_draws_reruns_and_refuses(plan, chart, tmp_path, capsys, monkey
     assert "got press, expected pull" in capsys.readouterr().err
 
 
+def test_the_truth_of_another_body_is_refused(tmp_path, capsys):
+    organ, truth = tmp_path / "block.organ", tmp_path / "other.truth"
+    write_organ(organ, make_block())
+    other = make_truth()
+    write_truth(truth, replace(other, point=other.point + [0.0, 0.0, 0.05]))
+
+    assert main(["chart", str(organ), "--truth", str(truth)]) == 1
+
+    said = capsys.readouterr().err
+    assert "other.truth: point: got a place 50 mm off the surface" in said
+    assert "expected places of block.organ: it is another body's" in said
+
+
 def test_the_ball_of_a_truth_is_the_organs(tmp_path, capsys):
     organ, truth = tmp_path / "block.organ", tmp_path / "block.truth"
     write_organ(organ, make_block())

@@ -122,7 +122,7 @@ class Advice:
     cheaper: Candidate | None
     """The best that is cheaper for certain; it misses something."""
     better: Candidate | None
-    """The cheapest whose force is better by more than the truth's own error."""
+    """The cheapest whose force is better by more than the truth's own error; its shape no worse."""
     own: Candidate | None
     """What the organ came with; None where that did not run."""
     tried: int
@@ -268,9 +268,19 @@ def find_cheaper(rows: Iterable[Row], choice: Candidate) -> Row | None:
 
 
 def find_better(rows: Iterable[Row], choice: Candidate, chart: Chart) -> Row | None:
-    """The cheapest whose force is better by more than the truth's own error."""
-    most = choice.row.total.force_rms - chart.truth.force_error
-    front = find_front([row for row in rows if row.total.force_rms < most])
+    """The cheapest whose force is better by more than the truth's own error, and whose shape is no
+    worse by more than that: a surface of springs may have the force of one press by chance."""
+    total, truth = choice.row.total, chart.truth
+    most = total.force_rms - truth.force_error
+    shape = math.inf
+    if total.displacement is not None:
+        shape = total.displacement + truth.displacement_error
+    found = [
+        row
+        for row in rows
+        if row.total.force_rms < most and (row.total.displacement or 0.0) <= shape
+    ]
+    front = find_front(found)
     return front[0] if front else None
 
 

@@ -176,7 +176,20 @@ def check_truth(call: argparse.Namespace, organ: Organ, truth: Truth) -> Truth:
     if abs(truth.radius - organ.tool.radius) > 1e-9:
         ball = f"{1e3 * organ.tool.radius:g} mm, the organ's own tool"
         raise Refusal(call.truth, "radius", f"{1e3 * truth.radius:g} mm", ball)
+    beside = find_farthest(organ, truth)
+    if beside > truth.radius:
+        got = f"a place {1e3 * beside:.3g} mm off the surface"
+        raise Refusal(call.truth, "point", got, f"places of {call.file.name}: it is another body's")
     return truth
+
+
+def find_farthest(organ: Organ, truth: Truth) -> float:
+    """[m] from the organ to the place of a truth that is farthest off it."""
+    assert organ.surface is not None
+    vertices, triangles = organ.surface.vertices, organ.surface.triangles
+    tree = palpate.AabbTree(vertices, triangles)
+    nearest = (palpate.find_closest_point(tree, vertices, point) for point in truth.point)
+    return max(found.distance for found in nearest if found is not None)
 
 
 def choose_runner(call: argparse.Namespace) -> Runner:

@@ -22,7 +22,7 @@ COLOURS = {
     "Newton": "#3d8b5f",
 }
 MARKS = {"Palpate": "o", "MuJoCo": "s", "PositionBasedDynamics": "^", "Newton": "D"}
-COSTS = (0.03, 60.0)
+COSTS = (0.003, 60.0)
 """[s]"""
 LEAST, MOST = 0.005, 3.0
 """[-] Errors beyond are drawn at the edge."""
@@ -97,9 +97,9 @@ def draw_best(axes: Axes, found: dict | None, engine: str, colour: str) -> None:
     axes.annotate(
         f"{x:.2g} s" if x < 10.0 else f"{x:.0f} s",
         (x, y),
-        xytext=(-9, -3) if engine == "Palpate" else (0, -16),
+        xytext=(-9, -3) if engine == "Palpate" and x > 0.02 else (0, -16),
         textcoords="offset points",
-        ha="right" if engine == "Palpate" else "center",
+        ha="right" if engine == "Palpate" and x > 0.02 else "center",
         color=colour,
         fontsize=8.5,
         fontweight="bold",

@@ -3,13 +3,16 @@
 --accuracy`.
 
     compare_accuracy.py --anchor ANCHOR --python PEERS_PYTHON [--quick] [--json]
-                        [--chart FILE.png]
+                        [--beside REPORT.json] [--chart FILE.png]
 
 Every engine presses the same ball to the same depths into a solid spleen and a thin wall (work.py),
 on the meshes and steps of ladder.py, one thread each, between two runs of the plain loop. Of an
 engine's configurations that feel the truth within a tenth at both depths the cheapest counts:
 processor time per simulated second, in touch. Fails, with a sentence, where an engine that should
 have run gave no row.
+
+With --beside, of the other engines only what was cheapest in that report is run again; their other
+rows are taken from it as they are.
 """
 
 from __future__ import annotations
@@ -108,13 +111,33 @@ def find_both(rows: list[dict], engine: str) -> dict | None:
     return min(fit, key=lambda row: row["cpu_per_second"], default=None)
 
 
-def run_ladder(runner: Runner, quick: bool) -> tuple[list[dict], list[str]]:
+def find_kept(report: dict | None, entry: Entry, name: str, attempt: Try) -> dict | None:
+    """The row of a report that need not be run again: of another engine, and not its cheapest."""
+    if report is None or entry.ours:
+        return None
+    words = " ".join(attempt.words)
+    best = report["best"][name][entry.engine].values()
+    if words in [found["words"] for found in best if found is not None]:
+        return None
+    wanted = (name, entry.engine, words)
+    rows = [row for row in report["rows"] if (row["work"], row["engine"], row["words"]) == wanted]
+    return {**rows[0], "kept": True} if rows else None
+
+
+def run_ladder(
+    runner: Runner, quick: bool, before: dict | None = None
+) -> tuple[list[dict], list[str]]:
+    """Rows, and a sentence on each that is missing; `before` is the report to run beside."""
     rows: list[dict] = []
     missing: list[str] = []
     for name in WORKS:
         for entry in LADDER:
             for attempt in entry.tries[name]:
                 if quick and not attempt.quick:
+                    continue
+                kept = find_kept(before, entry, name, attempt)
+                if kept is not None:
+                    rows.append(kept)
                     continue
                 print(f"{name}: {entry.engine} {' '.join(attempt.words)}", file=sys.stderr)
                 try:
@@ -161,6 +184,12 @@ def main() -> int:
     parser.add_argument("--accuracy", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--quick", action="store_true", help="a few configurations of each")
     parser.add_argument("--json", action="store_true", help="report as JSON on standard output")
+    parser.add_argument(
+        "--beside",
+        type=Path,
+        metavar="REPORT.json",
+        help="run others' cheapest rows of this report alone, and take the rest from it",
+    )
     parser.add_argument("--chart", type=Path, metavar="FILE.png", help="cost against error")
     call = parser.parse_args()
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -168,7 +197,8 @@ def main() -> int:
         write_works(Path(folder))
         runner = Runner(call.anchor, call.python, Path(folder))
         works = {name: asdict(read_work(runner.folder / f"{name}.json")) for name in WORKS}
-        report = make_report(works, *run_ladder(runner, call.quick))
+        before = json.loads(call.beside.read_text("utf-8")) if call.beside else None
+        report = make_report(works, *run_ladder(runner, call.quick, before))
     print(json.dumps(report, indent=2) if call.json else describe(report))
     if call.chart:
         save_accuracy_chart(call.chart, report)

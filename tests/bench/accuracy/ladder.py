@@ -46,8 +46,30 @@ LADDER = (
     Entry(
         "Palpate",
         "palpate_tissue.py",
-        on(SOLID, "300", "600", "*1000", "3000", "600 mesh", "3000 mesh", "*12000 mesh")
-        | on(WALL, "*300", "400", "600", "800", "300 1e8", "600 1e8", "*800 1e8", "1200 1e8"),
+        on(
+            SOLID,
+            "300 linear hz:50",
+            "*300 linear hz:100",
+            "600 linear hz:100",
+            "*300 linear",
+            "600 linear",
+            "300",
+            "*600",
+            "3000",
+            "600 mesh",
+            "12000 mesh",
+        )
+        | on(
+            WALL,
+            "200 damping:0.02",
+            "*300 damping:0.02",
+            "400 damping:0.02",
+            "600 damping:0.02",
+            "*300",
+            "400",
+            "600",
+            "800 1e8",
+        ),
         ours=True,
     ),
     Entry(

@@ -1,13 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The common work at equal accuracy in Palpate: whole haptic ticks of an organ as it is published.
 
-`palpate_tissue.py FOLDER WORK SIZE [STIFFNESS|mesh]`. SIZE is how many tetrahedra fill the organ,
-or to how many vertices a wall is decimated; WORK's modulus gives all constants of the tissue,
-STIFFNESS [N/m³] is that of the tool's contact, if not the usual one; mesh: with the far field of
-these tetrahedra instead of the one that a shipped solid has of finer ones. A step is a tick at
-1 kHz with as many substeps as it asks for: tree, candidates, near field, tool, forces, alarm; none
-of the tissue sleeps. The hand holds the tool by a spring so stiff that the ball is where the hand
-is, to a hundredth of a millimetre.
+`palpate_tissue.py FOLDER WORK SIZE [WORD ...]`. SIZE is how many tetrahedra fill the organ, or to
+how many vertices a wall is decimated; WORK's modulus gives all constants of the tissue. A word is
+
+    a number          [N/m³] the stiffness of the tool under the hard law of contact
+    mesh              with the far field of these tetrahedra, not of finer ones as solids ship
+    linear            a linear solid: its response is solved beforehand
+    implicit_damping  symplectic Euler with implicit damping
+    damping:NUMBER    [-] of critical, of what swings fastest, if not that of the organ as it ships
+    hz:NUMBER         ticks a second, if not 1000
+    sleeps:NUMBER     [mN] the force may be wrong by, so that tissue at rest may sleep
+
+A step is a tick with as many substeps as it asks for: tree, candidates, near field, tool, forces,
+alarm. The hand holds the tool by a spring so stiff that the ball is where the hand is, to a
+hundredth of a millimetre.
 """
 
 from __future__ import annotations
@@ -34,20 +41,18 @@ DRAG = 60.0
 """[1/s] So that what swings has come to rest within a hold."""
 
 
-OF_MESH = "mesh"
+OF_MESH, LINEAR, DAMPED = "mesh", "linear", "implicit_damping"
+RATE, SLEEPS, DAMPING = "hz:", "sleeps:", "damping:"
 
 
-def make_work_organ(work: Work, size: int, word: str = "") -> Organ:
-    """The shipped organ of the work with another modulus, ball and number of elements; `word` is
-    the stiffness [N/m³] of the hard law of contact or OF_MESH."""
-    stiffness = None if word in ("", OF_MESH) else float(word)
+def make_work_organ(work: Work, size: int, *words: str) -> Organ:
+    """The shipped organ of the work with another modulus, ball and number of elements. Raises
+    ValueError for a word that it does not know."""
     wall = work.wall_thickness is not None
     organ = make_organ(work.shipped)
     if wall:
         organ = decimate_organ(organ, size)(organ)
-    tool = replace(organ.tool, radius=work.radius)
-    law = organ.model.contact_law if stiffness is None else "hard"
-    return replace(
+    organ = replace(
         organ,
         material=replace(
             organ.material,
@@ -56,11 +61,37 @@ def make_work_organ(work: Work, size: int, word: str = "") -> Organ:
             poisson_ratio=work.poisson_ratio,
             wall_thickness=work.wall_thickness,
         ),
-        model=replace(organ.model, drag=DRAG, contact_law=law),
+        model=replace(organ.model, drag=DRAG),
         fill=organ.fill if wall else FillPart(size),
-        tool=tool if stiffness is None else replace(tool, stiffness=stiffness),
+        tool=replace(organ.tool, radius=work.radius),
         hand=HandPart(coupling=COUPLING, force_max=FORCE_MAX),
-        far_field=None if word == OF_MESH else organ.far_field,
+    )
+    for word in words:
+        organ = change(organ, word)
+    return organ
+
+
+def change(organ: Organ, word: str) -> Organ:
+    """What a word says."""
+    if word == OF_MESH:
+        return replace(organ, far_field=None)
+    if word == LINEAR:
+        return replace(organ, model=replace(organ.model, kind="linear_solid"))
+    if word.startswith(DAMPING):
+        ratio = float(word.removeprefix(DAMPING))
+        return replace(organ, material=replace(organ.material, damping_ratio=ratio))
+    if word == DAMPED:
+        integrator = "symplectic_euler_implicit_damping"
+        return replace(organ, model=replace(organ.model, integrator=integrator))
+    if word.startswith(RATE):
+        return replace(organ, hand=replace(organ.hand, rate=float(word.removeprefix(RATE))))
+    if word.startswith(SLEEPS):
+        error = 1e-3 * float(word.removeprefix(SLEEPS))
+        return replace(organ, hand=replace(organ.hand, force_error=error))
+    return replace(
+        organ,
+        model=replace(organ.model, contact_law="hard"),
+        tool=replace(organ.tool, stiffness=float(word)),
     )
 
 
@@ -88,10 +119,10 @@ class Tissue:
         return np.asarray(self.world.bodies[0].tissue.position)
 
 
-def press_organ(work: Work, size: int, word: str = "") -> dict:
+def press_organ(work: Work, size: int, *words: str) -> dict:
     """The row of one size."""
     began = time.perf_counter()
-    scene = compile_organ(make_work_organ(work, size, word))
+    scene = compile_organ(make_work_organ(work, size, *words))
     built = time.perf_counter() - began
     x, triangles = (np.asarray(part) for part in take_surface(scene, 0))
     touch = find_touch(x, triangles, np.array(work.point), np.array(work.direction), work.radius)
@@ -107,9 +138,8 @@ def press_organ(work: Work, size: int, word: str = "") -> dict:
 
 def main() -> None:
     folder, name, size = Path(sys.argv[1]), sys.argv[2], int(sys.argv[3])
-    word = sys.argv[4] if len(sys.argv) > 4 else ""
     work = read_work(folder / f"{name}.json")
-    row = press_organ(work, size, word)
+    row = press_organ(work, size, *sys.argv[4:])
     report(work, row, engine="Palpate", version=palpate.__version__, recipe=str(size))
 
 

@@ -52,6 +52,18 @@ def test_the_cheapest_that_meets_every_target_is_chosen():
     assert advice.better.row.number == 3
 
 
+def test_a_better_force_on_a_worse_shape_is_not_the_next_better():
+    def with_shape(row, shape: float):
+        return replace(row, total=replace(row.total, displacement=shape))
+
+    choice = with_shape(make_row(0, cost=2e-4, error=0.05), 0.05)
+    springs = with_shape(make_row(1, cost=1e-5, error=0.02), 0.30)
+    solid = with_shape(make_row(2, cost=4e-4, error=0.03), 0.05)
+
+    assert ask(choice, springs, solid).better.row.number == 2
+    assert ask(choice, springs).better is None
+
+
 def test_the_errors_of_row_and_truth_are_added():
     rows = make_row(0, error=0.08), make_row(1, cost=2e-4, error=0.03)
 
