@@ -6,10 +6,11 @@ from __future__ import annotations
 from palpate.cli.bench import BENCH
 from palpate.cli.device import DEVICE
 from palpate.cli.doctor import DOCTOR
+from palpate.cli.multirate import MULTIRATE_VERB
 from palpate.cli.play import PLAY
 from palpate.cli.press import PRESS
 from palpate.cli.render import RENDER
 from palpate.cli.replay import REPLAY
 from palpate.cli.study import STUDY
 
-VERBS = [DOCTOR, PRESS, PLAY, DEVICE, REPLAY, RENDER, BENCH, STUDY]
+VERBS = [DOCTOR, PRESS, PLAY, DEVICE, REPLAY, RENDER, BENCH, STUDY, MULTIRATE_VERB]

@@ -23,6 +23,7 @@ SVG = "an SVG picture"
 FINDINGS = "findings of a study"
 CHART = "the chart of an organ"
 ATLAS = "the atlas of an organ"
+MULTIRATE = "a multi-rate chart"
 SELFTEST = "the report of a self-test"
 REPLAY = "the report of a replay"
 SUMMARY = "the summary of a demo"
@@ -40,6 +41,7 @@ OF_FORMAT = {
     "palpate chart": CHART,
     "palpate atlas": ATLAS,
     "palpate truth": TRUTH,
+    "palpate multirate": MULTIRATE,
 }
 """The member `format` of a manifest or a JSON file -> what it is."""
 OF_JSON = {
