@@ -2385,6 +2385,8 @@ class EventKind(enum.IntEnum):
     tree_exchanged = 8
     motors_off = 9
     motors_on = 10
+    passivity = 12
+    tissue_exchanged = 13
 
 class Event:
     """Something that happened at a tick."""
@@ -2408,7 +2410,7 @@ class Event:
     """[s] or [-]; EventKind says what."""
     source: int
     """Which body an alarm or tree_exchanged is of, or which instrument fault, attached,
-    released, motors_off and motors_on are; else 0.
+    released, motors_off, motors_on and passivity are; else 0.
     """
     dtype: np.dtype[np.void]
     def __copy__(self) -> Event:
@@ -2875,6 +2877,7 @@ class Scene:
         rate: float = ...,
         rigid: Sequence[RigidBody] = ...,
         scenery: Sequence[Scenery] = ...,
+        exchange_rate: float = ...,
     ) -> None:
         """Copies its parts: one body and one instrument unless others are given. build_scene
         makes it ready for ticks.
@@ -2900,6 +2903,11 @@ class Scene:
     def gravity(self, value: ArrayLike) -> None: ...
     rate: float
     """[Hz]"""
+    exchange_rate: float
+    """[Hz] 0: the live loop ticks the tissue with the hands. Else the tissue ticks in a thread
+    of its own, is told where the hands are so often, and is felt between by its local
+    stiffness. tick() knows nothing of it.
+    """
     def __copy__(self) -> Scene:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> Scene:
@@ -2914,6 +2922,7 @@ class Scene:
         bool,
         list[RigidBody],
         list[Scenery],
+        float,
     ]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
@@ -3152,6 +3161,8 @@ class HapticDevice:
         Args:
             seconds: [s]
         """
+    def dynamics(self) -> DeviceDynamics:
+        """What it declares of itself. Asked for at the start of a run, not while it is on."""
     def motors(self) -> MotorState:
         """Whether the hand feels what is written now."""
     def explain_fault(self) -> str:
@@ -3175,6 +3186,33 @@ class HapticDevice:
         """
     def __reduce_ex__(self, protocol: int) -> object:
         """Raises TypeError: not to be pickled."""
+
+class DeviceDynamics:
+    """What a device declares of itself, from which follows how stiff what is felt through it
+    may be.
+    """
+    def __init__(self, *, damping: float = ..., delay: float = ...) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
+    damping: float
+    """[N·s/m] The least that the hand always feels of it; 0: none declared."""
+    delay: float
+    """[s] From a hand to the force that answers it, holding not included."""
+    def __copy__(self) -> DeviceDynamics:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> DeviceDynamics:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+def find_passive_stiffness(dynamics: DeviceDynamics, period: float) -> float:
+    """[N/m] Up to which a spring that is told every period [s] calms the hand, b / (T/2 + d)
+    [Colgate97]; 0 where no damping is declared.
+
+    Args:
+        period: [s]
+    """
 
 class SafetyLimits:
     """What a device may be sent. The defaults suit a device that nothing can hurt; a real one
@@ -4743,11 +4781,14 @@ class InstrumentSnapshot:
     @property
     def motors(self) -> MotorState:
         """Of the device."""
+    @property
+    def interventions(self) -> int:
+        """Of the device's passivity controller, so far."""
     def __copy__(self) -> InstrumentSnapshot:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> InstrumentSnapshot:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -4780,6 +4821,9 @@ class Snapshot:
         """Of the first instrument."""
     @property
     def motors(self) -> object:
+        """Of the first instrument."""
+    @property
+    def interventions(self) -> object:
         """Of the first instrument."""
     @property
     def cost(self) -> float:
@@ -4819,11 +4863,24 @@ class DeviceReport:
     @property
     def touch_force(self) -> float:
         """[N] The mean of what was sent in them."""
+    @property
+    def damped_ticks(self) -> int:
+        """In which its passivity controller had to act."""
+    @property
+    def interventions(self) -> int:
+        """Times that it began to, after 100 ms without."""
+    @property
+    def passive_stiffness(self) -> float:
+        """[N/m] Up to which a spring that is told at the rate of the run is passive with the
+        damping and the delay that the device declared at its start; 0 where it declares none.
+        """
     def __copy__(self) -> DeviceReport:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> DeviceReport:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __getstate__(
+        self, /
+    ) -> tuple[object, object, object, object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -4882,6 +4939,21 @@ class LoopReport:
     def touch_force(self) -> float:
         """[N] The mean of what was sent in them."""
     @property
+    def damped_ticks(self) -> int:
+        """In which a passivity controller had to act, the sum of all devices."""
+    @property
+    def interventions(self) -> int:
+        """Times that one began to, after 100 ms without; the sum of all devices."""
+    @property
+    def exchanges(self) -> int:
+        """With the tissue of a scene with an exchange_rate; else none."""
+    @property
+    def late_exchanges(self) -> int:
+        """Of them, because the tissue was still at work when they were due."""
+    @property
+    def exchange_cost(self) -> Percentiles:
+        """Of the tissue, for one."""
+    @property
     def devices(self) -> tuple:
         """A DeviceReport each, in the order of the instruments, a tuple."""
     def __copy__(self) -> LoopReport:
@@ -4891,6 +4963,11 @@ class LoopReport:
     def __getstate__(
         self, /
     ) -> tuple[
+        object,
+        object,
+        object,
+        object,
+        object,
         object,
         object,
         object,

@@ -18,6 +18,27 @@ namespace palpate::bindings {
 
 namespace {
 
+void bind_device_dynamics(py::module_& m) {
+  py::class_<DeviceDynamics> dynamics(
+      m, "DeviceDynamics",
+      "What a device declares of itself, from which follows how stiff what is felt through it may "
+      "be.");
+  dynamics
+      .def(py::init([](double damping, double delay) {
+             return DeviceDynamics{damping, delay};
+           }),
+           py::kw_only(), "damping"_a = 0.0, "delay"_a = 0.0)
+      .def_readwrite("damping", &DeviceDynamics::damping,
+                     "[N·s/m] The least that the hand always feels of it; 0: none declared.")
+      .def_readwrite("delay", &DeviceDynamics::delay,
+                     "[s] From a hand to the force that answers it, holding not included.");
+  def_value(dynamics, &DeviceDynamics::damping, &DeviceDynamics::delay);
+  def_repr(dynamics, {"damping", "delay"});
+  m.def("find_passive_stiffness", &find_passive_stiffness, "dynamics"_a, "period"_a,
+        "[N/m] Up to which a spring that is told every period [s] calms the hand, b / (T/2 + d) "
+        "[Colgate97]; 0 where no damping is declared.");
+}
+
 void bind_scripted_device(py::module_& m) {
   py::class_<KeyFrame> frame(m, "KeyFrame",
                              "One moment of a script; between key frames the hand moves smoothly "
@@ -117,6 +138,7 @@ void bind_devices(py::module_& m) {
       .value("cut", MotorState::cut,
              "They were on: it took them off, was reset, fell silent or is gone.")
       .finalize();
+  bind_device_dynamics(m);
   py::class_<HapticDevice> device(
       m, "HapticDevice",
       "A haptic device, real or simulated. read and write belong to the haptic thread, which "
@@ -142,6 +164,8 @@ void bind_devices(py::module_& m) {
       .def("rest", &HapticDevice::rest, "seconds"_a,
            "The run is paused and its time stands still: no force, and so many [s] of the world's "
            "time have passed since the last call.")
+      .def("dynamics", &HapticDevice::dynamics,
+           "What it declares of itself. Asked for at the start of a run, not while it is on.")
       .def("motors", &HapticDevice::motors, "Whether the hand feels what is written now.")
       .def("explain_fault", &HapticDevice::explain_fault,
            "Why the motors are cut, or the device has failed, and what to do; empty where it "

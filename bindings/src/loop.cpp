@@ -70,10 +70,13 @@ void bind_snapshot(py::module_& m) {
   def_vector(instrument, "force", &InstrumentSnapshot::force,
              "[N] on the hand; none while the motors are not on.");
   instrument.def_readonly("touching", &InstrumentSnapshot::touching, "Any contact in force.")
-      .def_readonly("motors", &InstrumentSnapshot::motors, "Of the device.");
+      .def_readonly("motors", &InstrumentSnapshot::motors, "Of the device.")
+      .def_readonly("interventions", &InstrumentSnapshot::interventions,
+                    "Of the device's passivity controller, so far.");
   def_value(instrument, &InstrumentSnapshot::sample, &InstrumentSnapshot::tool_position,
-            &InstrumentSnapshot::force, &InstrumentSnapshot::touching, &InstrumentSnapshot::motors);
-  def_repr(instrument, {"touching", "force", "tool_position", "motors"});
+            &InstrumentSnapshot::force, &InstrumentSnapshot::touching, &InstrumentSnapshot::motors,
+            &InstrumentSnapshot::interventions);
+  def_repr(instrument, {"touching", "force", "tool_position", "motors", "interventions"});
 
   py::class_<Snapshot> snapshot(
       m, "Snapshot",
@@ -82,7 +85,8 @@ void bind_snapshot(py::module_& m) {
       .def_readonly("time", &Snapshot::time, "[s]");
   def_elements(snapshot, "bodies", &Snapshot::bodies, "As Scene.bodies, a tuple.");
   def_elements(snapshot, "instruments", &Snapshot::instruments, "As Scene.instruments, a tuple.");
-  for (const char* name : {"sample", "tool_position", "force", "touching", "motors"}) {
+  for (const char* name :
+       {"sample", "tool_position", "force", "touching", "motors", "interventions"}) {
     snapshot.def_property_readonly(
         name,
         [name](const py::object& self) {
@@ -107,12 +111,21 @@ void bind_report(py::module_& m) {
       .def_readonly("peak_force", &DeviceReport::peak_force, "[N] The largest that was sent.")
       .def_readonly("touch_ticks", &DeviceReport::touch_ticks, "Touching or attached.")
       .def_readonly("touch_force", &DeviceReport::touch_force,
-                    "[N] The mean of what was sent in them.");
+                    "[N] The mean of what was sent in them.")
+      .def_readonly("damped_ticks", &DeviceReport::damped_ticks,
+                    "In which its passivity controller had to act.")
+      .def_readonly("interventions", &DeviceReport::interventions,
+                    "Times that it began to, after 100 ms without.")
+      .def_readonly("passive_stiffness", &DeviceReport::passive_stiffness,
+                    "[N/m] Up to which a spring that is told at the rate of the run is passive "
+                    "with the damping and the delay that the device declared at its start; 0 where "
+                    "it declares none.");
   def_value(device, &DeviceReport::fault, &DeviceReport::fault_reason,
             &DeviceReport::unrendered_ticks, &DeviceReport::peak_force, &DeviceReport::touch_ticks,
-            &DeviceReport::touch_force);
+            &DeviceReport::touch_force, &DeviceReport::damped_ticks, &DeviceReport::interventions,
+            &DeviceReport::passive_stiffness);
   def_repr(device, {"fault", "fault_reason", "unrendered_ticks", "peak_force", "touch_ticks",
-                    "touch_force"});
+                    "touch_force", "damped_ticks", "interventions", "passive_stiffness"});
 
   py::class_<LoopReport> report(m, "LoopReport", "What a run of the loop cost.");
   report.def_readonly("ticks", &LoopReport::ticks, "How many were run.")
@@ -141,7 +154,16 @@ void bind_report(py::module_& m) {
       .def_readonly("touch_ticks", &LoopReport::touch_ticks,
                     "Touching or attached, the sum of all instruments.")
       .def_readonly("touch_force", &LoopReport::touch_force,
-                    "[N] The mean of what was sent in them.");
+                    "[N] The mean of what was sent in them.")
+      .def_readonly("damped_ticks", &LoopReport::damped_ticks,
+                    "In which a passivity controller had to act, the sum of all devices.")
+      .def_readonly("interventions", &LoopReport::interventions,
+                    "Times that one began to, after 100 ms without; the sum of all devices.")
+      .def_readonly("exchanges", &LoopReport::exchanges,
+                    "With the tissue of a scene with an exchange_rate; else none.")
+      .def_readonly("late_exchanges", &LoopReport::late_exchanges,
+                    "Of them, because the tissue was still at work when they were due.")
+      .def_readonly("exchange_cost", &LoopReport::exchange_cost, "Of the tissue, for one.");
   def_elements(report, "devices", &LoopReport::devices,
                "A DeviceReport each, in the order of the instruments, a tuple.");
   def_value(report, &LoopReport::ticks, &LoopReport::missed_ticks, &LoopReport::unpaced_ticks,
@@ -149,11 +171,15 @@ void bind_report(py::module_& m) {
             &LoopReport::realtime, &LoopReport::realtime_note, &LoopReport::alarm,
             &LoopReport::alarm_body, &LoopReport::fault, &LoopReport::fault_reason,
             &LoopReport::record_gaps, &LoopReport::unrendered_ticks, &LoopReport::peak_force,
-            &LoopReport::touch_ticks, &LoopReport::touch_force, &LoopReport::devices);
-  def_repr(report,
-           {"ticks", "missed_ticks", "unpaced_ticks", "lateness", "cost", "part_costs", "realtime",
-            "realtime_note", "alarm", "alarm_body", "fault", "fault_reason", "record_gaps",
-            "unrendered_ticks", "peak_force", "touch_ticks", "touch_force", "devices"});
+            &LoopReport::touch_ticks, &LoopReport::touch_force, &LoopReport::devices,
+            &LoopReport::damped_ticks, &LoopReport::interventions, &LoopReport::exchanges,
+            &LoopReport::late_exchanges, &LoopReport::exchange_cost);
+  def_repr(report, {"ticks",       "missed_ticks",     "unpaced_ticks", "lateness",
+                    "cost",        "part_costs",       "realtime",      "realtime_note",
+                    "alarm",       "alarm_body",       "fault",         "fault_reason",
+                    "record_gaps", "unrendered_ticks", "peak_force",    "touch_ticks",
+                    "touch_force", "damped_ticks",     "interventions", "devices",
+                    "exchanges",   "late_exchanges",   "exchange_cost"});
 }
 
 /// The devices of a loop, as Python owns them; let go of under its lock.

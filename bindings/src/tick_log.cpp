@@ -88,6 +88,11 @@ void bind_log_rows(py::module_& m) {
              "grown by")
       .value("motors_off", EventKind::motors_off, "index: MotorState, 1 silent, 2 off, 3 cut")
       .value("motors_on", EventKind::motors_on)
+      .value("passivity", EventKind::passivity,
+             "the passivity controller began to damp; value: [J] that the hand was given")
+      .value("tissue_exchanged", EventKind::tissue_exchanged,
+             "index: ticks since the hands were told to the slow tissue that is felt from this "
+             "tick on; value: [s] that it took")
       .finalize();
   py::class_<Event> event(m, "Event", "Something that happened at a tick.");
   event
@@ -103,7 +108,7 @@ void bind_log_rows(py::module_& m) {
       .def_readwrite("value", &Event::value, "[s] or [-]; EventKind says what.")
       .def_readwrite("source", &Event::source,
                      "Which body an alarm or tree_exchanged is of, or which instrument fault, "
-                     "attached, released, motors_off and motors_on are; else 0.");
+                     "attached, released, motors_off, motors_on and passivity are; else 0.");
   event.attr("dtype") = row_dtype<Event>();
   def_value(event, &Event::tick, &Event::kind, &Event::index, &Event::value, &Event::source);
   def_repr(event, {"tick", "kind", "index", "value", "source"});

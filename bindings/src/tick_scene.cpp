@@ -200,11 +200,11 @@ void def_scene_pickle(py::class_<Scene>& scene) {
   scene.def(py::pickle(
       [](const Scene& self) {
         return py::make_tuple(self.bodies, self.instruments, self.gravity, self.rate,
-                              is_built(self), self.rigid, self.scenery);
+                              is_built(self), self.rigid, self.scenery, self.exchange_rate);
       },
       [](const py::tuple& packed) {
-        if (packed.size() != 7) {
-          refuse("pickle", std::to_string(packed.size()) + " members", "7, as this version has");
+        if (packed.size() != 8) {
+          refuse("pickle", std::to_string(packed.size()) + " members", "8, as this version has");
         }
         Scene made;
         made.bodies = packed[0].cast<std::vector<SoftBody>>();
@@ -213,6 +213,7 @@ void def_scene_pickle(py::class_<Scene>& scene) {
         made.rate = packed[3].cast<double>();
         made.rigid = packed[5].cast<std::vector<RigidBody>>();
         made.scenery = packed[6].cast<std::vector<Scenery>>();
+        made.exchange_rate = packed[7].cast<double>();
         return packed[4].cast<bool>() ? build_scene(std::move(made)) : made;
       }));
 }
@@ -233,7 +234,7 @@ void bind_scene_type(py::module_& m) {
                           "never changes. Each instrument has a hand of its own.");
   scene.def(py::init([](std::vector<SoftBody> bodies, std::vector<Instrument> instruments,
                         const Vec3& gravity, double rate, std::vector<RigidBody> rigid,
-                        std::vector<Scenery> scenery) {
+                        std::vector<Scenery> scenery, double exchange_rate) {
               Scene made;
               made.rigid = std::move(rigid);
               made.scenery = std::move(scenery);
@@ -241,11 +242,12 @@ void bind_scene_type(py::module_& m) {
               made.instruments = std::move(instruments);
               made.gravity = gravity;
               made.rate = rate;
+              made.exchange_rate = exchange_rate;
               return made;
             }),
             py::kw_only(), "bodies"_a = usual.bodies, "instruments"_a = usual.instruments,
             "gravity"_a = usual.gravity, "rate"_a = usual.rate, "rigid"_a = usual.rigid,
-            "scenery"_a = usual.scenery,
+            "scenery"_a = usual.scenery, "exchange_rate"_a = usual.exchange_rate,
             "Copies its parts: one body and one instrument unless others are given. build_scene "
             "makes it ready for ticks.");
   def_elements(scene, "bodies", &Scene::bodies, "The tissues, a tuple.");
@@ -254,7 +256,11 @@ void bind_scene_type(py::module_& m) {
   def_elements(scene, "scenery", &Scene::scenery, "Likewise.");
   def_elements(scene, "instruments", &Scene::instruments, "A tuple; each has a hand of its own.");
   def_vector(scene, "gravity", &Scene::gravity, "[m/s²]");
-  scene.def_readwrite("rate", &Scene::rate, "[Hz]");
+  scene.def_readwrite("rate", &Scene::rate, "[Hz]")
+      .def_readwrite("exchange_rate", &Scene::exchange_rate,
+                     "[Hz] 0: the live loop ticks the tissue with the hands. Else the tissue ticks "
+                     "in a thread of its own, is told where the hands are so often, and is felt "
+                     "between by its local stiffness. tick() knows nothing of it.");
   def_copy(scene);
   def_scene_pickle(scene);
   def_summary(scene, &describe_scene);

@@ -63,6 +63,8 @@ Json print_scene(const Scene& scene) {
                   {"instruments", Json::array()},
                   {"gravity", {scene.gravity.x(), scene.gravity.y(), scene.gravity.z()}},
                   {"rate", scene.rate}};
+  // only where there is one: a file without is what it was before there were any
+  if (scene.exchange_rate > 0.0) printed["exchange_rate"] = scene.exchange_rate;
   for (const SoftBody& body : scene.bodies) printed["bodies"].push_back(print_body(body));
   for (const Instrument& instrument : scene.instruments) {
     printed["instruments"].push_back(print_instrument(instrument));
@@ -158,6 +160,7 @@ void parse_scene(Fields fields, Scene& scene) {
   }
   scene.gravity = parse_vector(fields, "gravity");
   scene.rate = fields.number("rate");
+  scene.exchange_rate = fields.number_or("exchange_rate", 0.0);
   fields.finish();
 }
 

@@ -46,6 +46,7 @@ std::vector<Range> build_ranges() {
   ranges.push_back({"scene.instruments[i].hold_stiffness", "N/m", 1e-3, 1e6});
   ranges.push_back({"scene.gravity", "m/s²", -1e3, 1e3});
   ranges.push_back({"scene.rate", "Hz", 1.0, 2e4});
+  ranges.push_back({"scene.exchange_rate", "Hz", 10.0, 2e4});
   ranges.push_back({"scene.bodies[i].force_error", "N", 0.0, 10.0});
   ranges.push_back({"scene.bodies[i].contact.modulus", "Pa", 1.0, 1e9});
   append_numbers(ranges);
@@ -148,6 +149,7 @@ void check_ranges(const Scene& scene) {
   }
   for (const double g : scene.gravity) check_number("scene.gravity", g);
   check_number("scene.rate", scene.rate);
+  if (scene.exchange_rate != 0.0) check_number("scene.exchange_rate", scene.exchange_rate);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) check_body(scene.bodies[b], b);
 }
 

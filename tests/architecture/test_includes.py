@@ -47,9 +47,9 @@ ROOMS = {
         "device",
         "tick",
     ),
-    "loop": ("base", "model", "packed", "tree", "contact", "device", "tick"),
+    "loop": ("base", "model", "packed", "tree", "contact", "device", "tick", "multirate"),
     "arm": ("base", "device"),
-    "session": ("base", "device", "tick", "loop"),
+    "session": ("base", "device", "tick", "multirate", "loop"),
 }
 """Room of core/sim -> the other rooms that it may include."""
 

@@ -14,7 +14,7 @@ from palpate.device.names import HANDS, POINTER, find_port, split_hand
 from palpate.files.file_kind import RECORD
 from palpate.runs.live import find_longest
 from palpate.runs.play import DEVICE_FAULT, open_play, play_headless
-from palpate.runs.run import PUBLISHED
+from palpate.runs.run import PUBLISHED, say_link
 from palpate.system.display import require_display
 
 EXTRA = 'pip install "palpate[player]"'
@@ -93,6 +93,7 @@ def describe_play_report(report: Report) -> str:
             f"{report['tick_p99_us']:.0f} us p99",
             f"lateness     {report['lateness_p99_us']:.0f} us p99, "
             f"{1e-3 * report['lateness_max_us']:.1f} ms at most; {report['realtime']}",
+            *say_link(report),
         ]
     if report.get("device_state"):
         lines.append(f"device       {report['device_state']}")

@@ -72,6 +72,14 @@ def say_slow(missed: int, due: int) -> str:
     return text.replace("%1", str(missed)).replace("%2", str(due))
 
 
+def say_damped(count: int) -> str:
+    """Of the passivity controller, in the last second."""
+    text = translate(
+        "Player", "The force was damped %1 times: it was about to push the hand along by itself."
+    )
+    return text.replace("%1", str(count))
+
+
 def say_gestures() -> list[tuple[str, str]]:
     """What a hand can do and how."""
     return [

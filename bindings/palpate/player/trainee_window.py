@@ -16,7 +16,7 @@ from palpate.command.verb import Report
 from palpate.player.boards import Board
 from palpate.player.device_watch import DeviceWatch
 from palpate.player.overlays import Overlays
-from palpate.player.sentences import say_end, say_slow, translate
+from palpate.player.sentences import say_damped, say_end, say_slow, translate
 from palpate.player.style import build_palette, build_style
 from palpate.render.authored_appearance import find_appearance
 from palpate.runs.live import Frame, LiveRun
@@ -60,7 +60,7 @@ class TraineeWindow(QWidget):
         self.hand: PointerHand | None = None
         self.theme, self.language = theme, language
         self._time = self._force = 0.0
-        self._second, self._missed = 0, 0
+        self._second, self._missed, self._damped = 0, 0, 0
         self._watch = DeviceWatch()
         self._costs: palpate.LoopReport | None = None
         self._problem: OSError | None = None
@@ -115,6 +115,7 @@ class TraineeWindow(QWidget):
             self.over.place()
             return
         self._time, self._force, self._second, self._missed = 0.0, 0.0, 0, 0
+        self._damped = 0
         self._watch = DeviceWatch(device)
         self.over.force.limit = self.play.force_limit()  # known once the device is open
         self.over.reset()
@@ -185,9 +186,21 @@ class TraineeWindow(QWidget):
         if int(frame.time) != self._second:
             self._second = int(frame.time)
             missed, self._missed = frame.missed_ticks - self._missed, frame.missed_ticks
-            due = round(self.scene.rate)
-            self.over.warning.tell(say_slow(missed, due) if missed > SLOW * due else "")
+            self.over.warning.tell(self._say_trouble(missed, self._count_damped(frame)))
             self.over.place()
+
+    def _count_damped(self, frame: Frame) -> int:
+        """Interventions of the passivity controllers since this was asked last."""
+        count = sum(instrument.interventions for instrument in frame.instruments)
+        since, self._damped = count - self._damped, count
+        return since
+
+    def _say_trouble(self, missed: int, damped: int) -> str:
+        """Of the last second."""
+        due = round(self.scene.rate)
+        if missed > SLOW * due:
+            return say_slow(missed, due)
+        return say_damped(damped) if damped > 0 else ""
 
     def _end(self, trouble: str) -> None:
         self._finish()

@@ -170,7 +170,39 @@ def describe_costs(costs: palpate.LoopReport) -> Report:
         "lateness_p99_us": 1e6 * costs.lateness.p99,
         "missed_ticks": costs.missed_ticks,
         "realtime": "real-time priority" if costs.realtime else costs.realtime_note,
+        "passivity_interventions": costs.interventions,
+        "damped_ticks": costs.damped_ticks,
+        **describe_exchanges(costs),
     }
+
+
+def describe_exchanges(costs: palpate.LoopReport) -> Report:
+    """With a tissue that ticks in a thread of its own; nothing where it ticks with the hand."""
+    if costs.exchanges == 0:
+        return {}
+    return {
+        "exchanges": costs.exchanges,
+        "late_exchanges": costs.late_exchanges,
+        "exchange_median_ms": 1e3 * costs.exchange_cost.median,
+        "exchange_p99_ms": 1e3 * costs.exchange_cost.p99,
+    }
+
+
+def say_link(report: Report) -> list[str]:
+    """What the link between hand and tissue needed: lines of a report, where there is any."""
+    lines = []
+    if report["passivity_interventions"]:
+        lines.append(
+            f"passivity    {report['passivity_interventions']} interventions, "
+            f"{report['damped_ticks']} ticks damped: the hand was given energy"
+        )
+    if "exchanges" in report:
+        lines.append(
+            f"tissue       in a thread of its own, {report['exchanges']} exchanges, "
+            f"{report['late_exchanges']} late; {report['exchange_median_ms']:.1f} ms median, "
+            f"{report['exchange_p99_ms']:.1f} ms p99"
+        )
+    return lines
 
 
 def run_script(

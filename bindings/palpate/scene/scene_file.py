@@ -195,7 +195,11 @@ def compile_scene(
         hold_stiffness=hand.hold_stiffness,
     )
     compiled = palpate.Scene(
-        bodies=[body], instruments=[instrument], gravity=list(hand.gravity), rate=hand.rate
+        bodies=[body],
+        instruments=[instrument],
+        gravity=list(hand.gravity),
+        rate=hand.rate,
+        exchange_rate=hand.exchange_rate,
     )
     palpate.scenario.check_ranges(compiled)
     built = palpate.build_scene(compiled)

@@ -160,6 +160,9 @@ class HandPart:
     """[N] by which the force may be wrong, so that tissue at rest may sleep; 0: none of it does."""
     substeps: int = 0
     """Of a tick at least; the tissue's own need counts where it is more."""
+    exchange_rate: float = field(default=0.0, metadata={"since": 11})
+    """[Hz] 0: the tissue ticks with the hand. Else, where it is too slow for that, in a thread of
+    its own: it is told so often where the hand is, and felt between by its local stiffness."""
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/sim/arm/serial_device.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
@@ -25,6 +26,8 @@ constexpr double kTick = 1e-3;        // [s]
 constexpr int kMostBridged = 3;       // missing reports
 constexpr double kLongestGap = 5e-3;  // [s] that a joint goes on without a report
 constexpr double kStatusTime = 8e-3;  // [s] between two of them
+/// [s] Of a serial port that waits 1 ms, until it is measured.
+constexpr double kUsualDelay = 2.2e-3;
 
 // why the motors are cut, beside the firmware's own faults
 constexpr int kNoCause = -1;
@@ -297,6 +300,18 @@ std::string SerialDevice::explain_fault() const {
 
 std::string SerialDevice::name() const { return "serial device on " + impl_->link.name(); }
 bool SerialDevice::failed() const noexcept { return impl_->link.state() == LinkState::lost; }
+
+/// A tip that moves by v turns the joints by J^-1 v, and is braked by b J^-T J^-1 v: the least of
+/// that is b over the largest square of J.
+DeviceDynamics SerialDevice::dynamics() const noexcept {
+  const Impl& my = *impl_;
+  if (!my.has_arm) return {};
+  const Mat3 jacobian = compute_jacobian(my.arm, my.joints);
+  const Mat3 squares = jacobian.transpose() * jacobian;
+  const double largest = Eigen::SelfAdjointEigenSolver<Mat3>(squares).eigenvalues()[2];
+  return {.damping = compute_motor_damping(Motor{}) / largest,
+          .delay = my.late > 0.0 ? my.late - 0.5 * kTick : kUsualDelay};
+}
 
 double SerialDevice::report_rate() const noexcept {
   const bool can_wait = impl_->link.can_wait() && impl_->link.state() == LinkState::ready;

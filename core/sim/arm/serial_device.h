@@ -92,6 +92,9 @@ class SerialDevice : public HapticDevice {
   void write(const HapticCommand& command) noexcept override;
   void end() noexcept override;
   std::string name() const override;
+  /// The motors' braking at the tip where it is now, along the direction in which that is least;
+  /// the delay as it was measured last.
+  DeviceDynamics dynamics() const noexcept override;
   void rest(double seconds) noexcept override;
   bool failed() const noexcept override;
   MotorState motors() const noexcept override;

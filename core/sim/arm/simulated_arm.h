@@ -80,6 +80,7 @@ class SimulatedArm : public HapticDevice {
   void end() noexcept override { driver_.end(); }
   void rest(double seconds) noexcept override;
   std::string name() const override { return "simulated arm held by " + hand_.name(); }
+  DeviceDynamics dynamics() const noexcept override { return driver_.dynamics(); }
   bool failed() const noexcept override { return driver_.failed(); }
   MotorState motors() const noexcept override { return driver_.motors(); }
   std::string explain_fault() const override { return driver_.explain_fault(); }

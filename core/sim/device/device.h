@@ -35,6 +35,19 @@ enum class MotorState {
   cut,     ///< they were on: it took them off, was reset, fell silent or is gone
 };
 
+/// What a device declares of itself, from which follows how stiff what is felt through it may be.
+struct DeviceDynamics {
+  double damping = 0.0;  ///< [N·s/m] the least that the hand always feels of it; 0: none declared
+  double delay = 0.0;    ///< [s] from a hand to the force that answers it, holding not included
+};
+static_assert(sizeof(DeviceDynamics) == 16 && alignof(DeviceDynamics) == 8);
+
+/// [N/m] Up to which a spring that is told every `period` [s] calms the hand, b / (T/2 + d)
+/// [Colgate97]; 0 where no damping is declared.
+inline double find_passive_stiffness(const DeviceDynamics& dynamics, double period) noexcept {
+  return dynamics.damping > 0.0 ? dynamics.damping / (0.5 * period + dynamics.delay) : 0.0;
+}
+
 /// A haptic device, real or simulated: the one thing chosen at run time.
 /// read and write are called from the haptic thread: no exception, allocation, lock or log.
 class HapticDevice {
@@ -54,6 +67,8 @@ class HapticDevice {
     write({});
   }
   virtual std::string name() const = 0;
+  /// Asked for at the start of a run, not while it is on.
+  virtual DeviceDynamics dynamics() const noexcept { return {}; }
   /// True once the device is gone for good: what it says and is told no longer counts. From the
   /// haptic thread too.
   virtual bool failed() const noexcept { return false; }

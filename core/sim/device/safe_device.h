@@ -92,6 +92,7 @@ class SafeDevice : public HapticDevice {
   /// A zero force at once, past the slew limit; the next command fades in as the first one did.
   void rest(double seconds = 0.0) noexcept override;
   std::string name() const override { return device_.name(); }
+  DeviceDynamics dynamics() const noexcept override { return device_.dynamics(); }
   bool failed() const noexcept override { return device_.failed(); }
   /// Cut too once a fault has latched.
   MotorState motors() const noexcept override {

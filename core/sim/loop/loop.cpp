@@ -19,6 +19,7 @@
 #include "palpate/sim/loop/private/device_channel.h"
 #include "palpate/sim/loop/private/pace.h"
 #include "palpate/sim/loop/private/pending_snapshot.h"
+#include "palpate/sim/loop/private/tissue_worker.h"
 #include "palpate/sim/loop/private/tree_builder.h"
 #include "palpate/sim/tick/private/cost_histograms.h"
 #include "palpate/sim/tick/private/follow_tissue.h"
@@ -72,8 +73,9 @@ struct Loop::Impl {
         held(channels.size(), 0),
         snapshots(PendingSnapshot(world)),
         reader(world) {
+    if (scene.exchange_rate > 0.0) tissue = std::make_unique<TissueWorker>(scene);
     for (const SoftState& body : world.bodies) {
-      trees.push_back(std::make_unique<TreeBuilder>(body));
+      if (!tissue) trees.push_back(std::make_unique<TreeBuilder>(body));
     }
     if (options.measures_costs) part_costs = std::make_unique<CostHistograms>(world);
     world.measures_costs = options.measures_costs;
@@ -92,6 +94,7 @@ struct Loop::Impl {
   void publish() noexcept;
   void serve_trees() noexcept;
   void log_hash(long number) noexcept {
+    if (tissue) return tissue->ask_for_hash();
     catch_up(scene, world);
     log->push(StateHash{number, compute_hash(world)});
   }
@@ -108,7 +111,8 @@ struct Loop::Impl {
 
   // the haptic thread's own while it runs
   World world;
-  std::vector<std::unique_ptr<TreeBuilder>> trees;       // per body
+  std::unique_ptr<TissueWorker> tissue;                  // null where it ticks in this thread
+  std::vector<std::unique_ptr<TreeBuilder>> trees;       // per body, in the same case
   std::vector<std::unique_ptr<DeviceChannel>> channels;  // per instrument
   Pace pace;
   std::vector<HapticSample> samples;    // per instrument, of the last tick, as what follows
@@ -218,7 +222,11 @@ void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
     held[i] = world.instruments[i].tool.hold_count;
     samples[i] = channels[i]->safe().read(double(index) * dt);
   }
-  tick(scene, samples, dt, world, commands);
+  if (tissue) {
+    tissue->tick(samples, world, commands, log);
+  } else {
+    tick(scene, samples, dt, world, commands);
+  }
   for (std::size_t i = 0; i < channels.size(); ++i) channels[i]->safe().write(commands[i]);
   spent = read_clock() - begun;
 
@@ -232,7 +240,7 @@ void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
   keep();
   latenesses.add(lateness);
   costs.add(spent);
-  if (part_costs && !world.alarm) part_costs->add(world.costs);
+  if (part_costs && !tissue && !world.alarm) part_costs->add(world.costs);
   ticks.store(number + 1, std::memory_order_relaxed);
   if (number % snapshot_ticks == 0) publish();
   serve_trees();
@@ -288,6 +296,7 @@ void Loop::Impl::notice_alarm(long number) noexcept {
 void Loop::Impl::notice_devices(long number) noexcept {
   for (std::size_t i = 0; i < channels.size(); ++i) {
     channels[i]->notice(number, static_cast<int>(i), log);
+    channels[i]->notice_damping(number, static_cast<int>(i), log);
   }
 }
 
@@ -302,6 +311,7 @@ void Loop::Impl::publish() noexcept {
   for (std::size_t i = 0; i < channels.size(); ++i) {
     snapshot.instruments[i].force = channels[i]->safe().sent().force;
     snapshot.instruments[i].motors = channels[i]->motors();
+    snapshot.instruments[i].interventions = channels[i]->interventions();
   }
   snapshot.cost = to_seconds(spent);
   snapshot.lateness = to_seconds(lateness);
@@ -355,6 +365,11 @@ LoopReport Loop::report() const {
   report.lateness = percentiles_of(impl_->latenesses);
   report.cost = percentiles_of(impl_->costs);
   if (impl_->part_costs) report.part_costs = impl_->part_costs->summarise();
+  if (const TissueWorker* tissue = impl_->tissue.get()) {
+    report.exchanges = tissue->exchanges();
+    report.late_exchanges = tissue->late_exchanges();
+    report.exchange_cost = percentiles_of(tissue->costs());
+  }
   if (impl_->ready.load(std::memory_order_acquire)) {
     report.realtime = impl_->realtime.scheduled;
     report.realtime_note = impl_->realtime.note;

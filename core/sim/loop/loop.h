@@ -30,6 +30,7 @@ struct InstrumentSnapshot {
   Vec3 force = Vec3::Zero();          ///< [N] on the hand; none while the motors are not on
   bool touching = false;
   MotorState motors = MotorState::on;  ///< of the device
+  long interventions = 0;              ///< of its passivity controller, so far
 };
 static_assert(alignof(InstrumentSnapshot) == 8);
 
@@ -74,6 +75,11 @@ struct DeviceReport {
   double peak_force = 0.0;    ///< [N] largest that was sent
   long touch_ticks = 0;       ///< touching or attached
   double touch_force = 0.0;   ///< [N] mean of what was sent in them
+  long damped_ticks = 0;      ///< in which its passivity controller had to act
+  long interventions = 0;     ///< times that it began to, after 100 ms without
+  /// [N/m] Up to which a spring that is told at the rate of the run is passive with the damping and
+  /// the delay that the device declared at its start; 0 where it declares none.
+  double passive_stiffness = 0.0;
 };
 static_assert(alignof(DeviceReport) == 8);
 
@@ -97,7 +103,14 @@ struct LoopReport {
   double peak_force = 0.0;            ///< [N] largest
   long touch_ticks = 0;               ///< sum
   double touch_force = 0.0;           ///< [N] mean over these
+  long damped_ticks = 0;              ///< sum
+  long interventions = 0;             ///< sum
   std::vector<DeviceReport> devices;  ///< in the order of the instruments
+
+  // of a scene with an exchange_rate; else none
+  long exchanges = 0;         ///< with the tissue
+  long late_exchanges = 0;    ///< of them, because the tissue was still at work when they were due
+  Percentiles exchange_cost;  ///< of the tissue, for one
 };
 static_assert(alignof(LoopReport) == 8);
 

@@ -3,10 +3,12 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "palpate/sim/loop/private/exchange_tree.h"
+#include "palpate/sim/session/private/slow_replay.h"
 #include "palpate/sim/session/record.h"
 
 namespace palpate {
@@ -153,17 +155,23 @@ ReplayReport replay(const Scene& scene, const Record& record) {
 
   World world(scene);
   std::vector<RecordedTrees> trees = list_trees(scene, record);
+  std::optional<SlowReplay> slow;
+  if (scene.exchange_rate > 0.0) slow.emplace(scene, record);
   std::vector<HapticCommand> commands(instruments);
   for (std::size_t t = 0; t < tick_count; ++t) {
-    for (RecordedTrees& body : trees) body.follow(world);
     const std::size_t row = t * instruments;
-    tick(scene, std::span(record.hand).subspan(row, instruments), 1.0 / scene.rate, world,
-         commands);
+    const std::span hands = std::span(record.hand).subspan(row, instruments);
+    if (slow) {
+      slow->tick(hands, world, commands);
+    } else {
+      for (RecordedTrees& body : trees) body.follow(world);
+      tick(scene, hands, 1.0 / scene.rate, world, commands);
+    }
     for (std::size_t i = 0; i < instruments; ++i) {
       comparison.compare(world, t, compute_felt(commands[i], world, i), record.felt[row + i]);
     }
     for (; next != hashes.end() && next->tick <= static_cast<std::int64_t>(t); ++next) {
-      if (next->hash != compute_hash(world)) comparison.differs_at(t);
+      if (next->hash != compute_hash(slow ? slow->world() : world)) comparison.differs_at(t);
     }
   }
   report.equal = report.first_difference < 0;

@@ -26,6 +26,10 @@ namespace {
 // of 5300 at 16 and not at 24 (tests/laws/test_contact.cpp); contact asks for them in an impact
 // only
 constexpr int kSubstepsInImpact = 32;
+/// [Hz] Between rarer exchanges a hand would leave any place that a local model is of.
+constexpr double kSlowestExchange = 10.0;
+/// [-] By which an interval may miss a whole number of ticks: rounding.
+constexpr double kRounding = 1e-6;
 // beyond this a tick of 1 ms could not be kept by any machine this is made for
 constexpr int kMostSubsteps = 10000;
 
@@ -131,6 +135,22 @@ void refuse_rows(const std::string& field, std::size_t count) {
          "none yet: only soft bodies and instruments are simulated");
 }
 
+/// Exchanges come every whole number of ticks, and no slower than the hand can be followed.
+void check_exchange_rate(const Scene& scene) {
+  const double rate = scene.exchange_rate, ticks = scene.rate / rate;
+  if (rate == 0.0) return;
+  if (!(rate >= kSlowestExchange && rate <= scene.rate)) {
+    palpate::refuse(
+        "scene: exchange_rate [Hz]", write_text(rate),
+        write_text("0 for none, or ", kSlowestExchange, " to the rate of ", scene.rate, " Hz"));
+  }
+  if (std::abs(ticks - std::round(ticks)) <= kRounding * ticks) return;
+  palpate::refuse(
+      "scene: exchange_rate [Hz]", write_text(rate),
+      write_text("one that goes into the rate of ", scene.rate, " Hz a whole number of times, as ",
+                 scene.rate / std::ceil(ticks), " or ", scene.rate / std::floor(ticks)));
+}
+
 void validate(const Scene& scene) {
   if (scene.bodies.empty()) refuse("bodies", 0, "at least one to touch");
   if (scene.instruments.empty()) refuse("instruments", 0, "at least one to touch with");
@@ -140,6 +160,7 @@ void validate(const Scene& scene) {
   refuse_rows("rigid", scene.rigid.size());
   refuse_rows("scenery", scene.scenery.size());
   require_positive("rate [Hz]", scene.rate);
+  check_exchange_rate(scene);
   if (!scene.gravity.allFinite()) refuse("gravity [m/s^2]", scene.gravity.norm(), "finite numbers");
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     validate(scene.bodies[b], scene, Place("bodies", b, scene.bodies.size()));

@@ -95,6 +95,10 @@ struct Scene {
   std::vector<Instrument> instruments = std::vector<Instrument>(1);
   Vec3 gravity = Vec3::Zero();  ///< [m/s²]
   double rate = 1000.0;         ///< [Hz]
+  /// [Hz] 0: the live loop ticks the tissue with the hands. Else the tissue ticks in a thread of
+  /// its own, is told where the hands are so often, and is felt between by its local stiffness
+  /// [stability: slow tissue]; a whole number of ticks each time. tick() knows nothing of it
+  double exchange_rate = 0.0;
 
   std::uint64_t identity = 0;  ///< another in every call of build_scene; copies share it
 };

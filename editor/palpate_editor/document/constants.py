@@ -258,6 +258,7 @@ CONSTANTS = (
     Constant("hand", "force_max", "Largest force", "N", "--force-max", "N"),
     Constant("hand", "hold_stiffness", "Grip stiffness", "N/m", "--grip", "N/m"),
     Constant("hand", "rate", "Tick rate", "Hz", "--rate", ""),
+    Constant("hand", "exchange_rate", "Exchange rate", "Hz", "--exchange-rate", "", above=False),
     Constant(
         "hand",
         "force_error",

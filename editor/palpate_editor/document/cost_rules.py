@@ -14,6 +14,9 @@ from palpate_editor.document.organ import Organ
 from palpate_editor.document.phrase import phrase
 from palpate_editor.document.problems import Facts, Problem, TissueFacts
 
+WORKER_SHARE = 0.9
+"""[-] of the time that a tissue in a thread of its own may take; the rest is for telling it."""
+
 
 def compute_tick_share(organ: Organ, facts: Facts) -> float | None:
     """[-] of a tick in touch that this tissue takes on the reference machine, None where there is
@@ -39,6 +42,8 @@ def find_cost_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
     """Whether a solid has too many tetrahedra for its time."""
     tissue = facts.tissue
     if tissue is None or not tissue.tetrahedra or find_wrong_constant(tissue) is not None:
+        return
+    if organ.hand.exchange_rate:
         return
     share = compute_tick_share(organ, facts)
     if share is not None and share > TICK_SHARE:
@@ -69,7 +74,7 @@ def find_surface_cost_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
     tissue, share = facts.tissue, compute_tick_share(organ, facts)
     if tissue is None or tissue.tetrahedra or share is None or share <= TICK_SHARE:
         return
-    if find_wrong_constant(tissue) is not None:
+    if find_wrong_constant(tissue) is not None or organ.hand.exchange_rate:
         return
     yield Problem(
         "too_slow",
@@ -92,6 +97,40 @@ def find_surface_cost_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
             limit=say_limit(tissue.nearest),
         ),
     )
+
+
+def find_exchange_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
+    """Whether a tissue that is felt by its local stiffness needs to be, and is in time."""
+    share, rate = compute_tick_share(organ, facts), organ.hand.exchange_rate
+    if not rate or share is None:
+        return
+    if share <= TICK_SHARE:
+        yield Problem(
+            "needless_exchange",
+            "warning",
+            "material",
+            "hand.exchange_rate",
+            phrase(
+                "felt by its local stiffness, told {rate:g} times a second, though the tissue "
+                "itself takes about {share:.0%} of a tick",
+                rate=rate,
+                share=share,
+            ),
+            phrase("0 Hz: the tissue ticks with the hand where it can"),
+        )
+    elif share > WORKER_SHARE:
+        yield Problem(
+            "late_exchange",
+            "warning" if share <= LONGEST_TICK else "error",
+            "material",
+            "hand.exchange_rate",
+            phrase(
+                "in a thread of its own the tissue takes about {share:.0%} of the time there is: "
+                "it would be late, and be felt as nothing where it is later than three exchanges",
+                share=share,
+            ),
+            phrase("at most {share:.0%}", share=WORKER_SHARE),
+        )
 
 
 def find_substep_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:

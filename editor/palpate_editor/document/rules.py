@@ -10,6 +10,7 @@ from palpate.scene.scene_parts import FILLED
 
 from palpate_editor.document.cost_rules import (
     find_cost_problems,
+    find_exchange_problems,
     find_substep_problems,
     find_surface_cost_problems,
 )
@@ -47,6 +48,7 @@ def find_problems(organ: Organ, facts: Facts) -> list[Problem]:
         find_press_problems,
         find_fit_problems,
         find_cost_problems,
+        find_exchange_problems,
         find_substep_problems,
         find_test_problems,
         find_publish_problems,

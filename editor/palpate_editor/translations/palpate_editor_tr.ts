@@ -5,6 +5,14 @@
 <context>
     <name>Editor</name>
     <message>
+        <source>Damped by the link</source>
+        <translation>Bağlantının sönümlemesi</translation>
+    </message>
+    <message>
+        <source>Late exchanges</source>
+        <translation>Geciken alışverişler</translation>
+    </message>
+    <message>
         <source>foot (ft)</source>
         <translation>ayak (ft)</translation>
     </message>
@@ -2934,6 +2942,10 @@ Beklenen: {expected}.</translation>
         <translation>Sürükleme</translation>
     </message>
     <message>
+        <source>Exchange rate</source>
+        <translation>Alışveriş hızı</translation>
+    </message>
+    <message>
         <source>Relaxation</source>
         <translation>Gevşeme</translation>
     </message>
@@ -3227,6 +3239,22 @@ Beklenen: {expected}.</translation>
 </context>
 <context>
     <name>phrases</name>
+    <message>
+        <source>0 Hz: the tissue ticks with the hand where it can</source>
+        <translation>0 Hz: yetişebildiği yerde doku elle birlikte adımlar</translation>
+    </message>
+    <message>
+        <source>at most {share:.0%}</source>
+        <translation>en fazla {share:.0%}</translation>
+    </message>
+    <message>
+        <source>felt by its local stiffness, told {rate:g} times a second, though the tissue itself takes about {share:.0%} of a tick</source>
+        <translation>yerel katılığıyla hissediliyor, saniyede {rate:g} kez bildiriliyor; oysa dokunun kendisi bir adımın yaklaşık {share:.0%} kadarını alıyor</translation>
+    </message>
+    <message>
+        <source>in a thread of its own the tissue takes about {share:.0%} of the time there is: it would be late, and be felt as nothing where it is later than three exchanges</source>
+        <translation>doku kendi iş parçacığında eldeki sürenin yaklaşık {share:.0%} kadarını alıyor: gecikir ve üç alışverişten fazla geciktiği yerde hiç hissedilmez</translation>
+    </message>
     <message>
         <source>{count} tetrahedra of the file, which are not used</source>
         <translation>dosyanın kullanılmayan {count} dörtyüzlüsü</translation>

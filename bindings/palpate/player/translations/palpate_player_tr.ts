@@ -120,6 +120,10 @@
         <translation>Bu bilgisayar şu anda çok yavaş: son %2 kuvvet güncellemesinden %1 tanesi kaçırıldı.</translation>
     </message>
     <message>
+        <source>The force was damped %1 times: it was about to push the hand along by itself.</source>
+        <translation>Kuvvet %1 kez sönümlendi: eli kendiliğinden sürüklemek üzereydi.</translation>
+    </message>
+    <message>
         <source>The force was switched off after %1 s: %2. %3 Press R to start again.</source>
         <translation>%1 s sonra kuvvet kapatıldı: %2. %3 Yeniden başlamak için R tuşuna basın.</translation>
     </message>

@@ -6,9 +6,17 @@
 #include "palpate/sim/base/private/refuse.h"
 
 namespace palpate {
+namespace {
 
-DeviceChannel::DeviceChannel(HapticDevice& device, const SafetyLimits& limits)
-    : device_(device), safe_(device, limits) {}
+/// Ticks without damping after which the next is another intervention [stability: passivity].
+constexpr std::int64_t kCalmTicks = 100;
+
+}  // namespace
+
+DeviceChannel::DeviceChannel(HapticDevice& device, const SafetyLimits& limits, double period)
+    : device_(device),
+      safe_(device, limits),
+      passive_stiffness_(find_passive_stiffness(device.dynamics(), period)) {}
 
 void DeviceChannel::notice(std::int64_t tick, int instrument, TickLog* log) noexcept {
   const auto tell = [&](EventKind kind, std::int32_t index, double value) noexcept {
@@ -31,6 +39,19 @@ void DeviceChannel::notice(std::int64_t tick, int instrument, TickLog* log) noex
   fault_.store(found, std::memory_order_release);
   if (found == DeviceFault::none) return;
   tell(EventKind::fault, static_cast<std::int32_t>(found), safe_.fault_value());
+}
+
+void DeviceChannel::notice_damping(std::int64_t tick, int instrument, TickLog* log) noexcept {
+  const long count = safe_.damped_count();
+  if (count == damped_.load(std::memory_order_relaxed)) return;
+  damped_.store(count, std::memory_order_relaxed);
+  const bool begins = last_damped_ < 0 || tick - last_damped_ > kCalmTicks;
+  last_damped_ = tick;
+  if (!begins) return;
+  interventions_.fetch_add(1, std::memory_order_relaxed);
+  if (log) {
+    log->push(Event{tick, EventKind::passivity, 0, safe_.given_energy(), instrument});
+  }
 }
 
 void DeviceChannel::count_force(const ToolState& tool) noexcept {
@@ -62,6 +83,9 @@ DeviceReport DeviceChannel::report() const {
   report.peak_force = peak_force_.load(std::memory_order_relaxed);
   report.touch_ticks = touch_ticks_.load(std::memory_order_relaxed);
   report.touch_force = touch_force_.load(std::memory_order_relaxed);
+  report.damped_ticks = damped_.load(std::memory_order_relaxed);
+  report.interventions = interventions();
+  report.passive_stiffness = passive_stiffness_;
   return report;
 }
 
@@ -88,7 +112,7 @@ std::vector<std::unique_ptr<DeviceChannel>> open_channels(const Scene& scene,
     }
     const SafetyLimits& limits =
         options.device_safety.empty() ? options.safety : options.device_safety[i];
-    channels.push_back(std::make_unique<DeviceChannel>(**at, limits));
+    channels.push_back(std::make_unique<DeviceChannel>(**at, limits, 1.0 / scene.rate));
   }
   return channels;
 }
@@ -99,6 +123,8 @@ void sum_devices(LoopReport& report) {
     report.unrendered_ticks += device.unrendered_ticks;
     report.peak_force = std::max(report.peak_force, device.peak_force);
     report.touch_ticks += device.touch_ticks;
+    report.damped_ticks += device.damped_ticks;
+    report.interventions += device.interventions;
     touch_force_sum += device.touch_force * double(device.touch_ticks);
   }
   // one device alone says its mean itself, to the bit

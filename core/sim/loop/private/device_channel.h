@@ -12,7 +12,8 @@ namespace palpate {
 /// The device of one instrument in the live loop, behind its safety wrapper, and what it gave.
 class DeviceChannel {
  public:
-  DeviceChannel(HapticDevice& device, const SafetyLimits& limits);
+  /// `period` [s] of the ticks.
+  DeviceChannel(HapticDevice& device, const SafetyLimits& limits, double period);
 
   // haptic thread
   SafeDevice& safe() noexcept { return safe_; }
@@ -20,6 +21,10 @@ class DeviceChannel {
   /// Whether the device still gives its force, and what became of it where it does not: told to
   /// `log`, if there is one, as of this tick and instrument.
   void notice(std::int64_t tick, int instrument, TickLog* log) noexcept;
+  /// Whether the passivity controller had to act in this tick: told to `log`, if there is one, when
+  /// it begins to after a calm.
+  void notice_damping(std::int64_t tick, int instrument, TickLog* log) noexcept;
+  long interventions() const noexcept { return interventions_.load(std::memory_order_relaxed); }
   /// What the hand really felt of a tick that left the tool like this.
   void count_force(const ToolState& tool) noexcept;
   void end() noexcept;  ///< a zero force, past the slew limit that would let it linger
@@ -31,11 +36,13 @@ class DeviceChannel {
  private:
   HapticDevice& device_;
   SafeDevice safe_;
+  const double passive_stiffness_;  // [N/m]
   MotorState motors_ = MotorState::on;
-  double touch_force_sum_ = 0.0;  // [N]
+  double touch_force_sum_ = 0.0;   // [N]
+  std::int64_t last_damped_ = -1;  // tick; negative before the first
   std::atomic<DeviceFault> fault_{DeviceFault::none};
   std::atomic<double> fault_value_{0.0};
-  std::atomic<long> unrendered_{0}, touch_ticks_{0};
+  std::atomic<long> unrendered_{0}, touch_ticks_{0}, damped_{0}, interventions_{0};
   std::atomic<double> peak_force_{0.0}, touch_force_{0.0};  // [N]
 };
 

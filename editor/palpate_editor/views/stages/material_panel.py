@@ -60,6 +60,7 @@ HAND = (
     "hand.hold_stiffness",
     "hand.force_max",
     "hand.rate",
+    "hand.exchange_rate",
     "hand.substeps",
     "hand.force_error",
 )

@@ -103,4 +103,9 @@ def list_costs(outcome: Outcome) -> list[Fact]:
         facts.append((name, shares))
     missed = f"{count(report.missed_ticks)} / {count(report.ticks)}"
     tone = "warning" if report.missed_ticks else "good"
-    return [*facts, (tr("Missed ticks"), missed, tone)]
+    facts.append((tr("Missed ticks"), missed, tone))
+    if report.exchanges:
+        late = f"{count(report.late_exchanges)} / {count(report.exchanges)}"
+        facts.append((tr("Late exchanges"), late, "warning" if report.late_exchanges else "good"))
+    damped = "warning" if report.interventions else "good"
+    return [*facts, (tr("Damped by the link"), count(report.interventions), damped)]
