@@ -39,6 +39,7 @@
 #include "palpate/sim/packed/simd_targets.h"
 #include "palpate/sim/response/response.h"
 #include "palpate/sim/session/record.h"
+#include "palpate/sim/task/task.h"
 #include "palpate/sim/tick/costs.h"
 #include "palpate/sim/tick/scene.h"
 #include "palpate/sim/tick/surface_pointer.h"

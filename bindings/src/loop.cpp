@@ -7,6 +7,7 @@
 
 #include "bindings.h"
 #include "border.h"
+#include "task_bindings.h"
 #include "value.h"
 
 namespace palpate::bindings {
@@ -94,11 +95,14 @@ void bind_snapshot(py::module_& m) {
         },
         "Of the first instrument.");
   }
+  snapshot.def_property_readonly(
+      "task", [](const Snapshot& self) { return self.task; },
+      "A TaskState, without steps where there is no task; a copy.");
   snapshot.def_readonly("cost", &Snapshot::cost, "[s] of the last tick.")
       .def_readonly("lateness", &Snapshot::lateness, "[s] of the last tick.")
       .def_readonly("missed_ticks", &Snapshot::missed_ticks, "Skipped so far.");
   def_value(snapshot, &Snapshot::tick, &Snapshot::time, &Snapshot::bodies, &Snapshot::instruments,
-            &Snapshot::cost, &Snapshot::lateness, &Snapshot::missed_ticks);
+            &Snapshot::cost, &Snapshot::lateness, &Snapshot::missed_ticks, &Snapshot::task);
   def_repr(snapshot, {"tick", "time", "instruments"});
 }
 
@@ -145,6 +149,9 @@ void bind_report(py::module_& m) {
       .def_readonly("fault", &LoopReport::fault,
                     "Of the first device that has one, now or when the run ended.")
       .def_readonly("fault_reason", &LoopReport::fault_reason, "In words.")
+      .def_readonly("outcome", &LoopReport::outcome,
+                    "Of the task; running while it is, and for none. A run that ended before it "
+                    "was decided was left, or its device failed.")
       .def_readonly("record_gaps", &LoopReport::record_gaps, "Ticks the log had no room for.")
       .def_readonly("unrendered_ticks", &LoopReport::unrendered_ticks,
                     "The motors were not on: their force counts nowhere else here. Sum of all "
@@ -173,7 +180,8 @@ void bind_report(py::module_& m) {
             &LoopReport::record_gaps, &LoopReport::unrendered_ticks, &LoopReport::peak_force,
             &LoopReport::touch_ticks, &LoopReport::touch_force, &LoopReport::devices,
             &LoopReport::damped_ticks, &LoopReport::interventions, &LoopReport::exchanges,
-            &LoopReport::late_exchanges, &LoopReport::exchange_cost);
+            &LoopReport::late_exchanges, &LoopReport::exchange_cost,
+            &LoopReport::outcome);
   def_repr(report, {"ticks",       "missed_ticks",     "unpaced_ticks", "lateness",
                     "cost",        "part_costs",       "realtime",      "realtime_note",
                     "alarm",       "alarm_body",       "fault",         "fault_reason",
@@ -211,13 +219,19 @@ class HeldDevices {
 /// A loop with its devices, which outlive it: a list of Python may lose them while it runs.
 class HeldLoop : private HeldDevices, public Loop {
  public:
-  HeldLoop(const Scene& scene, py::tuple devices, const LoopOptions& options, TickLog* log)
-      : HeldDevices(std::move(devices)), Loop(checked(scene), list(), options, log) {}
+  HeldLoop(const Scene& scene, py::tuple devices, const LoopOptions& options, TickLog* log,
+           const Task* task)
+      : HeldDevices(std::move(devices)),
+        Loop(checked(scene), list(), options, log, checked(task, scene)) {}
 
  private:
   static const Scene& checked(const Scene& scene) {
     require_built(scene);
     return scene;
+  }
+  static const Task* checked(const Task* task, const Scene& scene) {
+    if (task) require_fit(*task, scene);
+    return task;
   }
 };
 
@@ -243,20 +257,24 @@ void bind_loop_class(py::module_& m) {
       "Leave the scene, the devices and the log alone while it runs, except for what "
       "is made for another thread: PointerDevice.set, TickLog.take.")
       .def(py::init([](const Scene& scene, HapticDevice& device, const LoopOptions& options,
-                       TickLog* log) {
+                       TickLog* log, const Task* task) {
              return std::make_unique<HeldLoop>(
                  scene, py::make_tuple(py::cast(&device, py::return_value_policy::reference)),
-                 options, log);
+                 options, log, task);
            }),
            "scene"_a, "device"_a, "options"_a = LoopOptions(), "log"_a = py::none(),
-           py::keep_alive<1, 2>(), py::keep_alive<1, 3>(), py::keep_alive<1, 5>(),
-           "A loop over a scene that build_scene made; log takes what every tick did.")
+           "task"_a = py::none(), py::keep_alive<1, 2>(), py::keep_alive<1, 3>(),
+           py::keep_alive<1, 5>(), py::keep_alive<1, 6>(),
+           "A loop over a scene that build_scene made; log takes what every tick did; a task, of "
+           "build_task with that scene, is judged in every tick, and ends the run when it is "
+           "decided.")
       .def(py::init([](const Scene& scene, const py::sequence& devices, const LoopOptions& options,
-                       TickLog* log) {
-             return std::make_unique<HeldLoop>(scene, py::tuple(devices), options, log);
+                       TickLog* log, const Task* task) {
+             return std::make_unique<HeldLoop>(scene, py::tuple(devices), options, log, task);
            }),
            "scene"_a, "devices"_a, "options"_a = LoopOptions(), "log"_a = py::none(),
-           py::keep_alive<1, 2>(), py::keep_alive<1, 5>(),
+           "task"_a = py::none(), py::keep_alive<1, 2>(), py::keep_alive<1, 5>(),
+           py::keep_alive<1, 6>(),
            "The same with one device for each instrument, in their order. Raises ValueError for "
            "another number of them, or one that is there twice.")
       .def("start", &Loop::start, Release(),

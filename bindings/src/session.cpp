@@ -9,6 +9,7 @@
 #include "border.h"
 #include "palpate/sim/session/record.h"
 #include "rows.h"
+#include "task_bindings.h"
 #include "value.h"
 
 namespace palpate::bindings {
@@ -133,23 +134,41 @@ void bind_replay(py::module_& m) {
            "As replayed, a structured array with the fields of Felt, shape as in the record; a "
            "view.");
   report.def_readonly("instruments", &ReplayReport::instruments, "Rows of felt a tick.");
+  report.def_property_readonly(
+      "task", [](const ReplayReport& self) { return self.task; },
+      "The TaskState at its end; without steps where no task was judged.");
+  def_rows(report, "events", &ReplayReport::events,
+           "Of the task, as judged anew, a structured array with the fields of Event, shape (k,); "
+           "a view.");
+  report.def_readonly("events_equal", &ReplayReport::events_equal, "The record has the very same.")
+      .def_readonly("first_event_difference", &ReplayReport::first_event_difference,
+                    "Tick, -1 for none.");
   def_value(report, &ReplayReport::ticks, &ReplayReport::equal, &ReplayReport::first_difference,
             &ReplayReport::largest_force_difference, &ReplayReport::largest_position_difference,
-            &ReplayReport::felt, &ReplayReport::instruments);
+            &ReplayReport::felt, &ReplayReport::instruments, &ReplayReport::task,
+            &ReplayReport::events, &ReplayReport::events_equal,
+            &ReplayReport::first_event_difference);
   def_repr(report, {"ticks", "equal", "first_difference", "largest_force_difference",
                     "largest_position_difference"});
   m.def(
       "replay",
-      [](const Scene& scene, const Record& record) {
+      [](const Scene& scene, const Record& record, const Task* task) {
         require_built(scene);
+        if (task) require_fit(*task, scene);
         const py::gil_scoped_release released;
-        return replay(scene, record);
+        return replay(scene, record, task);
       },
-      "scene"_a, "record"_a,
-      "Runs the recorded hands through the same tick from a fresh world. Raises ValueError for a "
+      "scene"_a, "record"_a, "task"_a = py::none(),
+      "Runs the recorded hands through the same tick from a fresh world, and judges a task, of "
+      "build_task with that scene, where one is given. What the judge leaves undecided came out as "
+      "the record says: left, a fault of the device, or interrupted, where it does not say. Raises "
+      "ValueError for a "
       "record with gaps, with more rows of hand than of felt, or of another number of instruments "
       "than the scene has. To learn what any hand would feel, give it zeros for felt, as many as "
       "rows of hand, and read the report's felt.");
+  m.def("find_outcome", &find_outcome, "record"_a,
+        "How the task of a recorded run came out: as its last event says, else interrupted, also "
+        "for a record without a task.");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "bindings.h"
 #include "border.h"
 #include "rows.h"
+#include "task_bindings.h"
 #include "value.h"
 
 namespace palpate::bindings {
@@ -175,6 +176,7 @@ void bind_tick(py::module_& m) {
   bind_arm(m);
   bind_plant(m);
   bind_serial(m);
+  bind_task(m);
   bind_multirate(m);
   bind_loop(m);
 }

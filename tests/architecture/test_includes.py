@@ -36,6 +36,7 @@ ROOMS = {
         "contact",
         "device",
     ),
+    "task": ("base", "mesh", "model", "contact", "device", "tick"),
     "multirate": (
         "base",
         "model",
@@ -47,16 +48,16 @@ ROOMS = {
         "device",
         "tick",
     ),
-    "loop": ("base", "model", "packed", "tree", "contact", "device", "tick", "multirate"),
+    "loop": ("base", "model", "packed", "tree", "contact", "device", "tick", "task", "multirate"),
     "arm": ("base", "device"),
-    "session": ("base", "device", "tick", "multirate", "loop"),
+    "session": ("base", "device", "tick", "task", "multirate", "loop"),
 }
 """Room of core/sim -> the other rooms that it may include."""
 
 MOST_FILES = 36
 """in a room: with more it holds two."""
 
-MOST_PUBLIC_HEADERS = 46
+MOST_PUBLIC_HEADERS = 47
 
 POSIX = ("fcntl.h", "poll.h", "pthread.h", "sched.h", "sys/", "time.h", "unistd.h")
 SYSTEM = {

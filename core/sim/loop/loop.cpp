@@ -8,6 +8,7 @@
 #include <condition_variable>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -41,6 +42,14 @@ const LoopOptions& validated(const LoopOptions& options) {
   return options;
 }
 
+const Task* validated(const Task* task, std::size_t instruments) {
+  if (task && task->tool_radii.size() != instruments) {
+    refuse("loop: task", write_text("one for ", task->tool_radii.size(), " instruments"),
+           write_text("one that build_task made for the scene, which has ", instruments));
+  }
+  return task;
+}
+
 long ticks_in(double seconds, double rate) {
   return std::max(1L, static_cast<long>(std::llround(std::min(seconds * rate, 9e15))));
 }
@@ -57,8 +66,9 @@ std::vector<HapticDevice*> list_devices(
 
 struct Loop::Impl {
   Impl(const Scene& scene_in, std::span<HapticDevice* const> devices, const LoopOptions& options_in,
-       TickLog* log_in)
+       TickLog* log_in, const Task* task_in)
       : scene(scene_in),
+        task(validated(task_in, scene.instruments.size())),
         options(validated(options_in)),
         log(log_in),
         dt(1.0 / scene.rate),
@@ -71,7 +81,8 @@ struct Loop::Impl {
         commands(channels.size()),
         rows(channels.size()),
         held(channels.size(), 0),
-        snapshots(PendingSnapshot(world)),
+        progress(task ? std::optional<Progress>(*task) : std::nullopt),
+        snapshots(PendingSnapshot(world, progress ? progress->state : TaskState())),
         reader(world) {
     if (scene.exchange_rate > 0.0) tissue = std::make_unique<TissueWorker>(scene);
     for (const SoftState& body : world.bodies) {
@@ -90,6 +101,8 @@ struct Loop::Impl {
   void notice_holds(long number) noexcept;
   void notice_alarm(long number) noexcept;
   void notice_devices(long number) noexcept;
+  void judge_tick() noexcept;
+  void end_task() noexcept;
   bool has_fault() const noexcept;
   void publish() noexcept;
   void serve_trees() noexcept;
@@ -104,6 +117,7 @@ struct Loop::Impl {
   }
 
   const Scene& scene;
+  const Task* const task;
   const LoopOptions options;
   TickLog* const log;
   const double dt;  // [s]
@@ -119,6 +133,7 @@ struct Loop::Impl {
   std::vector<HapticCommand> commands;  // [N]
   std::vector<TickLog::Tick> rows;
   std::vector<int> held;                 // triangles, before the tick
+  std::optional<Progress> progress;      // of the task, where there is one
   std::int64_t lateness = 0, spent = 0;  // [ns] of the last tick
   long lost_ticks = 0;                   // had no room in the log, not yet told
 
@@ -135,6 +150,7 @@ struct Loop::Impl {
   Alarm alarm;  // constant once has_alarm is set
   int alarm_body = -1;
   std::atomic<bool> has_alarm{false};
+  std::atomic<Outcome> outcome{Outcome::running};
   std::atomic<bool> stopping{false}, running{false};
   std::atomic<bool> pausing{false}, resting{false};  // asked for by others, done by this thread
   std::mutex ending;
@@ -182,10 +198,12 @@ void Loop::Impl::run_ticks() noexcept {
       ++skipped;
     }
     missed.fetch_add(skipped, std::memory_order_relaxed);
+    if (outcome.load(std::memory_order_relaxed) != Outcome::running) break;
     if (!has_fault()) continue;
     if (options.on_fault == FaultResponse::end) break;
     if (options.on_fault == FaultResponse::pause) pausing.store(true, std::memory_order_release);
   }
+  end_task();
   const long done = ticks.load(std::memory_order_relaxed);
   if (skipped > 0) tell(done, EventKind::missed_ticks, static_cast<std::int32_t>(skipped));
   if (lost_ticks > 0) tell(done, EventKind::record_gap, static_cast<std::int32_t>(lost_ticks));
@@ -234,6 +252,7 @@ void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
   notice_holds(number);
   notice_alarm(number);
   notice_devices(number);
+  judge_tick();
   for (std::size_t i = 0; i < channels.size(); ++i) {
     channels[i]->count_force(world.instruments[i].tool);
   }
@@ -244,6 +263,26 @@ void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
   ticks.store(number + 1, std::memory_order_relaxed);
   if (number % snapshot_ticks == 0) publish();
   serve_trees();
+}
+
+void Loop::Impl::judge_tick() noexcept {
+  if (!progress) return;
+  judge(*task, world, samples, commands, dt, *progress);
+  for (int e = 0; log && e < progress->event_count; ++e) {
+    log->push(progress->events[static_cast<std::size_t>(e)]);
+  }
+  outcome.store(progress->state.outcome, std::memory_order_relaxed);
+}
+
+/// What the judge has not decided ended from outside.
+void Loop::Impl::end_task() noexcept {
+  if (!progress || progress->state.outcome != Outcome::running) return;
+  TaskState& state = progress->state;
+  state.outcome = has_fault() ? Outcome::device_fault : Outcome::left;
+  outcome.store(state.outcome, std::memory_order_relaxed);
+  const long last = std::max(0L, world.tick_count - 1);
+  tell(last, static_cast<EventKind>(TaskEvent::task_ended),
+       static_cast<std::int32_t>(state.outcome), state.time);
 }
 
 /// Has the trees of bodies rebuilt where that is worth it.
@@ -316,14 +355,16 @@ void Loop::Impl::publish() noexcept {
   snapshot.cost = to_seconds(spent);
   snapshot.lateness = to_seconds(lateness);
   snapshot.missed_ticks = missed.load(std::memory_order_relaxed);
+  if (progress) snapshot.task = progress->state;
   snapshots.publish();
 }
 
 Loop::Loop(const Scene& scene, std::span<HapticDevice* const> devices, const LoopOptions& options,
-           TickLog* log)
-    : impl_(std::make_unique<Impl>(scene, devices, options, log)) {}
-Loop::Loop(const Scene& scene, HapticDevice& device, const LoopOptions& options, TickLog* log)
-    : Loop(scene, std::array{&device}, options, log) {}
+           TickLog* log, const Task* task)
+    : impl_(std::make_unique<Impl>(scene, devices, options, log, task)) {}
+Loop::Loop(const Scene& scene, HapticDevice& device, const LoopOptions& options, TickLog* log,
+           const Task* task)
+    : Loop(scene, std::array{&device}, options, log, task) {}
 Loop::~Loop() { stop(); }
 
 void Loop::start() {
@@ -380,6 +421,7 @@ LoopReport Loop::report() const {
   }
   for (const auto& channel : impl_->channels) report.devices.push_back(channel->report());
   sum_devices(report);
+  report.outcome = impl_->outcome.load(std::memory_order_relaxed);
   report.record_gaps = impl_->log ? impl_->log->gap_count() : 0;
   return report;
 }

@@ -11,6 +11,7 @@
 #include "palpate/sim/base/types.h"
 #include "palpate/sim/device/device.h"
 #include "palpate/sim/device/safe_device.h"
+#include "palpate/sim/task/task.h"
 #include "palpate/sim/tick/costs.h"
 #include "palpate/sim/tick/tick.h"
 #include "palpate/sim/tick/tick_log.h"
@@ -43,6 +44,7 @@ struct Snapshot {
   double cost = 0.0;                            ///< [s] of the last tick
   double lateness = 0.0;                        ///< [s] of the last tick
   long missed_ticks = 0;
+  TaskState task;  ///< without steps where there is no task
 };
 static_assert(alignof(Snapshot) == 8);
 
@@ -98,6 +100,9 @@ struct LoopReport {
   DeviceFault fault = DeviceFault::none;  ///< of the first device that has one
   std::string fault_reason;               ///< in words
   long record_gaps = 0;                   ///< ticks the log had no room for
+  /// Of the task; `running` while it is, and for none. A run that ended before it was decided was
+  /// left, or its device failed.
+  Outcome outcome = Outcome::running;
   // of all devices together
   long unrendered_ticks = 0;          ///< sum
   double peak_force = 0.0;            ///< [N] largest
@@ -125,18 +130,20 @@ static_assert(alignof(LoopReport) == 8);
 /// hand in every run in which no tick is missed.
 class Loop {
  public:
-  /// `scene` and every device must outlive the loop; `log` may be null; its
-  /// reader (session/record.h) is any one other thread. Throws std::invalid_argument for another
-  /// number of instruments in the scene or the log than there are devices, for one device twice,
-  /// and for options beyond their ranges.
+  /// `scene`, `task` and every device must outlive the loop; `log` may be null; its
+  /// reader (session/record.h) is any one other thread. A task, of build_task with this scene, is
+  /// judged in every tick, and the run ends when it is decided. Throws std::invalid_argument for
+  /// another number of instruments in the scene, the log or the task than there are devices, for
+  /// one device twice, and for options beyond their ranges.
   Loop(const Scene& scene, std::span<HapticDevice* const> devices, const LoopOptions& options = {},
-       TickLog* log = nullptr);
+       TickLog* log = nullptr, const Task* task = nullptr);
   /// The same for a scene of one instrument.
   Loop(const Scene& scene, HapticDevice& device, const LoopOptions& options = {},
-       TickLog* log = nullptr);
-  Loop(Scene&&, std::span<HapticDevice* const>, const LoopOptions& = {},
-       TickLog* = nullptr) = delete;
-  Loop(Scene&&, HapticDevice&, const LoopOptions& = {}, TickLog* = nullptr) = delete;
+       TickLog* log = nullptr, const Task* task = nullptr);
+  Loop(Scene&&, std::span<HapticDevice* const>, const LoopOptions& = {}, TickLog* = nullptr,
+       const Task* = nullptr) = delete;
+  Loop(Scene&&, HapticDevice&, const LoopOptions& = {}, TickLog* = nullptr,
+       const Task* = nullptr) = delete;
   ~Loop();  ///< stops and joins
 
   void start();               ///< throws std::logic_error the second time: a loop runs once

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "palpate/sim/task/task.h"
 #include "palpate/sim/tick/tick.h"
 #include "palpate/sim/tick/tick_log.h"
 
@@ -73,10 +74,23 @@ struct ReplayReport {
   double largest_position_difference = 0.0;  ///< [m] of the tool
   std::vector<Felt> felt;                    ///< as replayed, rows as in the record
   int instruments = 1;                       ///< rows of felt a tick
+
+  // of a task that was judged
+  TaskState task;                    ///< at its end; without steps where there was none
+  std::vector<Event> events;         ///< of the task, as judged anew
+  bool events_equal = true;          ///< the record has the very same
+  long first_event_difference = -1;  ///< tick, -1 for none
 };
 
-/// Runs the recorded hands through the same tick from a fresh world. Throws std::invalid_argument
-/// for a record that lost ticks, or of another number of instruments than the scene has.
-ReplayReport replay(const Scene& scene, const Record& record);
+/// Runs the recorded hands through the same tick from a fresh world, and judges a task, of
+/// build_task with that scene, where one is given. What the judge leaves undecided came out as the
+/// record says: left, a fault of the device, or interrupted, where it does not say. Throws
+/// std::invalid_argument for a record that lost ticks, or of another number of instruments than the
+/// scene or the task has.
+ReplayReport replay(const Scene& scene, const Record& record, const Task* task = nullptr);
+
+/// How the task of a recorded run came out: as its last event says, else `interrupted`, also for a
+/// record without a task.
+Outcome find_outcome(const Record& record) noexcept;
 
 }  // namespace palpate

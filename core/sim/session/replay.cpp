@@ -137,10 +137,77 @@ class Comparison {
   ReplayReport& report_;
 };
 
+/// An end that no judge has come to, but who ran it.
+bool is_end_from_outside(const Event& event) {
+  return is_kind(event, TaskEvent::task_ended) &&
+         (event.index == static_cast<int>(Outcome::left) ||
+          event.index == static_cast<int>(Outcome::device_fault));
+}
+
+/// Records of one instrument and body have no source of an event, so that is not compared.
+bool is_same(const Event& a, const Event& b) {
+  return a.tick == b.tick && a.kind == b.kind && a.index == b.index &&
+         std::memcmp(&a.value, &b.value, sizeof a.value) == 0;
+}
+
+/// Judges a replay again, and compares what comes of it with what was recorded.
+class Rejudging {
+ public:
+  Rejudging(const Task& task, const Record& record, ReplayReport& report)
+      : task_(task), progress_(task), report_(report) {
+    for (const Event& event : record.events) {
+      if (is_of_task(event) && !is_end_from_outside(event)) then_.push_back(event);
+    }
+  }
+
+  void judge_tick(const World& world, std::span<const HapticSample> samples,
+                  std::span<const HapticCommand> commands, double dt) {
+    judge(task_, world, samples, commands, dt, progress_);
+    report_.events.insert(report_.events.end(), progress_.events.begin(),
+                          progress_.events.begin() + progress_.event_count);
+  }
+
+  void finish(const Record& record) {
+    report_.task = progress_.state;
+    if (report_.task.outcome == Outcome::running) report_.task.outcome = find_outcome(record);
+    const std::vector<Event>& now = report_.events;
+    const auto [a, b] = std::ranges::mismatch(now, then_, is_same);
+    report_.events_equal = a == now.end() && b == then_.end();
+    if (report_.events_equal) return;
+    report_.first_event_difference =
+        std::min(a == now.end() ? std::numeric_limits<long>::max() : long{a->tick},
+                 b == then_.end() ? std::numeric_limits<long>::max() : long{b->tick});
+  }
+
+ private:
+  const Task& task_;
+  Progress progress_;
+  std::vector<Event> then_;
+  ReplayReport& report_;
+};
+
+void validate(const Task& task, std::size_t instruments) {
+  if (task.tool_radii.size() == instruments) return;
+  throw std::invalid_argument("replay: got a task for " + std::to_string(task.tool_radii.size()) +
+                              " instruments, expected one that build_task made for the scene, " +
+                              "which has " + std::to_string(instruments));
+}
+
 }  // namespace
 
-ReplayReport replay(const Scene& scene, const Record& record) {
+Outcome find_outcome(const Record& record) noexcept {
+  for (auto event = record.events.rbegin(); event != record.events.rend(); ++event) {
+    if (!is_kind(*event, TaskEvent::task_ended)) continue;
+    const bool known = event->index > static_cast<int>(Outcome::running) &&
+                       event->index < static_cast<int>(Outcome::interrupted);
+    return known ? static_cast<Outcome>(event->index) : Outcome::interrupted;
+  }
+  return Outcome::interrupted;
+}
+
+ReplayReport replay(const Scene& scene, const Record& record, const Task* task) {
   validate(scene, record);
+  if (task) validate(*task, scene.instruments.size());
   const std::size_t tick_count = count_ticks(record), instruments = scene.instruments.size();
   ReplayReport report;
   report.ticks = static_cast<long>(tick_count);
@@ -158,6 +225,8 @@ ReplayReport replay(const Scene& scene, const Record& record) {
   std::optional<SlowReplay> slow;
   if (scene.exchange_rate > 0.0) slow.emplace(scene, record);
   std::vector<HapticCommand> commands(instruments);
+  std::optional<Rejudging> rejudging;
+  if (task) rejudging.emplace(*task, record, report);
   for (std::size_t t = 0; t < tick_count; ++t) {
     const std::size_t row = t * instruments;
     const std::span hands = std::span(record.hand).subspan(row, instruments);
@@ -167,6 +236,7 @@ ReplayReport replay(const Scene& scene, const Record& record) {
       for (RecordedTrees& body : trees) body.follow(world);
       tick(scene, hands, 1.0 / scene.rate, world, commands);
     }
+    if (rejudging) rejudging->judge_tick(world, hands, commands, 1.0 / scene.rate);
     for (std::size_t i = 0; i < instruments; ++i) {
       comparison.compare(world, t, compute_felt(commands[i], world, i), record.felt[row + i]);
     }
@@ -175,6 +245,7 @@ ReplayReport replay(const Scene& scene, const Record& record) {
     }
   }
   report.equal = report.first_difference < 0;
+  if (rejudging) rejudging->finish(record);
   return report;
 }
 

@@ -11,7 +11,9 @@
 
 namespace palpate {
 
-PendingSnapshot::PendingSnapshot(const World& world) : packed(world.bodies.size()) {
+PendingSnapshot::PendingSnapshot(const World& world, const TaskState& task)
+    : packed(world.bodies.size()) {
+  seen.task = task;
   seen.instruments.resize(world.instruments.size());
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
     const SoftState& body = world.bodies[b];

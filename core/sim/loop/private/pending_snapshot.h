@@ -17,7 +17,8 @@ struct PendingSnapshot {
   };
 
   PendingSnapshot() = default;
-  explicit PendingSnapshot(const World& world);  ///< with room for all of its surfaces
+  /// With room for all of its surfaces, and the steps and limits of a task.
+  explicit PendingSnapshot(const World& world, const TaskState& task = {});
 
   Snapshot seen;               ///< positions left as they were where displacements tell
   std::vector<Packed> packed;  ///< per body
