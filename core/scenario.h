@@ -2,6 +2,7 @@
 #pragma once
 
 // Every header of palpate::scenario.
+#include "palpate/scenario/assessment.h"
 #include "palpate/scenario/container.h"
 #include "palpate/scenario/read.h"
 #include "palpate/scenario/scenario.h"

@@ -4590,6 +4590,450 @@ class FaultyTransport(Transport):
     def __reduce_ex__(self, protocol: int) -> object:
         """Raises TypeError: not to be pickled."""
 
+class PlaceKind(enum.Enum):
+    """Where on a tissue a step or a limit is, at rest."""
+
+    region = 0
+    path = 1
+    ball = 2
+
+class TaskVerb(enum.Enum):
+    """What a step asks for."""
+
+    touch = 0
+    hold = 1
+    push = 2
+    pull = 3
+    grasp = 4
+    release = 5
+    trace = 6
+    find = 7
+
+class TaskMeasure(enum.Enum):
+    """What a limit watches."""
+
+    force = 0
+    force_rate = 1
+    contact = 2
+    depth = 3
+    distance = 4
+    speed = 5
+    clearance = 6
+    off_path = 7
+
+class LimitConsequence(enum.Enum):
+    """What becomes of a limit that opens."""
+
+    warn = 0
+    error = 1
+    end = 2
+
+class Outcome(enum.IntEnum):
+    """How an attempt at a task came out."""
+
+    running = 0
+    done = 1
+    failed = 2
+    timed_out = 3
+    left = 4
+    device_fault = 5
+    diverged = 6
+    interrupted = 7
+
+class TaskEvent(enum.IntEnum):
+    """Kinds of an Event that a judge tells of, beside those of EventKind."""
+
+    step_begun = 32
+    step_done = 33
+    step_overdue = 34
+    click_missed = 35
+    limit_opened = 36
+    limit_closed = 37
+    task_ended = 38
+
+class StepStatus(enum.Enum):
+    """How far a step is."""
+
+    waiting = 0
+    active = 1
+    done = 2
+
+class Band:
+    """From least to most, both included."""
+    def __init__(self, least: float = ..., most: float = ...) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
+    least: float
+    """[N] or [m]; minus infinity for no bound."""
+    most: float
+    """[N] or [m]; infinity for no bound."""
+    def __copy__(self) -> Band:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Band:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class TaskPlace:
+    """Where on a tissue a step or a limit is: of the tissue at rest, which moves with it."""
+    def __init__(
+        self,
+        *,
+        kind: PlaceKind = ...,
+        body: int = ...,
+        vertices: Sequence[int] = ...,
+        points: Sequence[ArrayLike] = ...,
+        radius: float = ...,
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
+    kind: PlaceKind
+    """What it is."""
+    body: int
+    """Of the scene."""
+    @property
+    def vertices(self) -> list[int]:
+        """Of a region: of the body's surface."""
+    @vertices.setter
+    def vertices(self, value: Sequence[int]) -> None: ...
+    @property
+    def points(self) -> list[NDArray[np.float64]]:
+        """[m] shape (k, 3) when set: of a path two or more, of a ball its centre."""
+    @points.setter
+    def points(self, value: Sequence[ArrayLike]) -> None: ...
+    radius: float
+    """[m] of a ball; of a path, how far beside it still counts as on it."""
+    @property
+    def members(self) -> list[int]:
+        """Of a region: per vertex of the surface 1 or 0; filled in by build_task."""
+    @property
+    def arc_length(self) -> list[float]:
+        """[m] of a path: per point, from its beginning; filled in by build_task."""
+    def __copy__(self) -> TaskPlace:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> TaskPlace:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class TaskStep:
+    """Something that a trainee is asked to do."""
+    def __init__(
+        self,
+        *,
+        verb: TaskVerb = ...,
+        instrument: int = ...,
+        place: int = ...,
+        force: Band = ...,
+        depth: Band = ...,
+        distance: Band = ...,
+        duration: float = ...,
+        share: float = ...,
+        time_limit: float = ...,
+        after: Sequence[int] = ...,
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
+    verb: TaskVerb
+    """What it asks for."""
+    instrument: int
+    """Of the scene."""
+    place: int
+    """Of the task; -1 for none, which only release may have."""
+    force: Band
+    """[N] size of what the hand feels."""
+    depth: Band
+    """[m] of the tip below the surface at rest."""
+    distance: Band
+    """[m] of what is held from where it is at rest."""
+    duration: float
+    """[s] for which it must be so; gaps of up to 0.1 s are left out."""
+    share: float
+    """[-] of a path, 0 to 1."""
+    time_limit: float
+    """[s] since it began; once longer is an error. 0 for none."""
+    @property
+    def after(self) -> list[int]:
+        """Steps that must be done before it begins."""
+    @after.setter
+    def after(self, value: Sequence[int]) -> None: ...
+    def __copy__(self) -> TaskStep:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> TaskStep:
+        """A copy of its own."""
+    def __getstate__(
+        self, /
+    ) -> tuple[object, object, object, object, object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class TaskLimit:
+    """What must not be, and what becomes of it."""
+    def __init__(
+        self,
+        *,
+        measure: TaskMeasure = ...,
+        instrument: int = ...,
+        place: int = ...,
+        above: bool = ...,
+        bound: float = ...,
+        duration: float = ...,
+        then: LimitConsequence = ...,
+        during: Sequence[int] = ...,
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
+    measure: TaskMeasure
+    """What it watches."""
+    instrument: int
+    """Of the scene."""
+    place: int
+    """Of the task; -1 for none."""
+    above: bool
+    """Wrong above the bound; else below it."""
+    bound: float
+    """[N], [N/s], [m] or [m/s], as the measure is."""
+    duration: float
+    """[s] for which it must be so."""
+    then: LimitConsequence
+    """What becomes of it."""
+    @property
+    def during(self) -> list[int]:
+        """Steps while one of which it is watched; empty for always."""
+    @during.setter
+    def during(self, value: Sequence[int]) -> None: ...
+    def __copy__(self) -> TaskLimit:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> TaskLimit:
+        """A copy of its own."""
+    def __getstate__(
+        self, /
+    ) -> tuple[object, object, object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class TaskSurface:
+    """A body's surface at rest."""
+    def __init__(self) -> None:
+        """Every field at its first value."""
+    @property
+    def vertices(self) -> NDArray[np.float64]:
+        """[m] shape (n, 3); a view."""
+    @property
+    def normals(self) -> NDArray[np.float64]:
+        """[-] unit, outwards, shape (n, 3); a view."""
+    @property
+    def triangles(self) -> NDArray[np.int32]:
+        """Shape (t, 3); a copy, read-only."""
+    def __copy__(self) -> TaskSurface:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> TaskSurface:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class Task:
+    """All that judge() knows of a task, and never changes."""
+    def __init__(
+        self,
+        *,
+        places: Sequence[TaskPlace] = ...,
+        steps: Sequence[TaskStep] = ...,
+        limits: Sequence[TaskLimit] = ...,
+        time_limit: float = ...,
+        errors_at_most: int = ...,
+    ) -> None:
+        """Copies what it is given; build_task checks it.
+
+        Arguments are the fields of these names, with their shapes and units.
+        """
+    time_limit: float
+    """[s] of ticks, positive."""
+    errors_at_most: int
+    """With more the task has failed; -1 for any number."""
+    @property
+    def tool_radii(self) -> list[float]:
+        """[m] per instrument; filled in by build_task."""
+    @property
+    def places(self) -> tuple:
+        """A TaskPlace each, a tuple of copies."""
+    @property
+    def steps(self) -> tuple:
+        """A TaskStep each, a tuple of copies."""
+    @property
+    def limits(self) -> tuple:
+        """A TaskLimit each, a tuple of copies."""
+    @property
+    def surfaces(self) -> tuple:
+        """A TaskSurface for each body, a tuple of copies; filled in by build_task."""
+    def __copy__(self) -> Task:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Task:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """What it is, on one line."""
+
+MOST_STEPS: int
+MOST_LIMITS: int
+MOST_PLACES: int
+
+def is_of_task(event: Event) -> bool:
+    """Whether its kind is one of TaskEvent."""
+
+def is_kind(event: Event, kind: TaskEvent) -> bool:
+    """Whether its kind is that."""
+
+def build_task(scene: Scene, task: Task) -> Task:
+    """A task, checked once, with what is derived from it and the scene. Raises ValueError
+    naming the field, what it got and what was expected.
+    """
+
+class StepState:
+    """How far a trainee has come with a step."""
+    def __init__(self) -> None:
+        """Every field at its first value."""
+    @property
+    def status(self) -> StepStatus:
+        """Waiting, active or done."""
+    @property
+    def dwell(self) -> float:
+        """[s] for which what it asks has been so."""
+    @property
+    def progress(self) -> float:
+        """[-] of a path: the share touched so far."""
+    @property
+    def from_tick(self) -> int:
+        """It began; -1 before."""
+    @property
+    def until_tick(self) -> int:
+        """It was done; -1 before."""
+    @property
+    def overdue(self) -> bool:
+        """It has taken longer than its time limit."""
+    def __copy__(self) -> StepState:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> StepState:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class LimitState:
+    """How often and how far a limit was passed."""
+    def __init__(self) -> None:
+        """Every field at its first value."""
+    @property
+    def open(self) -> bool:
+        """Now."""
+    @property
+    def count(self) -> int:
+        """How often it has opened."""
+    @property
+    def duration(self) -> float:
+        """[s] open in all."""
+    @property
+    def excess(self) -> float:
+        """[N s], [m s] ...: integral over that time of what lies beyond the bound."""
+    @property
+    def worst(self) -> float:
+        """[N], [m] ...: the value farthest beyond the bound so far."""
+    def __copy__(self) -> LimitState:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> LimitState:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class TaskState:
+    """How far a trainee has come."""
+    def __init__(self) -> None:
+        """Every field at its first value."""
+    @property
+    def outcome(self) -> Outcome:
+        """How it came out; running before."""
+    @property
+    def ticks(self) -> int:
+        """Judged."""
+    @property
+    def time(self) -> float:
+        """[s]"""
+    @property
+    def errors(self) -> int:
+        """So far."""
+    @property
+    def warnings(self) -> int:
+        """So far."""
+    @property
+    def peak_force(self) -> float:
+        """[N] the largest that was held for 10 ms, of any instrument."""
+    @property
+    def steps(self) -> tuple:
+        """A StepState each, a tuple."""
+    @property
+    def limits(self) -> tuple:
+        """A LimitState each, a tuple."""
+    def __copy__(self) -> TaskState:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> TaskState:
+        """A copy of its own."""
+    def __getstate__(
+        self, /
+    ) -> tuple[object, object, object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class Progress:
+    """A running task: everything that judge() needs."""
+    def __init__(self, task: Task) -> None:
+        """At its beginning. Raises ValueError for a task that is not from build_task."""
+    @property
+    def state(self) -> TaskState:
+        """How far the trainee has come, a copy."""
+    @property
+    def events(self) -> NDArray[Any]:
+        """Of the last judge(), in order, a structured array with the fields of Event, shape
+        (k,).
+        """
+    @property
+    def event_count(self) -> int:
+        """How many these are."""
+    def __copy__(self) -> Progress:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Progress:
+        """A copy of its own."""
+    def __repr__(self) -> str:
+        """The value on one line."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
+
+def judge(
+    task: Task,
+    world: World,
+    samples: Sequence[HapticSample],
+    commands: Sequence[HapticCommand],
+    dt: float,
+    progress: Progress,
+) -> None:
+    """Judges a tick of dt [s] that has just been done: to be called once after every tick()
+    with what that took and gave, one of each for each instrument. Nothing changes once the
+    outcome is no longer running.
+
+    Args:
+        samples: a structured array with the fields of HapticSample, shape (k,), or a list of
+            these
+        dt: [s]
+    """
+
 class LocalForceMode(enum.Enum):
     """What is felt between two exchanges with a slow tissue."""
 
@@ -4826,6 +5270,9 @@ class Snapshot:
     def interventions(self) -> object:
         """Of the first instrument."""
     @property
+    def task(self) -> TaskState:
+        """A TaskState, without steps where there is no task; a copy."""
+    @property
     def cost(self) -> float:
         """[s] of the last tick."""
     @property
@@ -4838,7 +5285,9 @@ class Snapshot:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> Snapshot:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
+    def __getstate__(
+        self, /
+    ) -> tuple[object, object, object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -4924,6 +5373,11 @@ class LoopReport:
     def fault_reason(self) -> str:
         """In words."""
     @property
+    def outcome(self) -> Outcome:
+        """Of the task; running while it is, and for none. A run that ended before it was
+        decided was left, or its device failed.
+        """
+    @property
     def record_gaps(self) -> int:
         """Ticks the log had no room for."""
     @property
@@ -4986,6 +5440,7 @@ class LoopReport:
         object,
         object,
         object,
+        object,
     ]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
@@ -5005,17 +5460,25 @@ class Loop:
         device: HapticDevice,
         options: LoopOptions = ...,
         log: TickLog | None = ...,
+        task: Task | None = ...,
     ) -> None:
         """__init__(*args, **kwargs)
 
-        A loop over a scene that build_scene made; log takes what every tick did.
+        A loop over a scene that build_scene made; log takes what every tick did; a task, of
+        build_task with that scene, is judged in every tick, and ends the run when it is
+        decided.
 
         The same with one device for each instrument, in their order. Raises ValueError for
         another number of them, or one that is there twice.
         """
     @overload
     def __init__(
-        self, scene: Scene, devices: Sequence, options: LoopOptions = ..., log: TickLog | None = ...
+        self,
+        scene: Scene,
+        devices: Sequence,
+        options: LoopOptions = ...,
+        log: TickLog | None = ...,
+        task: Task | None = ...,
     ) -> None: ...
     def start(self) -> None:
         """Raises RuntimeError the second time: a loop runs once."""
@@ -5168,20 +5631,45 @@ class ReplayReport:
     @property
     def instruments(self) -> int:
         """Rows of felt a tick."""
+    @property
+    def task(self) -> TaskState:
+        """The TaskState at its end; without steps where no task was judged."""
+    @property
+    def events(self) -> NDArray[Any]:
+        """Of the task, as judged anew, a structured array with the fields of Event, shape (k,);
+        a view.
+        """
+    @property
+    def events_equal(self) -> bool:
+        """The record has the very same."""
+    @property
+    def first_event_difference(self) -> int:
+        """Tick, -1 for none."""
     def __copy__(self) -> ReplayReport:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> ReplayReport:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
+    def __getstate__(
+        self, /
+    ) -> tuple[
+        object, object, object, object, object, object, object, object, object, object, object
+    ]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
 
-def replay(scene: Scene, record: Record) -> ReplayReport:
-    """Runs the recorded hands through the same tick from a fresh world. Raises ValueError for a
-    record with gaps, with more rows of hand than of felt, or of another number of
-    instruments than the scene has. To learn what any hand would feel, give it zeros for
-    felt, as many as rows of hand, and read the report's felt.
+def replay(scene: Scene, record: Record, task: Task | None = ...) -> ReplayReport:
+    """Runs the recorded hands through the same tick from a fresh world, and judges a task, of
+    build_task with that scene, where one is given. What the judge leaves undecided came out
+    as the record says: left, a fault of the device, or interrupted, where it does not say.
+    Raises ValueError for a record with gaps, with more rows of hand than of felt, or of
+    another number of instruments than the scene has. To learn what any hand would feel, give
+    it zeros for felt, as many as rows of hand, and read the report's felt.
+    """
+
+def find_outcome(record: Record) -> Outcome:
+    """How the task of a recorded run came out: as its last event says, else interrupted, also
+    for a record without a task.
     """
 
 class BenchRow:

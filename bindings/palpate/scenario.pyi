@@ -105,6 +105,8 @@ class Scenario:
         authored: str = ...,
         authored_arrays: dict[str, Any] = ...,
         languages: dict[str, Words] = ...,
+        assessment: str = ...,
+        assessment_arrays: dict[str, Any] = ...,
     ) -> None:
         """Copies the scene, which build_scene made.
 
@@ -119,6 +121,8 @@ class Scenario:
         """The scene, ready to tick."""
     authored: str
     """JSON: the designer's document, which only the editor reads."""
+    assessment: str
+    """JSON: what is asked of a trainee and judged; empty where nothing is."""
     @property
     def version(self) -> int:
         """Filled by the reader: of the format, as the file had it."""
@@ -131,6 +135,11 @@ class Scenario:
         read-only.
         """
     @property
+    def assessment_arrays(self) -> dict[str, NDArray[Any]]:
+        """Of the assessment: places/ID, the vertices of a region, of shape (n,), in a new dict;
+        views, read-only.
+        """
+    @property
     def languages(self) -> dict[str, Words]:
         """Title and task in further languages, by code such as "tr" or "pt-BR", in a new dict."""
     def __copy__(self) -> Scenario:
@@ -139,7 +148,9 @@ class Scenario:
         """A copy of its own."""
     def __getstate__(
         self, /
-    ) -> tuple[str, str, Scene, str, dict[int, object], int, str, dict[str, Words]]: ...
+    ) -> tuple[
+        str, str, Scene, str, dict[int, object], int, str, dict[str, Words], str, dict[int, object]
+    ]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -175,3 +186,92 @@ def unpack(container: Container, file: str) -> Scenario:
 
 def pack(scenario: Scenario) -> Container:
     """What the file holds."""
+
+MOST_PARAMETERS: int
+MOST_LEVELS: int
+MOST_TEXTS: int
+
+class DrawnValue:
+    """A parameter of an attempt."""
+    def __init__(self) -> None:
+        """Every field at its first value."""
+    @property
+    def name(self) -> str:
+        """As the assessment calls it."""
+    @property
+    def unit(self) -> str:
+        """N, m, s, rad, m3, place, or 1 for none."""
+    @property
+    def value(self) -> float:
+        """[N], [m] ... in that unit; 0 of a place."""
+    @property
+    def place(self) -> str:
+        """Its id; else empty."""
+    def __copy__(self) -> DrawnValue:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> DrawnValue:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class DrawnTask:
+    """What is judged in one attempt, and the names of its rows."""
+    def __init__(self) -> None:
+        """Every field at its first value."""
+    @property
+    def task(self) -> object:
+        """The Task, of build_task."""
+    @property
+    def id(self) -> str:
+        """Of the assessment."""
+    @property
+    def version(self) -> str:
+        """Of the assessment."""
+    @property
+    def level(self) -> str:
+        """Empty where there are none."""
+    @property
+    def seed(self) -> int:
+        """Of the parameters that are drawn."""
+    @property
+    def sha256(self) -> str:
+        """Of the assessment, whatever level and seed."""
+    @property
+    def steps(self) -> list[str]:
+        """Their ids, in order of the task's."""
+    @property
+    def limits(self) -> list[str]:
+        """Likewise."""
+    @property
+    def places(self) -> list[str]:
+        """Likewise; of a path with another width, once more."""
+    @property
+    def values(self) -> list[DrawnValue]:
+        """A DrawnValue each, by name."""
+    def __copy__(self) -> DrawnTask:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> DrawnTask:
+        """A copy of its own."""
+    def __getstate__(
+        self, /
+    ) -> tuple[object, object, object, object, object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+def draw(seed: int, id: str, name: str) -> float:
+    """[-] A number from 0 to below 1 for a parameter of a scenario, the same wherever it is
+    drawn: of the first 53 bits of the SHA-256 of seed, id and name, in text with a line feed
+    between them.
+    """
+
+def list_levels(scenario: Scenario) -> list[str]:
+    """The levels of a scenario's assessment; empty where there are none."""
+
+def draw_task(scenario: Scenario, level: str = ..., seed: int = ...) -> DrawnTask:
+    """The task of an attempt. An empty level is normal, or the first where there is no such.
+    Raises ValueError for a level that is not there, a scenario without an assessment, and
+    one that cannot be judged, naming the place in it, what it got and what was expected.
+    """

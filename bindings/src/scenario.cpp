@@ -10,6 +10,7 @@
 #include "palpate/scenario/ranges.h"
 #include "palpate/scenario/read.h"
 #include "palpate/scenario/write.h"
+#include "task_bindings.h"
 #include "value.h"
 
 namespace palpate::bindings {
@@ -230,24 +231,29 @@ void bind_scenario_type(py::module_& m) {
                             "what it was made from.");
   made.def(py::init([](const Scene& scene, const std::string& title, const std::string& task,
                        const std::string& authored, const SomeArrays& authored_arrays,
-                       const Languages& languages) {
+                       const Languages& languages, const std::string& assessment,
+                       const SomeArrays& assessment_arrays) {
              return Scenario{title,
                              task,
                              scene,
                              authored,
                              copy_arrays(authored_arrays),
+                             assessment,
+                             copy_arrays(assessment_arrays),
                              0,
                              "",
                              copy_languages(languages)};
            }),
            py::kw_only(), "scene"_a, "title"_a = "", "task"_a = "", "authored"_a = "{}",
-           "authored_arrays"_a = SomeArrays(), "languages"_a = Languages(),
-           "Copies the scene, which build_scene made.");
+           "authored_arrays"_a = SomeArrays(), "languages"_a = Languages(), "assessment"_a = "",
+           "assessment_arrays"_a = SomeArrays(), "Copies the scene, which build_scene made.");
   made.def_readwrite("title", &Scenario::title, "What a trainee sees it called.")
       .def_readwrite("task", &Scenario::task, "What the trainee is asked to do, in words.")
       .def_readonly("scene", &Scenario::scene, "The scene, ready to tick.")
       .def_readwrite("authored", &Scenario::authored,
                      "JSON: the designer's document, which only the editor reads.")
+      .def_readwrite("assessment", &Scenario::assessment,
+                     "JSON: what is asked of a trainee and judged; empty where nothing is.")
       .def_readonly("version", &Scenario::version,
                     "Filled by the reader: of the format, as the file had it.")
       .def_readonly("written_by", &Scenario::written_by,
@@ -255,6 +261,10 @@ void bind_scenario_type(py::module_& m) {
   def_arrays(made, "authored_arrays", &Scenario::authored_arrays,
              "What belongs to the document, of the shapes and units it says, in a new dict; views, "
              "read-only.");
+  def_arrays(
+      made, "assessment_arrays", &Scenario::assessment_arrays,
+      "Of the assessment: places/ID, the vertices of a region, of shape (n,), in a new dict; "
+      "views, read-only.");
   made.def_property_readonly("languages", &list_languages,
                              "Title and task in further languages, by code such as \"tr\" or "
                              "\"pt-BR\", in a new dict.");
@@ -263,12 +273,14 @@ void bind_scenario_type(py::module_& m) {
       [](const Scenario& self) {
         return py::make_tuple(self.title, self.task, self.scene, self.authored,
                               pack_arrays(self.authored_arrays), self.version, self.written_by,
-                              list_languages(self));
+                              list_languages(self), self.assessment,
+                              pack_arrays(self.assessment_arrays));
       },
       [](const py::tuple& packed) {
         return Scenario{packed[0].cast<std::string>(), packed[1].cast<std::string>(),
                         packed[2].cast<Scene>(),       packed[3].cast<std::string>(),
-                        unpack_arrays(packed[4]),      packed[5].cast<int>(),
+                        unpack_arrays(packed[4]),      packed[8].cast<std::string>(),
+                        unpack_arrays(packed[9]),      packed[5].cast<int>(),
                         packed[6].cast<std::string>(), copy_languages(packed[7].cast<Languages>())};
       }));
   def_repr(made, {"title", "scene"});
@@ -319,6 +331,7 @@ void bind_scenario(py::module_& parent) {
   bind_words(m);
   bind_scenario_type(m);
   bind_scenario_files(m);
+  bind_assessment(m);
 }
 
 }  // namespace palpate::bindings

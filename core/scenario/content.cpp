@@ -214,12 +214,12 @@ void parse_languages(Fields& fields, const std::string& file, Scenario& scenario
   }
 }
 
-Json parse_authored(const std::string& text) {
+Json parse_text(const std::string& text, const char* name) {
   try {
     return parse_object(text, "", "");
   } catch (const FileError& problem) {
-    throw std::invalid_argument("scenario: authored: got " + problem.got + ", expected " +
-                                problem.expected);
+    throw std::invalid_argument("scenario: " + std::string(name) + ": got " + problem.got +
+                                ", expected " + problem.expected);
   }
 }
 
@@ -232,8 +232,10 @@ std::string print_content(const Scenario& scenario) {
   Json printed = {{"title", scenario.title},
                   {"task", scenario.task},
                   {"scene", print_scene(scenario.scene)},
-                  {"authored", parse_authored(scenario.authored)}};
+                  {"authored", parse_text(scenario.authored, "authored")}};
   // only where there are some: a file without is what it was before there were any
+  if (!scenario.assessment.empty())
+    printed["assessment"] = parse_text(scenario.assessment, "assessment");
   if (!scenario.languages.empty()) printed["languages"] = print_languages(scenario);
   return print(printed, "scenario: title or task");
 }
@@ -247,6 +249,11 @@ void parse_content(const std::string& content, const std::string& file, Scenario
   const Json& authored = fields.any("authored");
   if (!authored.is_object()) fields.refuse("authored", describe(authored), "an object");
   scenario.authored = authored.dump();
+  if (parsed.contains("assessment")) {
+    const Json& assessment = fields.any("assessment");
+    if (!assessment.is_object()) fields.refuse("assessment", describe(assessment), "an object");
+    scenario.assessment = assessment.dump();
+  }
   if (parsed.contains("languages")) parse_languages(fields, file, scenario);
   fields.finish();
 }

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "palpate/scenario/assessment_parts.h"
 #include "palpate/scenario/content.h"
 #include "palpate/scenario/derived.h"
 #include "palpate/scenario/migrate.h"
@@ -38,13 +39,17 @@ void take_table(Arrays& arrays, const std::string& name, const std::string& file
   arrays.erase(at);
 }
 
-void take_authored(Arrays& arrays, const std::string& file, Arrays& authored) {
-  const std::string folder = "authored/";
+/// What is left: arrays of the designer's document and of the assessment.
+void take_documents(Arrays& arrays, const std::string& file, Scenario& scenario) {
+  const std::string authored = "authored/", assessment = "assessment/";
   for (auto& [name, array] : arrays) {
-    if (name.compare(0, folder.size(), folder) != 0) {
+    if (name.starts_with(authored)) {
+      scenario.authored_arrays.emplace(name.substr(authored.size()), std::move(array));
+    } else if (name.starts_with(assessment)) {
+      scenario.assessment_arrays.emplace(name.substr(assessment.size()), std::move(array));
+    } else {
       throw FileError(file, name, "an array of no known table", "none such");
     }
-    authored.emplace(name.substr(folder.size()), std::move(array));
   }
 }
 
@@ -112,7 +117,7 @@ Scenario unpack(Container container, const std::string& file) {
     if (!container.arrays.contains(name)) continue;
     take_table(container.arrays, name, file, bodies[b].far_compliance);
   }
-  take_authored(container.arrays, file, scenario.authored_arrays);
+  take_documents(container.arrays, file, scenario);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     find_around(file, name_folder(b), bodies[b].tissue);
   }
@@ -128,6 +133,7 @@ Scenario unpack(Container container, const std::string& file) {
   } catch (const std::invalid_argument& problem) {
     refuse(file, problem.what());
   }
+  check_assessment(scenario, file);
   return scenario;
 }
 

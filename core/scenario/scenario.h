@@ -42,8 +42,11 @@ struct Scenario {
   Scene scene;                  ///< as build_scene made it
   std::string authored = "{}";  ///< JSON: the designer's document, which only the editor reads
   Arrays authored_arrays;       ///< what belongs to it
-  int version = 0;              ///< filled by the reader: of the format, as the file had it
-  std::string written_by;       ///< filled by the reader: which program and version wrote the file
+  /// JSON: what is asked of a trainee and judged (assessment.h); empty where nothing is
+  std::string assessment;
+  Arrays assessment_arrays;  ///< of it: places/ID, the vertices of a region, (n,)
+  int version = 0;           ///< filled by the reader: of the format, as the file had it
+  std::string written_by;    ///< filled by the reader: which program and version wrote the file
   /// Title and task in further languages, by code ("tr", "pt-BR"); an empty one is not translated.
   std::map<std::string, Words, std::less<>> languages;
 };

@@ -1,16 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/scenario/write.h"
 
+#include <stdexcept>
+
+#include "palpate/scenario/assessment_parts.h"
 #include "palpate/scenario/content.h"
 #include "palpate/scenario/derived.h"
 #include "palpate/scenario/migrate.h"
 #include "palpate/scenario/table_array.h"
 #include "palpate/scenario/tables.h"
+#include "palpate/sim/base/error.h"
 
 namespace palpate::scenario {
 
+namespace {
+
+/// Refused as an argument: it is of no file yet.
+void check_task(const Scenario& scenario) {
+  try {
+    check_assessment(scenario, "");
+  } catch (const FileError& problem) {
+    throw std::invalid_argument("scenario: " + problem.where + ": got " + problem.got +
+                                ", expected " + problem.expected);
+  }
+}
+
+}  // namespace
+
 Container pack(const Scenario& scenario) {
   check_built(scenario.scene);
+  check_task(scenario);
   Container container{"palpate", newest_version(), print_content(scenario), {}, ""};
   visit_tables(scenario.scene, [&](const std::string& name, const auto& table) {
     container.arrays[name] = to_array(table);
@@ -21,6 +40,9 @@ Container pack(const Scenario& scenario) {
   }
   for (const auto& [name, array] : scenario.authored_arrays) {
     container.arrays["authored/" + name] = array;
+  }
+  for (const auto& [name, array] : scenario.assessment_arrays) {
+    container.arrays["assessment/" + name] = array;
   }
   return container;
 }

@@ -44,6 +44,17 @@ def full_record() -> palpate.Record:
     return palpate.Record(header='{"a": 1}', hand=[sample] * 2, felt=[palpate.Felt()] * 2)
 
 
+def small_task() -> palpate.Task:
+    places = [palpate.TaskPlace(kind=palpate.PlaceKind.region, vertices=[1, 2])]
+    task = palpate.Task(
+        places=places,
+        steps=[palpate.TaskStep(place=0)],
+        limits=[palpate.TaskLimit(bound=1.5)],
+        time_limit=60.0,
+    )
+    return palpate.build_task(organ_scene(1), task)
+
+
 def held_solid() -> palpate.TissueModel:
     soft = palpate.Material(young_modulus=5e3, poisson_ratio=0.4)
     return palpate.build_linear_solid(SOLID, soft, palpate.SolidOptions(fixed=[0, 1, 2]))
@@ -138,6 +149,15 @@ MADE: dict[str, Callable[[], object]] = {
     "Percentiles": lambda: palpate.Loop(organ_scene(1), device()).report().cost,
     "Record": full_record,
     "ReplayReport": lambda: palpate.replay(organ_scene(1), palpate.Record()),
+    "TaskPlace": lambda: palpate.TaskPlace(points=[(1, 2, 3)], radius=0.01),
+    "TaskStep": lambda: palpate.TaskStep(place=2, force=palpate.Band(0.1, 0.4), after=[0, 1]),
+    "TaskLimit": lambda: palpate.TaskLimit(place=1, bound=1.5, during=[0]),
+    "TaskSurface": lambda: small_task().surfaces[0],
+    "Task": small_task,
+    "StepState": lambda: palpate.Progress(small_task()).state.steps[0],
+    "LimitState": lambda: palpate.Progress(small_task()).state.limits[0],
+    "TaskState": lambda: palpate.Progress(small_task()).state,
+    "Progress": lambda: palpate.Progress(small_task()),
     "ImplicitStepper": lambda: palpate.ImplicitStepper(chain(4), palpate.Integrator.implicit_euler),
     "scenario.Container": lambda: palpate.scenario.Container(
         format="organ", version=2, content='{"a": 1}', arrays={"x": [[1.0, 2.0]]}

@@ -57,6 +57,12 @@ NOT_MIRRORED = {
     "check_conformance(stopped)": "Python hears its own signals meanwhile",
     "SerialDevice.open(stopped)": "Python hears its own signals meanwhile",
     "SerialDevice.store(stopped)": "Python hears its own signals meanwhile",
+    "JudgeSignals": "inside of Progress; Python reads Progress.state",
+    "JudgeTimer": "inside of Progress; Python reads Progress.state",
+    "Progress.signals": "inside of Progress; Python reads Progress.state",
+    "Progress.step_timers": "inside of Progress; Python reads Progress.state",
+    "Progress.limit_timers": "inside of Progress; Python reads Progress.state",
+    "Progress.reached": "inside of Progress; Python reads Progress.state",
     "FileError.FileError": "Python's OSError makes it, with the same arguments",
 }
 RENAMED = {"from": "from_", "lambda": "lambda_"}

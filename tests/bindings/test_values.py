@@ -26,6 +26,7 @@ NO_VALUES = {
     "SurfacePointer", "MailboxDevice",
     "SerialDevice", "FaultyDevice", "SimulatedArm", "Transport", "NativeCore", "SerialTransport",
     "FaultyTransport", "PtyDevice", "Loop", "DeviceLoop", "Recorder", "SlowTissue",
+    "Progress",
 }  # fmt: skip
 """What runs, or holds what it cannot share."""
 WORK_SPACE = {"State": {"scratch"}, "Candidates": {"lanes", "near"}}

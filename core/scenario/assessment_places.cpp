@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <utility>
+
+#include "palpate/scenario/assessment_parts.h"
+#include "palpate/scenario/table_array.h"
+
+namespace palpate::scenario {
+namespace {
+
+constexpr std::size_t kMostPathPoints = 1000;
+constexpr double kPathWidth = 0.003;  ///< [m] to both sides of a path, where none is said
+
+std::vector<int> read_vertices(const Arrays& arrays, const std::string& file,
+                               const std::string& id) {
+  const std::string name = name_place_array(id);
+  const auto at = arrays.find("places/" + id);
+  if (at == arrays.end()) throw FileError(file, name, "no such array", "the region's vertices");
+  if (!is_table<int>(at->second)) {
+    throw FileError(file, name, "another shape or type", "(n) of <i4");
+  }
+  return to_table<int>(at->second);
+}
+
+Vec3 read_point(Fields& fields, const char* name, const Json& list, Parameters& parameters) {
+  Vec3 point;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    point[k] = parameters.number(fields, name, list[static_cast<std::size_t>(k)]);
+  }
+  return point;
+}
+
+void read_path(Fields& fields, Parameters& parameters, TaskPlace& place) {
+  const Json& list = fields.any("path");
+  if (!list.is_array() || list.size() < 2 || list.size() > kMostPathPoints) {
+    fields.refuse("path", describe(list), "a list of 2 to 1000 points [x, y, z]");
+  }
+  for (const Json& point : list) {
+    if (!point.is_array() || point.size() != 3) {
+      fields.refuse("path", describe(point), "points [x, y, z]");
+    }
+    place.points.push_back(read_point(fields, "path", point, parameters));
+  }
+  place.kind = PlaceKind::path;
+  place.radius = parameters.number_or(fields, "within_m", kPathWidth);
+}
+
+void read_ball(Fields& fields, Parameters& parameters, TaskPlace& place) {
+  const Json& list = fields.any("ball");
+  if (!list.is_array() || list.size() != 4) {
+    fields.refuse("ball", describe(list), "[x, y, z, radius]");
+  }
+  place.points = {read_point(fields, "ball", list, parameters)};
+  place.radius = parameters.number(fields, "ball", list[3]);
+}
+
+TaskPlace read_place(const std::string& id, Fields fields, const Arrays& arrays,
+                     const std::string& file, Parameters& parameters, const Names& names) {
+  TaskPlace place;
+  std::string organ;
+  if (fields.has("region")) {
+    const std::string region = fields.text("region", 2 * kMostIdBytes);
+    organ = region.substr(0, region.find('/'));
+    place.kind = PlaceKind::region;
+    place.vertices = read_vertices(arrays, file, id);
+  } else {
+    organ = fields.text("organ", kMostIdBytes);
+    if (fields.has("path")) {
+      read_path(fields, parameters, place);
+    } else if (fields.has("ball")) {
+      read_ball(fields, parameters, place);
+    } else {
+      fields.refuse("region", "no place", "region, path or ball");
+    }
+  }
+  const char* says = place.kind == PlaceKind::region ? "region" : "organ";
+  place.body = find_row(fields, says, organ, names.bodies, "an organ of the scenario");
+  fields.finish();
+  return place;
+}
+
+}  // namespace
+
+void read_places(Fields& fields, const Arrays& arrays, const std::string& file,
+                 const std::string& where, Parameters& parameters, Names& names, DrawnTask& drawn) {
+  for (auto& [id, members] : read_named(fields, "places", kMostPlaces, file, where)) {
+    names.places.emplace(id, static_cast<int>(drawn.places.size()));
+    drawn.task.places.push_back(
+        read_place(id, std::move(members), arrays, file, parameters, names));
+    drawn.places.push_back(id);
+  }
+}
+
+}  // namespace palpate::scenario
