@@ -180,8 +180,7 @@ void bind_report(py::module_& m) {
             &LoopReport::record_gaps, &LoopReport::unrendered_ticks, &LoopReport::peak_force,
             &LoopReport::touch_ticks, &LoopReport::touch_force, &LoopReport::devices,
             &LoopReport::damped_ticks, &LoopReport::interventions, &LoopReport::exchanges,
-            &LoopReport::late_exchanges, &LoopReport::exchange_cost,
-            &LoopReport::outcome);
+            &LoopReport::late_exchanges, &LoopReport::exchange_cost, &LoopReport::outcome);
   def_repr(report, {"ticks",       "missed_ticks",     "unpaced_ticks", "lateness",
                     "cost",        "part_costs",       "realtime",      "realtime_note",
                     "alarm",       "alarm_body",       "fault",         "fault_reason",

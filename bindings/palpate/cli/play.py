@@ -51,6 +51,10 @@ def add_play(parser: argparse.ArgumentParser) -> None:
         choices=("en", "tr"),
         help="of the window, and of title and task; default: that of the system",
     )
+    parser.add_argument("--level", default="", help="of a task; default: normal, or the first")
+    parser.add_argument(
+        "--seed", type=int, default=0, help="what the task's parameters are drawn from; default: 0"
+    )
     parser.add_argument("--theme", choices=("dark", "light"), default="dark")
 
 
@@ -62,10 +66,12 @@ def run_play(call: argparse.Namespace) -> Report:
         raise WrongCall(
             "--device: got the mouse, expected script:FILE or serial:PORT beside --headless"
         )
-    play = open_play(call.file, call.device, call.record, call.duration)
+    if not 0 <= call.seed < 2**63:
+        raise WrongCall(f"--seed: got {call.seed}, expected 0 or more")
+    play = open_play(call.file, call.device, call.record, call.duration, call.level, call.seed)
     play.language = call.language or ""
     if call.headless:
-        if not play.duration:
+        if not play.duration and play.drawn is None:
             print(say_endless(play.scenario.scene), file=sys.stderr, flush=True)
         return play_headless(play)
     try:
@@ -95,6 +101,8 @@ def describe_play_report(report: Report) -> str:
             f"{1e-3 * report['lateness_max_us']:.1f} ms at most; {report['realtime']}",
             *say_link(report),
         ]
+    if report.get("verdict"):
+        lines += describe_verdict(report["verdict"])
     if report.get("device_state"):
         lines.append(f"device       {report['device_state']}")
     lines.append(f"record       {report['record'] or 'none: nothing was played'}")
@@ -112,6 +120,21 @@ def describe_felt(report: Report) -> list[str]:
         lines.append(f"computed     {computed[0]:.3f} N, {computed[1]:.1f} s in touch")
     if report["motors_off_s"] > 0.0:
         lines.append(f"motors off   {report['motors_off_s']:.3f} s: what was computed was not felt")
+    return lines
+
+
+def describe_verdict(verdict: Report) -> list[str]:
+    """The outcome, then every step and limit that was opened, each on a line."""
+    lines = [
+        f"outcome      {verdict['outcome']} in {verdict['time_s']:.3f} s, "
+        f"{verdict['errors']} errors, {verdict['warnings']} warnings"
+    ]
+    lines += [f"  {step['status']:8} {step['id']}" for step in verdict["steps"]]
+    lines += [
+        f"  {limit['count']}x over  {limit['id']}, {limit['duration_s']:.2f} s"
+        for limit in verdict["limits"]
+        if limit["count"]
+    ]
     return lines
 
 

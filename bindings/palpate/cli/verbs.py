@@ -11,6 +11,7 @@ from palpate.cli.play import PLAY
 from palpate.cli.press import PRESS
 from palpate.cli.render import RENDER
 from palpate.cli.replay import REPLAY
+from palpate.cli.scenario import SCENARIO_VERB
 from palpate.cli.study import STUDY
 
-VERBS = [DOCTOR, PRESS, PLAY, DEVICE, REPLAY, RENDER, BENCH, STUDY, MULTIRATE_VERB]
+VERBS = [DOCTOR, PRESS, PLAY, SCENARIO_VERB, DEVICE, REPLAY, RENDER, BENCH, STUDY, MULTIRATE_VERB]

@@ -12,7 +12,10 @@ SERIAL = "serial:"
 SCRIPT = "script:"
 DEVICES = f"{PLANT}, {NATIVE} or {SERIAL}PATH"
 """What a link can be built to."""
-HANDS = f"{POINTER}, {SCRIPT}FILE, {PLANT}, {PLANT}:{SCRIPT}FILE or {SERIAL}PATH"
+HANDS = (
+    f"{POINTER}, {SCRIPT}FILE, {SCRIPT}careful (or idle, jab, clumsy: hands that play a task), "
+    f"{PLANT}, {PLANT}:{SCRIPT}FILE or {SERIAL}PATH"
+)
 """What a scenario can be played with."""
 
 

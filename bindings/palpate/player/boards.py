@@ -9,8 +9,16 @@ from pathlib import Path
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QWidget
 
+import palpate
 from palpate.player.cards import FolderLine, Page, Table
-from palpate.player.sentences import format_clock, format_number, say_gestures, say_keys, translate
+from palpate.player.sentences import (
+    format_clock,
+    format_number,
+    say_gestures,
+    say_keys,
+    say_outcome,
+    translate,
+)
 from palpate.translation import LANGUAGES
 
 
@@ -156,11 +164,22 @@ class EndBoard(Board):
         self.restart = self.add_button(main=True)
         self.quit = self.add_button()
         self._time, self._peak, self._path, self._trouble = 0.0, 0.0, "", ""
+        self._state: palpate.TaskState | None = None
         self.say()
 
-    def tell(self, time: float, peak: float, record: str, trouble: str) -> None:
-        """[s] of the run and [N] of its peak; `trouble` is a sentence, or empty."""
+    def tell(
+        self,
+        time: float,
+        peak: float,
+        record: str,
+        trouble: str,
+        state: palpate.TaskState | None = None,
+    ) -> None:
+        """[s] of the run and [N] of its peak; `trouble` is a sentence, or empty; `state` is that of
+        a task, where there was one.
+        """
         self._time, self._peak, self._path, self._trouble = time, peak, record, trouble
+        self._state = state
         self.say()
 
     def say(self) -> None:
@@ -172,7 +191,9 @@ class EndBoard(Board):
         self.trouble.setVisible(bool(trouble))
         facts = translate("Player", "Time %1. Peak force %2 N.")
         facts = facts.replace("%1", format_clock(self._time))
-        self.facts.setText(facts.replace("%2", format_number(self._peak, 2)))
+        facts = facts.replace("%2", format_number(self._peak, 2))
+        verdict = "" if self._state is None else say_outcome(self._state)
+        self.facts.setText(f"{verdict}\n{facts}" if verdict else facts)
         text = translate("Player", "Record: %1").replace("%1", self._path)
         self.record.tell(text, Path(self._path).parent)
         self.restart.setText(translate("Player", "Restart"))

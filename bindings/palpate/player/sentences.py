@@ -64,6 +64,20 @@ def say_fault(fault: palpate.DeviceFault) -> str:
     )
 
 
+def say_outcome(state: palpate.TaskState) -> str:
+    """How a task came out."""
+    outcome = palpate.Outcome
+    sentences = {
+        outcome.done: translate("Player", "The task is done. Errors: %1."),
+        outcome.failed: translate("Player", "The task has failed. Errors: %1."),
+        outcome.timed_out: translate("Player", "The time for the task is over. Errors: %1."),
+        outcome.device_fault: translate("Player", "The device failed before the task was done."),
+        outcome.diverged: translate("Player", "The task could not be judged to its end."),
+    }
+    left = translate("Player", "The task was left before it was done. Errors: %1.")
+    return sentences.get(state.outcome, left).replace("%1", str(state.errors))
+
+
 def say_slow(missed: int, due: int) -> str:
     text = translate(
         "Player",

@@ -116,6 +116,8 @@ class TraineeWindow(QWidget):
             return
         self._time, self._force, self._second, self._missed = 0.0, 0.0, 0, 0
         self._damped = 0
+        self.play.state = None
+        self.over.tell_task()
         self._watch = DeviceWatch(device)
         self.over.force.limit = self.play.force_limit()  # known once the device is open
         self.over.reset()
@@ -183,6 +185,7 @@ class TraineeWindow(QWidget):
         self.view.show_force(frame.tool_position, frame.force)
         self._force = float(np.linalg.norm(frame.force))
         self.over.clock.show_time(frame.time)
+        self._tell_steps(frame.task)
         if int(frame.time) != self._second:
             self._second = int(frame.time)
             missed, self._missed = frame.missed_ticks - self._missed, frame.missed_ticks
@@ -202,12 +205,25 @@ class TraineeWindow(QWidget):
             return say_slow(missed, due)
         return say_damped(damped) if damped > 0 else ""
 
+    def _tell_steps(self, state: palpate.TaskState) -> None:
+        """Marks on the task card what is done and what is to be done now."""
+        if self.play.drawn is None:
+            return
+        before, self.play.state = self.play.state, state
+        now = [step.status for step in state.steps]
+        if before is None or now != [step.status for step in before.steps]:
+            self.over.tell_task()
+            self.over.place()
+
     def _end(self, trouble: str) -> None:
+        frame = None if self.run is None else self.run.take_frame()
+        if frame is not None:
+            self._tell_steps(frame.task)
         self._finish()
         self.phase = Phase.over
         record = str(self.play.records[-1])
         self.over.tell_device("")
-        self.over.end.tell(self._time, self.over.force.peak, record, trouble)
+        self.over.end.tell(self._time, self.over.force.peak, record, trouble, self.play.state)
         self._show_board(self.over.end)
 
     def _finish(self) -> None:

@@ -54,6 +54,8 @@ class Frame:
     """Since the start."""
     sample: palpate.HapticSample
     """What the device said of the hand."""
+    task: palpate.TaskState
+    """How far the task is; without steps where there is none."""
 
 
 def fit_record(options: palpate.LoopOptions, longest: float) -> palpate.LoopOptions:
@@ -85,12 +87,14 @@ class LiveRun:
         record: str | os.PathLike[str] | None = None,
         header: Mapping[str, object] | None = None,
         options: palpate.LoopOptions | None = None,
+        task: palpate.Task | None = None,
     ):
         """`device` drives the instrument of the scene, or there is one for each of several, in
         their order. `record` is the .prec file to write and `header` what it says of the run;
         `options` are those of the loop. A recorded run without a duration ends when its record is
         full. Raises OSError where the record cannot be written, ValueError for a duration it cannot
-        hold or another number of devices.
+        hold or another number of devices. `task`, of build_task with the scene, is judged, and ends
+        the run when it is decided.
         """
         self.scene, self.device = scene, device
         self.record = None if record is None else Path(record)
@@ -107,9 +111,9 @@ class LiveRun:
             )
             log = self._recorder.log()
         self._loop = (
-            palpate.Loop(scene, tuple(device), options, log)
+            palpate.Loop(scene, tuple(device), options, log, task)
             if isinstance(device, Sequence)
-            else palpate.Loop(scene, device, options, log)
+            else palpate.Loop(scene, device, options, log, task)
         )
         self._pausing = False
 
@@ -160,6 +164,7 @@ class LiveRun:
             tuple(body.substeps for body in now.bodies),
             now.missed_ticks,
             now.sample,
+            now.task,
         )
 
     def report(self) -> palpate.LoopReport:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -11,6 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 import palpate
+from palpate.assessment.hands import HANDS
+from palpate.assessment.selfplay import attempt
+from palpate.assessment.texts import find_text
+from palpate.assessment.verdict import describe_verdict, pick_events
 from palpate.command.verb import Report, WrongCall
 from palpate.device.link import build_link
 from palpate.device.names import PLANT, POINTER, find_port, split_hand
@@ -31,6 +36,12 @@ from palpate.system.data_folder import find_record_folder
 
 DONE, DEVICE_FAULT = "done", "device_fault"
 """How a run came out."""
+LATER = "\N{EN DASH}"
+MARKS = {
+    palpate.StepStatus.active: "\N{BLACK RIGHT-POINTING SMALL TRIANGLE}",
+    palpate.StepStatus.done: "\N{CHECK MARK}",
+}
+"""Before the line of a step."""
 TAIL = 0.5
 """[s] that a scripted run goes on after its last key frame."""
 
@@ -55,11 +66,20 @@ class Play:
     """[N] of the device of the last run."""
     language: str = ""
     """Of title and task, where the scenario has it; empty for the one it was written in."""
+    drawn: palpate.scenario.DrawnTask | None = None
+    """What is judged; None where the scenario has no task that can be."""
+    state: palpate.TaskState | None = None
+    """How far the task of the run that goes on is."""
+    hand: str = ""
+    """Which simulated hand plays; none of them where this is empty."""
 
-    def build_hand(self) -> palpate.SurfacePointer | palpate.ScriptedDevice | None:
+    def build_hand(self) -> palpate.HapticDevice | None:
         """What moves the tip or the stylus; None where that is a real hand."""
         if find_port(self.arm):
             return None
+        if self.hand:
+            assert self.drawn is not None
+            return palpate.ReplayDevice(attempt(self.scenario.scene, self.drawn, self.hand).samples)
         if self.frames is not None:
             return palpate.ScriptedDevice(self.frames)
         return palpate.SurfacePointer(self.scenario.scene)
@@ -93,12 +113,15 @@ class Play:
         Raises OSError where no record can be written.
         """
         path = self.name_record()
-        header = describe_build(self.scenario.scene, self.path, path, device.name())
+        header = describe_build(self.scenario.scene, self.path, path, device.name(), self.drawn)
         safety = self.find_safety(device)
         options = palpate.LoopOptions(
             duration=self.duration, safety=safety, on_fault=palpate.FaultResponse.pause
         )
-        run = LiveRun(self.scenario.scene, device, record=path, header=header, options=options)
+        task = None if self.drawn is None else self.drawn.task
+        run = LiveRun(
+            self.scenario.scene, device, record=path, header=header, options=options, task=task
+        )
         self.records.append(path)
         self.limit = safety.force_max
         return run
@@ -114,8 +137,24 @@ class Play:
         return find_free(self.record.with_stem(f"{self.record.stem}-{len(self.records) + 1}"))
 
     def translation(self) -> palpate.scenario.Words:
-        """Title and task in the language that was asked for, as far as the scenario has it."""
-        return palpate.scenario.find_words(self.scenario, self.language)
+        """Title and task in the language that was asked for, as far as the scenario has it; of a
+        task that is judged its steps, with the numbers of this attempt.
+        """
+        words = palpate.scenario.find_words(self.scenario, self.language)
+        if self.drawn is None:
+            return words
+        return palpate.scenario.Words(words.title, self.tell_steps())
+
+    def tell_steps(self) -> str:
+        """A line for each step: done, to be done now, or later."""
+        assert self.drawn is not None
+        assessment = json.loads(self.scenario.assessment)
+        lines = []
+        for number, step in enumerate(assessment["steps"]):
+            status = None if self.state is None else self.state.steps[number].status
+            said = find_text(assessment, step["say"], self.language or "en", self.drawn.values)
+            lines.append(f"{MARKS.get(status, LATER)} {said}")
+        return "\n".join(lines)
 
     def title(self) -> str:
         """What a window calls it: its title, else its file."""
@@ -160,7 +199,12 @@ def find_free(path: Path) -> Path:
 
 
 def open_play(
-    path: Path, device: str = POINTER, record: Path | None = None, duration: float | None = None
+    path: Path,
+    device: str = POINTER,
+    record: Path | None = None,
+    duration: float | None = None,
+    level: str = "",
+    seed: int = 0,
 ) -> Play:
     """What `palpate play` was asked to play. Raises FileError, Refusal, WrongCall or OSError."""
     if not is_published(path):
@@ -168,7 +212,8 @@ def open_play(
             path, "", f"a name ending in {path.suffix!r}", f"a published file, {PUBLISHED}"
         )
     arm, script = split_hand(device)
-    frames = read_script_file(Path(script)) if script else None
+    hand = script if script in HANDS and not Path(script).exists() else ""
+    frames = read_script_file(Path(script)) if script and not hand else None
     if duration is None:
         duration = 0.0 if frames is None else frames[-1].time + TAIL
     if record is not None and record.exists() and record.samefile(path):
@@ -176,7 +221,25 @@ def open_play(
     scenario = palpate.scenario.read(path)
     require_one_instrument(path, scenario.scene)
     require_recordable(scenario.scene, duration)
-    return Play(path, scenario, frames, arm, duration, record)
+    drawn = draw_attempt(path, scenario, level, seed)
+    if hand and drawn is None:
+        raise Refusal(path, "assessment", "none", f"a task, which is what the {hand} hand plays")
+    return Play(path, scenario, frames, arm, duration, record, drawn=drawn, hand=hand)
+
+
+def draw_attempt(
+    path: Path, scenario: palpate.scenario.Scenario, level: str, seed: int
+) -> palpate.scenario.DrawnTask | None:
+    """The task of an attempt, None where there is none. Raises WrongCall for another level."""
+    if not scenario.assessment:
+        if level or seed:
+            raise WrongCall(f"--level or --seed: {path.name} has no task that is judged")
+        return None
+    levels = palpate.scenario.list_levels(scenario)
+    if level and level not in levels:
+        known = ", ".join(levels) or "none: it has no levels"
+        raise WrongCall(f"--level: got {level!r}, expected {known}")
+    return palpate.scenario.draw_task(scenario, level, seed)
 
 
 def play_headless(play: Play) -> Report:
@@ -186,10 +249,12 @@ def play_headless(play: Play) -> Report:
     path = play.name_record()
     device = play.build_device()
     safety = play.find_safety(device)
-    costs = run_device(play.scenario.scene, device, play.duration, path, play.path, safety)
+    costs = run_device(
+        play.scenario.scene, device, play.duration, path, play.path, safety, play.drawn
+    )
     state = describe_device(device)
     outcome = describe_outcome(costs)
-    if outcome["outcome"] == DONE and 0 < costs.ticks == costs.unrendered_ticks:
+    if outcome["outcome"] != DEVICE_FAULT and 0 < costs.ticks == costs.unrendered_ticks:
         outcome = {"outcome": DEVICE_FAULT, "reason": f"the motors never came on: {state}"}
     return {
         **outcome,
@@ -197,13 +262,32 @@ def play_headless(play: Play) -> Report:
         "record": str(path),
         **describe_run(play, path, costs),
         "device_state": state,
+        **({} if play.drawn is None else {"verdict": judge_record(play, path)}),
+    }
+
+
+def judge_record(play: Play, record: Path) -> Report:
+    """The verdict of a recorded run: what it was judged to be while it ran, and the same again by
+    its replay, from which the sums of its limits are.
+    """
+    assert play.drawn is not None
+    rows = palpate.read_record(record)
+    again = palpate.replay(play.scenario.scene, rows, play.drawn.task)
+    events = pick_events(rows.events)
+    assessment = json.loads(play.scenario.assessment)
+    return {
+        **describe_verdict(play.drawn, again.task, events, assessment),
+        "outcome": palpate.find_outcome(rows).name,
+        "replay_equal": again.equal and again.events_equal,
     }
 
 
 def describe_outcome(costs: palpate.LoopReport) -> Report:
     """How a run came out, and why where its device failed or gave no force any more."""
-    failed = costs.fault is not palpate.DeviceFault.none
-    return {"outcome": DEVICE_FAULT if failed else DONE, "reason": costs.fault_reason}
+    if costs.fault is not palpate.DeviceFault.none:
+        return {"outcome": DEVICE_FAULT, "reason": costs.fault_reason}
+    judged = costs.outcome is not palpate.Outcome.running
+    return {"outcome": costs.outcome.name if judged else DONE, "reason": costs.fault_reason}
 
 
 def describe_play(play: Play) -> Report:

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 import palpate
+from palpate.assessment.verdict import describe_attempt, describe_verdict, pick_events
 from palpate.command.verb import Report, WrongCall
 from palpate.files.refusal import Refusal
 from palpate.runs.alarms import tell_alarm
@@ -44,10 +45,17 @@ class Run:
 
 
 def describe_build(
-    scene: palpate.Scene, scene_path: Path, record_path: Path, device: str
-) -> dict[str, str]:
-    """The header of a record: all that must match for a replay to give the same bits."""
+    scene: palpate.Scene,
+    scene_path: Path,
+    record_path: Path,
+    device: str,
+    drawn: palpate.scenario.DrawnTask | None = None,
+) -> dict[str, Any]:
+    """The header of a record: all that must match for a replay to give the same bits, and to come
+    to the same verdict.
+    """
     return {
+        **({} if drawn is None else {"task": describe_attempt(drawn)}),
         **describe_arithmetic(scene),
         "scene": os.path.relpath(scene_path.resolve(), record_path.resolve().parent),
         "scene_sha256": hash_file(scene_path),
@@ -108,23 +116,26 @@ def run_device(
     record_path: Path,
     scene_path: Path,
     safety: palpate.SafetyLimits | None = None,
+    drawn: palpate.scenario.DrawnTask | None = None,
 ) -> palpate.LoopReport:
     """Runs a device, or one for each instrument, for a time [s] through the live 1 kHz loop and its
     recorder; for 0 until Ctrl+C, a termination signal or the end of what a record holds.
 
-    A device that fails ends the run, and the report says so. Raises RuntimeError where the loop did
-    not end or the tissue raised an alarm, WrongCall for a time that no record holds.
+    A device that fails ends the run, and so does a task that is decided; the report says so. Raises
+    RuntimeError where the loop did not end or, without a task, the tissue raised an alarm,
+    WrongCall for a time that no record holds.
     """
     require_recordable(scene, duration)
     devices = device if isinstance(device, Sequence) else [device]
     names = join_names([each.name() for each in devices])
-    header = describe_build(scene, scene_path, record_path, names)
+    header = describe_build(scene, scene_path, record_path, names, drawn)
     options = palpate.LoopOptions(
         duration=duration,
         safety=safety or palpate.SafetyLimits(),
         on_fault=palpate.FaultResponse.end,
     )
-    run = LiveRun(scene, device, record=record_path, header=header, options=options)
+    task = None if drawn is None else drawn.task
+    run = LiveRun(scene, device, record=record_path, header=header, options=options, task=task)
     if duration > 0.0:
         with run:
             ended = run.wait(duration + GRACE)
@@ -136,7 +147,8 @@ def run_device(
     costs = run.finish()
     if not ended:
         raise RuntimeError(f"the loop did not end within {duration + GRACE:.0f} s")
-    if costs.alarm.kind != palpate.AlarmKind.none:
+    # what a task comes to then is its outcome
+    if drawn is None and costs.alarm.kind != palpate.AlarmKind.none:
         raise RuntimeError(
             f"the run was stopped at {costs.alarm.time:.3f} s: "
             + tell_alarm(costs.alarm, scene, costs.alarm_body)
@@ -286,8 +298,9 @@ def follow_header(scene: palpate.Scene, header: dict[str, Any]) -> palpate.Scene
 def run_replay(path: Path, scene_path: Path | None = None) -> Report:
     """Replays a record from a fresh world and compares force, tool and state bit by bit."""
     record, where, scene = open_record(path, scene_path)
+    drawn = draw_recorded(path, where, record)
     try:
-        result = palpate.replay(scene, record)
+        result = palpate.replay(scene, record, None if drawn is None else drawn.task)
     except ValueError as problem:
         raise Refusal(path, "", str(problem), "a record that can be replayed") from None
     header, here = json.loads(record.header), describe_arithmetic(scene)
@@ -310,6 +323,41 @@ def run_replay(path: Path, scene_path: Path | None = None) -> Report:
         "largest_force_difference_N": result.largest_force_difference,
         "largest_position_difference_m": result.largest_position_difference,
         "changed": changed,
+        **({} if drawn is None else describe_rejudged(where, drawn, result)),
+    }
+
+
+def draw_recorded(
+    path: Path, where: Path, record: palpate.Record
+) -> palpate.scenario.DrawnTask | None:
+    """The task of a record, as the scene it was made with has it; None where it has none.
+
+    Raises Refusal for a header that names a task which that scene does not have.
+    """
+    told = json.loads(record.header).get("task")
+    if told is None:
+        return None
+    try:
+        level, seed = str(told["level"]), int(told["seed"])
+        drawn = palpate.scenario.draw_task(palpate.scenario.read(where), level, seed)
+        same = drawn.sha256 == told["assessment_sha256"]
+    except (ValueError, TypeError, LookupError) as problem:
+        raise Refusal(path, "header.task", str(problem), f"a task of {where.name}") from None
+    if not same:
+        raise Refusal(path, "header.task", "another assessment", f"that of {where.name}")
+    return drawn
+
+
+def describe_rejudged(
+    where: Path, drawn: palpate.scenario.DrawnTask, result: palpate.ReplayReport
+) -> Report:
+    """The verdict of a replay, and whether the record has the very same events."""
+    assessment = json.loads(palpate.scenario.read(where).assessment)
+    first = result.first_event_difference
+    return {
+        "verdict": describe_verdict(drawn, result.task, pick_events(result.events), assessment),
+        "verdict_equal": result.events_equal,
+        "first_event_difference": first if first >= 0 else None,
     }
 
 

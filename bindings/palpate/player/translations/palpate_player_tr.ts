@@ -215,6 +215,30 @@
         <source>task</source>
         <translation>görev</translation>
     </message>
+    <message>
+        <source>The task is done. Errors: %1.</source>
+        <translation>Görev tamamlandı. Hata: %1.</translation>
+    </message>
+    <message>
+        <source>The task has failed. Errors: %1.</source>
+        <translation>Görev başarısız oldu. Hata: %1.</translation>
+    </message>
+    <message>
+        <source>The time for the task is over. Errors: %1.</source>
+        <translation>Görevin süresi doldu. Hata: %1.</translation>
+    </message>
+    <message>
+        <source>The device failed before the task was done.</source>
+        <translation>Görev tamamlanmadan cihaz arızalandı.</translation>
+    </message>
+    <message>
+        <source>The task could not be judged to its end.</source>
+        <translation>Görev sonuna kadar değerlendirilemedi.</translation>
+    </message>
+    <message>
+        <source>The task was left before it was done. Errors: %1.</source>
+        <translation>Görev tamamlanmadan bırakıldı. Hata: %1.</translation>
+    </message>
 </context>
 <context>
     <name>Viewport</name>

@@ -1,0 +1,330 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Simulated hands, which try a task out before a trainee does.
+
+They test the software and the numbers of a scenario. They are no evidence that it teaches or
+measures anything: all their numbers are invented.
+"""
+
+from __future__ import annotations
+
+import random
+from collections import deque
+from dataclasses import dataclass, fields, replace
+
+import numpy as np
+
+import palpate
+from palpate.assessment.organ_surface import OrganSurface, Vec, unit
+
+VERBS = palpate.TaskVerb
+GENTLE = 0.15
+"""[N] where a task asks for no force of its own"""
+SINK_SPEED = 0.025
+"""[m/s] down to the tissue, and of what is held"""
+PRESS_SPEED = 0.012
+"""[m/s] into the tissue"""
+DEEPEST = 0.03
+"""[m]"""
+GRIP_TIME = 0.1
+"""[s] between a button and the pull"""
+REST = 0.02
+"""[m] over which a hand comes down"""
+
+
+@dataclass(frozen=True)
+class Skill:
+    """How a hand is."""
+
+    delay: float
+    """[s] between what it feels or sees and what it does"""
+    tremor: float
+    """[m] root mean square, at some 9 Hz"""
+    error: float
+    """[-] of a force or depth that it aims at, standard deviation"""
+    stiffness_error: float
+    """[-] of the logarithm of the stiffness it expects, standard deviation"""
+    gain: float
+    """[1/s] with which it corrects a force"""
+    pause: float
+    """[s] before each step"""
+    speed: float
+    """[m/s] through the air"""
+    lapses: float
+    """[1/s] in which it presses too hard for a moment"""
+
+    def vary(self, draw: random.Random) -> Skill:
+        """Another person of the same skill: each number 20 % off, log-normal."""
+        return replace(
+            self,
+            **{f.name: getattr(self, f.name) * draw.lognormvariate(0.0, 0.2) for f in fields(self)},
+        )
+
+
+CAREFUL = Skill(0.16, 6e-5, 0.03, 0.15, 2.2, 0.25, 0.12, 0.0)
+CLUMSY = Skill(0.24, 1.3e-4, 0.25, 0.45, 4.0, 0.5, 0.10, 0.25)
+
+
+class Hand:
+    """What moves the tool of one instrument: asked once a tick, told what is felt and seen."""
+
+    def __init__(self, scene: palpate.Scene, task: palpate.Task):
+        self.scene, self.task = scene, task
+        self.surface = OrganSurface(task, scene.instruments[0].tool.radius)
+        top = self.surface.centre + np.array([0.0, 0.0, self.surface.far])
+        self.position: Vec = top
+        self.buttons = 0
+
+    def move(self, time: float, dt: float, force: Vec, state: palpate.TaskState) -> None:
+        """Goes on by dt [s], having felt a force [N]."""
+
+
+class Idle(Hand):
+    """Does nothing."""
+
+
+class Jab(Hand):
+    """Thrusts at every place with all its force, clicks there, and cares for nothing."""
+
+    SPEED, DEPTH, STAY = 0.5, 0.03, 0.4
+
+    def __init__(self, scene: palpate.Scene, task: palpate.Task):
+        super().__init__(scene, task)
+        self.way: list[tuple[Vec, int]] = []
+        self.next, self.wait = 0, 0.0
+        self.places = [step.place for step in task.steps if step.place >= 0] or [0]
+
+    def move(self, time: float, dt: float, force: Vec, state: palpate.TaskState) -> None:
+        if self.wait > 0.0:
+            self.wait -= dt
+            return
+        if not self.way:
+            place = self.task.places[self.places[self.next % len(self.places)]]
+            self.next += 1
+            anchor, normal = self.surface.find_anchor(place)
+            above = self.surface.above(anchor, normal, REST)
+            deep = self.surface.above(anchor, normal, -self.DEPTH)
+            ways = [(corner, 0) for corner in self.surface.find_way(self.position, above)]
+            self.way = [*ways, (deep, 0), (deep, 1), (above, 1), (above, 0)]
+        goal, buttons = self.way[0]
+        self.buttons = buttons
+        self.position, arrived = step_to(self.position, goal, self.SPEED * dt)
+        if arrived:
+            self.way.pop(0)
+            self.wait = self.STAY if np.array_equal(goal, self.position) and not buttons else 0.05
+
+
+def step_to(a: Vec, b: Vec, length: float) -> tuple[Vec, bool]:
+    """From a so far [m] towards b, and whether that is there."""
+    side = b - a
+    distance = float(np.sqrt(side @ side))
+    return (b, True) if distance <= length else (a + side * (length / distance), False)
+
+
+@dataclass
+class Aim:
+    """What a hand is doing about a step."""
+
+    number: int
+    """of the task"""
+    anchor: Vec
+    normal: Vec
+    way: list[Vec]
+    """[m] corners still to go through the air"""
+    wait: float
+    """[s]"""
+    miss: float
+    """[-] of what it aims at"""
+    stiffness: float
+    """[N/m] it expects"""
+    depth: float = -REST
+    """[m] commanded, of the tip below the surface at rest; negative above"""
+    lift: float = 0.0
+    """[m] commanded, of what is held"""
+    since: float = 0.0
+    """[s] it has been in contact, or held"""
+    walked: float = 0.0
+    """[m] of a path"""
+    attached_at: float = 0.0
+    """[m] the depth in which it took hold"""
+
+
+class Person(Hand):
+    """Does what the task asks for, step by step, as well as its skill allows."""
+
+    def __init__(self, scene: palpate.Scene, task: palpate.Task, skill: Skill, seed: int):
+        super().__init__(scene, task)
+        self.draw = random.Random(seed)
+        self.skill = skill.vary(self.draw)
+        self.aim: Aim | None = None
+        self.base: Vec = self.position
+        self.felt: deque[float] = deque()
+        self.seen: deque[palpate.StepStatus] = deque()
+        self.shake = np.zeros((2, 3))
+        self.lapse = 0.0
+        instrument = scene.instruments[0]
+        self.soft = 1.0 / instrument.coupling.stiffness
+        self.give = self.soft + 1.0 / instrument.hold_stiffness
+
+    def move(self, time: float, dt: float, force: Vec, state: palpate.TaskState) -> None:
+        self.felt.append(float(np.sqrt(force @ force)))
+        late = self.felt.popleft() if len(self.felt) * dt > self.skill.delay else 0.0
+        self.follow_task(state)
+        if self.aim is not None:
+            self.act(self.aim, dt, late)
+        self.position = self.base + self.tremble(dt)
+
+    def follow_task(self, state: palpate.TaskState) -> None:
+        """Turns to the first step that is to be done."""
+        active = [n for n, s in enumerate(state.steps) if s.status is palpate.StepStatus.active]
+        if not active or (self.aim is not None and self.aim.number in active):
+            return
+        self.aim = self.turn_to(active[0])
+
+    def turn_to(self, number: int) -> Aim:
+        step, old = self.task.steps[number], self.aim
+        miss = 1.0 + self.draw.gauss(0.0, self.skill.error)
+        stiffness = 60.0 * self.draw.lognormvariate(0.0, self.skill.stiffness_error)
+        same = old is not None and self.buttons != 0 and step.verb in (VERBS.pull, VERBS.release)
+        if same and old is not None:  # goes on with what it holds
+            lift, at, since = old.lift, old.attached_at, old.since
+            return Aim(number, old.anchor, old.normal, [], self.skill.pause, miss, stiffness,
+                       old.depth, lift, since, 0.0, at)  # fmt: skip
+        self.buttons = 0
+        anchor, normal = self.surface.find_anchor(self.task.places[step.place])
+        near = old is not None and bool(np.allclose(anchor, old.anchor))
+        if near and old is not None:
+            return replace(old, number=number, wait=self.skill.pause, miss=miss, since=0.0)
+        above = self.surface.above(anchor, normal, REST)
+        start = self.base
+        if old is not None:
+            start = self.surface.above(old.anchor, old.normal, REST)
+        way = [start, *self.surface.find_way(start, above)]
+        return Aim(number, anchor, normal, way, self.skill.pause, miss, stiffness)
+
+    def act(self, aim: Aim, dt: float, late: float) -> None:
+        """One tick of what the step asks for."""
+        if aim.wait > 0.0:
+            aim.wait -= dt
+            return
+        if aim.way:
+            self.base, arrived = step_to(self.base, aim.way[0], self.skill.speed * dt)
+            if arrived:
+                aim.way.pop(0)
+            return
+        step = self.task.steps[aim.number]
+        if step.verb in (VERBS.pull, VERBS.grasp, VERBS.release):
+            self.handle(aim, step, dt, late)
+        elif step.verb is VERBS.trace:
+            self.walk(aim, step, dt, late)
+        else:
+            self.press(aim, step, dt, late)
+        self.base = self.surface.above(aim.anchor, aim.normal, aim.lift - aim.depth)
+
+    def press(self, aim: Aim, step: palpate.TaskStep, dt: float, late: float) -> None:
+        """Into the tissue to a depth, or until a force is felt, and keeps it there."""
+        self.seek(aim, step, dt, late)
+        if step.verb is VERBS.find and late > 0.5 * GENTLE:
+            aim.since += dt
+            self.buttons = 1 if aim.since > 0.3 else 0
+
+    def seek(self, aim: Aim, step: palpate.TaskStep, dt: float, late: float) -> None:
+        depth = middle(step.depth)
+        if depth is not None:
+            goal = aim.miss * depth + self.soft * late
+            speed = SINK_SPEED if aim.depth < 0.0 else PRESS_SPEED
+            aim.depth += clamp(goal - aim.depth, speed * dt)
+            return
+        goal = aim.miss * (middle(step.force) or GENTLE) * self.err(dt)
+        if late < 0.02 and aim.depth < 0.002:  # not there yet
+            aim.depth += SINK_SPEED * dt
+            return
+        if aim.depth > 0.001 and late > 0.02:  # learns what it feels
+            aim.stiffness += (late / max(aim.depth, 0.001) - aim.stiffness) * min(1.0, 4.0 * dt)
+        change = self.skill.gain * (goal - late) / max(aim.stiffness, 10.0)
+        aim.depth = min(aim.depth + clamp(change, PRESS_SPEED) * dt, DEEPEST)
+
+    def walk(self, aim: Aim, step: palpate.TaskStep, dt: float, late: float) -> None:
+        """Along a path once it feels the tissue."""
+        place = self.task.places[step.place]
+        self.seek(aim, step, dt, late)
+        goal = middle(step.force) or GENTLE
+        if abs(late - goal) < 0.4 * goal or aim.walked > 0.0:
+            aim.walked += 0.2 * self.skill.speed * dt
+        arc, points = np.asarray(place.arc_length), np.asarray(place.points)
+        at = min(aim.walked, float(arc[-1]))
+        point = np.array([np.interp(at, arc, points[:, k]) for k in range(3)])
+        aim.anchor, normal = self.surface.find_nearest(place.body, point)
+        aim.normal = unit(aim.normal + (normal - aim.normal) * min(1.0, 20.0 * dt))
+
+    def handle(self, aim: Aim, step: palpate.TaskStep, dt: float, late: float) -> None:
+        """Takes hold of what is pressed gently, moves it outwards, lets it go."""
+        if step.verb is VERBS.release:
+            aim.lift -= min(max(aim.lift, 0.0), SINK_SPEED * dt)
+            if aim.lift <= 0.0:
+                self.buttons = 0
+                aim.depth -= SINK_SPEED * dt if aim.depth > -REST else 0.0
+            return
+        if self.buttons == 0:
+            self.seek(aim, step if step.verb is VERBS.grasp else palpate.TaskStep(), dt, late)
+            if late > 0.6 * GENTLE:
+                self.buttons, aim.since, aim.attached_at = 1, 0.0, aim.depth - self.soft * late
+            return
+        aim.since += dt
+        if step.verb is VERBS.grasp or aim.since < GRIP_TIME:
+            return
+        if late < 0.01 and aim.lift - aim.attached_at > 0.01:  # it has slipped: once more
+            self.buttons, aim.lift, aim.depth = 0, 0.0, -REST
+            aim.way = [self.surface.above(aim.anchor, aim.normal, REST)]
+            return
+        distance = middle(step.distance)
+        if distance is not None:
+            there = aim.lift - aim.attached_at - self.give * late
+            aim.lift += clamp(4.0 * (aim.miss * distance * self.err(dt) - there), SINK_SPEED) * dt
+            return
+        goal = aim.miss * (middle(step.force) or GENTLE) * self.err(dt)
+        change = self.skill.gain * (goal - late) / max(aim.stiffness, 10.0)
+        aim.lift += clamp(change, SINK_SPEED) * dt
+
+    def err(self, dt: float) -> float:
+        """[-] What it aims at, times this: more in a lapse."""
+        self.lapse -= dt
+        if self.lapse < -0.4 and self.draw.random() < self.skill.lapses * dt:
+            self.lapse = 0.4
+        return 2.5 if self.lapse > 0.0 else 1.0
+
+    def tremble(self, dt: float) -> Vec:
+        """[m] Noise through a resonance at 9 Hz with a quality of 3."""
+        w = 2.0 * np.pi * 9.0
+        x, v = self.shake
+        push = np.array([self.draw.gauss(0.0, 1.0) for _ in range(3)])
+        size = self.skill.tremor * np.sqrt(w**3 * 2.0 / 3.0 / dt)
+        v = v + dt * (-w * w * x - w / 3.0 * v + size * push)
+        self.shake = np.array([x + dt * v, v])
+        return self.shake[0]
+
+
+def middle(band: palpate.Band) -> float | None:
+    """Where in a band to aim; None without bounds."""
+    if band.least == -np.inf and band.most == np.inf:
+        return None
+    if band.most == np.inf:
+        return 1.25 * band.least
+    if band.least == -np.inf:
+        return 0.6 * band.most
+    return 0.5 * (band.least + band.most)
+
+
+def clamp(value: float, most: float) -> float:
+    return min(max(value, -most), most)
+
+
+HANDS = ("careful", "idle", "jab", "clumsy")
+
+
+def make_hand(name: str, scene: palpate.Scene, task: palpate.Task, seed: int) -> Hand:
+    """One of HANDS."""
+    if name == "idle":
+        return Idle(scene, task)
+    if name == "jab":
+        return Jab(scene, task)
+    return Person(scene, task, CAREFUL if name == "careful" else CLUMSY, seed)

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The verb `scenario`: a task is put into a published file, checked, and tried out."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from palpate import scenario
+from palpate.assessment.check import ERROR, find_problems
+from palpate.assessment.publish import read_assessment, require_assessment, with_assessment
+from palpate.assessment.selfplay import Attempt, judge_hands, play_all
+from palpate.assessment.texts import find_text
+from palpate.command.output import add_output
+from palpate.command.verb import Report, Verb, WrongCall
+from palpate.files.file_kind import PUBLISHED as PUBLISHED_FILE
+from palpate.files.refusal import Refusal
+from palpate.runs.run import PUBLISHED, is_published
+
+MOST_SEEDS = 1000
+
+
+def add_scenario(parser: argparse.ArgumentParser) -> None:
+    actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
+    publish = actions.add_parser(
+        "publish", help="put an assessment, a JSON file, into a published organ"
+    )
+    publish.add_argument("file", type=Path, help=f"published organ, {PUBLISHED}")
+    publish.add_argument("assessment", type=Path, help="assessment, .json")
+    add_output(publish, "-o", "--out", writes=PUBLISHED_FILE, required=True, help="the new file")
+    check = actions.add_parser("check", help="list all that is wrong with a scenario's task")
+    check.add_argument("file", type=Path, help=f"published scenario, {PUBLISHED}")
+    selfplay = actions.add_parser(
+        "selfplay", help="let careful, idle, violent and clumsy hands play every level"
+    )
+    selfplay.add_argument("file", type=Path, help=f"published scenario, {PUBLISHED}")
+    selfplay.add_argument("--seeds", type=int, default=3, help="of each level; default: 3")
+    for action in (publish, check, selfplay):
+        action.add_argument(
+            "--json",
+            action="store_true",
+            default=argparse.SUPPRESS,
+            help="report as JSON on standard output",
+        )
+
+
+def run_scenario(call: argparse.Namespace) -> Report:
+    if not is_published(call.file):
+        raise Refusal(
+            call.file,
+            "",
+            f"a name ending in {call.file.suffix!r}",
+            f"a published file, {PUBLISHED}",
+        )
+    if call.action == "publish":
+        return publish(call.file, call.assessment, call.out)
+    published = scenario.read(call.file)
+    assessment = require_assessment(call.file, published)
+    report: Report = {
+        "action": call.action,
+        "scenario": str(call.file),
+        "id": assessment["id"],
+        "title": find_text(assessment, assessment["title"], "en"),
+    }
+    if call.action == "check":
+        problems = find_problems(published)
+        return {**report, "problems": [vars(problem) for problem in problems]}
+    if not 1 <= call.seeds <= MOST_SEEDS:
+        raise WrongCall(f"--seeds: got {call.seeds}, expected 1 to {MOST_SEEDS}")
+    if len(published.scene.instruments) != 1:
+        raise Refusal(call.file, "scene.instruments", str(len(published.scene.instruments)),
+                      "1, which is what a simulated hand moves")  # fmt: skip
+    played = play_all(published, range(call.seeds), tell_attempt)
+    return {
+        **report,
+        "attempts": [one.describe() for one in played],
+        "problems": judge_hands(played),
+    }
+
+
+def tell_attempt(played: Attempt) -> None:
+    print(describe_attempt(played.describe()), file=sys.stderr, flush=True)
+
+
+def publish(file: Path, assessment: Path, out: Path) -> Report:
+    made = with_assessment(assessment, read_assessment(assessment), scenario.read(file))
+    scenario.write(out, made)
+    return {
+        "action": "publish",
+        "scenario": str(out),
+        "title": made.title,
+        "problems": [vars(problem) for problem in find_problems(made)],
+    }
+
+
+def describe_scenario(report: Report) -> str:
+    lines = [f"{report['scenario']}: {report['title']}"]
+    lines += [describe_attempt(each) for each in report.get("attempts", [])]
+    for problem in report["problems"]:
+        lines.append(f"{problem['severity']}: {problem['where']}: {problem['message']}")
+    if not report["problems"]:
+        asked = {
+            "selfplay": "careful hands finish, idle and violent ones do not",
+            "check": "no problems in 20 attempts of each level",
+        }
+        lines.append(asked.get(report["action"], "written"))
+    lines.append("not validated, not a medical device")
+    return "\n".join(lines)
+
+
+def describe_attempt(told: Report) -> str:
+    level = f"{told['level']} " if told["level"] else ""
+    limits = "".join(f", {name} {count}x" for name, count in told["limits"].items())
+    return (
+        f"{told['hand']:8} {level}seed {told['seed']}: {told['outcome']} in "
+        f"{told['time_s']:.1f} s, {told['errors']} errors{limits}, "
+        f"peak {told['peak_force_N']:.2f} N"
+    )
+
+
+def has_errors(report: Report) -> bool:
+    return any(problem["severity"] == ERROR for problem in report["problems"])
+
+
+SCENARIO_VERB = Verb(
+    "scenario",
+    "scenarios with a task: put one into a published organ, check it, let simulated hands play it",
+    "palpate scenario selfplay spleen_push_and_pull.palpate --seeds 3",
+    add_scenario,
+    run_scenario,
+    describe_scenario,
+    has_errors,
+)

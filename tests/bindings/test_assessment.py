@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The scenarios that ship: published, checked, played by simulated hands and by the live loop."""
+
+from __future__ import annotations
+
+import copy
+import json
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import palpate
+import pytest
+from palpate import scenario
+from palpate.assessment.check import find_problems
+from palpate.assessment.publish import read_assessment, with_assessment
+from palpate.assessment.selfplay import attempt, judge_hands
+from palpate.assessment.texts import find_text
+from palpate.cli.main import main
+from palpate.files.refusal import Refusal
+
+MESHES = Path(__file__).resolve().parents[2] / "meshes"
+SCENARIOS = MESHES / "scenarios"
+ORGANS = {
+    "simple_tissue": "simple_tissue",
+    "spleen_push_and_pull": "spleen",
+    "kidney_trace": "kidney",
+    "gallbladder_retract": "gallbladder",
+}
+"""Assessment -> the organ it is of."""
+SCHEMA = Path(palpate.__file__).parent / "schemas" / "assessment.schema.json"
+
+Json = dict[str, Any]
+
+
+def published(name: str = "simple_tissue", change: Json | None = None) -> scenario.Scenario:
+    path = SCENARIOS / f"{name}.json"
+    organ = scenario.read(MESHES / "published" / f"{ORGANS[name]}.palpate")
+    return with_assessment(path, {**read_assessment(path), **(change or {})}, organ)
+
+
+@pytest.fixture(scope="module")
+def tissue() -> scenario.Scenario:
+    return published()
+
+
+def test_every_assessment_that_ships_is_known_here():
+    assert {path.stem for path in SCENARIOS.glob("*.json")} == set(ORGANS)
+
+
+@pytest.mark.parametrize("name", ORGANS)
+def test_what_ships_is_of_the_schema_and_has_no_problems(name):
+    assessment = read_assessment(SCENARIOS / f"{name}.json")
+    schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(schema)
+
+    jsonschema.Draft202012Validator(schema).validate(assessment)
+
+    assert set(assessment["texts"]) == {"en", "tr"}
+    assert find_problems(published(name)) == []
+
+
+MUTATIONS = [
+    lambda a: a.update(idd="x"),
+    lambda a: a["steps"][0].update(att="middle"),
+    lambda a: a["steps"][0].update(at="nowhere"),
+    lambda a: a["steps"][1].update(do="cut"),
+    lambda a: a["steps"][1].update(force_N=[0.4, 0.1]),
+    lambda a: a["steps"][1].pop("force_N"),
+    lambda a: a["texts"]["en"].pop("touch"),
+    lambda a: a.update(palpate_scenario=2),
+    lambda a: a["parameters"]["press"].update(unit="kg"),
+    lambda a: a["limits"][0]["when"].update(measure="strain"),
+    lambda a: a["finish"].update(time_limit_s=0),
+    lambda a: a["places"]["middle"].update(region="tissue/../../etc/passwd"),
+    lambda a: a["places"].update({"../../x": {"region": "tissue/middle"}}),
+    lambda a: a["steps"].extend(a["steps"] * 200000),
+]
+
+
+@pytest.mark.parametrize("number", range(len(MUTATIONS)))
+def test_what_is_wrong_is_refused_in_a_sentence(tissue, number):
+    assessment = copy.deepcopy(read_assessment(SCENARIOS / "simple_tissue.json"))
+    MUTATIONS[number](assessment)
+
+    with pytest.raises(Refusal) as refused:
+        with_assessment("changed.json", assessment, tissue)
+
+    assert refused.value.file == "changed.json"
+    assert refused.value.got
+    assert refused.value.expected
+
+
+def test_text_that_is_no_assessment_is_refused(tmp_path):
+    for text in ("{", "[1]", '{"a": NaN}', "[" * 100000, ""):
+        path = tmp_path / "a.json"
+        path.write_text(text)
+        with pytest.raises(Refusal):
+            read_assessment(path)
+
+
+def test_all_problems_are_found_at_once():
+    change = read_assessment(SCENARIOS / "simple_tissue.json")
+    change["parameters"]["press"]["value"] = 1.4  # of a limit at 1.5 N
+    change["parameters"]["limit"]["levels"]["easy"] = 1.6
+    change["finish"] = {"time_limit_s": 8}
+    change["texts"]["en"]["push"] = "Push with {pres:N}"
+    del change["texts"]["tr"]["push"]
+
+    found = [
+        (problem.severity, problem.where) for problem in find_problems(published(change=change))
+    ]
+
+    assert ("error", "steps.push (normal)") in found
+    assert ("error", "steps.push (easy)") in found
+    assert ("error", "steps.push (hard)") not in found
+    assert ("error", "finish.time_limit_s (normal)") in found
+    assert ("error", "texts.en.push") in found
+    assert ("warning", "texts.tr.push") in found
+    assert [severity for severity, _ in found] == sorted(severity for severity, _ in found)
+
+
+def test_a_release_of_nothing_is_a_problem():
+    change = read_assessment(SCENARIOS / "simple_tissue.json")
+    change["steps"] = [step for step in change["steps"] if step["do"] != "pull"]
+
+    problems = find_problems(published(change=change))
+
+    assert {problem.where.split()[0] for problem in problems} == {"steps.let_go"}
+
+
+def test_a_text_has_the_numbers_of_the_attempt_as_the_language_writes_them(tissue):
+    assessment = json.loads(tissue.assessment)
+    hard = scenario.draw_task(tissue, "hard").values
+
+    assert find_text(assessment, "push", "en", hard) == "Push with at least 0.3 N"
+    assert find_text(assessment, "push", "tr-TR", hard) == "En az 0,3 N ile itin"
+    assert find_text(assessment, "push", "de", hard) == "Push with at least 0.3 N"
+
+
+def test_a_published_scenario_round_trips(tissue, tmp_path):
+    path = tmp_path / "tissue.palpate"
+    scenario.write(path, tissue)
+    read = scenario.read(path)
+    again = tmp_path / "again.palpate"
+    scenario.write(again, read)
+
+    assert again.read_bytes() == path.read_bytes()
+    assert (
+        scenario.draw_task(read, "hard", 3).sha256 == scenario.draw_task(tissue, "hard", 3).sha256
+    )
+    assert read.languages["tr"].title == "Basit doku: dokunma, tutma, çekme, itme"
+
+
+@pytest.mark.parametrize("hand", ["careful", "jab"])
+def test_a_careful_hand_does_it_and_a_violent_one_does_not(tissue, hand):
+    drawn = scenario.draw_task(tissue, "normal", 0)
+
+    played = attempt(tissue.scene, drawn, hand)
+
+    assert judge_hands([played]) == [], played.describe()
+    if hand == "careful":
+        assert played.state.outcome is palpate.Outcome.done
+        assert [int(e["index"]) for e in played.events
+                if e["kind"] == palpate.TaskEvent.step_done] == list(range(5))  # fmt: skip
+
+
+def test_the_live_loop_comes_to_the_verdict_of_the_self_play_and_so_does_the_replay(
+    tissue, tmp_path, capsys
+):
+    path, record = tmp_path / "tissue.palpate", tmp_path / "run.prec"
+    scenario.write(path, tissue)
+    played = attempt(tissue.scene, scenario.draw_task(tissue, "normal", 0), "careful")
+
+    code = main(["play", str(path), "--headless", "--device", "script:careful", "--record",
+                 str(record), "--json"])  # fmt: skip
+
+    report = json.loads(capsys.readouterr().out)
+    verdict = report["verdict"]
+    assert code == 0
+    assert report["outcome"] == verdict["outcome"] == "done"
+    assert verdict["replay_equal"]
+    assert verdict["errors"] == 0
+    told = [(event["tick"], event["value"]) for event in verdict["events"]]
+    assert told == [(int(e["tick"]), float(e["value"])) for e in played.events]
+    header = json.loads(palpate.read_record(record).header)
+    assert header["task"]["level"] == "normal"
+    assert header["task"]["assessment_sha256"] == verdict["assessment_sha256"]
+
+    assert main(["replay", str(record), "--json"]) == 0
+    again = json.loads(capsys.readouterr().out)
+    assert again["equal"]
+    assert again["verdict_equal"]
+    assert again["verdict"]["outcome"] == "done"
+    assert again["verdict"]["events"] == verdict["events"]
+
+
+def test_the_verb_checks_and_publishes(tmp_path, capsys):
+    out = tmp_path / "task.palpate"
+    organ, assessment = (
+        MESHES / "published" / "simple_tissue.palpate",
+        SCENARIOS / "simple_tissue.json",
+    )
+
+    assert main(["scenario", "publish", str(organ), str(assessment), "-o", str(out)]) == 0
+    assert main(["scenario", "check", str(out)]) == 0
+    assert "no problems" in capsys.readouterr().out
+    assert main(["scenario", "check", str(organ)]) == 1
+    assert "got none, expected a scenario with a task" in capsys.readouterr().err
+    assert main(["scenario", "selfplay", str(out), "--seeds", "0"]) == 2
+    assert main(["play", str(out), "--headless", "--device", "script:careful", "--level", "x"]) == 2
+
+
+@pytest.mark.landing
+@pytest.mark.parametrize("name", ORGANS)
+def test_hands_do_and_fail_every_scenario_that_ships(name):
+    made = published(name)
+    for level in scenario.list_levels(made):
+        played = [
+            attempt(made.scene, scenario.draw_task(made, level, seed), hand)
+            for hand in ("careful", "jab", "clumsy")
+            for seed in range(2)
+        ]
+        assert judge_hands(played) == [], [one.describe() for one in played]
+    idle = attempt(made.scene, scenario.draw_task(made, "", 0), "idle")
+    assert idle.state.outcome is palpate.Outcome.timed_out
+    assert judge_hands([idle]) == []
