@@ -12,8 +12,8 @@
 namespace palpate::authoring {
 namespace {
 
-constexpr std::array kFormats = {"OBJ", "STL", "PLY", "GLB", "GLTF", "3DS", "FBX",
-                                 "DAE", "OFF", "VTK", "VTP", "VTU",  "MSH"};
+constexpr std::array kFormats = {"OBJ", "STL", "PLY", "GLB", "GLTF", "3DS", "FBX", "DAE", "OFF",
+                                 "VTK", "VTP", "VTU", "MSH", "X3D",  "3MF", "AMF", "AC",  "X"};
 
 constexpr std::uintmax_t kMostFileBytes = 1'000'000'000;
 
@@ -22,9 +22,11 @@ std::string find_format(const std::filesystem::path& path) {
   if (!format.empty()) format.erase(0, 1);
   for (char& c : format) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   if (std::find(kFormats.begin(), kFormats.end(), format) == kFormats.end()) {
-    throw FileError(path.string(), "name",
-                    format.empty() ? "no extension" : "the extension " + path.extension().string(),
-                    "one of .obj .stl .ply .off .glb .gltf .3ds .fbx .dae .vtk .vtp .vtu .msh");
+    throw FileError(
+        path.string(), "name",
+        format.empty() ? "no extension" : "the extension " + path.extension().string(),
+        "one of .obj .stl .ply .off .glb .gltf .3ds .fbx .dae .x3d .3mf .amf .ac .x .vtk .vtp "
+        ".vtu .msh");
   }
   return format;
 }

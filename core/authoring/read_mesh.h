@@ -28,7 +28,7 @@ struct ImportedPart {
 struct ImportedScene {
   std::string file;
   std::string format;  ///< its extension in capitals: OBJ, STL, PLY, GLB, GLTF, 3DS, FBX, DAE, OFF,
-                       ///< VTK, VTP, VTU or MSH
+                       ///< X3D, 3MF, AMF, AC, X, VTK, VTP, VTU or MSH
   std::vector<ImportedPart> parts;
   std::optional<std::string> unit;  ///< stated by the file or its format
   std::optional<std::string> up;    ///< x, y, z, -x, -y or -z, stated by the file or its format

@@ -131,7 +131,8 @@ def read_mesh(
 ) -> ImportedScene:
     """Reads a mesh file in a child process.
 
-    A .obj, .stl, .ply, .off, .glb, .gltf, .3ds, .fbx or .dae is read by `reader`, a .vtk, .vtp,
+    A .obj, .stl, .ply, .off, .glb, .gltf, .3ds, .fbx, .dae, .x3d, .3mf, .amf, .ac or .x is read by
+    `reader`, a .vtk, .vtp,
     .vtu or .msh by an isolated Python: see palpate_editor.formats.
     """
     missing = find_missing(Path(path))

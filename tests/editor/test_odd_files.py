@@ -6,6 +6,7 @@ from __future__ import annotations
 import base64
 import json
 import struct
+import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -249,6 +250,92 @@ def test_a_ply_is_refused_with_its_line(text, where, got, tmp_path):
         read_mesh(path)
 
     assert (refusal.value.where, refusal.value.got) == (where, got)
+
+
+# ---------------------------------------------------------------- formats of few organs
+
+
+def list_indices(form: str, between: str = "") -> str:
+    return between.join(form % tuple(face) for face in TETRAHEDRON_FACES.tolist())
+
+
+def list_points(form: str, between: str = "") -> str:
+    return between.join(form % tuple(p) for p in TETRAHEDRON.tolist())
+
+
+def write_x3d(path: Path) -> None:
+    path.write_text(
+        '<?xml version="1.0"?><X3D version="3.0"><Scene><Shape DEF="organ"><IndexedFaceSet '
+        f'coordIndex="{list_indices("%d %d %d -1 ")}"><Coordinate point="{numbers(TETRAHEDRON)}"/>'
+        "</IndexedFaceSet></Shape></Scene></X3D>"
+    )
+
+
+def write_amf(path: Path) -> None:
+    corner = "<vertex><coordinates><x>%g</x><y>%g</y><z>%g</z></coordinates></vertex>"
+    face = "<triangle><v1>%d</v1><v2>%d</v2><v3>%d</v3></triangle>"
+    path.write_text(
+        '<?xml version="1.0"?><amf unit="millimeter"><object id="1"><mesh><vertices>'
+        f"{list_points(corner)}</vertices><volume>{list_indices(face)}</volume></mesh></object></amf>"
+    )
+
+
+def write_3mf(path: Path) -> None:
+    """A zip of XML."""
+    core = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
+    model = (
+        f'<?xml version="1.0"?><model unit="millimeter" xmlns="{core}"><resources>'
+        '<object id="1" type="model" name="organ"><mesh><vertices>'
+        + list_points('<vertex x="%g" y="%g" z="%g"/>')
+        + "</vertices><triangles>"
+        + list_indices('<triangle v1="%d" v2="%d" v3="%d"/>')
+        + '</triangles></mesh></object></resources><build><item objectid="1"/></build></model>'
+    )
+    of = "http://schemas.openxmlformats.org/package/2006/relationships"
+    kind = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as file:
+        link = f'<Relationship Target="/3D/3dmodel.model" Id="r" Type="{kind}"/>'
+        links = f'<Relationships xmlns="{of}">{link}</Relationships>'
+        file.writestr("_rels/.rels", f'<?xml version="1.0"?>{links}')
+        file.writestr("3D/3dmodel.model", model)
+
+
+def write_ac(path: Path) -> None:
+    colour = "rgb 1 1 1 amb 0 0 0 emis 0 0 0 spec 0 0 0 shi 0 trans 0"
+    head = f'AC3Db\nMATERIAL "" {colour}\nOBJECT world\nkids 1\nOBJECT poly\nname "organ"\n'
+    faces = list_indices("SURF 0x0\nmat 0\nrefs 3\n%d 0 0\n%d 0 0\n%d 0 0\n")
+    points = list_points("%g %g %g\n")
+    path.write_text(f"{head}numvert 4\n{points}numsurf 4\n{faces}kids 0\n")
+
+
+def write_x(path: Path) -> None:
+    points, faces = list_points("%g;%g;%g;", ",\n"), list_indices("3;%d,%d,%d;", ",\n")
+    path.write_text(f"xof 0303txt 0032\nMesh organ {{\n4;\n{points};\n4;\n{faces};\n}}\n")
+
+
+@pytest.mark.parametrize("write", [write_x3d, write_3mf, write_amf, write_ac, write_x])
+def test_what_assimp_reads_of_other_programs_opens_too(write, tmp_path):
+    path = tmp_path / f"a.{write.__name__.removeprefix('write_')}"
+    write(path)
+
+    report = import_mesh(path, unit="mm", up="z").report
+
+    assert (report.triangles, report.closed, report.outward) == (4, True, True)
+    # |det|/6 by hand, however the format has its axes
+    assert report.volume_ml == pytest.approx(100.0 * 60.0 * 40.0 / 6.0 * 1e-3)
+
+
+@pytest.mark.parametrize("write", [write_x3d, write_3mf, write_amf, write_ac, write_x])
+def test_such_a_file_cut_anywhere_is_read_or_refused(write, tmp_path):
+    path = tmp_path / f"a.{write.__name__.removeprefix('write_')}"
+    write(path)
+    content = path.read_bytes()
+    for end in np.linspace(1, len(content) - 2, 6).astype(int):
+        path.write_bytes(content[:end])
+        try:
+            read_mesh(path)
+        except palpate.FileError as refusal:
+            assert refusal.got and refusal.expected and "ended with code" not in refusal.got
 
 
 # ---------------------------------------------------------------- glTF

@@ -32,7 +32,9 @@ from palpate_editor.verbs.source import add_source
 
 def add_import(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
-        "file", type=Path, help="OBJ, STL, PLY, OFF, GLB, 3DS, FBX, DAE, VTK, VTP, VTU or MSH"
+        "file",
+        type=Path,
+        help="OBJ, STL, PLY, OFF, GLB, 3DS, FBX, DAE, X3D, 3MF, AMF, AC, X, VTK, VTP, VTU or MSH",
     )
     add_source(parser)
     parser.add_argument(

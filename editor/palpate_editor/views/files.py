@@ -25,6 +25,7 @@ from palpate_editor.views.translations import tr
 DOCUMENTS = (".organ", ".palpate")
 MESHES = (
     *(".obj", ".stl", ".ply", ".off", ".glb", ".gltf", ".3ds", ".fbx", ".dae"),
+    *(".x3d", ".3mf", ".amf", ".ac", ".x"),
     *(".vtk", ".vtp", ".vtu", ".msh"),
 )
 
