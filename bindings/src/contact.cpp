@@ -37,6 +37,16 @@ py::dtype row_dtype<ToolState::Hold>() {
       .dtype();
 }
 
+template <>
+py::dtype row_dtype<ToolState::PatchPoint>() {
+  return RowType<ToolState::PatchPoint>()
+      .field("triangle", &ToolState::PatchPoint::triangle)
+      .field("body", &ToolState::PatchPoint::body)
+      .field("weights", &ToolState::PatchPoint::weights)
+      .field("share", &ToolState::PatchPoint::share)
+      .dtype();
+}
+
 namespace {
 
 template <class T>
@@ -109,15 +119,18 @@ void bind_tree(py::module_& m) {
 void bind_tool(py::module_& m) {
   const Tool usual;
   py::class_<Tool> tool(m, "Tool", "The tip of the instrument: a sphere, never a point.");
-  tool.def(py::init([](double radius, double stiffness) {
-             return Tool{radius, stiffness};
+  tool.def(py::init([](double radius, double stiffness, double friction) {
+             return Tool{radius, stiffness, friction};
            }),
-           py::kw_only(), "radius"_a = usual.radius, "stiffness"_a = usual.stiffness);
+           py::kw_only(), "radius"_a = usual.radius, "stiffness"_a = usual.stiffness,
+           "friction"_a = usual.friction);
   tool.def_readwrite("radius", &Tool::radius, "[m]")
       .def_readwrite("stiffness", &Tool::stiffness,
-                     "[N/m³] k_A: pressure per depth of the contact law.");
-  def_value(tool, &Tool::radius, &Tool::stiffness);
-  def_repr(tool, {"radius", "stiffness"});
+                     "[N/m³] k_A: pressure per depth of the contact law.")
+      .def_readwrite("friction", &Tool::friction,
+                     "[-] Coulomb's coefficient mu between tip and tissue; 0: it slides.");
+  def_value(tool, &Tool::radius, &Tool::stiffness, &Tool::friction);
+  def_repr(tool, {"radius", "stiffness", "friction"});
 
   py::class_<ToolState> state(
       m, "ToolState", "Where the tool is (the paper's ideal tip, IUN) and what it is fastened to.");
@@ -134,8 +147,12 @@ void bind_tool(py::module_& m) {
   def_value(carrier, &ToolState::Carrier::triangle, &ToolState::Carrier::weights,
             &ToolState::Carrier::point, &ToolState::Carrier::direction, &ToolState::Carrier::body);
   def_repr(carrier, {"triangle", "weights", "point", "direction", "body"});
-  state.def(py::init([](int capacity) { return ToolState(to_count(capacity, "capacity")); }),
-            "capacity"_a = 0, "Room for so many holds.");
+  state.def(py::init([](int capacity, int patch_capacity) {
+              return ToolState(to_count(capacity, "capacity"),
+                               to_count(patch_capacity, "patch_capacity"));
+            }),
+            "capacity"_a = 0, "patch_capacity"_a = 0,
+            "Room for so many holds and, with friction, triangles that are touched at once.");
   def_vector(state, "position", &ToolState::position, "[m]");
   state.def_readwrite("placed", &ToolState::placed,
                       "False until the first sample has put it somewhere.");
@@ -147,10 +164,21 @@ void bind_tool(py::module_& m) {
       .def_readwrite("touching", &ToolState::touching, "Any contact in force in the last substep.");
   def_vector(state, "residual", &ToolState::residual,
              "[N] left between hand and tissue after the last substep.");
+  def_fixed_rows(state, "patch", &ToolState::patch,
+                 "What a tool with friction touched in the last substep, all there is room for: a "
+                 "structured array of shape (patch_capacity,) (triangle, body, weights, share); a "
+                 "view, read-only.");
+  state.def_readonly("patch_count", &ToolState::patch_count, "How many of them there are.");
+  def_vector(state, "patch_position", &ToolState::patch_position,
+             "[m] where the mean of the patch's points was.");
+  def_vector(state, "patch_normal", &ToolState::patch_normal,
+             "[-] Unit, in which the contacts together push the tool.");
+  def_vector(state, "friction", &ToolState::friction, "[N] on the tool in the last substep.");
   state.def_readonly("carrier", &ToolState::carrier, "The surface nearest to the tool.");
   def_value(state, &ToolState::position, &ToolState::placed, &ToolState::holds,
-            &ToolState::hold_count, &ToolState::carrier, &ToolState::touching,
-            &ToolState::residual);
+            &ToolState::hold_count, &ToolState::carrier, &ToolState::touching, &ToolState::residual,
+            &ToolState::patch, &ToolState::patch_count, &ToolState::patch_position,
+            &ToolState::patch_normal, &ToolState::friction);
   def_repr(state, {"position", "placed", "touching", "hold_count", "residual"});
 
   const Coupling spring;

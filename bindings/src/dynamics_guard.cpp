@@ -65,6 +65,7 @@ void bind_input(py::module_& m) {
       .value("gravity", TickInput::gravity, "[m/s^2]")
       .value("substeps", TickInput::substeps)
       .value("substeps_max", TickInput::substeps_max)
+      .value("tool_friction", TickInput::tool_friction, "[-]")
       .finalize();
 }
 

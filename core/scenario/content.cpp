@@ -51,9 +51,11 @@ Json print_body(const SoftBody& body) {
 }
 
 Json print_instrument(const Instrument& instrument) {
-  const auto& [radius, tool_stiffness] = instrument.tool;
+  const auto& [radius, tool_stiffness, friction] = instrument.tool;
   const auto& [coupling_stiffness, force_max] = instrument.coupling;
-  return {{"tool", {{"radius", radius}, {"stiffness", tool_stiffness}}},
+  Json tool = {{"radius", radius}, {"stiffness", tool_stiffness}};
+  if (friction > 0.0) tool["friction"] = friction;
+  return {{"tool", std::move(tool)},
           {"coupling", {{"stiffness", coupling_stiffness}, {"force_max", force_max}}},
           {"hold_stiffness", instrument.hold_stiffness}};
 }
@@ -138,7 +140,9 @@ SoftBody parse_body(Fields fields) {
 Instrument parse_instrument(Fields fields) {
   Instrument instrument;
   Fields tool = fields.object("tool");
-  instrument.tool = {.radius = tool.number("radius"), .stiffness = tool.number("stiffness")};
+  instrument.tool = {.radius = tool.number("radius"),
+                     .stiffness = tool.number("stiffness"),
+                     .friction = tool.number_or("friction", 0.0)};
   tool.finish();
   Fields coupling = fields.object("coupling");
   instrument.coupling = {.stiffness = coupling.number("stiffness"),

@@ -41,6 +41,7 @@ std::vector<Range> build_ranges() {
   std::vector<Range> ranges;
   ranges.push_back({"scene.instruments[i].tool.radius", "m", 1e-5, 0.2});
   ranges.push_back({"scene.instruments[i].tool.stiffness", "N/m³", 1e3, 1e12});
+  ranges.push_back({"scene.instruments[i].tool.friction", "-", 0.0, 2.0});
   ranges.push_back({"scene.instruments[i].coupling.stiffness", "N/m", 0.1, 1e6});
   ranges.push_back({"scene.instruments[i].coupling.force_max", "N", 1e-3, 1e3});
   ranges.push_back({"scene.instruments[i].hold_stiffness", "N/m", 1e-3, 1e6});
@@ -108,6 +109,7 @@ void check_table(const char* name, const std::vector<Row>& table, std::size_t bo
 void check_instrument(const Instrument& instrument, std::size_t i) {
   check_number("scene.instruments[i].tool.radius", instrument.tool.radius, i);
   check_number("scene.instruments[i].tool.stiffness", instrument.tool.stiffness, i);
+  check_number("scene.instruments[i].tool.friction", instrument.tool.friction, i);
   check_number("scene.instruments[i].coupling.stiffness", instrument.coupling.stiffness, i);
   check_number("scene.instruments[i].coupling.force_max", instrument.coupling.force_max, i);
   check_number("scene.instruments[i].hold_stiffness", instrument.hold_stiffness, i);

@@ -105,7 +105,7 @@ MADE: dict[str, Callable[[], object]] = {
     "Load": full_load,
     "Guard": lambda: palpate.Guard(chain(4), (0, 0, -9.8), palpate.State(chain(4))),
     "AabbTree": lambda: palpate.AabbTree(sheet(3, 0.02).vertices, sheet(3, 0.02).triangles),
-    "ToolState": lambda: palpate.ToolState(2),
+    "ToolState": lambda: palpate.ToolState(2, 3),
     "ToolState.Carrier": lambda: palpate.ToolState(1).carrier,
     "SurfacePoint": closest,
     "Candidates": lambda: palpate.Candidates(4),

@@ -165,7 +165,12 @@ def test_what_hung_or_was_felt_as_nothing_is_no_scene_of_a_file(field, value, tm
 
 @pytest.mark.parametrize(
     ("part", "field", "value"),
-    [("tool", "radius", 1e300), ("tool", "radius", 1e-300), ("coupling", "stiffness", 1e30)],
+    [
+        ("tool", "radius", 1e300),
+        ("tool", "radius", 1e-300),
+        ("coupling", "stiffness", 1e30),
+        ("tool", "friction", 3.0),
+    ],
 )
 def test_a_tool_that_was_played_at_no_force_is_no_scene_of_a_file(part, field, value):
     tissue = palpate.build_mass_spring(ellipsoid((0.03, 0.025, 0.02), 0), MEMBRANE, 50.0)

@@ -213,6 +213,7 @@ def test_every_number_of_a_scene_file_changes_what_is_compiled(organ, part, name
             t.maxwell.time,
             s.instruments[0].tool.radius,
             s.instruments[0].tool.stiffness,
+            s.instruments[0].tool.friction,
             s.instruments[0].coupling.stiffness,
             s.instruments[0].coupling.force_max,
             s.instruments[0].hold_stiffness,

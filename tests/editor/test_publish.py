@@ -321,11 +321,12 @@ def test_every_constant_of_the_table_has_its_option(tmp_path, capsys):
     write_organ(tmp_path / "a.organ", SPLEEN)
 
     run(capsys, "material", tmp_path / "a.organ", "--young", "6kPa", "--poisson", "0.4",
-        "--tool-stiffness", "2e7N/m3", "--force-max", "3N", "--grip", "400N/m",
+        "--tool-stiffness", "2e7N/m3", "--force-max", "3N", "--grip", "400N/m", "--friction", "0.2",
         "--rate", "1000", "--gravity", "0,0,-9.81", "--damping-law", "isotropic",
         "--kind", "solid", "-o", tmp_path / "a.organ")  # fmt: skip
 
     found = read_organ(tmp_path / "a.organ")
     assert (found.material.young_modulus, found.material.poisson_ratio) == (6e3, 0.4)
     assert (found.tool.stiffness, found.hand.force_max, found.hand.hold_stiffness) == (2e7, 3, 400)
+    assert found.tool.friction == 0.2
     assert found.hand.gravity == (0.0, 0.0, -9.81) and found.model.damping_law == "isotropic"

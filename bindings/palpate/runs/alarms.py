@@ -133,6 +133,7 @@ INPUTS = {
     TickInput.gravity: "gravity became %1 m/s², expected a finite number",
     TickInput.substeps: "the substeps became %1, expected at least %2",
     TickInput.substeps_max: "the most substeps became %1, expected at least %2",
+    TickInput.tool_friction: "the friction of the tool became %1, expected at least 0",
 }
 """What AlarmKind.invalid_input found, by the index of the alarm."""
 

@@ -317,7 +317,8 @@ class Hard:
 
 
 def put_contact(scene: palpate.Scene, value: float) -> palpate.Scene:
-    tool = palpate.Tool(radius=scene.instruments[0].tool.radius, stiffness=value)
+    its = scene.instruments[0].tool
+    tool = palpate.Tool(radius=its.radius, stiffness=value, friction=its.friction)
     return change_instrument(scene, tool=tool)
 
 

@@ -190,7 +190,11 @@ def compile_scene(
         far_compliance=() if far_compliance is None else far_compliance,
     )
     instrument = palpate.Instrument(
-        tool=palpate.Tool(radius=scene.tool.radius, stiffness=scene.tool.stiffness),
+        tool=palpate.Tool(
+            radius=scene.tool.radius,
+            stiffness=scene.tool.stiffness,
+            friction=scene.tool.friction,
+        ),
         coupling=palpate.Coupling(stiffness=hand.coupling, force_max=hand.force_max),
         hold_stiffness=hand.hold_stiffness,
     )

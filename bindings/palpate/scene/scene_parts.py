@@ -142,6 +142,9 @@ class ToolPart:
     """[m]"""
     stiffness: float = 3e7
     """[N/m³] k_A of the contact law."""
+    friction: float = field(default=0.0, metadata={"since": 12})
+    """[-] Coulomb's coefficient between tip and tissue: 0.05 to 0.15 of smooth metal on wet serosa,
+    0.3 to 0.8 of a profiled jaw; 0: it slides."""
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 
 #include "palpate/sim/contact/contact_law.h"
 #include "palpate/sim/contact/private/near_contact.h"
@@ -74,16 +75,22 @@ double add_row_sums(const Triangle& t, const Vec3& weights, double stiffness,
 
 /// By Gershgorin the eigenvalues of M⁻¹K are at most its largest row sum. A contact of slope k at
 /// the barycentric weights w adds k w_i w_j n n^T to the blocks (i, j), and the weights sum to 1:
-/// row i gains k w_i / m_i. That the tool itself gives way only lowers them.
+/// row i gains k w_i / m_i. That the tool itself gives way only lowers them. Friction that slides,
+/// mu f along d, makes of n n^T the block (n + mu d) n^T of the norm sqrt(1 + mu²); friction that
+/// sticks hangs the hand's spring K on all points together, each with its share s of the tool's
+/// motion: K s w_i.
 double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
                                std::span<const Triangle> triangles, std::span<const Vec3> x,
                                std::span<const double> mass, const ToolState& state,
-                               std::span<double> scratch, int body,
-                               const NearField* near) noexcept {
+                               std::span<double> scratch, int body, const NearField* near,
+                               double coupling) noexcept {
   const std::span<const int> touchable(candidates.triangles.data(),
                                        static_cast<std::size_t>(candidates.count));
   const std::span<const ToolState::Hold> holds(state.holds.data(),
                                                static_cast<std::size_t>(state.hold_count));
+  const std::span<const ToolState::PatchPoint> patch(state.patch.data(),
+                                                     static_cast<std::size_t>(state.patch_count));
+  const double sliding = std::sqrt(1.0 + tool.friction * tool.friction);
   const auto triangle = [&](int t) noexcept -> const Triangle& {
     return triangles[static_cast<std::size_t>(t)];
   };
@@ -97,6 +104,10 @@ double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
     if (hold.body != body) continue;
     for (const int i : triangle(hold.triangle)) scratch[static_cast<std::size_t>(i)] = 0.0;
   }
+  for (const ToolState::PatchPoint& point : patch) {
+    if (point.body != body) continue;
+    for (const int i : triangle(point.triangle)) scratch[static_cast<std::size_t>(i)] = 0.0;
+  }
   double largest = 0.0;
   // what balance_tool has found where the tool and the tissue still are
   const Vec3 at =
@@ -106,7 +117,7 @@ double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
     const Contact& found = candidates.near.contact[i];
     const double slope = bound_slope(tool, candidates.near.closest[i], found);
     largest = std::max(largest, add_row_sums(triangle(candidates.near.triangle[i]), found.weights,
-                                             slope, mass, scratch));
+                                             sliding * slope, mass, scratch));
   }
   Contact contact;
   for (std::size_t i = 0; !is_found && i < touchable.size(); ++i) {
@@ -119,12 +130,18 @@ double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
       find_near_contact(*near, tool, closest, at, a, b, c, gain, contact);
       contact.stiffness = bound_slope(tool, closest, contact);
     }
-    largest = std::max(largest, add_row_sums(t, contact.weights, contact.stiffness, mass, scratch));
+    largest = std::max(
+        largest, add_row_sums(t, contact.weights, sliding * contact.stiffness, mass, scratch));
   }
   for (const ToolState::Hold& hold : holds) {
     if (hold.body != body) continue;
     largest = std::max(largest, add_row_sums(triangle(hold.triangle), hold.weights, hold.stiffness,
                                              mass, scratch));
+  }
+  for (const ToolState::PatchPoint& point : patch) {
+    if (point.body != body) continue;
+    largest = std::max(largest, add_row_sums(triangle(point.triangle), point.weights,
+                                             coupling * point.share, mass, scratch));
   }
   return largest;
 }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/contact/private/friction.h"
 #include "palpate/sim/contact/private/list_contacts.h"
 #include "palpate/sim/contact/private/near_contact.h"
 #include "palpate/sim/contact/private/touched_surface.h"
@@ -28,6 +29,8 @@ constexpr double kClearance = 1e-3;
 struct Touch {
   Vec3 force = Vec3::Zero();      ///< [N] on the tool
   Mat3 stiffness = Mat3::Zero();  ///< [N/m] of contacts along their directions, and of holds
+  Vec3 contact = Vec3::Zero();    ///< [N] the part of contacts in the force
+  double hold_stiffness = 0.0;    ///< [N/m] the part of holds in the stiffness
   double smallest_distance =
       0.0;  ///< [m] from the tool's centre to the surface, at most its radius
 };
@@ -204,9 +207,11 @@ Touch compute_touch(const Surroundings& around, const Vec3& p) noexcept {
     touch.stiffness += contact.stiffness * (n * n.transpose());
     touch.smallest_distance = std::min(touch.smallest_distance, contact.distance);
   });
+  touch.contact = touch.force;
   for (const ToolState::Hold& hold : around.holds) {
     touch.force += compute_pull(around, hold, p);
     touch.stiffness += hold.stiffness * Mat3::Identity();
+    touch.hold_stiffness += hold.stiffness;
   }
   return touch;
 }
@@ -244,9 +249,9 @@ Vec3 keep_near_way(const Candidates& candidates, const Vec3& p, const Vec3& step
 }
 
 /// One Newton step of R(p) = pull of the hand + touch = 0. What touches nothing is where the hand
-/// is, to the bit, so that it feels exactly 0 N.
+/// is, to the bit, so that it feels exactly 0 N. `stuck` [m] is where friction would keep it.
 Vec3 take_newton_step(const Surroundings& around, const Coupling& coupling, const Vec3& hand,
-                      const Vec3& p) noexcept {
+                      const Vec3& stuck, const Vec3& p) noexcept {
   const Touch touch = compute_touch(around, p);
   const Vec3 to_hand = hand - p;
   if (touch.stiffness.isZero(0.0)) {
@@ -255,7 +260,14 @@ Vec3 take_newton_step(const Surroundings& around, const Coupling& coupling, cons
   }
   const Vec3 residual = limit(coupling.stiffness * to_hand, coupling.force_max) + touch.force;
   const Mat3 jacobian = coupling.stiffness * Mat3::Identity() + touch.stiffness;
-  const Vec3 step = shorten(around, p, touch, jacobian.llt().solve(residual));
+  const bool rubs = around.tool.friction > 0.0 && !touch.contact.isZero(0.0);
+  const Vec3 whole =
+      rubs ? find_friction_step({residual - touch.contact, touch.contact,
+                                 coupling.stiffness + touch.hold_stiffness,
+                                 touch.stiffness - touch.hold_stiffness * Mat3::Identity()},
+                                stuck - p, around.tool.friction)
+           : Vec3(jacobian.llt().solve(residual));
+  const Vec3 step = shorten(around, p, touch, whole);
   // all surfaces were searched along the same path
   return p + keep_near_way(*around.surfaces.front().candidates, p, step);
 }
@@ -283,8 +295,9 @@ void follow_dent(const Vec3& position, NearContacts& contacts) noexcept {
   contacts.found = false;
 }
 
-/// Writes what the tool does to the surfaces; returns the sum of forces on the tool.
-Vec3 write_pushes(const Surroundings& around, ToolState& state) noexcept {
+/// Writes what the tool does to the surfaces under the pull of the hand's spring [N]; returns the
+/// sum of forces on the tool.
+Vec3 write_pushes(const Surroundings& around, const Vec3& pull, ToolState& state) noexcept {
   Vec3 sum = Vec3::Zero();
   double nearest = std::numeric_limits<double>::infinity();
   state.carrier.triangle = -1;
@@ -304,6 +317,13 @@ Vec3 write_pushes(const Surroundings& around, ToolState& state) noexcept {
     state.carrier = {t, contact.weights, compute_point_of(around, body, t, contact.weights),
                      contact.direction, body};
   });
+  if (around.tool.friction > 0.0) {
+    Vec3 applied = pull;
+    for (const ToolState::Hold& hold : around.holds) {
+      applied += compute_pull(around, hold, state.position);
+    }
+    sum += add_friction(around.surfaces, applied, sum, around.tool.friction, state);
+  }
   for (const ToolState::Hold& hold : around.holds) {
     const Vec3 force = compute_pull(around, hold, state.position);
     Load& load = *around.surfaces[static_cast<std::size_t>(hold.body)].load;
@@ -343,22 +363,28 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
   if (!state.placed) {
     state.position = hand_position;
     state.placed = true;
+    state.patch_count = 0;
   }
   // nothing anywhere near the path: no need to go it in steps
-  if (!near) state.position = hand_position;
-
+  if (!near) {
+    state.position = hand_position;
+    state.patch_count = 0;
+  }
+  const Vec3 carry = measure_carry(surfaces, state);
+  const Vec3 stuck = state.position + carry;
   state.position += ride(around, state);
+  if (state.patch_count > 0) state.position += carry;
   const bool soft = has_near_field(around);
   const double shortest = soft ? kShortestStep : 0.0;
   for (int i = 0; i < (soft ? kNewtonStepsNear : kNewtonSteps); ++i) {
-    const Vec3 next = take_newton_step(around, coupling, hand_position, state.position);
+    const Vec3 next = take_newton_step(around, coupling, hand_position, stuck, state.position);
     // contacts stay those of where it is
     if (next != hand_position && (next - state.position).norm() < shortest) break;
     state.position = next;
   }
-  const Vec3 touch = write_pushes(around, state);
   const Vec3 felt =
       limit(coupling.stiffness * (state.position - hand_position), coupling.force_max);
+  const Vec3 touch = write_pushes(around, -felt, state);
   state.residual = touch - felt;
   return felt;
 }

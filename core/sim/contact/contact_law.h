@@ -82,7 +82,9 @@ struct Coupling {
 /// closest point to the tool's centre; contacts whose centre lies behind their triangle are
 /// dropped. Three Newton steps of a 3x3 system, each going at most half the way to any surface it
 /// nears, so that the tool's own motion never takes it through. Returns the force on the hand, K
-/// (tool - hand), limited to force_max: f = -K x, Eq 12. state.residual is what the steps leave:
+/// (tool - hand), limited to force_max: f = -K x, Eq 12. With tool.friction the tool is carried
+/// with the tissue it touches, and slides on it where the hand pulls along the surface with more
+/// than mu times the contact force [contact: friction]. state.residual is what the steps leave:
 /// the pushes on the tissue sum to -(force + residual). Where nothing touches the tool is at the
 /// hand and the force is exactly zero.
 Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
@@ -99,11 +101,12 @@ void release_tool(ToolState& state) noexcept;
 
 /// Largest extra eigenvalue [1/s²] that contacts and holds may add to M⁻¹K: the row-sum bound
 /// max over particles of sum k_t w / m [contact: substeps]. For choosing this tick's substeps.
-/// `body` tells which holds are on this surface, `near` under which law it is touched.
+/// `body` tells which holds are on this surface, `near` under which law it is touched; `coupling`
+/// [N/m] is the hand's spring, which friction passes on to the tissue.
 double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
                                std::span<const Triangle> triangles, std::span<const Vec3> x,
                                std::span<const double> mass, const ToolState& state,
                                std::span<double> scratch, int body = 0,
-                               const NearField* near = nullptr) noexcept;
+                               const NearField* near = nullptr, double coupling = 0.0) noexcept;
 
 }  // namespace palpate

@@ -11,6 +11,7 @@ namespace palpate {
 struct Tool {
   double radius = 0.003;   ///< [m]
   double stiffness = 3e7;  ///< [N/m³] k_A: pressure per depth of the contact law
+  double friction = 0.0;   ///< [-] Coulomb's coefficient mu between tip and tissue; 0: it slides
 };
 
 /// Where the tool is (the paper's ideal tip, IUN) and what it is fastened to.
@@ -33,7 +34,19 @@ struct ToolState {
     int body = 0;                   ///< whose triangle
   };
 
-  explicit ToolState(int capacity = 0) : holds(static_cast<std::size_t>(capacity)) {}
+  /// A point of the tissue that was touched in the last substep. Friction carries the tool with
+  /// the mean of them.
+  struct PatchPoint {
+    int triangle = 0;
+    int body = 0;                 ///< whose triangle
+    Vec3 weights = Vec3::Zero();  ///< barycentric
+    double share = 0.0;           ///< [-] of the contact force, sum 1
+  };
+
+  /// `patch_capacity` is for a tool with friction: how many triangles it may touch at once.
+  explicit ToolState(int capacity = 0, int patch_capacity = 0)
+      : holds(static_cast<std::size_t>(capacity)),
+        patch(static_cast<std::size_t>(patch_capacity)) {}
 
   Vec3 position = Vec3::Zero();  ///< [m]
   bool placed = false;           ///< false until the first sample has put it somewhere
@@ -42,6 +55,13 @@ struct ToolState {
   Carrier carrier;
   bool touching = false;         ///< any contact in force in the last substep
   Vec3 residual = Vec3::Zero();  ///< [N] left between hand and tissue after the last substep
+
+  // of a tool with friction, after the last substep
+  std::vector<PatchPoint> patch;       ///< patch_capacity
+  int patch_count = 0;                 ///< 0 when nothing is touched
+  Vec3 patch_position = Vec3::Zero();  ///< [m] where the mean of its points was
+  Vec3 patch_normal = Vec3::Zero();    ///< unit, in which the contacts together push the tool
+  Vec3 friction = Vec3::Zero();        ///< [N] on the tool
 };
 static_assert(alignof(ToolState) == 8);
 

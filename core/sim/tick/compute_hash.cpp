@@ -60,6 +60,18 @@ void add_holds(const ToolState& tool, bool with_body, Hash& hash) noexcept {
   }
 }
 
+/// A tool without friction has no patch: its records have the hashes that they had.
+void add_patch(const ToolState& tool, Hash& hash) noexcept {
+  for (int k = 0; k < tool.patch_count; ++k) {
+    const ToolState::PatchPoint& point = tool.patch[static_cast<std::size_t>(k)];
+    hash.add(static_cast<std::uint64_t>(point.body));
+    hash.add(static_cast<std::uint64_t>(point.triangle));
+    hash.add(point.weights);
+    hash.add(point.share);
+  }
+  if (tool.patch_count > 0) hash.add(tool.patch_position);
+}
+
 }  // namespace
 
 std::array<std::uint64_t, 2> compute_hash(const World& world) noexcept {
@@ -75,6 +87,7 @@ std::array<std::uint64_t, 2> compute_hash(const World& world) noexcept {
   hash.add(static_cast<std::uint64_t>(world.alarm.kind));
   for (const InstrumentState& instrument : world.instruments) {
     add_holds(instrument.tool, world.bodies.size() > 1, hash);
+    add_patch(instrument.tool, hash);
   }
   return hash.finish();
 }

@@ -80,6 +80,9 @@ void check_target(const std::string& field, const std::string& target) {
 void validate(const Instrument& instrument, const Place& place) {
   require_positive(place("tool.radius [m]"), instrument.tool.radius);
   require_positive(place("tool.stiffness [N/m^3]"), instrument.tool.stiffness);
+  if (!(instrument.tool.friction >= 0.0) || !std::isfinite(instrument.tool.friction)) {
+    refuse(place("tool.friction [-]"), instrument.tool.friction, "0, or a positive number");
+  }
   require_positive(place("coupling.stiffness [N/m]"), instrument.coupling.stiffness);
   require_positive(place("coupling.force_max [N]"), instrument.coupling.force_max);
   require_positive(place("hold_stiffness [N/m]"), instrument.hold_stiffness);

@@ -137,8 +137,11 @@ SoftState::SoftState(const Scene& scene, const SoftBody& body)
 World::World(const Scene& scene) : scene_identity(validated(scene).identity) {
   bodies.reserve(scene.bodies.size());
   for (const SoftBody& body : scene.bodies) bodies.emplace_back(scene, body);
-  const ToolState tool(count_triangles(scene));
-  instruments.resize(scene.instruments.size(), InstrumentState{.tool = tool});
+  for (const Instrument& instrument : scene.instruments) {
+    const int count = count_triangles(scene);
+    const int patch = instrument.tool.friction > 0.0 ? count : 0;
+    instruments.push_back(InstrumentState{.tool = ToolState(count, patch)});
+  }
   pairs.reserve(instruments.size() * bodies.size());
   for (std::size_t i = 0; i < instruments.size(); ++i) {
     for (std::size_t b = 0; b < bodies.size(); ++b) {

@@ -117,6 +117,8 @@ LEAST_TETRAHEDRA, MOST_TETRAHEDRA = 100, 40_000
 """Fewer are no shape; more are not begun (core/authoring/fill_interior.h)."""
 LEAST_FINE_RATIO = 0.1
 """[-] Of the edges of a filling at its fine region to those far away."""
+MOST_FRICTION = 2.0
+"""[-] Coulomb's coefficient. Wet serosa and smooth metal have a tenth, profiled jaws up to 0.8."""
 MOST_SUBSTEPS = 1000
 """Of a tick. More take longer than a tick does on any machine."""
 
@@ -254,6 +256,7 @@ CONSTANTS = (
     Constant(
         "tool", "stiffness", "Contact stiffness", "N/mm³", "--tool-stiffness", "N/m3", scale=1e9
     ),
+    Constant("tool", "friction", "Friction", "", "--friction", "", above=False, most=MOST_FRICTION),
     Constant("hand", "coupling", "Hand coupling", "N/m", "--coupling", "N/m"),
     Constant("hand", "force_max", "Largest force", "N", "--force-max", "N"),
     Constant("hand", "hold_stiffness", "Grip stiffness", "N/m", "--grip", "N/m"),

@@ -3165,6 +3165,10 @@ Beklenen: {expected}.</translation>
         <source>Fine size</source>
         <translation>İnce boyut</translation>
     </message>
+    <message>
+        <source>Friction</source>
+        <translation>Sürtünme</translation>
+    </message>
 </context>
 <context>
     <name>edits</name>

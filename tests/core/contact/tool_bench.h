@@ -17,7 +17,7 @@ struct Bench {
         tree(mesh.vertices, mesh.triangles),
         tool(t),
         candidates(static_cast<int>(mesh.triangles.size())),
-        state(static_cast<int>(mesh.triangles.size())),
+        state(static_cast<int>(mesh.triangles.size()), static_cast<int>(mesh.triangles.size())),
         load(2 * static_cast<int>(mesh.triangles.size())) {
     for (const Triangle& t3 : mesh.triangles) {
       areas.push_back(triangle_area(corner(t3, 0), corner(t3, 1), corner(t3, 2)));

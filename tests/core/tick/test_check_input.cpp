@@ -74,6 +74,10 @@ std::vector<Fault> list_faults() {
     add("hold", TickInput::hold_stiffness,
         [=](Press& p) { p.scene.instruments[0].hold_stiffness = bad; });
   }
+  for (const double bad : {kNan, kInfinity, -0.1}) {
+    add("mu", TickInput::tool_friction,
+        [=](Press& p) { p.scene.instruments[0].tool.friction = bad; });
+  }
   add("substeps", TickInput::substeps, [](Press& p) { p.scene.bodies[0].substeps = 0; });
   add("substeps_max", TickInput::substeps_max,
       [](Press& p) { p.scene.bodies[0].substeps_max = 0; });

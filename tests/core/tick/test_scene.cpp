@@ -82,6 +82,8 @@ TEST_CASE("a scene that cannot run is refused by the name of the field") {
 
   CHECK(names(refusal([](Scene& s) { s.instruments[0].tool.radius = 0.0; }), "tool.radius"));
   CHECK(names(refusal([&](Scene& s) { s.instruments[0].tool.stiffness = nan; }), "tool.stiffness"));
+  CHECK(names(refusal([&](Scene& s) { s.instruments[0].tool.friction = nan; }), "tool.friction"));
+  CHECK(names(refusal([](Scene& s) { s.instruments[0].tool.friction = -0.1; }), "tool.friction"));
   CHECK(names(refusal([](Scene& s) { s.instruments[0].coupling.stiffness = -1; }),
               "coupling.stiffness"));
   CHECK(names(refusal([](Scene& s) { s.instruments[0].coupling.force_max = 0; }),

@@ -137,6 +137,10 @@
         <translation>bir adıma %1. sahne verildi, dünyasının yapıldığı %2. sahne bekleniyordu</translation>
     </message>
     <message>
+        <source>the friction of the tool became %1, expected at least 0</source>
+        <translation>aletin sürtünmesi %1 oldu, en az 0 olmalı</translation>
+    </message>
+    <message>
         <source>the radius of the tool became %1 m, expected more than 0</source>
         <translation>aletin yarıçapı %1 m oldu, 0'dan büyük olmalı</translation>
     </message>

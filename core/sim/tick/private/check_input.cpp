@@ -72,6 +72,10 @@ Alarm check_instrument(const Instrument& instrument) noexcept {
        }) {
     if (!is_positive(value)) return find_invalid(input, value, 0.0);
   }
+  const double friction = instrument.tool.friction;
+  if (!(friction >= 0.0) || !std::isfinite(friction)) {
+    return find_invalid(TickInput::tool_friction, friction, 0.0);
+  }
   return {};
 }
 

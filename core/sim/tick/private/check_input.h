@@ -26,6 +26,7 @@ enum class TickInput {
   substeps,            ///< at least 1
   substeps_max,        ///< at least substeps
   samples,             ///< one for each instrument, and as many commands
+  tool_friction,       ///< [-] not negative, and finite
 };
 
 /// [m] No hand is farther from where its device has its origin.

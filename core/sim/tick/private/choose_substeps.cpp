@@ -98,7 +98,8 @@ double count_stable_substeps(const Scene& scene, std::size_t body, double dt,
     contact += bound_contact_stiffness(
         scene.instruments[i].tool, world.pair(i, body).candidates, soft.tissue.triangles,
         surface_position(world.bodies[body]), work.surface_mass, world.instruments[i].tool,
-        work.vertex_scratch, static_cast<int>(body), soft.near_field.get());
+        work.vertex_scratch, static_cast<int>(body), soft.near_field.get(),
+        scene.instruments[i].coupling.stiffness);
   }
   if (!(contact > 0.0)) return 1.0;
   const double limit = is_implicit(soft.integrator)

@@ -57,16 +57,20 @@ double bound_contact_share(const Scene& scene, std::size_t body, const ResponseK
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
     const Candidates& candidates = world.pair(i, body).candidates;
     const ToolState& tool = world.instruments[i].tool;
-    bound_contact_stiffness(scene.instruments[i].tool, candidates, triangles,
-                            surface_position(world.bodies[body]), work.surface_mass, tool,
-                            work.vertex_scratch, static_cast<int>(body),
-                            scene.bodies[body].near_field.get());
+    bound_contact_stiffness(
+        scene.instruments[i].tool, candidates, triangles, surface_position(world.bodies[body]),
+        work.surface_mass, tool, work.vertex_scratch, static_cast<int>(body),
+        scene.bodies[body].near_field.get(), scene.instruments[i].coupling.stiffness);
     for (int c = 0; c < candidates.count; ++c) {
       take(candidates.triangles[static_cast<std::size_t>(c)]);
     }
     for (int h = 0; h < tool.hold_count; ++h) {
       const ToolState::Hold& hold = tool.holds[static_cast<std::size_t>(h)];
       if (hold.body == static_cast<int>(body)) take(hold.triangle);
+    }
+    for (int k = 0; k < tool.patch_count; ++k) {
+      const ToolState::PatchPoint& point = tool.patch[static_cast<std::size_t>(k)];
+      if (point.body == static_cast<int>(body)) take(point.triangle);
     }
   }
   return sum;

@@ -96,6 +96,10 @@ void list_near(const Moved& moved, NearList& near) noexcept {
       const ToolState::Hold& hold = tool.holds[static_cast<std::size_t>(h)];
       if (hold.body == index) add_near(tissue, hold.triangle, world.tick_count, near);
     }
+    for (int k = 0; k < tool.patch_count; ++k) {
+      const ToolState::PatchPoint& point = tool.patch[static_cast<std::size_t>(k)];
+      if (point.body == index) add_near(tissue, point.triangle, world.tick_count, near);
+    }
     if (tool.carrier.body == index) {
       add_near(tissue, tool.carrier.triangle, world.tick_count, near);
     }

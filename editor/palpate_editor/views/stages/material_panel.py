@@ -54,7 +54,7 @@ TISSUE = (
     "material.wall_thickness",
 )
 LINKS = tuple(constant.key for constant in CONSTANTS if constant.part == "model")
-TIP = ("tool.radius", "tool.stiffness")
+TIP = ("tool.radius", "tool.stiffness", "tool.friction")
 HAND = (
     "hand.coupling",
     "hand.hold_stiffness",
