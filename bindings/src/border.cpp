@@ -135,6 +135,14 @@ void require_fit(const ToolState& tool, std::size_t triangles) {
              "below " + std::to_string(triangles));
     }
   }
+  for (int k = 0; k < tool.patch_count; ++k) {
+    const ToolState::PatchPoint& point = tool.patch[static_cast<std::size_t>(k)];
+    if (point.body != 0 || static_cast<std::size_t>(point.triangle) >= triangles) {
+      refuse("tool state",
+             write_text("a patch on triangle ", point.triangle, " of surface ", point.body),
+             write_text("below ", triangles, " of surface 0"));
+    }
+  }
 }
 
 bool is_built(const Scene& scene) {

@@ -305,7 +305,7 @@ void bind_balance(py::module_& m) {
       "bound_contact_stiffness",
       [](const Tool& tool, const Candidates& candidates, const Integers& triangles,
          const Numbers& x, const Numbers& mass, const ToolState& state, const NumbersOut& scratch,
-         int body, const NearField* near) {
+         int body, const NearField* near, double coupling) {
         const Surface surface(triangles, x);
         require_fit(candidates, surface.triangles.size());
         require_fit(state, surface.triangles.size());
@@ -314,10 +314,10 @@ void bind_balance(py::module_& m) {
         const auto room = entries_out(scratch, "scratch");
         require_count("scratch", room.size(), surface.x.size());
         return bound_contact_stiffness(tool, candidates, surface.triangles, surface.x, masses,
-                                       state, room, body, near);
+                                       state, room, body, near, coupling);
       },
       "tool"_a, "candidates"_a, "triangles"_a, "x"_a, "mass"_a, "state"_a, "scratch"_a,
-      "body"_a = 0, "near"_a = py::none(),
+      "body"_a = 0, "near"_a = py::none(), "coupling"_a = 0.0,
       "Largest extra eigenvalue [1/s²] that contacts and holds may add to M⁻¹K: max over particles "
       "of sum k_t w / m. scratch holds one number per particle.");
 }
