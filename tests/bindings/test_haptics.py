@@ -201,3 +201,27 @@ def test_a_bench_times_every_work_of_two_scenes():
 
     assert {row.work for row in rows} >= {"mss_step", "mms_step", "refit", "segment", "mss_tick"}
     assert all(row.vertices == 42 and row.median > 0.0 and row.physics for row in rows)
+
+
+def test_a_tip_with_friction_drags_the_tissue_up_to_mu_n():
+    scene = organ_scene()
+    scene.instruments[0].tool.friction = 0.2
+    scene = palpate.build_scene(scene)
+    world = palpate.World(scene)
+    tick_at(scene, world, 0.03)
+    for z in np.linspace(0.03, 0.020, 100):
+        tick_at(scene, world, z)
+
+    for x in np.linspace(0.0, 0.004, 200):
+        sample = palpate.HapticSample(position=(x, 0.0, 0.020))
+        force = palpate.tick(scene, sample, 1e-3, world).force
+
+    tool = world.instruments[0].tool
+    normal = tool.patch_normal
+    pull = scene.instruments[0].coupling.stiffness * (sample.position - tool.position)
+    along = pull - normal * (normal @ pull)
+    assert np.linalg.norm(along) == pytest.approx(-0.2 * (normal @ pull), rel=0.01)
+    assert np.linalg.norm(tool.friction) == pytest.approx(np.linalg.norm(along), rel=0.01)
+    assert force[0] < -0.1 * force[2]
+    patch = tool.patch[: tool.patch_count]
+    assert patch["share"].sum() == pytest.approx(1.0)
