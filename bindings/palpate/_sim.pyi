@@ -1725,6 +1725,7 @@ class TickInput(enum.IntEnum):
     gravity = 12
     substeps = 13
     substeps_max = 14
+    tool_friction = 16
 
 class Guard:
     """The memory of the blow-up alarm between checks."""
@@ -1945,25 +1946,29 @@ def find_near_segment(
 
 class Tool:
     """The tip of the instrument: a sphere, never a point."""
-    def __init__(self, *, radius: float = ..., stiffness: float = ...) -> None:
+    def __init__(
+        self, *, radius: float = ..., stiffness: float = ..., friction: float = ...
+    ) -> None:
         """Arguments are the fields of these names, with their shapes and units."""
     radius: float
     """[m]"""
     stiffness: float
     """[N/m³] k_A: pressure per depth of the contact law."""
+    friction: float
+    """[-] Coulomb's coefficient mu between tip and tissue; 0: it slides."""
     def __copy__(self) -> Tool:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> Tool:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
 
 class ToolState:
     """Where the tool is (the paper's ideal tip, IUN) and what it is fastened to."""
-    def __init__(self, capacity: int = ...) -> None:
-        """Room for so many holds."""
+    def __init__(self, capacity: int = ..., patch_capacity: int = ...) -> None:
+        """Room for so many holds and, with friction, triangles that are touched at once."""
     class Carrier:
         """The surface nearest to the tool after the last substep; the tool rides on its motion."""
         @property
@@ -2019,13 +2024,52 @@ class ToolState:
     @residual.setter
     def residual(self, value: ArrayLike) -> None: ...
     @property
+    def patch(self) -> NDArray[Any]:
+        """What a tool with friction touched in the last substep, all there is room for: a
+        structured array of shape (patch_capacity,) (triangle, body, weights, share); a view,
+        read-only.
+        """
+    @property
+    def patch_count(self) -> int:
+        """How many of them there are."""
+    @property
+    def patch_position(self) -> NDArray[np.float64]:
+        """[m] where the mean of the patch's points was. Shape (3,), a view."""
+    @patch_position.setter
+    def patch_position(self, value: ArrayLike) -> None: ...
+    @property
+    def patch_normal(self) -> NDArray[np.float64]:
+        """[-] Unit, in which the contacts together push the tool. Shape (3,), a view."""
+    @patch_normal.setter
+    def patch_normal(self, value: ArrayLike) -> None: ...
+    @property
+    def friction(self) -> NDArray[np.float64]:
+        """[N] on the tool in the last substep. Shape (3,), a view."""
+    @friction.setter
+    def friction(self, value: ArrayLike) -> None: ...
+    @property
     def carrier(self) -> ToolState.Carrier:
         """The surface nearest to the tool."""
     def __copy__(self) -> ToolState:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> ToolState:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
+    def __getstate__(
+        self, /
+    ) -> tuple[
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+    ]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -2263,6 +2307,7 @@ def bound_contact_stiffness(
     scratch: NDArray[np.float64],
     body: int = ...,
     near: NearField | None = ...,
+    coupling: float = ...,
 ) -> float:
     """Largest extra eigenvalue [1/s²] that contacts and holds may add to M⁻¹K: max over
     particles of sum k_t w / m. scratch holds one number per particle.
@@ -2272,6 +2317,7 @@ def bound_contact_stiffness(
         x: [m] shape (n, 3), positions
         mass: [kg] shape (n,), per particle
         scratch: [-] shape (n,), float64, C order: work space, written to
+        coupling: [N/m] that a tool may add at any one particle
     """
 
 class HapticSample:
