@@ -56,6 +56,8 @@ inline constexpr bool is_row<Push> = true;
 template <>
 inline constexpr bool is_row<ToolState::Hold> = true;
 template <>
+inline constexpr bool is_row<ToolState::PatchPoint> = true;
+template <>
 inline constexpr bool is_row<HapticSample> = true;
 template <>
 inline constexpr bool is_row<Felt> = true;
@@ -73,6 +75,8 @@ template <>
 py::dtype row_dtype<AabbTree::Node>();
 template <>
 py::dtype row_dtype<ToolState::Hold>();
+template <>
+py::dtype row_dtype<ToolState::PatchPoint>();
 template <>
 py::dtype row_dtype<HapticSample>();
 template <>
