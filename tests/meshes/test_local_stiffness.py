@@ -11,6 +11,7 @@ import palpate
 import pytest
 from palpate.runs.press import find_top
 from palpate.runs.run import read_scene
+from scipy.sparse.linalg import spsolve
 
 PUBLISHED = Path(__file__).resolve().parents[2] / "meshes" / "published"
 HAND_RATE, TICKS = 1000.0, 50
@@ -58,3 +59,40 @@ def test_the_local_stiffness_of_a_curved_wall_is_too_large():
     told, measured = compare_stiffness("gallbladder")
 
     assert 1.5 < told / measured < 2.2
+
+
+def compare_cut_out(name: str, most: int) -> float:
+    """[-] The compliance of the pressed tissue under its contacts with so many particles free, the
+    others held, over that with all of them free."""
+    scene = read_scene(PUBLISHED / f"{name}.palpate")
+    place, instrument = find_top(scene), scene.instruments[0]
+    outward, world = np.asarray(place.outward), palpate.World(scene)
+    pressed = np.asarray(place.point) + (instrument.tool.radius - DEPTH) * outward
+    for left in [*np.linspace(1.0, 0.0, APPROACH), *np.zeros(SETTLE // 2)]:
+        sample = palpate.HapticSample(position=pressed + (DEPTH + ABOVE) * left * outward)
+        palpate.tick(scene, sample, 1.0 / scene.rate, world)
+    tissue = scene.bodies[0].tissue
+    x, push = np.array(world.bodies[0].tissue.position), np.zeros_like(np.asarray(tissue.mass))
+    along = np.zeros_like(x)
+    for row in world.bodies[0].load.pushes():
+        corners = np.asarray(tissue.triangles)[int(row["triangle"])]
+        along[corners] += np.outer(row["weights"], row["force"])
+        push[corners] += row["weights"] * np.linalg.norm(row["force"])
+    middle = push @ x / push.sum()
+    free = np.setdiff1d(np.arange(len(x)), np.asarray(tissue.fixed))
+    free = free[np.argsort(np.linalg.norm(x[free] - middle, axis=1))]
+    stiffness = palpate.compute_stiffness(tissue, x, palpate.Projection.none).tocsc()
+
+    def give(particles: np.ndarray) -> float:
+        rows = (3 * particles[:, None] + np.arange(3)).ravel()
+        side = along.ravel()[rows]
+        return float(side @ spsolve(stiffness[rows][:, rows], side))
+
+    return give(free[:most]) / give(free)
+
+
+@pytest.mark.landing
+@pytest.mark.parametrize("name, least, most", [("spleen", 0.4, 0.6), ("gallbladder", 0.45, 0.65)])
+def test_what_is_held_around_200_particles_leaves_half_of_the_compliance(name, least, most):
+    """Where it fails: a cut-out is as wide as its particles are many."""
+    assert least < compare_cut_out(name, 200) < most

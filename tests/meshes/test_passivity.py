@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""With an ideal device the passivity controller is silent on every scene that ships."""
+
+from __future__ import annotations
+
+import palpate
+import pytest
+from palpate.runs.press import PressScript, find_top, write_script
+from scripted_hands import PUBLISHED, open_organ_scene
+
+STONE = "kidney_stone"
+ORGANS = sorted(path.stem for path in PUBLISHED.glob("*.palpate"))
+PRESS = PressScript(depth=5e-3, pull=3e-3, speed=0.05, hold=0.1)
+WAIT = 0.25
+"""[s] before it: in the first 0.2 s the force fades in, and a hand gets back more than it gave."""
+FLICK = PressScript(depth=8e-3, speed=0.5, hold=0.02)
+
+
+def feel(name: str, script: PressScript) -> palpate.SafeDevice:
+    """The link to a hand that follows a script and is never moved by what it is sent."""
+    scene = open_organ_scene(name)
+    frames, times = write_script(find_top(scene), scene.instruments[0].tool.radius, script)
+    for frame in frames:
+        frame.time += WAIT
+    safe = palpate.SafeDevice(palpate.ScriptedDevice(frames))
+    world, dt = palpate.World(scene), 1.0 / scene.rate
+    for tick in range(round((WAIT + times.end) * scene.rate)):
+        safe.write(palpate.tick(scene, safe.read(tick * dt), dt, world))
+    assert not world.alarm
+    return safe
+
+
+def some(names: list[str]) -> list[object]:
+    """The first of them every day, all at a landing."""
+    return [names[0], *(pytest.param(name, marks=pytest.mark.landing) for name in names[1:])]
+
+
+@pytest.mark.parametrize("name", some(ORGANS))
+def test_a_press_and_a_pull_of_a_shipped_organ_are_not_damped(name):
+    safe = feel(name, PRESS)
+
+    assert safe.damped_count() == 0
+    assert safe.given_energy() < palpate.SafetyLimits().energy_max
+
+
+@pytest.mark.landing
+@pytest.mark.parametrize("name", [name for name in ORGANS if name != STONE])
+def test_nor_is_a_flick_of_an_organ(name):
+    assert feel(name, FLICK).damped_count() == 0
+
+
+def test_a_stone_that_is_struck_is_damped():
+    """Nothing gives way but the hand's spring, K of 1 N/mm, which is held for T: at speeds v of up
+    to 0.9 m/s it gives K T times the integral of v² more than it takes, some 8 mJ."""
+    assert feel(STONE, FLICK).damped_count() > 0
