@@ -2431,6 +2431,7 @@ class EventKind(enum.IntEnum):
     tree_exchanged = 8
     motors_off = 9
     motors_on = 10
+    safeguard = 11
     passivity = 12
     tissue_exchanged = 13
 
@@ -2455,8 +2456,8 @@ class Event:
     value: float
     """[s] or [-]; EventKind says what."""
     source: int
-    """Which body an alarm or tree_exchanged is of, or which instrument fault, attached,
-    released, motors_off, motors_on and passivity are; else 0.
+    """Which body an alarm, tree_exchanged or safeguard is of, or which instrument fault,
+    attached, released, motors_off, motors_on and passivity are; else 0.
     """
     dtype: np.dtype[np.void]
     def __copy__(self) -> Event:
@@ -2982,6 +2983,14 @@ def build_scene(scene: Scene) -> Scene:
     field, what it got and what was expected.
     """
 
+class Safeguard(enum.IntEnum):
+    """What a body is stepped by where it would blow up without, each beyond the one before."""
+
+    none = 0
+    half_steps = 1
+    quarter_steps = 2
+    implicit_damping = 3
+
 class SoftState:
     """A soft body of a running scene, after every tick."""
     @property
@@ -2999,6 +3008,12 @@ class SoftState:
     @property
     def substeps(self) -> int:
         """Of the last tick."""
+    @property
+    def safeguard(self) -> Safeguard:
+        """Of the last tick."""
+    @property
+    def averted(self) -> Alarm:
+        """The last alarm that a safeguard has averted; none so far."""
     @property
     def asleep(self) -> bool:
         """It has come to rest far from every instrument, and ticks leave it out until one comes
@@ -3062,8 +3077,11 @@ class ContactPair:
 
 class World:
     """A running scene. Everything a tick needs is allocated here, once."""
-    def __init__(self, scene: Scene) -> None:
-        """The scene at rest."""
+    def __init__(self, scene: Scene, *, recovers: bool = ...) -> None:
+        """The scene at rest.
+
+        Arguments are the fields of these names, with their shapes and units.
+        """
     @property
     def bodies(self) -> tuple:
         """As Scene.bodies, a tuple; read-only."""
@@ -3087,6 +3105,12 @@ class World:
     @property
     def tick_count(self) -> int:
         """How many ticks have been run."""
+    @property
+    def recovers(self) -> bool:
+        """Whether a tick in which a body blows up is done again, from where it began, under the
+        body's next safeguard, before its alarm stands. What judges a scene as it is asks for
+        none of it.
+        """
     @property
     def measures_costs(self) -> bool:
         """Whether tick() keeps costs: forces are the same to the bit with and without, and a
@@ -5241,11 +5265,14 @@ class BodySnapshot:
     @property
     def substeps(self) -> int:
         """Of that tick."""
+    @property
+    def safeguard(self) -> Safeguard:
+        """Of that tick."""
     def __copy__(self) -> BodySnapshot:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> BodySnapshot:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -5413,6 +5440,15 @@ class LoopReport:
     def alarm_body(self) -> int:
         """Whose tissue raised the alarm; -1 for what is of no body."""
     @property
+    def safeguarded_ticks(self) -> int:
+        """In which a body had a safeguard."""
+    @property
+    def averted(self) -> Alarm:
+        """The first alarm that a safeguard averted; false for none."""
+    @property
+    def averted_body(self) -> int:
+        """Whose tissue that was; -1 without one."""
+    @property
     def fault(self) -> DeviceFault:
         """Of the first device that has one, now or when the run ended."""
     @property
@@ -5463,6 +5499,9 @@ class LoopReport:
     def __getstate__(
         self, /
     ) -> tuple[
+        object,
+        object,
+        object,
         object,
         object,
         object,

@@ -60,9 +60,10 @@ void bind_snapshot(py::module_& m) {
   py::class_<BodySnapshot> body(m, "BodySnapshot", "A body as a reader sees it.");
   def_view(body, "position", &BodySnapshot::position,
            "[m] of the vertices of the surface, shape (n, 3); a view.");
-  body.def_readonly("substeps", &BodySnapshot::substeps, "Of that tick.");
-  def_value(body, &BodySnapshot::position, &BodySnapshot::substeps);
-  def_repr(body, {"substeps"});
+  body.def_readonly("substeps", &BodySnapshot::substeps, "Of that tick.")
+      .def_readonly("safeguard", &BodySnapshot::safeguard, "Of that tick.");
+  def_value(body, &BodySnapshot::position, &BodySnapshot::substeps, &BodySnapshot::safeguard);
+  def_repr(body, {"substeps", "safeguard"});
 
   py::class_<InstrumentSnapshot> instrument(m, "InstrumentSnapshot",
                                             "An instrument and its device as a reader sees them.");
@@ -146,6 +147,12 @@ void bind_report(py::module_& m) {
       .def_readonly("alarm", &LoopReport::alarm, "What ended the run; false for nothing.")
       .def_readonly("alarm_body", &LoopReport::alarm_body,
                     "Whose tissue raised the alarm; -1 for what is of no body.")
+      .def_readonly("safeguarded_ticks", &LoopReport::safeguarded_ticks,
+                    "In which a body had a safeguard.")
+      .def_readonly("averted", &LoopReport::averted,
+                    "The first alarm that a safeguard averted; false for none.")
+      .def_readonly("averted_body", &LoopReport::averted_body,
+                    "Whose tissue that was; -1 without one.")
       .def_readonly("fault", &LoopReport::fault,
                     "Of the first device that has one, now or when the run ended.")
       .def_readonly("fault_reason", &LoopReport::fault_reason, "In words.")
@@ -176,7 +183,8 @@ void bind_report(py::module_& m) {
   def_value(report, &LoopReport::ticks, &LoopReport::missed_ticks, &LoopReport::unpaced_ticks,
             &LoopReport::lateness, &LoopReport::cost, &LoopReport::part_costs,
             &LoopReport::realtime, &LoopReport::realtime_note, &LoopReport::alarm,
-            &LoopReport::alarm_body, &LoopReport::fault, &LoopReport::fault_reason,
+            &LoopReport::alarm_body, &LoopReport::safeguarded_ticks, &LoopReport::averted,
+            &LoopReport::averted_body, &LoopReport::fault, &LoopReport::fault_reason,
             &LoopReport::record_gaps, &LoopReport::unrendered_ticks, &LoopReport::peak_force,
             &LoopReport::touch_ticks, &LoopReport::touch_force, &LoopReport::devices,
             &LoopReport::damped_ticks, &LoopReport::interventions, &LoopReport::exchanges,
@@ -186,7 +194,8 @@ void bind_report(py::module_& m) {
                     "alarm",       "alarm_body",       "fault",         "fault_reason",
                     "record_gaps", "unrendered_ticks", "peak_force",    "touch_ticks",
                     "touch_force", "damped_ticks",     "interventions", "devices",
-                    "exchanges",   "late_exchanges",   "exchange_cost"});
+                    "exchanges",   "late_exchanges",   "exchange_cost", "safeguarded_ticks",
+                    "averted",     "averted_body"});
 }
 
 /// The devices of a loop, as Python owns them; let go of under its lock.

@@ -88,6 +88,9 @@ void bind_log_rows(py::module_& m) {
              "grown by")
       .value("motors_off", EventKind::motors_off, "index: MotorState, 1 silent, 2 off, 3 cut")
       .value("motors_on", EventKind::motors_on)
+      .value("safeguard", EventKind::safeguard,
+             "index: Safeguard of a body from this tick on; value: the AlarmKind that it averts, 0 "
+             "where one was taken back")
       .value("passivity", EventKind::passivity,
              "the passivity controller began to damp; value: [J] that the hand was given")
       .value("tissue_exchanged", EventKind::tissue_exchanged,
@@ -107,8 +110,8 @@ void bind_log_rows(py::module_& m) {
       .def_readwrite("index", &Event::index, "EventKind says of what.")
       .def_readwrite("value", &Event::value, "[s] or [-]; EventKind says what.")
       .def_readwrite("source", &Event::source,
-                     "Which body an alarm or tree_exchanged is of, or which instrument fault, "
-                     "attached, released, motors_off, motors_on and passivity are; else 0.");
+                     "Which body an alarm, tree_exchanged or safeguard is of, or which instrument "
+                     "fault, attached, released, motors_off, motors_on and passivity are; else 0.");
   event.attr("dtype") = row_dtype<Event>();
   def_value(event, &Event::tick, &Event::kind, &Event::index, &Event::value, &Event::source);
   def_repr(event, {"tick", "kind", "index", "value", "source"});

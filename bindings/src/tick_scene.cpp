@@ -273,13 +273,30 @@ void bind_scene_type(py::module_& m) {
 
 // --- the running world ---------------------------------------------------------------------------
 
+void bind_safeguards(py::module_& m) {
+  // an integer in Python too, as in the column of a record's events
+  py::native_enum<Safeguard>(
+      m, "Safeguard", "enum.IntEnum",
+      "What a body is stepped by where it would blow up without, each beyond the one before.")
+      .value("none", Safeguard::none, "As the scene says.")
+      .value("half_steps", Safeguard::half_steps, "Of half the length.")
+      .value("quarter_steps", Safeguard::quarter_steps, "Of a quarter of it.")
+      .value("implicit_damping", Safeguard::implicit_damping,
+             "Damped by the velocity that a step leads to, as well.")
+      .finalize();
+}
+
 void bind_states(py::module_& m) {
+  bind_safeguards(m);
   py::class_<SoftState> body(m, "SoftState", "A soft body of a running scene, after every tick.");
   body.def_readonly("tissue", &SoftState::tissue, "The tissue after the last tick; read-only.")
       .def_readonly("tree", &SoftState::tree, "The boxes around its surface; read-only.")
       .def_readonly("load", &SoftState::load, "What all tools do to the tissue; read-only.")
       .def_readonly("guard", &SoftState::guard, "The memory of the alarm; read-only.")
       .def_readonly("substeps", &SoftState::substeps, "Of the last tick.")
+      .def_readonly("safeguard", &SoftState::safeguard, "Of the last tick.")
+      .def_readonly("averted", &SoftState::averted,
+                    "The last alarm that a safeguard has averted; none so far.")
       .def_readonly("asleep", &SoftState::asleep,
                     "It has come to rest far from every instrument, and ticks leave it out until "
                     "one comes near: no bit of it would change.");
@@ -322,12 +339,14 @@ void bind_states(py::module_& m) {
 void bind_world(py::module_& m) {
   py::class_<World> world(m, "World",
                           "A running scene. Everything a tick needs is allocated here, once.");
-  world.def(py::init([](const Scene& scene) {
+  world.def(py::init([](const Scene& scene, bool recovers) {
               require_built(scene);
               const py::gil_scoped_release released;
-              return World(scene);
+              World made(scene);
+              made.recovers = recovers;
+              return made;
             }),
-            "scene"_a, "The scene at rest.");
+            "scene"_a, py::kw_only(), "recovers"_a = true, "The scene at rest.");
   def_elements(world, "bodies", &World::bodies, "As Scene.bodies, a tuple; read-only.");
   def_elements(world, "rigid", &World::rigid, "As Scene.rigid, none yet.");
   def_elements(world, "instruments", &World::instruments,
@@ -349,6 +368,10 @@ void bind_world(py::module_& m) {
       .def_readonly("alarm_body", &World::alarm_body,
                     "Whose tissue raised it; -1 for what is of no body.")
       .def_readonly("tick_count", &World::tick_count, "How many ticks have been run.")
+      .def_readonly("recovers", &World::recovers,
+                    "Whether a tick in which a body blows up is done again, from where it began, "
+                    "under the body's next safeguard, before its alarm stands. What judges a "
+                    "scene as it is asks for none of it.")
       .def_readonly("measures_costs", &World::measures_costs,
                     "Whether tick() keeps costs: forces are the same to the bit with and without, "
                     "and a tick takes some microseconds more.")

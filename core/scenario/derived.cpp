@@ -64,26 +64,6 @@ void check_derived(const std::string& place, const SoftBody& found, const SoftBo
           kSpectrumError);
 }
 
-/// A file may ask for more substeps than its tissue needs, not for fewer. One that answers from its
-/// response has no step to be stable by.
-void check_substeps(const std::string& place, double rate, const SoftBody& built) {
-  if (built.kernel == Kernel::response) return;
-  const double needed = count_needed_substeps(rate, built);
-  if (!(needed > (1.0 + kSpectrumError) * built.substeps)) return;
-  const double given = 1e3 / (rate * built.substeps);  // [ms]
-  const double stable = 1e3 / (rate * needed);         // [ms]
-  const double part = find_fitting_part(rate, built, built.substeps);
-  if (!(part > 0.0)) {
-    refuse(place + "substeps", write_text(built.substeps, ", steps of ", given, " ms"),
-           write_text("at least ", std::ceil(needed), " (and a substeps_max of no less): the ",
-                      "tissue at rest is stable up to ", stable, " ms"));
-  }
-  refuse(place + "substeps", write_text(built.substeps, ", steps of ", given, " ms"),
-         write_text("at least ", std::ceil(needed), " (and a substeps_max of no less): the ",
-                    "tissue at rest is stable up to ", stable, " ms; or at most ", part,
-                    " of all its stiffness and damping"));
-}
-
 }  // namespace
 
 void check_counts(const Scene& scene) {
@@ -114,7 +94,7 @@ Scene check_built(const Scene& scene) {
   for (std::size_t b = 0; b < built.bodies.size(); ++b) {
     const std::string place = write_text("scene.bodies[", b, "].");
     check_derived(place, scene.bodies[b], built.bodies[b]);
-    check_substeps(place, built.rate, built.bodies[b]);
+    require_enough_substeps(place + "substeps", built.rate, built.bodies[b]);
   }
   return built;
 }

@@ -12,8 +12,10 @@ from palpate.runs.alarms import (
     ALARMS,
     CAUSES,
     CONTEXT,
+    ELEMENTS,
     INPUTS,
     OPTIONS,
+    SAFEGUARDS,
     Advice,
     advise_design,
     advise_hand,
@@ -48,6 +50,7 @@ def test_every_alarm_has_words_of_its_own_in_english_and_turkish():
     spoken = {text for words in ALARMS.values() for text in (words.event, words.hand)}
     advices = [*CAUSES.values(), *(words.design for words in ALARMS.values())]
     spoken |= set(INPUTS.values()) | {advice.text for advice in advices}
+    spoken |= set(SAFEGUARDS.values()) | set(ELEMENTS.values())
     assert {text for context, text in TURKISH if context == CONTEXT} == spoken
 
 

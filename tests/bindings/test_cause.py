@@ -41,19 +41,20 @@ def push(parts: SceneFile, key: str, value: object) -> SceneFile:
 
 
 def keep_substeps(parts: SceneFile, usual: palpate.Scene) -> palpate.Scene:
-    """A scene with the substeps of another, as a file whose constants were edited has them."""
-    return palpate.build_scene(
+    """A scene with the substeps of another, as a program may set them after build_scene."""
+    scene = palpate.build_scene(
         palpate.Scene(
-            bodies=[
-                palpate.SoftBody(
-                    tissue=build_tissue(parts, MESH),
-                    substeps=usual.bodies[0].substeps,
-                    substeps_max=usual.bodies[0].substeps_max,
-                )
-            ],
+            bodies=[palpate.SoftBody(tissue=build_tissue(parts, MESH))],
             instruments=list(usual.instruments),
         )
     )
+    return take_substeps(scene, usual)
+
+
+def take_substeps(scene: palpate.Scene, usual: palpate.Scene) -> palpate.Scene:
+    scene.bodies[0].substeps = usual.bodies[0].substeps
+    scene.bodies[0].substeps_max = usual.bodies[0].substeps_max
+    return scene
 
 
 def press(scene: palpate.Scene, pull: float = 4e-3) -> palpate.Alarm:
@@ -61,7 +62,11 @@ def press(scene: palpate.Scene, pull: float = 4e-3) -> palpate.Alarm:
     frames, times = write_script(
         find_top(scene), scene.instruments[0].tool.radius, PressScript(4e-3, pull)
     )
-    device, world, dt = palpate.ScriptedDevice(frames), palpate.World(scene), 1.0 / scene.rate
+    device, world, dt = (
+        palpate.ScriptedDevice(frames),
+        palpate.World(scene, recovers=False),
+        1.0 / scene.rate,
+    )
     for tick in range(round(times.end * scene.rate)):
         palpate.tick(scene, device.read(tick * dt), dt, world)
         if world.alarm:
@@ -185,11 +190,14 @@ def make_pair(first: palpate.Scene, second: palpate.Scene) -> palpate.Scene:
         (body,) = scene.bodies
         tissue = copy.copy(body.tissue)
         np.asarray(tissue.rest_position)[:] += 0.2 * k
-        steps = {name: getattr(body, name) for name in ("substeps", "substeps_max")}
-        pair.append(palpate.SoftBody(tissue=tissue, **steps))
-    return palpate.build_scene(
+        pair.append(palpate.SoftBody(tissue=tissue))
+    both = palpate.build_scene(
         palpate.Scene(bodies=pair, instruments=[*first.instruments, *second.instruments])
     )
+    for body, scene in zip(both.bodies, (first, second), strict=True):
+        body.substeps = scene.bodies[0].substeps
+        body.substeps_max = scene.bodies[0].substeps_max
+    return both
 
 
 def press_both(scene: palpate.Scene) -> palpate.World:
@@ -198,7 +206,7 @@ def press_both(scene: palpate.Scene) -> palpate.World:
     for k, instrument in enumerate(scene.instruments):
         frames, times = write_script(find_top(scene, k), instrument.tool.radius, script)
         devices.append(palpate.ScriptedDevice(frames))
-    world, dt = palpate.World(scene), 1.0 / scene.rate
+    world, dt = palpate.World(scene, recovers=False), 1.0 / scene.rate
     for tick in range(round(times.end * scene.rate)):
         palpate.tick(scene, [device.read(tick * dt) for device in devices], dt, world)
         if world.alarm:

@@ -89,3 +89,41 @@ TEST_CASE("a freeze is told at its tick in the record, and a replay freezes in t
   }
   CHECK(last == 0.0f);
 }
+
+TEST_CASE(
+    "a run held together by safeguards is told in the record, and a replay climbs in the same "
+    "ticks") {
+  const Folder folder;
+  Scene scene = press_scene();
+  const double limit = stable_step(scene.bodies[0].tissue) / 0.9;
+  scene.bodies[0].substeps = 1;
+  scene.rate = 1.0 / (1.5 * limit);
+  ScriptedDevice hand = press_script(0.002, 0.5);
+  Recorder recorder(folder.file("held.prec"), "{}");
+  Loop loop(scene, hand, {.duration = 1.0}, &recorder.log());
+  loop.start();
+  while (!loop.wait(10.0)) {
+  }
+  loop.stop();
+  recorder.finish();
+  const LoopReport report = loop.report();
+  REQUIRE_FALSE(report.alarm);
+  REQUIRE(report.safeguarded_ticks > 0);
+  CHECK(report.averted);
+  CHECK(report.averted_body == 0);
+
+  const Record record = read_record(folder.file("held.prec"));
+  CHECK(replay(scene, record).equal);
+  const auto told = std::find_if(record.events.begin(), record.events.end(),
+                                 [](const Event& e) { return e.kind == EventKind::safeguard; });
+  REQUIRE(told != record.events.end());
+  CHECK(told->index == static_cast<int>(Safeguard::half_steps));
+  CHECK(static_cast<AlarmKind>(static_cast<int>(told->value)) == report.averted.kind);
+  CHECK(told->source == 0);
+  World world(scene);
+  for (std::int64_t t = 0; t <= told->tick; ++t) {
+    CHECK(world.bodies[0].safeguard == Safeguard::none);
+    tick(scene, record.hand[static_cast<std::size_t>(t)], 1.0 / scene.rate, world);
+  }
+  CHECK(world.bodies[0].safeguard == Safeguard::half_steps);
+}

@@ -42,7 +42,11 @@ def find_scattered_place(scene: palpate.Scene, number: int) -> Place:
 
 def run_hand(scene: palpate.Scene, frames: list[palpate.KeyFrame]) -> Felt:
     """Up to the end of the script or the first alarm."""
-    device, felt, dt = palpate.ScriptedDevice(frames), Felt(palpate.World(scene)), 1 / scene.rate
+    device, felt, dt = (
+        palpate.ScriptedDevice(frames),
+        Felt(palpate.World(scene, recovers=False)),
+        1 / scene.rate,
+    )
     for tick in range(round(frames[-1].time * scene.rate)):
         command = palpate.tick(scene, device.read(tick * dt), dt, felt.world)
         felt.force.append(float(np.linalg.norm(command.force)))

@@ -88,3 +88,48 @@ def test_for_a_minute_at_098_of_its_limit_no_shipped_organ_raises_an_alarm(name)
 @pytest.mark.parametrize("name", OF_SPRINGS)
 def test_for_a_minute_at_098_of_its_limit_no_organ_of_springs_raises_an_alarm(name):
     assert poke(step_at(read_scene(SPRINGS / f"{name}.palpate"), 0.98), 60.0) == NONE
+
+
+JUMPS = (1.0e-3, 1.6e-3, 2.2e-3, 3.0e-3)
+"""[m] in a tick, where some before it were missed; the tool is drawn along at 3 m/s at most."""
+
+
+def jump(scene: palpate.Scene, seed: int, ticks: int) -> palpate.AlarmKind:
+    """A hand that stands for 25 ticks, then is elsewhere at once: deeper, out or aside."""
+    chance = np.random.default_rng(seed)
+    place = find_scattered_place(scene, int(chance.integers(1000)))
+    out = np.asarray(place.outward)
+    aside = np.cross(out, np.roll(out, 1) + (0.3, 0.5, 0.8))
+    axes = np.array([out, aside / np.linalg.norm(aside), np.cross(out, aside)])
+    axes[2] /= np.linalg.norm(axes[2])
+    low, high = np.array([-5e-3, -8e-3, -8e-3]), np.array([4e-3, 8e-3, 8e-3])
+    world, sample, at = (
+        palpate.World(scene, recovers=False),
+        palpate.HapticSample(),
+        np.array([3e-3, 0.0, 0.0]),
+    )
+    for tick in range(ticks):
+        if tick % 25 == 0:
+            moved = at.copy()
+            moved[chance.integers(3)] += chance.choice(JUMPS) * chance.choice((-1.0, 1.0))
+            at = np.clip(moved, low, high)
+        sample.position = place.point + scene.instruments[0].tool.radius * out + at @ axes
+        palpate.tick(scene, sample, 1.0 / scene.rate, world)
+        if world.alarm.kind != NONE:
+            break
+    return world.alarm.kind
+
+
+@pytest.mark.parametrize("name", ["simple_tissue", "gallbladder"])
+def test_a_hand_that_jumps_by_up_to_3_mm_in_a_tick_ends_no_run(name):
+    assert jump(open_organ_scene(name), 0, 400) == NONE
+
+
+@pytest.mark.verify
+@pytest.mark.parametrize("name", ORGANS)
+def test_a_hand_that_jumps_ends_none_from_any_of_twenty_places_either(name):
+    scene = open_organ_scene(name)
+
+    ends = {seed: jump(scene, seed, 2000).name for seed in range(20)}
+
+    assert {seed: end for seed, end in ends.items() if end != NONE.name} == {}

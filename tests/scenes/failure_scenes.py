@@ -144,7 +144,7 @@ class Hand:
     """[N] (3,)"""
 
     def __post_init__(self) -> None:
-        self.world = palpate.World(self.scene)
+        self.world = palpate.World(self.scene, recovers=False)
         self.place = self.place or find_top(self.scene)
         self.time = 0.0
 

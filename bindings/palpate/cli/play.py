@@ -103,6 +103,8 @@ def describe_play_report(report: Report) -> str:
         ]
     if report.get("verdict"):
         lines += describe_verdict(report["verdict"])
+    if report.get("averted"):
+        lines.append(f"safeguards   {report['averted']}")
     if report.get("device_state"):
         lines.append(f"device       {report['device_state']}")
     lines.append(f"record       {report['record'] or 'none: nothing was played'}")

@@ -88,6 +88,7 @@ def describe_press(report: Report) -> str:
             f"{report['tick_p99_us']:.0f} us p99, {report['substeps']} substeps",
             f"lateness     {report['lateness_p99_us']:.0f} us p99; "
             f"{report['missed_ticks']} ticks missed; {report['realtime']}",
+            *([f"safeguards   {report['averted']}"] if "averted" in report else []),
         ]
     )
 

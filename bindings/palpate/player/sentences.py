@@ -7,7 +7,7 @@ from PySide6.QtCore import QCoreApplication, QLocale
 
 import palpate
 from palpate.command.sentence import fill
-from palpate.runs.alarms import advise_hand, say_alarm
+from palpate.runs.alarms import advise_hand, say_alarm, say_safeguard
 
 translate = QCoreApplication.translate
 
@@ -92,6 +92,12 @@ def say_damped(count: int) -> str:
         "Player", "The force was damped %1 times: it was about to push the hand along by itself."
     )
     return text.replace("%1", str(count))
+
+
+def say_held(safeguard: palpate.Safeguard) -> str:
+    """What keeps the tissue from blowing up, and what the hand can do about it."""
+    held = say_safeguard(safeguard, translate)
+    return f"{held} {advise_hand(palpate.AlarmKind.energy, translate)}" if held else ""
 
 
 def say_gestures() -> list[tuple[str, str]]:

@@ -16,7 +16,7 @@ from palpate.command.verb import Report
 from palpate.player.boards import Board
 from palpate.player.device_watch import DeviceWatch
 from palpate.player.overlays import Overlays
-from palpate.player.sentences import say_damped, say_end, say_slow, translate
+from palpate.player.sentences import say_damped, say_end, say_held, say_slow, translate
 from palpate.player.style import build_palette, build_style
 from palpate.render.authored_appearance import find_appearance
 from palpate.runs.live import Frame, LiveRun
@@ -189,7 +189,8 @@ class TraineeWindow(QWidget):
         if int(frame.time) != self._second:
             self._second = int(frame.time)
             missed, self._missed = frame.missed_ticks - self._missed, frame.missed_ticks
-            self.over.warning.tell(self._say_trouble(missed, self._count_damped(frame)))
+            held = say_held(max(frame.safeguards))
+            self.over.warning.tell(held or self._say_trouble(missed, self._count_damped(frame)))
             self.over.place()
 
     def _count_damped(self, frame: Frame) -> int:

@@ -10,9 +10,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from palpate import Alarm, AlarmKind, Scene, TickInput
+from palpate import Alarm, AlarmKind, LoopReport, Safeguard, Scene, TickInput
 from palpate.command.sentence import Sentence, fill, sentence
 from palpate.runs.cause import Cause, find_cause
+from palpate.runs.element import Element
 
 CONTEXT = "Alarm"
 
@@ -116,6 +117,31 @@ ALARMS = {
         scale=1e3,
     ),
 }
+
+SAFEGUARDS = {
+    Safeguard.half_steps: (
+        "The tissue was about to blow up, and is stepped twice as finely for now."
+    ),
+    Safeguard.quarter_steps: (
+        "The tissue was about to blow up, and is stepped four times as finely for now."
+    ),
+    Safeguard.implicit_damping: (
+        "The tissue was about to blow up, and is damped implicitly for now."
+    ),
+}
+"""What holds a tissue together that would have raised an alarm."""
+
+ELEMENTS = {
+    "particle": "It began at the point at %1, %2, %3 mm.",
+    "link": "It began in the link at %1, %2, %3 mm.",
+    "tetrahedron": "It began in the tetrahedron at %1, %2, %3 mm.",
+    "vertex": "It began at the point of the surface at %1, %2, %3 mm.",
+}
+"""Where an alarm is, by the name of its element (palpate.runs.element); at rest."""
+
+AVERTED = (
+    "%1 of %2 ticks needed shorter steps or implicit damping, or an alarm would have ended the run"
+)
 
 INPUTS = {
     TickInput.time: "the device gave a time of %1 s, expected a finite number",
@@ -236,6 +262,28 @@ def say_alarm(alarm: Alarm, say: Say, write: Write = write_plain) -> str:
     return fill(say(CONTEXT, event.template), event.values)
 
 
+def say_safeguard(safeguard: Safeguard, say: Say) -> str:
+    """What a body is stepped by where it would blow up; nothing for none."""
+    return say(CONTEXT, SAFEGUARDS[safeguard]) if safeguard in SAFEGUARDS else ""
+
+
+def say_element(element: Element | None, say: Say, write: Write = write_plain) -> str:
+    """Which element an alarm is of and where that is at rest; nothing for none."""
+    if element is None:
+        return ""
+    text = say(CONTEXT, ELEMENTS[element.name])
+    return fill(text, tuple(write(1e3 * float(c)) for c in element.place))
+
+
+def tell_averted(report: LoopReport, scene: Scene | None) -> str:
+    """What would have ended a run that safeguards held together, and what to do about it, as
+    tell_alarm; nothing where none was needed."""
+    if report.averted.kind is AlarmKind.none:
+        return ""
+    counted = fill(AVERTED, (str(report.safeguarded_ticks), str(report.ticks)))
+    return f"{counted}: {tell_alarm(report.averted, scene, report.averted_body)}"
+
+
 def advise_hand(kind: AlarmKind, say: Say) -> str:
     return say(CONTEXT, ALARMS[kind].hand)
 
@@ -257,13 +305,16 @@ def list_values(cause: Cause | None, unit: float, write: Write) -> tuple[str, ..
     return write(cause.value / unit), write(cause.limit / unit)
 
 
-def tell_alarm(alarm: Alarm, scene: Scene | None, body: int = -1) -> str:
-    """What happened and what to do about it, in English and with the options of commands. `body`
-    is World.alarm_body, -1 where it is not known.
+def tell_alarm(
+    alarm: Alarm, scene: Scene | None, body: int = -1, element: Element | None = None
+) -> str:
+    """What happened, where, and what to do about it, in English and with the options of commands.
+    `body` is World.alarm_body, -1 where it is not known.
     """
     cause = find_cause(scene, alarm, body) if scene is not None else None
     advice = advise_design(alarm, cause, lambda _, text: text, OPTIONS.__getitem__)
-    told = f"{describe_alarm(alarm)}. {advice}"
+    where = say_element(element, lambda _, text: text)
+    told = " ".join(filter(None, [f"{describe_alarm(alarm)}.", where, advice]))
     if cause is not None:
         body = cause.body
     if scene is None or len(scene.bodies) == 1 or body < 0:

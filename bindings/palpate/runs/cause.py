@@ -95,9 +95,13 @@ def take_out(scene: palpate.Scene, body: int, instrument: int) -> palpate.Scene:
     """A body with an instrument, and nothing else: bodies do not act on each other."""
     if len(scene.bodies) == len(scene.instruments) == 1:
         return scene
+    own = scene.bodies[body]
+    free = copy.copy(own)
+    free.substeps = free.substeps_max = 0
     alone = palpate.build_scene(
-        palpate.Scene(bodies=[scene.bodies[body]], gravity=scene.gravity, rate=scene.rate)
+        palpate.Scene(bodies=[free], gravity=scene.gravity, rate=scene.rate)
     )
+    alone = change_body(alone, substeps=own.substeps, substeps_max=own.substeps_max)
     tool = scene.instruments[instrument]
     # after the build, which refuses constants that a program may have set since
     fields = {name: getattr(tool, name) for name in ("tool", "coupling", "hold_stiffness")}
@@ -169,7 +173,7 @@ def estimate_alone(tissue: palpate.TissueModel, **parts: object) -> float:
 
 def run_trial(scene: palpate.Scene, device: palpate.HapticDevice, lasts: float) -> AlarmKind:
     """How so many seconds of a hand end."""
-    world, dt = palpate.World(scene), 1.0 / scene.rate
+    world, dt = palpate.World(scene, recovers=False), 1.0 / scene.rate
     for tick in range(max(1, round(lasts * scene.rate))):
         palpate.tick(scene, device.read(tick * dt), dt, world)
         if world.alarm:
@@ -210,16 +214,18 @@ def change_instrument(scene: palpate.Scene, **fields: object) -> palpate.Scene:
 def with_tissue(scene: palpate.Scene, tissue: palpate.TissueModel) -> palpate.Scene:
     """The scene of another tissue, with the steps of before."""
     body = scene.bodies[0]
-    kept = ("substeps", "substeps_max", "force_error", "kernel", "integrator", "iterations")
-    steps = {name: getattr(body, name) for name in kept}
-    return palpate.build_scene(
+    kept = ("force_error", "kernel", "integrator", "iterations")
+    fields = {name: getattr(body, name) for name in kept}
+    other = palpate.build_scene(
         palpate.Scene(
-            bodies=[palpate.SoftBody(tissue=tissue, **steps)],
+            bodies=[palpate.SoftBody(tissue=tissue, **fields)],
             instruments=list(scene.instruments),
             gravity=scene.gravity,
             rate=scene.rate,
         )
     )
+    # after the build, which refuses too few
+    return change_body(other, substeps=body.substeps, substeps_max=body.substeps_max)
 
 
 def scale_pressure(scene: palpate.Scene, pressure: float) -> palpate.Scene:

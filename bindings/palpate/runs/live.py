@@ -50,6 +50,8 @@ class Frame:
     """[s] of the last tick."""
     substeps: tuple[int, ...]
     """Of each body, in the last tick."""
+    safeguards: tuple[palpate.Safeguard, ...]
+    """Of each body, in the last tick."""
     missed_ticks: int
     """Since the start."""
     sample: palpate.HapticSample
@@ -162,6 +164,7 @@ class LiveRun:
             now.cost,
             now.lateness,
             tuple(body.substeps for body in now.bodies),
+            tuple(body.safeguard for body in now.bodies),
             now.missed_ticks,
             now.sample,
             now.task,

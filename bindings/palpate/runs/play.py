@@ -304,7 +304,7 @@ def describe_run(play: Play, record: Path, costs: palpate.LoopReport) -> Report:
     computed = np.linalg.norm(read_column(rows, "felt", "force").astype(float), axis=1)
     rate = play.scenario.scene.rate
     return {
-        **describe_costs(costs),
+        **describe_costs(costs, play.scenario.scene),
         "lateness_max_us": 1e6 * costs.lateness.max,
         "record_gaps": costs.record_gaps,
         "peak_force_N": costs.peak_force,

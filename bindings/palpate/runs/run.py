@@ -18,7 +18,8 @@ import palpate
 from palpate.assessment.verdict import describe_attempt, describe_verdict, pick_events
 from palpate.command.verb import Report, WrongCall
 from palpate.files.refusal import Refusal
-from palpate.runs.alarms import tell_alarm
+from palpate.runs.alarms import tell_alarm, tell_averted
+from palpate.runs.element import Element, cut_hand, find_element, read_sample
 from palpate.runs.felt import read_column, read_force, read_rendered
 from palpate.runs.live import LiveRun, find_longest
 from palpate.runs.press import Place, PressScript, PressTimes, measure_press, write_script
@@ -151,9 +152,21 @@ def run_device(
     if drawn is None and costs.alarm.kind != palpate.AlarmKind.none:
         raise RuntimeError(
             f"the run was stopped at {costs.alarm.time:.3f} s: "
-            + tell_alarm(costs.alarm, scene, costs.alarm_body)
+            + tell_alarm(
+                costs.alarm, scene, costs.alarm_body, read_element(scene, costs, record_path)
+            )
         )
     return costs
+
+
+def read_element(
+    scene: palpate.Scene, costs: palpate.LoopReport, record_path: Path
+) -> Element | None:
+    """Which element the alarm of a recorded run is of."""
+    hand = None
+    if costs.alarm.kind is palpate.AlarmKind.energy:
+        hand = cut_hand(palpate.read_record(str(record_path)), palpate.EventKind.alarm)
+    return find_element(scene, costs.alarm, costs.alarm_body, hand)
 
 
 def require_one_instrument(path: Path, scene: palpate.Scene) -> None:
@@ -173,9 +186,13 @@ def require_recordable(scene: palpate.Scene, duration: float) -> None:
         )
 
 
-def describe_costs(costs: palpate.LoopReport) -> Report:
-    """What a run of the loop cost, as a verb reports it."""
+def describe_costs(costs: palpate.LoopReport, scene: palpate.Scene) -> Report:
+    """What a run of the loop cost, as a verb reports it; and, where safeguards held it together,
+    what would have ended it."""
+    averted = {"averted": tell_averted(costs, scene)} if costs.averted_body >= 0 else {}
     return {
+        **averted,
+        "safeguarded_ticks": costs.safeguarded_ticks,
         "ticks": costs.ticks,
         "tick_median_us": 1e6 * costs.cost.median,
         "tick_p99_us": 1e6 * costs.cost.p99,
@@ -231,7 +248,7 @@ def run_script(
         raise RuntimeError(f"the device failed: {costs.fault_reason}")
     record = palpate.read_record(str(record_path))
     report = {
-        **describe_costs(costs),
+        **describe_costs(costs, scene),
         "substeps": scene.bodies[0].substeps,
         **measure_press(record, place, scene.instruments[0].tool.radius, times),
     }
@@ -366,16 +383,8 @@ def pose_at(scene: palpate.Scene, record: palpate.Record, tick: int) -> palpate.
     world = palpate.World(scene)
     hand = record.hand.reshape(len(record.hand), -1)
     for rows in hand[: tick + 1]:
-        palpate.tick(scene, [sample_of(row) for row in rows], 1.0 / scene.rate, world)
+        palpate.tick(scene, [read_sample(row) for row in rows], 1.0 / scene.rate, world)
     return world
-
-
-def sample_of(row: Any) -> palpate.HapticSample:
-    sample = palpate.HapticSample()
-    for name in ("time", "position", "orientation", "velocity", "grip"):
-        setattr(sample, name, row[name])
-    sample.buttons = int(row["buttons"])
-    return sample
 
 
 def picture_of_rest(

@@ -162,7 +162,7 @@ def run_press(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], int, palpate.Alarm | None]:
     """Force on the hand [N] (3,), that of home springs on the tissue [N] (3,), both as means over
     the end; the most substeps of a tick in touch; the alarm that ended it."""
-    world, sample = palpate.World(scene), palpate.HapticSample()
+    world, sample = palpate.World(scene, recovers=False), palpate.HapticSample()
     radius = scene.instruments[0].tool.radius
     down = int(np.ceil((depth + CLEARANCE) / SPEED * scene.rate))
     ticks = down + round(hold * scene.rate)

@@ -40,7 +40,7 @@ def measure_costs(references: Iterable[Reference], kinds: Iterable[Kind] = KINDS
 
 def measure_cost(reference: Reference, kind: Kind, model: palpate.TissueModel) -> Cost:
     scene = palpate.build_scene(palpate.make_scene(model))
-    world = palpate.World(scene)
+    world = palpate.World(scene, recovers=False)
     sample = palpate.HapticSample()
     sample.position = reference.vertices.max(axis=0) + 0.1
     dt = 1.0 / scene.rate

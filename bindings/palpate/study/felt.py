@@ -226,7 +226,7 @@ class Held:
     """A hand that stays at the depth of a check's press, or in the air."""
 
     def __init__(self, scene: palpate.Scene, above: float):
-        self.scene, self.world = scene, palpate.World(scene)
+        self.scene, self.world = scene, palpate.World(scene, recovers=False)
         self.sample = palpate.HapticSample()
         [place] = choose_places(scene, 1)
         radius = scene.instruments[0].tool.radius

@@ -68,7 +68,7 @@ class Probe:
 
     def __init__(self, scene: palpate.Scene, place: Place):
         self.scene, self.place = scene, place
-        self.world = palpate.World(scene)
+        self.world = palpate.World(scene, recovers=False)
         self.tool = self.world.instruments[0].tool
         self.radius, self.period = scene.instruments[0].tool.radius, 1.0 / scene.rate
         self.sample = palpate.HapticSample()

@@ -172,7 +172,7 @@ class Runner:
     """A world on its way."""
 
     def __init__(self, scene: palpate.Scene, course: Course):
-        self.scene, self.course, self.world = scene, course, palpate.World(scene)
+        self.scene, self.course, self.world = scene, course, palpate.World(scene, recovers=False)
         self.surface = Surface(scene, course.truth.surface)
         self.rows: list[tuple] = []
         self.looks: list[tuple[float, float]] = []

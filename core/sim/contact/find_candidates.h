@@ -49,8 +49,28 @@ struct ContactLanes {
 };
 static_assert(alignof(ContactLanes) == 8);
 
+/// What goes on from one substep to the next of contacts under a NearField.
+struct NearMemory {
+  Vec3 centre = Vec3::Zero();     ///< [m] of the tip, lifted
+  bool found = false;             ///< all contacts are those of `centre`
+  Vec3 lift = Vec3::Zero();       ///< [m] of the tip off the triangles: what they lack of the dent
+  Vec3 next_lift = Vec3::Zero();  ///< [m] in the next substep
+  double mesh_compliance = 0.0;   ///< [m/N] of the patch under the tip, beyond the far field's
+  Vec3 tilt = Vec3::Zero();       ///< [1/N] how the mesh turns the normal of the patch
+  bool knows_compliance = false;  ///< in this tick
+  double gain = 1.0;              ///< [-] force over that of the pressures alone
+  double stiffening = 1.0;        ///< [-] its slope over theirs
+
+  // of the patch in all, as other instruments see it
+  double force = 0.0;           ///< [N] of the pressures, 0 where nothing is touched
+  Vec3 middle = Vec3::Zero();   ///< [m] of pressure
+  Vec3 normal = Vec3::Zero();   ///< unit
+  double far_compliance = 0.0;  ///< [m/N] of the body beyond that of a half space
+};
+static_assert(alignof(NearMemory) == 8);
+
 /// Contacts under the law of a NearField (contact_law.h), and work space for them.
-struct NearContacts {
+struct NearContacts : NearMemory {
   NearContacts() = default;
   /// Room for so many triangles, of a surface with so many vertices, which so many other
   /// instruments may touch.
@@ -60,23 +80,8 @@ struct NearContacts {
   std::vector<Contact> closest;  ///< the contact that the hard law would have
   std::vector<Contact> contact;  ///< with the distance of the closest point
   int count = 0;
-  Vec3 centre = Vec3::Zero();     ///< [m] of the tip, lifted
-  bool found = false;             ///< all this is that of `centre`
-  Vec3 lift = Vec3::Zero();       ///< [m] of the tip off the triangles: what they lack of the dent
-  Vec3 next_lift = Vec3::Zero();  ///< [m] in the next substep
-  double mesh_compliance = 0.0;   ///< [m/N] of the patch under the tip, beyond the far field's
-  Vec3 tilt = Vec3::Zero();       ///< [1/N] how the mesh turns the normal of the patch
-  bool knows_compliance = false;  ///< in this tick
-  double gain = 1.0;              ///< [-] force over that of the pressures alone
-  double stiffening = 1.0;        ///< [-] its slope over theirs
-  std::vector<double> weight;     ///< (n,) per vertex, 0 between calls
-
-  // of the patch in all, as other instruments see it
-  double force = 0.0;           ///< [N] of the pressures, 0 where nothing is touched
-  Vec3 middle = Vec3::Zero();   ///< [m] of pressure
-  Vec3 normal = Vec3::Zero();   ///< unit
-  double far_compliance = 0.0;  ///< [m/N] of the body beyond that of a half space
-  std::vector<double> cross;    ///< [m/N] of each other's press here that the mesh has not
+  std::vector<double> weight;  ///< (n,) per vertex, 0 between calls
+  std::vector<double> cross;   ///< [m/N] of each other's press here that the mesh has not
 };
 
 /// Triangles the tool may touch during one tick, ascending, with the area of each [m²].

@@ -82,6 +82,7 @@ struct Loop::Impl {
         rows(channels.size()),
         held(channels.size(), 0),
         progress(task ? std::optional<Progress>(*task) : std::nullopt),
+        safeguards(world.bodies.size(), Safeguard::none),
         snapshots(PendingSnapshot(world, progress ? progress->state : TaskState())),
         reader(world) {
     if (scene.exchange_rate > 0.0) tissue = std::make_unique<TissueWorker>(scene);
@@ -100,6 +101,7 @@ struct Loop::Impl {
   void rest_devices() noexcept;
   void notice_holds(long number) noexcept;
   void notice_alarm(long number) noexcept;
+  void notice_safeguards(long number) noexcept;
   void notice_devices(long number) noexcept;
   void judge_tick() noexcept;
   void end_task() noexcept;
@@ -134,6 +136,7 @@ struct Loop::Impl {
   std::vector<TickLog::Tick> rows;
   std::vector<int> held;                 // triangles, before the tick
   std::optional<Progress> progress;      // of the task, where there is one
+  std::vector<Safeguard> safeguards;     // per body, that were told
   std::int64_t lateness = 0, spent = 0;  // [ns] of the last tick
   long lost_ticks = 0;                   // had no room in the log, not yet told
 
@@ -146,11 +149,14 @@ struct Loop::Impl {
   SnapshotReader reader;  // the reader's own
   DurationHistogram latenesses, costs;
   std::unique_ptr<CostHistograms> part_costs;  // null unless they are measured
-  std::atomic<long> ticks{0}, missed{0};
+  std::atomic<long> ticks{0}, missed{0}, safeguarded{0};
   Alarm alarm;  // constant once has_alarm is set
   int alarm_body = -1;
   std::atomic<bool> has_alarm{false};
   std::atomic<Outcome> outcome{Outcome::running};
+  Alarm averted;  // constant once has_averted is set
+  int averted_body = -1;
+  std::atomic<bool> has_averted{false};
   std::atomic<bool> stopping{false}, running{false};
   std::atomic<bool> pausing{false}, resting{false};  // asked for by others, done by this thread
   std::mutex ending;
@@ -250,6 +256,7 @@ void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
 
   if (skipped > 0) tell(number, EventKind::missed_ticks, static_cast<std::int32_t>(skipped));
   notice_holds(number);
+  notice_safeguards(number);
   notice_alarm(number);
   notice_devices(number);
   judge_tick();
@@ -321,6 +328,25 @@ void Loop::Impl::notice_holds(long number) noexcept {
     if (held[i] == 0 && now > 0) tell(number, EventKind::attached, now, 0.0, instrument);
     if (held[i] > 0 && now == 0) tell(number, EventKind::released, held[i], 0.0, instrument);
   }
+}
+
+void Loop::Impl::notice_safeguards(long number) noexcept {
+  bool any = false;
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    const SoftState& body = world.bodies[b];
+    any = any || body.safeguard != Safeguard::none;
+    if (body.safeguard == safeguards[b]) continue;
+    const bool averts = body.safeguard > safeguards[b];
+    safeguards[b] = body.safeguard;
+    if (averts && !world.alarm && !has_averted.load(std::memory_order_relaxed)) {
+      averted = body.averted;
+      averted_body = static_cast<int>(b);
+      has_averted.store(true, std::memory_order_release);
+    }
+    tell(number, EventKind::safeguard, static_cast<std::int32_t>(body.safeguard),
+         averts ? static_cast<double>(body.averted.kind) : 0.0, static_cast<std::int32_t>(b));
+  }
+  if (any && !world.alarm) safeguarded.fetch_add(1, std::memory_order_relaxed);
 }
 
 void Loop::Impl::notice_alarm(long number) noexcept {
@@ -402,6 +428,7 @@ LoopReport Loop::report() const {
   LoopReport report;
   report.ticks = impl_->ticks.load(std::memory_order_relaxed);
   report.missed_ticks = impl_->missed.load(std::memory_order_relaxed);
+  report.safeguarded_ticks = impl_->safeguarded.load(std::memory_order_relaxed);
   report.unpaced_ticks = impl_->pace.unpaced();
   report.lateness = percentiles_of(impl_->latenesses);
   report.cost = percentiles_of(impl_->costs);
@@ -418,6 +445,10 @@ LoopReport Loop::report() const {
   if (impl_->has_alarm.load(std::memory_order_acquire)) {
     report.alarm = impl_->alarm;
     report.alarm_body = impl_->alarm_body;
+  }
+  if (impl_->has_averted.load(std::memory_order_acquire)) {
+    report.averted = impl_->averted;
+    report.averted_body = impl_->averted_body;
   }
   for (const auto& channel : impl_->channels) report.devices.push_back(channel->report());
   sum_devices(report);

@@ -22,6 +22,7 @@ namespace palpate {
 struct BodySnapshot {
   Vec3Array position;  ///< [m] of the vertices of the surface
   int substeps = 0;
+  Safeguard safeguard = Safeguard::none;  ///< of that tick
 };
 
 /// An instrument and its device as a reader sees them.
@@ -97,6 +98,9 @@ struct LoopReport {
   std::string realtime_note;  ///< why not, in words
   Alarm alarm;
   int alarm_body = -1;                    ///< whose tissue raised it; -1 for what is of no body
+  long safeguarded_ticks = 0;             ///< in which a body had a safeguard
+  Alarm averted;                          ///< the first alarm that a safeguard averted
+  int averted_body = -1;                  ///< whose; -1 without one
   DeviceFault fault = DeviceFault::none;  ///< of the first device that has one
   std::string fault_reason;               ///< in words
   long record_gaps = 0;                   ///< ticks the log had no room for

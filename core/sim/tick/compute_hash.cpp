@@ -85,6 +85,10 @@ std::array<std::uint64_t, 2> compute_hash(const World& world) noexcept {
     hash.add(static_cast<std::uint64_t>(instrument.tool.placed));
   }
   hash.add(static_cast<std::uint64_t>(world.alarm.kind));
+  // records made before there were any have none in their hashes
+  for (const SoftState& body : world.bodies) {
+    if (body.safeguard != Safeguard::none) hash.add(static_cast<std::uint64_t>(body.safeguard));
+  }
   for (const InstrumentState& instrument : world.instruments) {
     add_holds(instrument.tool, world.bodies.size() > 1, hash);
     add_patch(instrument.tool, hash);

@@ -58,6 +58,7 @@ SceneCosts measure_costs(const Scene& scene, std::span<const HapticSample> sampl
   }
   world.measures_costs = true;
   world.follows_all = false;  // as in the live loop
+  world.recovers = false;     // the scene is judged as it is
   CostHistograms histograms(world);
   std::vector<HapticCommand> commands(instruments);
   for (std::size_t i = 0; i < samples.size() && !world.alarm; i += instruments) {

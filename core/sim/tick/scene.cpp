@@ -230,6 +230,7 @@ void fill_spectrum(SoftBody& body) {
 /// Substeps are what stable_step() allows at rest, n = ceil(dt / stable_step). Contact may raise
 /// them by a third, and to kSubstepsInImpact at least: more brings no more stability, for the
 /// massless tool gives way before a contact gets as stiff as its row sum says [contact: substeps].
+/// A scene's own are held to the same, but for XPBD, which is stable in any.
 void choose_substeps(double rate, const Place& place, SoftBody& body) {
   const bool chooses = body.substeps == 0;
   if (chooses || needs_damping(body.integrator)) {
@@ -248,6 +249,9 @@ void choose_substeps(double rate, const Place& place, SoftBody& body) {
                                  " of all its stiffness and damping"));
     }
     if (chooses) body.substeps = std::max(1, static_cast<int>(needed));
+  }
+  if (!chooses && body.integrator != Integrator::xpbd) {
+    require_enough_substeps("scene: " + place("substeps"), rate, body);
   }
   if (body.substeps_max == 0) {
     body.substeps_max = std::max(kSubstepsInImpact, body.substeps + std::max(1, body.substeps / 3));

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/dynamics/private/step_limit.h"
 
 namespace palpate {
@@ -63,6 +64,25 @@ double find_fitting_part(double rate, const SoftBody& body, double substeps) {
     (fits(std::exp(middle)) ? good : bad) = middle;
   }
   return round_down(std::exp(good));
+}
+
+void require_enough_substeps(const std::string& where, double rate, const SoftBody& body) {
+  constexpr double kRoom = 1.01;  // a spectrum is estimated to a hundredth at worst
+  if (body.kernel == Kernel::response) return;
+  const double needed = count_needed_substeps(rate, body);
+  if (!(needed > kRoom * body.substeps)) return;
+  const double given = 1e3 / (rate * body.substeps);  // [ms]
+  const double stable = 1e3 / (rate * needed);        // [ms]
+  const double part = find_fitting_part(rate, body, body.substeps);
+  if (!(part > 0.0)) {
+    refuse(where, write_text(body.substeps, ", steps of ", given, " ms"),
+           write_text("at least ", std::ceil(needed), " (and a substeps_max of no less): the ",
+                      "tissue at rest is stable up to ", stable, " ms"));
+  }
+  refuse(where, write_text(body.substeps, ", steps of ", given, " ms"),
+         write_text("at least ", std::ceil(needed), " (and a substeps_max of no less): the ",
+                    "tissue at rest is stable up to ", stable, " ms; or at most ", part,
+                    " of all its stiffness and damping"));
 }
 
 }  // namespace palpate

@@ -14,6 +14,7 @@
 #include "palpate/sim/tick/private/follow_button.h"
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/move_tissue.h"
+#include "palpate/sim/tick/private/safeguard.h"
 #include "palpate/sim/tick/private/sleep.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
@@ -160,6 +161,18 @@ void move_bodies(const Scene& scene, double dt, int s, int finest, World& world)
   }
 }
 
+/// All substeps of a tick. Which triangles may be touched is settled once per tick. Where and how
+/// hard they are touched changes with every substep: held over the tick, it would buzz on the hand
+/// and diverge.
+void run_substeps(const Scene& scene, double dt, int finest, World& world) noexcept {
+  std::ranges::fill(workspace(world).work, 0.0);
+  for (HandMotion& motion : workspace(world).hands) motion.felt.setZero();
+  for (int s = 0; s < finest; ++s) {
+    balance_instruments(scene, world);
+    move_bodies(scene, dt, s, finest, world);
+  }
+}
+
 void raise(const Alarm& alarm, int body, World& world) noexcept {
   if (!alarm || world.alarm) return;
   world.alarm = alarm;
@@ -174,11 +187,10 @@ void end_bodies(const Scene& scene, double dt, World& world) noexcept {
   double most_work = 0.0;
   for (const HandMotion& motion : work.hands) most_work += motion.stored_energy;
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
-    const bool slept = world.bodies[b].asleep;
-    const Alarm alarm = slept ? end_asleep(scene, b, dt, world)
-                              : end_moving(scene, b, std::min(work.work[b], most_work), world);
+    const Alarm alarm = world.bodies[b].asleep
+                            ? end_asleep(scene, b, dt, world)
+                            : end_moving(scene, b, std::min(work.work[b], most_work), world);
     raise(alarm, static_cast<int>(b), world);
-    if (!slept && !world.alarm) fall_asleep(scene, b, dt, world);
     watch.add_to(world.costs.bodies[b].guard);
   }
   for (const HandMotion& motion : work.hands) {
@@ -186,6 +198,38 @@ void end_bodies(const Scene& scene, double dt, World& world) noexcept {
     raise({AlarmKind::not_finite, -1, motion.felt.norm(), 0.0, world.bodies[0].tissue.time}, -1,
           world);
   }
+}
+
+/// Ends a tick in which nothing was wrong.
+void settle_bodies(const Scene& scene, double dt, World& world) noexcept {
+  Stopwatch watch(world.measures_costs);
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    if (world.bodies[b].asleep) continue;
+    settle_moving(world.bodies[b]);
+    fall_asleep(scene, b, dt, world);
+    watch.add_to(world.costs.bodies[b].guard);
+  }
+}
+
+/// The substeps of a tick, again and again under the next safeguard as long as there is one for
+/// the body that would blow up [motion: ladder]. Returns the substeps of the last try.
+int run_safeguarded(const Scene& scene, double dt, int finest, World& world) noexcept {
+  keep_checkpoint(world);
+  run_substeps(scene, dt, finest, world);
+  end_bodies(scene, dt, world);
+  const Alarm first = world.alarm;
+  const int first_body = world.alarm_body;
+  while (world.alarm && climb(scene, world)) {
+    finest = fit_substeps(scene, world);
+    wake_again(scene, dt, world);
+    run_substeps(scene, dt, finest, world);
+    end_bodies(scene, dt, world);
+  }
+  if (world.alarm) {
+    world.alarm = first;
+    world.alarm_body = first_body;
+  }
+  return finest;
 }
 
 void let_go(World& world) noexcept {
@@ -197,20 +241,9 @@ void let_go(World& world) noexcept {
 
 /// Back to the last tick in which nothing was wrong, and no further [motion: alarm].
 void stand_still(const Scene& scene, World& world) noexcept {
-  const int alarm_body = world.alarm_body;
-  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
-    SoftState& state = world.bodies[b];
-    if (PackedKernel* packed = find_packed(state); packed && static_cast<int>(b) != alarm_body) {
-      // its check found nothing, and forgot where the tick began
-      packed->state.checked = false;
-      recall_last_check(*packed->model, scene.bodies[b].tissue, packed->state,
-                        state.guard.last_position);
-    }
-    std::copy(state.guard.last_position.begin(), state.guard.last_position.end(),
-              state.tissue.position.begin());
-    move_skin(scene.bodies[b].tissue.skin, state.tissue.position, state.skin);
+  rewind(scene, world);
+  for (SoftState& state : world.bodies) {
     std::fill(state.tissue.velocity.begin(), state.tissue.velocity.end(), Vec3::Zero());
-    if (PackedKernel* packed = find_packed(state)) packed->lag.behind = false;
   }
   let_go(world);
 }
@@ -248,24 +281,18 @@ void tick(const Scene& scene, std::span<const HapticSample> samples, double dt, 
 
   Stopwatch whole(world.measures_costs);
   const std::size_t instruments = world.instruments.size();
+  calm_down(scene, dt, world);
   follow_bodies(scene, world);
   for (std::size_t i = 0; i < instruments; ++i) read_hand(scene, samples[i], dt, i, world);
-  const int finest = choose_substeps(scene, dt, world);
+  const int chosen = choose_substeps(scene, dt, world);
   wake_bodies(dt, world);
   begin_bodies(scene, world);
-
-  // Which triangles may be touched is settled once per tick. Where and how hard they are touched
-  // changes with every substep: held over the tick, it would buzz on the hand and diverge.
-  std::ranges::fill(workspace(world).work, 0.0);
-  for (int s = 0; s < finest; ++s) {
-    balance_instruments(scene, world);
-    move_bodies(scene, dt, s, finest, world);
-  }
-  end_bodies(scene, dt, world);
+  const int finest = run_safeguarded(scene, dt, chosen, world);
   if (world.alarm) {
     stand_still(scene, world);
     return fade_out(scene, world, commands);
   }
+  settle_bodies(scene, dt, world);
   for (std::size_t i = 0; i < instruments; ++i) {
     const HandMotion& motion = workspace(world).hands[i];
     world.instruments[i].last_force = motion.felt / finest;

@@ -39,7 +39,9 @@ enum class EventKind : std::int32_t {
                        ///< queries had grown by (TreeCost)
   motors_off = 9,      ///< index: MotorState
   motors_on = 10,
-  passivity = 12,         ///< the passivity controller began to damp; value: [J] the hand was given
+  safeguard = 11,  ///< index: Safeguard from this tick on; value: the AlarmKind that it averts,
+                   ///< 0 where one was taken back
+  passivity = 12,  ///< the passivity controller began to damp; value: [J] the hand was given
   tissue_exchanged = 13,  ///< from this tick on a slow tissue is felt as it was told; index: ticks
                           ///< since its hands were told; value: [s] that it took
 };
@@ -50,8 +52,9 @@ struct Event {
   EventKind kind = EventKind::missed_ticks;
   std::int32_t index = 0;
   double value = 0.0;
-  /// Which body it is of: alarm (0 also for one of no body), tree_exchanged; or which instrument:
-  /// fault, attached, released, motors_off, motors_on, passivity. 0 for the other kinds.
+  /// Which body it is of: alarm (0 also for one of no body), tree_exchanged, safeguard; or which
+  /// instrument: fault, attached, released, motors_off, motors_on, passivity. 0 for the other
+  /// kinds.
   std::int32_t source = 0;
 };
 static_assert(sizeof(Event) == 32 && alignof(Event) == 8);

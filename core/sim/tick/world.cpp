@@ -103,8 +103,21 @@ ResponseKernel::ResponseKernel(const SoftBody& body, const AabbTree& tree)
       near(body.tissue.rest_position.size(), body.tissue.skin.corners.size()),
       deepest(compute_shallow_depths(body.tissue, tree)) {}
 
+BodyCheckpoint::BodyCheckpoint(const TissueKernel& kernel, const SoftState& state) {
+  if (const auto* moved = std::get_if<PackedKernel>(&kernel)) {
+    packed = PackedCheckpoint(moved->state);
+  } else if (const auto* answers = std::get_if<ResponseKernel>(&kernel)) {
+    displacement = answers->state.displacement;
+  } else {
+    position = state.tissue.position;
+    velocity = state.tissue.velocity;
+    internal = state.tissue.internal;
+  }
+}
+
 BodyInternals::BodyInternals(const Scene& scene, const SoftBody& body, const SoftState& state)
     : kernel(choose_kernel(scene, body, state)),
+      checkpoints{BodyCheckpoint(kernel, state), BodyCheckpoint(kernel, state)},
       tree_cost(state.tree),
       spectrum(body.tissue, body.spectrum_stiffness),
       chosen_stiffness(body.spectrum_stiffness),
@@ -163,7 +176,9 @@ World::World(const Scene& scene) : scene_identity(validated(scene).identity) {
 }
 
 Workspace::Workspace(const World& world)
-    : hands(world.instruments.size()),
+    : instruments(world.instruments.size()),
+      near(world.pairs.size()),
+      hands(world.instruments.size()),
       surfaces(world.bodies.size()),
       others(world.bodies.size() * world.instruments.size()),
       work(world.bodies.size(), 0.0),

@@ -34,6 +34,15 @@ class Owned {
 struct BodyInternals;
 struct Workspace;
 
+/// What a body is stepped by where it would blow up without, each beyond the one before [motion:
+/// ladder].
+enum class Safeguard {
+  none,              ///< as the scene says
+  half_steps,        ///< of half the length
+  quarter_steps,     ///< of a quarter of it
+  implicit_damping,  ///< damped by the velocity that a step leads to, as well
+};
+
 // In brackets the function of the tick that writes a field (tick.cpp).
 
 /// A soft body of a running scene, after every tick, whichever kernel moves it.
@@ -47,6 +56,8 @@ struct SoftState {
   Stretch stretch;   ///< (end_moving)
   Load load;         ///< of the last step: what all instruments do (balance_instruments)
   int substeps = 0;  ///< of the last tick (choose_substeps)
+  Safeguard safeguard = Safeguard::none;  ///< of the last tick (calm_down, climb)
+  Alarm averted;  ///< the last alarm that a safeguard has averted; none so far (climb)
   /// It has come to rest far from every instrument, and ticks leave it out until one comes near:
   /// no bit of it would change (end_moving, wake_bodies). A program that writes into the tissue
   /// sets this to false.
@@ -103,6 +114,10 @@ struct World {
   /// takes some microseconds more.
   bool measures_costs = false;
   TickCosts costs;  ///< of the last tick (each stage its own)
+
+  /// Whether a tick in which a body blows up is done again, from where it began, under the body's
+  /// next safeguard, before its alarm stands. What judges a scene as it is sets this to false.
+  bool recovers = true;
 
   std::vector<SoftState> bodies;             ///< as Scene::bodies
   std::vector<RigidState> rigid;             ///< as Scene::rigid, none yet

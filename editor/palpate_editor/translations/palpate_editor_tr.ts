@@ -2914,6 +2914,26 @@ Beklenen: {expected}.</translation>
         <source>{step}: the line was found by running it, dashes are foretold, ★ is this scene</source>
         <translation>{step}: çizgi çalıştırılarak bulundu, kesikli çizgi öngörülen, ★ bu sahne</translation>
     </message>
+    <message>
+        <source>half steps</source>
+        <translation>yarım adımlar</translation>
+    </message>
+    <message>
+        <source>quarter steps</source>
+        <translation>çeyrek adımlar</translation>
+    </message>
+    <message>
+        <source>implicit damping</source>
+        <translation>örtük sönüm</translation>
+    </message>
+    <message>
+        <source>Safeguard</source>
+        <translation>Güvence</translation>
+    </message>
+    <message>
+        <source>The run would have been stopped after {time:.2f} s: {what}. Shorter steps or implicit damping held the organ together.</source>
+        <translation>Çalışma {time:.2f} s sonra durdurulacaktı: {what}. Organı daha kısa adımlar ya da örtük sönüm bir arada tuttu.</translation>
+    </message>
 </context>
 <context>
     <name>constants</name>

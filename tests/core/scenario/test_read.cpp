@@ -167,7 +167,7 @@ TEST_CASE("substeps too few for the tissue are refused, with how many it needs a
     changed.content.replace(changed.content.find(place), place.size(),
                             write_text("\"substeps\":", few));
     const std::string told = refusal([&] { scenario::unpack(changed, "file"); });
-    CHECK(contains(told, write_text("scene.bodies[0].substeps: got ", few, ", steps of ")));
+    CHECK(contains(told, write_text("scene: substeps: got ", few, ", steps of ")));
     CHECK(contains(told, write_text("expected at least ", needed, " (and a substeps_max of")));
     body.substeps = few;
     CHECK_THROWS_AS(scenario::pack(made), std::invalid_argument);  // nor written
@@ -187,15 +187,17 @@ TEST_CASE("the part of a tissue's stiffness that its substeps are said to do for
     for (double& number : body.tissue.home) number *= part;
     made.scene.rate = 20.0;
     body.substeps = body.substeps_max = 3;
-    made.scene = build_scene(std::move(made.scene));
-    return bad_argument([&] { scenario::pack(made); });
+    return bad_argument([&] {
+      made.scene = build_scene(std::move(made.scene));
+      scenario::pack(made);
+    });
   };
   const std::string told = refuse_part(1.0);
   REQUIRE(contains(told, " ms; or at most 0.0"));
   const double part = std::stod(told.substr(told.find("at most ") + 8));
   CHECK(contains(told, " of all its stiffness and damping"));
   CHECK(refuse_part(part) == "not refused");
-  CHECK(contains(refuse_part(1.15 * part), "scene.bodies[0].substeps: got 3, steps of "));
+  CHECK(contains(refuse_part(1.15 * part), "scene: substeps: got 3, steps of "));
 }
 
 TEST_CASE(

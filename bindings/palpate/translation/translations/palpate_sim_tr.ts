@@ -180,6 +180,34 @@
         <source>Angles of %1 N do it with nothing touching, for Eq 10 makes energy, and those of %2 N do not: choose another law of angles (%3) or softer angles (%4).</source>
         <translation>%1 N açılar hiçbir şey değmeden bunu yapıyor, çünkü Eşitlik 10 enerji üretir; %2 N yapmıyor: başka bir açı yasası (%3) ya da daha yumuşak açılar (%4) seçin.</translation>
     </message>
+    <message>
+        <source>The tissue was about to blow up, and is stepped twice as finely for now.</source>
+        <translation>Doku patlamak üzereydi; şimdilik iki kat ince adımlarla hesaplanıyor.</translation>
+    </message>
+    <message>
+        <source>The tissue was about to blow up, and is stepped four times as finely for now.</source>
+        <translation>Doku patlamak üzereydi; şimdilik dört kat ince adımlarla hesaplanıyor.</translation>
+    </message>
+    <message>
+        <source>The tissue was about to blow up, and is damped implicitly for now.</source>
+        <translation>Doku patlamak üzereydi; şimdilik örtük olarak sönümleniyor.</translation>
+    </message>
+    <message>
+        <source>It began at the point at %1, %2, %3 mm.</source>
+        <translation>%1, %2, %3 mm konumundaki noktada başladı.</translation>
+    </message>
+    <message>
+        <source>It began in the link at %1, %2, %3 mm.</source>
+        <translation>%1, %2, %3 mm konumundaki bağda başladı.</translation>
+    </message>
+    <message>
+        <source>It began in the tetrahedron at %1, %2, %3 mm.</source>
+        <translation>%1, %2, %3 mm konumundaki dörtyüzlüde başladı.</translation>
+    </message>
+    <message>
+        <source>It began at the point of the surface at %1, %2, %3 mm.</source>
+        <translation>Yüzeyin %1, %2, %3 mm konumundaki noktasında başladı.</translation>
+    </message>
 </context>
 <context>
     <name>Refusal</name>

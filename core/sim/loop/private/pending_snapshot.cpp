@@ -21,7 +21,7 @@ PendingSnapshot::PendingSnapshot(const World& world, const TaskState& task)
       packed[b].displacement.resize(kernel->state.displacement.size());
     }
     const std::span<const Vec3> surface = surface_position(body);
-    seen.bodies.push_back({{surface.begin(), surface.end()}, body.substeps});
+    seen.bodies.push_back({{surface.begin(), surface.end()}, body.substeps, body.safeguard});
   }
 }
 
@@ -39,6 +39,7 @@ void note_world(const World& world, std::span<const HapticSample> samples,
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
     const SoftState& body = world.bodies[b];
     pending.seen.bodies[b].substeps = body.substeps;
+    pending.seen.bodies[b].safeguard = body.safeguard;
     // after an alarm the packed tissue is not where the world stands still
     pending.packed[b].in_use = lags(world, body) && is_behind(body);
     if (pending.packed[b].in_use) {

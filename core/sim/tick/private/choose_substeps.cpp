@@ -7,6 +7,7 @@
 #include "palpate/sim/dynamics/private/measure_stretch.h"
 #include "palpate/sim/dynamics/private/step_limit.h"
 #include "palpate/sim/tick/private/linear_tick.h"
+#include "palpate/sim/tick/private/safeguard.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
 namespace palpate {
@@ -185,10 +186,17 @@ void make_divisors(std::span<const double> cost, std::span<int> substeps) noexce
 }
 
 int choose_substeps(const Scene& scene, double dt, World& world) noexcept {
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    internals(world.bodies[b]).wanted_substeps = count_substeps(scene, b, dt, world);
+  }
+  return fit_substeps(scene, world);
+}
+
+int fit_substeps(const Scene& scene, World& world) noexcept {
   Workspace& work = workspace(world);
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
-    work.wanted[b] = count_substeps(scene, b, dt, world);
-    internals(world.bodies[b]).wanted_substeps = work.wanted[b];
+    const SoftState& state = world.bodies[b];
+    work.wanted[b] = refine(scene.bodies[b], state.safeguard, internals(state).wanted_substeps);
     work.cost[b] = static_cast<double>(scene.bodies[b].tissue.rest_position.size());
   }
   if (world.bodies.size() > 1) make_divisors(work.cost, work.wanted);

@@ -19,6 +19,9 @@ int count_substeps(const Scene& scene, std::size_t body, double dt, World& world
 /// divides the largest. Returns that.
 int choose_substeps(const Scene& scene, double dt, World& world) noexcept;
 
+/// The same from what each has asked for in this tick, under the safeguards as they are now.
+int fit_substeps(const Scene& scene, World& world) noexcept;
+
 /// Raises numbers until each divides the largest, which is raised by up to a quarter where that
 /// lowers the sum of `cost` times number. The largest of one body alone stays as it is.
 void make_divisors(std::span<const double> cost, std::span<int> substeps) noexcept;

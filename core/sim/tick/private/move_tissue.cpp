@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/sim/tick/private/move_tissue.h"
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 
 #include "palpate/sim/dynamics/private/measure_stretch.h"
@@ -10,6 +12,7 @@
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/linear_tick.h"
+#include "palpate/sim/tick/private/safeguard.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
 namespace palpate {
@@ -139,6 +142,12 @@ void choose_in_tree(PackedKernel& kernel, AabbTree& tree) noexcept {
 
 void begin(ReferenceKernel&, const Moved&) noexcept {}
 
+/// By which a body is stepped where its kernel is the reference, or its safeguard.
+Integrator choose_integrator(const Moved& moved) noexcept {
+  return is_damped_implicitly(moved.state) ? Integrator::symplectic_euler_implicit_damping
+                                           : moved.body.integrator;
+}
+
 /// False where there is no solution, or no memory to find it with.
 bool step_implicitly(const SoftBody& body, double dt, OwnStepper& own, SoftState& state) noexcept {
   try {
@@ -153,23 +162,31 @@ bool step_implicitly(const SoftBody& body, double dt, OwnStepper& own, SoftState
   }
 }
 
-double step_kernel(ReferenceKernel& kernel, const Moved& moved, double dt, bool) noexcept {
+/// A step of the plain laws in double, on SoftState::tissue itself; returns the pushes' work [J].
+double step_explicitly(const Moved& moved, Integrator integrator, double dt) noexcept {
   const TissueModel& tissue = moved.body.tissue;
-  const Integrator integrator = moved.body.integrator;
   SoftState& state = moved.state;
   const std::span<const Push> pushes = state.load.pushes();
-  if (kernel.unsolved) return 0.0;
   const double before = sum_over_pushes(pushes, tissue, state.tissue.position);
-  if (is_implicit(integrator)) {
-    kernel.unsolved = !step_implicitly(moved.body, dt, kernel.implicit, state);
-  } else {
-    step(tissue, state.load, dt, integrator, state.tissue);
-  }
+  step(tissue, state.load, dt, integrator, state.tissue);
   move_skin(tissue.skin, state.tissue.position, state.skin);
   if (integrator == Integrator::symplectic_euler ||
       integrator == Integrator::symplectic_euler_implicit_damping) {
     return dt * sum_over_pushes(pushes, tissue, state.tissue.velocity);
   }
+  return sum_over_pushes(pushes, tissue, state.tissue.position) - before;
+}
+
+double step_kernel(ReferenceKernel& kernel, const Moved& moved, double dt, bool) noexcept {
+  const TissueModel& tissue = moved.body.tissue;
+  const Integrator integrator = choose_integrator(moved);
+  SoftState& state = moved.state;
+  if (!is_implicit(integrator)) return step_explicitly(moved, integrator, dt);
+  if (kernel.unsolved) return 0.0;
+  const std::span<const Push> pushes = state.load.pushes();
+  const double before = sum_over_pushes(pushes, tissue, state.tissue.position);
+  kernel.unsolved = !step_implicitly(moved.body, dt, kernel.implicit, state);
+  move_skin(tissue.skin, state.tissue.position, state.skin);
   return sum_over_pushes(pushes, tissue, state.tissue.position) - before;
 }
 
@@ -186,6 +203,7 @@ Alarm end(ReferenceKernel& kernel, const Moved& moved, double work) noexcept {
 
 void begin(PackedKernel& kernel, const Moved& moved) noexcept {
   list_near(moved, kernel.near);
+  if (is_damped_implicitly(moved.state)) catch_up(moved.body, moved.state);
   if (!kernel.active.on) return;
   wake_near(*kernel.model, moved.body.tissue, kernel.near.particles_in_use(), kernel.active,
             kernel.state);
@@ -196,14 +214,41 @@ void begin(PackedKernel& kernel, const Moved& moved) noexcept {
 double step_kernel(PackedKernel& kernel, const Moved& moved, double dt, bool last) noexcept {
   const TissueModel& tissue = moved.body.tissue;
   SoftState& state = moved.state;
+  if (is_damped_implicitly(state)) return step_explicitly(moved, choose_integrator(moved), dt);
   step(*kernel.model, state.load, dt, kernel.state, last ? &kernel.measure : nullptr);
   unpack_near(tissue, kernel, state);
   move_near_skin(tissue, kernel.near, state);
   return dt * sum_over_pushes(state.load.pushes(), tissue, state.tissue.velocity);
 }
 
+/// [m] How far a particle has gone since the last check at most.
+double find_largest_move(const SoftState& state) noexcept {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < state.tissue.position.size(); ++i) {
+    const Vec3 move = state.tissue.position[i] - state.guard.last_position[i];
+    largest = std::max(largest, move.squaredNorm());
+  }
+  return std::sqrt(largest);
+}
+
+/// Of a tick that was stepped in double: from one tick to the next the packed tissue is the truth.
+Alarm end_in_double(PackedKernel& kernel, const Moved& moved, double work) noexcept {
+  const TissueModel& tissue = moved.body.tissue;
+  SoftState& state = moved.state;
+  state.stretch = measure_stretch(tissue, state.tissue.position);
+  kernel.measure.largest_move = find_largest_move(state);
+  kernel.lag.moved += kWiden * kernel.skin_gain * kernel.measure.largest_move;
+  const Alarm alarm =
+      check(tissue, moved.scene.gravity, state.tissue, work, state.guard, state.substeps);
+  take_over(*kernel.model, tissue, state.tissue, kernel.state);
+  kernel.lag.behind = true;
+  catch_up(moved.body, state);
+  return alarm;
+}
+
 Alarm end(PackedKernel& kernel, const Moved& moved, double work) noexcept {
   SoftState& state = moved.state;
+  if (is_damped_implicitly(state)) return end_in_double(kernel, moved, work);
   state.stretch = kernel.measure.stretch;
   state.tissue.time = kernel.state.time;
   kernel.lag.behind = true;
@@ -211,12 +256,8 @@ Alarm end(PackedKernel& kernel, const Moved& moved, double work) noexcept {
   if (!lags(moved.world, state) || needs_check(kernel.measure, state.guard, state.substeps)) {
     catch_up(moved.body, state);
   }
-  const Alarm alarm = check(*kernel.model, moved.body.tissue, state.tissue, kernel.measure, work,
-                            kernel.state, state.guard, state.substeps);
-  if (kernel.active.on && !alarm) {
-    follow_motion(*kernel.model, kernel.active, kernel.state, state.tissue);
-  }
-  return alarm;
+  return check(*kernel.model, moved.body.tissue, state.tissue, kernel.measure, work, kernel.state,
+               state.guard, state.substeps);
 }
 
 void begin(ResponseKernel& kernel, const Moved& moved) noexcept { list_near(moved, kernel.near); }
@@ -249,6 +290,12 @@ Alarm end_moving(const Scene& scene, std::size_t body, double work, World& world
   const Moved moved(scene, body, world);
   return std::visit([&](auto& kernel) { return end(kernel, moved, work); },
                     internals(moved.state).kernel);
+}
+
+void settle_moving(SoftState& state) noexcept {
+  PackedKernel* kernel = find_packed(state);
+  if (!kernel || !kernel->active.on) return;
+  follow_motion(*kernel->model, kernel->active, kernel->state, state.tissue);
 }
 
 }  // namespace palpate

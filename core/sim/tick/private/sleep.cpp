@@ -150,16 +150,18 @@ void fall_asleep(const Scene& scene, std::size_t body, double dt, World& world) 
   state.asleep = true;
 }
 
+void wake_body(std::size_t body, double dt, World& world) noexcept {
+  SoftState& state = world.bodies[body];
+  if (!state.asleep) return;
+  const Rest& rest = internals(state).rest;
+  const bool alike =
+      rest.at_any_step || (state.substeps == rest.substeps && dt / state.substeps == rest.step &&
+                           state.load.gravity == rest.gravity);
+  state.asleep = alike && !is_at_hand(body, world);
+}
+
 void wake_bodies(double dt, World& world) noexcept {
-  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
-    SoftState& state = world.bodies[b];
-    if (!state.asleep) continue;
-    const Rest& rest = internals(state).rest;
-    const bool alike =
-        rest.at_any_step || (state.substeps == rest.substeps && dt / state.substeps == rest.step &&
-                             state.load.gravity == rest.gravity);
-    state.asleep = alike && !is_at_hand(b, world);
-  }
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) wake_body(b, dt, world);
 }
 
 /// Time is the sum of the steps, to the bit that they would have summed to. The guard forgets what

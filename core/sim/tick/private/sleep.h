@@ -17,6 +17,7 @@ void fall_asleep(const Scene& scene, std::size_t body, double dt, World& world) 
 /// Once candidates, holds and substeps of a tick of dt [s] are known: wakes every body that an
 /// instrument may touch in it, or whose step has changed.
 void wake_bodies(double dt, World& world) noexcept;
+void wake_body(std::size_t body, double dt, World& world) noexcept;
 
 /// What is left of a tick of dt [s] for a body that sleeps: its time, and the guard's memory.
 Alarm end_asleep(const Scene& scene, std::size_t body, double dt, World& world) noexcept;

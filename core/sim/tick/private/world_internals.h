@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -10,6 +11,7 @@
 #include "palpate/sim/contact/private/touched_surface.h"
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/packed/private/active_set.h"
+#include "palpate/sim/packed/private/packed_checkpoint.h"
 #include "palpate/sim/packed/private/packed_model.h"
 #include "palpate/sim/tick/private/mean_load.h"
 #include "palpate/sim/tick/world.h"
@@ -95,6 +97,34 @@ struct ResponseKernel {
   std::vector<double> deepest;  ///< [m] per vertex of the surface: how far it may be moved
 };
 
+using TissueKernel = std::variant<ReferenceKernel, PackedKernel, ResponseKernel>;
+
+/// What a tick changes of a body, as it was before the first substep (checkpoint.h).
+struct BodyCheckpoint {
+  BodyCheckpoint(const TissueKernel& kernel, const SoftState& state);
+
+  long tick = 0;  ///< its number, as World::tick_count
+
+  // of the kernel that moves it; the others are empty
+  Vec3Array position, velocity;  ///< [m], [m/s]
+  std::vector<double> internal;  ///< as State::internal
+  PackedCheckpoint packed;
+  CacheAligned<float> displacement;  ///< [m] as ResponseState::displacement
+  double time = 0.0;                 ///< [s]
+  Lag lag;
+  // of its guard
+  double last_time = 0.0, last_energy = 0.0, work = 0.0, given_energy = 0.0, reference_energy = 0.0;
+  int rising_steps = 0, strained_checks = 0;
+};
+
+/// Where a body stands on the ladder of safeguards (safeguard.h).
+struct Calm {
+  double since = 0.0;      ///< [s] that the safeguard is what it is
+  double needed = 0.0;     ///< [s] after which the next one below is tried
+  bool climbed = false;    ///< in this tick
+  bool went_back = false;  ///< this tick began where the one before it did
+};
+
 /// Whether a body may sleep, and as what (sleep.h).
 struct Rest {
   bool at_any_step = false;     ///< not a particle of it moves, however long a step is (end_moving)
@@ -107,13 +137,14 @@ struct Rest {
   std::vector<std::byte> copy;  ///< of all that a step reads and writes (end_moving)
 };
 
-using TissueKernel = std::variant<ReferenceKernel, PackedKernel, ResponseKernel>;
-
 /// What stands behind a SoftState: the kernel that moves its tissue, and buffers.
 struct BodyInternals {
   BodyInternals(const Scene& scene, const SoftBody& body, const SoftState& state);
 
   TissueKernel kernel;
+  std::array<BodyCheckpoint, 2> checkpoints;  ///< of this tick and the last (keep_checkpoint)
+  int latest = 0;                             ///< which of them is of this tick (keep_checkpoint)
+  Calm calm;                                  ///< (calm_down, climb)
   Rest rest;
   TreeCost tree_cost;                  ///< (follow_tissue)
   StretchSpectrum spectrum;            ///< never changes
@@ -154,16 +185,26 @@ struct HandMotion {
   Vec3 felt = Vec3::Zero();    ///< [N] sum over substeps (balance_instruments)
 };
 
+/// What the substeps of a tick change of an instrument, as it was before them.
+struct InstrumentCheckpoint {
+  Vec3 position = Vec3::Zero();  ///< [m] of the tool
+  ToolState::Carrier carrier;
+  bool touching = false;
+  Vec3 residual = Vec3::Zero();  ///< [N]
+};
+
 /// Buffers that live for one tick.
 struct Workspace {
   explicit Workspace(const World& world);
 
-  std::vector<HandMotion> hands;            ///< per instrument
-  std::vector<TouchedSurface> surfaces;     ///< per body, of one instrument (list_surfaces)
-  std::vector<const NearContacts*> others;  ///< per body, those of the others (list_surfaces)
-  std::vector<double> work;                 ///< [J] per body, of the pushes (move_bodies)
-  std::vector<int> wanted;                  ///< substeps per body (choose_substeps)
-  std::vector<double> cost;                 ///< of a substep of each, relative (choose_substeps)
+  std::vector<InstrumentCheckpoint> instruments;  ///< (keep_checkpoint)
+  std::vector<NearMemory> near;                   ///< per pair (keep_checkpoint)
+  std::vector<HandMotion> hands;                  ///< per instrument
+  std::vector<TouchedSurface> surfaces;           ///< per body, of one instrument (list_surfaces)
+  std::vector<const NearContacts*> others;        ///< per body, those of the others (list_surfaces)
+  std::vector<double> work;                       ///< [J] per body, of the pushes (move_bodies)
+  std::vector<int> wanted;                        ///< substeps per body (choose_substeps)
+  std::vector<double> cost;  ///< of a substep of each, relative (choose_substeps)
 };
 
 inline Workspace& workspace(World& world) noexcept { return world.workspace_.get(); }

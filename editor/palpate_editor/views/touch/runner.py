@@ -11,7 +11,8 @@ from pathlib import Path
 import numpy as np
 import palpate
 from numpy.typing import NDArray
-from palpate.runs.cause import Cause, find_cause
+from palpate.runs.cause import Cause
+from palpate.runs.element import Element
 from palpate.runs.live import Frame
 from palpate.runs.press import Place, PressScript, PressTimes, find_place, find_top, write_script
 from palpate.viewport import FboView, GLView, PointerHand, ViewTool
@@ -22,11 +23,11 @@ from palpate_editor.document import Organ
 from palpate_editor.document.problems import Problem
 from palpate_editor.views.budget_bar import find_budget
 from palpate_editor.views.context import Context
-from palpate_editor.views.jobs import Progress
+from palpate_editor.views.touch.alarm_work import make_problem, plan_cause_work
 from palpate_editor.views.touch.force_plot import ForcePlot
 from palpate_editor.views.touch.live_costs import LiveCosts
 from palpate_editor.views.touch.results import Outcome, read_felt
-from palpate_editor.views.touch.trial import Trial, advise, describe_end
+from palpate_editor.views.touch.trial import Trial, advise, describe_averted, describe_end
 from palpate_editor.views.translations import say, tr
 
 MEASURED = 30
@@ -45,18 +46,6 @@ class PressRequest:
     script: PressScript
     place: NDArray[np.float64] | None
     """[m] (3,) near which the surface is pressed; None for the top."""
-
-
-@dataclass(frozen=True)
-class CauseWork:
-    """Finds which constant an alarm is of."""
-
-    scene: palpate.Scene
-    report: palpate.LoopReport
-
-    def __call__(self, progress: Progress) -> tuple[palpate.LoopReport, Cause | None]:
-        del progress
-        return self.report, find_cause(self.scene, self.report.alarm)
 
 
 class Runner(QObject):
@@ -221,7 +210,10 @@ class Runner(QObject):
         problem = describe_end(report)
         if problem is not None:
             self.context.tell(problem)
-            self._find_cause(trial.scene, report)
+            self._find_cause(trial.scene, report, outcome)
+        elif (averted := describe_averted(report)) is not None:
+            self.context.tell(averted)
+            self._find_cause(trial.scene, report, outcome)
         elif is_built_alike(self.context.session.organ, self._organ):
             self.context.session.mark_tested()
             self.context.assessor.begin()
@@ -229,16 +221,26 @@ class Runner(QObject):
         if outcome is not None:
             self.ended.emit(outcome)
 
-    def _find_cause(self, scene: palpate.Scene, report: palpate.LoopReport) -> None:
-        """Advice, where the run ended in an alarm; trials of the scene take seconds."""
-        if report.alarm.kind != palpate.AlarmKind.none:
-            work = CauseWork(scene, report)
-            self.context.jobs.start_unseen(
-                "cause of an alarm", work, self._advise, self.context.refuse
-            )
+    def _find_cause(
+        self, scene: palpate.Scene, report: palpate.LoopReport, outcome: Outcome | None
+    ) -> None:
+        """Advice, where the run ended in an alarm or would have; trials take seconds."""
+        if all(each.kind == palpate.AlarmKind.none for each in (report.alarm, report.averted)):
+            return
+        record = None if outcome is None else outcome.record
+        self.context.jobs.start_unseen(
+            "cause of an alarm",
+            plan_cause_work(scene, report, record),
+            self._advise,
+            self.context.refuse,
+        )
 
-    def _advise(self, found: tuple[palpate.LoopReport, Cause | None]) -> None:
-        self.context.tell(advise(*found))
+    def _advise(self, found: tuple[palpate.LoopReport, Cause | None, Element | None]) -> None:
+        report, cause, element = found
+        self.context.tell(advise(report, cause, element))
+        surface = self.context.session.organ.surface
+        if element is not None and surface is not None:
+            self.context.look_wanted.emit(make_problem(element, surface))
 
     def _read_outcome(self, trial: Trial, report: palpate.LoopReport) -> Outcome | None:
         try:

@@ -7,8 +7,9 @@ from pathlib import Path
 
 import numpy as np
 import palpate
-from palpate.runs.alarms import advise_design, say_alarm
+from palpate.runs.alarms import advise_design, say_alarm, say_element
 from palpate.runs.cause import Cause
+from palpate.runs.element import Element
 from palpate.runs.live import Frame, LiveRun
 from palpate.translation.numbers import say_digits
 from palpate.viewport import View
@@ -117,13 +118,14 @@ class Trial(QObject):
         size = float(np.linalg.norm(frame.force))
         self._show_force(frame, size)
         share = frame.cost * self.scene.rate
-        self.view.hud.show_rows(
-            [
-                (tr("Force"), say_digits(f"{size:.2f} N")),
-                (tr("Time"), say_digits(f"{frame.time:.1f} s")),
-                (tr("Tick"), f"{100 * share:.0f} %"),
-            ]
-        )
+        rows = [
+            (tr("Force"), say_digits(f"{size:.2f} N")),
+            (tr("Time"), say_digits(f"{frame.time:.1f} s")),
+            (tr("Tick"), f"{100 * share:.0f} %"),
+        ]
+        if (held := name_safeguard(max(frame.safeguards))) is not None:
+            rows.append((tr("Safeguard"), held))
+        self.view.hud.show_rows(rows)
 
     def _show_force(self, frame: Frame, size: float) -> None:
         """The arrow begins at the tip's skin, not inside it, and stays in sight."""
@@ -135,6 +137,15 @@ class Trial(QObject):
             frame.tool_position + away * self.scene.instruments[0].tool.radius,
             away * min(size, self._most),
         )
+
+
+def name_safeguard(safeguard: palpate.Safeguard) -> str | None:
+    """What holds the organ together where it would blow up; None where nothing has to."""
+    return {
+        palpate.Safeguard.half_steps: tr("half steps"),
+        palpate.Safeguard.quarter_steps: tr("quarter steps"),
+        palpate.Safeguard.implicit_damping: tr("implicit damping"),
+    }.get(safeguard)
 
 
 def say_short(value: float) -> str:
@@ -173,7 +184,25 @@ def describe_end(report: palpate.LoopReport) -> str | None:
     return None
 
 
-def advise(report: palpate.LoopReport, cause: Cause | None) -> str:
-    """Why a run ended in an alarm, and what to change in the organ."""
-    advice = advise_design(report.alarm, cause, QCoreApplication.translate, name_field, say_short)
-    return f"{describe_end(report)} {advice}"
+def describe_averted(report: palpate.LoopReport) -> str | None:
+    """What would have ended a run that safeguards held together; None where none was needed."""
+    if report.averted.kind == palpate.AlarmKind.none:
+        return None
+    return fill(
+        tr(
+            "The run would have been stopped after {time:.2f} s: {what}. Shorter steps or implicit "
+            "damping held the organ together."
+        ),
+        time=report.averted.time,
+        what=say_alarm(report.averted, QCoreApplication.translate, say_short),
+    )
+
+
+def advise(report: palpate.LoopReport, cause: Cause | None, element: Element | None = None) -> str:
+    """Why a run ended in an alarm, or would have, where, and what to change in the organ."""
+    ended = report.alarm.kind != palpate.AlarmKind.none
+    alarm = report.alarm if ended else report.averted
+    advice = advise_design(alarm, cause, QCoreApplication.translate, name_field, say_short)
+    told = describe_end(report) if ended else describe_averted(report)
+    where = say_element(element, QCoreApplication.translate, say_short)
+    return " ".join(filter(None, [told, where, advice]))

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/tick/private/safeguard.h"
+
+#include <algorithm>
+
+#include "palpate/sim/dynamics/step.h"
+#include "palpate/sim/model/tissue_model.h"
+#include "palpate/sim/response/private/relax.h"
+#include "palpate/sim/tick/private/follow_tissue.h"
+#include "palpate/sim/tick/private/move_tissue.h"
+#include "palpate/sim/tick/private/sleep.h"
+#include "palpate/sim/tick/private/world_internals.h"
+
+namespace palpate {
+namespace {
+
+/// [s] without an alarm before the safeguard below is tried; twice as long after each climb, so
+/// that what needs its safeguard for good is not felt trying every second.
+constexpr double kShortestCalm = 1.0;
+constexpr double kLongestCalm = 16.0;
+
+// --- going back ----------------------------------------------------------------------------------
+
+void keep_guard(const Guard& guard, BodyCheckpoint& kept) noexcept {
+  kept.last_time = guard.last_time;
+  kept.last_energy = guard.last_energy;
+  kept.work = guard.work;
+  kept.given_energy = guard.given_energy;
+  kept.reference_energy = guard.reference_energy;
+  kept.rising_steps = guard.rising_steps;
+  kept.strained_checks = guard.strained_checks;
+}
+
+void rewind_guard(const BodyCheckpoint& kept, Guard& guard) noexcept {
+  guard.last_time = kept.last_time;
+  guard.last_energy = kept.last_energy;
+  guard.work = kept.work;
+  guard.given_energy = kept.given_energy;
+  guard.reference_energy = kept.reference_energy;
+  guard.rising_steps = kept.rising_steps;
+  guard.strained_checks = kept.strained_checks;
+}
+
+void keep(const ReferenceKernel&, const SoftState& state, BodyCheckpoint& kept) noexcept {
+  std::ranges::copy(state.tissue.position, kept.position.begin());
+  std::ranges::copy(state.tissue.velocity, kept.velocity.begin());
+  std::ranges::copy(state.tissue.internal, kept.internal.begin());
+}
+
+void keep(const PackedKernel& kernel, const SoftState&, BodyCheckpoint& kept) noexcept {
+  keep_checkpoint(*kernel.model, kernel.state, kept.packed);
+  kept.lag = kernel.lag;
+}
+
+void keep(const ResponseKernel& kernel, const SoftState&, BodyCheckpoint& kept) noexcept {
+  std::ranges::copy(kernel.state.displacement, kept.displacement.begin());
+}
+
+BodyCheckpoint& find_latest(BodyInternals& work) noexcept {
+  return work.checkpoints[static_cast<std::size_t>(work.latest)];
+}
+BodyCheckpoint& find_earlier(BodyInternals& work) noexcept {
+  return work.checkpoints[static_cast<std::size_t>(1 - work.latest)];
+}
+
+void keep(long tick, SoftState& state) noexcept {
+  BodyInternals& work = internals(state);
+  work.calm.climbed = work.calm.went_back = false;
+  // of one that sleeps a tick changes time and guard alone
+  if (!state.asleep) work.latest = 1 - work.latest;
+  BodyCheckpoint& kept = find_latest(work);
+  kept.time = state.tissue.time;
+  keep_guard(state.guard, kept);
+  if (state.asleep) return;
+  kept.tick = tick;
+  std::visit([&](const auto& kernel) { keep(kernel, state, kept); }, work.kernel);
+}
+
+void rewind(ReferenceKernel& kernel, const SoftBody& body, const BodyCheckpoint& kept,
+            SoftState& state) noexcept {
+  kernel.unsolved = false;
+  std::ranges::copy(kept.position, state.tissue.position.begin());
+  std::ranges::copy(kept.velocity, state.tissue.velocity.begin());
+  std::ranges::copy(kept.internal, state.tissue.internal.begin());
+  move_skin(body.tissue.skin, state.tissue.position, state.skin);
+}
+
+void rewind(PackedKernel& kernel, const SoftBody& body, const BodyCheckpoint& kept,
+            SoftState& state) noexcept {
+  rewind(*kernel.model, kept.packed, kernel.state);
+  kernel.lag = kept.lag;
+  kernel.lag.behind = true;
+  catch_up(body, state);
+}
+
+void rewind(ResponseKernel& kernel, const SoftBody& body, const BodyCheckpoint& kept,
+            SoftState& state) noexcept {
+  // a tick has settled: no force is on its way
+  std::ranges::copy(kept.displacement, kernel.state.displacement.begin());
+  place_near(*kernel.response, body.tissue, kernel.state, kernel.response->particle,
+             state.tissue.position);
+  move_skin(body.tissue.skin, state.tissue.position, state.skin);
+}
+
+/// Where all was at `kept`, but for time and what the guard remembers.
+void rewind_tissue(const BodyCheckpoint& kept, const SoftBody& body, SoftState& state) noexcept {
+  std::visit([&](auto& kernel) { rewind(kernel, body, kept, state); }, internals(state).kernel);
+  // a check that found nothing has taken note of where all was after the tick
+  std::ranges::copy(state.tissue.position, state.guard.last_position.begin());
+}
+
+void set_time(double time, SoftState& state) noexcept {
+  state.tissue.time = time;
+  if (PackedKernel* packed = find_packed(state)) packed->state.time = time;
+}
+
+void rewind(const SoftBody& body, SoftState& state) noexcept {
+  const BodyCheckpoint& kept = find_latest(internals(state));
+  rewind_guard(kept, state.guard);
+  if (!state.asleep) rewind_tissue(kept, body, state);
+  set_time(kept.time, state);
+}
+
+/// Whether there is a checkpoint of the tick before: not where parts of the body may have slept.
+bool can_go_back(SoftState& state) noexcept {
+  BodyInternals& work = internals(state);
+  const PackedKernel* packed = find_packed(state);
+  return find_earlier(work).tick > 0 && find_earlier(work).tick == find_latest(work).tick - 1 &&
+         !(packed && packed->active.on);
+}
+
+/// To where the tick before began, at the time that it is.
+void go_back(const SoftBody& body, SoftState& state) noexcept {
+  BodyInternals& work = internals(state);
+  const BodyCheckpoint &kept = find_latest(work), &earlier = find_earlier(work);
+  rewind_tissue(earlier, body, state);
+  set_time(kept.time, state);
+  if (PackedKernel* packed = find_packed(state)) {
+    // the boxes of its tree are as far behind as the tick before has moved it, and once more
+    packed->lag = kept.lag;
+    packed->lag.moved += std::max(0.0, kept.lag.moved - earlier.lag.moved);
+    packed->lag.behind = false;
+  }
+}
+
+// --- the ladder ----------------------------------------------------------------------------------
+
+/// Whether steps may be the reason. What a hand strains too far is so with any.
+bool is_of_steps(AlarmKind kind) noexcept {
+  return kind == AlarmKind::not_finite || kind == AlarmKind::moved_far ||
+         kind == AlarmKind::energy || kind == AlarmKind::not_solved;
+}
+
+/// In double the whole of a body moves, and variables of laws lie otherwise than in vector code.
+bool can_damp_implicitly(const SoftBody& body, const SoftState& state) noexcept {
+  if (is_implicit(body.integrator)) return false;
+  if (body.integrator == Integrator::symplectic_euler_implicit_damping) return false;
+  const PackedKernel* packed = find_packed(state);
+  return !packed || (!packed->active.on && count_internal(body.tissue) == 0);
+}
+
+/// Whether a safeguard is more than the one below it.
+bool is_available(const SoftBody& body, const SoftState& state, Safeguard safeguard) noexcept {
+  const int wanted = internals(state).wanted_substeps;
+  switch (safeguard) {
+    case Safeguard::none:
+      return true;
+    case Safeguard::half_steps:
+      return refine(body, safeguard, wanted) > wanted;
+    case Safeguard::quarter_steps:
+      return refine(body, safeguard, wanted) > refine(body, Safeguard::half_steps, wanted);
+    case Safeguard::implicit_damping:
+      return can_damp_implicitly(body, state);
+  }
+  return false;
+}
+
+constexpr int kHighest = static_cast<int>(Safeguard::implicit_damping);
+
+/// The nearest that there is for a body, up (+1) or down (-1); the present one where there is none.
+Safeguard find_next(const SoftBody& body, const SoftState& state, int direction) noexcept {
+  for (int n = static_cast<int>(state.safeguard) + direction; n >= 0 && n <= kHighest;
+       n += direction) {
+    if (is_available(body, state, static_cast<Safeguard>(n))) return static_cast<Safeguard>(n);
+  }
+  return state.safeguard;
+}
+
+/// What there is of energy is taken for given: under the next safeguard it may not grow further.
+void accept_energy(Guard& guard) noexcept {
+  guard.given_energy = std::max(guard.given_energy, guard.last_energy);
+  guard.reference_energy = std::max(guard.reference_energy, guard.given_energy);
+  guard.rising_steps = 0;
+}
+
+}  // namespace
+
+void keep_checkpoint(World& world) noexcept {
+  Workspace& work = workspace(world);
+  for (SoftState& state : world.bodies) keep(world.tick_count, state);
+  for (std::size_t i = 0; i < world.instruments.size(); ++i) {
+    const ToolState& tool = world.instruments[i].tool;
+    work.instruments[i] = {tool.position, tool.carrier, tool.touching, tool.residual};
+  }
+  for (std::size_t p = 0; p < world.pairs.size(); ++p)
+    work.near[p] = world.pairs[p].candidates.near;
+}
+
+void rewind(const Scene& scene, World& world) noexcept {
+  Workspace& work = workspace(world);
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) rewind(scene.bodies[b], world.bodies[b]);
+  for (std::size_t i = 0; i < world.instruments.size(); ++i) {
+    ToolState& tool = world.instruments[i].tool;
+    const InstrumentCheckpoint& kept = work.instruments[i];
+    tool.position = kept.position;
+    tool.carrier = kept.carrier;
+    tool.touching = kept.touching;
+    tool.residual = kept.residual;
+  }
+  for (std::size_t p = 0; p < world.pairs.size(); ++p) {
+    static_cast<NearMemory&>(world.pairs[p].candidates.near) = work.near[p];
+  }
+}
+
+void calm_down(const Scene& scene, double dt, World& world) noexcept {
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    SoftState& state = world.bodies[b];
+    Calm& calm = internals(state).calm;
+    calm.since += dt;
+    if (state.safeguard == Safeguard::none) {
+      if (calm.since >= kLongestCalm) calm.needed = 0.0;
+    } else if (calm.since >= calm.needed) {
+      state.safeguard = find_next(scene.bodies[b], state, -1);
+      calm.since = 0.0;
+    }
+  }
+}
+
+bool climb(const Scene& scene, World& world) noexcept {
+  if (!world.recovers || world.alarm_body < 0 || !is_of_steps(world.alarm.kind)) return false;
+  const auto b = static_cast<std::size_t>(world.alarm_body);
+  SoftState& state = world.bodies[b];
+  Calm& calm = internals(state).calm;
+  // energy is that of a step back: what the last step has added to it shows in the next tick alone
+  const bool goes_back = calm.climbed && !calm.went_back && can_go_back(state);
+  const Safeguard next = find_next(scene.bodies[b], state, +1);
+  if (!goes_back && next == state.safeguard) return false;
+  rewind(scene, world);
+  if (!goes_back) {
+    state.safeguard = next;
+    state.averted = world.alarm;
+    if (!calm.climbed) calm.needed = std::clamp(2.0 * calm.needed, kShortestCalm, kLongestCalm);
+    calm.climbed = true;
+    calm.since = 0.0;
+  }
+  calm.went_back = calm.went_back || goes_back;
+  if (calm.went_back) go_back(scene.bodies[b], state);
+  accept_energy(state.guard);
+  world.alarm = {};
+  world.alarm_body = -1;
+  return true;
+}
+
+void wake_again(const Scene& scene, double dt, World& world) noexcept {
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    if (!world.bodies[b].asleep) continue;
+    wake_body(b, dt, world);
+    if (world.bodies[b].asleep) continue;
+    begin_moving(scene, b, world);
+    keep(world.tick_count, world.bodies[b]);
+  }
+}
+
+int refine(const SoftBody& body, Safeguard safeguard, int wanted) noexcept {
+  if (safeguard == Safeguard::none) return wanted;
+  const int times = safeguard == Safeguard::half_steps ? 2 : 4;
+  return std::max(wanted, std::min(times * wanted, body.substeps_max));
+}
+
+}  // namespace palpate
