@@ -13,7 +13,7 @@ from palpate.command.output import add_output
 from palpate.command.verb import Report, Verb, quantity
 from palpate.files.file_kind import PICTURE, RECORD, SCRIPT
 from palpate.runs.press import Place, PressScript, find_place, find_top, write_script
-from palpate.runs.run import plot_runs, read_scene, require_one_instrument, run_script
+from palpate.runs.run import plot_runs, read_scene, require_one_instrument, run_script, say_link
 from palpate.runs.script_file import write_script_file
 
 
@@ -89,6 +89,7 @@ def describe_press(report: Report) -> str:
             f"lateness     {report['lateness_p99_us']:.0f} us p99; "
             f"{report['missed_ticks']} ticks missed; {report['realtime']}",
             *([f"safeguards   {report['averted']}"] if "averted" in report else []),
+            *say_link(report),
         ]
     )
 

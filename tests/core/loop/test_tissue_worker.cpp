@@ -6,6 +6,7 @@
 
 #include "calls.h"
 #include "core/loop/puppet.h"
+#include "core/model/refusal.h"
 #include "palpate/sim/loop/private/tissue_worker.h"
 #include "palpate/sim/multirate/slow_tissue.h"
 #include "skip.h"
@@ -163,6 +164,20 @@ TEST_CASE("a loop with a slow tissue says how often it was told, and shows it") 
                      (seen.bodies[0].position[v] - scene.bodies[0].tissue.rest_position[v]).norm());
   }
   CHECK(moved > 1e-3);
+}
+
+TEST_CASE(
+    "an exchange rate that the ticks cannot keep is refused, with the nearest that they can") {
+  const auto refusal = [](double rate) { return find_refusal([&] { slow_scene(rate); }); };
+
+  CHECK(refusal(300.0) ==
+        "scene: exchange_rate [Hz]: got 300, expected one that goes into the rate of 1000 Hz a "
+        "whole number of times, as 250 or 333.333");
+  CHECK(refusal(5.0) ==
+        "scene: exchange_rate [Hz]: got 5, expected 0 for none, or 10 to the rate of 1000 Hz");
+  CHECK(refusal(-1.0).find("expected 0 for none") != std::string::npos);
+  CHECK(refusal(1000.0 / 3.0).empty());
+  CHECK(refusal(0.0).empty());
 }
 
 TEST_CASE("a hold is told to readers and records of a slow tissue too") {

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A scene whose tissue ticks in a thread of its own, from Python and from its file."""
+
+from __future__ import annotations
+
+import palpate
+import pytest
+from palpate.runs.live import LiveRun
+from surfaces import organ_scene, press_frames
+
+
+def slow_scene(exchange_rate: float = 50.0) -> palpate.Scene:
+    scene = organ_scene(2)
+    scene.exchange_rate = exchange_rate
+    return palpate.build_scene(scene)
+
+
+def press() -> palpate.ScriptedDevice:
+    return palpate.ScriptedDevice(press_frames())
+
+
+def test_a_live_run_with_a_slow_tissue_is_felt_and_replays_to_the_bit(tmp_path):
+    scene, path = slow_scene(), tmp_path / "slow.prec"
+    options = palpate.LoopOptions(duration=0.6, realtime=False)
+    with LiveRun(scene, press(), record=path, options=options) as run:
+        run.wait(30.0)
+    report = run.finish()
+
+    record = palpate.read_record(str(path))
+    told = [e for e in record.events if e["kind"] == palpate.EventKind.tissue_exchanged]
+    assert report.exchanges == len(told) > 5
+    assert report.exchange_cost.median > 0.0
+    assert report.peak_force > 0.0
+    assert report.interventions == report.damped_ticks == 0
+    assert palpate.replay(scene, record).equal
+
+
+def test_a_file_keeps_the_rate_and_one_without_has_none(tmp_path):
+    for rate in (0.0, 50.0):
+        path = tmp_path / f"{rate:g}.palpate"
+        made = palpate.scenario.Scenario(scene=slow_scene(rate), title="a", task="b")
+        palpate.scenario.write(path, made)
+
+        assert palpate.scenario.read(path).scene.exchange_rate == rate
+
+
+def test_a_rate_that_the_ticks_cannot_keep_is_refused():
+    with pytest.raises(ValueError, match="as 250 or 333.333"):
+        slow_scene(300.0)
+
+
+def test_a_device_that_declares_nothing_keeps_nothing_passive_and_an_arm_does():
+    assert press().dynamics().damping == 0.0
+    assert palpate.find_passive_stiffness(press().dynamics(), 1e-3) == 0.0
+    arm = palpate.SimulatedArm(press())
+    arm.open()
+
+    dynamics = arm.dynamics()
+
+    assert 0.05 < dynamics.damping < 1.0
+    assert 0.0 < dynamics.delay < 0.01
+    found = palpate.find_passive_stiffness(dynamics, 1e-3)
+    assert found == pytest.approx(dynamics.damping / (0.5e-3 + dynamics.delay))
