@@ -2179,6 +2179,11 @@ class NearField:
         view, read-only.
         """
     @property
+    def rest_position(self) -> NDArray[np.float64]:
+        """[m] per vertex, shape (n, 3): at rest, where a ball feels how curved facets are, else
+        empty; a view, read-only.
+        """
+    @property
     def first(self) -> NDArray[np.int32]:
         """Of each vertex in neighbour and compliance, shape (n + 1,); a view, read-only."""
     @property
@@ -2193,12 +2198,17 @@ class NearField:
         """Raises TypeError: not to be pickled."""
 
 def build_near_field(
-    model: TissueModel, modulus: float, radius: float, far: ArrayLike = ...
+    model: TissueModel,
+    modulus: float,
+    radius: float,
+    far: ArrayLike = ...,
+    facets: bool = ...,
 ) -> NearField:
     """The near field of a model touched by balls of up to radius [m]; modulus [Pa] is E / (1 -
     nu²). Solves for a unit force on each vertex of the surface. far [m/N] is the far
-    compliance of each vertex; where it is empty, that of this mesh is found. Raises
-    ValueError for numbers that are not positive.
+    compliance of each vertex; where it is empty, that of this mesh is found. With facets a
+    ball feels how curved those of a solid are. Raises ValueError for numbers that are not
+    positive.
 
     Args:
         modulus: [Pa] E / (1 - nu²) of the tissue
@@ -2728,6 +2738,7 @@ class SoftBody:
         contact_modulus: float = ...,
         iterations: int = ...,
         far_compliance: ArrayLike = ...,
+        contact_facets: bool = ...,
     ) -> None:
         """Copies its tissue.
 
@@ -2761,6 +2772,10 @@ class SoftBody:
     contact_modulus: float
     """[Pa] E / (1 - nu²) of a solid organ: balls are felt as on such tissue, whatever the size
     of its triangles; 0: by the hard law alone.
+    """
+    contact_facets: bool
+    """Of a solid with a contact_modulus: a ball feels how curved the facets under it are; else
+    as curved as vertices are on the mean.
     """
     @property
     def far_compliance(self) -> NDArray[np.float64]:

@@ -339,6 +339,9 @@ void bind_near_field(py::module_& m) {
   def_table(near, "curvature", &NearField::curvature,
             "[1/m] per vertex, shape (n,): of the surface at rest, positive where it is convex; a "
             "view, read-only.");
+  def_table(near, "rest_position", &NearField::rest_position,
+            "[m] per vertex, shape (n, 3): at rest, where a ball feels how curved facets are, else "
+            "empty; a view, read-only.");
   def_table(near, "first", &NearField::first,
             "Of each vertex in neighbour and compliance, shape (n + 1,); a view, read-only.");
   def_table(near, "neighbour", &NearField::neighbour,
@@ -354,15 +357,15 @@ void bind_near_field(py::module_& m) {
       "of a neighbour; a view, read-only.");
   m.def(
       "build_near_field",
-      [](const TissueModel& model, double modulus, double radius, const Numbers& far) {
-        return build_near_field(model, modulus, radius, copy_tensors(far, "far"));
+      [](const TissueModel& model, double modulus, double radius, const Numbers& far, bool facets) {
+        return build_near_field(model, modulus, radius, copy_tensors(far, "far"), facets);
       },
-      "model"_a, "modulus"_a, "radius"_a, "far"_a = py::tuple(),
+      "model"_a, "modulus"_a, "radius"_a, "far"_a = py::tuple(), "facets"_a = false,
       "The near field of a model touched by balls of up to radius [m]; modulus [Pa] is E / (1 - "
       "nu²). Solves for a unit force on each vertex of the surface. far [m/N] is the far "
       "compliance of "
-      "each vertex; where it is empty, that of this mesh is found. Raises ValueError for numbers "
-      "that are not positive.");
+      "each vertex; where it is empty, that of this mesh is found. With facets a ball feels how "
+      "curved those of a solid are. Raises ValueError for numbers that are not positive.");
 }
 
 }  // namespace

@@ -57,6 +57,9 @@ void bind_body_fields(py::class_<SoftBody>& body) {
       .def_readwrite("contact_modulus", &SoftBody::contact_modulus,
                      "[Pa] E / (1 - nu²) of a solid organ: balls are felt as on such tissue, "
                      "whatever the size of its triangles; 0: by the hard law alone.")
+      .def_readwrite("contact_facets", &SoftBody::contact_facets,
+                     "Of a solid with a contact_modulus: a ball feels how curved the facets under "
+                     "it are; else as curved as vertices are on the mean.")
       .def_property(
           "far_compliance",
           [](const SoftBody& self) {
@@ -102,33 +105,35 @@ std::string describe_body(const SoftBody& body) {
 void bind_body(py::module_& m) {
   const SoftBody usual;
   py::class_<SoftBody> body(m, "SoftBody", "A tissue and how it is moved.");
-  body.def(
-      py::init([](const TissueModel* tissue, int substeps, int substeps_max, double force_error,
-                  Kernel kernel, Integrator integrator, const std::string& simd_target,
-                  double contact_modulus, int iterations, const Numbers& far_compliance) {
-        SoftBody made;
-        if (tissue) made.tissue = *tissue;
-        made.substeps = substeps;
-        made.substeps_max = substeps_max;
-        made.force_error = force_error;
-        made.kernel = kernel;
-        made.integrator = integrator;
-        made.simd_target = simd_target;
-        made.contact_modulus = contact_modulus;
-        made.iterations = iterations;
-        made.far_compliance = copy_tensors(far_compliance, "far_compliance");
-        return made;
-      }),
-      py::kw_only(), "tissue"_a = py::none(), "substeps"_a = usual.substeps,
-      "substeps_max"_a = usual.substeps_max, "force_error"_a = usual.force_error,
-      "kernel"_a = usual.kernel, "integrator"_a = usual.integrator,
-      "simd_target"_a = usual.simd_target, "contact_modulus"_a = usual.contact_modulus,
-      "iterations"_a = usual.iterations, "far_compliance"_a = py::tuple(), "Copies its tissue.");
+  body.def(py::init([](const TissueModel* tissue, int substeps, int substeps_max,
+                       double force_error, Kernel kernel, Integrator integrator,
+                       const std::string& simd_target, double contact_modulus, int iterations,
+                       const Numbers& far_compliance, bool contact_facets) {
+             SoftBody made;
+             if (tissue) made.tissue = *tissue;
+             made.substeps = substeps;
+             made.substeps_max = substeps_max;
+             made.force_error = force_error;
+             made.kernel = kernel;
+             made.integrator = integrator;
+             made.simd_target = simd_target;
+             made.contact_modulus = contact_modulus;
+             made.iterations = iterations;
+             made.far_compliance = copy_tensors(far_compliance, "far_compliance");
+             made.contact_facets = contact_facets;
+             return made;
+           }),
+           py::kw_only(), "tissue"_a = py::none(), "substeps"_a = usual.substeps,
+           "substeps_max"_a = usual.substeps_max, "force_error"_a = usual.force_error,
+           "kernel"_a = usual.kernel, "integrator"_a = usual.integrator,
+           "simd_target"_a = usual.simd_target, "contact_modulus"_a = usual.contact_modulus,
+           "iterations"_a = usual.iterations, "far_compliance"_a = py::tuple(),
+           "contact_facets"_a = usual.contact_facets, "Copies its tissue.");
   bind_body_fields(body);
   def_value(body, &SoftBody::tissue, &SoftBody::substeps, &SoftBody::substeps_max,
             &SoftBody::force_error, &SoftBody::kernel, &SoftBody::integrator,
             &SoftBody::simd_target, &SoftBody::contact_modulus, &SoftBody::iterations,
-            &SoftBody::far_compliance);
+            &SoftBody::far_compliance, &SoftBody::contact_facets);
   def_summary(body, &describe_body);
 }
 

@@ -23,12 +23,14 @@ Json print_tissue(const TissueModel& tissue) {
   return printed;
 }
 
-/// A law of contact beside the hard one, and which form of it: the second has walls of prisms too.
+/// A law of contact beside the hard one, and which form of it: the second has walls of prisms too,
+/// the third feels facets.
 constexpr const char* kNearField = "near_field";
-constexpr int kContactVersion = 2;
+constexpr int kWallVersion = 2, kFacetVersion = 3;
 
 int find_contact_version(const SoftBody& body) {
-  return body.tissue.prisms.corners.empty() ? 1 : kContactVersion;
+  if (body.contact_facets) return kFacetVersion;
+  return body.tissue.prisms.corners.empty() ? 1 : kWallVersion;
 }
 
 Json print_body(const SoftBody& body) {
@@ -107,15 +109,14 @@ Integrator parse_integrator(Fields& fields) {
                 "an integrator that this program knows, such as symplectic_euler");
 }
 
-/// [Pa] Of the near field; 0, the hard law, where there is none.
-double parse_contact(Fields& fields) {
-  if (!fields.has("contact")) return 0.0;
+/// Of the near field; the hard law, where there is none.
+void parse_contact(Fields& fields, SoftBody& body) {
+  if (!fields.has("contact")) return;
   Fields contact = fields.object("contact");
   contact.choice("law", {kNearField});
-  contact.whole("version", 1, kContactVersion);
-  const double modulus = contact.number("modulus");
+  body.contact_facets = contact.whole("version", 1, kFacetVersion) == kFacetVersion;
+  body.contact_modulus = contact.number("modulus");
   contact.finish();
-  return modulus;
 }
 
 SoftBody parse_body(Fields fields) {
@@ -126,7 +127,7 @@ SoftBody parse_body(Fields fields) {
   body.substeps = static_cast<int>(fields.whole("substeps", 1, kMostInt));
   body.substeps_max = static_cast<int>(fields.whole("substeps_max", 1, kMostInt));
   body.force_error = fields.number_or("force_error", 0.0);
-  body.contact_modulus = parse_contact(fields);
+  parse_contact(fields, body);
   body.integrator = parse_integrator(fields);
   if (fields.has("iterations")) {
     body.iterations = static_cast<int>(fields.whole("iterations", 1, kMostInt));

@@ -17,6 +17,7 @@ LAWS = {
     "model.angle_law": "--angle-law",
     "model.damping_law": "--damping-law",
     "model.contact_law": "--contact-law",
+    "model.contact_curvature": "--contact-curvature",
     "model.integrator": "--integrator",
     "model.constants": "--constants",
     "model.spring_rule": "--spring-rule",

@@ -56,7 +56,7 @@ def compute_key(plan: Plan) -> str:
     content, arrays = pack_organ(open_document(plan.organ))
     for name in UNSTEPPED:
         content.pop(name, None)
-    keep_known(content["fill"])
+    keep_known(content)
     content["hand"] = {name: content["hand"][name] for name in ("rate", "gravity", "substeps")}
     whole = hashlib.sha256(json.dumps([VERSION, STEPS, content], sort_keys=True).encode())
     for name in sorted(name for name in arrays if name.split("/")[0] not in UNSTEPPED):

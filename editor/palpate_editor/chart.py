@@ -79,7 +79,7 @@ def compute_key(plan: Plan) -> str:
     content, arrays = pack_organ(open_document(plan.organ))
     for name in UNFELT:
         content.pop(name, None)
-    keep_known(content["fill"])
+    keep_known(content)
     head = [VERSION, REFINED, plan.path, plan.speed, plan.frames, plan.truth.key]
     whole = hashlib.sha256(json.dumps([head, content], sort_keys=True).encode())
     for name in sorted(arrays):
@@ -88,8 +88,21 @@ def compute_key(plan: Plan) -> str:
     return whole.hexdigest()
 
 
-def keep_known(fill: dict[str, Any]) -> None:
-    """Takes away what a filling of before version 9 does not say, so that its chart is known."""
+SINCE = (
+    ("hand", "exchange_rate", 0.0),
+    ("tool", "friction", 0.0),
+    ("model", "contact_curvature", "vertices"),
+)
+"""Part, field and usual value of what came to documents with versions 11 to 13."""
+
+
+def keep_known(content: dict[str, Any]) -> None:
+    """Takes away what documents of before versions 9 and 11 to 13 do not say, so that their charts
+    are known."""
+    for part, name, usual in SINCE:
+        if content.get(part, {}).get(name) == usual:
+            del content[part][name]
+    fill = content["fill"]
     if fill["sizing"] == "estimated" and not fill["fine_region"]:
         for name in ("sizing", "fine_region", "fine_ratio"):
             del fill[name]

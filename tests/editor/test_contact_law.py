@@ -10,6 +10,7 @@ import pytest
 from organs import make_organ
 from palpate.cli.main import main
 from palpate.scene.scene_parts import FILLED, FillPart
+from palpate_editor.chart import keep_known
 from palpate_editor.check import assess
 from palpate_editor.compile import compile_organ
 from palpate_editor.document.files import (
@@ -109,3 +110,51 @@ def test_check_offers_the_near_field_where_the_mesh_is_felt():
     assert "coarse_contact" in {problem.key for problem in assess(hard).problems}
     assert "coarse_contact" not in {problem.key for problem in assess(near).problems}
     assert SetChoice("contact_law", "near_field")(hard).model.contact_law == "near_field"
+
+
+def test_a_solid_may_feel_its_facets_and_older_files_do_not():
+    feels = make_kind("solid", contact_curvature="facets")
+    body = compile_organ(feels).bodies[0]
+
+    assert body.contact_facets
+    assert body.near_field.rest_position == pytest.approx(feels.surface.vertices)
+    usual = compile_organ(make_kind("solid")).bodies[0]
+    assert not usual.contact_facets and not len(usual.near_field.rest_position)
+    hard = make_kind("solid", contact_curvature="facets", contact_law="hard")
+    assert not compile_organ(hard).bodies[0].contact_facets
+    content, arrays = pack_organ(make_kind("solid"))
+    content = json.loads(json.dumps(content))
+    del content["model"]["contact_curvature"]
+    assert unpack_organ(content, arrays, 12, "old.organ").model.contact_curvature == "vertices"
+
+
+def test_the_command_line_chooses_the_curvature_and_refuses_it_where_it_counts_for_nothing(
+    tmp_path, capsys
+):
+    source, made = tmp_path / "spleen.organ", tmp_path / "facets.organ"
+    write_organ(source, SPLEEN)
+    call = ["material", str(source), "--contact-curvature", "facets", "--out", str(made)]
+
+    assert main([*call, "--kind", "solid"]) == 0, capsys.readouterr()
+    assert read_organ(made).model.contact_curvature == "facets"
+    capsys.readouterr()
+    assert main([*call, "--kind", "solid", "--contact-law", "hard"]) == 1
+    assert "the hard law knows no curvature" in capsys.readouterr().err
+    assert main([*call, "--kind", "shell", "--wall", "2mm"]) == 1
+    assert "--contact-curvature: got facets, which has no effect here" in capsys.readouterr().err
+
+
+def test_a_curvature_that_nobody_knows_is_refused():
+    with pytest.raises(ValueError, match="model.contact_curvature: got 'round', expected one of"):
+        compile_organ(make_kind("solid", contact_curvature="round"))
+
+
+def test_charts_of_before_keep_their_key_and_one_of_facets_has_another():
+    content, _ = pack_organ(make_kind("solid"))
+    other, _ = pack_organ(make_kind("solid", contact_curvature="facets"))
+
+    keep_known(content)
+    keep_known(other)
+
+    assert "contact_curvature" not in content["model"]
+    assert other["model"]["contact_curvature"] == "facets"

@@ -25,6 +25,7 @@ from palpate.files.whole_file import write_whole
 from palpate.scene.mesh_file import read_mesh_file
 from palpate.scene.nearest import find_nearest
 from palpate.scene.scene_parts import (
+    CONTACT_CURVATURES,
     CONTACT_LAWS,
     FILLED,
     FINITE,
@@ -188,6 +189,7 @@ def compile_scene(
         integrator=enumerator(palpate.Integrator, "model.integrator", scene.model.integrator),
         contact_modulus=find_contact_modulus(scene),
         far_compliance=() if far_compliance is None else far_compliance,
+        contact_facets=feels_facets(scene),
     )
     instrument = palpate.Instrument(
         tool=palpate.Tool(
@@ -222,6 +224,18 @@ def find_contact_modulus(scene: SceneFile) -> float:
     if model.kind not in WITH_NEAR_FIELD or model.contact_law == "hard":
         return 0.0
     return material.young_modulus / (1.0 - material.poisson_ratio**2)
+
+
+def feels_facets(scene: SceneFile) -> bool:
+    """Whether a ball feels how curved the facets under it are. Raises ValueError."""
+    model = scene.model
+    if model.contact_curvature not in CONTACT_CURVATURES:
+        expected = ", ".join(CONTACT_CURVATURES)
+        raise ValueError(
+            f"model.contact_curvature: got {model.contact_curvature!r}, expected one of {expected}"
+        )
+    solid = model.kind in FILLED and model.contact_law != "hard"
+    return solid and model.contact_curvature == "facets"
 
 
 def raise_substeps(body: palpate.SoftBody, least: int) -> None:

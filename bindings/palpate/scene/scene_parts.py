@@ -18,6 +18,8 @@ ORIGINS = ("chosen", "tissue")
 """Where the constants of springs, bonds and angles come from: the model part, or the material."""
 CONTACT_LAWS = ("near_field", "hard")
 """How tissue is felt under a ball."""
+CONTACT_CURVATURES = ("vertices", "facets")
+"""Of what a solid's near field is as curved as."""
 WITH_NEAR_FIELD = ("shell", *FILLED)
 """Kinds that both of them are for; the others are felt by the hard law."""
 EXPLICIT = (
@@ -109,6 +111,9 @@ class ModelPart:
     contact_law: str = field(default="near_field", metadata={"since": 7})
     """Of solids and walls of prisms. near_field: as on tissue of Young's modulus and Poisson's
     ratio, however large its triangles are; hard: as the mesh gives way."""
+    contact_curvature: str = field(default="vertices", metadata={"since": 13})
+    """Of a solid's near field. vertices: it is as curved as they are on the mean; facets: as those
+    under the ball are, as finite elements on this surface feel them [contact: facets]."""
     integrator: str = field(default="symplectic_euler", metadata={"since": 8})
     """Any but the first runs in plain code, at many times the cost."""
     fixed: tuple[int, ...] = ()

@@ -49,6 +49,9 @@ struct NearField {
   /// [m/N] the same in every direction, where it was given; else empty
   std::vector<Symmetric> far_tensor;
   std::vector<double> curvature;  ///< [1/m] of the surface at rest, positive where it is convex
+  /// [m] at rest, where a ball is to feel how curved the facets under it are [contact: facets], and
+  /// not `curvature`; else empty
+  Vec3Array rest_position;
 
   // the compliance of the mesh, along normals: of vertex v under a force on neighbour[k] it is
   // compliance[k] [m/N], k from first[v] up to first[v + 1]
@@ -63,11 +66,11 @@ struct NearField {
 /// each vertex of the surface about the model at rest and keeps what that does where such a ball
 /// may press as well. The far compliance is `far` [m/N], one tensor per vertex of a solid's
 /// surface; where there is none, what a wide patch of this mesh is moved beyond a half space, along
-/// the normal; of a wall of prisms, what it is moved at a point beyond that. Throws
-/// std::invalid_argument for a modulus [Pa] or radius that is not positive, another number of far
-/// compliances, and those of a wall.
+/// the normal; of a wall of prisms, what it is moved at a point beyond that. With `facets` a ball
+/// feels how curved those under it are. Throws std::invalid_argument for a modulus [Pa] or radius
+/// that is not positive, another number of far compliances, and those, or `facets`, of a wall.
 NearField build_near_field(const TissueModel& model, double modulus, double radius,
-                           std::span<const Symmetric> far = {});
+                           std::span<const Symmetric> far = {}, bool facets = false);
 
 /// The hand's spring: what pulls the tool to where the device is.
 struct Coupling {

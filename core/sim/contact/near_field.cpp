@@ -345,13 +345,16 @@ NearContacts::NearContacts(int triangles, int vertices, int others)
       cross(static_cast<std::size_t>(others), 0.0) {}
 
 NearField build_near_field(const TissueModel& model, double modulus, double radius,
-                           std::span<const Symmetric> far) {
+                           std::span<const Symmetric> far, bool facets) {
   require_positive("modulus [Pa]", modulus);
   require_positive("radius [m]", radius);
   const Surface surface(model);
   if (!far.empty() && far.size() != surface.size()) {
     refuse("near field: far", write_text(far.size(), " tensors"),
            write_text(surface.size(), ", one per vertex of the surface"));
+  }
+  if (facets && !model.prisms.corners.empty()) {
+    refuse("near field: facets", "those of a wall of prisms", "none, or a solid");
   }
   FreeStiffness stiffness(model);
   Factors factors;
@@ -360,6 +363,7 @@ NearField build_near_field(const TissueModel& model, double modulus, double radi
   NearField near;
   near.modulus = modulus;
   near.curvature = compute_curvature(surface);
+  if (facets) near.rest_position = surface.mesh.vertices;
   const Vicinity vicinity(surface);
   list_neighbours(surface, vicinity, 2.0 * (radius + find_edge_length(surface)), near);
   solve_near_field(surface, stiffness, factors, vicinity, far, near);

@@ -120,6 +120,10 @@ void validate(const SoftBody& body, const Scene& scene, const Place& place) {
            "0 for the hard law, or E / (1 - nu^2) of the tissue");
   }
   check_far_compliance(body, place);
+  if (body.contact_facets && body.contact_modulus == 0.0) {
+    palpate::refuse("scene: " + place("contact_facets"), "true without a contact_modulus",
+                    "false: the hard law has no use for them");
+  }
   check_integrator("scene: " + place(""), body.tissue, body.integrator, body.iterations);
   check_force_error(body, scene, place);
   check_target(place("simd_target"), body.simd_target);
@@ -265,8 +269,8 @@ void choose_substeps(double rate, const Place& place, SoftBody& body) {
 void build_contact(double radius, SoftBody& body) {
   body.near_field.reset();
   if (body.contact_modulus == 0.0) return;
-  body.near_field = std::make_shared<const NearField>(
-      build_near_field(body.tissue, body.contact_modulus, radius, body.far_compliance));
+  body.near_field = std::make_shared<const NearField>(build_near_field(
+      body.tissue, body.contact_modulus, radius, body.far_compliance, body.contact_facets));
 }
 
 }  // namespace

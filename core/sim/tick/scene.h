@@ -51,6 +51,9 @@ struct SoftBody {
   /// direction at rest, solved on a finer mesh than this [contact: far field]. Empty: that of this
   /// mesh, found by build_scene
   std::vector<Symmetric> far_compliance;
+  /// Of a solid with a contact_modulus: a ball feels how curved the facets under it are, and is
+  /// felt from the highest of them on [contact: facets]; else as curved as vertices are on the mean
+  bool contact_facets = false;
 
   // filled in by build_scene
   std::vector<double> rest_areas;            ///< [m²] per triangle

@@ -10,6 +10,7 @@ import math
 from dataclasses import dataclass
 
 from palpate.scene.scene_parts import (
+    CONTACT_CURVATURES,
     CONTACT_LAWS,
     FILLED,
     FINITE,
@@ -295,6 +296,7 @@ CHOICES = {
     "model.angle_law": ("gradient", "eq10"),
     "model.damping_law": ("axis", "isotropic"),
     "model.contact_law": CONTACT_LAWS,
+    "model.contact_curvature": CONTACT_CURVATURES,
     "model.integrator": INTEGRATORS,
 }
 
@@ -306,6 +308,7 @@ LAW_NAMES = {
     "angle_law": "Law of angles",
     "damping_law": "Damping",
     "contact_law": "Contact",
+    "contact_curvature": "Curvature under the ball",
     "integrator": "Integrator",
 }
 """What people call a choice."""
@@ -328,6 +331,8 @@ VALUE_NAMES = {
     "isotropic": "In all directions",
     "near_field": "As on tissue",
     "hard": "As on the mesh",
+    "vertices": "Mean of the vertices",
+    "facets": "Of the triangles",
     "symplectic_euler": "Symplectic Euler",
     "explicit_euler": "Explicit Euler",
     "midpoint": "Explicit midpoint",
@@ -345,6 +350,7 @@ VALUE_NAMES = {
 KINDS_OF_LAWS = {
     "angle_law": MOLECULAR,
     "constants": SURFACES,
+    "contact_curvature": FILLED,
     "contact_law": WITH_NEAR_FIELD,
     "damping_law": LINKED,
     "spring_rule": ("mass_spring",),
@@ -355,6 +361,8 @@ KINDS_OF_LAWS = {
 def counts_choice(field: str, model: ModelPart) -> bool:
     """Whether a law of `field` has an effect on a model."""
     counts = model.kind in KINDS_OF_LAWS.get(field, KINDS)
+    if field == "contact_curvature":
+        return counts and model.contact_law != "hard"
     return counts and (field != "spring_rule" or model.constants == "tissue")
 
 

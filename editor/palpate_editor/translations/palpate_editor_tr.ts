@@ -3066,6 +3066,10 @@ Beklenen: {expected}.</translation>
         <translation>Temas</translation>
     </message>
     <message>
+        <source>Curvature under the ball</source>
+        <translation>Bilye altındaki eğrilik</translation>
+    </message>
+    <message>
         <source>Mass–spring (MSS)</source>
         <translation>Kütle–yay (MSS)</translation>
     </message>
@@ -3132,6 +3136,14 @@ Beklenen: {expected}.</translation>
     <message>
         <source>As on the mesh</source>
         <translation>Ağdaki gibi</translation>
+    </message>
+    <message>
+        <source>Mean of the vertices</source>
+        <translation>Köşelerin ortalaması</translation>
+    </message>
+    <message>
+        <source>Of the triangles</source>
+        <translation>Üçgenlerinki</translation>
     </message>
     <message>
         <source>Integrator</source>

@@ -7,6 +7,7 @@ how many vertices a wall is decimated; WORK's modulus gives all constants of the
     a number          [N/m³] the stiffness of the tool under the hard law of contact
     mesh              with the far field of these tetrahedra, not of finer ones as solids ship
     linear            a linear solid: its response is solved beforehand
+    facets            a ball feels how curved the facets under it are
     implicit_damping  symplectic Euler with implicit damping
     damping:NUMBER    [-] of critical, of what swings fastest, if not that of the organ as it ships
     hz:NUMBER         ticks a second, if not 1000
@@ -41,7 +42,7 @@ DRAG = 60.0
 """[1/s] So that what swings has come to rest within a hold."""
 
 
-OF_MESH, LINEAR, DAMPED = "mesh", "linear", "implicit_damping"
+OF_MESH, LINEAR, FACETS, DAMPED = "mesh", "linear", "facets", "implicit_damping"
 RATE, SLEEPS, DAMPING = "hz:", "sleeps:", "damping:"
 
 
@@ -77,6 +78,8 @@ def change(organ: Organ, word: str) -> Organ:
         return replace(organ, far_field=None)
     if word == LINEAR:
         return replace(organ, model=replace(organ.model, kind="linear_solid"))
+    if word == FACETS:
+        return replace(organ, model=replace(organ.model, contact_curvature="facets"))
     if word.startswith(DAMPING):
         ratio = float(word.removeprefix(DAMPING))
         return replace(organ, material=replace(organ.material, damping_ratio=ratio))

@@ -119,11 +119,31 @@ TEST_CASE("a body keeps its law of contact, and one of the hard law names none")
   };
   const std::string place = "content.scene.bodies[1].contact";
   CHECK(contains(refuse(R"({"law":"soft","version":1,"modulus":10})"), place + ".law: got"));
-  CHECK(contains(refuse(R"({"law":"near_field","version":3,"modulus":10})"),
-                 place + ".version: got 3"));
+  CHECK(contains(refuse(R"({"law":"near_field","version":4,"modulus":10})"),
+                 place + ".version: got 4"));
   CHECK(contains(refuse(R"({"law":"near_field","version":1,"modulus":-10})"),
                  "contact.modulus: got -10"));
   CHECK(contains(refuse(R"({"law":"near_field","version":1})"), place + ".modulus"));
+}
+
+TEST_CASE("a solid whose facets are felt keeps that, and a file of before has none") {
+  Scenario made = make_pair();
+  made.scene.bodies[0].tissue.fixed = {0, 1, 2};
+  made.scene.bodies[0].tissue.prisms = {};
+  made.scene.bodies[0].contact_modulus = 6270.0;
+  const Scenario before = {.scene = build_scene(made.scene)};
+  made.scene.bodies[0].contact_facets = true;
+  made.scene = build_scene(made.scene);
+
+  const Scenario found = scenario::unpack(scenario::pack(made), "file");
+  const Scenario old = scenario::unpack(scenario::pack(before), "file");
+
+  CHECK(found.scene.bodies[0].contact_facets);
+  CHECK(found.scene.bodies[0].near_field->rest_position ==
+        made.scene.bodies[0].near_field->rest_position);
+  CHECK(felt_bits(found.scene) == felt_bits(made.scene));
+  CHECK_FALSE(old.scene.bodies[0].contact_facets);
+  CHECK(old.scene.bodies[0].near_field->rest_position.empty());
 }
 
 TEST_CASE("a far field that was given is kept bit for bit, and a body without one has no entry") {

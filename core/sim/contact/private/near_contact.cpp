@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "palpate/sim/contact/private/along.h"
+#include "palpate/sim/contact/private/facets.h"
 #include "palpate/sim/contact/private/footprint.h"
 #include "palpate/sim/contact/private/local_press.h"
 #include "palpate/sim/contact/private/mesh_response.h"
@@ -43,6 +44,7 @@ struct Patch {
   double far = 0.0;            // [m] along each plane's normal
   Symmetric far_tensor{};      // [m] where there is one, in every direction
   double curvature = 0.0;      // [N/m]
+  FacetSums facets;            // where they are felt
   Vec3 normal = Vec3::Zero();  // [N]
   Vec3 centre = Vec3::Zero();  // [N m] of pressure, from the ball's
 
@@ -55,6 +57,7 @@ struct Patch {
     depth += q * part.depth;
     normal += q * part.normal;
     centre += q * at;
+    if (!near.rest_position.empty()) facets.add(q, triangle, part.weights, near.rest_position);
     for (std::size_t c = 0; c < 3; ++c) {
       const double carried = q * part.weights[static_cast<Eigen::Index>(c)];
       const auto v = static_cast<std::size_t>(triangle[c]);
@@ -70,6 +73,12 @@ struct Patch {
 /// How far the normals of a patch agree, 0 to 1: below the first number each of its planes is
 /// pressed by itself, as the walls of a groove are, above the second all are one dent.
 constexpr double kGroove = 0.5, kDent = 0.8;
+
+/// [1/m] of the tissue under a patch.
+double find_curvature(const NearField& near, const Patch& patch) noexcept {
+  return near.rest_position.empty() ? patch.curvature / patch.force
+                                    : patch.facets.curvature(patch.area);
+}
 
 /// Which way a patch faces, and how much of one dent it is.
 struct Dent {
@@ -96,7 +105,8 @@ double find_deepest(const Tool& tool, const NearContacts& contacts) noexcept {
 /// half space has F(s) at the depth s, of which the mesh has left that. Pressures are those of the
 /// ball that is lifted off the triangles; the force is that of the ball where it is, less what
 /// others have `sunk` [m] the tissue there. The dent in a wall is small beside the ridges between
-/// its triangles, so that it is measured from where the ball touches them first.
+/// its triangles, so that it is measured from where the ball touches them first; and so is that in
+/// facets, whose middle lies lower the more they are curved.
 NearGain find_gain(const NearField& near, const Tool& tool, const Patch& patch, double sunk,
                    const NearContacts& contacts) noexcept {
   const Dent dent(patch);
@@ -107,11 +117,11 @@ NearGain find_gain(const NearField& near, const Tool& tool, const Patch& patch, 
   const double pressed = dent.part * patch.force + (1.0 - dent.part) * patch.whole / patch.force;
   const double lifted = contacts.lift.dot(dent.normal);
 
-  const LocalPress press{near.modulus, tool.radius, patch.curvature / patch.force,
+  const LocalPress press{near.modulus, tool.radius, find_curvature(near, patch),
                          contacts.mesh_compliance};
   const LocalPress flat{near.modulus, tool.radius, 0.0, 0.0};
   const double on_mesh = std::max(left_in, 1e-3 * patch.depth / patch.force);
-  const double seen = on_mesh + std::max(0.0, lifted);
+  const double seen = on_mesh + std::max(0.0, lifted) + dent.part * patch.facets.drop();
   // as much as all of it would be a press that nothing resists
   const double depth = std::clamp(seen - sunk, kLeastLeft * seen, seen / kLeastLeft);
   const double wider = measure_cut(tool.radius, depth) / measure_cut(tool.radius, on_mesh);

@@ -140,9 +140,10 @@ class MaterialPanel(StagePanel):
         self.links = self.section(tr("Springs and bonds"))
         self.add_constants(self.links, LINKS, self.build_laws())
         self.build_support(self.section(tr("What holds it")))
-        contact = ChoiceField(self.context, "contact_law", self)
+        laws = ("contact_law", "contact_curvature")
+        contact = [ChoiceField(self.context, law, self) for law in laws]
         tip = self.section(tr("Tip of the tool"))
-        self.add_constants(tip, TIP, [contact])
+        self.add_constants(tip, TIP, contact)
         self.offer = tip.add(ContactOffer(self.context, self))
         integrator = ChoiceField(self.context, "integrator", self)
         self.add_constants(self.section(tr("Hand")), HAND, [integrator])
