@@ -183,7 +183,11 @@ Workspace::Workspace(const World& world)
       others(world.bodies.size() * world.instruments.size()),
       work(world.bodies.size(), 0.0),
       wanted(world.bodies.size(), 1),
-      cost(world.bodies.size(), 0.0) {}
+      cost(world.bodies.size(), 0.0) {
+  for (std::size_t i = 0; i < instruments.size(); ++i) {
+    instruments[i].patch = world.instruments[i].tool.patch;
+  }
+}
 
 std::span<const TouchedSurface> list_surfaces(const Scene& scene, std::size_t instrument,
                                               World& world) noexcept {

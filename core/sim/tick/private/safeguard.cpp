@@ -143,6 +143,30 @@ void go_back(const SoftBody& body, SoftState& state) noexcept {
   }
 }
 
+void keep(const ToolState& tool, InstrumentCheckpoint& kept) noexcept {
+  kept.position = tool.position;
+  kept.carrier = tool.carrier;
+  kept.touching = tool.touching;
+  kept.residual = tool.residual;
+  std::copy_n(tool.patch.begin(), tool.patch_count, kept.patch.begin());
+  kept.patch_count = tool.patch_count;
+  kept.patch_position = tool.patch_position;
+  kept.patch_normal = tool.patch_normal;
+  kept.friction = tool.friction;
+}
+
+void rewind(const InstrumentCheckpoint& kept, ToolState& tool) noexcept {
+  tool.position = kept.position;
+  tool.carrier = kept.carrier;
+  tool.touching = kept.touching;
+  tool.residual = kept.residual;
+  std::copy_n(kept.patch.begin(), kept.patch_count, tool.patch.begin());
+  tool.patch_count = kept.patch_count;
+  tool.patch_position = kept.patch_position;
+  tool.patch_normal = kept.patch_normal;
+  tool.friction = kept.friction;
+}
+
 // --- the ladder ----------------------------------------------------------------------------------
 
 /// Whether steps may be the reason. What a hand strains too far is so with any.
@@ -200,7 +224,7 @@ void keep_checkpoint(World& world) noexcept {
   for (SoftState& state : world.bodies) keep(world.tick_count, state);
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
     const ToolState& tool = world.instruments[i].tool;
-    work.instruments[i] = {tool.position, tool.carrier, tool.touching, tool.residual};
+    keep(tool, work.instruments[i]);
   }
   for (std::size_t p = 0; p < world.pairs.size(); ++p)
     work.near[p] = world.pairs[p].candidates.near;
@@ -210,12 +234,7 @@ void rewind(const Scene& scene, World& world) noexcept {
   Workspace& work = workspace(world);
   for (std::size_t b = 0; b < world.bodies.size(); ++b) rewind(scene.bodies[b], world.bodies[b]);
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
-    ToolState& tool = world.instruments[i].tool;
-    const InstrumentCheckpoint& kept = work.instruments[i];
-    tool.position = kept.position;
-    tool.carrier = kept.carrier;
-    tool.touching = kept.touching;
-    tool.residual = kept.residual;
+    rewind(work.instruments[i], world.instruments[i].tool);
   }
   for (std::size_t p = 0; p < world.pairs.size(); ++p) {
     static_cast<NearMemory&>(world.pairs[p].candidates.near) = work.near[p];

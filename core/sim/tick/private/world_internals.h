@@ -190,7 +190,12 @@ struct InstrumentCheckpoint {
   Vec3 position = Vec3::Zero();  ///< [m] of the tool
   ToolState::Carrier carrier;
   bool touching = false;
-  Vec3 residual = Vec3::Zero();  ///< [N]
+  Vec3 residual = Vec3::Zero();              ///< [N]
+  std::vector<ToolState::PatchPoint> patch;  ///< as ToolState::patch, with its capacity
+  int patch_count = 0;                       ///< likewise
+  Vec3 patch_position = Vec3::Zero();        ///< [m]
+  Vec3 patch_normal = Vec3::Zero();          ///< unit
+  Vec3 friction = Vec3::Zero();              ///< [N]
 };
 
 /// Buffers that live for one tick.
