@@ -42,7 +42,9 @@ Exchange::Exchange(const World& world)
     : hands(world.instruments.size()),
       models(world.instruments.size()),
       held(world.instruments.size(), 0),
-      substeps(world.bodies.size(), 0) {
+      substeps(world.bodies.size(), 0),
+      safeguards(world.bodies.size(), Safeguard::none),
+      averted(world.bodies.size()) {
   for (const SoftState& body : world.bodies) {
     const std::span<const Vec3> surface = surface_position(body);
     surfaces.emplace_back(surface.begin(), surface.end());
@@ -92,6 +94,8 @@ void SlowSide::tell(Exchange& exchange) {
   for (std::size_t b = 0; b < world_.bodies.size(); ++b) {
     std::ranges::copy(surface_position(world_.bodies[b]), exchange.surfaces[b].begin());
     exchange.substeps[b] = world_.bodies[b].substeps;
+    exchange.safeguards[b] = world_.bodies[b].safeguard;
+    exchange.averted[b] = world_.bodies[b].averted;
   }
   exchange.alarm = world_.alarm;
   exchange.alarm_body = world_.alarm_body;
@@ -150,6 +154,8 @@ void show_exchange(Exchange& exchange, World& world) noexcept {
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
     std::swap(exchange.surfaces[b], surface_of(world.bodies[b]));
     world.bodies[b].substeps = exchange.substeps[b];
+    world.bodies[b].safeguard = exchange.safeguards[b];
+    world.bodies[b].averted = exchange.averted[b];
   }
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
     world.instruments[i].tool.hold_count = exchange.held[i];

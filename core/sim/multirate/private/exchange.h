@@ -27,6 +27,8 @@ struct Exchange {
   std::vector<int> held;                ///< per instrument: triangles that it is fastened to
   std::vector<Vec3Array> surfaces;      ///< [m] per body, the vertices of its surface
   std::vector<int> substeps;            ///< per body, of the last tick
+  std::vector<Safeguard> safeguards;    ///< likewise
+  std::vector<Alarm> averted;           ///< per body, the last
   std::array<std::uint64_t, 2> hash{};  ///< where it was asked for
   Alarm alarm;
   int alarm_body = -1;
