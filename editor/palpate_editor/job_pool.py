@@ -24,6 +24,10 @@ Lose = Callable[[Any, Any, str], Any]
 Runner = Callable[[Any, Sequence[Any]], Iterator[tuple[Any, Any]]]
 
 
+PATIENCE = 5.0
+"""[s] that a process that answers no more has to end by itself."""
+
+
 class WorkerLost(Exception):
     """A process ended while it had a job."""
 
@@ -72,6 +76,10 @@ class Worker:
     def say_end(self) -> str:
         """How the process ended, in words."""
         assert self.process is not None
+        try:  # one that failed by itself ends with a code of its own
+            self.process.wait(PATIENCE)
+        except subprocess.TimeoutExpired:
+            pass
         self.close()
         code = self.process.returncode if self.process is not None else None
         return "" if code is None else describe_end(code)

@@ -32,6 +32,7 @@ from palpate_editor.chart_jobs import (
 from palpate_editor.chart_pool import run_here, run_in_processes
 from palpate_editor.chart_rerun import rerun_chart
 from palpate_editor.chart_store import Store
+from palpate_editor.compile import compile_organ
 from palpate_editor.configuration import apply_configuration, find_configuration
 from palpate_editor.configurations import list_configurations
 from palpate_editor.document.files import write_organ
@@ -274,6 +275,31 @@ def test_the_verb_draws_reruns_and_refuses(plan, chart, tmp_path, capsys, monkey
     assert main(["chart", str(organ), "--truth", str(organ)]) == 1
     assert main([*call, "--path", "pull"]) == 1
     assert "got press, expected pull" in capsys.readouterr().err
+
+
+def test_a_pull_has_no_force_and_no_displacement_before_it_lifts(plan):
+    truth = plan.truth
+    pulled = replace(
+        truth, path="pull", depth=-truth.depth, force=-truth.force, displacement=-truth.displacement
+    )
+    course = set_course(compile_organ(open_document(plan.organ)), pulled)
+
+    for depth in (0.0, 5e-4):  # where it takes hold; while it still presses
+        assert course.find_force(0.0, depth) == 0.0
+        assert not course.find_displacement(0.0, depth).any()
+    assert course.find_force(0.0, -1e-3) < 0.0
+    assert course.find_displacement(0.0, -1e-3).any()
+
+
+def test_a_worker_that_fails_is_said_to_have_ended_by_its_own_code(plan):
+    worker = job_pool.Worker(fail, plan)
+
+    with pytest.raises(job_pool.WorkerLost, match="with code 1"):
+        worker.run(None)
+
+
+def fail(plan: object, job: object) -> None:
+    raise RuntimeError("on purpose")
 
 
 def test_the_truth_of_another_body_is_refused(tmp_path, capsys):

@@ -60,7 +60,10 @@ class Course:
 
     def find_displacement(self, at: float, depth: float) -> Floats:
         """[m] (m, 3) of the truth's surface, likewise."""
-        return self.truth.find_displacement(at, self.clip(depth))
+        depth = self.clip(depth)
+        if depth == 0.0:
+            return np.zeros_like(self.truth.surface)
+        return self.truth.find_displacement(at, depth)
 
     def clip(self, depth: float) -> float:
         """[m] As deep as the truth goes; 0 where it has none."""
