@@ -89,6 +89,23 @@ def test_another_organ_does_not_replay_to_the_same_bits(tmp_path):
     assert not replay_in_a_new_process(tmp_path / "a.prec", stiffness=51.0)["equal"]
 
 
+def test_a_record_of_a_tip_that_rubs_replays_to_the_same_bits_and_not_without_friction():
+    def build(friction: float) -> palpate.Scene:
+        scene = organ_scene()
+        scene.instruments[0].tool.friction = friction
+        return palpate.build_scene(scene)
+
+    over, down = (0.0, 0.0, 0.028), (0.0, 0.0, 0.017)
+    frames = [
+        palpate.KeyFrame(time, position)
+        for time, position in ((0.0, over), (0.15, down), (0.3, (0.004, 0.002, 0.017)), (0.4, over))
+    ]
+    record = run_frames(build(0.2), frames)
+
+    assert palpate.replay(build(0.2), record).equal
+    assert palpate.replay(build(0.0), record).largest_force_difference > 1e-3
+
+
 @pytest.mark.parametrize("codec", palpate.RecordCodec)
 def test_a_record_comes_back_from_its_file_bit_by_bit(tmp_path, codec):
     record = run_frames(organ_scene(1), press_frames())
