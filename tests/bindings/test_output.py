@@ -55,7 +55,13 @@ OUTPUTS = [
     for parser in PARSERS
     for option, _, _ in parser.get_default(DECLARED) or ()
 ]
-ARGUMENTS = {"device selftest": ["plant"], "study": ["accuracy"], "bench": [], "organs": ["spleen"]}
+ARGUMENTS = {
+    "device selftest": ["plant"],
+    "study": ["accuracy"],
+    "bench": [],
+    "organs": ["spleen"],
+    "scenario publish": ["spleen.palpate", "assessment.json"],
+}
 """What a verb needs beside the option; else the words of its example."""
 
 

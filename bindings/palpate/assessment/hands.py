@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import random
 from collections import deque
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 import palpate
 from palpate.assessment.organ_surface import OrganSurface, Vec, unit
+from palpate.assessment.skill import CAREFUL, CLUMSY, Skill
 
 VERBS = palpate.TaskVerb
 GENTLE = 0.15
@@ -23,45 +24,14 @@ SINK_SPEED = 0.025
 """[m/s] down to the tissue, and of what is held"""
 PRESS_SPEED = 0.012
 """[m/s] into the tissue"""
+SLIP_TIME, SLIP_SPEED = 0.3, 0.04
+"""[s] and [m/s] of a lapse"""
 DEEPEST = 0.03
 """[m]"""
 GRIP_TIME = 0.1
 """[s] between a button and the pull"""
 REST = 0.02
 """[m] over which a hand comes down"""
-
-
-@dataclass(frozen=True)
-class Skill:
-    """How a hand is."""
-
-    delay: float
-    """[s] between what it feels or sees and what it does"""
-    tremor: float
-    """[m] root mean square, at some 9 Hz"""
-    error: float
-    """[-] of a force or depth that it aims at, standard deviation"""
-    stiffness_error: float
-    """[-] of the logarithm of the stiffness it expects, standard deviation"""
-    gain: float
-    """[1/s] with which it corrects a force"""
-    pause: float
-    """[s] before each step"""
-    speed: float
-    """[m/s] through the air"""
-    lapses: float
-    """[1/s] in which it presses too hard for a moment"""
-
-    def vary(self, draw: random.Random) -> Skill:
-        """Another person of the same skill: each number 20 % off, log-normal."""
-        return replace(
-            self,
-            **{f.name: getattr(self, f.name) * draw.lognormvariate(0.0, 0.2) for f in fields(self)},
-        )
-
-
-CAREFUL = Skill(0.16, 6e-5, 0.03, 0.15, 2.2, 0.25, 0.12, 0.0)
-CLUMSY = Skill(0.24, 1.3e-4, 0.25, 0.45, 4.0, 0.5, 0.10, 0.25)
 
 
 class Hand:
@@ -223,6 +193,7 @@ class Person(Hand):
     def press(self, aim: Aim, step: palpate.TaskStep, dt: float, late: float) -> None:
         """Into the tissue to a depth, or until a force is felt, and keeps it there."""
         self.seek(aim, step, dt, late)
+        aim.depth += self.slip(dt)
         if step.verb is VERBS.find and late > 0.5 * GENTLE:
             aim.since += dt
             self.buttons = 1 if aim.since > 0.3 else 0
@@ -234,7 +205,7 @@ class Person(Hand):
             speed = SINK_SPEED if aim.depth < 0.0 else PRESS_SPEED
             aim.depth += clamp(goal - aim.depth, speed * dt)
             return
-        goal = aim.miss * (middle(step.force) or GENTLE) * self.err(dt)
+        goal = aim.miss * (middle(step.force) or GENTLE)
         if late < 0.02 and aim.depth < 0.002:  # not there yet
             aim.depth += SINK_SPEED * dt
             return
@@ -247,6 +218,7 @@ class Person(Hand):
         """Along a path once it feels the tissue."""
         place = self.task.places[step.place]
         self.seek(aim, step, dt, late)
+        aim.depth += self.slip(dt)
         goal = middle(step.force) or GENTLE
         if abs(late - goal) < 0.4 * goal or aim.walked > 0.0:
             aim.walked += 0.2 * self.skill.speed * dt
@@ -279,18 +251,18 @@ class Person(Hand):
         distance = middle(step.distance)
         if distance is not None:
             there = aim.lift - aim.attached_at - self.give * late
-            aim.lift += clamp(4.0 * (aim.miss * distance * self.err(dt) - there), SINK_SPEED) * dt
+            aim.lift += clamp(4.0 * (aim.miss * distance - there), SINK_SPEED) * dt + self.slip(dt)
             return
-        goal = aim.miss * (middle(step.force) or GENTLE) * self.err(dt)
+        goal = aim.miss * (middle(step.force) or GENTLE)
         change = self.skill.gain * (goal - late) / max(aim.stiffness, 10.0)
-        aim.lift += clamp(change, SINK_SPEED) * dt
+        aim.lift += clamp(change, SINK_SPEED) * dt + self.slip(dt)
 
-    def err(self, dt: float) -> float:
-        """[-] What it aims at, times this: more in a lapse."""
+    def slip(self, dt: float) -> float:
+        """[m] that it goes on in a lapse, whatever it aims at."""
         self.lapse -= dt
-        if self.lapse < -0.4 and self.draw.random() < self.skill.lapses * dt:
-            self.lapse = 0.4
-        return 2.5 if self.lapse > 0.0 else 1.0
+        if self.lapse < -SLIP_TIME and self.draw.random() < self.skill.lapses * dt:
+            self.lapse = SLIP_TIME
+        return SLIP_SPEED * dt if self.lapse > 0.0 else 0.0
 
     def tremble(self, dt: float) -> Vec:
         """[m] Noise through a resonance at 9 Hz with a quality of 3."""

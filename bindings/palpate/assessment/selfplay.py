@@ -57,7 +57,9 @@ class Attempt:
 
 
 def attempt(scene: palpate.Scene, drawn: scenario.DrawnTask, hand: str) -> Attempt:
-    """One of HANDS at a task, in as many ticks as that takes."""
+    """One of HANDS at a task, in as many ticks as that takes; a jab is over with its first error,
+    for it cannot finish without one any more.
+    """
     task, dt = drawn.task, 1.0 / scene.rate
     world, progress = palpate.World(scene), palpate.Progress(task)
     person = make_hand(hand, scene, task, drawn.seed)
@@ -77,6 +79,9 @@ def attempt(scene: palpate.Scene, drawn: scenario.DrawnTask, hand: str) -> Attem
             played.events.extend(progress.events)
         if progress.event_count or tick % GLANCE == 0:
             played.state = progress.state
+        if hand == "jab" and played.state.errors > 0:
+            played.state = progress.state
+            break
         tick += 1
     return played
 

@@ -13,8 +13,8 @@ SCRIPT = "script:"
 DEVICES = f"{PLANT}, {NATIVE} or {SERIAL}PATH"
 """What a link can be built to."""
 HANDS = (
-    f"{POINTER}, {SCRIPT}FILE, {SCRIPT}careful (or idle, jab, clumsy: hands that play a task), "
-    f"{PLANT}, {PLANT}:{SCRIPT}FILE or {SERIAL}PATH"
+    f"{POINTER}, {SCRIPT}FILE, {PLANT}, {PLANT}:{SCRIPT}FILE, {SERIAL}PATH, or, for a task, "
+    f"{SCRIPT}careful, {SCRIPT}idle, {SCRIPT}jab or {SCRIPT}clumsy"
 )
 """What a scenario can be played with."""
 
