@@ -3224,6 +3224,33 @@ class MotorState(enum.Enum):
     off = 2
     cut = 3
 
+class DeviceDynamics:
+    """What a device declares of itself, from which follows how stiff what is felt through it
+    may be.
+    """
+    def __init__(self, *, damping: float = ..., delay: float = ...) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
+    damping: float
+    """[N·s/m] The least that the hand always feels of it; 0: none declared."""
+    delay: float
+    """[s] From a hand to the force that answers it, holding not included."""
+    def __copy__(self) -> DeviceDynamics:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> DeviceDynamics:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+def find_passive_stiffness(dynamics: DeviceDynamics, period: float) -> float:
+    """[N/m] Up to which a spring that is told every period [s] calms the hand, b / (T/2 + d)
+    [Colgate97]; 0 where no damping is declared.
+
+    Args:
+        period: [s]
+    """
+
 class HapticDevice:
     """A haptic device, real or simulated. read and write belong to the haptic thread, which
     Python never enters: to write a device in Python, hand its driver to a PythonDevice.
@@ -3271,33 +3298,6 @@ class HapticDevice:
         """
     def __reduce_ex__(self, protocol: int) -> object:
         """Raises TypeError: not to be pickled."""
-
-class DeviceDynamics:
-    """What a device declares of itself, from which follows how stiff what is felt through it
-    may be.
-    """
-    def __init__(self, *, damping: float = ..., delay: float = ...) -> None:
-        """Arguments are the fields of these names, with their shapes and units."""
-    damping: float
-    """[N·s/m] The least that the hand always feels of it; 0: none declared."""
-    delay: float
-    """[s] From a hand to the force that answers it, holding not included."""
-    def __copy__(self) -> DeviceDynamics:
-        """A copy of its own."""
-    def __deepcopy__(self, memo: dict[int, object]) -> DeviceDynamics:
-        """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object]: ...
-    def __setstate__(self, arg0: tuple) -> None: ...
-    def __repr__(self) -> str:
-        """The value on one line."""
-
-def find_passive_stiffness(dynamics: DeviceDynamics, period: float) -> float:
-    """[N/m] Up to which a spring that is told every period [s] calms the hand, b / (T/2 + d)
-    [Colgate97]; 0 where no damping is declared.
-
-    Args:
-        period: [s]
-    """
 
 class SafetyLimits:
     """What a device may be sent. The defaults suit a device that nothing can hurt; a real one
