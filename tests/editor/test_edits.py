@@ -90,6 +90,7 @@ EXAMPLES = [
     (edits.CutDisagreement(), ONE_SIDED),
     (edits.UniteShells(), IN_PIECES),
     (edits.FillHoles(), OPEN),
+    (edits.FillHoles(even=True), OPEN),
     (edits.CleanUp(), INSIDE_OUT),
     (edits.StitchBorders(), UNWELDED),
     (edits.DropFins(), ON_A_BALL),

@@ -14,6 +14,7 @@ from palpate_editor import authoring
 from palpate_editor.document import Organ, Surface, phrase
 from palpate_editor.edits.carry import find_closest
 from palpate_editor.edits.edit import EditError, find_surface
+from palpate_editor.edits.even_patch import even_patches
 from palpate_editor.edits.wall import settle_wall
 
 
@@ -25,6 +26,9 @@ class FillHoles:
 
     holes: tuple[int, ...] | None = None
     """Numbers in palpate.find_border_loops of the surface in use; None for all."""
+
+    even: bool = False
+    """With triangles as long as those of the rim. Histories from before that was done have none."""
 
     def __call__(self, organ: Organ) -> Organ:
         surface = find_surface(organ)
@@ -40,7 +44,7 @@ class FillHoles:
                     most=len(loops) - 1,
                 )
             )
-        closed = fill(surface, holes)
+        closed = fill(surface, holes, self.even)
         if closed is surface:
             raise EditError(
                 phrase(
@@ -52,7 +56,7 @@ class FillHoles:
         if imported is surface:
             imported = closed
         elif imported is not None:
-            imported = fill(imported, match_holes(surface, holes, imported))
+            imported = fill(imported, match_holes(surface, holes, imported), self.even)
         filled = replace(
             organ,
             surface=closed,
@@ -70,7 +74,7 @@ class FillHoles:
         return settle_wall(filled, organ)
 
 
-def fill(surface: Surface, holes: Sequence[int]) -> Surface:
+def fill(surface: Surface, holes: Sequence[int], even: bool) -> Surface:
     """The surface with patches, its own vertices first; the very same where none fits."""
     mesh = palpate.SurfaceMesh(surface.vertices, surface.triangles)
     try:
@@ -79,7 +83,10 @@ def fill(surface: Surface, holes: Sequence[int]) -> Surface:
         raise EditError(phrase("The holes cannot be filled: {why}", why=str(problem))) from None
     if not found.filled:
         return surface
-    return Surface(np.asarray(found.mesh.vertices), np.asarray(found.mesh.triangles))
+    closed = Surface(np.asarray(found.mesh.vertices), np.asarray(found.mesh.triangles))
+    if not even:
+        return closed
+    return even_patches(closed, len(surface.vertices), len(surface.triangles))
 
 
 def spread(scale: np.ndarray, surface: Surface, closed: Surface) -> np.ndarray:
