@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Triangles of a patch over a hole as long as those around it: split, collapsed, flipped and moved
-along the patch, as remeshing does it [BotschKobbelt04], with the rim left alone."""
+along the patch, as isotropic remeshing does it, with the rim left alone."""
 
 from __future__ import annotations
 
