@@ -5,6 +5,7 @@
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModBaseT.hh>
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -19,6 +20,10 @@ constexpr double kSpreadWeight = 1e-2;
 
 /// How much more it costs to leave the border than the surface.
 constexpr double kBorderWeight = 1.0;
+
+/// The same of a line on the surface. A ridge keeps itself; the border of a region follows the
+/// edges of the source to and fro, which no vertex is wanted for.
+constexpr double kLineWeight = 1e-2;
 
 struct Traits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
@@ -65,6 +70,16 @@ class ModPrice : public OpenMesh::Decimater::ModBaseT<MeshT> {
 
   explicit ModPrice(MeshT& mesh) : Base(mesh, false) {}
 
+  /// Before initialize(); what is given must stay.
+  void keep(const FeatureLines& lines, std::span<const double> weights) {
+    lines_ = lines.empty() ? nullptr : &lines;
+    weights_ = weights;
+    links_ = lines.links;
+    for (const Line& line : lines.lines) left_.push_back(static_cast<int>(line.points.size()));
+  }
+
+  const std::vector<std::vector<int>>& links() const { return links_; }
+
   void initialize() override {
     Mesh& mesh = Base::mesh();
     // about the centre, where differences of squares lose the least
@@ -74,7 +89,8 @@ class ModPrice : public OpenMesh::Decimater::ModBaseT<MeshT> {
     quadrics_.assign(mesh.n_vertices(), Quadric());
     for (const auto f : mesh.faces()) add_face(f);
     for (const auto h : mesh.halfedges()) {
-      if (mesh.is_boundary(h)) add_border(h);
+      if (mesh.is_boundary(h)) add_border(mesh.opposite_halfedge_handle(h));
+      if (is_on_line(h)) add_upright(h, kLineWeight);
     }
     for (const auto v : mesh.vertices()) {
       if (mesh.is_boundary(v)) keep_small_loop(v);
@@ -82,7 +98,9 @@ class ModPrice : public OpenMesh::Decimater::ModBaseT<MeshT> {
   }
 
   float collapse_priority(const CollapseInfo& collapse) override {
-    if (!is_border_kept(collapse)) return float(Base::ILLEGAL_COLLAPSE);
+    if (!is_border_kept(collapse) || !is_line_kept(collapse.v0.idx(), collapse.v1.idx())) {
+      return float(Base::ILLEGAL_COLLAPSE);
+    }
     Quadric quadric = quadrics_[collapse.v0.idx()];
     quadric.add(quadrics_[collapse.v1.idx()]);
     return static_cast<float>(std::max(0.0, quadric(to_vec3(collapse.p1) - centre_)));
@@ -91,6 +109,7 @@ class ModPrice : public OpenMesh::Decimater::ModBaseT<MeshT> {
   void postprocess_collapse(const CollapseInfo& collapse) override {
     quadrics_[collapse.v1.idx()].add(quadrics_[collapse.v0.idx()]);
     if (Base::mesh().is_boundary(collapse.v1)) keep_small_loop(collapse.v1);
+    shorten_line(collapse.v0.idx(), collapse.v1.idx());
   }
 
  private:
@@ -105,27 +124,65 @@ class ModPrice : public OpenMesh::Decimater::ModBaseT<MeshT> {
     }
     const Vec3 across = (x[1] - x[0]).cross(x[2] - x[0]);
     const double area = 0.5 * across.norm();
+    const double weight = weights_.empty() ? 1.0 : weights_[static_cast<std::size_t>(f.idx())];
     for (std::size_t c = 0; c < corners.size(); ++c) {
-      quadrics_[corners[c]].add_plane(across.normalized(), x[0], area);
+      quadrics_[corners[c]].add_plane(across.normalized(), x[0], weight * area);
       quadrics_[corners[c]].add_point(x[c], kSpreadWeight * area / 3.0);
     }
   }
 
-  /// The plane through a border edge, upright on its triangle.
-  void add_border(typename Mesh::HalfedgeHandle h) {
+  bool is_on_line(typename Mesh::HalfedgeHandle h) {
+    if (lines_ == nullptr) return false;
+    const auto& links = links_[Base::mesh().from_vertex_handle(h).idx()];
+    return std::ranges::find(links, Base::mesh().to_vertex_handle(h).idx()) != links.end();
+  }
+
+  /// A vertex of a line meets one of its neighbours on it, in a ring of three none.
+  bool is_line_kept(int from, int to) const {
+    if (lines_ == nullptr || lines_->line[from] == FeatureLines::kNone) return true;
+    if (lines_->line[from] == FeatureLines::kCorner) return false;
+    const auto& links = links_[from];
+    if (std::ranges::find(links, to) == links.end()) return false;
+    const int other = links[0] == to ? links[1] : links[0];
+    return other != to && std::ranges::find(links_[other], to) == links_[other].end();
+  }
+
+  void shorten_line(int from, int to) {
+    if (lines_ == nullptr || lines_->line[from] < 0) return;
+    const int line = lines_->line[from];
+    const int other = links_[from][0] == to ? links_[from][1] : links_[from][0];
+    std::ranges::replace(links_[other], from, to);
+    std::ranges::replace(links_[to], from, other);
+    links_[from].clear();
+    if (!lines_->lines[line].closed || --left_[line] > kSmallestLoop) return;
+    int before = to, here = other;
+    while (here != to) {
+      Base::mesh().status(typename Mesh::VertexHandle(here)).set_locked(true);
+      const int next = links_[here][0] == before ? links_[here][1] : links_[here][0];
+      before = here;
+      here = next;
+    }
+    Base::mesh().status(typename Mesh::VertexHandle(to)).set_locked(true);
+  }
+
+  void add_border(typename Mesh::HalfedgeHandle inner) {
     Mesh& mesh = Base::mesh();
-    const auto inner = mesh.opposite_halfedge_handle(h);
+    add_upright(inner, kBorderWeight);
+    const auto from = mesh.from_vertex_handle(inner), to = mesh.to_vertex_handle(inner);
+    // a border vertex has triangles on one side only; this makes up for the other
+    const double missing = 0.25 * kSpreadWeight * (at(to) - at(from)).squaredNorm();
+    for (const auto end : {from, to}) quadrics_[end.idx()].add_point(at(end), missing);
+  }
+
+  /// The plane through an edge of the border or of a line, upright on a triangle at it.
+  void add_upright(typename Mesh::HalfedgeHandle inner, double weight) {
+    Mesh& mesh = Base::mesh();
     const auto from = mesh.from_vertex_handle(inner), to = mesh.to_vertex_handle(inner);
     const auto apex = mesh.to_vertex_handle(mesh.next_halfedge_handle(inner));
     const Vec3 edge = at(to) - at(from);
     const Vec3 upright = edge.cross(edge.cross(at(apex) - at(from))).normalized();
-    const double area = kBorderWeight * edge.squaredNorm();
-    // a border vertex has triangles on one side only; this makes up for the other
-    const double missing = 0.25 * kSpreadWeight * edge.squaredNorm();
-    for (const auto end : {from, to}) {
-      quadrics_[end.idx()].add_plane(upright, at(from), area);
-      quadrics_[end.idx()].add_point(at(end), missing);
-    }
+    const double area = weight * edge.squaredNorm();
+    for (const auto end : {from, to}) quadrics_[end.idx()].add_plane(upright, at(from), area);
   }
 
   bool is_border_kept(const CollapseInfo& collapse) {
@@ -149,6 +206,10 @@ class ModPrice : public OpenMesh::Decimater::ModBaseT<MeshT> {
 
   Vec3 centre_ = Vec3::Zero();
   std::vector<Quadric> quadrics_;
+  const FeatureLines* lines_ = nullptr;
+  std::span<const double> weights_;
+  std::vector<std::vector<int>> links_;
+  std::vector<int> left_;  // vertices of each line
 };
 
 Mesh to_open_mesh(const SurfaceMesh& from) {
@@ -186,17 +247,29 @@ SurfaceMesh to_surface_mesh(const Mesh& from) {
 }  // namespace
 
 SurfaceMesh collapse_edges(const SurfaceMesh& mesh, int vertex_count) {
+  return collapse_edges(mesh, vertex_count, FeatureLines{}, {}).mesh;
+}
+
+CollapsedMesh collapse_edges(const SurfaceMesh& mesh, int vertex_count, const FeatureLines& lines,
+                             std::span<const double> weights) {
   Mesh working = to_open_mesh(mesh);
+  OpenMesh::VPropHandleT<int> source;
+  working.add_property(source);
+  for (const auto v : working.vertices()) working.property(source, v) = v.idx();
   Decimater decimater(working);
   ModPrice<Mesh>::Handle price;
   OpenMesh::Decimater::ModNormalFlippingT<Mesh>::Handle flipping;
   decimater.add(price);
   decimater.add(flipping);
   decimater.module(flipping).set_max_normal_deviation(90.0);
+  if (!lines.empty() || !weights.empty()) decimater.module(price).keep(lines, weights);
   if (!decimater.initialize()) throw std::logic_error("decimater: modules do not fit together");
   decimater.decimate_to(static_cast<std::size_t>(vertex_count));
+  const auto links = decimater.module(price).links();
   working.garbage_collection();
-  return to_surface_mesh(working);
+  std::vector<int> left;
+  for (const auto v : working.vertices()) left.push_back(working.property(source, v));
+  return {to_surface_mesh(working), lines.empty() ? FeatureLines{} : renumber(lines, links, left)};
 }
 
 }  // namespace palpate::authoring

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <span>
+
+#include "palpate/authoring/feature_lines.h"
 #include "palpate/sim/mesh/mesh.h"
 
 namespace palpate::authoring {
@@ -15,5 +19,17 @@ inline constexpr int kSmallestLoop = 6;
 /// that went, so the ones that stay are spread evenly. No triangle may turn by 90 degrees or more;
 /// border vertices move along the border only. `mesh` must pass validate().
 SurfaceMesh collapse_edges(const SurfaceMesh& mesh, int vertex_count);
+
+/// A surface with fewer edges, and the lines that are left on it.
+struct CollapsedMesh {
+  SurfaceMesh mesh;
+  FeatureLines lines;
+};
+
+/// The same, but that vertices of `lines` move along them only and corners not at all; the price
+/// counts planes through the lines as it does those through the border. Distances to the planes of
+/// triangle t count `weights[t]` times.
+CollapsedMesh collapse_edges(const SurfaceMesh& mesh, int vertex_count, const FeatureLines& lines,
+                             std::span<const double> weights);
 
 }  // namespace palpate::authoring

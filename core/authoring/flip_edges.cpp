@@ -22,9 +22,11 @@ struct Diamond {
 
 class Flipping {
  public:
-  Flipping(SurfaceMesh& mesh, const std::vector<char>& held)
+  Flipping(SurfaceMesh& mesh, const std::vector<char>& held,
+           std::span<const std::array<int, 2>> kept)
       : mesh_(mesh),
         held_(held),
+        kept_(kept),
         sides_(sort_half_edges(mesh.triangles)),
         valence_(mesh.vertices.size(), 0),
         on_border_(mesh.vertices.size(), 0),
@@ -39,6 +41,9 @@ class Flipping {
     for_each_edge(sides_, [&](std::span<const HalfEdge> edge) {
       if (edge.size() != 2) {
         on_border_[edge[0].low] = on_border_[edge[0].high] = 1;
+        return;
+      }
+      if (std::binary_search(kept_.begin(), kept_.end(), std::array{edge[0].low, edge[0].high})) {
         return;
       }
       const Diamond d = find_diamond(edge[0], edge[1]);
@@ -103,6 +108,7 @@ class Flipping {
 
   SurfaceMesh& mesh_;
   const std::vector<char>& held_;
+  std::span<const std::array<int, 2>> kept_;
   std::vector<HalfEdge> sides_;
   std::vector<int> valence_;
   std::vector<char> on_border_, changed_;  // the table of sides is stale around what changed
@@ -110,8 +116,9 @@ class Flipping {
 
 }  // namespace
 
-int flip_edges(SurfaceMesh& mesh, const std::vector<char>& held) {
-  Flipping flipping(mesh, held);
+int flip_edges(SurfaceMesh& mesh, const std::vector<char>& held,
+               std::span<const std::array<int, 2>> kept) {
+  Flipping flipping(mesh, held, kept);
   int flips = 0;
   for (const Diamond& d : flipping.find_candidates()) flips += flipping.flip(d);
   return flips;

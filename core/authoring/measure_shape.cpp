@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
 
 #include "palpate/authoring/triangle_shape.h"
 #include "palpate/sim/mesh/topology.h"
@@ -52,6 +54,20 @@ bool is_finite(const SurfaceMesh& mesh) {
                      [](const Vec3& x) { return x.allFinite(); });
 }
 
+/// [m] From the middle of a triangle straight inwards to where the surface is left.
+std::optional<double> look_behind(const AabbTree& tree, const SurfaceMesh& mesh, double gap,
+                                  int face) {
+  const Corners x = corners_of(mesh, mesh.triangles[face]);
+  const Vec3 normal = normal_of(x), middle = (x[0] + x[1] + x[2]) / 3.0;
+  if (!(normal.norm() > 0.0)) return std::nullopt;
+  const Vec3 inward = -normal.normalized();
+  const auto hit = find_ray_hit(tree, mesh.vertices, middle + gap * inward, inward);
+  if (!hit || !(normal_of(corners_of(mesh, mesh.triangles[hit->triangle])).dot(inward) > 0.0)) {
+    return std::nullopt;
+  }
+  return hit->distance + gap;
+}
+
 }  // namespace
 
 Histogram count_angles(const SurfaceMesh& mesh) {
@@ -85,18 +101,23 @@ Thickness measure_thickness(const SurfaceMesh& mesh) {
   for (int look = 0; look < std::min(count, kThicknessLooks); ++look) {
     const int face =
         static_cast<int>(static_cast<long>(look) * count / std::min(count, kThicknessLooks));
-    const Corners x = corners_of(mesh, mesh.triangles[face]);
-    const Vec3 normal = normal_of(x), middle = (x[0] + x[1] + x[2]) / 3.0;
-    if (!(normal.norm() > 0.0)) continue;
-    const Vec3 inward = -normal.normalized();
-    const auto hit = find_ray_hit(tree, mesh.vertices, middle + gap * inward, inward);
-    if (!hit || !(normal_of(corners_of(mesh, mesh.triangles[hit->triangle])).dot(inward) > 0.0)) {
-      continue;
-    }
+    const std::optional<double> thickness = look_behind(tree, mesh, gap, face);
+    if (!thickness) continue;
     ++found.looks;
-    const double thickness = hit->distance + gap;
-    found.thinnest = std::min(thickness, found.thinnest.value_or(thickness));
-    if (thickness < kThinPart * mean_edge(x)) found.thin_faces.push_back(face);
+    found.thinnest = std::min(*thickness, found.thinnest.value_or(*thickness));
+    const double edge = mean_edge(corners_of(mesh, mesh.triangles[face]));
+    if (*thickness < kThinPart * edge) found.thin_faces.push_back(face);
+  }
+  return found;
+}
+
+std::vector<double> list_thicknesses(const SurfaceMesh& mesh) {
+  const AabbTree tree(mesh.vertices, mesh.triangles);
+  const double gap = kBehind * compute_diagonal(mesh.vertices);
+  std::vector<double> found;
+  for (int face = 0; face < static_cast<int>(mesh.triangles.size()); ++face) {
+    found.push_back(
+        look_behind(tree, mesh, gap, face).value_or(std::numeric_limits<double>::infinity()));
   }
   return found;
 }

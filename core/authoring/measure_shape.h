@@ -43,4 +43,7 @@ struct Thickness {
 /// not finite.
 Thickness measure_thickness(const SurfaceMesh& mesh);
 
+/// [m] (t) The same behind every triangle; infinite where the body does not end.
+std::vector<double> list_thicknesses(const SurfaceMesh& mesh);
+
 }  // namespace palpate::authoring

@@ -92,7 +92,7 @@ SurfaceMesh remesh_surface(const SurfaceMesh& mesh, std::span<const double> edge
     made = remesh_faces(made, choose(made, asked, length / std::sqrt(ratio)), length, kSharpEdge);
   }
   // where bands meet there are slivers
-  improve_triangles(mesh, SourceSurface(mesh), made);
+  improve_triangles(mesh, SourceSurface(mesh), {}, made);
   return made;
 }
 

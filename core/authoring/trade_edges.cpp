@@ -23,7 +23,8 @@ struct Edge {
 
 class Trading {
  public:
-  Trading(const SourceSurface& source, SurfaceMesh& mesh) : source_(source), mesh_(mesh) {
+  Trading(const SourceSurface& source, const std::vector<char>& kept, SurfaceMesh& mesh)
+      : source_(source), kept_(kept), mesh_(mesh) {
     find_neighbours();
   }
 
@@ -59,6 +60,8 @@ class Trading {
     });
   }
 
+  bool is_kept(int v) const { return !kept_.empty() && kept_[v] != 0; }
+
   double length(const Edge& e) const { return (mesh_.vertices[e.u] - mesh_.vertices[e.v]).norm(); }
 
   std::optional<Edge> find_shortest_edge(int t) const {
@@ -82,6 +85,7 @@ class Trading {
   /// and these keep three triangles.
   bool may_collapse(const Edge& e) const {
     if (e.second < 0 || on_border_[e.u] || on_border_[e.v]) return false;
+    if (is_kept(e.u) || is_kept(e.v)) return false;
     const std::set<int> of_u = neighbours(e.u), of_v = neighbours(e.v);
     int shared = 0;
     for (const int v : of_u) {
@@ -123,6 +127,7 @@ class Trading {
     for (const Edge& e : edges_) {
       const auto is_spare = [&](int t) { return t == spare[0] || t == spare[1]; };
       if (e.second < 0 || is_spare(e.first) || is_spare(e.second)) continue;
+      if (is_kept(e.u) && is_kept(e.v)) continue;
       if (e.u != vertex && e.v != vertex) inner.push_back(e);
     }
     const auto count = std::min<std::size_t>(kMostSplits, inner.size());
@@ -164,6 +169,7 @@ class Trading {
   }
 
   const SourceSurface& source_;
+  const std::vector<char>& kept_;
   SurfaceMesh& mesh_;
   std::vector<Edge> edges_;
   std::vector<std::vector<int>> fans_;
@@ -184,8 +190,9 @@ int find_worst(const SurfaceMesh& mesh, double least, const std::set<Triangle>& 
 
 }  // namespace
 
-int trade_edges(const SourceSurface& source, double least, SurfaceMesh& mesh) {
-  Trading trading(source, mesh);
+int trade_edges(const SourceSurface& source, double least, SurfaceMesh& mesh,
+                const std::vector<char>& kept) {
+  Trading trading(source, kept, mesh);
   std::set<Triangle> tried;
   int trades = 0;
   for (int i = 0; i < kMostTrades; ++i) {

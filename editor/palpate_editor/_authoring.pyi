@@ -221,6 +221,12 @@ class DecimatedMesh:
         """[m]"""
     @property
     def self_intersecting_faces(self) -> int | None: ...
+    @property
+    def kept_length(self) -> float:
+        """[m] Of ridges and borders of regions that are kept as lines."""
+    @property
+    def left_out_length(self) -> float:
+        """[m] Of those that so few vertices have no room for."""
 
 class ImportedMesh:
     """An organ's surface as it can be shown, and how it came to be."""
@@ -270,7 +276,13 @@ def import_scene(
     unite: bool = False,
     subtract: Sequence[str] = ...,
 ) -> ImportedMesh: ...
-def decimate(mesh: SurfaceMesh, vertex_count: int) -> DecimatedMesh: ...
+def decimate(
+    mesh: SurfaceMesh,
+    vertex_count: int,
+    regions: Sequence[int] = ...,
+    names: Sequence[int] = ...,
+    features: bool = ...,
+) -> DecimatedMesh: ...
 def cut_crowded_edges(mesh: SurfaceMesh) -> SurfaceMesh: ...
 def find_self_intersecting_faces(mesh: SurfaceMesh) -> list[int] | None: ...
 def find_crossing_groups(

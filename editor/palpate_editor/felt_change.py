@@ -77,7 +77,7 @@ def measure_felt_change(before: Organ, after: Organ) -> FeltChange:
 
     Each is compiled as it is, so that constants that come from tissue are derived for its own
     surface. An organ that cannot be built, or ticks too slowly to be waited for, is not pressed.
-    A far field that one of the two has and the other would have to solve again is left out of both:
+    A far field that one of the two has and the other has not been solved for is left out of both:
     it is for the surface to say what it changes.
     """
     if any(organ.far_field is None or is_stale(organ) for organ in (before, after)):

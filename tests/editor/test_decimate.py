@@ -270,7 +270,7 @@ def test_the_verb_keeps_an_error_and_its_line_says_so(tmp_path, capsys, organ):
     report = json.loads(capsys.readouterr().out)
     assert report["max_distance_mm"] <= 1.0 and report["vertices"] < 1200
     (line,) = read_organ(out).history.lines
-    assert line.values == {"vertices": report["vertices"], "error": 1e-3}
+    assert line.values == {"vertices": report["vertices"], "error": 1e-3, "features": True}
     assert main(["rebuild", str(out)]) == 0
     assert f"Decimate to {report['vertices']} vertices, within 1 mm" in capsys.readouterr().out
 

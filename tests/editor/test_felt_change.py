@@ -11,15 +11,18 @@ import pytest
 from organs import make_organ, surface_of
 from palpate.cli.main import main
 from palpate_editor.document import EMPTY, Organ, Surface
+from palpate_editor.document.far_compliance import is_stale
 from palpate_editor.document.files import write_organ
 from palpate_editor.edits import DecimateTo, FixLowest, PaintStiffness
 from palpate_editor.felt_change import measure_felt_change
 from palpate_editor.shipped import make_organ as make_shipped
 
 SOLIDS = ("kidney", "liver", "spleen")
-MOST_CHANGE, MOST_AT_A_PLACE = 0.06, 0.15
+MOST_CHANGE, MOST_AT_A_PLACE = 0.04, 0.13
 """[-] Of the felt force: at all places together, and at one, where a vertex or the middle of a
 triangle comes to lie under the tip."""
+MOST_ELSEWHERE = 0.1
+"""[-] At all other places."""
 
 
 def make_springs(vertices: int = 600) -> Organ:
@@ -84,9 +87,13 @@ def test_an_organ_smaller_than_a_press_is_not_pressed():
 def test_a_shipped_solid_of_half_as_many_vertices_is_felt_alike(name):
     organ = make_shipped(name)
 
-    change = measure_felt_change(organ, DecimateTo(organ.vertex_count // 2)(organ))
+    half = DecimateTo(organ.vertex_count // 2, features=True)(organ)
 
+    change = measure_felt_change(organ, half)
+
+    assert half.far_field is not None and not is_stale(half)
     assert len(change.places) == 5
+    assert sorted(abs(place.change) for place in change.places)[-2] < MOST_ELSEWHERE
     assert all(abs(place.change) < MOST_AT_A_PLACE for place in change.places)
     assert abs(change.mean) < MOST_CHANGE
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
 import numpy as np
@@ -12,8 +12,9 @@ import palpate
 
 from palpate_editor import authoring
 from palpate_editor.document import Decimation, Organ, Surface, phrase
-from palpate_editor.edits.carry import carry_paint
+from palpate_editor.edits.carry import carry_far_field, carry_paint, number_painted
 from palpate_editor.edits.edit import EditError, find_surface
+from palpate_editor.edits.history import LATER
 from palpate_editor.edits.repair import find_crowded, find_disagreeing
 
 MOST_TRIES = 16
@@ -32,6 +33,12 @@ class Decimate:
     decimation: Decimation
     error: float | None = None
     """[m] See DecimateTo."""
+    features: bool = False
+    """See DecimateTo."""
+    kept_length: float = 0.0
+    """[m] Of ridges and of borders of what is painted that are on their lines."""
+    left_out_length: float = 0.0
+    """[m] Of those that so few vertices have no room for."""
 
     @property
     def title(self) -> str:
@@ -40,14 +47,17 @@ class Decimate:
     @property
     def repeat(self) -> DecimateTo:
         """What does it again."""
-        return DecimateTo(self.decimation.vertices, self.error)
+        return DecimateTo(self.decimation.vertices, self.error, self.features)
 
     def __call__(self, organ: Organ) -> Organ:
         if organ.imported is not self.source:
             raise EditError(
                 phrase("The organ has changed since it was decimated: decimate it again.")
             )
-        return replace(carry_paint(organ, self.surface), decimation=self.decimation)
+        # vertices on the borders of what is painted are in it, all others on either side
+        exact = self.features and organ.surface is self.source and not self.left_out_length
+        made = replace(carry_paint(organ, self.surface, exact), decimation=self.decimation)
+        return carry_far_field(organ, made) if self.features else made
 
 
 def find_repaired(organ: Organ) -> Surface:
@@ -62,15 +72,24 @@ def find_repaired(organ: Organ) -> Surface:
     return source
 
 
-def decimate_organ(organ: Organ, vertices: int) -> Decimate:
+def decimate_organ(organ: Organ, vertices: int, features: bool = False) -> Decimate:
     """Decimates the imported surface to exactly `vertices`: seconds for a large one, on any thread.
 
     Always from the imported surface, so that trying several counts costs no quality.
     Raises EditError where there is no organ or the count cannot be reached.
+
+    Args:
+        organ: What is decimated.
+        vertices: Of the new surface.
+        features: See DecimateTo.
     """
     source = find_repaired(organ)
+    mesh = palpate.SurfaceMesh(source.vertices, source.triangles)
+    numbers = number_painted(organ, source) if features else ()
     try:
-        found = authoring.decimate(palpate.SurfaceMesh(source.vertices, source.triangles), vertices)
+        found = authoring.decimate(
+            mesh, vertices, *(n.tolist() for n in numbers), features=features
+        )
     except ValueError as problem:
         raise EditError(
             phrase(
@@ -92,6 +111,9 @@ def decimate_organ(organ: Organ, vertices: int) -> Decimate:
             mean_distance=found.mean_distance,
             max_distance=found.max_distance,
         ),
+        features=features,
+        kept_length=found.kept_length,
+        left_out_length=found.left_out_length,
     )
 
 
@@ -102,6 +124,9 @@ class DecimateTo:
     vertices: int
     error: float | None = None
     """[m] The distance from the imported surface for which so many were found to be needed."""
+    features: bool = field(default=False, metadata={LATER: True})
+    """Whether ridges and the borders of what is held, stiffer or named stay on their lines, and
+    thin parts count for more. Lines of before have nothing of it, and decimate as they did."""
 
     @property
     def title(self) -> str:
@@ -114,7 +139,7 @@ class DecimateTo:
         )
 
     def __call__(self, organ: Organ) -> Organ:
-        edit = decimate_organ(organ, self.vertices)
+        edit = decimate_organ(organ, self.vertices, self.features)
         found = edit.decimation.max_distance
         if self.error is not None and found > self.error:
             raise EditError(
@@ -128,7 +153,7 @@ class DecimateTo:
         return replace(edit, error=self.error)(organ)
 
 
-def decimate_within(organ: Organ, error: float) -> Decimate:
+def decimate_within(organ: Organ, error: float, features: bool = False) -> Decimate:
     """Decimates the imported surface to the fewest vertices, within 2 %, that keep every point of
     both surfaces within `error` [m] of the other: some ten times as long as one count takes.
 
@@ -141,7 +166,7 @@ def decimate_within(organ: Organ, error: float) -> Decimate:
     best: Decimate | None = None
     count = round(math.sqrt(low * high))
     for row in range(MOST_TRIES):
-        found = try_count(organ, count)
+        found = try_count(organ, count, features)
         if found is not None and found.decimation.max_distance <= error:
             best, high = found, count
         else:
@@ -162,10 +187,10 @@ def decimate_within(organ: Organ, error: float) -> Decimate:
     return replace(best, error=error)
 
 
-def try_count(organ: Organ, count: int) -> Decimate | None:
+def try_count(organ: Organ, count: int, features: bool) -> Decimate | None:
     """None where it cannot be that coarse."""
     try:
-        return decimate_organ(organ, count)
+        return decimate_organ(organ, count, features)
     except EditError:
         return None
 

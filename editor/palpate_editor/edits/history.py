@@ -48,6 +48,10 @@ def note(edit: Edit, before: Organ, after: Organ) -> Organ:
     return replace(after, history=replace(history, lines=lines))
 
 
+LATER = "later"
+"""Metadata of a field that edits of before did not have: a line says it where it is not the
+default, which is what they did. So a history of before is written as it was."""
+
 SURFACES_OWN = ("source", "segmentation", "assembly", "decimation", "filling", "far_field")
 """Of an organ, what goes with its surface."""
 
@@ -70,8 +74,14 @@ def write_line(edit: Edit) -> Line:
 
 def write_fields(part: Any) -> dict[str, Any]:
     """In the order in which a file has them."""
-    hints = find_hints(type(part))
-    return {name: write_field(getattr(part, name), hints[name]) for name in sorted(hints)}
+    hints, unsaid = find_hints(type(part)), find_unsaid(part)
+    names = sorted(set(hints) - unsaid)
+    return {name: write_field(getattr(part, name), hints[name]) for name in names}
+
+
+def find_unsaid(part: Any) -> set[str]:
+    later = (f for f in fields(part) if f.metadata.get(LATER))
+    return {f.name for f in later if getattr(part, f.name) == f.default}
 
 
 @cache

@@ -34,7 +34,8 @@ from palpate_editor.verbs.files import (
 
 
 def decimate_to(organ: Organ, vertices: int, file: Path) -> tuple[Organ, Report]:
-    return run_edit(lambda: decimate_organ(organ, vertices), organ, file, "--vertices")
+    """With what a designer wants kept: ridges, thin parts, borders of what is painted."""
+    return run_edit(lambda: decimate_organ(organ, vertices, True), organ, file, "--vertices")
 
 
 def run_edit(
@@ -45,8 +46,22 @@ def run_edit(
     except EditError as refused:
         raise EditRefusal(file, option, str(refused)) from None
     made = edit(organ)
+    kept = {
+        "kept_lines_mm": 1e3 * edit.kept_length,
+        "lines_left_out_mm": 1e3 * edit.left_out_length,
+    }
     found = [describe_problem(p, made.surface) for p in list_decimated(made)]
-    return made, {**report_decimation(edit.decimation), "problems": found}
+    far = say_far_field(made, organ)
+    return made, {**report_decimation(edit.decimation), **kept, "far_field": far, "problems": found}
+
+
+def say_far_field(organ: Organ, before: Organ) -> str | None:
+    """None where there was none."""
+    if before.far_field is None:
+        return None
+    if organ.far_field is None:
+        return "that of its own mesh (palpate material --far-field fine solves it)"
+    return "carried over from the finer surface"
 
 
 def report_decimation(decimation: Decimation) -> Report:
@@ -89,7 +104,7 @@ def run_decimate(call: argparse.Namespace) -> Report:
     before = open_any(call.file)
     if call.error is not None:
         organ, report = run_edit(
-            lambda: decimate_within(before, call.error), before, call.file, "--error"
+            lambda: decimate_within(before, call.error, True), before, call.file, "--error"
         )
     else:
         organ, report = decimate_to(before, call.vertices, call.file)
@@ -145,7 +160,20 @@ def describe_decimate(report: Report) -> str:
     )
     found = describe_problems(report["problems"]) if report["problems"] else []
     felt = describe_felt(report["felt"]) if report.get("felt") else []
-    return "\n".join([done, *found, *felt])
+    return "\n".join([done, *describe_kept(report), *found, *felt])
+
+
+def describe_kept(report: Report) -> list[str]:
+    """What beside the shape was kept, where there was something to keep."""
+    kept, left = report["kept_lines_mm"], report["lines_left_out_mm"]
+    lines = []
+    if kept or left:
+        lines.append(f"ridges and borders of what is painted: {kept:.0f} mm stay on their lines")
+    if left:
+        lines[-1] += f", {left:.0f} mm do not, for want of vertices"
+    if report["far_field"] is not None:
+        lines.append(f"far field: {report['far_field']}")
+    return lines
 
 
 VERBS = [

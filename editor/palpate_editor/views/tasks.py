@@ -12,10 +12,12 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from palpate_editor import authoring
 from palpate_editor.document import Organ
 from palpate_editor.edits import (
+    Decimate,
     Edit,
     ImportMesh,
     Prepared,
     decimate_organ,
+    decimate_within,
     import_read,
     prepare,
 )
@@ -26,7 +28,7 @@ from palpate_editor.guarded import stopping
 from palpate_editor.views.context import Context
 from palpate_editor.views.jobs import Progress
 from palpate_editor.views.sentences import sentence_of
-from palpate_editor.views.translations import say_title, tr
+from palpate_editor.views.translations import quantity, say_title, tr
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,14 +99,24 @@ class DecimateWork:
     """Makes the edit that puts a coarser surface in place, and does its work."""
 
     organ: Organ
-    vertices: int
+    vertices: int | None = None
+    error: float | None = None
+    """[m] One of the two."""
 
     def __call__(self, progress: Progress) -> tuple[Prepared, FeltChange]:
-        text = tr("Decimating to {count} vertices").format(count=self.vertices)
-        progress(text, 0.15)
-        prepared = prepare(decimate_organ(self.organ, self.vertices), self.organ)
+        prepared = prepare(self.decimate(progress), self.organ)
         progress(tr("Pressing it before and after"), 0.6)
         return prepared, measure_felt_change(self.organ, prepared.after)
+
+    def decimate(self, progress: Progress) -> Decimate:
+        """With what a designer wants kept: ridges, thin parts, borders of what is painted."""
+        if self.error is not None:
+            text = quantity(1e3 * self.error, "mm", 3)
+            progress(tr("Decimating within {distance}").format(distance=text), 0.15)
+            return decimate_within(self.organ, self.error, True)
+        assert self.vertices is not None
+        progress(tr("Decimating to {count} vertices").format(count=self.vertices), 0.15)
+        return decimate_organ(self.organ, self.vertices, True)
 
 
 @dataclass(frozen=True, eq=False)
@@ -222,10 +234,15 @@ class Tasks(QObject):
     # ------------------------------------------------------------ decimate
 
     def decimate(self, vertices: int) -> None:
-        if self.is_busy():
-            return
-        work = DecimateWork(self.context.session.organ, vertices)
-        self.context.jobs.start(tr("Decimating"), work, self.on_decimated, self.context.refuse)
+        self.start_decimating(DecimateWork(self.context.session.organ, vertices))
+
+    def decimate_within(self, error: float) -> None:
+        """`error` [m]: to the fewest vertices that keep every point within it of the source."""
+        self.start_decimating(DecimateWork(self.context.session.organ, error=error))
+
+    def start_decimating(self, work: DecimateWork) -> None:
+        if not self.is_busy():
+            self.context.jobs.start(tr("Decimating"), work, self.on_decimated, self.context.refuse)
 
     def on_decimated(self, found: tuple[Prepared, FeltChange]) -> None:
         prepared, change = found

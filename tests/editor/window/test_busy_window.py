@@ -97,9 +97,9 @@ def test_cancelling_lets_the_window_go_on_and_changes_nothing(qtbot, spleen_wind
     before = window.session.organ
     real = tasks.decimate_organ
 
-    def slow(organ, vertices):
+    def slow(organ, vertices, features):
         assert held.wait(PATIENCE / 1000)
-        return real(organ, vertices)
+        return real(organ, vertices, features)
 
     monkeypatch.setattr(tasks, "decimate_organ", slow)
     window.tasks.decimate(1200)
@@ -150,7 +150,7 @@ def test_work_that_changed_organ_meanwhile_is_refused(qtbot, spleen_window, sple
 def test_a_failure_inside_work_is_a_sentence(qtbot, spleen_window, monkeypatch):
     window = spleen_window
 
-    def fail(organ, vertices):
+    def fail(organ, vertices, features):
         raise KeyError("surprise")
 
     monkeypatch.setattr(tasks, "decimate_organ", fail)
@@ -164,7 +164,7 @@ def test_a_failure_inside_work_is_a_sentence(qtbot, spleen_window, monkeypatch):
 def test_closing_waits_for_work_that_is_under_way(qtbot, spleen_window, monkeypatch):
     window = spleen_window
 
-    def work_until_cancelled(organ, vertices):
+    def work_until_cancelled(organ, vertices, features):
         assert window.context.jobs.current.progress.stop.wait(PATIENCE / 1000)
 
     monkeypatch.setattr(tasks, "decimate_organ", work_until_cancelled)

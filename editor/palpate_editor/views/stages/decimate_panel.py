@@ -21,6 +21,7 @@ from palpate_editor.document.cost_rules import TICK_SHARE
 from palpate_editor.edits import UseImported
 from palpate_editor.felt_change import FeltChange
 from palpate_editor.views.context import Context
+from palpate_editor.views.quantity_box import QuantityBox
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.stages.stage_panel import StagePanel, Workers
 from palpate_editor.views.tasks import Tasks
@@ -30,6 +31,8 @@ LEAST, STEP = 12, 100
 PRESETS = (600, 1200, 2400, 5400)
 GOOD_ANGLE = 15.0
 """[degree] below it a warning is given."""
+USUAL_ERROR = 1e-3
+"""[m] What the field for a largest distance says at first."""
 LITTLE = 0.1
 """[-] Of the felt force, by which decimating may change it without a warning."""
 
@@ -54,7 +57,8 @@ class DecimatePanel(StagePanel):
             tr("The loop has a millisecond for every tick. Fewer vertices leave more of it free; "
                "600 to 2400 are usual. The colours show how far the new surface is from the file."),
             tr("Decimating always starts from the imported surface, so you can try several counts. "
-               "What you have painted is carried over."),
+               "What you have painted is carried over; its borders, ridges and thin parts are kept "
+               "as far as there are vertices for them."),
         ]  # fmt: skip
 
     def __init__(self, context: Context, tasks: Tasks, parent: QWidget | None = None):
@@ -95,6 +99,7 @@ class DecimatePanel(StagePanel):
             self.presets.append(button)
         presets.addStretch(1)
         section.body.addLayout(presets)
+        section.body.addLayout(self.build_error())
         self.shown: Decimation | None = None
         """The decimation whose count stands in the field."""
         self.build_table()
@@ -103,6 +108,30 @@ class DecimatePanel(StagePanel):
         self.undo_button.clicked.connect(self.use_imported)
         self.form.addWidget(self.undo_button)
         self.tasks.felt.connect(self.show_felt)
+
+    def build_error(self) -> QHBoxLayout:
+        """The other target: a distance, for which the fewest vertices are found."""
+        row = QHBoxLayout()
+        row.setSpacing(8)
+        label = write_label(tr("Largest distance"), "name", self)
+        row.addWidget(label)
+        self.error = QuantityBox("mm", 1e-3, self)
+        self.error.setObjectName("target_error")
+        self.error.setAccessibleName(tr("Largest distance"))
+        self.error.show_value(USUAL_ERROR)
+        self.error.entered.connect(self.error.show_value)
+        label.setBuddy(self.error)
+        row.addWidget(self.error, 1)
+        row.addWidget(write_label("mm", "name", self))
+        self.within_button = QPushButton(tr("Find the count"), self)
+        self.within_button.setObjectName("decimate_within")
+        self.within_button.setToolTip(
+            tr("The fewest vertices that keep every point of both surfaces within this distance of "
+               "the other. Takes some ten times as long as one count.")
+        )  # fmt: skip
+        self.within_button.clicked.connect(self.decimate_within)
+        row.addWidget(self.within_button)
+        return row
 
     def build_table(self) -> None:
         self.result = self.section(tr("Before and after"))
@@ -140,6 +169,7 @@ class DecimatePanel(StagePanel):
     def show_organ(self, organ: Organ) -> None:
         there = organ.imported is not None
         self.button.setEnabled(there)
+        self.within_button.setEnabled(there)
         self.result.setVisible(there)
         self.undo_button.setVisible(organ.decimation is not None)
         self.coloured.setVisible(organ.decimation is not None)
@@ -229,6 +259,11 @@ class DecimatePanel(StagePanel):
     def decimate(self) -> None:
         self.target.interpretText()
         self.tasks.decimate(self.target.value())
+
+    def decimate_within(self) -> None:
+        self.error.enter()
+        if self.error.shown is not None:
+            self.tasks.decimate_within(self.error.shown)
 
     def use_imported(self) -> None:
         self.tasks.apply_slowly(UseImported())
