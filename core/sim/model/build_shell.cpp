@@ -5,14 +5,12 @@
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/model/build_surface.h"
+#include "palpate/sim/model/private/inner_face.h"
 #include "palpate/sim/model/private/prism_shear.h"
 #include "palpate/sim/model/private/surface_particles.h"
 
 namespace palpate {
 namespace {
-
-/// [-] Of the outer triangle's area that the inner one must have.
-constexpr double kLeastArea = 0.1;
 
 double wall_of(const Material& material) {
   validate(material);
@@ -24,24 +22,6 @@ double wall_of(const Material& material) {
 
 Vec3 compute_area_vector(const Vec3Array& x, const Triangle& t) {
   return 0.5 * (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]);
-}
-
-/// The vertices moved inwards by `distance` [m].
-SurfaceMesh make_inner_face(const SurfaceMesh& mesh, double distance) {
-  const Vec3Array normals = compute_vertex_normals(mesh.vertices, mesh.triangles);
-  SurfaceMesh inner = mesh;
-  for (std::size_t i = 0; i < normals.size(); ++i) inner.vertices[i] -= distance * normals[i];
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Vec3 out = compute_area_vector(mesh.vertices, mesh.triangles[t]);
-    const Vec3 in = compute_area_vector(inner.vertices, mesh.triangles[t]);
-    if (in.dot(out) >= kLeastArea * out.squaredNorm()) continue;
-    refuse(write_text("mesh: triangle ", t),
-           write_text("an inner face, ", 1e3 * distance, " mm below, of ",
-                      100.0 * in.dot(out) / out.squaredNorm(), " % of its area"),
-           write_text("at least ", 100.0 * kLeastArea,
-                      " %: a thinner wall, or a surface with wider bends"));
-  }
-  return inner;
 }
 
 template <class Row>
@@ -93,7 +73,7 @@ double compute_lever(const std::array<double, 2>& diagonal, double side, double 
 /// Three sides of equal weight, 2 A/3 of the shear energy each, pass the shear of a prism on:
 /// exact in an equilateral one. Each is damped as a link of its own stiffness would be.
 void add_prism(const SurfaceMesh& mesh, std::size_t t, const Material& material, double scale,
-               double height, TissueModel& model) {
+               const std::vector<double>& depth, TissueModel& model) {
   const auto n = static_cast<int>(mesh.vertices.size());
   const Triangle& outer = mesh.triangles[t];
   const std::array<int, 6> corners = {outer[0] + n, outer[1] + n, outer[2] + n,
@@ -111,6 +91,7 @@ void add_prism(const SurfaceMesh& mesh, std::size_t t, const Material& material,
   for (int c = 0; c < 3; ++c) {
     const int i = (c + 1) % 3, j = (c + 2) % 3;
     const std::array<double, 2> diagonal = {distance(i, 3 + j), distance(j, 3 + i)};
+    const double height = 0.5 * (depth[outer[i]] + depth[outer[j]]);
     const double lever = compute_lever(diagonal, side[c], height);
     const double mass = 0.25 * (model.mass[corners[i]] + model.mass[corners[j]] +
                                 model.mass[corners[3 + i]] + model.mass[corners[3 + j]]);
@@ -139,13 +120,14 @@ TissueModel build_shell(const SurfaceMesh& mesh, const Material& material,
   SurfaceOptions inner = outer;
   inner.pressure = 0.0;
   TissueModel model = build_membrane_molecular(mesh, half, 0.0, AngleLaw::gradient, outer);
-  const SurfaceMesh below = make_inner_face(mesh, height);
-  const TissueModel under = build_membrane_molecular(below, half, 0.0, AngleLaw::gradient, inner);
+  const InnerFace below = make_inner_face(mesh, height);
+  const TissueModel under =
+      build_membrane_molecular(below.mesh, half, 0.0, AngleLaw::gradient, inner);
   append_face(under, static_cast<int>(mesh.vertices.size()), model);
   add_pillars(mesh, material, options, model);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const double scale = compute_local_scale(options.stiffness_scale, mesh.triangles[t]);
-    add_prism(mesh, t, material, scale, height, model);
+    add_prism(mesh, t, material, scale, below.depth, model);
   }
   validate(model);
   return model;
