@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -13,7 +14,7 @@ import palpate
 from palpate import scenario
 from palpate.command.verb import Report
 from palpate.scene.scene_file import build_material
-from palpate.scene.scene_parts import ModelPart
+from palpate.scene.scene_parts import FILLED, ModelPart
 
 from palpate_editor import authoring
 from palpate_editor.compile import (
@@ -37,11 +38,14 @@ from palpate_editor.edits.inspected import inspect_surface
 from palpate_editor.edits.keep_outer import keep_outer
 from palpate_editor.edits.repair import keep_largest
 from palpate_editor.edits.unite import can_be_united
+from palpate_editor.filling_quality import measure_filling, state_facts
 from palpate_editor.fixes import find_fix
 from palpate_editor.nearest import find_fitting
-from palpate_editor.problem_places import find_faces, find_place
+from palpate_editor.problem_places import find_around, find_faces, find_nearest_face, find_place
 from palpate_editor.trial import measure_trial
 
+ROUNDING = 1e-6
+"""[-] By which a distance may be less than it was meant to be."""
 measured: WeakKeyDictionary[Surface, tuple[authoring.MeshReport, SurfaceFacts]] = (
     WeakKeyDictionary()
 )
@@ -101,6 +105,10 @@ def place_problem(problem: Problem, organ: Organ, facts: Facts) -> Problem:
     faces = None
     if organ.surface is not None:
         faces = find_faces(problem.key, organ.surface, measure_surface(organ.surface)[0])
+        if problem.key == "reduced_wall" and facts.tissue is not None:
+            faces = find_around(organ.surface.triangles, facts.tissue.reduced)
+        if problem.key == "flat_tetrahedra" and facts.tissue and facts.tissue.filling:
+            faces = find_nearest_face(organ.surface, facts.tissue.filling.place)
     return replace(problem, fix=find_fix(problem, organ, facts), faces=faces)
 
 
@@ -169,8 +177,21 @@ def build(
         default_home=home,
         trial=measure_trial(organ, scene),
         wall=compare_with_wall(organ, tissue),
+        filling=state_facts(measure_filling(organ)) if organ.model.kind in FILLED else None,
+        **find_reduced(organ, tissue),
     )
     return scene, replace(found, nearest=find_overload(organ, found))
+
+
+def find_reduced(organ: Organ, tissue: palpate.TissueModel) -> dict[str, Any]:
+    """Where the faces of a wall of prisms are nearer than its thickness asks for."""
+    thickness, n = organ.material.wall_thickness, organ.vertex_count
+    if organ.model.kind != "shell" or thickness is None:
+        return {}
+    x = np.asarray(tissue.rest_position)
+    share = np.linalg.norm(x[:n] - x[n : 2 * n], axis=1) * np.sqrt(3.0) / thickness
+    less = np.flatnonzero(share < 1.0 - ROUNDING)
+    return {"reduced": tuple(less.tolist()), "least_depth": float(share.min(initial=1.0))}
 
 
 def find_overload(organ: Organ, tissue: TissueFacts) -> NearestFacts | None:

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import math
 
+from palpate.scene.scene_parts import FILLED
+
 from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.constants import CHOICES
 from palpate_editor.document.defaults import FIXED_SHARE, WALL_THICKNESS
@@ -13,6 +15,7 @@ from palpate_editor.document.organ_sizes import find_fitting_unit
 from palpate_editor.document.problems import Facts, Problem
 from palpate_editor.document.rules import find_organ_word
 from palpate_editor.edits import (
+    CapHoles,
     CutCrowdedEdges,
     CutDisagreement,
     DecimateTo,
@@ -56,6 +59,8 @@ def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
         # to the next tenth of a millimetre
         radius = 1e-4 * math.ceil(1e4 * EDGES_PER_RADIUS * surface.mean_edge)
         return SetConstant("tool", "radius", radius)
+    if problem.key == "open_solid" and organ.model.kind in FILLED:
+        return CapHoles()
     if problem.key == "constant":
         part, field = problem.where.split(".")
         return SetConstant(part, field, getattr(getattr(EMPTY, part), field))

@@ -54,6 +54,13 @@ def find_around(triangles: np.ndarray, vertices: Sequence[int]) -> np.ndarray:
     return np.flatnonzero(np.isin(triangles, vertices).any(axis=1)).astype(np.int32)
 
 
+def find_nearest_face(surface: Surface, point: Sequence[float]) -> np.ndarray:
+    """The one triangle nearest to a point [m] inside."""
+    tree = palpate.AabbTree(surface.vertices, surface.triangles)
+    near = palpate.find_closest_point(tree, surface.vertices, np.asarray(point))
+    return np.array([near.triangle], np.int32)
+
+
 def compute_angles(surface: Surface) -> np.ndarray:
     """[rad] (t,) the smallest angle of each triangle; 0 of one without an area."""
     corners = surface.vertices[surface.triangles]

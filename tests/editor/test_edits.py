@@ -91,6 +91,7 @@ EXAMPLES = [
     (edits.UniteShells(), IN_PIECES),
     (edits.FillHoles(), OPEN),
     (edits.FillHoles(even=True), OPEN),
+    (edits.CapHoles(), OPEN),
     (edits.CleanUp(), INSIDE_OUT),
     (edits.StitchBorders(), UNWELDED),
     (edits.DropFins(), ON_A_BALL),

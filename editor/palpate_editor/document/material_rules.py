@@ -25,6 +25,8 @@ RIGID = 1e9
 GRAVITY, MOST_GRAVITY = 9.81, 1.1
 """[m/s²] of the Earth, and how many times that is taken without a word."""
 
+MOST_REDUCED = 0.05
+"""[-] Of the vertices of a wall that may be nearer to its inner face without a warning."""
 POISSON_ERROR = 0.05
 """[-] by which springs may miss a Poisson's ratio."""
 
@@ -44,14 +46,17 @@ def find_material_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
     if facts.surface is None or facts.tissue is None:
         return
     solid = organ.material.wall_thickness is None
-    if facts.surface.border_loops and solid:
+    filled = organ.model.kind in FILLED
+    if facts.surface.border_loops and (solid or filled):
         yield Problem(
             "open_solid",
             "error",
             "material",
             "material.wall_thickness",
             phrase("a solid with holes"),
-            phrase("a closed surface, or the thickness of its wall"),
+            phrase("a closed surface: close it for filling, or make it a wall")
+            if filled
+            else phrase("a closed surface, or the thickness of its wall"),
         )
     elif facts.tissue.refusal is not None and not wrong and not find_wrong_constant(facts.tissue):
         yield from refuse_tissue(facts.tissue)
@@ -59,6 +64,7 @@ def find_material_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
     yield from find_support_problems(organ)
     yield from find_gravity_problems(organ, facts.tissue)
     yield from find_poisson_problems(organ, facts.tissue)
+    yield from find_wall_problems(organ, facts.tissue)
     edge, radius = facts.surface.mean_edge, organ.tool.radius
     near_field = organ.model.kind in WITH_NEAR_FIELD and organ.model.contact_law == "near_field"
     if not near_field and 0.0 < radius < EDGES_PER_RADIUS * edge:
@@ -204,4 +210,26 @@ def find_poisson_problems(organ: Organ, tissue: TissueFacts) -> Iterator[Problem
         phrase(
             "about {like:.2f}, or the molecular model, which can have any", like=wall.poisson_ratio
         ),
+    )
+
+
+def find_wall_problems(organ: Organ, tissue: TissueFacts) -> Iterator[Problem]:
+    """Where the inner face of a wall had to come nearer to the outer one."""
+    wall = organ.material.wall_thickness
+    if wall is None or not tissue.reduced:
+        return
+    share = len(tissue.reduced) / organ.vertex_count
+    yield Problem(
+        "reduced_wall",
+        "note" if share <= MOST_REDUCED else "warning",
+        "material",
+        "material.wall_thickness",
+        phrase(
+            "{wall:g} mm, for which {share:.1%} of the surface bends too closely or has the other "
+            "side too near: the wall is {least:.0%} as thick there at least, and bends too easily",
+            wall=1e3 * wall,
+            share=share,
+            least=tissue.least_depth,
+        ),
+        phrase("a thinner wall, or a surface that is smoother there"),
     )

@@ -167,6 +167,21 @@ class TrialFacts:
 
 
 @dataclass(frozen=True)
+class FillingFacts:
+    """What was measured on the tetrahedra of a solid."""
+
+    asked: int
+    smallest_angle_deg: float
+    """Between two faces of one."""
+    place: tuple[float, float, float]
+    """[m] where that is"""
+    edges: tuple[float, float, float]
+    """[m] shortest, median and longest"""
+    fine_edge: float | None
+    """[m] the median at the finer region; None where there is none"""
+
+
+@dataclass(frozen=True)
 class TissueFacts:
     """What came of building the tissue."""
 
@@ -182,6 +197,8 @@ class TissueFacts:
     """Springs and bonds."""
     tetrahedra: int = 0
     """Of a solid."""
+    filling: FillingFacts | None = None
+    """Of a solid."""
     default_home: float | None = None
     """[N/m³] What home springs are where the designer says nothing."""
     trial: TrialFacts | None = None
@@ -192,6 +209,11 @@ class TissueFacts:
     """Where, got, expected: why there is none."""
     nearest: NearestFacts | None = None
     """Of a tissue that needs more substeps than a tick has time for."""
+    reduced: tuple[int, ...] = ()
+    """Vertices of a wall of prisms whose inner face is nearer than the wall is thick: bends are
+    too narrow there, or the far side is near."""
+    least_depth: float = 1.0
+    """[-] Of the distance between the faces, at the nearest of them."""
     coupling_range: tuple[float, float] | None = None
     """[N] the stretch-bend that every triangle can take, where one could not take the organ's."""
 

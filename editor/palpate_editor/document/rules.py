@@ -6,7 +6,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from palpate.scenario import MOST_PARTICLES
-from palpate.scene.scene_parts import FILLED
 
 from palpate_editor.document.cost_rules import (
     find_cost_problems,
@@ -14,6 +13,7 @@ from palpate_editor.document.cost_rules import (
     find_substep_problems,
     find_surface_cost_problems,
 )
+from palpate_editor.document.fill_rules import find_filling_problems
 from palpate_editor.document.fit_rules import find_fit_problems
 from palpate_editor.document.material_rules import find_material_problems
 from palpate_editor.document.organ import Organ
@@ -255,24 +255,6 @@ def find_decimate_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
             phrase("at most {most}: decimate", most=MOST_PARTICLES),
         )
     yield from find_surface_cost_problems(organ, facts)
-
-
-def find_filling_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
-    """The file's own tetrahedra fill a surface that is as it was read, where as many are asked."""
-    del facts
-    if organ.filling is None or organ.model.kind not in FILLED:
-        return
-    count, fill = len(organ.filling.tetrahedra), organ.fill
-    if organ.surface is organ.imported and fill.tetrahedra == count and not fill.fine_region:
-        return
-    yield Problem(
-        "own_filling",
-        "note",
-        "material",
-        "fill.tetrahedra",
-        phrase("{count} tetrahedra of the file, which are not used", count=count),
-        phrase("the surface as it was read, {count} tetrahedra, and no finer region", count=count),
-    )
 
 
 def find_test_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:

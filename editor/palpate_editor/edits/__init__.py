@@ -8,6 +8,7 @@ inverse: documents are values, and to undo is to remember.
 from __future__ import annotations
 
 from palpate_editor.edits.appearance import SetAppearance
+from palpate_editor.edits.cap import CapHoles
 from palpate_editor.edits.clean import CleanUp, DropPieces, Smooth, StitchBorders
 from palpate_editor.edits.configure import Configure
 from palpate_editor.edits.crossings import RemoveCrossings
@@ -46,6 +47,7 @@ from palpate_editor.edits.unite import UniteShells
 from palpate_editor.edits.wrap import Wrap
 
 __all__ = [
+    "CapHoles",
     "EVERY_EDIT",
     "CleanUp",
     "Configure",
@@ -109,6 +111,7 @@ EVERY_EDIT: tuple[type, ...] = (
     CutDisagreement,
     UniteShells,
     FillHoles,
+    CapHoles,
     CleanUp,
     StitchBorders,
     DropFins,

@@ -545,8 +545,8 @@
         <translation>Sadeleştiriliyor</translation>
     </message>
     <message>
-        <source>Decimating always starts from the imported surface, so you can try several counts. What you have painted is carried over.</source>
-        <translation>Sadeleştirme her zaman içe aktarılan yüzeyden başlar, böylece birkaç sayı deneyebilirsiniz. Boyadıklarınız aktarılır.</translation>
+        <source>Decimating always starts from the imported surface, so you can try several counts. What you have painted is carried over; its borders, ridges and thin parts are kept as far as there are vertices for them.</source>
+        <translation>Sadeleştirme her zaman içe aktarılan yüzeyden başlar, böylece birkaç sayı deneyebilirsiniz. Boyadıklarınız aktarılır; sınırları, sırtlar ve ince kısımlar köşe sayısı yettiği ölçüde korunur.</translation>
     </message>
     <message>
         <source>Decimating to {count} vertices</source>
@@ -2934,6 +2934,42 @@ Beklenen: {expected}.</translation>
         <source>The run would have been stopped after {time:.2f} s: {what}. Shorter steps or implicit damping held the organ together.</source>
         <translation>Çalışma {time:.2f} s sonra durdurulacaktı: {what}. Organı daha kısa adımlar ya da örtük sönüm bir arada tuttu.</translation>
     </message>
+    <message>
+        <source>Close for filling</source>
+        <translation>Doldurmak için kapat</translation>
+    </message>
+    <message>
+        <source>Closes every hole; each cap stays known as a region, so that it can be held.</source>
+        <translation>Her deliği kapatır; her kapak bir bölge olarak kalır, böylece sabitlenebilir.</translation>
+    </message>
+    <message>
+        <source>Decimating within {distance}</source>
+        <translation>{distance} içinde sadeleştiriliyor</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Kenarlar</translation>
+    </message>
+    <message>
+        <source>Edges at the finer region</source>
+        <translation>Daha ince bölgedeki kenarlar</translation>
+    </message>
+    <message>
+        <source>Find the count</source>
+        <translation>Sayıyı bul</translation>
+    </message>
+    <message>
+        <source>Smallest angle between faces</source>
+        <translation>Yüzler arası en küçük açı</translation>
+    </message>
+    <message>
+        <source>The fewest vertices that keep every point of both surfaces within this distance of the other. Takes some ten times as long as one count.</source>
+        <translation>Her iki yüzeyin her noktasını diğerine bu uzaklıkta tutan en az köşe sayısı. Tek bir sayıdan yaklaşık on kat uzun sürer.</translation>
+    </message>
+    <message>
+        <source>{least} to {most} mm, {median} in the middle</source>
+        <translation>{least} – {most} mm, ortanca {median}</translation>
+    </message>
 </context>
 <context>
     <name>constants</name>
@@ -3271,6 +3307,10 @@ Beklenen: {expected}.</translation>
     <message>
         <source>Keep what is seen from outside</source>
         <translation>Dışarıdan görüneni tut</translation>
+    </message>
+    <message>
+        <source>Close for filling</source>
+        <translation>Doldurmak için kapat</translation>
     </message>
 </context>
 <context>
@@ -4646,6 +4686,38 @@ Beklenen: {expected}.</translation>
     <message>
         <source>at most {share:.0%}: fewer vertices, or {name}: {limit}</source>
         <translation>en çok {share:.0%}: daha az köşe ya da {name}: {limit}</translation>
+    </message>
+    <message>
+        <source>a closed surface: close it for filling, or make it a wall</source>
+        <translation>kapalı bir yüzey: doldurmak için kapatın ya da bir duvar yapın</translation>
+    </message>
+    <message>
+        <source>a thinner wall, or a surface that is smoother there</source>
+        <translation>daha ince bir duvar ya da orada daha düzgün bir yüzey</translation>
+    </message>
+    <message>
+        <source>at least {least:g}: another number of tetrahedra, or a surface without a narrow edge there</source>
+        <translation>en az {least:g}: başka sayıda dörtyüzlü ya da orada dar bir kenarı olmayan bir yüzey</translation>
+    </message>
+    <message>
+        <source>faces of a tetrahedron at {angle:.1f} degrees to each other, at ({x:.0f}, {y:.0f}, {z:.0f}) mm</source>
+        <translation>({x:.0f}, {y:.0f}, {z:.0f}) mm noktasında, yüzleri birbirine {angle:.1f} derece olan bir dörtyüzlü</translation>
+    </message>
+    <message>
+        <source>{asked}, to a tenth: the shape of the surface allows no such number</source>
+        <translation>onda bir farkla {asked}: yüzeyin biçimi böyle bir sayıya izin vermiyor</translation>
+    </message>
+    <message>
+        <source>{count} holes stay open: no patch fits them, so there is nothing to fill.</source>
+        <translation>{count} delik açık kalıyor: onlara uyan bir yama yok, bu yüzden doldurulacak bir şey yok.</translation>
+    </message>
+    <message>
+        <source>{count} tetrahedra, {share:+.0%}</source>
+        <translation>{count} dörtyüzlü, {share:+.0%}</translation>
+    </message>
+    <message>
+        <source>{wall:g} mm, for which {share:.1%} of the surface bends too closely or has the other side too near: the wall is {least:.0%} as thick there at least, and bends too easily</source>
+        <translation>{wall:g} mm; yüzeyin {share:.1%} kadarı bunun için çok dar bükülüyor ya da öbür yüzü çok yakın: duvar orada en az {least:.0%} kalınlıkta ve fazla kolay bükülüyor</translation>
     </message>
 </context>
 <context>

@@ -27,6 +27,7 @@ from palpate_editor.document.constants import (
 from palpate_editor.document.far_compliance import wants_far_field
 from palpate_editor.document.idle import find_idle
 from palpate_editor.edits import (
+    CapHoles,
     Configure,
     CutCrowdedEdges,
     CutDisagreement,
@@ -206,6 +207,11 @@ def reach_arguments(edit: SetReach, organ: Organ, document: Path | str) -> Argum
     return material_arguments(document, [f"--reach={edit.region or NONE}"])
 
 
+def cap_arguments(edit: CapHoles, organ: Organ, document: Path | str) -> Arguments:
+    del edit, organ
+    return ["palpate", "fill", document, "--close", "-o", document]
+
+
 def fine_arguments(edit: SetFineRegion, organ: Organ, document: Path | str) -> Arguments:
     del organ
     return material_arguments(document, [f"--fine={edit.region or NONE}"])
@@ -341,6 +347,7 @@ FINDERS: dict[type, Callable[[Any, Organ, Path | str], Arguments | None]] = {
     CutDisagreement: repair_arguments("one_sided"),
     UniteShells: unite_arguments,
     FillHoles: hole_arguments,
+    CapHoles: cap_arguments,
     SetConstant: constant_arguments,
     SetChoice: choice_arguments,
     SetGravity: gravity_arguments,

@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
+import palpate
 from palpate.scene.scene_parts import FILLED
 from PySide6.QtGui import QWheelEvent
-from PySide6.QtWidgets import QComboBox, QWidget
+from PySide6.QtWidgets import QComboBox, QPushButton, QWidget
 
 from palpate_editor.document import Organ
-from palpate_editor.edits import SetFineRegion, SetReach
+from palpate_editor.edits import CapHoles, SetFineRegion, SetReach
 from palpate_editor.views.context import Context
 from palpate_editor.views.stages.constant_form import build_grid
 from palpate_editor.views.stages.facts import Section, write_label
@@ -66,6 +67,7 @@ class FillForm(Section):
 
     def __init__(self, context: Context, parent: QWidget | None = None):
         super().__init__(tr("Filling"), parent)
+        self.context = context
         grid, self.constants = build_grid(context, FILLING, self)
         finer = (tr("Finer at"), tr("Nowhere"))
         reaches = (tr("The tool reaches"), tr("All of the surface"))
@@ -75,12 +77,21 @@ class FillForm(Section):
             grid.addWidget(field.label, row, 0)
             grid.addWidget(field, row, 1)
         self.body.addLayout(grid)
+        self.close_button = QPushButton(tr("Close for filling"), self)
+        self.close_button.setObjectName("close_for_filling")
+        self.close_button.setToolTip(
+            tr("Closes every hole; each cap stays known as a region, so that it can be held.")
+        )
+        self.close_button.clicked.connect(self.close_holes)
+        self.add(self.close_button)
         self.note = write_label("", "note", self)
         self.note.setWordWrap(True)
         self.add(self.note)
 
     def show_organ(self, organ: Organ) -> None:
         self.setVisible(organ.model.kind in FILLED)
+        is_open = organ.surface is not None and not palpate.is_closed(organ.surface.triangles)
+        self.close_button.setVisible(is_open)
         self.fine.show_organ(organ, organ.model.kind in FILLED)
         self.reach.show_organ(organ, organ.model.kind == "linear_solid")
         text = tr(
@@ -94,3 +105,6 @@ class FillForm(Section):
                 "elsewhere it does not give."
             )
         self.note.setText(text)
+
+    def close_holes(self) -> None:
+        self.context.long_edit_wanted.emit(CapHoles())

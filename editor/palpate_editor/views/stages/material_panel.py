@@ -30,6 +30,7 @@ from palpate_editor.views.stages.contact_offer import ContactOffer
 from palpate_editor.views.stages.facts import Fact, Facts, Section, write_label
 from palpate_editor.views.stages.fill_form import FillForm
 from palpate_editor.views.stages.material_words import (
+    filling_rows,
     home_rows,
     say_compared,
     say_error,
@@ -264,6 +265,7 @@ class MaterialPanel(StagePanel):
         rows: list[Fact] = [(tr("Total mass"), quantity(None if mass is None else 1e3 * mass, "g"))]
         if tissue.tetrahedra:
             rows.append((tr("Tetrahedra"), count(tissue.tetrahedra)))
+            rows += filling_rows(tissue)
         scene = assessment.scene
         if scene is not None and scene.bodies[0].response is not None:  # nothing of it swings
             rows.append((tr("Its response"), say_memory(scene.bodies[0].response.size)))

@@ -8,11 +8,12 @@ from palpate.scene.scene_parts import FINITE, VALIDATED_TIPS
 
 from palpate_editor.document import Organ
 from palpate_editor.document.cost_rules import TICK_SHARE
+from palpate_editor.document.fill_rules import LEAST_DIHEDRAL
 from palpate_editor.document.phrase import Phrase
 from palpate_editor.document.press_rules import MOST_HOME_SHARE
 from palpate_editor.document.problems import TissueFacts
 from palpate_editor.views.stages.facts import Fact
-from palpate_editor.views.translations import number, say, tr
+from palpate_editor.views.translations import number, quantity, say, tr
 
 ROUNDING = 1e-6
 """[-] an error of stretching below this is that of the computer's numbers."""
@@ -80,6 +81,24 @@ def home_rows(tissue: TissueFacts) -> list[Fact]:
     span = most if least == most else f"{least} \N{EN DASH} {most}"
     tone = "good" if max(shares) <= MOST_HOME_SHARE else "warning"
     return [(tr("Home springs carry"), tr("{span} % of the force").format(span=span), tone)]
+
+
+def filling_rows(tissue: TissueFacts) -> list[Fact]:
+    """How flat and how fine the tetrahedra of a solid are."""
+    found = tissue.filling
+    if found is None:
+        return []
+    tone = "good" if found.smallest_angle_deg >= LEAST_DIHEDRAL else "warning"
+    angle = f"{number(found.smallest_angle_deg, 3)}°"
+    least, median, most = (number(1e3 * edge, 2) for edge in found.edges)
+    span = tr("{least} to {most} mm, {median} in the middle")
+    rows: list[Fact] = [
+        (tr("Smallest angle between faces"), angle, tone),
+        (tr("Edges"), span.format(least=least, most=most, median=median)),
+    ]
+    if found.fine_edge is not None:
+        rows.append((tr("Edges at the finer region"), quantity(1e3 * found.fine_edge, "mm", 2)))
+    return rows
 
 
 def validity_rows(tissue: TissueFacts) -> list[Fact]:
