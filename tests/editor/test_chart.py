@@ -302,6 +302,17 @@ def fail(plan: object, job: object) -> None:
     raise RuntimeError("on purpose")
 
 
+@pytest.mark.parametrize("speed", ["0mm/s", "-5mm/s"])
+def test_a_hand_that_does_not_move_is_refused(tmp_path, capsys, speed):
+    organ = tmp_path / "block.organ"
+    write_organ(organ, make_block())
+
+    assert main(["chart", str(organ), f"--speed={speed}"]) == 2
+
+    said = capsys.readouterr().err
+    assert f"--speed: got {speed.removesuffix('mm/s')} mm/s, expected one above 0" in said
+
+
 def test_the_truth_of_another_body_is_refused(tmp_path, capsys):
     organ, truth = tmp_path / "block.organ", tmp_path / "other.truth"
     write_organ(organ, make_block())

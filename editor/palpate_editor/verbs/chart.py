@@ -93,6 +93,8 @@ def read_count(text: str) -> int:
 
 def check_call(call: argparse.Namespace) -> None:
     """Raises WrongCall for options that do not fit together."""
+    if call.speed is not None and not call.speed > 0.0:
+        raise WrongCall(f"--speed: got {1e3 * call.speed:g} mm/s, expected one above 0")
     if call.scheduler is not None and call.workers is not None:
         raise WrongCall("--workers is of this machine and --scheduler of a cluster: give one")
     if call.path not in PATHS:
@@ -145,7 +147,7 @@ def make_plan(call: argparse.Namespace, organ: Organ) -> Plan:
         organ=pack_document(organ),
         truth=find_truth(call, organ, keys),
         path="script" if is_script else call.path,
-        speed=0.0 if is_script else call.speed or SPEED,
+        speed=0.0 if is_script else SPEED if call.speed is None else call.speed,
         frames=frames,
     )
 
