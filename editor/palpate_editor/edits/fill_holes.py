@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
 import numpy as np
@@ -15,6 +15,7 @@ from palpate_editor.document import Organ, Surface, phrase
 from palpate_editor.edits.carry import find_closest
 from palpate_editor.edits.edit import EditError, find_surface
 from palpate_editor.edits.even_patch import even_patches
+from palpate_editor.edits.history import LATER
 from palpate_editor.edits.wall import settle_wall
 
 
@@ -27,7 +28,7 @@ class FillHoles:
     holes: tuple[int, ...] | None = None
     """Numbers in palpate.find_border_loops of the surface in use; None for all."""
 
-    even: bool = False
+    even: bool = field(default=False, metadata={LATER: True})
     """With triangles as long as those of the rim. Histories from before that was done have none."""
 
     def __call__(self, organ: Organ) -> Organ:
