@@ -100,6 +100,7 @@ TEST_CASE("with steps far beyond its limit an explicit integrator ends in an ala
     Scene coarse = build_scene(scene);
     coarse.bodies[0].substeps = coarse.bodies[0].substeps_max = needed / 6;
     World world(coarse);
+    world.recovers = false;
 
     press(coarse, world);
 
@@ -158,6 +159,7 @@ TEST_CASE("an implicit step without a solution is an alarm, and the tissue stand
     CAPTURE(std::string(integrator_name(integrator)));
     const Scene scene = make_scene_of(integrator);
     World world(scene);
+    world.recovers = false;  // the velocity of the tick before was a number
     HapticSample away;
     away.position = {0.0, 0.0, 0.2};
     tick(scene, away, kDt, world);
