@@ -182,7 +182,7 @@ void raise(const Alarm& alarm, int body, World& world) noexcept {
 /// Checks every body, and what is to be felt.
 void end_bodies(const Scene& scene, double dt, World& world) noexcept {
   Stopwatch watch(world.measures_costs);
-  const Workspace& work = workspace(world);
+  const TickBuffers& work = workspace(world);
   // a contact that makes energy would count as a hand that gives it
   double most_work = 0.0;
   for (const HandMotion& motion : work.hands) most_work += motion.stored_energy;

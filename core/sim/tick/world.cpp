@@ -172,10 +172,10 @@ World::World(const Scene& scene) : scene_identity(validated(scene).identity) {
   costs.bodies.resize(bodies.size());
   costs.instruments.resize(instruments.size());
   costs.pairs.resize(pairs.size());
-  workspace_ = Owned(Workspace(*this));
+  workspace_ = Owned(TickBuffers(*this));
 }
 
-Workspace::Workspace(const World& world)
+TickBuffers::TickBuffers(const World& world)
     : instruments(world.instruments.size()),
       near(world.pairs.size()),
       hands(world.instruments.size()),
@@ -225,6 +225,6 @@ template <class Hidden>
 Owned<Hidden>::~Owned() = default;
 
 template class Owned<BodyInternals>;
-template class Owned<Workspace>;
+template class Owned<TickBuffers>;
 
 }  // namespace palpate

@@ -32,7 +32,7 @@ class Owned {
 };
 
 struct BodyInternals;
-struct Workspace;
+struct TickBuffers;
 
 /// What a body is stepped by where it would blow up without, each beyond the one before [motion:
 /// ladder].
@@ -138,8 +138,8 @@ struct World {
   }
 
  private:
-  friend Workspace& workspace(World& world) noexcept;
-  Owned<Workspace> workspace_;
+  friend TickBuffers& workspace(World& world) noexcept;
+  Owned<TickBuffers> workspace_;
 };
 static_assert(alignof(World) == 8);
 

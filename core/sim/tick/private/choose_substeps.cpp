@@ -193,7 +193,7 @@ int choose_substeps(const Scene& scene, double dt, World& world) noexcept {
 }
 
 int fit_substeps(const Scene& scene, World& world) noexcept {
-  Workspace& work = workspace(world);
+  TickBuffers& work = workspace(world);
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
     const SoftState& state = world.bodies[b];
     work.wanted[b] = refine(scene.bodies[b], state.safeguard, internals(state).wanted_substeps);

@@ -220,7 +220,7 @@ void accept_energy(Guard& guard) noexcept {
 }  // namespace
 
 void keep_checkpoint(World& world) noexcept {
-  Workspace& work = workspace(world);
+  TickBuffers& work = workspace(world);
   for (SoftState& state : world.bodies) keep(world.tick_count, state);
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
     const ToolState& tool = world.instruments[i].tool;
@@ -231,7 +231,7 @@ void keep_checkpoint(World& world) noexcept {
 }
 
 void rewind(const Scene& scene, World& world) noexcept {
-  Workspace& work = workspace(world);
+  TickBuffers& work = workspace(world);
   for (std::size_t b = 0; b < world.bodies.size(); ++b) rewind(scene.bodies[b], world.bodies[b]);
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
     rewind(work.instruments[i], world.instruments[i].tool);

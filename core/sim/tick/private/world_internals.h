@@ -199,8 +199,8 @@ struct InstrumentCheckpoint {
 };
 
 /// Buffers that live for one tick.
-struct Workspace {
-  explicit Workspace(const World& world);
+struct TickBuffers {
+  explicit TickBuffers(const World& world);
 
   std::vector<InstrumentCheckpoint> instruments;  ///< (keep_checkpoint)
   std::vector<NearMemory> near;                   ///< per pair (keep_checkpoint)
@@ -212,7 +212,7 @@ struct Workspace {
   std::vector<double> cost;  ///< of a substep of each, relative (choose_substeps)
 };
 
-inline Workspace& workspace(World& world) noexcept { return world.workspace_.get(); }
+inline TickBuffers& workspace(World& world) noexcept { return world.workspace_.get(); }
 
 /// The surfaces of all bodies, as this instrument touches them; until it is called again.
 std::span<const TouchedSurface> list_surfaces(const Scene& scene, std::size_t instrument,
