@@ -2198,11 +2198,7 @@ class NearField:
         """Raises TypeError: not to be pickled."""
 
 def build_near_field(
-    model: TissueModel,
-    modulus: float,
-    radius: float,
-    far: ArrayLike = ...,
-    facets: bool = ...,
+    model: TissueModel, modulus: float, radius: float, far: ArrayLike = ..., facets: bool = ...
 ) -> NearField:
     """The near field of a model touched by balls of up to radius [m]; modulus [Pa] is E / (1 -
     nu²). Solves for a unit force on each vertex of the surface. far [m/N] is the far
@@ -2814,7 +2810,9 @@ class SoftBody:
         """A copy of its own."""
     def __getstate__(
         self, /
-    ) -> tuple[object, object, object, object, object, object, object, object, object, object]: ...
+    ) -> tuple[
+        object, object, object, object, object, object, object, object, object, object, object
+    ]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """What it is, on one line."""
@@ -3246,9 +3244,6 @@ class DeviceDynamics:
 def find_passive_stiffness(dynamics: DeviceDynamics, period: float) -> float:
     """[N/m] Up to which a spring that is told every period [s] calms the hand, b / (T/2 + d)
     [Colgate97]; 0 where no damping is declared.
-
-    Args:
-        period: [s]
     """
 
 class HapticDevice:
@@ -5409,7 +5404,8 @@ class DeviceReport:
     @property
     def passive_stiffness(self) -> float:
         """[N/m] Up to which a spring that is told at the rate of the run is passive with the
-        damping and the delay that the device declared at its start; 0 where it declares none.
+        damping and the delay that the device declared at its start; 0 where it declares
+        none.
         """
     def __copy__(self) -> DeviceReport:
         """A copy of its own."""

@@ -76,10 +76,8 @@ class Worker:
     def say_end(self) -> str:
         """How the process ended, in words."""
         assert self.process is not None
-        try:  # one that failed by itself ends with a code of its own
-            self.process.wait(PATIENCE)
-        except subprocess.TimeoutExpired:
-            pass
+        with suppress(subprocess.TimeoutExpired):
+            self.process.wait(PATIENCE)  # one that failed by itself ends with a code of its own
         self.close()
         code = self.process.returncode if self.process is not None else None
         return "" if code is None else describe_end(code)

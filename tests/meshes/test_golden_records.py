@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import numpy as np
 import palpate
@@ -16,6 +17,22 @@ MEANT = (
     "the replay of {name} is {force:.2g} N and {position:.2g} m off, first at tick {tick}; if that "
     "is meant, run tests/meshes/golden_records.py and explain it in the commit (CONTRIBUTING.md)"
 )
+
+
+ESTIMATED = ("AVX2", "SSE4")
+"""Targets whose estimates of 1/x and 1/sqrt(x) each maker of processors tabulates for itself; those
+of AVX3 are the same everywhere. Seen between two makers: 3.7e-6 N and 8e-9 m."""
+MAKER = "AuthenticAMD"
+"""Of the processor on which the records were made."""
+
+
+def name_maker() -> str:
+    """Of this processor, as the kernel says it; empty where it does not."""
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+    except OSError:
+        return ""
+    return next((line.split(":")[1].strip() for line in lines if line.startswith("vendor_id")), "")
 
 
 COSTLY = ("solid_liver", "shell_gallbladder", "shell_stomach")
@@ -40,7 +57,12 @@ def test_a_record_of_an_earlier_version_replays_to_the_same_bits(golden):
     report = palpate.replay(open_scene(golden), record)
 
     assert report.ticks == len(record.hand)
-    assert report.equal, MEANT.format(
+    same = report.equal
+    if golden.target in ESTIMATED and name_maker() != MAKER:
+        same = (
+            report.largest_force_difference <= 1e-5 and report.largest_position_difference <= 1e-7
+        )
+    assert same, MEANT.format(
         name=golden.path.name,
         force=report.largest_force_difference,
         position=report.largest_position_difference,

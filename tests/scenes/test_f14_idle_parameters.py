@@ -49,8 +49,9 @@ def describe(scene: palpate.Scene) -> list[object]:
     numbers += [np.ravel(np.asarray(each, dtype=float)) for each in (
         tissue.mass, tissue.home, tissue.pressure, tissue.drag, tissue.maxwell.ratio,
         tissue.maxwell.time, body.substeps, body.force_error, body.contact_modulus,
-        instrument.tool.radius, instrument.tool.stiffness, instrument.coupling.stiffness,
-        instrument.coupling.force_max, instrument.hold_stiffness, scene.rate,
+        instrument.tool.radius, instrument.tool.stiffness, instrument.tool.friction,
+        instrument.coupling.stiffness, instrument.coupling.force_max, instrument.hold_stiffness,
+        scene.rate, scene.exchange_rate,
     )]  # fmt: skip
     return numbers
 
