@@ -214,7 +214,7 @@ def test_a_problem_is_not_found_where_it_is_not(key):
 
 
 FIXABLE = {
-    "size",
+    "size", "too_many",
     "unit_guessed", "up_guessed", "inward", "inner", "shells", "non_manifold", "one_sided",
     "crossing", "self_intersections",
     "constant", "choice", "open_solid",
