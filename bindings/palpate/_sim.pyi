@@ -3244,6 +3244,10 @@ class DeviceDynamics:
 def find_passive_stiffness(dynamics: DeviceDynamics, period: float) -> float:
     """[N/m] Up to which a spring that is told every period [s] calms the hand, b / (T/2 + d)
     [Colgate97]; 0 where no damping is declared.
+
+    Args:
+        dynamics: What the device declares.
+        period: [s] From one force to the next.
     """
 
 class HapticDevice:

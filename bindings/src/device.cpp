@@ -36,7 +36,9 @@ void bind_device_dynamics(py::module_& m) {
   def_repr(dynamics, {"damping", "delay"});
   m.def("find_passive_stiffness", &find_passive_stiffness, "dynamics"_a, "period"_a,
         "[N/m] Up to which a spring that is told every period [s] calms the hand, b / (T/2 + d) "
-        "[Colgate97]; 0 where no damping is declared.");
+        "[Colgate97]; 0 where no damping is declared.\n\nArgs:\n"
+        "    dynamics: What the device declares.\n"
+        "    period: [s] From one force to the next.");
 }
 
 void bind_scripted_device(py::module_& m) {
