@@ -5736,7 +5736,7 @@ class ReplayReport:
         """The TaskState at its end; without steps where no task was judged."""
     @property
     def events(self) -> NDArray[Any]:
-        """Of the task, as judged anew, a structured array with the fields of Event, shape (k,);
+        """Of the task, as judged again, a structured array with the fields of Event, shape (k,);
         a view.
         """
     @property

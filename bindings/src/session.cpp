@@ -138,7 +138,7 @@ void bind_replay(py::module_& m) {
       "task", [](const ReplayReport& self) { return self.task; },
       "The TaskState at its end; without steps where no task was judged.");
   def_rows(report, "events", &ReplayReport::events,
-           "Of the task, as judged anew, a structured array with the fields of Event, shape (k,); "
+           "Of the task, as judged again, a structured array with the fields of Event, shape (k,); "
            "a view.");
   report.def_readonly("events_equal", &ReplayReport::events_equal, "The record has the very same.")
       .def_readonly("first_event_difference", &ReplayReport::first_event_difference,

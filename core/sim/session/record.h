@@ -77,7 +77,7 @@ struct ReplayReport {
 
   // of a task that was judged
   TaskState task;                    ///< at its end; without steps where there was none
-  std::vector<Event> events;         ///< of the task, as judged anew
+  std::vector<Event> events;         ///< of the task, as judged again
   bool events_equal = true;          ///< the record has the very same
   long first_event_difference = -1;  ///< tick, -1 for none
 };

@@ -46,17 +46,17 @@ def open_legacy(path: str, content: bytes, form: str) -> tuple[vtkDataObject, li
     data, errors, warnings = run(reader)
     if data is not None and not errors:
         return data, note_warnings(warnings)
-    for mended, said in mend(content, errors):
+    for repaired, said in repair(content, errors):
         reader = vtkGenericDataObjectReader()
         reader.ReadFromInputStringOn()
-        reader.SetBinaryInputString(mended, len(mended))
+        reader.SetBinaryInputString(repaired, len(repaired))
         data, still, warnings = run(reader)
         if data is not None and not still:
             return data, [said, *note_warnings(warnings)]
     refuse(errors, form)
 
 
-def mend(content: bytes, errors: list[str]) -> Iterator[tuple[bytes, str]]:
+def repair(content: bytes, errors: list[str]) -> Iterator[tuple[bytes, str]]:
     """The file without what cannot be drawn anyway, and what is said of that."""
     said = errors[0] if errors else "no data"
     number = re.sub(NOWHERE, b"nan", content, flags=re.IGNORECASE)

@@ -20,7 +20,7 @@ double move_tissue(const Scene& scene, std::size_t body, double dt, bool last,
 /// tick in which pushes have done `work` [J].
 Alarm end_moving(const Scene& scene, std::size_t body, double work, World& world) noexcept;
 
-/// Ends a tick in which no body has raised an alarm: what moves is listed anew.
+/// Ends a tick in which no body has raised an alarm: what moves is listed again.
 void settle_moving(SoftState& state) noexcept;
 
 }  // namespace palpate
