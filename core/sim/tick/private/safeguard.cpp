@@ -21,24 +21,16 @@ constexpr double kLongestCalm = 16.0;
 
 // --- going back ----------------------------------------------------------------------------------
 
-void keep_guard(const Guard& guard, BodyCheckpoint& kept) noexcept {
-  kept.last_time = guard.last_time;
-  kept.last_energy = guard.last_energy;
-  kept.work = guard.work;
-  kept.given_energy = guard.given_energy;
-  kept.reference_energy = guard.reference_energy;
-  kept.rising_steps = guard.rising_steps;
-  kept.strained_checks = guard.strained_checks;
-}
-
-void rewind_guard(const BodyCheckpoint& kept, Guard& guard) noexcept {
-  guard.last_time = kept.last_time;
-  guard.last_energy = kept.last_energy;
-  guard.work = kept.work;
-  guard.given_energy = kept.given_energy;
-  guard.reference_energy = kept.reference_energy;
-  guard.rising_steps = kept.rising_steps;
-  guard.strained_checks = kept.strained_checks;
+/// What a guard knows, into a checkpoint or out of one.
+template <class From, class To>
+void copy_guard(const From& from, To& to) noexcept {
+  to.last_time = from.last_time;
+  to.last_energy = from.last_energy;
+  to.work = from.work;
+  to.given_energy = from.given_energy;
+  to.reference_energy = from.reference_energy;
+  to.rising_steps = from.rising_steps;
+  to.strained_checks = from.strained_checks;
 }
 
 void keep(const ReferenceKernel&, const SoftState& state, BodyCheckpoint& kept) noexcept {
@@ -70,7 +62,7 @@ void keep(long tick, SoftState& state) noexcept {
   if (!state.asleep) work.latest = 1 - work.latest;
   BodyCheckpoint& kept = find_latest(work);
   kept.time = state.tissue.time;
-  keep_guard(state.guard, kept);
+  copy_guard(state.guard, kept);
   if (state.asleep) return;
   kept.tick = tick;
   std::visit([&](const auto& kernel) { keep(kernel, state, kept); }, work.kernel);
@@ -116,7 +108,7 @@ void set_time(double time, SoftState& state) noexcept {
 
 void rewind(const SoftBody& body, SoftState& state) noexcept {
   const BodyCheckpoint& kept = find_latest(internals(state));
-  rewind_guard(kept, state.guard);
+  copy_guard(kept, state.guard);
   if (!state.asleep) rewind_tissue(kept, body, state);
   set_time(kept.time, state);
 }
@@ -143,28 +135,18 @@ void go_back(const SoftBody& body, SoftState& state) noexcept {
   }
 }
 
-void keep(const ToolState& tool, InstrumentCheckpoint& kept) noexcept {
-  kept.position = tool.position;
-  kept.carrier = tool.carrier;
-  kept.touching = tool.touching;
-  kept.residual = tool.residual;
-  std::copy_n(tool.patch.begin(), tool.patch_count, kept.patch.begin());
-  kept.patch_count = tool.patch_count;
-  kept.patch_position = tool.patch_position;
-  kept.patch_normal = tool.patch_normal;
-  kept.friction = tool.friction;
-}
-
-void rewind(const InstrumentCheckpoint& kept, ToolState& tool) noexcept {
-  tool.position = kept.position;
-  tool.carrier = kept.carrier;
-  tool.touching = kept.touching;
-  tool.residual = kept.residual;
-  std::copy_n(kept.patch.begin(), kept.patch_count, tool.patch.begin());
-  tool.patch_count = kept.patch_count;
-  tool.patch_position = kept.patch_position;
-  tool.patch_normal = kept.patch_normal;
-  tool.friction = kept.friction;
+/// Where a tool is and what it holds, into a checkpoint or out of one.
+template <class From, class To>
+void copy_tool(const From& from, To& to) noexcept {
+  to.position = from.position;
+  to.carrier = from.carrier;
+  to.touching = from.touching;
+  to.residual = from.residual;
+  std::copy_n(from.patch.begin(), from.patch_count, to.patch.begin());
+  to.patch_count = from.patch_count;
+  to.patch_position = from.patch_position;
+  to.patch_normal = from.patch_normal;
+  to.friction = from.friction;
 }
 
 // --- the ladder ----------------------------------------------------------------------------------
@@ -224,7 +206,7 @@ void keep_checkpoint(World& world) noexcept {
   for (SoftState& state : world.bodies) keep(world.tick_count, state);
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
     const ToolState& tool = world.instruments[i].tool;
-    keep(tool, work.instruments[i]);
+    copy_tool(tool, work.instruments[i]);
   }
   for (std::size_t p = 0; p < world.pairs.size(); ++p)
     work.near[p] = world.pairs[p].candidates.near;
@@ -234,7 +216,7 @@ void rewind(const Scene& scene, World& world) noexcept {
   TickBuffers& work = workspace(world);
   for (std::size_t b = 0; b < world.bodies.size(); ++b) rewind(scene.bodies[b], world.bodies[b]);
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
-    rewind(work.instruments[i], world.instruments[i].tool);
+    copy_tool(work.instruments[i], world.instruments[i].tool);
   }
   for (std::size_t p = 0; p < world.pairs.size(); ++p) {
     static_cast<NearMemory&>(world.pairs[p].candidates.near) = work.near[p];
