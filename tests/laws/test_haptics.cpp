@@ -111,6 +111,7 @@ Range hold(const Scene& scene, const Organ& organ, double depth, double pull, Al
   ScriptedDevice hand(frames);
   const int still = static_cast<int>(std::lround(hand.duration() * scene.rate));
   World world(scene);
+  world.recovers = false;  // the limit of the scene as it is
   Range range;
   for (int i = 0; i < still + 2000; ++i) {
     const double force =
