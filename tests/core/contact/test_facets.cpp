@@ -7,6 +7,7 @@
 #include "palpate/sim/contact/private/facets.h"
 #include "palpate/sim/contact/private/local_press.h"
 #include "palpate/sim/contact/private/near_contact.h"
+#include "rigid_surface.h"
 
 // How curved the facets under a ball are, and what a ball feels of them [contact: facets].
 
@@ -14,64 +15,18 @@ using namespace palpate;
 
 namespace {
 
-constexpr double kModulus = 6270.0;  ///< [Pa]
+constexpr double kModulus = RigidSurface::kModulus;
 constexpr double kCurvature = 40.0;  ///< [1/m]
 
-/// A dome of 48 mm of right triangles that gives nowhere: all of the dent is the near field's.
-struct Dome {
-  Dome(double edge, double curvature, bool facets) {
-    const int cells = static_cast<int>(std::lround(0.048 / edge));
-    for (int i = 0; i <= cells; ++i) {
-      for (int j = 0; j <= cells; ++j) {
-        const double across = edge * i - 0.024, along = edge * j - 0.024;
-        x.push_back({across, along, -0.5 * curvature * (across * across + along * along)});
-      }
-    }
-    for (int i = 0; i < cells; ++i) {
-      for (int j = 0; j < cells; ++j) {
-        const int a = i * (cells + 1) + j, b = a + cells + 1;
-        triangles.push_back({a, b, b + 1});
-        triangles.push_back({a, b + 1, a + 1});
-      }
-    }
-    near.modulus = kModulus;
-    near.far_compliance.assign(x.size(), 0.0);
-    near.curvature.assign(x.size(), kCurvature);
-    near.first.assign(x.size() + 1, 0);
+/// A dome of 48 mm.
+struct Dome : RigidSurface {
+  Dome(double edge, double curvature, bool facets)
+      : RigidSurface(0.048, edge, curvature, kCurvature) {
     if (facets) near.rest_position = x;
-    const int count = static_cast<int>(triangles.size());
-    candidates = Candidates(count);
-    candidates.near = NearContacts(count, static_cast<int>(x.size()));
   }
 
   /// [N] What a ball feels at p.
-  double press(const Tool& tool, const Vec3& p) {
-    NearContacts& contacts = candidates.near;
-    contacts.count = 0;
-    contacts.knows_compliance = false;
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-      const auto corner = [&](std::size_t c) {
-        return x[static_cast<std::size_t>(triangles[t][c])];
-      };
-      const auto at = static_cast<std::size_t>(contacts.count);
-      if (!find_contact(tool, 1e-6, p, corner(0), corner(1), corner(2), contacts.closest[at])) {
-        continue;
-      }
-      contacts.triangle[at] = static_cast<int>(t);
-      ++contacts.count;
-    }
-    find_near_contacts(tool, {&candidates, triangles, x, nullptr, &near}, p);
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
-      sum += contacts.contact[i].force * contacts.contact[i].direction;
-    }
-    return sum.norm();
-  }
-
-  Vec3Array x;
-  std::vector<Triangle> triangles;
-  NearField near;
-  Candidates candidates;
+  double press(const Tool& tool, const Vec3& p) { return press_at(tool, p).norm(); }
 };
 
 double press_half_space(double radius, double curvature, double depth) {

@@ -5,6 +5,7 @@
 
 #include "palpate/sim/contact/private/local_press.h"
 #include "palpate/sim/contact/private/near_contact.h"
+#include "rigid_surface.h"
 
 // Contacts under a near field on a plane that gives nowhere: all of the dent is the near field's.
 
@@ -12,62 +13,18 @@ using namespace palpate;
 
 namespace {
 
-constexpr double kModulus = 6270.0;  ///< [Pa]
+constexpr double kModulus = RigidSurface::kModulus;
 
-/// A square of 60 mm facing up, of right triangles.
-struct Plane {
-  explicit Plane(double edge) {
-    const int cells = static_cast<int>(std::lround(0.06 / edge));
-    for (int i = 0; i <= cells; ++i) {
-      for (int j = 0; j <= cells; ++j) x.push_back({edge * i - 0.03, edge * j - 0.03, 0.0});
-    }
-    for (int i = 0; i < cells; ++i) {
-      for (int j = 0; j < cells; ++j) {
-        const int a = i * (cells + 1) + j, b = a + cells + 1;
-        triangles.push_back({a, b, b + 1});
-        triangles.push_back({a, b + 1, a + 1});
-      }
-    }
-    near.modulus = kModulus;
-    near.far_compliance.assign(x.size(), 0.0);
-    near.curvature.assign(x.size(), 0.0);
-    near.first.assign(x.size() + 1, 0);
-    const int count = static_cast<int>(triangles.size());
-    candidates = Candidates(count);
-    candidates.near = NearContacts(count, static_cast<int>(x.size()));
-  }
+/// A plane of 60 mm.
+struct Plane : RigidSurface {
+  explicit Plane(double edge) : RigidSurface(0.06, edge, 0.0, 0.0) {}
 
   /// [N] What a ball feels whose lowest point is `depth` [m] deep, and that is lifted by `lift`
   /// [m].
   Vec3 press(const Tool& tool, double x0, double y0, double depth, double lift) {
-    const Vec3 p(x0, y0, tool.radius - depth + lift);
-    NearContacts& contacts = candidates.near;
-    contacts.count = 0;
-    contacts.knows_compliance = false;
-    contacts.lift = {0.0, 0.0, lift};
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-      const auto& [a, b, c] = triangles[t];
-      const auto at = static_cast<std::size_t>(contacts.count);
-      if (!find_contact(tool, 1e-6, p, x[static_cast<std::size_t>(a)],
-                        x[static_cast<std::size_t>(b)], x[static_cast<std::size_t>(c)],
-                        contacts.closest[at])) {
-        continue;
-      }
-      contacts.triangle[at] = static_cast<int>(t);
-      ++contacts.count;
-    }
-    find_near_contacts(tool, {&candidates, triangles, x, nullptr, &near}, p);
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
-      sum += contacts.contact[i].force * contacts.contact[i].direction;
-    }
-    return sum;
+    candidates.near.lift = {0.0, 0.0, lift};
+    return press_at(tool, {x0, y0, tool.radius - depth + lift});
   }
-
-  Vec3Array x;
-  std::vector<Triangle> triangles;
-  NearField near;
-  Candidates candidates;
 };
 
 }  // namespace
