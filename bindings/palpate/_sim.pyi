@@ -5736,8 +5736,8 @@ class ReplayReport:
         """The TaskState at its end; without steps where no task was judged."""
     @property
     def events(self) -> NDArray[Any]:
-        """Of the task, as judged again, a structured array with the fields of Event, shape (k,);
-        a view.
+        """Of the task, as judged again, a structured array with the fields of Event, shape
+        (k,); a view.
         """
     @property
     def events_equal(self) -> bool:

@@ -170,6 +170,7 @@ def test_constants_no_tissue_can_have_are_refused_with_the_builders_sentence(org
 def every_number() -> list[tuple[str, str, float]]:
     changed = {
         "wall_thickness": 0.004,
+        "exchange_rate": 100.0,
         "home_stiffness": 2e5,
         "poisson_ratio": None,
         "young_modulus": None,  # these two act on the default home springs of walls, or later

@@ -102,13 +102,13 @@ def test_a_graded_filling_says_how_fine_it_is_at_its_region(spleen):
 
     assert graded.fine_edge < 0.8 * plain.fine_edge
     assert graded.edges[2] > plain.edges[2]
-    told = "other_count" in {p.key for p in assess(finer).problems}
+    told = "filling" in {p.key for p in assess(finer).problems}
     assert told == (abs(graded.tetrahedra / 3000 - 1.0) > 0.1)
 
 
 def test_an_improved_filling_is_not_complained_of(spleen):
     assert assess(spleen).facts.tissue.filling.smallest_angle_deg > MOST_FLAT
-    assert not {"flat_tetrahedra", "other_count"} & {p.key for p in assess(spleen).problems}
+    assert not {"flat_tetrahedra", "filling"} & {p.key for p in assess(spleen).problems}
 
 
 def test_flat_tetrahedra_of_a_file_are_told_with_their_place():

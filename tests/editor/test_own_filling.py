@@ -12,7 +12,7 @@ from foreign_files import write_msh, write_msh4, write_vtu
 from palpate_editor import authoring
 from palpate_editor.document import EMPTY
 from palpate_editor.document.files import read_organ, write_organ
-from palpate_editor.document.rules import find_filling_problems
+from palpate_editor.document.fill_rules import find_own_problems
 from palpate_editor.edits import (
     SetConstant,
     SetUnit,
@@ -88,8 +88,8 @@ def test_a_finer_region_asks_for_another_filling(solid, tmp_path):
     finer = replace(organ, regions={"pole": np.arange(5)}, fill=fill)
 
     assert find_own_filling(finer) is None
-    assert any(p.key == "own_filling" for p in find_filling_problems(finer, None))
-    assert not list(find_filling_problems(organ, None))
+    assert any(p.key == "own_filling" for p in find_own_problems(finer))
+    assert not list(find_own_problems(organ))
 
 
 def test_unit_and_axis_move_it_with_the_surface(solid, tmp_path):

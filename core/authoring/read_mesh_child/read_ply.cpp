@@ -241,7 +241,7 @@ class Ply {
     triangulate_polygon(polygon_, mesh_.vertices, mesh_.triangles);
   }
 
-  /// Each three that follow one another are a triangle, every other one turned; -1 starts a new strip.
+  /// Each three that follow one another are a triangle, every other one turned; -1 ends a strip.
   void take_strips() {
     std::size_t begin = 0;
     for (std::size_t i = 0; i < corners_.size(); ++i) {

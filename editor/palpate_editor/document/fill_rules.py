@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from palpate.scene.scene_parts import FILLED
 
 from palpate_editor.document.organ import Organ
-from palpate_editor.document.phrase import phrase
+from palpate_editor.document.phrase import Phrase, phrase
 from palpate_editor.document.problems import Facts, Problem
 
 COUNT_ERROR = 0.1
@@ -21,7 +21,10 @@ tissue. Improved fillings have 7 and more."""
 def find_filling_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
     yield from find_own_problems(organ)
     tissue = facts.tissue
-    if tissue is None or tissue.filling is None:
+    if tissue is None:
+        return
+    yield from find_other_count(organ, tissue.tetrahedra)
+    if tissue.filling is None:
         return
     found = tissue.filling
     if found.smallest_angle_deg < LEAST_DIHEDRAL:
@@ -45,18 +48,19 @@ def find_filling_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
                 least=LEAST_DIHEDRAL,
             ),
         )
-    share = tissue.tetrahedra / found.asked - 1.0
-    if organ.fill.sizing == "counted" and abs(share) > COUNT_ERROR:
+
+
+def find_other_count(organ: Organ, made: int) -> Iterator[Problem]:
+    """Whether a solid has as many tetrahedra as were asked for."""
+    asked = organ.fill.tetrahedra
+    if made and abs(made - asked) > COUNT_ERROR * asked:
         yield Problem(
-            "other_count",
-            "warning",
+            "filling",
+            "note",
             "material",
             "fill.tetrahedra",
-            phrase("{count} tetrahedra, {share:+.0%}", count=tissue.tetrahedra, share=share),
-            phrase(
-                "{asked}, to a tenth: the shape of the surface allows no such number",
-                asked=found.asked,
-            ),
+            say_difference(made, asked),
+            say_filling(organ),
         )
 
 
@@ -74,4 +78,33 @@ def find_own_problems(organ: Organ) -> Iterator[Problem]:
         "fill.tetrahedra",
         phrase("{count} tetrahedra of the file, which are not used", count=count),
         phrase("the surface as it was read, {count} tetrahedra, and no finer region", count=count),
+    )
+
+
+def say_filling(organ: Organ) -> Phrase:
+    """What there should be, and how to have it."""
+    asked = organ.fill.tetrahedra
+    if organ.fill.sizing == "estimated":
+        return phrase(
+            "about {asked}: it was filled by an estimate; ask for a number again, and they are "
+            "counted",
+            asked=asked,
+        )
+    return phrase("about {asked}; what is thin takes more than a few", asked=asked)
+
+
+def say_difference(made: int, asked: int) -> Phrase:
+    share = abs(made / asked - 1.0)
+    if made < asked:
+        return phrase(
+            "{made}, {share:.0%} fewer than the {asked} that were asked for",
+            made=made,
+            share=share,
+            asked=asked,
+        )
+    return phrase(
+        "{made}, {share:.0%} more than the {asked} that were asked for",
+        made=made,
+        share=share,
+        asked=asked,
     )

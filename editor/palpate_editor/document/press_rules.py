@@ -9,7 +9,7 @@ from math import hypot, sqrt
 from palpate_editor.document.defaults import FILL
 from palpate_editor.document.far_compliance import is_stale, wants_far_field
 from palpate_editor.document.organ import Organ
-from palpate_editor.document.phrase import Phrase, phrase
+from palpate_editor.document.phrase import phrase
 from palpate_editor.document.problems import Facts, Problem, TissueFacts
 
 MOST_HOME_SHARE = 0.5
@@ -22,8 +22,6 @@ MOST_PATCH_FACTOR = 1.25
 LOCKING_POISSON, LOCKING_SHARE, LOCKED = 0.46, 0.7, 2.0
 """[-] Above this Poisson's ratio and below this nodal share volumes lock; how much stiffer than at
 a share of 0.9, at most [accuracy: patch]."""
-FEWER = 0.1
-"""[-] of the tetrahedra that were asked for: how many more or fewer are told."""
 
 
 def compute_patch_factor(edge: float, contact_radius: float) -> float:
@@ -43,7 +41,6 @@ def find_press_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
         return
     yield from find_home_problems(facts.tissue)
     yield from find_patch_problems(organ, facts.tissue)
-    yield from find_filling_problems(organ, facts.tissue)
     yield from find_far_field_problems(organ)
     yield from find_locking_problems(organ, facts.tissue)
 
@@ -111,20 +108,6 @@ def find_patch_problems(organ: Organ, tissue: TissueFacts) -> Iterator[Problem]:
     )
 
 
-def find_filling_problems(organ: Organ, tissue: TissueFacts) -> Iterator[Problem]:
-    """Whether a solid has as many tetrahedra as were asked for."""
-    made, asked = tissue.tetrahedra, organ.fill.tetrahedra
-    if made and abs(made - asked) > FEWER * asked:
-        yield Problem(
-            "filling",
-            "note",
-            "material",
-            "fill.tetrahedra",
-            say_difference(made, asked),
-            say_filling(organ),
-        )
-
-
 def find_far_field_problems(organ: Organ) -> Iterator[Problem]:
     """Whether what gives way beyond the ball is the organ, or its tetrahedra."""
     if not wants_far_field(organ):
@@ -167,33 +150,4 @@ def find_locking_problems(organ: Organ, tissue: TissueFacts) -> Iterator[Problem
             usual=FILL.nodal_share,
         ),
         phrase("a nodal share of about {usual:g}", usual=FILL.nodal_share),
-    )
-
-
-def say_filling(organ: Organ) -> Phrase:
-    """What there should be, and how to have it."""
-    asked = organ.fill.tetrahedra
-    if organ.fill.sizing == "estimated":
-        return phrase(
-            "about {asked}: it was filled by an estimate; ask for a number again, and they are "
-            "counted",
-            asked=asked,
-        )
-    return phrase("about {asked}; what is thin takes more than a few", asked=asked)
-
-
-def say_difference(made: int, asked: int) -> Phrase:
-    share = abs(made / asked - 1.0)
-    if made < asked:
-        return phrase(
-            "{made}, {share:.0%} fewer than the {asked} that were asked for",
-            made=made,
-            share=share,
-            asked=asked,
-        )
-    return phrase(
-        "{made}, {share:.0%} more than the {asked} that were asked for",
-        made=made,
-        share=share,
-        asked=asked,
     )

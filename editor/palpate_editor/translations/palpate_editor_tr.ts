@@ -4704,16 +4704,8 @@ Beklenen: {expected}.</translation>
         <translation>({x:.0f}, {y:.0f}, {z:.0f}) mm noktasında, yüzleri birbirine {angle:.1f} derece olan bir dörtyüzlü</translation>
     </message>
     <message>
-        <source>{asked}, to a tenth: the shape of the surface allows no such number</source>
-        <translation>onda bir farkla {asked}: yüzeyin biçimi böyle bir sayıya izin vermiyor</translation>
-    </message>
-    <message>
         <source>{count} holes stay open: no patch fits them, so there is nothing to fill.</source>
         <translation>{count} delik açık kalıyor: onlara uyan bir yama yok, bu yüzden doldurulacak bir şey yok.</translation>
-    </message>
-    <message>
-        <source>{count} tetrahedra, {share:+.0%}</source>
-        <translation>{count} dörtyüzlü, {share:+.0%}</translation>
     </message>
     <message>
         <source>{wall:g} mm, for which {share:.1%} of the surface bends too closely or has the other side too near: the wall is {least:.0%} as thick there at least, and bends too easily</source>

@@ -23,7 +23,7 @@ from palpate_editor.filling_quality import measure_filling
 from palpate_editor.verbs.check import describe_problems
 from palpate_editor.verbs.files import ReadFile, apply, describe_loops, open_any
 
-OWN = ("flat_tetrahedra", "other_count", "own_filling", "fine_region")
+OWN = ("flat_tetrahedra", "filling", "own_filling", "fine_region")
 """Problems that are of the filling."""
 
 
