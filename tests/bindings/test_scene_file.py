@@ -219,6 +219,7 @@ def test_every_number_of_a_scene_file_changes_what_is_compiled(organ, part, name
             s.instruments[0].coupling.force_max,
             s.instruments[0].hold_stiffness,
             s.rate,
+            s.exchange_rate,
         ]
 
     assert values(base) != values(changed)

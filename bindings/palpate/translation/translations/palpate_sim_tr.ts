@@ -476,10 +476,6 @@
         <translation>%1 bayt</translation>
     </message>
     <message>
-        <source>%1 bytes for so many</source>
-        <translation>bu kadarı için %1 bayt</translation>
-    </message>
-    <message>
         <source>%1 bytes of text</source>
         <translation>%1 baytlık metin</translation>
     </message>
@@ -562,10 +558,6 @@
     <message>
         <source>%1 to %2 for a solid</source>
         <translation>dolu cisim için %1 ile %2 arası</translation>
-    </message>
-    <message>
-        <source>%1 triangles in %2 bytes</source>
-        <translation>%2 bayt içinde %1 üçgen</translation>
     </message>
     <message>
         <source>%1 triangles that cross others</source>
@@ -714,10 +706,6 @@
     <message>
         <source>64 hexadecimal digits</source>
         <translation>64 onaltılık basamak</translation>
-    </message>
-    <message>
-        <source>84 bytes of header, or text that begins with 'solid'</source>
-        <translation>84 baytlık başlık ya da 'solid' ile başlayan metin</translation>
     </message>
     <message>
         <source>Device or resource busy</source>
@@ -2176,10 +2164,6 @@
         <translation>%2 paketinin okuduğu bir %1 dosyası; o paket burada yok</translation>
     </message>
     <message>
-        <source>a file of Gmsh, version 2.2, 4.0 or 4.1</source>
-        <translation>Gmsh’nin 2.2, 4.0 ya da 4.1 sürümünde bir dosyası</translation>
-    </message>
-    <message>
         <source>a surface made of triangles or quadrilaterals</source>
         <translation>üçgenlerden ya da dörtgenlerden oluşan bir yüzey</translation>
     </message>
@@ -2204,10 +2188,6 @@
         <translation>kaç köşe ve kaç yüz olduğu</translation>
     </message>
     <message>
-        <source>one of .obj .stl .ply .off .glb .gltf .3ds .fbx .dae .vtk .vtp .vtu .msh</source>
-        <translation>şunlardan biri: .obj .stl .ply .off .glb .gltf .3ds .fbx .dae .vtk .vtp .vtu .msh</translation>
-    </message>
-    <message>
         <source>polygons, or a grid of cells</source>
         <translation>çokgenler ya da hücrelerden bir ızgara</translation>
     </message>
@@ -2222,10 +2202,6 @@
     <message>
         <source>three numbers</source>
         <translation>üç sayı</translation>
-    </message>
-    <message>
-        <source>version 2.2, 4.0 or 4.1</source>
-        <translation>2.2, 4.0 ya da 4.1 sürümü</translation>
     </message>
     <message>
         <source>%1 letters</source>
@@ -2636,20 +2612,364 @@
         <translation>en az dokunun gereksindiği %1 alt adım</translation>
     </message>
     <message>
-        <source>%1, steps of %2 ms</source>
-        <translation>%1, %2 ms'lik adımlar</translation>
-    </message>
-    <message>
-        <source>at least %1 (and a substeps_max of no less): the tissue at rest is stable up to %2 ms</source>
-        <translation>en az %1 (substeps_max da daha az olmamalı): doku dinlenirken %2 ms'ye kadar kararlıdır</translation>
-    </message>
-    <message>
-        <source>at least %1 (and a substeps_max of no less): the tissue at rest is stable up to %2 ms; or at most %3 of all its stiffness and damping</source>
-        <translation>en az %1 (substeps_max da daha az olmamalı): doku dinlenirken %2 ms'ye kadar kararlıdır; ya da tüm sertliğinin ve sönümünün en çok %3 katı</translation>
-    </message>
-    <message>
         <source>%1 crossed itself: %2 of its triangles were replaced</source>
         <translation>%1 kendini kesiyordu: üçgenlerinden %2 tanesi yenilendi</translation>
+    </message>
+    <message>
+        <source>"$%1" somewhere</source>
+        <translation>bir yerde "$%1"</translation>
+    </message>
+    <message>
+        <source>$ and the name of a parameter</source>
+        <translation>$ ve bir parametrenin adı</translation>
+    </message>
+    <message>
+        <source>$%1, which a mesh of Gmsh has</source>
+        <translation>Gmsh ağında bulunan $%1</translation>
+    </message>
+    <message>
+        <source>%1 %2 on points that are not there were left out</source>
+        <translation>olmayan noktalara dayanan %1 %2 dışarıda bırakıldı</translation>
+    </message>
+    <message>
+        <source>%1 once more</source>
+        <translation>bir kez daha %1</translation>
+    </message>
+    <message>
+        <source>%1, which cannot be judged yet: %2</source>
+        <translation>henüz değerlendirilemeyen %1: %2</translation>
+    </message>
+    <message>
+        <source>'%1', or &lt;VTKFile&gt;</source>
+        <translation>'%1' ya da &lt;VTKFile&gt;</translation>
+    </message>
+    <message>
+        <source>(n) of &lt;i4</source>
+        <translation>&lt;i4 türünden (n)</translation>
+    </message>
+    <message>
+        <source>0 for none, or %1 to the rate of %2 Hz</source>
+        <translation>yoksa 0, varsa %1 ile %2 Hz'lik hız arası</translation>
+    </message>
+    <message>
+        <source>0, or a positive number</source>
+        <translation>0 ya da pozitif bir sayı</translation>
+    </message>
+    <message>
+        <source>1; it was made by a newer program, which is needed to open it</source>
+        <translation>1; daha yeni bir programla yapılmış, açmak için o gerekir</translation>
+    </message>
+    <message>
+        <source>[least, most], one of which may be null</source>
+        <translation>[en az, en çok]; biri null olabilir</translation>
+    </message>
+    <message>
+        <source>a file of Gmsh, version 1, 2, 4.0 or 4.1</source>
+        <translation>sürümü 1, 2, 4.0 ya da 4.1 olan bir Gmsh dosyası</translation>
+    </message>
+    <message>
+        <source>a least value no greater than the most</source>
+        <translation>en çoktan büyük olmayan bir en az değer</translation>
+    </message>
+    <message>
+        <source>a list of 1 to 10 names</source>
+        <translation>1 ile 10 arası addan oluşan bir liste</translation>
+    </message>
+    <message>
+        <source>a list of 1 to 100</source>
+        <translation>1 ile 100 arası öğeli bir liste</translation>
+    </message>
+    <message>
+        <source>a list of 2 to 1000 points [x, y, z]</source>
+        <translation>2 ile 1000 arası [x, y, z] noktasından oluşan bir liste</translation>
+    </message>
+    <message>
+        <source>a list of ids of steps</source>
+        <translation>adım kimliklerinden oluşan bir liste</translation>
+    </message>
+    <message>
+        <source>a mesh</source>
+        <translation>bir ağ</translation>
+    </message>
+    <message>
+        <source>a number from -1e6 to 1e6</source>
+        <translation>-1e6 ile 1e6 arası bir sayı</translation>
+    </message>
+    <message>
+        <source>a one of four bytes</source>
+        <translation>dört baytlık bir 1</translation>
+    </message>
+    <message>
+        <source>a parameter that nothing uses</source>
+        <translation>hiçbir şeyin kullanmadığı bir parametre</translation>
+    </message>
+    <message>
+        <source>a path, which is what is traced</source>
+        <translation>izlenen şey olan bir yol</translation>
+    </message>
+    <message>
+        <source>a place</source>
+        <translation>bir yer</translation>
+    </message>
+    <message>
+        <source>a place that is no path</source>
+        <translation>yol olmayan bir yer</translation>
+    </message>
+    <message>
+        <source>a property of a known type, of an element</source>
+        <translation>bir öğenin bilinen türden bir özelliği</translation>
+    </message>
+    <message>
+        <source>a scenario with a task that can be judged</source>
+        <translation>değerlendirilebilen bir görevi olan bir senaryo</translation>
+    </message>
+    <message>
+        <source>a step for which the tool must hold</source>
+        <translation>aletin tutması gereken bir adım</translation>
+    </message>
+    <message>
+        <source>a task that can be judged</source>
+        <translation>değerlendirilebilen bir görev</translation>
+    </message>
+    <message>
+        <source>a text %1</source>
+        <translation>bir metin: %1</translation>
+    </message>
+    <message>
+        <source>a text that texts.en has</source>
+        <translation>texts.en içinde bulunan bir metin</translation>
+    </message>
+    <message>
+        <source>a tool of the kind grasper</source>
+        <translation>grasper türünde bir alet</translation>
+    </message>
+    <message>
+        <source>a type of Gmsh's manual</source>
+        <translation>Gmsh kılavuzundaki bir tür</translation>
+    </message>
+    <message>
+        <source>a type of whole numbers after list</source>
+        <translation>list sözünden sonra bir tam sayı türü</translation>
+    </message>
+    <message>
+        <source>an array of an assessment</source>
+        <translation>bir değerlendirmenin dizisi</translation>
+    </message>
+    <message>
+        <source>an array of no region</source>
+        <translation>hiçbir bölgenin olmayan bir dizi</translation>
+    </message>
+    <message>
+        <source>an assessment</source>
+        <translation>bir değerlendirme</translation>
+    </message>
+    <message>
+        <source>an assessment, which says palpate_scenario first</source>
+        <translation>önce palpate_scenario diyen bir değerlendirme</translation>
+    </message>
+    <message>
+        <source>an empty band</source>
+        <translation>boş bir aralık</translation>
+    </message>
+    <message>
+        <source>an id of its own</source>
+        <translation>kendine ait bir kimlik</translation>
+    </message>
+    <message>
+        <source>an object of at most %1</source>
+        <translation>en çok %1 öğeli bir nesne</translation>
+    </message>
+    <message>
+        <source>an object of at most 50 languages</source>
+        <translation>en çok 50 dilli bir nesne</translation>
+    </message>
+    <message>
+        <source>another shape or type</source>
+        <translation>başka bir biçim ya da tür</translation>
+    </message>
+    <message>
+        <source>at_most, at_least or both</source>
+        <translation>at_most, at_least ya da ikisi</translation>
+    </message>
+    <message>
+        <source>each once</source>
+        <translation>her biri bir kez</translation>
+    </message>
+    <message>
+        <source>element NAME COUNT</source>
+        <translation>element AD SAYI</translation>
+    </message>
+    <message>
+        <source>faces without a list</source>
+        <translation>listesi olmayan yüzler</translation>
+    </message>
+    <message>
+        <source>false: the hard law has no use for them</source>
+        <translation>false: sert yasa bunları kullanmaz</translation>
+    </message>
+    <message>
+        <source>format ascii, binary_little_endian or binary_big_endian</source>
+        <translation>format ascii, binary_little_endian ya da binary_big_endian</translation>
+    </message>
+    <message>
+        <source>format ascii, binary_little_endian or binary_big_endian before</source>
+        <translation>önce format ascii, binary_little_endian ya da binary_big_endian</translation>
+    </message>
+    <message>
+        <source>format, element, property, comment or end_header</source>
+        <translation>format, element, property, comment ya da end_header</translation>
+    </message>
+    <message>
+        <source>how many %1 there are</source>
+        <translation>kaç %1 olduğu</translation>
+    </message>
+    <message>
+        <source>ids of places</source>
+        <translation>yerlerin kimlikleri</translation>
+    </message>
+    <message>
+        <source>names of small letters, digits, _ and -</source>
+        <translation>küçük harf, rakam, _ ve - içeren adlar</translation>
+    </message>
+    <message>
+        <source>no band of force, depth or distance</source>
+        <translation>kuvvet, derinlik ya da uzaklık aralığı yok</translation>
+    </message>
+    <message>
+        <source>no bound</source>
+        <translation>sınır yok</translation>
+    </message>
+    <message>
+        <source>no palpate_scenario</source>
+        <translation>palpate_scenario yok</translation>
+    </message>
+    <message>
+        <source>no place</source>
+        <translation>yer yok</translation>
+    </message>
+    <message>
+        <source>no regions</source>
+        <translation>bölge yok</translation>
+    </message>
+    <message>
+        <source>none, as there is no assessment</source>
+        <translation>değerlendirme olmadığından hiçbiri</translation>
+    </message>
+    <message>
+        <source>numbers</source>
+        <translation>sayılar</translation>
+    </message>
+    <message>
+        <source>of its %1 scenes the usual one was read</source>
+        <translation>%1 sahnesinden olağan olanı okundu</translation>
+    </message>
+    <message>
+        <source>one beside choose</source>
+        <translation>choose yanında bir tane</translation>
+    </message>
+    <message>
+        <source>one for each of %1 triangles</source>
+        <translation>%1 üçgenin her biri için bir tane</translation>
+    </message>
+    <message>
+        <source>one of .obj .stl .ply .off .glb .gltf .3ds .fbx .dae .x3d .3mf .amf .ac .x .vtk .vtp .vtu .msh</source>
+        <translation>şunlardan biri: .obj .stl .ply .off .glb .gltf .3ds .fbx .dae .x3d .3mf .amf .ac .x .vtk .vtp .vtu .msh</translation>
+    </message>
+    <message>
+        <source>one of the scenario's levels</source>
+        <translation>senaryonun düzeylerinden biri</translation>
+    </message>
+    <message>
+        <source>one that goes into the rate of %1 Hz a whole number of times, as %2 or %3</source>
+        <translation>%1 Hz'lik hızı tam bölen bir sayı, örneğin %2 ya da %3</translation>
+    </message>
+    <message>
+        <source>one that texts.en has too</source>
+        <translation>texts.en içinde de bulunan biri</translation>
+    </message>
+    <message>
+        <source>one with a task that can be judged</source>
+        <translation>değerlendirilebilen bir görevi olan</translation>
+    </message>
+    <message>
+        <source>one without an assessment</source>
+        <translation>değerlendirmesi olmayan</translation>
+    </message>
+    <message>
+        <source>organ/region, of %1</source>
+        <translation>organ/bölge; organ: %1</translation>
+    </message>
+    <message>
+        <source>points [x, y, z]</source>
+        <translation>[x, y, z] noktaları</translation>
+    </message>
+    <message>
+        <source>region, path or ball</source>
+        <translation>bölge, yol ya da top</translation>
+    </message>
+    <message>
+        <source>small letters, digits, _ and -</source>
+        <translation>küçük harf, rakam, _ ve -</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>satırın sonu</translation>
+    </message>
+    <message>
+        <source>the greater first</source>
+        <translation>büyük olan önce</translation>
+    </message>
+    <message>
+        <source>the id of a step</source>
+        <translation>bir adımın kimliği</translation>
+    </message>
+    <message>
+        <source>the least and the most</source>
+        <translation>en az ve en çok</translation>
+    </message>
+    <message>
+        <source>the region's vertices</source>
+        <translation>bölgenin köşeleri</translation>
+    </message>
+    <message>
+        <source>the texts in English</source>
+        <translation>İngilizce metinler</translation>
+    </message>
+    <message>
+        <source>their corners</source>
+        <translation>bunların köşeleri</translation>
+    </message>
+    <message>
+        <source>those of a wall of prisms</source>
+        <translation>prizma duvarınınkiler</translation>
+    </message>
+    <message>
+        <source>three coordinates</source>
+        <translation>üç koordinat</translation>
+    </message>
+    <message>
+        <source>too many texts</source>
+        <translation>çok fazla metin</translation>
+    </message>
+    <message>
+        <source>true without a contact_modulus</source>
+        <translation>contact_modulus olmadan true</translation>
+    </message>
+    <message>
+        <source>two numbers, the least and the most</source>
+        <translation>iki sayı: en az ve en çok</translation>
+    </message>
+    <message>
+        <source>vertices as plain numbers: save it without that compression</source>
+        <translation>düz sayı olarak köşeler: bu sıkıştırma olmadan kaydedin</translation>
+    </message>
+    <message>
+        <source>vertices without x, y, z</source>
+        <translation>x, y, z olmayan köşeler</translation>
+    </message>
+    <message>
+        <source>whole numbers of %1</source>
+        <translation>%1 türünden tam sayılar</translation>
     </message>
 </context>
 </TS>
