@@ -22,6 +22,10 @@ namespace {
 constexpr double kLeastRidge = 3.0;
 /// [-] How many times thinner than its edges a part may be and still count for more.
 constexpr double kMostThin = 2.0;
+/// [degree] Of good triangles.
+constexpr double kLeastAngle = 20.0;
+/// [-] How much further from the source good triangles may be than those that keep ridges.
+constexpr double kMostDistance = 1.25;
 /// [-] Of the vertices, those that are on lines: more leave too few for the shape between them.
 constexpr double kMostOnLines = 0.7, kMostWithNames = 1.0 / 3.0;
 
@@ -104,13 +108,9 @@ CollapsedMesh collapse(const SurfaceMesh& mesh, int vertex_count, const Decimate
   return collapsed;
 }
 
-}  // namespace
-
-DecimatedMesh decimate(const SurfaceMesh& mesh, int vertex_count, const DecimateOptions& options) {
-  validate(mesh);
-  validate_count(mesh, vertex_count);
-  validate_numbers(mesh, options.regions, "regions");
-  validate_numbers(mesh, options.names, "names");
+/// As asked, whatever angles come of it.
+DecimatedMesh decimate_once(const SurfaceMesh& mesh, int vertex_count,
+                            const DecimateOptions& options) {
   DecimatedMesh result{};
   CollapsedMesh collapsed = collapse(mesh, vertex_count, options, result);
   result.mesh = std::move(collapsed.mesh);
@@ -131,6 +131,24 @@ DecimatedMesh decimate(const SurfaceMesh& mesh, int vertex_count, const Decimate
     result.self_intersecting_faces = static_cast<int>(faces->size());
   }
   return result;
+}
+
+}  // namespace
+
+DecimatedMesh decimate(const SurfaceMesh& mesh, int vertex_count, const DecimateOptions& options) {
+  validate(mesh);
+  validate_count(mesh, vertex_count);
+  validate_numbers(mesh, options.regions, "regions");
+  validate_numbers(mesh, options.names, "names");
+  DecimatedMesh result = decimate_once(mesh, vertex_count, options);
+  if (!options.features || result.smallest_angle_deg >= kLeastAngle) return result;
+
+  // ridges that leave flat triangles are worth it where they keep the shape alone
+  DecimatedMesh plain = decimate_once(mesh, vertex_count, {options.regions, options.names, false});
+  if (plain.smallest_angle_deg < kLeastAngle) return result;
+  if (plain.max_distance > kMostDistance * result.max_distance) return result;
+  plain.left_out_length = result.kept_length + result.left_out_length - plain.kept_length;
+  return plain;
 }
 
 }  // namespace palpate::authoring

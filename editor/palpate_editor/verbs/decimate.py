@@ -170,7 +170,7 @@ def describe_kept(report: Report) -> list[str]:
     if kept or left:
         lines.append(f"ridges and borders of what is painted: {kept:.0f} mm stay on their lines")
     if left:
-        lines[-1] += f", {left:.0f} mm do not, for want of vertices"
+        lines[-1] += f", {left:.0f} mm do not, for want of vertices or of good triangles"
     if report["far_field"] is not None:
         lines.append(f"far field: {report['far_field']}")
     return lines
