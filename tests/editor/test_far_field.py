@@ -132,8 +132,8 @@ def test_it_hardly_changes_with_the_mesh_that_it_is_solved_on(monkeypatch):
 
     free = ~make_small().fixed
     ball = 0.5 / np.sqrt(0.004 * 0.002)
-    # along each axis; the surface is the same to rounding, and with it which mesh fills it: 0.054 on
-    # a processor with AVX-512, less than 0.05 without
+    # along each axis; the surface is the same to rounding, and so which mesh fills it is not: 0.054
+    # on a processor with AVX-512, less than 0.05 without
     felt = (ball + coarse[:, :3]) / (ball + fine[:, :3])
     assert np.abs(felt[free] - 1.0).mean() < 0.07
 
