@@ -17,8 +17,9 @@ from palpate.command.verb import Report
 from palpate.files.read_file import read_file
 from palpate.files.refusal import Refusal
 from palpate.files.whole_file import write_whole
+from palpate.runs.pictures import picture_of_record, plot_runs
 from palpate.runs.press import PressScript, find_top, write_script
-from palpate.runs.run import Run, picture_of_record, plot_runs, run_script
+from palpate.runs.run import Run, run_script
 from palpate.runs.script_file import write_script_file
 from palpate.scene.scene_file import open_scene
 from palpate.scene.scene_parts import MaterialPart, ModelPart

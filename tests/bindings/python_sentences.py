@@ -17,7 +17,14 @@ from core_sentences import divide, has_words
 PACKAGES = (Path(palpate.__file__).parent, Path(__file__).resolve().parents[2] / "editor")
 COMMAND_LINE = (
     *("bench/", "study/", "verbs/", "cli/", "command/", "device/link.py", "device/names.py"),
-    *("runs/play.py", "runs/press.py", "runs/run.py", "runs/script_file.py", "system/display.py"),
+    *(
+        "runs/play.py",
+        "runs/press.py",
+        "runs/replay.py",
+        "runs/run.py",
+        "runs/script_file.py",
+        "system/display.py",
+    ),
     *("demo.py", "kinds.py", "argument_text.py", "draw_windows.py"),
 )
 """Refuse what is typed, before a window opens or without one."""

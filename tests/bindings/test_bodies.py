@@ -11,7 +11,8 @@ import palpate
 import pytest
 from palpate.runs.live import LiveRun
 from palpate.runs.press import find_top
-from palpate.runs.run import describe_arithmetic, follow_header
+from palpate.runs.replay import follow_header
+from palpate.runs.run import describe_arithmetic
 from surfaces import organ_scene
 
 DT = 1e-3

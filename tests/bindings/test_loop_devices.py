@@ -14,7 +14,8 @@ import palpate
 import pytest
 from palpate.runs.felt import read_column, read_force
 from palpate.runs.live import MOST_TICKS, LiveRun, find_longest
-from palpate.runs.run import describe_build, run_device, run_replay
+from palpate.runs.replay import run_replay
+from palpate.runs.run import describe_build, run_device
 from surfaces import organ_scene, press_frames
 
 ASIDE = np.array([0.2, 0.0, 0.0])

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import palpate
 import pytest
-from palpate.runs.run import follow_header
+from palpate.runs.replay import follow_header
 from surfaces import organ_scene, press_frames, run_frames
 
 REPLAY = """

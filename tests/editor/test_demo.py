@@ -13,7 +13,7 @@ import palpate
 import pytest
 from palpate.cli.main import main
 from palpate.render import openness
-from palpate.runs.run import picture_of_record
+from palpate.runs.pictures import picture_of_record
 from palpate_editor import demo as demo_module
 from palpate_editor.document.defaults import CONSTANTS
 from palpate_editor.open_organ import open_organ

@@ -18,7 +18,8 @@ from pathlib import Path
 
 import palpate
 from palpate.runs.press import PressScript, find_top, write_script
-from palpate.runs.run import describe_arithmetic, follow_header, read_scene
+from palpate.runs.replay import follow_header
+from palpate.runs.run import describe_arithmetic, read_scene
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 sys.path.append(str(CHECKOUT / "tests" / "bindings"))

@@ -12,8 +12,9 @@ import numpy as np
 from palpate.command.output import add_output
 from palpate.command.verb import Report, Verb, quantity
 from palpate.files.file_kind import PICTURE, RECORD, SCRIPT
+from palpate.runs.pictures import plot_runs
 from palpate.runs.press import Place, PressScript, find_place, find_top, write_script
-from palpate.runs.run import plot_runs, read_scene, require_one_instrument, run_script, say_link
+from palpate.runs.run import read_scene, require_one_instrument, run_script, say_link
 from palpate.runs.script_file import write_script_file
 
 

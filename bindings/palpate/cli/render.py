@@ -12,7 +12,8 @@ from palpate.command.output import add_output
 from palpate.command.verb import Report, Verb, WrongCall, quantity
 from palpate.files.file_kind import PICTURE
 from palpate.files.refusal import Refusal
-from palpate.runs.run import is_published, picture_of_record, picture_of_rest, read_scene
+from palpate.runs.pictures import picture_of_record, picture_of_rest
+from palpate.runs.run import is_published, read_scene
 from palpate.scene.mesh_file import read_mesh_file
 
 

@@ -7,7 +7,7 @@ import argparse
 from pathlib import Path
 
 from palpate.command.verb import Report, Verb
-from palpate.runs.run import run_replay
+from palpate.runs.replay import run_replay
 
 
 def add_replay(parser: argparse.ArgumentParser) -> None:

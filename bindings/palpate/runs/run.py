@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Live runs, their records, replays and pictures: what the verbs and the demo share."""
+"""Live runs and their records: what the verbs and the demo share."""
 
 from __future__ import annotations
 
-import json
 import os
 import platform
 from collections.abc import Sequence
@@ -12,20 +11,16 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 import palpate
-from palpate.assessment.verdict import describe_attempt, describe_verdict, pick_events
+from palpate.assessment.verdict import describe_attempt
 from palpate.command.verb import Report, WrongCall
 from palpate.files.refusal import Refusal
 from palpate.runs.alarms import tell_alarm, tell_averted
-from palpate.runs.element import Element, cut_hand, find_element, read_sample
-from palpate.runs.felt import read_column, read_force, read_rendered
+from palpate.runs.element import Element, cut_hand, find_element
 from palpate.runs.live import LiveRun, find_longest
 from palpate.runs.press import Place, PressScript, PressTimes, measure_press, write_script
 from palpate.runs.stop_request import hear_stop
 from palpate.scene.scene_file import hash_file, open_scene
-from palpate.scene.surfaces import join_positions, join_rest_surfaces, join_triangles
 
 PUBLISHED, WORKING = ".palpate", ".organ"
 BETWEEN = " + "
@@ -253,199 +248,3 @@ def run_script(
         **measure_press(record, place, scene.instruments[0].tool.radius, times),
     }
     return Run(record, times, report)
-
-
-def open_record(
-    path: Path, scene_path: Path | None = None
-) -> tuple[palpate.Record, Path, palpate.Scene]:
-    """A record and the compiled scene it was made with.
-
-    Raises FileError, Refusal (another scene than the record's) or OSError.
-    """
-    record = palpate.read_record(str(path))
-    if len(record.hand) == 0:
-        raise Refusal(path, "", "no ticks", "a record of at least one: there is nothing to compare")
-    require_finite(path, record)
-    header = json.loads(record.header)
-    for key in ("scene", "scene_sha256"):
-        if not isinstance(header.get(key), str):
-            raise Refusal(path, f"header.{key}", repr(header.get(key)), "text")
-    where = scene_path or path.parent / header["scene"]
-    try:
-        found = hash_file(where)
-    except FileNotFoundError:
-        if scene_path is not None:
-            raise
-        expected = f"the scene there; where it was moved to, --scene {Path(header['scene']).name}"
-        raise Refusal(path, "header.scene", f"no file {where}", expected) from None
-    if found != header["scene_sha256"]:
-        raise Refusal(
-            where,
-            "",
-            f"SHA-256 {found[:12]}...",
-            f"{header['scene_sha256'][:12]}..., the scene of {path.name}",
-        )
-    return record, where, follow_header(read_scene(where), header)
-
-
-def require_finite(path: Path, record: palpate.Record) -> None:
-    """Raises Refusal, naming the tick, where a record has what no run can have felt."""
-    for table in (record.hand, record.felt):
-        for name in table.dtype.names:
-            rows = np.asarray(table[name]).reshape(len(table), -1)
-            wrong = np.flatnonzero(~np.isfinite(rows).all(axis=1))
-            if len(wrong):
-                found = str(np.asarray(table[name])[wrong[0]])
-                raise Refusal(path, f"tick {wrong[0]}: {name}", found, "finite numbers")
-
-
-def follow_header(scene: palpate.Scene, header: dict[str, Any]) -> palpate.Scene:
-    """The scene under the kernel and vector target of a record, as far as this machine has them."""
-    count = len(scene.bodies)
-    kernels = split_names(str(header.get("kernel", "")), count)
-    targets = split_names(str(header.get("vector_target", "")), count)
-    for body, kernel, target in zip(scene.bodies, kernels, targets, strict=True):
-        if kernel.startswith("reference"):
-            body.kernel = palpate.Kernel.reference
-        elif target in palpate.simd_targets():
-            body.simd_target = target
-    return scene
-
-
-def run_replay(path: Path, scene_path: Path | None = None) -> Report:
-    """Replays a record from a fresh world and compares force, tool and state bit by bit."""
-    record, where, scene = open_record(path, scene_path)
-    drawn = draw_recorded(path, where, record)
-    try:
-        result = palpate.replay(scene, record, None if drawn is None else drawn.task)
-    except ValueError as problem:
-        raise Refusal(path, "", str(problem), "a record that can be replayed") from None
-    header, here = json.loads(record.header), describe_arithmetic(scene)
-    changed = {
-        name: {"record": header.get(name), "here": now}
-        for name, now in here.items()
-        if header.get(name) != now
-    }
-    return {
-        "record": str(path),
-        "scene": str(where),
-        "complete": record.complete,
-        "ticks": result.ticks,
-        "motors_off_s": sum(
-            float((~read_rendered(record, instrument)).sum()) / scene.rate
-            for instrument in range(record.instruments)
-        ),
-        "equal": result.equal,
-        "first_difference": result.first_difference if result.first_difference >= 0 else None,
-        "largest_force_difference_N": result.largest_force_difference,
-        "largest_position_difference_m": result.largest_position_difference,
-        "changed": changed,
-        **({} if drawn is None else describe_rejudged(where, drawn, result)),
-    }
-
-
-def draw_recorded(
-    path: Path, where: Path, record: palpate.Record
-) -> palpate.scenario.DrawnTask | None:
-    """The task of a record, as the scene it was made with has it; None where it has none.
-
-    Raises Refusal for a header that names a task which that scene does not have.
-    """
-    told = json.loads(record.header).get("task")
-    if told is None:
-        return None
-    try:
-        level, seed = str(told["level"]), int(told["seed"])
-        drawn = palpate.scenario.draw_task(palpate.scenario.read(where), level, seed)
-        same = drawn.sha256 == told["assessment_sha256"]
-    except (ValueError, TypeError, LookupError) as problem:
-        raise Refusal(path, "header.task", str(problem), f"a task of {where.name}") from None
-    if not same:
-        raise Refusal(path, "header.task", "another assessment", f"that of {where.name}")
-    return drawn
-
-
-def describe_rejudged(
-    where: Path, drawn: palpate.scenario.DrawnTask, result: palpate.ReplayReport
-) -> Report:
-    """The verdict of a replay, and whether the record has the very same events."""
-    assessment = json.loads(palpate.scenario.read(where).assessment)
-    first = result.first_event_difference
-    return {
-        "verdict": describe_verdict(drawn, result.task, pick_events(result.events), assessment),
-        "verdict_equal": result.events_equal,
-        "first_event_difference": first if first >= 0 else None,
-    }
-
-
-def pose_at(scene: palpate.Scene, record: palpate.Record, tick: int) -> palpate.World:
-    """The world after `tick` ticks of a record."""
-    world = palpate.World(scene)
-    hand = record.hand.reshape(len(record.hand), -1)
-    for rows in hand[: tick + 1]:
-        palpate.tick(scene, [read_sample(row) for row in rows], 1.0 / scene.rate, world)
-    return world
-
-
-def picture_of_rest(
-    out: Path, organ: palpate.SurfaceMesh | palpate.Scene, title: str, options: dict[str, Any]
-) -> None:
-    """Draws a surface, or all bodies of a scene, at rest."""
-    from palpate.render import save_picture
-
-    if isinstance(organ, palpate.Scene):
-        x, triangles = join_rest_surfaces(organ), join_triangles(organ)
-    else:
-        x, triangles = np.asarray(organ.vertices), np.asarray(organ.triangles)
-    save_picture(out, x, triangles, title=title, **options)
-
-
-def picture_of_record(
-    out: Path,
-    record_path: Path,
-    time: float | None,
-    options: dict[str, Any],
-    title: str | None = None,
-    scene_path: Path | None = None,
-) -> float:
-    """Draws the organs of a record at a time [s], or where a force was greatest, with the
-    instrument that felt most then; returns when.
-    """
-    from palpate.render import save_picture
-
-    record, where, scene = open_record(record_path, scene_path)
-    times = read_column(record, "hand", "time").astype(float)
-    forces = np.array([read_force(record, each) for each in range(record.instruments)])
-    sizes = np.linalg.norm(forces, axis=2)
-    if time is None:
-        tick = int(sizes.max(axis=0).argmax())
-    else:
-        tick = int(np.searchsorted(times, time).clip(0, len(times) - 1))
-    felt = int(sizes[:, tick].argmax())
-    world = pose_at(scene, record, tick)
-    x = join_positions([np.asarray(palpate.surface_position(body)) for body in world.bodies])
-    tip = np.asarray(world.instruments[felt].tool.position), scene.instruments[felt].tool.radius
-    save_picture(
-        out,
-        x,
-        join_triangles(scene),
-        values=1e3 * np.linalg.norm(x - join_rest_surfaces(scene), axis=1),
-        legend="displacement [mm]",
-        tool=tip,
-        force=forces[felt, tick],
-        title=title or name_scene(where),
-        **options,
-    )
-    return float(times[tick])
-
-
-def name_scene(path: Path) -> str:
-    """What a scene is called after its file."""
-    return path.name.removesuffix(".json").removesuffix(".scene").removesuffix(PUBLISHED)
-
-
-def plot_runs(out: Path, runs: dict[str, Run], title: str) -> None:
-    """Force against time of one or several runs of the same script, as PNG."""
-    from palpate.render import save_force_plot
-
-    save_force_plot(out, {name: run.record for name, run in runs.items()}, title=title)

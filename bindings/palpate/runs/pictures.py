@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of scenes and of records, drawn with no display."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import palpate
+from palpate.runs.element import read_sample
+from palpate.runs.felt import read_column, read_force
+from palpate.runs.replay import open_record
+from palpate.runs.run import PUBLISHED, Run
+from palpate.scene.surfaces import join_positions, join_rest_surfaces, join_triangles
+
+
+def pose_at(scene: palpate.Scene, record: palpate.Record, tick: int) -> palpate.World:
+    """The world after `tick` ticks of a record."""
+    world = palpate.World(scene)
+    hand = record.hand.reshape(len(record.hand), -1)
+    for rows in hand[: tick + 1]:
+        palpate.tick(scene, [read_sample(row) for row in rows], 1.0 / scene.rate, world)
+    return world
+
+
+def picture_of_rest(
+    out: Path, organ: palpate.SurfaceMesh | palpate.Scene, title: str, options: dict[str, Any]
+) -> None:
+    """Draws a surface, or all bodies of a scene, at rest."""
+    from palpate.render import save_picture
+
+    if isinstance(organ, palpate.Scene):
+        x, triangles = join_rest_surfaces(organ), join_triangles(organ)
+    else:
+        x, triangles = np.asarray(organ.vertices), np.asarray(organ.triangles)
+    save_picture(out, x, triangles, title=title, **options)
+
+
+def picture_of_record(
+    out: Path,
+    record_path: Path,
+    time: float | None,
+    options: dict[str, Any],
+    title: str | None = None,
+    scene_path: Path | None = None,
+) -> float:
+    """Draws the organs of a record at a time [s], or where a force was greatest, with the
+    instrument that felt most then; returns when.
+    """
+    from palpate.render import save_picture
+
+    record, where, scene = open_record(record_path, scene_path)
+    times = read_column(record, "hand", "time").astype(float)
+    forces = np.array([read_force(record, each) for each in range(record.instruments)])
+    sizes = np.linalg.norm(forces, axis=2)
+    if time is None:
+        tick = int(sizes.max(axis=0).argmax())
+    else:
+        tick = int(np.searchsorted(times, time).clip(0, len(times) - 1))
+    felt = int(sizes[:, tick].argmax())
+    world = pose_at(scene, record, tick)
+    x = join_positions([np.asarray(palpate.surface_position(body)) for body in world.bodies])
+    tip = np.asarray(world.instruments[felt].tool.position), scene.instruments[felt].tool.radius
+    save_picture(
+        out,
+        x,
+        join_triangles(scene),
+        values=1e3 * np.linalg.norm(x - join_rest_surfaces(scene), axis=1),
+        legend="displacement [mm]",
+        tool=tip,
+        force=forces[felt, tick],
+        title=title or name_scene(where),
+        **options,
+    )
+    return float(times[tick])
+
+
+def name_scene(path: Path) -> str:
+    """What a scene is called after its file."""
+    return path.name.removesuffix(".json").removesuffix(".scene").removesuffix(PUBLISHED)
+
+
+def plot_runs(out: Path, runs: dict[str, Run], title: str) -> None:
+    """Force against time of one or several runs of the same script, as PNG."""
+    from palpate.render import save_force_plot
+
+    save_force_plot(out, {name: run.record for name, run in runs.items()}, title=title)
