@@ -148,7 +148,9 @@ TEST_CASE("a run that ends before its task is left, and one without an end was i
   const ReplayReport again = replay(scene, live.record, &task);
   CHECK(again.events_equal);
   CHECK(again.task.outcome == Outcome::left);
-  live.record.events.pop_back();
+  // a late tick may have been noted after the verdict
+  const auto is_end = [](const Event& event) { return is_kind(event, TaskEvent::task_ended); };
+  REQUIRE(std::erase_if(live.record.events, is_end) == 1);
   CHECK(replay(scene, live.record, &task).task.outcome == Outcome::interrupted);
 }
 

@@ -158,7 +158,8 @@ def test_a_linear_solid_tells_its_memory_and_asks_for_nothing_that_swings(panel,
 
     words = panel.facts.texts()
     assert list(words) == [
-        "Total mass", "Tetrahedra", "Its response", "A tick in touch takes", "Validated to"
+        "Total mass", "Tetrahedra", "Smallest angle between faces", "Edges", "Its response",
+        "A tick in touch takes", "Validated to",
     ]  # fmt: skip
     assert re.fullmatch(r"[\d.]+\u00a0MB for \d+ of \d+ particles", words["Its response"])
     assert not panel.links.isVisible()
