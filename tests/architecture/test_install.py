@@ -32,6 +32,7 @@ def prefix() -> Path:
     return install(build, "eigen-alone-prefix")
 
 
+@pytest.mark.landing
 def test_an_installed_header_is_all_a_program_needs(prefix):
     headers = {str(path.relative_to(prefix)) for path in prefix.rglob("*.h")}
 

@@ -105,6 +105,7 @@ def test_a_program_without_python_feels_the_very_forces_python_feels(player, pub
     assert forces.tobytes() == felt(palpate.scenario.read(path).scene).tobytes()
 
 
+@pytest.mark.landing
 @pytest.mark.parametrize("organ", ["spleen", "gallbladder"])
 def test_the_program_feels_in_the_file_of_a_shipped_organ_what_python_feels(player, organ):
     path = CHECKOUT / "meshes/published" / f"{organ}.palpate"

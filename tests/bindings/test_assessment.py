@@ -166,6 +166,7 @@ def test_a_careful_hand_does_it_and_a_violent_one_does_not(tissue, hand):
                 if e["kind"] == palpate.TaskEvent.step_done] == list(range(5))  # fmt: skip
 
 
+@pytest.mark.landing
 def test_the_live_loop_comes_to_the_verdict_of_the_self_play_and_so_does_the_replay(
     tissue, tmp_path, capsys
 ):

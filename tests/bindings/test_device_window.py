@@ -29,7 +29,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from windows import LEFT, at, drag, grab, keep_picture, read_pixels
 
-pytestmark = pytest.mark.window
+pytestmark = [pytest.mark.window, pytest.mark.landing]
 Mode = palpate.DeviceMode
 
 

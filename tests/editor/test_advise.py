@@ -73,6 +73,7 @@ def test_apply_writes_the_choice_into_the_organ_and_nothing_else(files, organ, c
         assert getattr(after, part) == getattr(organ, part)
 
 
+@pytest.mark.landing
 def test_what_meets_no_target_is_the_nearest_miss_and_is_not_applied(files, capsys):
     tight = "--force-error", "0.01", "--no-score"
     report = call(files, *tight, capsys=capsys)

@@ -29,6 +29,7 @@ def find_theory(depths: np.ndarray, young_modulus: float) -> np.ndarray:
     )
 
 
+@pytest.mark.landing
 def test_one_factor_near_one_makes_a_solid_organ_feel_as_theory_says(monkeypatch):
     """Tool, skin and tetrahedra as in a session, beside [Hertz82] on a layer [Hayes72]."""
     monkeypatch.setattr(indent, "STOPS", 5)

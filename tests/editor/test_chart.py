@@ -52,6 +52,7 @@ def without_costs(chart):
     return [replace(row, cost=None) for row in chart.rows]
 
 
+@pytest.mark.landing
 def test_every_row_has_errors_counts_and_a_cost_or_a_reason(chart):
     assert [row.outcome for row in chart.rows] == [RAN, RAN, RAN, RAN, RAN, REFUSED]
     for row in chart.list_ran():
@@ -114,6 +115,7 @@ def test_errors_are_the_same_in_other_processes_and_however_many(plan, chart):
     assert without_costs(found) == without_costs(chart)[:3]
 
 
+@pytest.mark.landing
 def test_a_process_that_is_killed_loses_its_own_run_only(plan, chart, tmp_path, monkeypatch):
     started = []
 
@@ -166,6 +168,7 @@ def test_what_is_finished_is_on_the_disk_at_once_and_taken_up(plan, chart, tmp_p
     assert whole.complete and without_costs(whole) == without_costs(chart)[:3]
 
 
+@pytest.mark.landing
 def test_a_changed_organ_or_path_is_another_chart(plan):
     organ = open_document(plan.organ)
     keys = {compute_key(plan)}

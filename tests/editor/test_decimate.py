@@ -231,6 +231,7 @@ def organ(spleen):
     return replace(EMPTY.with_surface(surface), imported=surface)
 
 
+@pytest.mark.landing
 @pytest.mark.parametrize("error", [0.5e-3, 2e-3])
 def test_as_few_vertices_as_an_error_allows(organ, error):
     edit = decimate_within(organ, error)

@@ -112,6 +112,7 @@ def test_the_demo_leaves_its_pictures_records_and_a_summary(own):
     assert summary["triangles"] == 1196
 
 
+@pytest.mark.landing
 def test_the_demo_runs_the_whole_way_on_a_real_spleen(spleen):
     out, summary = spleen
 

@@ -85,6 +85,7 @@ def solve_small() -> Organ:
     return SolveFarField()(make_small())
 
 
+@pytest.mark.landing
 def test_the_far_field_of_a_thick_block_is_that_of_a_layer():
     block = make_solid(make_block())
 
@@ -114,6 +115,7 @@ def test_a_half_space_gives_way_more_along_its_face_than_into_it():
     assert np.array([0.0, 0.8, -0.6]) @ found @ normal[0] == pytest.approx(0.0, abs=1e-9)
 
 
+@pytest.mark.landing
 def test_a_press_aside_on_the_block_is_softer_than_into_it_where_only_its_foot_is_held():
     block = make_solid(make_block())
 
@@ -124,6 +126,7 @@ def test_a_press_aside_on_the_block_is_softer_than_into_it_where_only_its_foot_i
     assert (found[top, 0] > found[top, 2]).all() and (found[top, 1] > found[top, 2]).all()
 
 
+@pytest.mark.landing
 def test_it_hardly_changes_with_the_mesh_that_it_is_solved_on(monkeypatch):
     fine = solve_small().far_field.tensors
     monkeypatch.setattr(solver, "TETRAHEDRA", 4000)
@@ -155,7 +158,13 @@ VOID = {
 }
 
 
-@pytest.mark.parametrize("edit", VOID.values(), ids=VOID)
+@pytest.mark.parametrize(
+    "edit",
+    [
+        pytest.param(edit, marks=pytest.mark.landing if k else [], id=name)
+        for k, (name, edit) in enumerate(VOID.items())
+    ],
+)
 def test_a_table_of_something_else_is_not_felt_and_warned_of(edit):
     organ = edit(solve_small())
 
@@ -260,6 +269,7 @@ def test_a_body_that_nothing_holds_has_none():
         solve_far_field(loose)
 
 
+@pytest.mark.landing
 def test_it_can_be_stopped_and_tells_how_far_it_is():
     said = []
     with pytest.raises(Stopped):

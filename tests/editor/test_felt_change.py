@@ -80,6 +80,7 @@ def test_an_organ_smaller_than_a_press_is_not_pressed():
     assert measure_felt_change(tiny, tiny).untold == "it is too small to be pressed"
 
 
+@pytest.mark.landing
 @pytest.mark.parametrize(
     "name",
     [pytest.param(n, marks=[] if n == "spleen" else [pytest.mark.landing]) for n in SOLIDS],

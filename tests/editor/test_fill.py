@@ -66,6 +66,7 @@ def test_more_tetrahedra_fill_the_same_organ_finer_and_cost_more(spleen):
     assert shares[1] / shares[0] >= counts[1] / counts[0]
 
 
+@pytest.mark.landing
 @pytest.mark.parametrize("name", ["spleen", "liver", "kidney"])
 def test_published_solids_carry_the_filling_that_their_document_still_gives(name):
     """Nothing of what shipped before tetrahedra were counted changes."""

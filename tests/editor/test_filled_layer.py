@@ -89,6 +89,7 @@ def sphere_ratio(cell: float, nodal_share: float, depth: float) -> float:
         inside[np.flatnonzero(inside)[pushes <= 0.0]] = False
 
 
+@pytest.mark.landing
 @pytest.mark.parametrize(
     ("nodal_share", "expected"), [pytest.param(0.0, 0.965, marks=pytest.mark.verify), (0.9, 0.87)]
 )

@@ -136,9 +136,9 @@ SLOW = ("regr01", "VH_F_Kidney_L", "VH_F_Liver", "VH_M_Heart")
 
 def list_repaired() -> list:
     def mark(name: str) -> tuple:
-        if any(word in name for word in SLOW):
+        if any(word in name for word in (*SLOW, "soup")):
             return (pytest.mark.verify,)
-        is_quick = any(word in name for word in QUICK) and "soup" not in name
+        is_quick = any(word in name for word in QUICK)
         return () if is_quick else (pytest.mark.landing,)
 
     return [pytest.param(name, marks=mark(name)) for name in SIMULABLE]

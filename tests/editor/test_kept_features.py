@@ -247,6 +247,7 @@ def test_the_verb_keeps_them_and_says_how_much(painted, tmp_path, capsys):
     assert f"ridges and borders of what is painted: {kept}" in capsys.readouterr().out
 
 
+@pytest.mark.landing
 @pytest.mark.parametrize("vertices", [150, 600])
 def test_a_real_bladder_with_its_ureters_is_nearer_than_before(vertices, shared_data):
     mesh = import_mesh(shared_data("organs/hra_VH_F_Urinary_Bladder.glb")).mesh

@@ -76,6 +76,7 @@ def test_a_published_linear_solid_is_pressed_in_the_live_loop_and_replayed(
     assert json.loads(palpate.read_record(record).header)["kernel"] == "response"
 
 
+@pytest.mark.landing
 def test_a_published_linear_solid_comes_back_with_its_response(published):
     scene = scenario.read(published).scene
 

@@ -127,6 +127,7 @@ def test_a_repaired_organ_keeps_its_original_and_is_rebuilt(tmp_path, capsys):
     assert palpate.is_closed(read_organ(organ).surface.triangles)
 
 
+@pytest.mark.landing
 def test_a_demo_leaves_an_organ_that_is_rebuilt(stl, tmp_path, capsys):
     run(capsys, "demo", "--mesh", stl, "--unit", "mm", "--vertices", 120, "--out", tmp_path / "o")
 

@@ -282,6 +282,7 @@ def test_two_spheres_through_each_other_cross_where_their_surfaces_do():
     assert np.abs(middles[:, 0] - 0.010).max() < 0.004
 
 
+@pytest.mark.landing
 def test_counting_crossings_gives_up_instead_of_taking_for_ever():
     random = np.random.default_rng(1)
     points = random.normal(size=(3 * 8000, 3))

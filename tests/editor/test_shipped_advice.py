@@ -17,7 +17,9 @@ SHAPE = {"spleen": 0.05, "kidney": 0.03, "liver": 0.0725}
 """Targets of the table of core/ACCURACY.md [accuracy: advised]."""
 
 
-@pytest.mark.parametrize("name", SHAPE)
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=pytest.mark.landing if k else []) for k, n in enumerate(SHAPE)]
+)
 def test_the_solids_that_ship_are_the_advisors_choice(name):
     organ, chart = read_organ(PUBLISHED / f"{name}.organ"), read_chart(CHARTS / f"{name}.json")
 
@@ -26,6 +28,7 @@ def test_the_solids_that_ship_are_the_advisors_choice(name):
     assert advised.advice.fits and advised.advice.keeps_own
 
 
+@pytest.mark.landing
 @pytest.mark.parametrize("name", SHAPE)
 def test_for_a_shallow_press_alone_a_linear_solid_would_do(name):
     organ, chart = read_organ(PUBLISHED / f"{name}.organ"), read_chart(CHARTS / f"{name}.json")

@@ -64,7 +64,7 @@ def test_a_row_in_ten_has_the_same_errors_again(name, capsys):
     assert main(["chart", str(organ), "--rerun", str(chart)]) == 0, capsys.readouterr().out
 
 
-@pytest.mark.landing
+@pytest.mark.verify
 def test_the_chart_of_an_atlas_kidney_is_of_what_its_lines_make(shared_data, tmp_path):
     text = (CHARTS.parent / "README.md").read_text(encoding="utf-8").split("## Charts")[1]
     *lines, charted = re.findall(r"^    palpate (.*)$", text, re.MULTILINE)

@@ -155,6 +155,7 @@ def test_by_its_near_field_a_layer_is_felt_as_theory_says(kind, tetrahedra, radi
     assert (np.abs(ball - 1.0) < 0.16).all()
 
 
+@pytest.mark.landing
 def test_by_its_near_field_a_shipped_organ_is_felt_as_finite_elements_say(monkeypatch):
     monkeypatch.setattr(indent, "STOPS", 4)
 

@@ -80,6 +80,7 @@ def test_a_wall_of_the_kidney_that_would_fold_at_its_hilum_is_nearer_there_alone
     assert count_crossings(np.concatenate([outer, inner]), both) == 0
 
 
+@pytest.mark.landing
 def test_a_check_says_how_much_is_nearer_and_where(kidney):
     assessment = assess(make_wall(kidney, 5e-3))
 

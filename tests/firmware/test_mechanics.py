@@ -43,6 +43,7 @@ def as_mesh(solid) -> palpate.SurfaceMesh:
     return palpate.SurfaceMesh(1e-3 * solid.vertices, solid.triangles)
 
 
+@pytest.mark.landing
 def test_every_part_is_one_closed_shell_that_a_small_printer_prints(solids):
     for name, solid in solids.items():
         report = authoring.inspect_mesh(as_mesh(solid))

@@ -207,7 +207,8 @@ Work circle(const Scene& scene, double depth, int laps) {
 
 }  // namespace
 
-TEST_CASE("T4: on a wall a sliding tool pulls with mu times what it presses with") {
+TEST_CASE("T4: on a wall a sliding tool pulls with mu times what it presses with" *
+          doctest::test_suite("landing")) {
   CHECK(std::abs(measure_slide(make_flat_wall(0.0), 0.003, 0.024).plane) < 0.002);
   for (const double mu : {0.1, 0.3, 0.6}) check_slide(make_flat_wall(mu), 0.003, 0.024);
 }
@@ -224,7 +225,8 @@ TEST_CASE("T4: and so on a wall of prisms, and on a solid that is always in bala
   }
 }
 
-TEST_CASE("T4: nine tenths of mu N hold a tool still for a second") {
+TEST_CASE("T4: nine tenths of mu N hold a tool still for a second" *
+          doctest::test_suite("landing")) {
   CHECK(measure_creep(make_flat_wall(0.3), 0.003, 1.0) < 1e-6);
   CHECK(measure_creep(make_solid_block(0.3), 0.002, 1.0) < 1e-6);
   CHECK(measure_creep(make_plate(0.3), 0.003, 1.0) < 1e-6);

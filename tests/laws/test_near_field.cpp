@@ -153,7 +153,8 @@ TEST_CASE("a far field that is given is felt: the half space's force at the dept
   }
 }
 
-TEST_CASE("and so is a ball in tetrahedra at finite strain, corotated or neo-Hookean") {
+TEST_CASE("and so is a ball in tetrahedra at finite strain, corotated or neo-Hookean" *
+          doctest::test_suite("landing")) {
   check_layer(Kind::corotated, 3, 0.003, 0.001);
   check_layer(Kind::neo_hookean, 3, 0.008, 0.002);
 }

@@ -10,7 +10,10 @@ from golden_curves import PRESSES, TOLERANCE, compute_change, find_peak, press, 
 from palpate_editor.shipped import list_organs
 
 
-@pytest.mark.parametrize("name", PRESSES)
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(n, marks=pytest.mark.landing if k % 2 else []) for k, n in enumerate(PRESSES)],
+)
 def test_a_shipped_press_feels_within_two_percent_as_it_did(name):
     change = compute_change(press(name), read_curves()[name])
 

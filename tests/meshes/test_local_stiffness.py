@@ -47,13 +47,16 @@ def compare_stiffness(name: str) -> tuple[float, float]:
     return told, (lower - higher) / (2.0 * STEP)
 
 
-@pytest.mark.parametrize("name, error", [("spleen", 0.1), ("liver", 0.2)])
+@pytest.mark.parametrize(
+    "name, error", [("spleen", 0.1), pytest.param("liver", 0.2, marks=pytest.mark.landing)]
+)
 def test_the_local_stiffness_of_a_solid_is_that_of_its_scene(name, error):
     told, measured = compare_stiffness(name)
 
     assert told == pytest.approx(measured, rel=error)
 
 
+@pytest.mark.landing
 def test_the_local_stiffness_of_a_curved_wall_is_too_large():
     """Where it fails: the gallbladder is told nearly twice as stiff as it is."""
     told, measured = compare_stiffness("gallbladder")

@@ -105,7 +105,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("the error grows with the interval, and at every tick is that of one tick") {
+TEST_CASE("the error grows with the interval, and at every tick is that of one tick" *
+          doctest::test_suite("landing")) {
   const Scene scene = block_scene();
   const std::vector<Vec3> full = feel_in_full(scene, kOnBlock);
 

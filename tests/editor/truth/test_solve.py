@@ -109,6 +109,7 @@ def test_a_mesh_of_what_a_machine_has_may_have_two_hundred_thousand_freedoms():
     assert estimate_memory(200_000) < MOST_MEMORY < estimate_memory(400_000)
 
 
+@pytest.mark.landing
 def test_a_finer_mesh_that_does_not_fit_leaves_the_coarser_one_with_its_error(monkeypatch):
     pressed = build_small()
     monkeypatch.setattr(solve, "CHANGE", 0.0)

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import QLabel
 sys.path.append(str(Path(__file__).resolve().parents[1]))
 from charted import list_few, make_block  # noqa: E402
 
-pytestmark = pytest.mark.window
+pytestmark = [pytest.mark.window, pytest.mark.landing]
 MINUTES = 900_000
 """[ms] that a truth may take on a machine with much else to do."""
 

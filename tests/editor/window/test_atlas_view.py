@@ -24,7 +24,7 @@ from PySide6.QtCore import QPoint, Qt
 sys.path.append(str(Path(__file__).resolve().parents[1]))
 from charted import make_block  # noqa: E402
 
-pytestmark = pytest.mark.window
+pytestmark = [pytest.mark.window, pytest.mark.landing]
 
 
 @pytest.fixture

@@ -12,7 +12,7 @@ from PySide6.QtGui import QColor
 from test_live_stage import LONG, press, soft_organ
 from touch_context import open_context
 
-pytestmark = pytest.mark.window
+pytestmark = [pytest.mark.window, pytest.mark.landing]
 
 from palpate_editor.views.touch import TestPanel  # noqa: E402
 

@@ -14,7 +14,7 @@ from palpate_editor.views import assessment, tasks
 from patience import PATIENCE, settle
 from PySide6.QtCore import QTimer
 
-pytestmark = pytest.mark.window
+pytestmark = [pytest.mark.window, pytest.mark.landing]
 
 HEAVY = [
     ("VH_F_Spleen", (), 1200),

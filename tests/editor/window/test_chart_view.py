@@ -21,7 +21,7 @@ from PySide6.QtWidgets import QLabel
 sys.path.append(str(Path(__file__).resolve().parents[1]))
 from organs import make_organ  # noqa: E402
 
-pytestmark = pytest.mark.window
+pytestmark = [pytest.mark.window, pytest.mark.landing]
 
 
 @pytest.fixture

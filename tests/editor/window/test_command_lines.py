@@ -32,7 +32,7 @@ from patience import settle
 sys.path.append(str(Path(__file__).resolve().parents[1]))
 from organs import make_organ, same  # noqa: E402
 
-pytestmark = pytest.mark.window
+pytestmark = [pytest.mark.window, pytest.mark.landing]
 
 
 def commands(window) -> list[list[str]]:

@@ -14,7 +14,7 @@ from palpate_meshes.generate import ellipsoid, tube
 from patience import settle
 from PySide6.QtWidgets import QLabel
 
-pytestmark = pytest.mark.window
+pytestmark = [pytest.mark.window, pytest.mark.landing]
 ERROR = 2e-3
 
 

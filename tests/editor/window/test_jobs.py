@@ -12,7 +12,7 @@ from patience import PATIENCE
 from PySide6.QtCore import QEvent, QObject
 from shiboken6 import isValid
 
-pytestmark = pytest.mark.window
+pytestmark = [pytest.mark.window, pytest.mark.landing]
 
 
 class Listener(QObject):

@@ -13,7 +13,7 @@ from palpate_editor.edits import SetChoice, SetConstant
 from palpate_editor.views.translations import number
 from patience import settle
 
-pytestmark = pytest.mark.window
+pytestmark = [pytest.mark.window, pytest.mark.landing]
 
 
 @pytest.fixture

@@ -21,7 +21,7 @@ ALT = Qt.KeyboardModifier.AltModifier
 RIGHT = QPoint(60, 0)
 
 
-pytestmark = pytest.mark.window
+pytestmark = [pytest.mark.window, pytest.mark.landing]
 
 
 @pytest.fixture

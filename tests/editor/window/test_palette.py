@@ -9,7 +9,7 @@ from palpate_editor.views.palette import score
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-pytestmark = pytest.mark.window
+pytestmark = [pytest.mark.window, pytest.mark.landing]
 
 
 def names(palette):

@@ -12,7 +12,7 @@ from patience import rest, settle
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QApplication
 
-pytestmark = pytest.mark.window
+pytestmark = [pytest.mark.window, pytest.mark.landing]
 
 
 @pytest.fixture(scope="module")

@@ -10,7 +10,7 @@ from palpate_editor.edits import SetRegion
 from palpate_editor.own_values import read_own_values
 from palpate_editor.views.stages.published_dialog import PublishedDialog
 
-pytestmark = pytest.mark.window
+pytestmark = [pytest.mark.window, pytest.mark.landing]
 
 
 @pytest.fixture

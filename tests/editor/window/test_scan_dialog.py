@@ -17,7 +17,7 @@ from PySide6.QtCore import Qt
 sys.path.append(str(Path(__file__).resolve().parents[1]))
 from scans import BOX, MIRRORED, PLAIN, make_scan, write_dicom, write_scan  # noqa: E402
 
-pytestmark = pytest.mark.window
+pytestmark = [pytest.mark.window, pytest.mark.landing]
 WAIT = 60_000
 """[ms]"""
 

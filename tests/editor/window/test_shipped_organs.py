@@ -11,7 +11,7 @@ from palpate_editor.views.shipped_organs import name_organs
 from patience import settle
 from PySide6.QtGui import QImage
 
-pytestmark = pytest.mark.window
+pytestmark = [pytest.mark.window, pytest.mark.landing]
 
 
 def test_every_shipped_organ_has_a_button_with_a_name_and_a_picture(qtbot, window):

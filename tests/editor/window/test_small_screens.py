@@ -16,7 +16,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtTest import QTest
 from small_screen import list_environment
 
-pytestmark = pytest.mark.window
+pytestmark = [pytest.mark.window, pytest.mark.landing]
 
 OPEN_ON_A_SCREEN = """
 import json, sys

@@ -15,7 +15,7 @@ from palpate_editor.views.touch.press_form import write_command
 from palpate_editor.views.touch.stroke import FixStroke, SmoothStroke, StiffnessStroke
 from palpate_editor.views.touch.trial import round_up
 
-pytestmark = pytest.mark.window
+pytestmark = [pytest.mark.window, pytest.mark.landing]
 
 
 def trace_of(*sizes: float, name: str = "run") -> ForceTrace:
