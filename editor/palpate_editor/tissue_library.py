@@ -24,6 +24,7 @@ from palpate.files.refusal import Refusal
 from palpate.system.data_folder import find_config_folder
 from palpate_meshes.catalogue import LIBRARY, Tissue, read_tissues
 
+from palpate_editor import appearance
 from palpate_editor.document import AppliedTissue
 from palpate_editor.document.constants import find_constant
 from palpate_editor.document.tissue import STATUSES
@@ -261,6 +262,19 @@ def search(
         for tissue in tissues
         if all(word in describe_words(tissue, titles or {}) for word in wanted)
     ]
+
+
+def find_named(tissues: Sequence[LibraryTissue], name: str) -> LibraryTissue | None:
+    """The tissue whose longest word is a word of an organ's name: of a kidney stone the stone; None
+    where the name tells nothing."""
+    within = appearance.fold(name) + " "
+    best, length = None, 0
+    for tissue in tissues:
+        for word in (tissue.name, tissue.title, *tissue.words):
+            letters = appearance.fold(word) + " "
+            if letters.strip() and letters in within and len(letters) > length:
+                best, length = tissue, len(letters)
+    return best
 
 
 def describe_words(tissue: LibraryTissue, titles: dict[str, str]) -> str:

@@ -19,6 +19,7 @@ from palpate_editor.document.tissue_rules import find_tissue_problems
 from palpate_editor.edits import EditError, SetConstant, SetTissue
 from palpate_editor.tissue_library import (
     choose,
+    find_named,
     find_own_file,
     find_tissue,
     read_library,
@@ -336,6 +337,27 @@ def test_check_and_publish_say_what_was_only_recalled(file, tmp_path, capsys):
     out = tmp_path / "a.palpate"
     published = report_of(capsys, "publish", file, "--title", "Brain", "-o", out)
     assert any("recalled and not looked up" in problem["got"] for problem in published["problems"])
+
+
+@pytest.mark.parametrize(
+    ("name", "tissue"),
+    [
+        ("VH_F_Spleen", "spleen"),
+        ("VH_M_Heart", "heart_muscle"),
+        ("KidneyLeft_1", "kidney"),
+        ("kidney stone 3", "stone"),
+        ("gallbladder", "gallbladder"),
+        ("dtm-prostat", "prostate"),
+        ("böbrek", "kidney"),
+        ("OpenHELPliver", None),
+        ("part 7", None),
+        ("", None),
+    ],
+)
+def test_an_organ_is_of_the_tissue_that_its_name_says(name, tissue):
+    found = find_named(read_library(own=False), name)
+
+    assert (found and found.name) == tissue
 
 
 def test_the_verb_lists_all_and_shows_one_in_full(capsys):

@@ -47,6 +47,16 @@ def test_published_values_are_in_reach_at_the_top_of_the_form_and_can_be_used(pa
     assert panel.context.session.history.undoText() == "Material of gallbladder wall"
 
 
+def test_the_tissue_of_an_organ_is_chosen_by_its_name_and_another_one_stays(panel):
+    published = panel.published
+    assert published.chosen().name == "spleen"
+
+    published.box.setCurrentIndex([t.name for t in published.tissues].index("pancreas"))
+    panel.context.apply(SetRegion("rim", np.arange(12)))
+
+    assert published.chosen().name == "pancreas"
+
+
 def test_a_designer_adds_a_published_value_and_removes_it_again(panel, user_data):
     click(child(panel, "show_published"))
     dialog = panel.published.dialog

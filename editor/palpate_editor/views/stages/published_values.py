@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from palpate_editor.document import Organ
 from palpate_editor.edits import SetMaterial, SetTissue
-from palpate_editor.tissue_library import LibraryTissue, choose, read_library, search
+from palpate_editor.tissue_library import LibraryTissue, choose, find_named, read_library, search
 from palpate_editor.views.context import Context
 from palpate_editor.views.shipped_organs import name_tissue
 from palpate_editor.views.stages.facts import write_label
@@ -54,6 +54,8 @@ class PublishedValues(QWidget):
         self.titles = {t.name: name_tissue(t.name, t.title) for t in self.known}
         self.tissues = self.known
         """Those that the words find."""
+        self.shown_name = ""
+        """Of the organ whose own tissue was chosen last."""
         self.dialog: PublishedDialog | None = None
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -134,7 +136,12 @@ class PublishedValues(QWidget):
         return self.tissues[row] if 0 <= row < len(self.tissues) else None
 
     def show_organ(self, organ: Organ) -> None:
-        """The regions that can be given a tissue of their own."""
+        """The regions that can be given a tissue of their own; of another organ, its tissue."""
+        if organ.name != self.shown_name:
+            self.shown_name = organ.name
+            own = find_named(self.tissues, organ.name)
+            if own is not None:
+                self.box.setCurrentIndex(self.tissues.index(own))
         names = [name for name, ids in organ.regions.items() if ids.size]
         known = [self.region.itemData(row) for row in range(1, self.region.count())]
         if names != known:
