@@ -74,6 +74,7 @@ def test_a_designer_adds_a_published_value_and_removes_it_again(panel, user_data
     added = ("Young's modulus", "4.5 – 7\N{NO-BREAK SPACE}kPa", "indentation")
     assert table_of(dialog) == [*before, (*added, "Doe et al., J Biomech 2024")]
     again = PublishedDialog(panel.context, panel)
+    again.show_tissue(panel.published.known.index(panel.published.chosen()))
     assert table_of(again) == table_of(dialog)
     kept = read_own_values(user_data / "palpate" / "published_values.json")
     assert [(value.low, value.high) for value in kept] == [(4500.0, 7000.0)]
