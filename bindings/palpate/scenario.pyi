@@ -250,13 +250,29 @@ class DrawnTask:
     @property
     def values(self) -> list[DrawnValue]:
         """A DrawnValue each, by name."""
+    @property
+    def inclusion(self) -> str:
+        """Id of the place whose inclusion, a stiff spot, this attempt has; else empty."""
     def __copy__(self) -> DrawnTask:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> DrawnTask:
         """A copy of its own."""
     def __getstate__(
         self, /
-    ) -> tuple[object, object, object, object, object, object, object, object, object, object]: ...
+    ) -> tuple[
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+    ]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -274,4 +290,10 @@ def draw_task(scenario: Scenario, level: str = ..., seed: int = ...) -> DrawnTas
     """The task of an attempt. An empty level is normal, or the first where there is no such.
     Raises ValueError for a level that is not there, a scenario without an assessment, and
     one that cannot be judged, naming the place in it, what it got and what was expected.
+    """
+
+def draw_scene(scenario: Scenario, drawn: DrawnTask) -> Scene:
+    """The scene of an attempt: the scenario's, with the constants of the inclusion that was
+    drawn, and as many substeps as those need. Raises ValueError for constants that cannot be
+    built.
     """

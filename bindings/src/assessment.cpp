@@ -45,10 +45,13 @@ void bind_assessment(py::module_& m) {
       .def_readonly("limits", &DrawnTask::limits, "Likewise.")
       .def_readonly("places", &DrawnTask::places,
                     "Likewise; of a path with another width, once more.")
-      .def_readonly("values", &DrawnTask::values, "A DrawnValue each, by name.");
+      .def_readonly("values", &DrawnTask::values, "A DrawnValue each, by name.")
+      .def_readonly("inclusion", &DrawnTask::inclusion,
+                    "Id of the place whose inclusion, a stiff spot, this attempt has; else empty.");
   def_value(drawn, &DrawnTask::task, &DrawnTask::id, &DrawnTask::version, &DrawnTask::level,
             &DrawnTask::seed, &DrawnTask::sha256, &DrawnTask::steps, &DrawnTask::limits,
-            &DrawnTask::places, &DrawnTask::values);
+            &DrawnTask::places, &DrawnTask::values, &DrawnTask::inclusion,
+            &DrawnTask::inclusion_body);
   def_repr(drawn, {"id", "version", "level", "seed"});
 
   m.def("draw", &scenario::draw, "seed"_a, "id"_a, "name"_a,
@@ -62,6 +65,11 @@ void bind_assessment(py::module_& m) {
         "The task of an attempt. An empty level is normal, or the first where there is no such. "
         "Raises ValueError for a level that is not there, a scenario without an assessment, and "
         "one that cannot be judged, naming the place in it, what it got and what was expected.");
+  m.def("draw_scene", &scenario::draw_scene, "scenario"_a, "drawn"_a,
+        py::call_guard<py::gil_scoped_release>(),
+        "The scene of an attempt: the scenario's, with the constants of the inclusion that was "
+        "drawn, and as many substeps as those need. Raises ValueError for constants that cannot be "
+        "built.");
 }
 
 }  // namespace palpate::bindings

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "palpate/scenario/assessment_parts.h"
+#include "palpate/scenario/inclusion.h"
 #include "palpate/scenario/manifest.h"
 
 namespace palpate::scenario {
@@ -121,7 +122,27 @@ void read_goals(Fields& fields, Parameters& parameters) {
   }
 }
 
-std::string hash_assessment(const Json& parsed, const Arrays& arrays) {
+/// What is known of a task beside itself, and not read here.
+constexpr const char *kSelfplay = "selfplay", *kReviews = "reviews";
+
+void skip_provenance(Fields& fields) {
+  constexpr std::size_t kMostReviews = 100;
+  if (fields.has(kSelfplay) && !fields.any(kSelfplay).is_object()) {
+    fields.refuse(kSelfplay, describe(fields.any(kSelfplay)), "an object");
+  }
+  if (!fields.has(kReviews)) return;
+  for (Fields& review : fields.objects(kReviews, kMostReviews)) {
+    review.choice("of", {"anatomy", "feel", "task", "translation"});
+    for (const char* name : {"by", "role", "date", "content_sha256"}) {
+      review.text(name, kMostTextBytes);
+    }
+    review.finish();
+  }
+}
+
+std::string hash_assessment(Json parsed, const Arrays& arrays) {
+  parsed.erase(kSelfplay);
+  parsed.erase(kReviews);
   std::string text = parsed.dump();
   for (const auto& [name, array] : arrays) text += "\n" + name + " " + compute_sha256(array.bytes);
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
@@ -149,8 +170,15 @@ std::string hash_assessment(const Json& parsed, const Arrays& arrays) {
 }
 
 /// Arrays that no place has.
-void check_arrays(const std::string& file, const Arrays& arrays, const Json& parsed) {
+void check_arrays(const std::string& file, const Arrays& arrays, const Json& parsed,
+                  const Names& names) {
+  constexpr std::string_view kConstants = "constants/";
   for (const auto& [name, array] : arrays) {
+    const std::string place =
+        name.starts_with(kConstants)
+            ? name.substr(kConstants.size(), name.find('/', kConstants.size()) - kConstants.size())
+            : "";
+    if (names.inclusions.contains(place)) continue;
     const std::string id = name.starts_with("places/") ? name.substr(7) : "";
     const bool known = parsed["places"].contains(id) && parsed["places"][id].contains("region");
     if (!known) throw FileError(file, "assessment/" + name, "an array of no region", "none such");
@@ -159,8 +187,10 @@ void check_arrays(const std::string& file, const Arrays& arrays, const Json& par
 
 }  // namespace
 
-DrawnTask read_assessment(const Scenario& scenario, const std::string& level, std::uint64_t seed,
-                          const std::string& file) {
+namespace {
+
+DrawnTask read_all(const Scenario& scenario, const std::string& level, std::uint64_t seed,
+                   const std::string& file, Names& names) {
   const Json parsed = parse_object(scenario.assessment, file, kWhere);
   Fields fields(parsed, file, kWhere);
   DrawnTask drawn;
@@ -175,20 +205,21 @@ DrawnTask read_assessment(const Scenario& scenario, const std::string& level, st
   drawn.version = fields.text("version", kMostIdBytes);
   const std::vector<std::string> levels = read_levels(fields);
   drawn.level = choose_level(level, levels);
-  Names names;
   read_texts(fields, file, names);
   read_text_key(fields, "title", names);
   read_bodies_and_instruments(fields, scenario.scene, file, names);
   Parameters parameters(drawn.id, drawn.level, seed);
   parameters.read(fields, file, kWhere, levels);
   read_places(fields, scenario.assessment_arrays, file, kWhere, parameters, names, drawn);
+  read_inclusion(fields, parameters, names, drawn);
   read_steps(fields, parameters, names, drawn);
   read_limits(fields, parameters, names, drawn);
   read_finish(fields.object("finish"), parameters, drawn.task);
   read_goals(fields, parameters);
+  skip_provenance(fields);
   fields.finish();
   parameters.finish(file, kWhere);
-  check_arrays(file, scenario.assessment_arrays, parsed);
+  check_arrays(file, scenario.assessment_arrays, parsed, names);
   drawn.values = parameters.list();
   drawn.sha256 = hash_assessment(parsed, scenario.assessment_arrays);
   try {
@@ -199,13 +230,23 @@ DrawnTask read_assessment(const Scenario& scenario, const std::string& level, st
   return drawn;
 }
 
+}  // namespace
+
+DrawnTask read_assessment(const Scenario& scenario, const std::string& level, std::uint64_t seed,
+                          const std::string& file) {
+  Names names;
+  return read_all(scenario, level, seed, file, names);
+}
+
 void check_assessment(const Scenario& scenario, const std::string& file) {
   if (scenario.assessment.empty()) {
     if (scenario.assessment_arrays.empty()) return;
     throw FileError(file, "assessment/" + scenario.assessment_arrays.begin()->first,
                     "an array of an assessment", "none, as there is no assessment");
   }
-  read_assessment(scenario, "", 0, file);
+  Names names;
+  read_all(scenario, "", 0, file, names);
+  check_inclusions(scenario, names, file);
   for (const std::string& level : list_levels(scenario)) read_assessment(scenario, level, 0, file);
 }
 
@@ -233,6 +274,29 @@ DrawnTask draw_task(const Scenario& scenario, const std::string& level, std::uin
     throw std::invalid_argument(problem.where + ": got " + problem.got + ", expected " +
                                 problem.expected);
   }
+}
+
+Scene draw_scene(const Scenario& scenario, const DrawnTask& drawn) {
+  if (drawn.inclusion.empty()) return scenario.scene;
+  const auto row = static_cast<std::size_t>(drawn.inclusion_body);
+  if (row >= scenario.scene.bodies.size()) {
+    throw std::invalid_argument("drawn: got a task of another scenario, expected one of this");
+  }
+  Scene scene = scenario.scene;
+  SoftBody& body = scene.bodies[row];
+  const int least = body.substeps, most = body.substeps_max;
+  try {
+    body = with_inclusion(scenario.assessment_arrays, drawn.inclusion, std::move(body), "");
+  } catch (const FileError& problem) {
+    throw std::invalid_argument(problem.where + ": got " + problem.got + ", expected " +
+                                problem.expected);
+  }
+  body.substeps = body.substeps_max = 0;  // what is stiffer may need more of them
+  scene = build_scene(std::move(scene));
+  SoftBody& built = scene.bodies[row];
+  built.substeps = std::max(built.substeps, least);
+  built.substeps_max = std::max({built.substeps_max, most, built.substeps});
+  return scene;
 }
 
 }  // namespace palpate::scenario

@@ -37,6 +37,9 @@ struct DrawnTask {
   std::vector<std::string> limits;  ///< likewise
   std::vector<std::string> places;  ///< likewise; of a path with another width, once more
   std::vector<DrawnValue> values;   ///< by name
+  /// Id of the place whose inclusion, a stiff spot, this attempt has; empty for none
+  std::string inclusion;
+  int inclusion_body = 0;  ///< of the scene, where that is
 };
 
 /// A number from 0 to below 1 for a parameter of a scenario, the same wherever it is drawn: of the
@@ -52,5 +55,9 @@ std::vector<std::string> list_levels(const Scenario& scenario);
 /// that cannot be judged, naming the place in it, what it got and what was expected.
 DrawnTask draw_task(const Scenario& scenario, const std::string& level = "",
                     std::uint64_t seed = 0);
+
+/// The scene of an attempt: the scenario's, with the constants of the inclusion that was drawn, and
+/// as many substeps as those need. Throws std::invalid_argument for constants that cannot be built.
+Scene draw_scene(const Scenario& scenario, const DrawnTask& drawn);
 
 }  // namespace palpate::scenario

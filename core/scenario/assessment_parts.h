@@ -63,8 +63,9 @@ class Parameters {
 /// Where the rows of a task stand, by id.
 struct Names {
   std::map<std::string, int, std::less<>> bodies, instruments, places, steps;
-  std::set<std::string, std::less<>> graspers;  ///< tools that can hold
-  std::set<std::string, std::less<>> texts;     ///< keys in English
+  std::map<std::string, int, std::less<>> inclusions;  ///< places that have one, and their bodies
+  std::set<std::string, std::less<>> graspers;         ///< tools that can hold
+  std::set<std::string, std::less<>> texts;            ///< keys in English
 };
 
 /// Reads places, steps and limits into a task; `drawn` gets their ids.
@@ -84,6 +85,9 @@ int read_tool(Fields& fields, const Names& names, std::string& tool);
 inline std::string name_place_array(std::string_view id) {
   return "assessment/places/" + std::string(id);
 }
+
+/// Which place's inclusion an attempt has; refused where there are some and none is chosen.
+void read_inclusion(Fields& fields, Parameters& parameters, const Names& names, DrawnTask& drawn);
 
 /// The whole of a scenario's assessment for one level and seed; `file` is what refusals call it.
 DrawnTask read_assessment(const Scenario& scenario, const std::string& level, std::uint64_t seed,

@@ -53,8 +53,23 @@ void read_ball(Fields& fields, Parameters& parameters, TaskPlace& place) {
   place.radius = parameters.number(fields, "ball", list[3]);
 }
 
+/// A ball of the organ that is so many times as stiff where it is drawn; the tables of that are
+/// arrays, and what stands here is what they were made of.
+void check_inclusion(Fields fields, Parameters& parameters) {
+  const Json& list = fields.any("ball");
+  if (!list.is_array() || list.size() != 4) {
+    fields.refuse("ball", describe(list), "[x, y, z, radius]");
+  }
+  read_point(fields, "ball", list, parameters);
+  const double radius = parameters.number(fields, "ball", list[3]);
+  if (!(radius > 0.0)) fields.refuse("ball", describe(list), "a positive radius");
+  const double times = parameters.number(fields, "stiffness");
+  if (!(times > 0.0)) fields.refuse("stiffness", describe(Json(times)), "more than 0");
+  fields.finish();
+}
+
 TaskPlace read_place(const std::string& id, Fields fields, const Arrays& arrays,
-                     const std::string& file, Parameters& parameters, const Names& names) {
+                     const std::string& file, Parameters& parameters, Names& names) {
   TaskPlace place;
   std::string organ;
   if (fields.has("region")) {
@@ -74,6 +89,10 @@ TaskPlace read_place(const std::string& id, Fields fields, const Arrays& arrays,
   }
   const char* says = place.kind == PlaceKind::region ? "region" : "organ";
   place.body = find_row(fields, says, organ, names.bodies, "an organ of the scenario");
+  if (fields.has("inclusion")) {
+    check_inclusion(fields.object("inclusion"), parameters);
+    names.inclusions.emplace(id, place.body);
+  }
   fields.finish();
   return place;
 }
@@ -88,6 +107,16 @@ void read_places(Fields& fields, const Arrays& arrays, const std::string& file,
         read_place(id, std::move(members), arrays, file, parameters, names));
     drawn.places.push_back(id);
   }
+}
+
+void read_inclusion(Fields& fields, Parameters& parameters, const Names& names, DrawnTask& drawn) {
+  if (!fields.has("inclusion")) {
+    if (names.inclusions.empty()) return;
+    fields.refuse("inclusion", "nothing", "the place whose inclusion an attempt has");
+  }
+  drawn.inclusion = parameters.place(fields, "inclusion");
+  drawn.inclusion_body =
+      find_row(fields, "inclusion", drawn.inclusion, names.inclusions, "a place with an inclusion");
 }
 
 }  // namespace palpate::scenario

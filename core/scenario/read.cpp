@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "palpate/scenario/around.h"
 #include "palpate/scenario/assessment_parts.h"
 #include "palpate/scenario/content.h"
 #include "palpate/scenario/derived.h"
@@ -64,28 +65,14 @@ void check_tetrahedra(const std::string& file, const std::string& table,
   }
 }
 
-/// Fills in what lies around each particle, which no file has. Before that, corners must be
-/// particles: all else is checked with the rest of the tissue.
-void find_around(const std::string& file, const std::string& folder, TissueModel& tissue) {
-  Volumes& volumes = tissue.volumes;
-  Elastic& elastic = tissue.elastic;
-  check_tetrahedra(file, folder + "tissue/volumes", volumes.corners, particle_count(tissue));
-  check_tetrahedra(file, folder + "tissue/elastic", elastic.corners, particle_count(tissue));
-  for (const auto& [name, table] :
-       {std::pair("corotated", &tissue.corotated), std::pair("neo_hookean", &tissue.neo_hookean)}) {
-    check_tetrahedra(file, folder + "tissue/" + name, table->corners, particle_count(tissue));
-    *table = build_hyperelastic(particle_count(tissue), std::move(table->corners),
-                                std::move(table->lame), std::move(table->shear),
-                                std::move(table->viscosity), table->nodal_share);
-  }
-  std::vector<int> reach = std::move(elastic.reach);
-  elastic =
-      build_elastic(particle_count(tissue), std::move(elastic.corners), std::move(elastic.lame),
-                    std::move(elastic.shear), elastic.nodal_share, elastic.damping_time);
-  elastic.reach = std::move(reach);
-  volumes =
-      build_volumes(particle_count(tissue), std::move(volumes.corners),
-                    std::move(volumes.rest_volume), std::move(volumes.bulk), volumes.nodal_share);
+/// Corners must be particles before what lies around each is found: all else is checked with the
+/// rest of the tissue.
+void check_corners(const std::string& file, const std::string& folder, const TissueModel& tissue) {
+  const int count = particle_count(tissue);
+  check_tetrahedra(file, folder + "tissue/volumes", tissue.volumes.corners, count);
+  check_tetrahedra(file, folder + "tissue/elastic", tissue.elastic.corners, count);
+  check_tetrahedra(file, folder + "tissue/corotated", tissue.corotated.corners, count);
+  check_tetrahedra(file, folder + "tissue/neo_hookean", tissue.neo_hookean.corners, count);
 }
 
 /// The same sentence as a FileError: an argument is refused as "where: got this, expected that".
@@ -119,7 +106,8 @@ Scenario unpack(Container container, const std::string& file) {
   }
   take_documents(container.arrays, file, scenario);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    find_around(file, name_folder(b), bodies[b].tissue);
+    check_corners(file, name_folder(b), bodies[b].tissue);
+    find_around(bodies[b].tissue);
   }
   try {
     const Scene built = check_built(scenario.scene);

@@ -27,8 +27,14 @@ ORGANS = {
     "spleen_push_and_pull": "spleen",
     "kidney_trace": "kidney",
     "gallbladder_retract": "gallbladder",
+    "liver_hidden_lump": "liver",
 }
 """Assessment -> the organ it is of."""
+COSTLY = ("liver_hidden_lump",)
+"""Eight lumps, each of which is built: some seconds."""
+SHIPPED = [
+    pytest.param(name, marks=pytest.mark.landing) if name in COSTLY else name for name in ORGANS
+]
 SCHEMA = Path(palpate.__file__).parent / "schemas" / "assessment.schema.json"
 
 Json = dict[str, Any]
@@ -49,7 +55,7 @@ def test_every_assessment_that_ships_is_known_here():
     assert {path.stem for path in SCENARIOS.glob("*.json")} == set(ORGANS)
 
 
-@pytest.mark.parametrize("name", ORGANS)
+@pytest.mark.parametrize("name", SHIPPED)
 def test_what_ships_is_of_the_schema_and_has_no_problems(name):
     assessment = read_assessment(SCENARIOS / f"{name}.json")
     schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
@@ -218,7 +224,9 @@ def test_the_verb_checks_and_publishes(tmp_path, capsys):
 def test_a_careful_hand_does_every_scenario_that_ships_and_a_violent_one_none(name):
     made = published(name)
     played = [
-        attempt(made.scene, scenario.draw_task(made, "", 0), hand) for hand in ("careful", "jab")
+        attempt(scenario.draw_scene(made, drawn), drawn, hand)
+        for drawn in [scenario.draw_task(made, "", 0)]
+        for hand in ("careful", "jab")
     ]
 
     assert judge_hands(played) == [], [one.describe() for one in played]

@@ -10,6 +10,7 @@ from typing import Any
 
 import palpate
 from palpate import scenario
+from palpate.assessment.provenance import find_void
 from palpate.assessment.texts import UNITS, find_numbers
 
 SEEDS = 20
@@ -37,6 +38,7 @@ def find_problems(published: scenario.Scenario) -> list[Problem]:
     """Errors first. Of a scenario that has an assessment."""
     assessment = json.loads(published.assessment)
     found: dict[Problem, None] = {}
+    built: set[str] = set()
     for level in scenario.list_levels(published) or [""]:
         for seed in range(SEEDS):
             try:
@@ -45,11 +47,29 @@ def find_problems(published: scenario.Scenario) -> list[Problem]:
                 where = f"level {level or 'of all'}, seed {seed}"
                 found[Problem(ERROR, where, str(problem))] = None
                 continue
+            for each in check_inclusion(published, drawn, built):
+                found[each] = None
             for each in check_attempt(published.scene, drawn):
                 found[each] = None
     for each in check_texts(assessment):
         found[each] = None
+    for where in find_void(published):
+        text = "is of another task or organ than this file has now, and void"
+        found[Problem(WARNING, where, text)] = None
     return sorted(found, key=lambda each: each.severity != ERROR)
+
+
+def check_inclusion(
+    published: scenario.Scenario, drawn: scenario.DrawnTask, built: set[str]
+) -> Iterator[Problem]:
+    """Whether the tissue with a stiff spot can be simulated; of each once."""
+    if not drawn.inclusion or drawn.inclusion in built:
+        return
+    built.add(drawn.inclusion)
+    try:
+        scenario.draw_scene(published, drawn)
+    except ValueError as problem:
+        yield Problem(ERROR, f"places.{drawn.inclusion}.inclusion", str(problem))
 
 
 def check_attempt(scene: palpate.Scene, drawn: scenario.DrawnTask) -> Iterator[Problem]:

@@ -194,9 +194,11 @@ class Person(Hand):
         """Into the tissue to a depth, or until a force is felt, and keeps it there."""
         self.seek(aim, step, dt, late)
         aim.depth += self.slip(dt)
-        if step.verb is VERBS.find and late > 0.5 * GENTLE:
-            aim.since += dt
-            self.buttons = 1 if aim.since > 0.3 else 0
+        if step.verb is not VERBS.find:
+            return
+        ready = max(0.5 * GENTLE, step.force.least) < late <= step.force.most
+        aim.since = aim.since + dt if ready else 0.0
+        self.buttons = 1 if aim.since > 0.3 else 0
 
     def seek(self, aim: Aim, step: palpate.TaskStep, dt: float, late: float) -> None:
         depth = middle(step.depth)

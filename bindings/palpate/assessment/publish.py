@@ -12,6 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from palpate import scenario
+from palpate.assessment.author import without_muted
+from palpate.assessment.inclusion import gather_constants
 from palpate.files.read_file import read_file
 from palpate.files.refusal import Refusal
 
@@ -77,6 +79,7 @@ def with_assessment(
 
     Raises Refusal, which calls the assessment `file`, for all that cannot be judged.
     """
+    assessment = without_muted(dict(assessment))
     texts = assessment.get("texts")
     key = assessment.get("title")
     titles: dict[str, str] = {}
@@ -95,7 +98,10 @@ def with_assessment(
             if code != "en"
         },
         assessment=json.dumps(assessment, ensure_ascii=False),
-        assessment_arrays=gather_places(file, assessment, published),
+        assessment_arrays={
+            **gather_places(file, assessment, published),
+            **gather_constants(assessment, published),
+        },
     )
     try:
         for level in ["", *scenario.list_levels(made)]:
@@ -103,6 +109,27 @@ def with_assessment(
     except ValueError as problem:
         raise refuse(file, str(problem)) from None
     return made
+
+
+def take_attempt(
+    published: scenario.Scenario, drawn: scenario.DrawnTask | None
+) -> scenario.Scenario:
+    """The scenario with the scene of an attempt: its own, where no inclusion was drawn.
+
+    Raises ValueError for constants that cannot be built.
+    """
+    if drawn is None or not drawn.inclusion:
+        return published
+    return scenario.Scenario(
+        scene=scenario.draw_scene(published, drawn),
+        title=published.title,
+        task=published.task,
+        authored=published.authored,
+        authored_arrays=published.authored_arrays,
+        languages=published.languages,
+        assessment=published.assessment,
+        assessment_arrays=published.assessment_arrays,
+    )
 
 
 def refuse(file: object, sentence: str) -> Refusal:

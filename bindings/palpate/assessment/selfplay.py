@@ -97,10 +97,11 @@ def play_all(
     for level in scenario.list_levels(published) or [""]:
         for seed in seeds:
             drawn = scenario.draw_task(published, level, seed)
+            scene = scenario.draw_scene(published, drawn)
             for hand in HANDS:
                 if hand == "idle" and seed != seeds[0]:
                     continue
-                one = attempt(published.scene, drawn, hand)
+                one = attempt(scene, drawn, hand)
                 one.samples.clear()
                 tell(one)
                 played.append(one)

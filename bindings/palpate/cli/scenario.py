@@ -9,9 +9,17 @@ from pathlib import Path
 
 from palpate import scenario
 from palpate.assessment.check import ERROR, find_problems
+from palpate.assessment.provenance import (
+    REVIEWED,
+    describe_selfplay,
+    with_review,
+    with_selfplay,
+)
 from palpate.assessment.publish import read_assessment, require_assessment, with_assessment
 from palpate.assessment.selfplay import Attempt, judge_hands, play_all
 from palpate.assessment.texts import find_text
+from palpate.cli import scenario_author
+from palpate.cli.scenario_author import describe_authored, run_limit, run_new, run_step
 from palpate.command.output import add_output
 from palpate.command.verb import Report, Verb, WrongCall
 from palpate.files.file_kind import PUBLISHED as PUBLISHED_FILE
@@ -36,7 +44,21 @@ def add_scenario(parser: argparse.ArgumentParser) -> None:
     )
     selfplay.add_argument("file", type=Path, help=f"published scenario, {PUBLISHED}")
     selfplay.add_argument("--seeds", type=int, default=3, help="of each level; default: 3")
-    for action in (publish, check, selfplay):
+    add_output(selfplay, "-o", "--out", writes=PUBLISHED_FILE,
+               help="write the scenario with the report of it in it")  # fmt: skip
+    review = actions.add_parser("review", help="note in a scenario who has looked at what of it")
+    review.add_argument("file", type=Path, help=f"published scenario, {PUBLISHED}")
+    review.add_argument("--of", required=True, choices=REVIEWED)
+    review.add_argument("--by", required=True, help="who")
+    review.add_argument("--role", required=True, help="as what: surgeon, teacher ...")
+    add_output(review, "-o", "--out", writes=PUBLISHED_FILE, required=True, help="the new file")
+    new = actions.add_parser("new", help="begin an assessment of a published organ")
+    step = actions.add_parser("step", help="add, change, order, mute or remove a step")
+    limit = actions.add_parser("limit", help="add, change or remove a limit")
+    scenario_author.add_new(new)
+    scenario_author.add_step(step)
+    scenario_author.add_limit(limit)
+    for action in (publish, check, selfplay, review, new, step, limit):
         action.add_argument(
             "--json",
             action="store_true",
@@ -45,7 +67,12 @@ def add_scenario(parser: argparse.ArgumentParser) -> None:
         )
 
 
+AUTHOR = {"new": run_new, "step": run_step, "limit": run_limit}
+
+
 def run_scenario(call: argparse.Namespace) -> Report:
+    if call.action in AUTHOR:
+        return {"action": call.action, **AUTHOR[call.action](call)}
     if not is_published(call.file):
         raise Refusal(
             call.file,
@@ -66,12 +93,21 @@ def run_scenario(call: argparse.Namespace) -> Report:
     if call.action == "check":
         problems = find_problems(published)
         return {**report, "problems": [vars(problem) for problem in problems]}
+    if call.action == "review":
+        try:
+            reviewed = with_review(published, call.of, call.by, call.role)
+        except ValueError as problem:
+            raise WrongCall(str(problem)) from None
+        scenario.write(call.out, reviewed)
+        return {**report, "scenario": str(call.out), "problems": []}
     if not 1 <= call.seeds <= MOST_SEEDS:
         raise WrongCall(f"--seeds: got {call.seeds}, expected 1 to {MOST_SEEDS}")
     if len(published.scene.instruments) != 1:
         raise Refusal(call.file, "scene.instruments", str(len(published.scene.instruments)),
                       "1, which is what a simulated hand moves")  # fmt: skip
     played = play_all(published, range(call.seeds), tell_attempt)
+    if call.out is not None:
+        scenario.write(call.out, with_selfplay(published, describe_selfplay(published, played)))
     return {
         **report,
         "attempts": [one.describe() for one in played],
@@ -95,6 +131,8 @@ def publish(file: Path, assessment: Path, out: Path) -> Report:
 
 
 def describe_scenario(report: Report) -> str:
+    if report["action"] in AUTHOR:
+        return describe_authored(report)
     lines = [f"{report['scenario']}: {report['title']}"]
     lines += [describe_attempt(each) for each in report.get("attempts", [])]
     for problem in report["problems"]:
@@ -125,7 +163,7 @@ def has_errors(report: Report) -> bool:
 
 SCENARIO_VERB = Verb(
     "scenario",
-    "scenarios with a task: put one into a published organ, check it, let simulated hands play it",
+    "scenarios with a task: write one, put it into a published organ, check it, let hands play it",
     "palpate scenario selfplay spleen_push_and_pull.palpate --seeds 3",
     add_scenario,
     run_scenario,

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 import palpate
 from palpate.assessment.hands import HANDS
+from palpate.assessment.publish import take_attempt
 from palpate.assessment.selfplay import attempt
 from palpate.assessment.texts import find_text
 from palpate.assessment.verdict import describe_verdict, pick_events
@@ -224,6 +225,10 @@ def open_play(
     drawn = draw_attempt(path, scenario, level, seed)
     if hand and drawn is None:
         raise Refusal(path, "assessment", "none", f"a task, which is what the {hand} hand plays")
+    try:
+        scenario = take_attempt(scenario, drawn)
+    except ValueError as problem:
+        raise Refusal(path, "assessment", str(problem), "an inclusion that can be built") from None
     return Play(path, scenario, frames, arm, duration, record, drawn=drawn, hand=hand)
 
 

@@ -48,7 +48,15 @@ def open_record(
             f"SHA-256 {found[:12]}...",
             f"{header['scene_sha256'][:12]}..., the scene of {path.name}",
         )
-    return record, where, follow_header(read_scene(where), header)
+    return record, where, follow_header(read_recorded_scene(path, where, record), header)
+
+
+def read_recorded_scene(path: Path, where: Path, record: palpate.Record) -> palpate.Scene:
+    """The scene of a file, with the inclusion that was drawn for a recorded attempt."""
+    drawn = draw_recorded(path, where, record)
+    if drawn is None or not drawn.inclusion:
+        return read_scene(where)
+    return palpate.scenario.draw_scene(palpate.scenario.read(where), drawn)
 
 
 def require_finite(path: Path, record: palpate.Record) -> None:

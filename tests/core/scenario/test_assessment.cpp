@@ -191,3 +191,32 @@ TEST_CASE("a damaged assessment is refused as a file is, and so are arrays besid
   packed.arrays["assessment/places/top"] = scenario::to_array(std::vector<int>{0});
   CHECK(contains(refusal([&] { scenario::unpack(packed, "x.palpate"); }), "no assessment"));
 }
+
+TEST_CASE("a scene is drawn with the constants of the inclusion, and of no other") {
+  std::string text = with(R"("spot": {"ball")",
+                          R"("spot": {"inclusion": {"ball": [0, 0, 0.02, 0.01], "stiffness": 4},
+                              "ball")");
+  text.replace(text.find(R"("steps")"), 7, R"("inclusion": "spot", "steps")");
+  Scenario made = make_assessed(text);
+  std::vector<double> stiffness = made.scene.bodies[0].tissue.springs.stiffness;
+  REQUIRE(!stiffness.empty());
+  for (double& each : stiffness) each *= 4.0;
+  made.assessment_arrays["constants/spot/tissue/springs/stiffness"] = scenario::to_array(stiffness);
+  const DrawnTask drawn = draw_task(made, "", 7);
+  CHECK(drawn.inclusion == "spot");
+
+  const Scene scene = scenario::draw_scene(made, drawn);
+
+  CHECK(scene.bodies[0].tissue.springs.stiffness == stiffness);
+  CHECK(scene.bodies[0].tissue.mass == made.scene.bodies[0].tissue.mass);
+  CHECK(scene.bodies[0].spectrum_stiffness > made.scene.bodies[0].spectrum_stiffness);
+  CHECK(scenario::draw_scene(make_assessed(), draw_task(make_assessed(), "", 7)).identity !=
+        scene.identity);
+  CHECK_NOTHROW(scenario::pack(made));
+  stiffness.pop_back();
+  made.assessment_arrays["constants/spot/tissue/springs/stiffness"] = scenario::to_array(stiffness);
+  CHECK_THROWS_AS(scenario::draw_scene(made, drawn), std::invalid_argument);
+  CHECK_THROWS_AS(scenario::pack(made), std::invalid_argument);
+  made.assessment_arrays.erase("constants/spot/tissue/springs/stiffness");
+  CHECK_THROWS_AS(scenario::pack(made), std::invalid_argument);
+}
