@@ -15,12 +15,20 @@ namespace {
 constexpr std::array kFormats = {"OBJ", "STL", "PLY", "GLB", "GLTF", "3DS", "FBX", "DAE", "OFF",
                                  "VTK", "VTP", "VTU", "MSH", "X3D",  "3MF", "AMF", "AC",  "X"};
 
+/// Of volumes of voxels, of which a surface is yet to be cut.
+constexpr std::array kVolumes = {"NII", "GZ", "NRRD", "NHDR", "MHA", "MHD", "DCM"};
 constexpr std::uintmax_t kMostFileBytes = 1'000'000'000;
 
 std::string find_format(const std::filesystem::path& path) {
   std::string format = path.extension().string();
   if (!format.empty()) format.erase(0, 1);
   for (char& c : format) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  if (format == "VTI" || std::find(kVolumes.begin(), kVolumes.end(), format) != kVolumes.end()) {
+    throw FileError(path.string(), "", "a volume of voxels",
+                    format == "VTI" ? "a surface: palpate segment cuts one out of the volume once "
+                                      "it is saved as .nrrd, .mha or .vtk"
+                                    : "a surface: palpate segment cuts one out of a volume");
+  }
   if (std::find(kFormats.begin(), kFormats.end(), format) == kFormats.end()) {
     throw FileError(
         path.string(), "name",

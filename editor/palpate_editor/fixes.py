@@ -60,7 +60,7 @@ def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
         radius = 1e-4 * math.ceil(1e4 * EDGES_PER_RADIUS * surface.mean_edge)
         return SetConstant("tool", "radius", radius)
     if problem.key == "open_solid" and organ.model.kind in FILLED:
-        return CapHoles()
+        return CapHoles(even=True)
     if problem.key == "constant":
         part, field = problem.where.split(".")
         return SetConstant(part, field, getattr(getattr(EMPTY, part), field))
@@ -90,7 +90,7 @@ def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
         "one_sided": CutDisagreement(),
         "inward": TurnOutward(),
         "inner": KeepOuter(),
-        "too_many": DecimateTo(SIMULATED),
+        "too_many": DecimateTo(SIMULATED, features=True),
         "shells": KeepLargestShell(),
         "open_solid": SetConstant("material", "wall_thickness", WALL_THICKNESS),
         "loose": FixLowest(FIXED_SHARE),

@@ -60,6 +60,21 @@ def truncated_meta(folder: Path) -> Path:
     return cut_off(path)
 
 
+def truncated_vtk(folder: Path, binary: bool = True) -> Path:
+    path = folder / "a.vtk"
+    image = SimpleITK.GetImageFromArray(plain().voxels)
+    if binary:
+        SimpleITK.WriteImage(image, str(path), False)
+        return cut_off(path)
+    size = " ".join(map(str, image.GetSize()))
+    path.write_text(
+        f"# vtk DataFile Version 3.0\na\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS {size}\n"
+        "ORIGIN 0 0 0\nSPACING 1 1 1\nPOINT_DATA 3\nSCALARS a short 1\nLOOKUP_TABLE default\n"
+        "1 2 3\n"
+    )
+    return path
+
+
 def short_raw(folder: Path) -> Path:
     path = folder / "a.mhd"
     SimpleITK.WriteImage(SimpleITK.GetImageFromArray(plain().voxels), str(path), False)
@@ -204,6 +219,10 @@ DAMAGED = {
     "gzip that ends too soon": (truncated_gzip, "voxels", "as the header says"),
     "NRRD that ends too soon": (truncated_nrrd, "voxels", "as the header says"),
     "MetaImage that ends too soon": (truncated_meta, "voxels", "as the header says"),
+    "VTK that ends too soon": (truncated_vtk, "voxels", "as the header says"),
+    "VTK in text that ends too soon": (
+        lambda f: truncated_vtk(f, False), "voxels", "as the header says"
+    ),
     "voxels that end too soon beside their header": (short_raw, "voxels", "as the header says"),
     "a header of a larger volume": (wrong_extents, "voxels", "for 900 x 90 x 900 voxels"),
     "a header of a huge volume": (huge_extents, "size", "30000 x 30000 x 30000 voxels"),
@@ -235,7 +254,15 @@ DAMAGED = {
     "slices of two sizes": (slices_of_two_sizes, ".dcm", "of the same spacing"),
     "a folder without slices": (no_dicom, "", "none of them DICOM"),
 }  # fmt: skip
-SAMPLE = {"gzip that ends too soon", "NaN", "4-D", "2-D", "a missing slice", "text"}
+SAMPLE = {
+    "VTK that ends too soon",
+    "gzip that ends too soon",
+    "NaN",
+    "4-D",
+    "2-D",
+    "a missing slice",
+    "text",
+}
 """In every test; the rest at a landing."""
 
 

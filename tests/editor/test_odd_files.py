@@ -362,6 +362,27 @@ def test_a_gltf_that_would_be_misread_is_refused_with_what_it_needs(name, tmp_pa
     assert (refusal.value.where, refusal.value.got) == ("extensionsRequired", name)
 
 
+def test_a_gltf_of_version_1_is_refused_with_what_would_do(tmp_path):
+    (tmp_path / "a.gltf").write_text(json.dumps({"asset": {"version": "1.0"}, "meshes": {}}))
+
+    with pytest.raises(palpate.FileError) as refusal:
+        read_mesh(tmp_path / "a.gltf")
+
+    assert (refusal.value.where, refusal.value.got) == ("asset", "version 1.0")
+    assert "glTF 2.0" in refusal.value.expected
+
+
+@pytest.mark.parametrize("name", ["a.vti", "a.nii.gz", "a.mha"])
+def test_a_volume_is_refused_with_the_verb_that_cuts_a_surface_out_of_it(name, tmp_path):
+    (tmp_path / name).write_bytes(b"a scan")
+
+    with pytest.raises(palpate.FileError) as refusal:
+        read_mesh(tmp_path / name)
+
+    assert refusal.value.got == "a volume of voxels"
+    assert "palpate segment" in refusal.value.expected
+
+
 def test_a_gltf_finds_its_buffer_by_a_name_with_a_blank_and_tells_of_other_scenes(tmp_path):
     write_glb(tmp_path / "a.glb", TETRAHEDRON, TETRAHEDRON_FACES)
     scene, binary = read_glb(tmp_path / "a.glb")

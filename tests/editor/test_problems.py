@@ -91,6 +91,7 @@ def indefinite(coupling: float) -> Organ:
     return with_part("model", kind="molecular", bend_stiffness=1e-3, stretch_coupling=coupling)
 
 
+SLOW = on(surface_of(2000), replace(WALL, material=replace(WALL.material, young_modulus=5e4)))
 WRONG = {
     # key: (organ, stage, severity, part of what is said)
     "no_surface": (EMPTY, "import", "error", "no surface"),
@@ -110,8 +111,7 @@ WRONG = {
     "self_intersections": (on(pricked()), "repair", "warning", "triangles that cross others"),
     "thin": (on(flat()), "decimate", "note", "parts thinner than half of their triangles' edges"),
     "angles": (on(needles()), "decimate", "warning", "a smallest angle of"),
-    "too_slow": (on(surface_of(2000), replace(WALL, material=replace(WALL.material,
-                 young_modulus=5e4))), "decimate", "warning", "2000 vertices"),
+    "too_slow": (SLOW, "decimate", "warning", "2000 vertices"),
     "own_filling": (
         replace(with_part("model", kind="solid"), filling=FILLING),
         "material", "note", "2 tetrahedra of the file",
@@ -129,10 +129,10 @@ WRONG = {
               "material", "error", "'apex'"),
     "slow_solid": (replace(with_part("model", kind="solid"), fill=FillPart(9000)), "material",
                    "warning", "steps a tick in touch"),
+    "late_tick": (SLOW, "publish", "error", "steps a tick in touch: about 169% of the time"),
     "needless_exchange": (with_part("hand", exchange_rate=100.0), "material", "warning",
                           "felt by its local stiffness, told 100 times a second"),
-    "late_exchange": (on(surface_of(2000), replace(WALL, material=replace(WALL.material,
-                      young_modulus=5e4), hand=replace(WALL.hand, exchange_rate=100.0))),
+    "late_exchange": (replace(SLOW, hand=replace(WALL.hand, exchange_rate=100.0)),
                       "material", "warning", "it would be late"),
     "coarse_contact": (replace(with_part("model", kind="solid", contact_law="hard"),
                                fill=FillPart(300)), "material",

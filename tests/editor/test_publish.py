@@ -53,6 +53,27 @@ def test_a_published_organ_ticks_as_it_was_compiled(tmp_path):
     assert report["vertices"] == 60
 
 
+def test_what_is_late_is_published_only_as_slow(tmp_path, capsys):
+    model = replace(SPLEEN.model, kind="mass_spring", stiffness=2e6)
+    write_organ(tmp_path / "a.organ", replace(make_organ(600), model=model))
+    words = ["publish", str(tmp_path / "a.organ"), "-o", str(tmp_path / "a.palpate")]
+
+    report = run(capsys, *words, code=1)
+
+    assert [p["problem"] for p in report["problems"]] == ["late_tick"]
+    assert not (tmp_path / "a.palpate").exists()
+    assert main(words) == 1
+    said = capsys.readouterr().out
+    assert "% of the time there is" in said and "--slow publishes it" in said
+    assert run(capsys, *words, "--slow")["published"]
+    assert (tmp_path / "a.palpate").is_file()
+
+
+def test_slow_lets_no_other_error_pass(tmp_path):
+    with pytest.raises(PublishError, match="no title"):
+        publish(untitled(SPLEEN), tmp_path / "a.palpate", slow=True)
+
+
 def test_a_published_file_opens_again_with_all_that_was_authored(tmp_path):
     publish(SPLEEN, tmp_path / "spleen.palpate")
 

@@ -75,7 +75,7 @@ def test_a_label_is_where_the_patient_has_it(ending, place, tmp_path):
 
 @pytest.mark.parametrize(
     "ending", [pytest.param(".nii", marks=pytest.mark.landing), ".nhdr",
-               pytest.param(".mha", marks=pytest.mark.landing), ".mhd"]
+               pytest.param(".mha", marks=pytest.mark.landing), ".mhd", ".vtk"]
 )  # fmt: skip
 def test_every_format_is_read_alike(ending, tmp_path):
     path = write_any(tmp_path, ending, make_scan(UNEVEN, np.int16))

@@ -41,6 +41,12 @@ std::string read_text(const std::string& path) {
 void check_gltf(const std::string& path, std::vector<std::string>& notes) {
   const auto scene = nlohmann::json::parse(read_text(path), nullptr, false);
   if (!scene.is_object()) return;
+  const nlohmann::json::json_pointer place("/asset/version");
+  const auto version = scene.contains(place) ? scene.at(place) : nlohmann::json();
+  if (version.is_string() && version.get<std::string>().starts_with("1.")) {
+    throw FileError(path, "asset", "version " + version.get<std::string>(),
+                    "2.0: glTF 1 is read by hardly any program; save it as glTF 2.0 or OBJ");
+  }
   const auto needed = scene.find("extensionsRequired");
   if (needed != scene.end() && needed->is_array()) {
     for (const char* const name : kMisread) {

@@ -14,6 +14,8 @@ from palpate_editor.document.organ import Organ
 from palpate_editor.document.phrase import phrase
 from palpate_editor.document.problems import Facts, Problem, TissueFacts
 
+LATE = "late_tick"
+"""The problem of an organ that may be published as slow all the same."""
 WORKER_SHARE = 0.9
 """[-] of the time that a tissue in a thread of its own may take; the rest is for telling it."""
 
@@ -131,6 +133,32 @@ def find_exchange_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
             ),
             phrase("at most {share:.0%}", share=WORKER_SHARE),
         )
+
+
+def find_late_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
+    """Whether a trainee would feel it late on the reference machine, though not on every one."""
+    share, tissue = compute_tick_share(organ, facts), facts.tissue
+    if tissue is None or share is None or not 1.0 < share <= LONGEST_TICK:
+        return
+    got = phrase(
+        "{substeps} steps a tick in touch: about {share:.0%} of the time there is",
+        substeps=count_substeps(tissue),
+        share=share,
+    )
+    if organ.hand.exchange_rate:
+        expected = phrase("at most 100%: a coarser or softer organ, or published as slow")
+    elif tissue.nearest is None:
+        expected = phrase(
+            "at most 100%: a coarser or softer organ, an exchange rate, or published as slow"
+        )
+    else:
+        expected = phrase(
+            "at most 100%: a coarser organ, {name}: {limit}, an exchange rate, or published as "
+            "slow",
+            name=say_label(tissue.nearest),
+            limit=say_limit(tissue.nearest),
+        )
+    yield Problem(LATE, "error", "publish", "tick", got, expected)
 
 
 def find_substep_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:

@@ -10,6 +10,7 @@ from palpate.scenario import MOST_PARTICLES
 from palpate_editor.document.cost_rules import (
     find_cost_problems,
     find_exchange_problems,
+    find_late_problems,
     find_substep_problems,
     find_surface_cost_problems,
 )
@@ -52,6 +53,7 @@ def find_problems(organ: Organ, facts: Facts) -> list[Problem]:
         find_substep_problems,
         find_test_problems,
         find_publish_problems,
+        find_late_problems,
     ):
         found += rules(organ, facts)
     return found

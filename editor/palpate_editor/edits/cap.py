@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
 import numpy as np
@@ -12,6 +12,7 @@ import palpate
 from palpate_editor.document import Organ, Surface, phrase
 from palpate_editor.edits.edit import EditError, find_surface
 from palpate_editor.edits.fill_holes import FillHoles
+from palpate_editor.edits.history import LATER
 from palpate_editor.edits.regions import MOST_REGIONS
 
 CAP = "cap"
@@ -26,10 +27,12 @@ class CapHoles:
     """
 
     title: ClassVar[str] = "Close for filling"
+    even: bool = field(default=False, metadata={LATER: True})
+    """See FillHoles."""
 
     def __call__(self, organ: Organ) -> Organ:
         surface = find_surface(organ)
-        closed = FillHoles()(organ)
+        closed = FillHoles(even=self.even)(organ)
         assert closed.surface is not None
         left = len(palpate.find_border_loops(closed.surface.triangles))
         if left:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Volumes of one file: NIfTI, NRRD, MetaImage, and DICOM of several frames."""
+"""Volumes of one file: NIfTI, NRRD, MetaImage, legacy VTK, and DICOM of several frames."""
 
 from __future__ import annotations
 
@@ -18,15 +18,20 @@ from palpate_editor.scan_child.nifti_header import (
 )
 from palpate_editor.scan_child.refused import Refused
 from palpate_editor.scan_child.volume import Volume, check_places, check_size
+from palpate_editor.scan_child.vtk_voxels import check_vtk
 
 FORMATS = {
     "NiftiImageIO": "NIfTI",
     "NrrdImageIO": "NRRD",
     "MetaImageIO": "MetaImage",
     "GDCMImageIO": "DICOM",
+    "VTKImageIO": "VTK",
 }
 """What SimpleITK calls its readers -> what people call the format."""
-EXPECTED = "a volume as .nii, .nii.gz, .nrrd, .mha, .mhd or a folder of DICOM slices"
+EXPECTED = (
+    "a volume as .nii, .nii.gz, .nrrd, .mha, .mhd, .vtk (structured points) or a folder of DICOM "
+    "slices"
+)
 NIFTI = (".nii", ".nii.gz")
 CORRECTED = "ITK_sform_corrected"
 HEADER_TEXT = 65536
@@ -56,6 +61,8 @@ def read_volume_file(path: Path) -> Volume:
     if reader.GetNumberOfComponents() != 1:
         many = f"{reader.GetNumberOfComponents()} numbers in each voxel"
         raise Refused("voxels", many, "1: a grey level or a label")
+    if FORMATS[name] == "VTK":
+        check_vtk(path, size, count_bytes(reader))
     header = read_nifti_header(path) if is_nifti else None
     if header is not None:
         check_nifti(path, header, size)
@@ -66,6 +73,12 @@ def read_volume_file(path: Path) -> Volume:
         path, {key: reader.GetMetaData(key) for key in reader.GetMetaDataKeys()}
     )
     return Volume(voxels, steps, origin, FORMATS[name], names)
+
+
+def count_bytes(reader: SimpleITK.ImageFileReader) -> int:
+    """Of one voxel."""
+    one = SimpleITK.Image([1] * reader.GetDimension(), reader.GetPixelID())
+    return one.GetSizeOfPixelComponent()
 
 
 def check_beside(path: Path) -> None:

@@ -37,7 +37,9 @@ def read_threshold(text: str) -> tuple[float | None, float | None]:
 
 def add_segment(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
-        "file", type=Path, help="NIfTI, NRRD or MetaImage volume, or a folder of DICOM slices"
+        "file",
+        type=Path,
+        help="volume of NIfTI, NRRD, MetaImage or legacy VTK, or a folder of DICOM slices",
     )
     chosen = parser.add_mutually_exclusive_group()
     chosen.add_argument(

@@ -371,12 +371,16 @@ FINDERS: dict[type, Callable[[Any, Organ, Path | str], Arguments | None]] = {
 }
 
 
-def publish_arguments(organ: Organ, document: Path | str, out: Path) -> Arguments:
+def publish_arguments(
+    organ: Organ, document: Path | str, out: Path, slow: bool = False
+) -> Arguments:
     arguments: Arguments = ["palpate", "publish", document]
     if organ.title:
         arguments += [f"--title={organ.title}"]
     if organ.task:
         arguments += [f"--task={organ.task}"]
+    if slow:
+        arguments += ["--slow"]
     return [*arguments, "-o", out]
 
 

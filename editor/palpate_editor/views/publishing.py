@@ -11,7 +11,8 @@ from PySide6.QtCore import QObject, Signal
 
 from palpate_editor.check import Assessment
 from palpate_editor.document import Organ
-from palpate_editor.publish import publish
+from palpate_editor.document.problems import Problem
+from palpate_editor.publish import find_errors, publish
 from palpate_editor.views.child_processes import ChildProcesses
 from palpate_editor.views.command_lines import publish_arguments
 from palpate_editor.views.context import Context
@@ -28,10 +29,11 @@ class PublishWork:
     organ: Organ
     path: Path
     assessment: Assessment | None
+    slow: bool = False
 
     def __call__(self, progress: Progress) -> Any:
         progress(tr("Publishing {file}").format(file=self.path.name), 0.2)
-        report = publish(self.organ, self.path, self.assessment)
+        report = publish(self.organ, self.path, self.assessment, self.slow)
         progress(tr("Done"), 1.0)
         return report
 
@@ -48,15 +50,16 @@ class Publishing(QObject):
         self.path: Path | None = None
         """The file published last from this window."""
         self.wanted = Path()
+        self.slow = False
+        """Whether an organ may be published that is late on the reference machine."""
         self.child_processes = ChildProcesses(context, self)
 
     def ask(self) -> None:
         """Asks for the file; refuses where there are errors."""
-        assessment = self.context.assessment
         if self.context.session.organ.surface is None:
             self.context.tell(tr("There is nothing to publish yet: import a mesh first."))
             return
-        errors = [] if assessment is None else assessment.checked.errors
+        errors = self.refuses()
         if errors:
             self.context.show_stage("publish")
             self.context.tell(
@@ -69,6 +72,11 @@ class Publishing(QObject):
         filters = [tr("Published scenarios (*.palpate)")]
         self.files.ask(tr("Publish"), filters, self.publish_name, save=name)
 
+    def refuses(self) -> tuple[Problem, ...]:
+        """What prevents publishing, as far as it is known."""
+        assessment = self.context.assessment
+        return () if assessment is None else find_errors(assessment.checked, self.slow)
+
     def publish_name(self, name: str) -> None:
         path = Path(name)
         self.publish(path if path.suffix == ".palpate" else path.with_name(path.name + ".palpate"))
@@ -79,14 +87,18 @@ class Publishing(QObject):
         self.wanted = path
         title = tr("Publishing {file}").format(file=path.name)
         known = self.context.assessment
-        work = PublishWork(self.context.session.organ, path, known.checked if known else None)
+        work = PublishWork(
+            self.context.session.organ, path, known.checked if known else None, self.slow
+        )
         self.context.jobs.start(title, work, self.on_published, self.context.refuse)
 
     def on_published(self, report: Any) -> None:
         del report
         self.path = self.wanted
         organ = self.context.session.organ
-        self.context.log_command(publish_arguments(organ, self.context.document(), self.path))
+        self.context.log_command(
+            publish_arguments(organ, self.context.document(), self.path, self.slow)
+        )
         self.context.tell(tr("Published as {file}.").format(file=self.path.name), "info")
         self.published.emit(self.path)
 

@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
+from hands import log_of
 from palpate_editor.views.budget import BODY, CONTACT, TOOL, Budget, Part, read_budget
 from palpate_editor.views.budget_bar import BudgetBar, colour_of
 from PySide6.QtGui import QColor
@@ -155,3 +157,24 @@ def test_the_publish_stage_presses_the_organ_in_the_background(window, qtbot):
     window.show_stage("test")
     window.show_stage("publish")
     assert panel.pressed is measured
+
+
+def test_what_is_late_is_published_once_a_box_is_ticked(window, qtbot, tmp_path):
+    late = replace(soft_organ(), title="late")
+    late = replace(late, model=replace(late.model, stiffness=2e6, home_stiffness=1e6))
+    window.session.restore(late, None)
+    panel = window.publish_panel
+    window.show_stage("publish")
+    qtbot.waitUntil(lambda: panel.slow.isVisible(), timeout=LONG)
+    assert window.publishing.refuses()
+
+    panel.slow.click()
+
+    assert not window.publishing.refuses()
+    window.publishing.publish(tmp_path / "late.palpate")
+    qtbot.waitUntil((tmp_path / "late.palpate").is_file, timeout=LONG)
+    qtbot.waitUntil(lambda: "palpate publish" in log_of(window), timeout=LONG)
+    assert "--slow" in log_of(window)
+    window.session.restore(soft_organ(), None)
+    qtbot.waitUntil(lambda: not panel.slow.isVisible(), timeout=LONG)
+    assert not window.publishing.slow

@@ -34,7 +34,7 @@ class Scans(QObject):
         if path is not None:
             self.open(path)
             return
-        names = " ".join(f"*{ending}" for ending in SUFFIXES)
+        names = " ".join(f"*{ending}" for ending in (*SUFFIXES, ".vtk"))
         filters = [tr("Scans ({names})").format(names=names), tr("All files (*)")]
         self.files.ask(tr("Import from a scan"), filters, self.open_name)
 

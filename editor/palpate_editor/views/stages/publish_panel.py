@@ -9,9 +9,10 @@ import palpate
 from palpate.runs.costs import press_costs
 from palpate.translation import LANGUAGES
 from PySide6.QtGui import QWheelEvent
-from PySide6.QtWidgets import QComboBox, QLineEdit, QPlainTextEdit, QPushButton, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QPlainTextEdit, QPushButton, QWidget
 
 from palpate_editor.document import Organ, Translation
+from palpate_editor.document.cost_rules import LATE
 from palpate_editor.document.problems import Problem
 from palpate_editor.edits import SetTask
 from palpate_editor.views.budget_bar import BudgetBar, find_budget
@@ -136,6 +137,10 @@ class PublishPanel(StagePanel):
         self.facts = self.section(tr("What is published")).add(Facts(self))
         self.costs = self.section(tr("Cost of a tick"))
         self.budget = self.costs.add(BudgetBar(tr("Measured once the organ is compiled."), self))
+        self.slow = QCheckBox(tr("Publish although it is late here, for a faster machine"), self)
+        self.slow.setObjectName("slow")
+        self.slow.toggled.connect(self.allow_slow)
+        self.costs.add(self.slow)
         self.button = self.main_button(tr("Publish…"), "publish")
         self.button.clicked.connect(self.publish)
         self.form.addWidget(self.button)
@@ -181,6 +186,10 @@ class PublishPanel(StagePanel):
         tissue = assessment.tissue if assessment else None
         self.facts.parentWidget().setVisible(organ.surface is not None)
         self.costs.setVisible(organ.surface is not None)
+        late = bool(assessment) and any(p.key == LATE for p in assessment.problems)
+        self.slow.setVisible(late)
+        if not late:
+            self.slow.setChecked(False)
         self._measure_costs()
         self.button.setEnabled(organ.surface is not None)
         if organ.surface is None:
@@ -272,6 +281,9 @@ class PublishPanel(StagePanel):
         task = self.task.toPlainText().strip()
         if task != self.translation().task:
             self.context.apply(SetTask(task=task, language=self.language.code()))
+
+    def allow_slow(self, allowed: bool) -> None:
+        self.publishing.slow = allowed
 
     def publish(self) -> None:
         self.set_title()
