@@ -146,15 +146,19 @@ def find_late_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
         share=share,
     )
     if organ.hand.exchange_rate:
-        expected = phrase("at most 100%: a coarser or softer organ, or published as slow")
+        expected = phrase(
+            "at most {most:.0%}: a coarser or softer organ, or published as slow", most=1.0
+        )
     elif tissue.nearest is None:
         expected = phrase(
-            "at most 100%: a coarser or softer organ, an exchange rate, or published as slow"
+            "at most {most:.0%}: a coarser or softer organ, an exchange rate, or published as slow",
+            most=1.0,
         )
     else:
         expected = phrase(
-            "at most 100%: a coarser organ, {name}: {limit}, an exchange rate, or published as "
-            "slow",
+            "at most {most:.0%}: a coarser organ, {name}: {limit}, an exchange rate, or published "
+            "as slow",
+            most=1.0,
             name=say_label(tissue.nearest),
             limit=say_limit(tissue.nearest),
         )

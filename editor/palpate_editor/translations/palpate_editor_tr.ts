@@ -529,6 +529,10 @@
         <translation>Maliyet</translation>
     </message>
     <message>
+        <source>Publish although it is late here, for a faster machine</source>
+        <translation>Burada geç kalsa da daha hızlı bir bilgisayar için yayımla</translation>
+    </message>
+    <message>
         <source>Cost of a tick</source>
         <translation>Bir adımın maliyeti</translation>
     </message>
@@ -3864,24 +3868,20 @@ Beklenen: {expected}.</translation>
         <translation>{count} köşe, temasta adım başına {substeps} alt adım: eldeki zamanın yaklaşık {share:.0%} kadarı</translation>
     </message>
     <message>
-        <source>Publish although it is late here, for a faster machine</source>
-        <translation>Burada geç kalsa da daha hızlı bir bilgisayar için yayımla</translation>
-    </message>
-    <message>
         <source>{substeps} steps a tick in touch: about {share:.0%} of the time there is</source>
         <translation>temasta adım başına {substeps} alt adım: eldeki zamanın yaklaşık {share:.0%} kadarı</translation>
     </message>
     <message>
-        <source>at most 100%: a coarser or softer organ, or published as slow</source>
-        <translation>en çok %100: daha kaba ya da yumuşak bir organ; ya da yavaş olarak yayımlanması</translation>
+        <source>at most {most:.0%}: a coarser or softer organ, or published as slow</source>
+        <translation>en çok {most:.0%}: daha kaba ya da yumuşak bir organ; ya da yavaş olarak yayımlanması</translation>
     </message>
     <message>
-        <source>at most 100%: a coarser or softer organ, an exchange rate, or published as slow</source>
-        <translation>en çok %100: daha kaba ya da yumuşak bir organ, bir alışveriş hızı; ya da yavaş olarak yayımlanması</translation>
+        <source>at most {most:.0%}: a coarser or softer organ, an exchange rate, or published as slow</source>
+        <translation>en çok {most:.0%}: daha kaba ya da yumuşak bir organ, bir alışveriş hızı; ya da yavaş olarak yayımlanması</translation>
     </message>
     <message>
-        <source>at most 100%: a coarser organ, {name}: {limit}, an exchange rate, or published as slow</source>
-        <translation>en çok %100: daha kaba bir organ, {name}: {limit}, bir alışveriş hızı; ya da yavaş olarak yayımlanması</translation>
+        <source>at most {most:.0%}: a coarser organ, {name}: {limit}, an exchange rate, or published as slow</source>
+        <translation>en çok {most:.0%}: daha kaba bir organ, {name}: {limit}, bir alışveriş hızı; ya da yavaş olarak yayımlanması</translation>
     </message>
     <message>
         <source>{count}, {substeps} steps a tick in touch: about {share:.0%} of the time there is</source>
