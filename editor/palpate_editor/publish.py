@@ -9,11 +9,14 @@ from dataclasses import replace
 from pathlib import Path
 
 from palpate import FileError, Scene, scenario
+from palpate.assessment.author import without_muted
+from palpate.assessment.check import ERROR, find_problems
+from palpate.assessment.publish import with_assessment
 from palpate.command.verb import Report
 from palpate.scene.scene_file import hash_file
 
 from palpate_editor.check import Assessment, assess, describe_model, describe_problem
-from palpate_editor.document import Organ
+from palpate_editor.document import Organ, phrase
 from palpate_editor.document.cost_rules import LATE
 from palpate_editor.document.files import FORMAT, VERSION, pack_organ
 from palpate_editor.document.problems import Problem
@@ -49,7 +52,8 @@ def publish(
     errors = find_errors(assessment, slow)
     if errors or assessment.scene is None:
         raise PublishError(errors or assessment.errors)
-    write_scenario(organ, assessment.scene, path)
+    made = judge_task(path, make_scenario(organ, assessment.scene, path))
+    write(made, path)
     return {
         "out": str(path),
         "title": organ.title,
@@ -69,6 +73,27 @@ def find_errors(assessment: Assessment, slow: bool) -> tuple[Problem, ...]:
 
 
 def write_scenario(organ: Organ, scene: Scene, path: Path) -> None:
+    """Without asking whether it should be published. Raises FileError or Refusal."""
+    write(make_scenario(organ, scene, path), path)
+
+
+def judge_task(path: Path, made: scenario.Scenario) -> scenario.Scenario:
+    """The very same, where nothing is wrong with its task. Raises PublishError."""
+    if not made.assessment:
+        return made
+    problems = tuple(
+        Problem("task", "error", "scenario", found.where, phrase("{text}", text=found.message),
+                phrase("a task that can be done and judged"))
+        for found in find_problems(made)
+        if found.severity == ERROR
+    )  # fmt: skip
+    if problems:
+        raise PublishError(problems)
+    return made
+
+
+def make_scenario(organ: Organ, scene: Scene, path: Path) -> scenario.Scenario:
+    """What a trainee opens. Raises Refusal, which calls it `path`, for a task that is none."""
     source = organ.source and replace(organ.source, folder="")
     content, arrays = pack_organ(replace(organ, source=source, history=None))
     made = scenario.Scenario(
@@ -81,6 +106,20 @@ def write_scenario(organ: Organ, scene: Scene, path: Path) -> None:
             code: scenario.Words(text.title, text.task) for code, text in organ.languages.items()
         },
     )
+    if not has_task(organ):
+        return made
+    return with_assessment(path, json.loads(organ.assessment), made)
+
+
+def has_task(organ: Organ) -> bool:
+    """Whether there is a step that is published."""
+    if not organ.assessment:
+        return False
+    steps = without_muted(json.loads(organ.assessment)).get("steps")
+    return bool(steps)
+
+
+def write(made: scenario.Scenario, path: Path) -> None:
     try:
         scenario.write(os.fspath(path), made)
     except ValueError as problem:

@@ -143,6 +143,7 @@ def make_organ(vertices: int = 60, imported: int | None = 150) -> Organ:
         title="Press the spleen",
         task="Bas ve bırak.",
         languages={"en": Translation("Press the spleen", "Press and let go.")},
+        assessment='{"palpate_scenario": 1}',
     )
 
 

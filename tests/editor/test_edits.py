@@ -81,6 +81,7 @@ DECIMATION = Decimation(150, 296, 50, 96, 30.0, 1e-4, 2e-4)
 
 EXAMPLES = [
     (edits.ImportMesh("liver", SOURCE, surface_of(80)), SPLEEN),
+    (edits.SetAssessment('{"palpate_scenario": 1}'), SPLEEN),
     (edits.SetUnit("cm"), SPLEEN),
     (edits.SetUp("y"), SPLEEN),
     (edits.KeepOuter(), NESTED),

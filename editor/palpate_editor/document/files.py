@@ -122,12 +122,19 @@ def pack_parts(organ: Organ) -> tuple[Json, Arrays]:
         arrays[FAR_FIELD] = organ.far_field.softness
     if organ.tissues:
         content["tissues"] = [asdict(tissue) for tissue in organ.tissues]
+    if organ.assessment:
+        content["assessment"] = json.loads(organ.assessment)
     if organ.languages:
         content["languages"] = {code: asdict(said) for code, said in organ.languages.items()}
     # a name may be of any alphabet, that of an array may not
     content["regions"] = list(organ.regions)
     arrays |= {f"regions/{row}": ids for row, ids in enumerate(organ.regions.values())}
     return content, arrays
+
+
+def write_assessment(assessment: Json) -> str:
+    """The same text for the same assessment, whatever it was read from."""
+    return json.dumps(assessment, ensure_ascii=False, sort_keys=True)
 
 
 def pack_surface(name: str, surface: Surface) -> Arrays:
@@ -205,7 +212,7 @@ def unpack_alone(content: Any, arrays: Arrays, file: str) -> Organ:
     known = {*TEXTS, *OPTIONAL, *NUMBERS, "regions"}
     if not isinstance(content, dict):
         raise Refusal(file, "", json_kind(content), "an object")
-    needed = set(content) - {"languages", "tissues", "far_field", *SOMETIMES}
+    needed = set(content) - {"languages", "tissues", "far_field", "assessment", *SOMETIMES}
     if needed != known:
         odd = sorted(needed ^ known)[0]
         found = "an unknown field" if odd in content else "nothing"
@@ -225,6 +232,8 @@ def unpack_alone(content: Any, arrays: Arrays, file: str) -> Organ:
         raise Refusal(file, f"appearance.{fault[0]}", *fault[1:])
     parts["tissues"] = unpack_tissues(content.get("tissues", []), file)
     parts["languages"] = unpack_languages(content.get("languages", {}), file)
+    if "assessment" in content:
+        parts["assessment"] = unpack_assessment(content["assessment"], file)
     regions = read_value(file, "regions", tuple[str, ...], content["regions"])
     if "far_field" in content:
         parts["far_field"] = unpack_far_field(content["far_field"], arrays, file)
@@ -232,6 +241,14 @@ def unpack_alone(content: Any, arrays: Arrays, file: str) -> Organ:
     if "far_field" in content:
         check_far_field(parts["far_field"], parts["surface"], file)
     return Organ(**parts)
+
+
+def unpack_assessment(section: Any, file: str) -> str:
+    """As text again; whether it can be judged is for the checks to say."""
+    if not isinstance(section, dict) or "palpate_scenario" not in section:
+        expected = "an object that says palpate_scenario"
+        raise Refusal(file, "assessment", json_kind(section), expected)
+    return write_assessment(section)
 
 
 def unpack_far_field(section: Any, arrays: Arrays, file: str) -> FarField:

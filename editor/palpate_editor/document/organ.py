@@ -206,6 +206,8 @@ class Organ:
     """What the trainee is asked to do, in words."""
     languages: Mapping[str, Translation] = field(default_factory=lambda: NO_LANGUAGES)
     """Title and task in further languages, by code such as "tr"; read-only."""
+    assessment: str = ""
+    """JSON: what is asked of a trainee and judged (palpate.assessment); empty where nothing is."""
     history: History | None = None
     """None where nothing has been done yet: the first edit begins it."""
 

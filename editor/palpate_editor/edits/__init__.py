@@ -39,6 +39,7 @@ from palpate_editor.edits.repair import (
     TurnOutward,
 )
 from palpate_editor.edits.repair_all import RepairAll
+from palpate_editor.edits.set_assessment import SetAssessment
 from palpate_editor.edits.set_constant import SetChoice, SetConstant, SetGravity, SetMaterial
 from palpate_editor.edits.set_far_field import SetFarField
 from palpate_editor.edits.set_reach import SetFineRegion, SetReach
@@ -72,6 +73,7 @@ __all__ = [
     "RemoveRegion",
     "RepairAll",
     "SetAppearance",
+    "SetAssessment",
     "SetChoice",
     "SetConstant",
     "SetFarField",
@@ -141,6 +143,7 @@ EVERY_EDIT: tuple[type, ...] = (
     SetName,
     SetTask,
     SetAppearance,
+    SetAssessment,
     Prepared,
 )
 """Tests hold every one of them to the same laws."""

@@ -5,6 +5,290 @@
 <context>
     <name>Editor</name>
     <message>
+        <source>A ball of 10 mm around a point of the organ</source>
+        <translation>Organın bir noktası çevresinde 10 mm yarıçaplı bir küre</translation>
+    </message>
+    <message>
+        <source>A careful hand plays</source>
+        <translation>Dikkatli bir el oynuyor</translation>
+    </message>
+    <message>
+        <source>A careful hand: {outcome} in {time} s, {errors} errors, peak {peak} N.</source>
+        <translation>Dikkatli el: {outcome}, {time} s, {errors} hata, en yüksek {peak} N.</translation>
+    </message>
+    <message>
+        <source>A limit is a warning, an error, or the end of the task. An organ without steps is published as one to feel.</source>
+        <translation>Bir sınır uyarıdır, hatadır ya da görevi bitirir. Adımı olmayan bir organ, hissedilecek bir organ olarak yayımlanır.</translation>
+    </message>
+    <message>
+        <source>A muted step stays here, and is not published</source>
+        <translation>Susturulan adım burada kalır, yayımlanmaz</translation>
+    </message>
+    <message>
+        <source>A step is a verb, a place and a band of force or depth. It is done once all has been so for as long as you say, and the next one begins.</source>
+        <translation>Bir adım; eylem, yer ve kuvvet ya da derinlik aralığıdır. Hepsi istediğiniz süre boyunca sağlanınca tamamlanır ve sonraki başlar.</translation>
+    </message>
+    <message>
+        <source>Add a limit</source>
+        <translation>Sınır ekle</translation>
+    </message>
+    <message>
+        <source>Add a step</source>
+        <translation>Adım ekle</translation>
+    </message>
+    <message>
+        <source>Careful hand</source>
+        <translation>Dikkatli el</translation>
+    </message>
+    <message>
+        <source>Careful hands finish, idle and violent ones do not.</source>
+        <translation>Dikkatli eller bitiriyor, duran ve sert eller bitirmiyor.</translation>
+    </message>
+    <message>
+        <source>Careful, idle, violent and clumsy hands, every level</source>
+        <translation>Dikkatli, duran, sert ve beceriksiz eller, her düzey</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Açıklık</translation>
+    </message>
+    <message>
+        <source>Click a point</source>
+        <translation>Nokta tıkla</translation>
+    </message>
+    <message>
+        <source>Click along the organ; Enter or a double click ends it</source>
+        <translation>Organ boyunca tıklayın; Enter ya da çift tıklama bitirir</translation>
+    </message>
+    <message>
+        <source>Click along the organ; Enter or the right button ends the line, Esc leaves</source>
+        <translation>Organ boyunca tıklayın; Enter ya da sağ düğme çizgiyi bitirir, Esc çıkar</translation>
+    </message>
+    <message>
+        <source>Click on the organ where the step shall be, Esc to leave</source>
+        <translation>Adımın olacağı yere, organın üzerine tıklayın; Esc çıkar</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Temas</translation>
+    </message>
+    <message>
+        <source>Do it once with the mouse: the band is what was felt, 20 % less to 20 % more</source>
+        <translation>Fareyle bir kez yapın: aralık, hissedilenin yüzde 20 azından yüzde 20 çoğuna kadardır</translation>
+    </message>
+    <message>
+        <source>Do the step once with the mouse, then stop</source>
+        <translation>Adımı fareyle bir kez yapın, sonra durdurun</translation>
+    </message>
+    <message>
+        <source>Drag a step to another place in the order</source>
+        <translation>Bir adımı sırada başka bir yere sürükleyin</translation>
+    </message>
+    <message>
+        <source>Draw a line</source>
+        <translation>Çizgi çiz</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Çoğalt</translation>
+    </message>
+    <message>
+        <source>Every hand</source>
+        <translation>Bütün eller</translation>
+    </message>
+    <message>
+        <source>Find and click</source>
+        <translation>Bul ve tıkla</translation>
+    </message>
+    <message>
+        <source>Follow a line</source>
+        <translation>Çizgiyi izle</translation>
+    </message>
+    <message>
+        <source>Grasp</source>
+        <translation>Kavra</translation>
+    </message>
+    <message>
+        <source>Hands play every level</source>
+        <translation>Eller her düzeyi oynuyor</translation>
+    </message>
+    <message>
+        <source>Kept for</source>
+        <translation>Tutma süresi</translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation>Bırak</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Sınırlar</translation>
+    </message>
+    <message>
+        <source>Mute</source>
+        <translation>Sustur</translation>
+    </message>
+    <message>
+        <source>New scenario</source>
+        <translation>Yeni senaryo</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong with the task in 20 attempts of each level.</source>
+        <translation>Her düzeyin 20 denemesinde görevde yanlış bir şey yok.</translation>
+    </message>
+    <message>
+        <source>Nothing was pressed, so the band stays as it was.</source>
+        <translation>Hiçbir yere bastırılmadı, aralık olduğu gibi kalıyor.</translation>
+    </message>
+    <message>
+        <source>Off the line</source>
+        <translation>Çizgi dışı</translation>
+    </message>
+    <message>
+        <source>Press and hold</source>
+        <translation>Bastır ve tut</translation>
+    </message>
+    <message>
+        <source>Pull out</source>
+        <translation>Dışarı çek</translation>
+    </message>
+    <message>
+        <source>Pulled distance</source>
+        <translation>Çekilen uzaklık</translation>
+    </message>
+    <message>
+        <source>Push in</source>
+        <translation>İçeri it</translation>
+    </message>
+    <message>
+        <source>Rate of force</source>
+        <translation>Kuvvet değişim hızı</translation>
+    </message>
+    <message>
+        <source>Record from my hand</source>
+        <translation>Elimden kaydet</translation>
+    </message>
+    <message>
+        <source>Say what a trainee does, step by step; it is judged in every tick.</source>
+        <translation>Eğitim alanın ne yapacağını adım adım söyleyin; her adımlamada değerlendirilir.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Tohum</translation>
+    </message>
+    <message>
+        <source>Self-play</source>
+        <translation>Kendi kendine oynama</translation>
+    </message>
+    <message>
+        <source>Share of the line</source>
+        <translation>Çizginin payı</translation>
+    </message>
+    <message>
+        <source>Simulated hands try the task out. They test its numbers, not what it teaches.</source>
+        <translation>Benzetilmiş eller görevi dener. Sayılarını sınarlar, ne öğrettiğini değil.</translation>
+    </message>
+    <message>
+        <source>Stop: take the band</source>
+        <translation>Dur: aralığı al</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Metinler</translation>
+    </message>
+    <message>
+        <source>The chosen step</source>
+        <translation>Seçilen adım</translation>
+    </message>
+    <message>
+        <source>The organ is not compiled yet.</source>
+        <translation>Organ henüz derlenmedi.</translation>
+    </message>
+    <message>
+        <source>Time limit</source>
+        <translation>Süre sınırı</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Dokun</translation>
+    </message>
+    <message>
+        <source>Unmute</source>
+        <translation>Sesi aç</translation>
+    </message>
+    <message>
+        <source>What is to be done</source>
+        <translation>Ne yapılacak</translation>
+    </message>
+    <message>
+        <source>What it comes to</source>
+        <translation>Sonucu</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Nerede</translation>
+    </message>
+    <message>
+        <source>Without a task the organ is published as one to feel.</source>
+        <translation>Görev olmadan organ, hissedilecek bir organ olarak yayımlanır.</translation>
+    </message>
+    <message>
+        <source>a warning</source>
+        <translation>uyarı</translation>
+    </message>
+    <message>
+        <source>an error</source>
+        <translation>hata</translation>
+    </message>
+    <message>
+        <source>ball</source>
+        <translation>küre</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>tamam</translation>
+    </message>
+    <message>
+        <source>ends the task</source>
+        <translation>görevi bitirir</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation>en az</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>çizgi</translation>
+    </message>
+    <message>
+        <source>most</source>
+        <translation>en çok</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>yok</translation>
+    </message>
+    <message>
+        <source>not done</source>
+        <translation>tamam değil</translation>
+    </message>
+    <message>
+        <source>seed</source>
+        <translation>tohum</translation>
+    </message>
+    <message>
+        <source>wrong above</source>
+        <translation>üstü yanlış</translation>
+    </message>
+    <message>
+        <source>wrong below</source>
+        <translation>altı yanlış</translation>
+    </message>
+    <message>
+        <source>{key} is missing</source>
+        <translation>{key} eksik</translation>
+    </message>
+    <message>
         <source>Damped by the link</source>
         <translation>Bağlantının sönümlemesi</translation>
     </message>
@@ -3319,6 +3603,78 @@ Beklenen: {expected}.</translation>
 </context>
 <context>
     <name>phrases</name>
+    <message>
+        <source>Add a step</source>
+        <translation>Adım ekle</translation>
+    </message>
+    <message>
+        <source>Begin a scenario</source>
+        <translation>Senaryoya başla</translation>
+    </message>
+    <message>
+        <source>Change a step</source>
+        <translation>Adımı değiştir</translation>
+    </message>
+    <message>
+        <source>Change a text</source>
+        <translation>Metni değiştir</translation>
+    </message>
+    <message>
+        <source>Change the limits</source>
+        <translation>Sınırları değiştir</translation>
+    </message>
+    <message>
+        <source>Change the time limit</source>
+        <translation>Süre sınırını değiştir</translation>
+    </message>
+    <message>
+        <source>Draw a place</source>
+        <translation>Yer çiz</translation>
+    </message>
+    <message>
+        <source>Duplicate a step</source>
+        <translation>Adımı çoğalt</translation>
+    </message>
+    <message>
+        <source>Mute a step</source>
+        <translation>Adımı sustur</translation>
+    </message>
+    <message>
+        <source>Order the steps</source>
+        <translation>Adımları sırala</translation>
+    </message>
+    <message>
+        <source>Record a step from a hand</source>
+        <translation>Adımı elden kaydet</translation>
+    </message>
+    <message>
+        <source>Remove a step</source>
+        <translation>Adımı kaldır</translation>
+    </message>
+    <message>
+        <source>The scenario does not say palpate_scenario.</source>
+        <translation>Senaryo palpate_scenario demiyor.</translation>
+    </message>
+    <message>
+        <source>The scenario has more than {most} bytes.</source>
+        <translation>Senaryo {most} bayttan büyük.</translation>
+    </message>
+    <message>
+        <source>The scenario is not JSON that a file can keep.</source>
+        <translation>Senaryo, bir dosyanın tutabileceği bir JSON değil.</translation>
+    </message>
+    <message>
+        <source>There is no scenario to take away.</source>
+        <translation>Kaldırılacak bir senaryo yok.</translation>
+    </message>
+    <message>
+        <source>a task that can be done and judged</source>
+        <translation>yapılabilen ve değerlendirilebilen bir görev</translation>
+    </message>
+    <message>
+        <source>{where}: {text}</source>
+        <translation>{where}: {text}</translation>
+    </message>
     <message>
         <source>0 Hz: the tissue ticks with the hand where it can</source>
         <translation>0 Hz: yetişebildiği yerde doku elle birlikte adımlar</translation>

@@ -34,6 +34,7 @@ from palpate_editor.views.problem_marks import ProblemMarks
 from palpate_editor.views.publishing import Publishing
 from palpate_editor.views.recent_menu import RecentMenu
 from palpate_editor.views.scan.scans import Scans
+from palpate_editor.views.scenario import ScenarioPanel
 from palpate_editor.views.scene_tree import SceneTree
 from palpate_editor.views.stability.atlas_view import AtlasView
 from palpate_editor.views.stage_bar import StageBar
@@ -121,6 +122,7 @@ class MainWindow(QMainWindow):
         self.decimate_panel = find_panel(panels, DecimatePanel)
         self.material_panel = find_panel(panels, MaterialPanel)
         self.test_panel = find_panel(panels, TestPanel)
+        self.scenario_panel = find_panel(panels, ScenarioPanel)
         self.publish_panel = find_panel(panels, PublishPanel)
         self.log = LogDock(context, hold("log"))
         self.scans = Scans(context, self.files, self.tasks, self)

@@ -18,7 +18,7 @@ from PySide6.QtTest import QTest
 from touch_context import build_organ
 
 EXAMPLE = Path(__file__).resolve().parents[2] / "examples/add_a_stage/measure_panel.py"
-ORDER = ["import", "repair", "decimate", "measure", "material", "test", "publish"]
+ORDER = ["import", "repair", "decimate", "measure", "material", "test", "scenario", "publish"]
 
 pytestmark = pytest.mark.window
 

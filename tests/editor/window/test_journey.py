@@ -40,7 +40,7 @@ def test_a_mesh_becomes_a_published_scenario_by_mouse_and_keys(qtbot, window, sp
     assert session.organ.fixed.any()
     assert "palpate material VH_F_Spleen.organ --stiffness=175N/m" in log_of(window)
 
-    press(window, Qt.Key.Key_6, CONTROL)
+    press(window, Qt.Key.Key_7, CONTROL)
     type_into(child(window, "title"), "Palpate the spleen")
     settle(qtbot, window)
     assert window.stage_dock.verdict("publish").errors == 0
@@ -215,7 +215,7 @@ def test_publishing_is_refused_with_the_red_checks(qtbot, spleen_window):
 @pytest.mark.landing
 def test_a_fix_button_solves_what_its_check_found(qtbot, spleen_window):
     window = spleen_window
-    press(window, Qt.Key.Key_6, CONTROL)
+    press(window, Qt.Key.Key_7, CONTROL)
     row = next(r for r in window.publish_panel.rows if r.label.text().startswith("No title."))
 
     click(row.button)

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QApplication
 pytestmark = pytest.mark.window
 
 
-ALL = ("import", "repair", "decimate", "material", "test", "publish")
+ALL = ("import", "repair", "decimate", "material", "test", "scenario", "publish")
 
 
 def colours_of(path: Path) -> np.ndarray:

@@ -205,7 +205,7 @@ def take_back_and_redo(job: Job) -> None:
 
 
 def publish(job: Job, folder: Path) -> Path:
-    job.key(Qt.Key.Key_6, CONTROL)
+    job.key(Qt.Key.Key_7, CONTROL)
     job.type("title", "The spleen")
     task = job.window.publish_panel.task
     job.qtbot.mouseClick(task.viewport(), LEFT)

@@ -8,6 +8,7 @@ from typing import TypeVar
 
 from PySide6.QtWidgets import QWidget
 
+from palpate_editor.views.scenario import ScenarioPanel
 from palpate_editor.views.stage import Stages
 from palpate_editor.views.stages.decimate_panel import DecimatePanel
 from palpate_editor.views.stages.import_panel import ImportPanel
@@ -23,6 +24,7 @@ PANELS: tuple[type[StagePanel], ...] = (
     DecimatePanel,
     MaterialPanel,
     TestPanel,
+    ScenarioPanel,
     PublishPanel,
 )
 
